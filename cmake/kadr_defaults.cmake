@@ -1,0 +1,24 @@
+# kadr_defaults(target): the standard, the warnings and the sanitizers that every target of ours has.
+set(KADR_SANITIZE "" CACHE STRING "sanitizers of this build, for example address,undefined")
+option(KADR_TIDY "run clang-tidy while compiling" OFF)
+
+function(kadr_defaults target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/runtime)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+    -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual -Wimplicit-fallthrough -Werror)
+  if(KADR_SANITIZE)
+    target_compile_options(${target} PUBLIC -fsanitize=${KADR_SANITIZE} -fno-sanitize-recover=all
+      -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=${KADR_SANITIZE})
+  endif()
+  if(KADR_TIDY)
+    set_target_properties(${target} PROPERTIES CXX_CLANG_TIDY "clang-tidy;--quiet")
+  endif()
+endfunction()
+
+# Rooms of the compiler may also include their own floor.
+function(kadr_compiler_room target)
+  kadr_defaults(${target})
+  target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/compiler)
+endfunction()

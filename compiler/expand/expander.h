@@ -1,0 +1,70 @@
+// expander.h — runs Code and yields Blocks.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/axes.h"
+#include "base/diagnostic.h"
+#include "base/stream.h"
+#include "nc/block.h"
+#include "sema/check.h"
+#include "sema/code.h"
+
+namespace kadr::expand {
+
+struct Limits {
+    std::uint32_t call_depth = 1000;
+    std::uint64_t loop_turns = 1'000'000'000;   // of all loops together
+    std::uint64_t blocks = 100'000'000;
+    std::uint64_t array_elements = 50'000'000;
+};
+
+/// One frame of the call stack behind a block, for messages and the source map.
+struct CallSite {
+    SourceRange range;           // of the call
+    std::string_view function;   // called
+};
+
+/// How the block that was yielded last came to be.
+struct Trace {
+    SourceRange statement;
+    std::vector<CallSite> calls;               // outermost first
+    std::vector<std::uint64_t> loop_counts;    // of the loops around the statement, outermost first
+};
+
+struct ExpandOptions {
+    Limits limits;
+    bool native_cycles = true;    // a call of a mapped cycle stays one block
+    bool trace = false;           // keep a Trace for every block of the batch
+};
+
+/// Evaluates a program, batch by batch. Errors while it runs are reported with the call stack and
+/// end the stream.
+class Expander final : public Stream<nc::Block> {
+  public:
+    /// code and sink outlive the expander. `target` is asked which cycles are native.
+    Expander(const sema::Code& code, const nc::Dialect& target, const ExpandOptions& options,
+             DiagnosticSink& sink);
+    ~Expander() override;
+
+    /// Chooses the program and sets its parameters (checked, with units). False: reported.
+    bool start(std::string_view program, const std::vector<sema::Define>& defines);
+    /// Starts a cycle by name with arguments as the interpreter has them (mm, deg, s) and the
+    /// position at which it begins. False: reported or unknown.
+    bool start_cycle(std::string_view cycle, std::span<const double> arguments, std::uint32_t given,
+                     const AxisValues& position, double feed);
+
+    std::size_t pull(std::span<nc::Block> out) override;
+    bool failed() const;
+    /// Of block `i` of the latest batch, if ExpandOptions::trace.
+    const Trace& trace(std::size_t i) const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace kadr::expand

@@ -1,0 +1,43 @@
+// check.h — Ast → Code: names, types, dimensions.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "nc/dialect.h"
+#include "sema/code.h"
+#include "syntax/ast.h"
+
+namespace kadr::sema {
+
+/// How the checker reaches imported files; the driver wires it (search path, parser).
+class ModuleLoader {
+  public:
+    struct Module {
+        const syntax::Ast* ast = nullptr;           // lives as long as the loader
+        const nc::Dialect* dialect = nullptr;       // input dialect of the file
+    };
+    virtual ~ModuleLoader() = default;
+    /// `cycles.drilling` (or a file name, if is_file) as seen from the file `from`. Null ast: not
+    /// found or not parsed; the loader has reported it at `place`. The same file is loaded once.
+    virtual Module load(std::string_view import, bool is_file, FileId from,
+                        const SourceRange& place) = 0;
+};
+
+/// A value for a parameter of the program, from the command line: `width=100mm`.
+struct Define {
+    std::string name;
+    std::string value;
+};
+
+/// Checks the file and everything it imports. Mistakes are reported, all of them; the code is
+/// returned only if there was no error.
+std::unique_ptr<Code> check(const syntax::Ast& main, const nc::Dialect& dialect,
+                            ModuleLoader& modules, const Sources& sources, DiagnosticSink& sink);
+
+}  // namespace kadr::sema

@@ -1,0 +1,40 @@
+// parse.h — Kadr source → Ast. The only door to ANTLR.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "nc/dialect.h"
+#include "syntax/ast.h"
+
+namespace kadr::syntax {
+
+/// Lexemes of the structural elements in one keyword language: "если" is `if`.
+struct KeywordTable {
+    std::string name;                                            // "en", "ru"
+    std::unordered_map<std::string, std::string> canonical;      // lexeme → English keyword or type
+};
+
+/// Loads dialects/languages/NAME.xml. Mistakes are reported; nothing is returned then.
+std::optional<KeywordTable> load_keywords(const std::string& name_or_file,
+                                          const std::vector<std::string>& folders,
+                                          Sources& sources, DiagnosticSink& sink);
+
+/// Name of the keyword language that the source's first declaration asks for (`language ru;`), and
+/// of its input dialect (`dialect fanuc;`); empty where it does not say. A cheap look at the first
+/// lines, before the lexeme tables are known.
+struct SourceHeader {
+    std::string language;
+    std::string dialect;
+};
+SourceHeader scan_header(std::string_view text);
+
+/// Parses one file. Every syntax error of the file is reported in one run, in a technologist's
+/// words; the tree then has Invalid nodes where errors stood. `dialect` says which identifiers are
+/// words of NC blocks.
+Ast parse(const Sources& sources, FileId file, const KeywordTable& keywords,
+          const nc::Dialect& dialect, DiagnosticSink& sink);
+
+}  // namespace kadr::syntax

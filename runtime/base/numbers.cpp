@@ -1,0 +1,168 @@
+#include "base/numbers.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+
+#include "base/assert.h"
+
+namespace kadr {
+
+namespace {
+
+constexpr std::array<double, 23> kPowersOfTen = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                 1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                                 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+constexpr double kExactInteger = 9007199254740992.0;  // 2^53
+constexpr int kMaxDecimals = 9;
+
+constexpr std::array<char, 200> digit_pairs() {
+    std::array<char, 200> pairs{};
+    for (int i = 0; i < 100; ++i) {
+        pairs[static_cast<std::size_t>(2 * i)] = static_cast<char>('0' + i / 10);
+        pairs[static_cast<std::size_t>(2 * i + 1)] = static_cast<char>('0' + i % 10);
+    }
+    return pairs;
+}
+constexpr std::array<char, 200> kDigitPairs = digit_pairs();
+
+/// The digits of `n` end at `end`; returns where they begin.
+char* write_digits_backwards(char* end, std::uint64_t n) {
+    while (n >= 100) {
+        const std::size_t pair = n % 100;
+        n /= 100;
+        end -= 2;
+        std::memcpy(end, kDigitPairs.data() + 2 * pair, 2);
+    }
+    if (n >= 10) {
+        end -= 2;
+        std::memcpy(end, kDigitPairs.data() + 2 * n, 2);
+    } else {
+        *--end = static_cast<char>('0' + n);
+    }
+    return end;
+}
+
+/// |value|·10^decimals rounded to the nearest integer, if that rounding is certain.
+///
+/// The product carries a rounding error of half a unit in its last place. Where its fraction is
+/// farther from one half than that, the exact product rounds the same way; nearer than that the
+/// exact decimal expansion has to decide, and the caller asks std::to_chars.
+bool scaled_magnitude(double value, int decimals, std::uint64_t& scaled) {
+    const double product = std::fabs(value) * kPowersOfTen[static_cast<std::size_t>(decimals)];
+    if (!(product < kExactInteger / 8)) return false;
+    const auto whole = static_cast<std::uint64_t>(product);
+    const double fraction = product - static_cast<double>(whole);  // exact below 2^53
+    constexpr double kEpsilon = 2.3e-16;                           // > 2^-52
+    if (std::fabs(fraction - 0.5) <= (product + 1.0) * kEpsilon) return false;
+    scaled = whole + (fraction > 0.5 ? 1 : 0);
+    return true;
+}
+
+char* format_fixed_exactly(char* out, double value, int decimals) {
+    const auto end = std::to_chars(out, out + kMaxFixedLength, value, std::chars_format::fixed,
+                                   decimals);
+    KADR_ASSERT(end.ec == std::errc(), "a finite number fits into kMaxFixedLength");
+    if (*out != '-') return end.ptr;
+    for (const char* c = out + 1; c != end.ptr; ++c) {
+        if (*c != '0' && *c != '.') return end.ptr;
+    }
+    std::memmove(out, out + 1, static_cast<std::size_t>(end.ptr - out - 1));
+    return end.ptr - 1;
+}
+
+}  // namespace
+
+char* format_fixed(char* out, double value, int decimals) {
+    KADR_ASSERT(decimals >= 0 && decimals <= kMaxDecimals, "0 to 9 decimals");
+    std::uint64_t scaled = 0;
+    if (!scaled_magnitude(value, decimals, scaled)) return format_fixed_exactly(out, value, decimals);
+    if (value < 0 && scaled != 0) *out++ = '-';
+
+    std::array<char, 24> buffer;
+    char* const end = buffer.data() + buffer.size();
+    char* begin = write_digits_backwards(end, scaled);
+    while (end - begin <= decimals) *--begin = '0';
+    const std::ptrdiff_t whole = end - begin - decimals;
+    std::memcpy(out, begin, static_cast<std::size_t>(whole));
+    out += whole;
+    if (decimals > 0) {
+        *out++ = '.';
+        std::memcpy(out, begin + whole, static_cast<std::size_t>(decimals));
+        out += decimals;
+    }
+    return out;
+}
+
+double round_to(double value, int decimals) {
+    std::uint64_t scaled = 0;
+    if (scaled_magnitude(value, decimals, scaled)) {
+        const double rounded =
+            static_cast<double>(scaled) / kPowersOfTen[static_cast<std::size_t>(decimals)];
+        return value < 0 && scaled != 0 ? -rounded : rounded;
+    }
+    std::array<char, kMaxFixedLength> text;
+    char* const end = format_fixed_exactly(text.data(), value, decimals);
+    double rounded = 0;
+    std::from_chars(text.data(), end, rounded);
+    return rounded;
+}
+
+Decimal parse_decimal(const char* begin, const char* end) {
+    Decimal result;
+    result.end = begin;
+    const char* p = begin;
+    bool negative = false;
+    if (p != end && (*p == '-' || *p == '+')) negative = *p++ == '-';
+
+    std::uint64_t mantissa = 0;
+    const char* const first_digit = p;
+    bool any_digit = false;
+    const auto take_digits = [&] {
+        const char* const start = p;
+        while (p != end && static_cast<unsigned char>(*p - '0') <= 9) {
+            // Beyond 19 digits the integer wraps; `digits` tells, and from_chars takes over.
+            mantissa = mantissa * 10 + static_cast<std::uint64_t>(*p - '0');
+            if (mantissa != 0 && result.digits != 0xffff) ++result.digits;
+            ++p;
+        }
+        any_digit |= p != start;
+        return p - start;
+    };
+    take_digits();
+    if (p != end && *p == '.') {
+        result.has_point = true;
+        ++p;
+        const std::ptrdiff_t count = take_digits();
+        result.decimals = static_cast<std::uint16_t>(count < 0xffff ? count : 0xffff);
+    }
+    if (!any_digit) return Decimal{.end = begin};
+    result.end = p;
+
+    // A mantissa below 2^53 and a power of ten up to 10^22 are exact; so is their quotient,
+    // correctly rounded (Clinger 1990).
+    if (result.digits <= 15 && result.decimals <= 22) {
+        const auto exact = static_cast<double>(mantissa);
+        result.value = exact / kPowersOfTen[result.decimals];
+    } else {
+        std::from_chars(first_digit, p, result.value, std::chars_format::fixed);
+    }
+    if (negative) result.value = -result.value;
+    return result;
+}
+
+void append_shortest(std::string& out, double value) {
+    std::array<char, 32> text;
+    if (value == 0) value = 0;  // no sign on zero
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+    out.append(text.data(), end.ptr);
+}
+
+std::string format_shortest(double value) {
+    std::string text;
+    append_shortest(text, value);
+    return text;
+}
+
+}  // namespace kadr

@@ -1,0 +1,217 @@
+#include "base/render.h"
+
+#include <algorithm>
+
+#include "base/text.h"
+
+namespace kadr {
+
+namespace {
+
+constexpr std::size_t kShownLine = 160;  // bytes of a long line that are shown around the caret
+
+LinePlace resolve(const SourceRange& range, const Sources& sources) {
+    LinePlace place;
+    if (!range.file.is_valid()) return place;
+    const LineColumn at = sources.locate(range.file, range.begin);
+    place.file = sources.name(range.file);
+    place.line = at.line;
+    place.column = at.column;
+    place.text = sources.line_at(range.file, range.begin);
+    const std::string_view marked = sources.text(range);
+    const std::string_view first_line = marked.substr(0, marked.find_first_of("\r\n"));
+    place.length = std::max<std::uint32_t>(
+        1, static_cast<std::uint32_t>(count_code_points(first_line)));
+    return place;
+}
+
+LinePlace place_of(const Diagnostic& diagnostic, const Sources& sources) {
+    return diagnostic.line ? *diagnostic.line : resolve(diagnostic.range, sources);
+}
+
+std::string_view severity_name(Severity severity) {
+    switch (severity) {
+        case Severity::Warning: return "warning";
+        case Severity::Error: return "error";
+        case Severity::Alarm: return "alarm";
+    }
+    return "error";
+}
+
+std::string_view severity_color(Severity severity) {
+    return severity == Severity::Warning ? "\033[1;35m" : "\033[1;31m";
+}
+
+std::string code_of(const Diagnostic& diagnostic) {
+    return diagnostic.alarm_number.empty() ? std::string(diagnostic.row->code)
+                                           : diagnostic.alarm_number;
+}
+
+std::string message_of(const Diagnostic& diagnostic) {
+    if (diagnostic.alarm_text.empty()) return diagnostic.message();
+    return diagnostic.alarm_text + ": " + diagnostic.message();
+}
+
+/// Byte offset of the character with number `count` (from 0).
+std::size_t byte_of_character(std::string_view text, std::size_t count) {
+    std::size_t byte = 0;
+    while (byte < text.size() && count > 0) {
+        ++byte;
+        while (byte < text.size() && (static_cast<unsigned char>(text[byte]) & 0xC0) == 0x80) ++byte;
+        --count;
+    }
+    return byte;
+}
+
+void append_line(std::string& out, const LinePlace& place, std::string_view color) {
+    if (place.line == 0 || place.text.empty()) return;
+    std::string_view text = place.text;
+    std::size_t before = byte_of_character(text, place.column - 1);
+    if (text.size() > kShownLine) {
+        const std::size_t start =
+            byte_of_character(text, count_code_points(text.substr(0, before > 60 ? before - 60 : 0)));
+        const std::size_t shown = std::min(text.size() - start, kShownLine);
+        text = text.substr(start, byte_of_character(text.substr(start), shown));
+        before -= start;
+    }
+    const std::string number = std::to_string(place.line);
+    const std::string margin(number.size() < 4 ? 4 - number.size() : 0, ' ');
+    out += margin + number + " | ";
+    for (const char c : text) out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    out += '\n';
+    out.append(std::max<std::size_t>(4, number.size()), ' ');
+    out += " | ";
+    const std::size_t offset = count_code_points(text.substr(0, std::min(before, text.size())));
+    const std::size_t rest = count_code_points(text) - std::min(offset, count_code_points(text));
+    out.append(offset, ' ');
+    out += color;
+    out += '^';
+    out.append(std::min<std::size_t>(place.length, std::max<std::size_t>(1, rest)) - 1, '~');
+    if (!color.empty()) out += "\033[0m";
+    out += '\n';
+}
+
+void append_place(std::string& out, const LinePlace& place) {
+    if (place.file.empty()) return;
+    out += place.file;
+    if (place.line > 0) {
+        out += ':' + std::to_string(place.line) + ':' + std::to_string(place.column);
+    }
+    out += ": ";
+}
+
+/// The marked line as it looks once the fix is applied; empty if the fix is words only or spans
+/// lines.
+std::string mended_line(const Diagnostic::Fix& fix, const Sources& sources) {
+    if (!fix.range.file.is_valid() || fix.replacement.empty()) return {};
+    const std::string_view removed = sources.text(fix.range);
+    if (removed.find('\n') != std::string_view::npos) return {};
+    const std::string_view line = sources.line_at(fix.range.file, fix.range.begin);
+    const std::size_t start =
+        fix.range.begin - static_cast<std::size_t>(line.data() - sources.text(fix.range.file).data());
+    if (start + removed.size() > line.size()) return {};
+    std::string mended(line.substr(0, start));
+    mended += fix.replacement;
+    mended += line.substr(start + removed.size());
+    const std::size_t indent = mended.find_first_not_of(" \t");
+    return indent == std::string::npos ? std::string() : mended.substr(indent);
+}
+
+}  // namespace
+
+std::string render_text(const Diagnostic& diagnostic, const Sources& sources,
+                        const RenderOptions& options) {
+    const LinePlace place = place_of(diagnostic, sources);
+    const std::string_view color = options.color ? severity_color(diagnostic.severity) : "";
+    const std::string_view reset = options.color ? "\033[0m" : "";
+    std::string out;
+    append_place(out, place);
+    out += color;
+    out += severity_name(diagnostic.severity);
+    out += '[' + code_of(diagnostic) + "]";
+    out += reset;
+    out += ": " + message_of(diagnostic) + '\n';
+    append_line(out, place, color);
+    for (const Diagnostic::Note& note : diagnostic.notes) {
+        const LinePlace at = note.line ? *note.line : resolve(note.range, sources);
+        append_place(out, at);
+        out += (at.file.empty() ? "  note: " : "note: ") + note.text + '\n';
+    }
+    for (const Diagnostic::Fix& fix : diagnostic.fixes) {
+        out += "  fix: " + fix.text;
+        const std::string mended = mended_line(fix, sources);
+        if (!mended.empty()) out += ": `" + mended + '`';
+        out += '\n';
+    }
+    return out;
+}
+
+std::string json_string(std::string_view text) {
+    static constexpr char kHex[] = "0123456789abcdef";
+    std::string out = "\"";
+    for (std::size_t i = 0; i < text.size();) {
+        const auto c = static_cast<unsigned char>(text[i]);
+        if (c == '"' || c == '\\') {
+            out += '\\';
+            out += static_cast<char>(c);
+            ++i;
+        } else if (c == '\n') {
+            out += "\\n";
+            ++i;
+        } else if (c < 0x20) {
+            out += "\\u00";
+            out += kHex[c >> 4];
+            out += kHex[c & 15];
+            ++i;
+        } else if (c < 0x80) {
+            out += static_cast<char>(c);
+            ++i;
+        } else {
+            const std::size_t length = c >= 0xF0 ? 4 : c >= 0xE0 ? 3 : c >= 0xC2 ? 2 : 0;
+            bool valid = length != 0 && c <= 0xF4 && i + length <= text.size();
+            for (std::size_t k = 1; valid && k < length; ++k) {
+                valid = (static_cast<unsigned char>(text[i + k]) & 0xC0) == 0x80;
+            }
+            out += valid ? text.substr(i, length) : std::string_view("\xEF\xBF\xBD");
+            i += valid ? length : 1;
+        }
+    }
+    return out + '"';
+}
+
+std::string render_json(const Diagnostic& diagnostic, const Sources& sources) {
+    const auto append_position = [](std::string& out, const LinePlace& place) {
+        out += "\"file\":" + json_string(place.file);
+        if (place.line == 0) return;
+        out += ",\"line\":" + std::to_string(place.line);
+        out += ",\"column\":" + std::to_string(place.column);
+        out += ",\"end_column\":" + std::to_string(place.column + place.length);
+    };
+    std::string out = "{";
+    append_position(out, place_of(diagnostic, sources));
+    out += ",\"severity\":" + json_string(severity_name(diagnostic.severity));
+    out += ",\"code\":" + json_string(diagnostic.row->code);
+    if (!diagnostic.alarm_number.empty()) {
+        out += ",\"alarm\":" + json_string(diagnostic.alarm_number);
+        out += ",\"alarm_text\":" + json_string(diagnostic.alarm_text);
+    }
+    out += ",\"message\":" + json_string(diagnostic.message());
+    out += ",\"notes\":[";
+    for (const Diagnostic::Note& note : diagnostic.notes) {
+        if (&note != &diagnostic.notes.front()) out += ',';
+        out += '{';
+        append_position(out, note.line ? *note.line : resolve(note.range, sources));
+        out += ",\"text\":" + json_string(note.text) + '}';
+    }
+    out += "],\"fixes\":[";
+    for (const Diagnostic::Fix& fix : diagnostic.fixes) {
+        if (&fix != &diagnostic.fixes.front()) out += ',';
+        out += '{';
+        append_position(out, resolve(fix.range, sources));
+        out += ",\"replacement\":" + json_string(fix.replacement);
+        out += ",\"text\":" + json_string(fix.text) + '}';
+    }
+    return out + "]}";
+}
+
+}  // namespace kadr

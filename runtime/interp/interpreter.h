@@ -1,0 +1,63 @@
+// interpreter.h — Block → Command, as the real control would.
+//
+// Keeps the modal state (motion, plane, units of feed, frames, offsets, position) and resolves each
+// block against it. What the control would alarm on is reported with the control's number and ends
+// the run; commands up to there are delivered.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+
+#include "base/stream.h"
+#include "machine/machine.h"
+#include "nc/dialect.h"
+#include "nc/reader.h"
+#include "path/command.h"
+
+namespace kadr::interp {
+
+/// What a machining cycle is told about its surroundings.
+struct CycleCall {
+    nc::CycleId cycle = 0;
+    std::string_view name;
+    std::span<const double> arguments;   // in the order of CycleInfo::parameters; mm, deg, s
+    std::uint32_t given = 0;             // bit i: argument i holds
+    AxisValues position{};               // programmed position, mm, deg
+    double feed = 0;                     // the modal feed
+    SourceId source;
+};
+
+/// Expands a machining cycle into blocks. The one thing that the runtime needs from the compiler;
+/// the driver wires it. Null result: the cycle is not known or failed (it has reported).
+class CycleExpander {
+  public:
+    virtual ~CycleExpander() = default;
+    virtual std::unique_ptr<Stream<nc::Block>> expand(const CycleCall& call) = 0;
+};
+
+struct InterpreterOptions {
+    std::uint64_t max_blocks = 0;   // 0: no limit
+    std::uint16_t skip_levels = 0;  // bit n: blocks with skip level n are left out
+    bool optional_stop = false;
+};
+
+class Interpreter final : public Stream<path::Command> {
+  public:
+    /// All references outlive the interpreter. `place_of` gives the place of a block for messages.
+    /// `cycles` may be null: a cycle call is then an alarm.
+    Interpreter(const nc::Dialect& dialect, const machine::Machine& machine,
+                Stream<nc::Block>& blocks, const nc::Reader* places, CycleExpander* cycles,
+                const InterpreterOptions& options, DiagnosticSink& sink);
+    ~Interpreter() override;
+
+    std::size_t pull(std::span<path::Command> out) override;
+    bool alarmed() const;               // an alarm ended the run
+    std::uint64_t blocks() const;       // executed so far
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace kadr::interp

@@ -1,0 +1,117 @@
+// block.h — one NC block by its meaning.
+//
+// No letters, no spelling: those exist only in the writer and the reader. Lengths are mm and angles
+// degrees whatever units the text uses. A Block never touches the heap unless it carries text; it
+// is reset and filled again, so masks and counts say which fields hold.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "base/axes.h"
+#include "base/source.h"
+#include "nc/vocabulary.h"
+
+namespace kadr::nc {
+
+inline constexpr std::size_t kMaxInvocations = 16;
+inline constexpr std::size_t kMaxArguments = 40;
+
+/// Scalar fields of a Block that a word can set.
+enum class Slot : std::uint8_t {
+    X, Y, Z, A, B, C, U, V, W,  // targets, in the order of Axis
+    CenterX, CenterY, CenterZ,  // arc centre
+    Radius, Turns,              // arc radius (negative: more than half a turn), additional full turns
+    Feed, Speed,
+};
+inline constexpr std::size_t kSlots = 16;
+using SlotMask = std::uint32_t;
+constexpr SlotMask bit(Slot slot) { return SlotMask{1} << static_cast<unsigned>(slot); }
+constexpr Slot slot_of(Axis axis) { return static_cast<Slot>(index(axis)); }
+inline constexpr SlotMask kTargetSlots = (SlotMask{1} << kAxes) - 1;
+inline constexpr SlotMask kCenterSlots = bit(Slot::CenterX) | bit(Slot::CenterY) | bit(Slot::CenterZ);
+
+/// A function of the vocabulary as it stands in a block, with its parameters.
+struct Invocation {
+    Function function = Function::None;
+    std::uint8_t first = 0;    // of its parameters in Block::arguments, in the order of the vocabulary
+    std::uint32_t given = 0;   // bit i: parameter i was given
+};
+
+/// Which cycle a block calls: index into the dialects' common list of cycles (Dialect::cycles).
+using CycleId = std::uint16_t;
+
+struct Block {
+    enum class Kind : std::uint8_t {
+        Nc,       // the normal case
+        Comment,  // only a comment
+        Raw,      // `text` is a line that goes through as it stands
+        Label,    // `text` is a jump target
+        Modal,    // nothing is written; tells the writer that the modal state below is unknown
+    };
+
+    Kind kind = Kind::Nc;
+    Function motion = Function::None;   // None: the modal motion continues
+    SlotMask given = 0;                 // which of `values` hold
+    SlotMask incremental = 0;           // of the given targets and centres: incremental by themselves
+    SlotMask absolute = 0;              // … absolute by themselves; neither: as the modal state says
+    std::uint8_t function_count = 0;
+    std::uint8_t argument_count = 0;
+    std::int8_t skip = -1;              // optional skip level 0…9; -1 none
+    CycleId cycle = 0;                  // holds if Function::Cycle is among the functions
+    std::int32_t number = -1;           // N; -1 none
+    std::uint32_t line = 0;             // line of the ISO-7bit text it came from or went to, from 1
+    SourceId source;                    // statement of the Kadr program behind it
+    std::array<double, kSlots> values;  // mm, deg; feed and speed in the unit of their modes
+    std::array<Invocation, kMaxInvocations> functions;
+    std::array<double, kMaxArguments> arguments;
+    std::string text;     // of a message, a tool name, a raw line, a label
+    std::string comment;  // shown behind the block
+
+    /// Empties the block; keeps the capacity of its strings.
+    void reset() {
+        kind = Kind::Nc;
+        motion = Function::None;
+        given = incremental = absolute = 0;
+        function_count = argument_count = 0;
+        skip = -1;
+        cycle = 0;
+        number = -1;
+        line = 0;
+        source = {};
+        text.clear();
+        comment.clear();
+    }
+
+    bool has(Slot slot) const { return (given & bit(slot)) != 0; }
+    double at(Slot slot) const { return values[static_cast<std::size_t>(slot)]; }
+    void set(Slot slot, double value) {
+        values[static_cast<std::size_t>(slot)] = value;
+        given |= bit(slot);
+    }
+
+    /// Adds a function without parameters given; false if the block is full.
+    bool add(Function function);
+    /// Adds a function and room for all its parameters (`parameter_count`), none given yet. For a
+    /// cycle the count is the cycle's. Returns nullptr if the block is full.
+    Invocation* add(Function function, std::size_t parameter_count);
+    void set_argument(Invocation& invocation, std::size_t parameter, double value) {
+        arguments[invocation.first + parameter] = value;
+        invocation.given |= 1u << parameter;
+    }
+    const Invocation* find(Function function) const;
+    /// Argument of an invocation; `fallback` if it was not given.
+    double argument(const Invocation& invocation, std::size_t parameter, double fallback = 0) const {
+        return (invocation.given >> parameter & 1u) != 0 ? arguments[invocation.first + parameter]
+                                                         : fallback;
+    }
+};
+
+/// Same meaning: what masks and counts do not name is not compared; nor are line and source.
+bool operator==(const Block& a, const Block& b);
+
+/// One line for messages and tests: `line X10 Y-2.5 F200 | spindle_cw | dwell(time=0.5)`.
+std::string describe(const Block& block);
+
+}  // namespace kadr::nc

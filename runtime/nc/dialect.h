@@ -1,0 +1,111 @@
+// dialect.h — what a control's XML file says, compiled into tables.
+//
+// One description, both directions: the writer and the reader use the same tables. No code asks
+// which control it is.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "nc/block.h"
+
+namespace kadr::nc {
+
+struct DialectTables;  // tables.h, for the rooms of nc only
+
+/// A machining cycle that dialects may map to a control's own. All dialects share the list of the
+/// common core, so a CycleId means the same everywhere.
+struct CycleInfo {
+    std::string name;                    // as in stdlib: "drill_peck"
+    std::vector<Parameter> parameters;   // names live in the Dialect
+    std::string meaning;
+};
+
+/// A control's own alarm for an error that the interpreter raises.
+struct AlarmText {
+    std::string number;
+    std::string text;
+};
+
+/// Immutable. Movable, not copyable.
+class Dialect {
+  public:
+    explicit Dialect(std::unique_ptr<DialectTables> tables);
+    Dialect(Dialect&&) noexcept;
+    Dialect& operator=(Dialect&&) noexcept;
+    ~Dialect();
+
+    std::string_view name() const;    // "fanuc"
+    std::string_view title() const;   // "FANUC 30i/31i/32i-B, machining centre"
+    std::string_view suffix() const;  // of files: "nc"
+
+    std::span<const CycleInfo> cycles() const;
+    std::optional<CycleId> find_cycle(std::string_view name) const;
+    /// Whether the control has a cycle of its own that can say these parameters (bit i: given).
+    bool has_native_cycle(CycleId cycle, std::uint32_t given) const;
+    /// Whether the control can say this function at all.
+    bool can_write(Function function) const;
+    /// Member of a modal group at power-on; None if the dialect does not say.
+    Function power_on(Group group) const;
+    /// The control's alarm for a diagnostic row; nothing if the dialect names none.
+    std::optional<AlarmText> alarm(const DiagnosticRow& row) const;
+
+    const DialectTables& tables() const { return *tables_; }
+
+  private:
+    std::unique_ptr<DialectTables> tables_;
+};
+
+/// Folders in which dialect files are looked for, first match wins.
+using SearchPath = std::vector<std::string>;
+
+/// Loads a dialect by name ("fanuc") or by file. Everything wrong in the file is reported with its
+/// place; nothing is returned then.
+std::optional<Dialect> load_dialect(const std::string& name_or_file, const SearchPath& folders,
+                                    Sources& sources, DiagnosticSink& sink);
+
+// ---------------------------------------------------------------- words of blocks in a source
+
+/// How a word stands in a Kadr source block.
+struct SourceWord {
+    enum class Value : std::uint8_t { None, Literal, Computed };
+    enum class Mode : std::uint8_t { Modal, Absolute, Incremental };  // X=…; X=AC(…); X=IC(…) or X+=…
+    std::string_view address;   // "X", "CR", "G"; without its number
+    Value value = Value::None;
+    double number = 0;          // of a Literal
+    Mode mode = Mode::Modal;
+    SourceRange range;
+};
+
+/// Where the value of a word belongs in the block that is made from it.
+struct Hole {
+    std::uint16_t word = 0;          // index of the SourceWord
+    Dimension dimension = Dimension::Number;
+    bool is_argument = false;        // false: `place` is a Slot; true: index into Block::arguments
+    std::uint8_t place = 0;
+    std::uint8_t invocation = 0;     // index into Block::functions, if is_argument
+    std::uint8_t parameter = 0;      // … and which of its parameters
+};
+
+/// A block with everything that is known before the program runs; values of the words named by
+/// `holes` are to be filled in (also those of literals: units are the language's matter).
+struct BlockPlan {
+    Block block;
+    std::vector<Hole> holes;
+};
+
+/// Recognises source words with the tables of the input dialect. Mistakes are reported at the word.
+std::optional<BlockPlan> plan_block(const Dialect& dialect, std::span<const SourceWord> words,
+                                    DiagnosticSink& sink);
+
+/// What an identifier of the source is in the input dialect, for the parser: an address that takes a
+/// value (`X`, `CR`, `G`), a word by itself (`TRANS`, `DIAMON`), or nothing.
+enum class WordKind : std::uint8_t { None, Address, Word };
+WordKind word_kind(const Dialect& dialect, std::string_view identifier);
+
+}  // namespace kadr::nc
