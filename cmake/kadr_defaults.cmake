@@ -7,10 +7,19 @@ function(kadr_defaults target)
   target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/runtime)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
     -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual -Wimplicit-fallthrough -Werror)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    # g++ 12 sees an overlap in `"text" + std::string` that is not there (GCC bug 105329).
+    target_compile_options(${target} PRIVATE -Wno-restrict)
+  endif()
   if(KADR_SANITIZE)
     target_compile_options(${target} PUBLIC -fsanitize=${KADR_SANITIZE} -fno-sanitize-recover=all
       -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=${KADR_SANITIZE})
+  endif()
+  if(KADR_FUZZ)
+    # Coverage feedback for libFuzzer; its main function comes with the fuzz targets alone.
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+    target_link_options(${target} PUBLIC -fsanitize=fuzzer-no-link)
   endif()
   if(KADR_TIDY)
     set_target_properties(${target} PROPERTIES CXX_CLANG_TIDY "clang-tidy;--quiet")

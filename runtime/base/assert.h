@@ -12,8 +12,8 @@ namespace kadr {
 
 }  // namespace kadr
 
-#define KADR_ASSERT(condition, why)                                              \
-    do {                                                                         \
-        if (!(condition)) [[unlikely]]                                           \
-            ::kadr::assertion_failed(#condition, __FILE__, __LINE__, why);       \
+#define KADR_ASSERT(condition, why)                                        \
+    do {                                                                   \
+        if (!(condition)) [[unlikely]]                                     \
+            ::kadr::assertion_failed(#condition, __FILE__, __LINE__, why); \
     } while (false)

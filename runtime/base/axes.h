@@ -16,7 +16,7 @@ enum class Axis : std::uint8_t { X, Y, Z, A, B, C, U, V, W };
 
 inline constexpr std::size_t kAxes = 9;
 inline constexpr std::array<std::string_view, kAxes> kAxisNames = {"X", "Y", "Z", "A", "B",
-                                                                    "C", "U", "V", "W"};
+                                                                   "C", "U", "V", "W"};
 
 constexpr std::size_t index(Axis axis) { return static_cast<std::size_t>(axis); }
 constexpr bool is_rotary(Axis axis) { return axis >= Axis::A && axis <= Axis::C; }

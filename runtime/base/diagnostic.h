@@ -21,8 +21,8 @@ enum class Severity : std::uint8_t { Warning, Error, Alarm };
 
 /// One row of the table. `message` and the explanation name arguments by `{0}`, `{1}` …
 struct DiagnosticRow {
-    std::string_view name;         // as in C++: "FeedMissing"
-    std::string_view code;         // as the user sees it: "K3104"
+    std::string_view name;  // as in C++: "FeedMissing"
+    std::string_view code;  // as the user sees it: "K3104"
     Severity severity;
     std::string_view message;
     std::string_view explanation;  // one paragraph
@@ -96,7 +96,7 @@ class DiagnosticBuilder {
 
     DiagnosticBuilder& arg(std::string_view text);
     DiagnosticBuilder& arg(const char* text) { return arg(std::string_view(text)); }
-    DiagnosticBuilder& arg(double value);   // shortest form that reads back
+    DiagnosticBuilder& arg(double value);  // shortest form that reads back
     DiagnosticBuilder& arg(std::int64_t value);
     DiagnosticBuilder& arg(int value) { return arg(static_cast<std::int64_t>(value)); }
     DiagnosticBuilder& arg(std::size_t value) { return arg(static_cast<std::int64_t>(value)); }

@@ -27,7 +27,20 @@ constexpr std::array<char, 200> digit_pairs() {
 }
 constexpr std::array<char, 200> kDigitPairs = digit_pairs();
 
-/// The digits of `n` end at `end`; returns where they begin.
+char* format_fixed_exactly(char* out, double value, int decimals) {
+    const auto end =
+        std::to_chars(out, out + kMaxFixedLength, value, std::chars_format::fixed, decimals);
+    KADR_ASSERT(end.ec == std::errc(), "a finite number fits into kMaxFixedLength");
+    if (*out != '-') return end.ptr;
+    for (const char* c = out + 1; c != end.ptr; ++c) {
+        if (*c != '0' && *c != '.') return end.ptr;
+    }
+    std::memmove(out, out + 1, static_cast<std::size_t>(end.ptr - out - 1));
+    return end.ptr - 1;
+}
+
+}  // namespace
+
 char* write_digits_backwards(char* end, std::uint64_t n) {
     while (n >= 100) {
         const std::size_t pair = n % 100;
@@ -44,13 +57,11 @@ char* write_digits_backwards(char* end, std::uint64_t n) {
     return end;
 }
 
-/// |value|·10^decimals rounded to the nearest integer, if that rounding is certain.
-///
-/// The product carries a rounding error of half a unit in its last place. Where its fraction is
-/// farther from one half than that, the exact product rounds the same way; nearer than that the
-/// exact decimal expansion has to decide, and the caller asks std::to_chars.
 bool scaled_magnitude(double value, int decimals, std::uint64_t& scaled) {
     const double product = std::fabs(value) * kPowersOfTen[static_cast<std::size_t>(decimals)];
+    // The product carries a rounding error of half a unit in its last place. Where its fraction is
+    // farther from one half than that, the exact product rounds the same way; nearer than that the
+    // exact decimal expansion has to decide, and the caller asks std::to_chars.
     if (!(product < kExactInteger / 8)) return false;
     const auto whole = static_cast<std::uint64_t>(product);
     const double fraction = product - static_cast<double>(whole);  // exact below 2^53
@@ -60,24 +71,11 @@ bool scaled_magnitude(double value, int decimals, std::uint64_t& scaled) {
     return true;
 }
 
-char* format_fixed_exactly(char* out, double value, int decimals) {
-    const auto end = std::to_chars(out, out + kMaxFixedLength, value, std::chars_format::fixed,
-                                   decimals);
-    KADR_ASSERT(end.ec == std::errc(), "a finite number fits into kMaxFixedLength");
-    if (*out != '-') return end.ptr;
-    for (const char* c = out + 1; c != end.ptr; ++c) {
-        if (*c != '0' && *c != '.') return end.ptr;
-    }
-    std::memmove(out, out + 1, static_cast<std::size_t>(end.ptr - out - 1));
-    return end.ptr - 1;
-}
-
-}  // namespace
-
 char* format_fixed(char* out, double value, int decimals) {
     KADR_ASSERT(decimals >= 0 && decimals <= kMaxDecimals, "0 to 9 decimals");
     std::uint64_t scaled = 0;
-    if (!scaled_magnitude(value, decimals, scaled)) return format_fixed_exactly(out, value, decimals);
+    if (!scaled_magnitude(value, decimals, scaled))
+        return format_fixed_exactly(out, value, decimals);
     if (value < 0 && scaled != 0) *out++ = '-';
 
     std::array<char, 24> buffer;

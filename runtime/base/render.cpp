@@ -20,8 +20,8 @@ LinePlace resolve(const SourceRange& range, const Sources& sources) {
     place.text = sources.line_at(range.file, range.begin);
     const std::string_view marked = sources.text(range);
     const std::string_view first_line = marked.substr(0, marked.find_first_of("\r\n"));
-    place.length = std::max<std::uint32_t>(
-        1, static_cast<std::uint32_t>(count_code_points(first_line)));
+    place.length =
+        std::max<std::uint32_t>(1, static_cast<std::uint32_t>(count_code_points(first_line)));
     return place;
 }
 
@@ -57,7 +57,8 @@ std::size_t byte_of_character(std::string_view text, std::size_t count) {
     std::size_t byte = 0;
     while (byte < text.size() && count > 0) {
         ++byte;
-        while (byte < text.size() && (static_cast<unsigned char>(text[byte]) & 0xC0) == 0x80) ++byte;
+        while (byte < text.size() && (static_cast<unsigned char>(text[byte]) & 0xC0) == 0x80)
+            ++byte;
         --count;
     }
     return byte;
@@ -68,8 +69,8 @@ void append_line(std::string& out, const LinePlace& place, std::string_view colo
     std::string_view text = place.text;
     std::size_t before = byte_of_character(text, place.column - 1);
     if (text.size() > kShownLine) {
-        const std::size_t start =
-            byte_of_character(text, count_code_points(text.substr(0, before > 60 ? before - 60 : 0)));
+        const std::size_t start = byte_of_character(
+            text, count_code_points(text.substr(0, before > 60 ? before - 60 : 0)));
         const std::size_t shown = std::min(text.size() - start, kShownLine);
         text = text.substr(start, byte_of_character(text.substr(start), shown));
         before -= start;
@@ -108,7 +109,8 @@ std::string mended_line(const Diagnostic::Fix& fix, const Sources& sources) {
     if (removed.find('\n') != std::string_view::npos) return {};
     const std::string_view line = sources.line_at(fix.range.file, fix.range.begin);
     const std::size_t start =
-        fix.range.begin - static_cast<std::size_t>(line.data() - sources.text(fix.range.file).data());
+        fix.range.begin -
+        static_cast<std::size_t>(line.data() - sources.text(fix.range.file).data());
     if (start + removed.size() > line.size()) return {};
     std::string mended(line.substr(0, start));
     mended += fix.replacement;

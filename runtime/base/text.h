@@ -20,8 +20,7 @@ bool write_file_whole(const std::string& path, std::string_view text);
 
 /// The closest of the candidates by edit distance, if it is near enough to be a likely slip.
 std::optional<std::string_view> nearest_name(std::string_view wrong,
-                                             const std::string_view* candidates,
-                                             std::size_t count);
+                                             const std::string_view* candidates, std::size_t count);
 
 /// ASCII upper case; other bytes stay.
 std::string upper_ascii(std::string_view text);

@@ -12,8 +12,12 @@ namespace {
 
 TEST(Sources, LocatesInCharactersNotBytes) {
     kadr::Sources sources;
-    const kadr::FileId file = sources.add("a", "\xEF\xBB\xBF" "ab\r\nЖx\n");
-    struct Row { std::uint32_t byte, line, column; };
+    const kadr::FileId file = sources.add("a",
+                                          "\xEF\xBB\xBF"
+                                          "ab\r\nЖx\n");
+    struct Row {
+        std::uint32_t byte, line, column;
+    };
     for (const Row& row : {Row{0, 1, 1}, {2, 1, 3}, {4, 2, 1}, {6, 2, 2}, {8, 3, 1}, {99, 3, 1}}) {
         const kadr::LineColumn at = sources.locate(file, row.byte);
         EXPECT_EQ(at.line, row.line) << row.byte;

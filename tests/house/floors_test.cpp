@@ -1,0 +1,86 @@
+// A folder includes only folders on lower floors; third-party headers stay behind their doors.
+// Link lines alone do not catch a header that leaks, so every #include is read here.
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "base/text.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kRoot = KADR_ROOT;
+
+/// What each room may include besides itself (docs: "The house").
+const std::map<std::string, std::set<std::string>> kFloors = {
+    {"base", {}},
+    {"nc", {"base"}},
+    {"path", {"base"}},
+    {"machine", {"base", "path"}},
+    {"interp", {"base", "nc", "path", "machine"}},
+    {"motion", {"base", "path", "machine"}},
+    {"syntax", {"base", "nc"}},
+    {"sema", {"base", "nc", "syntax"}},
+    {"expand", {"base", "nc", "syntax", "sema"}},
+    {"driver", {"base", "nc", "path", "machine", "interp", "motion", "syntax", "sema", "expand"}},
+    {"cli", {"base", "nc", "machine", "driver"}},
+};
+
+/// Libraries that only the named files may see.
+const std::map<std::string, std::set<std::string>> kDoors = {
+    {"antlr4-runtime", {"syntax"}},
+    {"KadrLexer", {"syntax"}},
+    {"KadrParser", {"syntax"}},
+    {"pugixml", {"nc", "machine", "syntax"}},
+    {"CLI/", {"cli"}},
+    {"nlohmann", {"driver", "cli"}},
+};
+
+struct Include {
+    std::string room, file, target;
+};
+
+std::vector<Include> includes_of_all_rooms() {
+    static const std::regex pattern("^\\s*#\\s*include\\s*[<\"]([^>\"]+)[>\"]");
+    std::vector<Include> includes;
+    for (const char* side : {"runtime", "compiler"}) {
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kRoot / side)) {
+            const std::string extension = entry.path().extension();
+            if (extension != ".h" && extension != ".cpp" && extension != ".def") continue;
+            const fs::path relative = fs::relative(entry.path(), kRoot / side);
+            std::istringstream text(kadr::read_file(entry.path()).value_or(""));
+            for (std::string line; std::getline(text, line);) {
+                std::smatch match;
+                if (!std::regex_search(line, match, pattern)) continue;
+                includes.push_back({relative.begin()->string(), relative.string(), match[1]});
+            }
+        }
+    }
+    return includes;
+}
+
+TEST(House, RoomsIncludeOnlyLowerFloors) {
+    for (const Include& include : includes_of_all_rooms()) {
+        const std::string target = include.target.substr(0, include.target.find('/'));
+        if (!kFloors.contains(target) || target == include.room) continue;
+        ASSERT_TRUE(kFloors.contains(include.room)) << include.room << " is not on the list of floors";
+        EXPECT_TRUE(kFloors.at(include.room).contains(target))
+            << include.file << " includes " << include.target;
+    }
+}
+
+TEST(House, LibrariesStayBehindTheirDoors) {
+    for (const Include& include : includes_of_all_rooms()) {
+        for (const auto& [library, rooms] : kDoors) {
+            if (!include.target.starts_with(library)) continue;
+            EXPECT_TRUE(rooms.contains(include.room)) << include.file << " includes " << include.target;
+        }
+    }
+}
+
+}  // namespace
