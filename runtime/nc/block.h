@@ -20,23 +20,37 @@ inline constexpr std::size_t kMaxArguments = 40;
 
 /// Scalar fields of a Block that a word can set.
 enum class Slot : std::uint8_t {
-    X, Y, Z, A, B, C, U, V, W,  // targets, in the order of Axis
-    CenterX, CenterY, CenterZ,  // arc centre
-    Radius, Turns,              // arc radius (negative: more than half a turn), additional full turns
-    Feed, Speed,
+    X,
+    Y,
+    Z,
+    A,
+    B,
+    C,
+    U,
+    V,
+    W,  // targets, in the order of Axis
+    CenterX,
+    CenterY,
+    CenterZ,  // arc centre
+    Radius,
+    Turns,  // arc radius (negative: more than half a turn), additional full turns
+    Feed,
+    Speed,
 };
 inline constexpr std::size_t kSlots = 16;
 using SlotMask = std::uint32_t;
 constexpr SlotMask bit(Slot slot) { return SlotMask{1} << static_cast<unsigned>(slot); }
 constexpr Slot slot_of(Axis axis) { return static_cast<Slot>(index(axis)); }
 inline constexpr SlotMask kTargetSlots = (SlotMask{1} << kAxes) - 1;
-inline constexpr SlotMask kCenterSlots = bit(Slot::CenterX) | bit(Slot::CenterY) | bit(Slot::CenterZ);
+inline constexpr SlotMask kCenterSlots =
+    bit(Slot::CenterX) | bit(Slot::CenterY) | bit(Slot::CenterZ);
 
 /// A function of the vocabulary as it stands in a block, with its parameters.
 struct Invocation {
     Function function = Function::None;
-    std::uint8_t first = 0;    // of its parameters in Block::arguments, in the order of the vocabulary
-    std::uint32_t given = 0;   // bit i: parameter i was given
+    std::uint8_t first =
+        0;  // of its parameters in Block::arguments, in the order of the vocabulary
+    std::uint32_t given = 0;  // bit i: parameter i was given
 };
 
 /// Which cycle a block calls: index into the dialects' common list of cycles (Dialect::cycles).
@@ -52,10 +66,10 @@ struct Block {
     };
 
     Kind kind = Kind::Nc;
-    Function motion = Function::None;   // None: the modal motion continues
-    SlotMask given = 0;                 // which of `values` hold
-    SlotMask incremental = 0;           // of the given targets and centres: incremental by themselves
-    SlotMask absolute = 0;              // … absolute by themselves; neither: as the modal state says
+    Function motion = Function::None;  // None: the modal motion continues
+    SlotMask given = 0;                // which of `values` hold
+    SlotMask incremental = 0;  // of the given targets and centres: incremental by themselves
+    SlotMask absolute = 0;     // … absolute by themselves; neither: as the modal state says
     std::uint8_t function_count = 0;
     std::uint8_t argument_count = 0;
     std::int8_t skip = -1;              // optional skip level 0…9; -1 none
@@ -102,7 +116,8 @@ struct Block {
     }
     const Invocation* find(Function function) const;
     /// Argument of an invocation; `fallback` if it was not given.
-    double argument(const Invocation& invocation, std::size_t parameter, double fallback = 0) const {
+    double argument(const Invocation& invocation, std::size_t parameter,
+                    double fallback = 0) const {
         return (invocation.given >> parameter & 1u) != 0 ? arguments[invocation.first + parameter]
                                                          : fallback;
     }

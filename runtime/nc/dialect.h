@@ -21,8 +21,8 @@ struct DialectTables;  // tables.h, for the rooms of nc only
 /// A machining cycle that dialects may map to a control's own. All dialects share the list of the
 /// common core, so a CycleId means the same everywhere.
 struct CycleInfo {
-    std::string name;                    // as in stdlib: "drill_peck"
-    std::vector<Parameter> parameters;   // names live in the Dialect
+    std::string name;                   // as in stdlib: "drill_peck"
+    std::vector<Parameter> parameters;  // names live in the Dialect
     std::string meaning;
 };
 
@@ -30,6 +30,14 @@ struct CycleInfo {
 struct AlarmText {
     std::string number;
     std::string text;
+};
+
+/// A switch of the interpreter that the file sets: `<rule name="arc_tolerance" value="0.01"/>`.
+/// Which there are, and what they mean, is the interpreter's table (interp/rules.def).
+struct RuleSetting {
+    std::string name;
+    std::string value;
+    SourceRange range;
 };
 
 /// Immutable. Movable, not copyable.
@@ -54,6 +62,8 @@ class Dialect {
     Function power_on(Group group) const;
     /// The control's alarm for a diagnostic row; nothing if the dialect names none.
     std::optional<AlarmText> alarm(const DiagnosticRow& row) const;
+    /// Switches of the interpreter, in the order of the files: what extends comes last and wins.
+    std::span<const RuleSetting> rules() const;
 
     const DialectTables& tables() const { return *tables_; }
 
@@ -69,27 +79,53 @@ using SearchPath = std::vector<std::string>;
 std::optional<Dialect> load_dialect(const std::string& name_or_file, const SearchPath& folders,
                                     Sources& sources, DiagnosticSink& sink);
 
+/// What `kadr dialect list` shows of a file.
+struct DialectSummary {
+    std::string name;
+    std::string title;
+    std::string suffix;
+    std::string extends;
+    std::string file;
+    bool is_valid = false;  // false: loading it reports mistakes
+};
+
+/// All dialects in the folders, by name.
+std::vector<DialectSummary> list_dialects(const SearchPath& folders);
+
+/// What a word of the control (`G83`, `CR`), a function of the vocabulary (`dwell`) or a cycle
+/// means and how it is written: one line of text an entry. Empty if the dialect does not know the
+/// word.
+std::vector<std::string> explain(const Dialect& dialect, std::string_view word);
+
 // ---------------------------------------------------------------- words of blocks in a source
 
 /// How a word stands in a Kadr source block.
 struct SourceWord {
     enum class Value : std::uint8_t { None, Literal, Computed };
-    enum class Mode : std::uint8_t { Modal, Absolute, Incremental };  // X=…; X=AC(…); X=IC(…) or X+=…
-    std::string_view address;   // "X", "CR", "G"; without its number
+    enum class Mode : std::uint8_t {
+        Modal,
+        Absolute,
+        Incremental
+    };                         // X=…; X=AC(…); X=IC(…) or X+=…
+    std::string_view address;  // "X", "CR", "G"; without its number
     Value value = Value::None;
-    double number = 0;          // of a Literal
+    double number = 0;  // of a Literal
     Mode mode = Mode::Modal;
     SourceRange range;
 };
 
 /// Where the value of a word belongs in the block that is made from it.
 struct Hole {
-    std::uint16_t word = 0;          // index of the SourceWord
+    std::uint16_t word = 0;  // index of the SourceWord
     Dimension dimension = Dimension::Number;
-    bool is_argument = false;        // false: `place` is a Slot; true: index into Block::arguments
+    bool is_argument = false;  // false: `place` is a Slot; true: index into Block::arguments
     std::uint8_t place = 0;
-    std::uint8_t invocation = 0;     // index into Block::functions, if is_argument
-    std::uint8_t parameter = 0;      // … and which of its parameters
+    std::uint8_t invocation = 0;  // index into Block::functions, if is_argument
+    std::uint8_t parameter = 0;   // … and which of its parameters
+    // A bare number n of the source stands for n · factor + offset (`G54.1 P2` is work offset 8, a
+    // control's `P500` is 0.5 s). A value with a unit of its own is taken as it is, plus offset.
+    double factor = 1;
+    double offset = 0;
 };
 
 /// A block with everything that is known before the program runs; values of the words named by
@@ -103,8 +139,8 @@ struct BlockPlan {
 std::optional<BlockPlan> plan_block(const Dialect& dialect, std::span<const SourceWord> words,
                                     DiagnosticSink& sink);
 
-/// What an identifier of the source is in the input dialect, for the parser: an address that takes a
-/// value (`X`, `CR`, `G`), a word by itself (`TRANS`, `DIAMON`), or nothing.
+/// What an identifier of the source is in the input dialect, for the parser: an address that takes
+/// a value (`X`, `CR`, `G`), a word by itself (`TRANS`, `DIAMON`), or nothing.
 enum class WordKind : std::uint8_t { None, Address, Word };
 WordKind word_kind(const Dialect& dialect, std::string_view identifier);
 

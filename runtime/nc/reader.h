@@ -31,6 +31,8 @@ class Reader final : public Stream<Block> {
     std::size_t pull(std::span<Block> out) override;
     bool failed() const;
     std::uint64_t lines() const;  // read so far
+    /// Line of the first mistake, where the control would stop; 0: none so far.
+    std::uint64_t first_fault() const;
 
     /// Place of a block of the latest batch: its line, the column of the first word or, if the slot
     /// was given, of the word that set it.

@@ -24,14 +24,34 @@ inline constexpr std::size_t kFunctions = 0
 
 /// Modal groups of the neutral vocabulary; a dialect maps its own groups onto them.
 enum class Group : std::uint8_t {
-    Once, Motion, Plane, Units, Distance, FeedMode, SpeedMode, RadiusComp, LengthComp, PathMode,
-    WorkOffsets, Spindle, Coolant, CycleMode, CycleReturn,
+    Once,
+    Motion,
+    Plane,
+    Units,
+    Distance,
+    FeedMode,
+    SpeedMode,
+    RadiusComp,
+    LengthComp,
+    PathMode,
+    WorkOffsets,
+    Spindle,
+    Coolant,
+    CycleMode,
+    CycleReturn,
 };
 inline constexpr std::size_t kGroups = 15;
 
 /// What a number in a block measures; decides unit, number format and conversion.
 enum class Dimension : std::uint8_t {
-    Number, Count, Length, Angle, Time, Feed, Speed, Text,
+    Number,
+    Count,
+    Length,
+    Angle,
+    Time,
+    Feed,
+    Speed,
+    Text,
 };
 
 struct Parameter {

@@ -14,15 +14,15 @@
 namespace kadr::nc {
 
 struct WriteOptions {
-    bool verbose_modal = false;      // repeat modal words
-    bool number_blocks = true;       // as the dialect says; false: never
-    bool native_cycles = true;       // false: cycles have been expanded by the caller
+    bool verbose_modal = false;  // repeat modal words
+    bool number_blocks = true;   // as the dialect says; false: never
+    bool native_cycles = true;   // false: cycles have been expanded by the caller
 };
 
 struct ProgramInfo {
-    std::string name;    // of the program: "bracket"
+    std::string name;  // of the program: "bracket"
     std::int64_t number = 1;
-    std::string title;   // shown behind the name where the control has a place for it
+    std::string title;  // shown behind the name where the control has a place for it
     bool is_inch = false;
 };
 

@@ -1,0 +1,553 @@
+#include "nc/block_writer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/assert.h"
+#include "nc/comment_text.h"
+
+namespace kadr::nc {
+
+namespace {
+
+/// Groups whose active member is not written again. Spindle, coolant, work offset and length
+/// compensation are: a tool change, an operator or another program may have changed them.
+constexpr bool is_quiet_group(Group group) {
+    switch (group) {
+        case Group::Motion:
+        case Group::Plane:
+        case Group::Units:
+        case Group::Distance:
+        case Group::FeedMode:
+        case Group::SpeedMode:
+        case Group::RadiusComp:
+        case Group::PathMode:
+        case Group::CycleMode:
+        case Group::CycleReturn: return true;
+        case Group::Once:
+        case Group::LengthComp:
+        case Group::WorkOffsets:
+        case Group::Spindle:
+        case Group::Coolant: return false;
+    }
+    return false;
+}
+
+/// Code in a message.
+std::string quoted(std::string_view text) { return std::string("`").append(text).append("`"); }
+
+std::size_t index_of(Group group) { return static_cast<std::size_t>(group); }
+
+}  // namespace
+
+BlockWriter::BlockWriter(const Dialect& dialect, const WriteOptions& options, DiagnosticSink& sink)
+    : dialect_(dialect), tables_(dialect.tables()), options_(options), sink_(sink) {
+    begin({});
+    prepare_fast();
+}
+
+void BlockWriter::begin(const ProgramInfo& program) {
+    modal_ = {};
+    // The state in which every Kadr program begins; the start lines bring the control there.
+    modal_.meant_of(Group::Motion) = Function::Rapid;
+    modal_.meant_of(Group::Plane) = Function::PlaneXy;
+    modal_.meant_of(Group::Units) = program.is_inch ? Function::Inch : Function::Metric;
+    modal_.meant_of(Group::Distance) = Function::Absolute;
+    modal_.meant_of(Group::FeedMode) = Function::FeedPerMinute;
+    modal_.meant_of(Group::SpeedMode) = Function::CuttingSpeedOff;
+    modal_.meant_of(Group::RadiusComp) = Function::RadiusCompOff;
+    modal_.units.inch = modal_.units.inch_feed = program.is_inch;
+    for (Standing& s : modal_.shift) s = {true, 0};
+    number_ = tables_.block_numbers.start;
+    has_ended_ = false;
+}
+
+std::uint32_t BlockWriter::write(const Block& block, std::string& out) {
+    const std::uint32_t before = lines_;
+    switch (block.kind) {
+        case Block::Kind::Nc:
+            if (!write_fast(block, out)) write_block(block, out);
+            break;
+        case Block::Kind::Comment: write_comment(block, out); break;
+        case Block::Kind::Raw: write_raw(block, out); break;
+        case Block::Kind::Label: cannot_express(block, "the label " + quoted(block.text)); break;
+        case Block::Kind::Modal: modal_.forget(); break;
+    }
+    return lines_ == before ? lines_ : before + 1;
+}
+
+/// Whether the number that would be written is in force already.
+bool BlockWriter::is_standing(Slot slot, double value, const Standing& standing) const {
+    return standing.is_known && standing.value == round_to(to_text(slot, value), decimals(slot));
+}
+
+// ---------------------------------------------------------------- blocks
+
+Function BlockWriter::effective_motion(const Block& block) const {
+    return block.motion != Function::None ? block.motion : modal_.meant[index_of(Group::Motion)];
+}
+
+void BlockWriter::write_block(const Block& block, std::string& out) {
+    if (split_turns(block, out)) return;
+    done_ = 0;
+    choose_forms(block);
+    write_functions_alone(block, out);
+    follow_functions(block);
+
+    Items items;
+    restore_modal(block, items);
+    collect_functions(block, items);
+    Targets targets;
+    const WrittenPosition start = modal_.position;
+    const Function motion = effective_motion(block);
+    place_targets(block, targets);
+    if (is_arc(motion)) {
+        place_arc(block, start, targets);
+        place_arc_feed(block, start, targets);
+    } else if (block.function_count == 0 && !options_.verbose_modal) {
+        drop_unchanged(block, start, targets);
+    }
+    // An incremental word that the control can only say under incremental dimensions.
+    if (targets.written != 0 && modal_.text_of(Group::Distance) != Function::None &&
+        targets.needs_incremental) {
+        add_code(block, Function::Incremental, items);
+    }
+    if (block.motion != Function::None || (block.given & (kTargetSlots | kCenterSlots)) != 0) {
+        const bool is_new = modal_.text_of(Group::Motion) != motion;
+        if (motion != Function::None &&
+            (is_new || (options_.verbose_modal && block.motion != Function::None))) {
+            add_code(block, motion, items);
+        }
+    }
+    add_deferred(block, items);
+    collect_slots(block, targets, items);
+    if (items.count == 0 && block.comment.empty()) return;
+    if (items.count == 0) {
+        write_comment(block, out);
+    } else {
+        write_items(block, items, targets, out);
+    }
+    for (std::size_t i = 0; i < block.function_count; ++i)
+        follow_function(block, block.functions[i]);
+}
+
+void BlockWriter::write_comment(const Block& block, std::string& out) {
+    std::string_view rest = block.comment;
+    do {
+        const std::size_t end = std::min(rest.find('\n'), rest.size());
+        std::string text = comment_text(rest.substr(0, end), tables_.comment);
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+        // Long comments go on in the next line, cut at a blank.
+        do {
+            std::size_t length = text.size();
+            const std::size_t most = tables_.comment.max_length;
+            if (most != 0 && length > most) {
+                const std::size_t cut = text.rfind(' ', most);
+                length = cut == std::string::npos || cut == 0 ? most : cut;
+            }
+            open_line(-1, -1, false, out);
+            out += tables_.comment.open;
+            out.append(text, 0, length);
+            if (tables_.comment.close.empty()) {
+                while (out.ends_with(' ')) out.pop_back();
+            }
+            out += tables_.comment.close;
+            close_line(out);
+            text.erase(0, std::min(text.size(), text.find_first_not_of(' ', length)));
+        } while (!text.empty());
+    } while (!rest.empty());
+}
+
+void BlockWriter::write_raw(const Block& block, std::string& out) {
+    std::string_view rest = block.text;
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find('\n'), rest.size());
+        open_line(-1, -1, false, out);
+        out += rest.substr(0, end);
+        close_line(out);
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    modal_.forget();
+}
+
+// ---------------------------------------------------------------- functions
+
+void BlockWriter::choose_forms(const Block& block) {
+    chosen_.fill(kNoForm);
+    // Forms that say several functions at once come first, so that nothing is said twice.
+    for (const bool with_others : {true, false}) {
+        for (std::size_t i = 0; i < block.function_count; ++i) {
+            const Invocation& invocation = block.functions[i];
+            const auto function = static_cast<std::size_t>(invocation.function);
+            if (tables_.said_with_others[function] != with_others || (done_ >> i & 1u) != 0)
+                continue;
+            if (is_suppressed(invocation.function)) {
+                done_ |= 1u << i;
+                continue;
+            }
+            chosen_[i] = choose_form(block, invocation);
+            if (chosen_[i] == kNoForm) {
+                done_ |= 1u << i;
+                continue;
+            }
+            const Form& form = tables_.forms[chosen_[i]];
+            for (std::size_t j = 0; j < block.function_count; ++j) {
+                const Function other = block.functions[j].function;
+                const bool is_said =
+                    j != i && (other == form.function ||
+                               std::ranges::find(form.sets, other) != form.sets.end());
+                if (is_said && !form.sets.empty()) done_ |= 1u << j;
+            }
+        }
+    }
+}
+
+bool BlockWriter::is_suppressed(Function function) const {
+    const Group group = info(function).group;
+    return is_quiet_group(group) && !options_.verbose_modal &&
+           modal_.text[index_of(group)] == function;
+}
+
+/// Whether the form says everything that was given, and has all it needs.
+bool BlockWriter::says(const Form& form, const Block& block, const Invocation& invocation) const {
+    std::uint32_t said = 0;
+    bool fits = true;
+    const auto look = [&](const auto& self, const std::vector<FormWord>& words) -> void {
+        for (const FormWord& word : words) {
+            self(self, word.arguments);
+            if (word.parameter < 0) continue;
+            said |= 1u << word.parameter;
+            const bool is_given = (invocation.given >> word.parameter & 1u) != 0;
+            const bool has_text = !block.text.empty() && (word.kind == FormWord::Kind::Text ||
+                                                          word.kind == FormWord::Kind::Quoted);
+            fits &= is_given || has_text || word.is_optional || word.has_default;
+        }
+    };
+    look(look, form.words);
+    for (const std::vector<FormWord>& line : form.extra) look(look, line);
+    for (const int parameter : form.implied) said |= 1u << parameter;
+    for (const auto& [parameter, value] : form.fixed) {
+        said |= 1u << parameter;
+        const bool is_given = (invocation.given >> parameter & 1u) != 0;
+        const bool may_lack =
+            tables_.parameters(form)[static_cast<std::size_t>(parameter)].is_optional;
+        fits &= is_given ? block.argument(invocation, static_cast<std::size_t>(parameter)) == value
+                         : may_lack;
+    }
+    for (const Constraint& c : form.when) {
+        const double value =
+            block.argument(invocation, static_cast<std::size_t>(c.parameter), c.least);
+        fits &= value >= c.least && value <= c.most;
+    }
+    for (const Function needed : form.during)
+        fits &= modal_.text[index_of(info(needed).group)] == needed;
+    return fits && (invocation.given & ~said) == 0;
+}
+
+/// Whether the further functions of a form are wanted by the block or in force anyway.
+bool BlockWriter::holds(const Form& form, const Block& block, Function asked,
+                        bool allow_unknown) const {
+    const auto is_fine = [&](Function also) {
+        if (also == asked || block.find(also) != nullptr || block.motion == also) return true;
+        const Group group = info(also).group;
+        for (std::size_t i = 0; i < block.function_count; ++i) {
+            if (info(block.functions[i].function).group == group)
+                return false;  // the block wants another
+        }
+        const Function active = modal_.text[index_of(group)];
+        return active == also || (allow_unknown && active == Function::None);
+    };
+    return is_fine(form.function) && std::ranges::all_of(form.sets, is_fine);
+}
+
+FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation) {
+    const bool is_cycle = invocation.function == Function::Cycle;
+    KADR_ASSERT(!is_cycle || block.cycle < tables_.forms_of_cycle.size(),
+                "a cycle of the common list");
+    const auto& candidates = is_cycle
+                                 ? tables_.forms_of_cycle[block.cycle]
+                                 : tables_.forms_of[static_cast<std::size_t>(invocation.function)];
+    for (const bool allow_unknown : {false, true}) {
+        for (const FormId id : candidates) {
+            const Form& form = tables_.forms[id];
+            // Parameters belong to the form's own function.
+            const bool is_own = form.function == invocation.function;
+            if (is_own && !says(form, block, invocation)) continue;
+            if (form.replaces && modal_.rotation != Activity::No) continue;
+            if (holds(form, block, invocation.function, allow_unknown)) return id;
+        }
+    }
+    std::string what = quoted(info(invocation.function).name);
+    if (is_cycle) what = "the cycle " + quoted(tables_.cycles[block.cycle].name);
+    if (!candidates.empty()) what += " with these values or in this modal state";
+    cannot_express(block, what);
+    return kNoForm;
+}
+
+/// Functions that cannot share a line with others, and what has to be written before them.
+void BlockWriter::write_functions_alone(const Block& block, std::string& out) {
+    const bool is_only =
+        block.function_count == 1 && block.given == 0 && block.motion == Function::None;
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        if ((done_ >> i & 1u) != 0 || chosen_[i] == kNoForm) continue;
+        const Form& form = tables_.forms[chosen_[i]];
+        const Invocation& invocation = block.functions[i];
+        write_before(form, block, out);
+        if (!form.implied.empty()) write_initial_level(form, block, invocation, out);
+        if (is_only || !(form.owns_block || shares_address(form, block))) continue;
+        Items items;
+        for (const Function needed : form.needs) add_code(block, needed, items);
+        items.add({.order = form.order, .form = chosen_[i], .invocation = &invocation});
+        Block alone;
+        alone.skip = block.skip;
+        alone.text = block.text;
+        alone.cycle = block.cycle;
+        alone.arguments = block.arguments;
+        alone.source = block.source;
+        write_items(alone, items, {}, out);
+        done_ |= 1u << i;
+    }
+}
+
+/// Whether a word of the form has the address of a word that the block has by itself: `G92 X0` and
+/// a move to X. They cannot share a line.
+bool BlockWriter::shares_address(const Form& form, const Block& block) const {
+    if (form.function == Function::Cycle) return false;
+    return std::ranges::any_of(form.words, [&](const FormWord& word) {
+        if (word.address == kNoAddress) return false;
+        const int slot = tables_.addresses[word.address].slot;
+        return slot >= 0 && block.has(static_cast<Slot>(slot));
+    });
+}
+
+void BlockWriter::write_before(const Form& form, const Block& block, std::string& out) {
+    for (const Function function : form.before) {
+        const bool is_rotation = function == Function::RotateOff;
+        const bool is_mirror = function == Function::MirrorOff;
+        if (is_rotation && modal_.rotation == Activity::No) continue;
+        if (is_mirror && modal_.mirror == Activity::No) continue;
+        const auto chosen = chosen_;
+        const std::uint32_t done = done_;
+        Block extra;
+        extra.source = block.source;
+        extra.skip = block.skip;
+        extra.add(function);
+        write_block(extra, out);
+        chosen_ = chosen;
+        done_ = done;
+    }
+}
+
+/// A cycle that begins at the position of the tool axis needs the axis to be there.
+void BlockWriter::write_initial_level(const Form& form, const Block& block,
+                                      const Invocation& invocation, std::string& out) {
+    const auto level_at = static_cast<std::size_t>(form.implied[0]);
+    if ((invocation.given >> level_at & 1u) == 0) return;
+    const double level = block.argument(invocation, level_at);
+    const std::size_t axis = plane_axes()[2];
+    const double half_increment = 0.5 * std::pow(10.0, -decimals(static_cast<Slot>(axis)));
+    const bool is_there =
+        is_known(axis) && std::fabs(modal_.position.text[axis] - level) <= half_increment;
+    if (is_there) return;
+    const auto chosen = chosen_;
+    const std::uint32_t done = done_;
+    const Function motion = modal_.meant_of(Group::Motion);
+    Block move;
+    move.source = block.source;
+    move.motion = Function::Rapid;
+    move.set(static_cast<Slot>(axis), level);
+    move.absolute = bit(static_cast<Slot>(axis));
+    if (!tables_.rules.has_modes || modal_.text_of(Group::Distance) == Function::Absolute)
+        move.absolute = 0;
+    const Function distance = modal_.meant_of(Group::Distance);
+    modal_.meant_of(Group::Distance) = Function::Absolute;
+    write_block(move, out);
+    modal_.meant_of(Group::Distance) = distance;
+    modal_.meant_of(Group::Motion) = motion;
+    chosen_ = chosen;
+    done_ = done;
+}
+
+void BlockWriter::collect_functions(const Block& block, Items& items) {
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        if ((done_ >> i & 1u) != 0 || chosen_[i] == kNoForm) continue;
+        const Form& form = tables_.forms[chosen_[i]];
+        for (const Function needed : form.needs) {
+            if (!is_suppressed(needed)) add_code(block, needed, items);
+        }
+        items.add({.order = form.order, .form = chosen_[i], .invocation = &block.functions[i]});
+    }
+}
+
+/// The code of a modal function without parameters.
+void BlockWriter::add_code(const Block& block, Function function, Items& items) {
+    for (std::size_t i = 0; i < items.count; ++i) {
+        if (items.list[i].form != kNoForm && tables_.forms[items.list[i].form].function == function)
+            return;
+    }
+    const Block nothing{};
+    for (const FormId id : tables_.forms_of[static_cast<std::size_t>(function)]) {
+        const Form& form = tables_.forms[id];
+        if (form.function != function || !holds(form, nothing, function, true)) continue;
+        items.add({.order = form.order - 1, .form = id});
+        note_written(form);
+        return;
+    }
+    cannot_express(block, quoted(info(function).name));
+}
+
+/// What the text no longer agrees upon with the program: after a conversion, or at the start.
+void BlockWriter::restore_modal(const Block& block, Items& items) {
+    const auto restore = [&](Group group) {
+        const Function meant = modal_.meant_of(group);
+        if (meant == Function::None || modal_.text_of(group) == meant) return;
+        for (std::size_t i = 0; i < block.function_count; ++i) {
+            if (info(block.functions[i].function).group == group)
+                return;  // the block says it itself
+        }
+        add_code(block, meant, items);
+    };
+    if ((block.given & kTargetSlots) != 0) restore(Group::Distance);
+    if (is_arc(effective_motion(block)) && (block.given & (kTargetSlots | kCenterSlots)) != 0)
+        restore(Group::Plane);
+    if (block.has(Slot::Feed)) restore(Group::FeedMode);
+}
+
+void BlockWriter::note_written(const Form& form) {
+    const auto note = [&](Function function) {
+        const Group group = info(function).group;
+        if (group == Group::Once) return;
+        modal_.text_of(group) = function;
+        if (group == Group::Units) {
+            modal_.units.inch = function == Function::Inch;
+            modal_.units.inch_feed = modal_.units.inch && !form.feed_stays_metric;
+            modal_.feed.is_known = modal_.speed.is_known = false;
+        }
+        if (group == Group::FeedMode) {
+            modal_.units.per_revolution = function == Function::FeedPerRevolution;
+            modal_.units.inverse_time = function == Function::FeedInverseTime;
+            modal_.feed.is_known = false;
+            feed_every_block_ = form.feed_every_block;
+            inverse_arc_by_radius_ = form.feed_by_radius;
+        }
+        if (group == Group::SpeedMode) {
+            modal_.units.cutting_speed = function == Function::CuttingSpeedOn;
+            modal_.speed.is_known = false;
+        }
+    };
+    note(form.function);
+    for (const Function also : form.sets) note(also);
+}
+
+/// Modal functions act in their own block already.
+void BlockWriter::follow_functions(const Block& block) {
+    follow_modal(block, modal_.meant);
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        if ((done_ >> i & 1u) == 0 && chosen_[i] != kNoForm)
+            note_written(tables_.forms[chosen_[i]]);
+        const Function function = block.functions[i].function;
+        if (function == Function::FeedPerMinute || function == Function::FeedPerRevolution ||
+            function == Function::FeedInverseTime) {
+            modal_.has_meant_feed = false;
+        }
+    }
+    if (block.has(Slot::Feed)) {
+        modal_.meant_feed = block.at(Slot::Feed);
+        modal_.has_meant_feed = true;
+    }
+}
+
+/// What a function means for positions, frames and held-back words.
+void BlockWriter::follow_function(const Block& block, const Invocation& invocation) {
+    switch (invocation.function) {
+        case Function::Shift:
+            modal_.rotation = modal_.mirror = Activity::No;
+            modal_.position.forget();
+            break;
+        case Function::Rotate:
+            modal_.rotation = Activity::Yes;
+            modal_.position.forget();
+            break;
+        case Function::RotateOff:
+            modal_.rotation = Activity::No;
+            modal_.position.forget();
+            break;
+        case Function::Mirror:
+            modal_.mirror = Activity::Yes;
+            modal_.position.forget();
+            break;
+        case Function::MirrorOff:
+            modal_.mirror = Activity::No;
+            modal_.position.forget();
+            break;
+        case Function::MachineCoordinates: modal_.position.known &= ~block.given; break;
+        case Function::SetPosition:
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                if ((invocation.given >> axis & 1u) == 0) continue;
+                const double value = block.argument(invocation, axis);
+                modal_.position.meant[axis] = value;
+                const auto slot = static_cast<Slot>(axis);
+                const double scale = to_text(slot, 1);
+                modal_.position.text[axis] = round_to(value * scale, decimals(slot)) / scale;
+                modal_.position.known |= bit(slot);
+            }
+            break;
+        case Function::Tool:
+            for (const Deferred& deferred : tables_.deferred) {
+                std::erase_if(pending_, [&](const Pending& p) { return p.deferred == &deferred; });
+                pending_.push_back({&deferred, block.argument(invocation, 0)});
+            }
+            modal_.position.forget();
+            break;
+        case Function::ShiftAdd:
+        case Function::WorkOffset:
+        case Function::ToolSelect:
+        case Function::ToolChange:
+        case Function::ToolEdge:
+        case Function::LengthCompOn:
+        case Function::LengthCompOff:
+        case Function::LengthOffset: modal_.position.forget(); break;
+        case Function::End:
+        case Function::EndRewind: has_ended_ = true; break;
+        default: break;  // the others move nothing and end nothing
+    }
+}
+
+// ---------------------------------------------------------------- messages
+
+SourceRange BlockWriter::place(const Block& block) const {
+    return block.source.index < statements_.size() ? statements_[block.source.index]
+                                                   : SourceRange{};
+}
+
+void BlockWriter::cannot_express(const Block& block, const std::string& what) {
+    failed_ = true;
+    const std::uint64_t key =
+        std::hash<std::string>()(what) ^ (std::uint64_t{block.source.index} << 32);
+    if (!reported_.insert(key).second) return;
+    sink_.report(diag::CannotExpress, place(block)).arg(tables_.name).arg(what);
+}
+
+void BlockWriter::number_fault(const Block& block, NumberFault fault, double value,
+                               std::string_view name) {
+    failed_ = true;
+    const std::uint64_t key =
+        std::hash<std::string_view>()(name) ^ (std::uint64_t{block.source.index} << 32);
+    if (!reported_.insert(key).second) return;
+    switch (fault) {
+        case NumberFault::None: break;
+        case NumberFault::NotFinite:
+            sink_.report(diag::ValueNotFinite, place(block)).arg(name);
+            break;
+        case NumberFault::TooLarge:
+            sink_.report(diag::ValueTooLarge, place(block)).arg(value).arg(name);
+            break;
+        case NumberFault::Negative:
+        case NumberFault::Point:
+        case NumberFault::NotReadBack:
+            sink_.report(diag::ValueNotReadBack, place(block)).arg(value).arg(name);
+            break;
+    }
+}
+
+}  // namespace kadr::nc

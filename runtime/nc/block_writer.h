@@ -1,0 +1,175 @@
+// block_writer.h — one Block → its line or lines, against the modal state of the text.
+//
+// For writer.cpp, which puts the frame of the program around it.
+#pragma once
+
+#include <span>
+#include <string>
+#include <unordered_set>
+
+#include "nc/arc_words.h"
+#include "nc/writer.h"
+#include "nc/writer_state.h"
+
+namespace kadr::nc {
+
+class BlockWriter {
+  public:
+    BlockWriter(const Dialect& dialect, const WriteOptions& options, DiagnosticSink& sink);
+
+    void set_statements(std::span<const SourceRange> statements) { statements_ = statements; }
+    void begin(const ProgramInfo& program);
+
+    /// Appends the line or lines of the block; returns the number of the first one.
+    std::uint32_t write(const Block& block, std::string& out);
+    /// A line of the program's frame.
+    void write_line(std::string_view line, bool is_numbered, std::string& out);
+    /// A line of the frame whose codes establish the modal state.
+    void write_start_line(std::string_view line, std::string& out);
+
+    std::uint32_t lines() const { return lines_; }
+    bool failed() const { return failed_; }
+    bool has_ended() const { return has_ended_; }
+
+  private:
+    /// One piece of a line: a form with its parameters, or the word of a slot.
+    struct Item {
+        int order = 0;
+        FormId form = kNoForm;
+        const Invocation* invocation = nullptr;
+        const std::vector<FormWord>* words = nullptr;  // of deferred words
+        Slot slot = Slot::X;
+    };
+    static constexpr std::size_t kMaxItems = 48;
+    struct Items {
+        std::array<Item, kMaxItems> list;
+        std::size_t count = 0;
+        void add(const Item& item) {
+            if (count < kMaxItems) list[count++] = item;
+        }
+    };
+    struct Pending {
+        const Deferred* deferred = nullptr;
+        double tool = 0;
+    };
+
+    void write_comment(const Block& block, std::string& out);
+    void write_raw(const Block& block, std::string& out);
+    void write_block(const Block& block, std::string& out);
+
+    // The fast way, for straight moves
+    struct FastAxis {
+        Slot slot = Slot::X;
+        char letter = 'X';
+        bool is_length = true;
+        bool has_point = false;               // of whole numbers, too
+        std::array<int, 2> decimals{};        // metric, inch
+        std::array<std::uint64_t, 2> most{};  // greatest number in increments
+    };
+    void prepare_fast();
+    bool is_fast(const Block& block) const;
+    bool write_fast(const Block& block, std::string& out);
+    char* append_fast_number(char* out, const FastAxis& axis, std::uint64_t scaled, bool is_minus,
+                             int decimals) const;
+
+    // Functions
+    void write_functions_alone(const Block& block, std::string& out);
+    void collect_functions(const Block& block, Items& items);
+    void choose_forms(const Block& block);
+    FormId choose_form(const Block& block, const Invocation& invocation);
+    Function effective_motion(const Block& block) const;
+    bool says(const Form& form, const Block& block, const Invocation& invocation) const;
+    bool holds(const Form& form, const Block& block, Function asked, bool allow_unknown) const;
+    bool is_suppressed(Function function) const;
+    void add_code(const Block& block, Function function, Items& items);
+    void restore_modal(const Block& block, Items& items);
+    void note_written(const Form& form);
+    void write_before(const Form& form, const Block& block, std::string& out);
+    void write_initial_level(const Form& form, const Block& block, const Invocation& invocation,
+                             std::string& out);
+    void follow_functions(const Block& block);
+    void follow_function(const Block& block, const Invocation& invocation);
+    bool shares_address(const Form& form, const Block& block) const;
+
+    // Positions
+    struct Targets {
+        SlotMask written = 0;                 // that get a word
+        std::array<double, kSlots> number{};  // what stands there, in the text's units
+        SlotMask wrapped_absolute = 0;        // AC()
+        SlotMask wrapped_incremental = 0;     // IC()
+        double feed_factor = 1;               // of F
+        bool needs_incremental = false;       // all words are distances, the text is absolute
+    };
+    void place_targets(const Block& block, Targets& targets);
+    void place_target(const Block& block, std::size_t axis, Targets& targets);
+    void place_arc(const Block& block, const WrittenPosition& start, Targets& targets);
+    void place_center(const Block& block, const WrittenPosition& start, Targets& targets);
+    bool place_radius(const Block& block, const WrittenPosition& start, Targets& targets);
+    void place_arc_feed(const Block& block, const WrittenPosition& start, Targets& targets);
+    PlanePoint meant_center(const Block& block, const PlanePoint& start,
+                            const PlanePoint& end) const;
+    void drop_unchanged(const Block& block, const WrittenPosition& start, Targets& targets);
+    bool split_turns(const Block& block, std::string& out);
+    bool is_known(std::size_t axis) const { return (modal_.position.known >> axis & 1u) != 0; }
+    double to_text(Slot slot, double value) const;
+    int decimals(Slot slot) const;
+    const Address& address_of(Slot slot) const;
+    bool has_address(Slot slot) const;
+    std::array<std::size_t, 3> plane_axes() const;
+
+    bool is_standing(Slot slot, double value, const Standing& standing) const;
+
+    // Lines
+    void collect_slots(const Block& block, const Targets& targets, Items& items);
+    void add_deferred(const Block& block, Items& items);
+    void write_items(const Block& block, Items& items, const Targets& targets, std::string& out);
+    void append_item(const Block& block, const Item& item, const Targets& targets,
+                     std::string& out);
+    void append_words(const Block& block, const std::vector<FormWord>& words,
+                      const Invocation* invocation, bool remembers, std::string& out);
+    void note_line(const std::vector<FormWord>& words);
+    void append_word(const Block& block, const FormWord& word, const Invocation* invocation,
+                     std::string& out);
+    void append_call(const Block& block, const FormWord& word, const Invocation* invocation,
+                     std::string& out);
+    void append_parameter(const Block& block, const FormWord& word, const Invocation* invocation,
+                          const NumberFormat& format, std::string_view name, std::string& out);
+    void append_slot(const Block& block, Slot slot, const Targets& targets, std::string& out);
+    void append_text(const Block& block, std::string& out);
+    void open_line(std::int32_t number, int skip, bool is_numbered, std::string& out);
+    void close_line(std::string& out);
+    void append_comment(const std::string& comment, std::string& out);
+    static void blank(std::string& out) {
+        const char last = out.empty() ? '\n' : out.back();
+        if (last != ' ' && last != '\n' && last != '/') out += ' ';
+    }
+
+    // Messages
+    SourceRange place(const Block& block) const;
+    void cannot_express(const Block& block, const std::string& what);
+    void number_fault(const Block& block, NumberFault fault, double value, std::string_view name);
+
+    const Dialect& dialect_;
+    const DialectTables& tables_;
+    WriteOptions options_;
+    DiagnosticSink& sink_;
+    std::span<const SourceRange> statements_;
+    WriterModal modal_;
+    std::vector<Pending> pending_;
+    std::unordered_set<std::uint64_t>
+        reported_;  // statement and message, so that loops report once
+    std::uint32_t lines_ = 0;
+    std::size_t line_start_ = 0;
+    std::int64_t number_ = 0;
+    std::vector<FastAxis> fast_axes_;               // in the order of their words
+    SlotMask fast_slots_ = 0;                       // that the fast way can write
+    std::array<FormId, kMaxInvocations> chosen_{};  // form of each function of the block
+    std::uint32_t done_ = 0;                        // functions that need no word any more
+    bool feed_every_block_ = false;                 // F is not modal in this feed mode
+    bool inverse_arc_by_radius_ = false;            // F of arcs is feed/radius in this feed mode
+    double deferred_tool_ = 0;
+    bool failed_ = false;
+    bool has_ended_ = false;
+};
+
+}  // namespace kadr::nc

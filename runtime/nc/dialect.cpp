@@ -1,0 +1,215 @@
+#include "nc/dialect.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/text.h"
+#include "nc/load.h"
+
+namespace kadr::nc {
+
+Dialect::Dialect(std::unique_ptr<DialectTables> tables) : tables_(std::move(tables)) {}
+Dialect::Dialect(Dialect&&) noexcept = default;
+Dialect& Dialect::operator=(Dialect&&) noexcept = default;
+Dialect::~Dialect() = default;
+
+std::string_view Dialect::name() const { return tables_->name; }
+std::string_view Dialect::title() const { return tables_->title; }
+std::string_view Dialect::suffix() const { return tables_->suffix; }
+
+std::span<const CycleInfo> Dialect::cycles() const { return tables_->cycles; }
+
+std::optional<CycleId> Dialect::find_cycle(std::string_view name) const {
+    for (std::size_t i = 0; i < tables_->cycles.size(); ++i) {
+        if (tables_->cycles[i].name == name) return static_cast<CycleId>(i);
+    }
+    return std::nullopt;
+}
+
+std::span<const RuleSetting> Dialect::rules() const { return tables_->rule_settings; }
+
+namespace {
+
+void collect_parameters(const std::vector<FormWord>& words, std::uint32_t& said) {
+    for (const FormWord& word : words) {
+        if (word.parameter >= 0) said |= 1u << word.parameter;
+        collect_parameters(word.arguments, said);
+    }
+}
+
+}  // namespace
+
+bool Dialect::has_native_cycle(CycleId cycle, std::uint32_t given) const {
+    if (cycle >= tables_->forms_of_cycle.size()) return false;
+    return std::ranges::any_of(tables_->forms_of_cycle[cycle], [&](FormId id) {
+        const Form& form = tables_->forms[id];
+        std::uint32_t said = 0;
+        collect_parameters(form.words, said);
+        for (const std::vector<FormWord>& line : form.extra) collect_parameters(line, said);
+        for (const int parameter : form.implied) said |= 1u << parameter;
+        for (const auto& [parameter, value] : form.fixed) said |= 1u << parameter;
+        return (given & ~said) == 0;
+    });
+}
+
+bool Dialect::can_write(Function function) const {
+    if (function == Function::Cycle) {
+        return std::ranges::any_of(tables_->forms_of_cycle,
+                                   [](const auto& forms) { return !forms.empty(); });
+    }
+    if (function == Function::None) return true;
+    return !tables_->forms_of[static_cast<std::size_t>(function)].empty();
+}
+
+Function Dialect::power_on(Group group) const {
+    return tables_->power_on[static_cast<std::size_t>(group)];
+}
+
+std::optional<AlarmText> Dialect::alarm(const DiagnosticRow& row) const {
+    const auto found = tables_->alarms.find(row.name);
+    if (found == tables_->alarms.end()) return std::nullopt;
+    return found->second;
+}
+
+// ---------------------------------------------------------------- files
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_file_name(const std::string& name) {
+    return name.find('/') != std::string::npos || name.ends_with(".xml");
+}
+
+std::optional<std::string> find_dialect_file(const std::string& name, const SearchPath& folders) {
+    std::error_code error;
+    if (is_file_name(name)) {
+        if (fs::is_regular_file(name, error)) return name;
+        return std::nullopt;
+    }
+    for (const std::string& folder : folders) {
+        const fs::path path = fs::path(folder) / (name + ".xml");
+        if (fs::is_regular_file(path, error)) return path.string();
+    }
+    return std::nullopt;
+}
+
+/// Names of all dialects in the folders, for proposals.
+std::vector<std::string> dialect_names(const SearchPath& folders) {
+    std::vector<std::string> names;
+    for (const std::string& folder : folders) {
+        std::error_code error;
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+            if (entry.path().extension() == ".xml") names.push_back(entry.path().stem().string());
+        }
+    }
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+}
+
+void report_missing(const std::string& name, const SourceRange& place, const SearchPath& folders,
+                    DiagnosticSink& sink) {
+    auto report = std::move(sink.report(diag::DialectNotFound, place).arg(name));
+    const std::vector<std::string> known = dialect_names(folders);
+    const std::vector<std::string_view> views(known.begin(), known.end());
+    if (const auto near = nearest_name(name, views.data(), views.size())) {
+        report.fix("is `" + std::string(*near) + "` meant?");
+    } else if (!known.empty()) {
+        std::string all = "known are";
+        for (const std::string& one : known) all += ' ' + one;
+        report.note(all);
+    }
+}
+
+/// Follows `extends` to the root and applies the files from there on.
+class ChainLoader {
+  public:
+    ChainLoader(const SearchPath& folders, Sources& sources, DiagnosticSink& sink)
+        : folders_(folders), sources_(sources), sink_(sink) {}
+
+    bool load(const std::string& name, const SourceRange& place, DialectTables& tables) {
+        const auto path = find_dialect_file(name, folders_);
+        if (!path) {
+            report_missing(name, place, folders_, sink_);
+            return false;
+        }
+        if (std::find(chain_.begin(), chain_.end(), *path) != chain_.end()) {
+            sink_.report(diag::DialectExtendsItself, place).arg(name);
+            return false;
+        }
+        chain_.push_back(*path);
+        const auto file = sources_.read(*path);
+        if (!file) {
+            sink_.report(diag::FileUnreadable, place).arg(*path);
+            return false;
+        }
+        return load_file(*file, *path, tables);
+    }
+
+  private:
+    bool load_file(FileId file, const std::string& path, DialectTables& tables) {
+        const auto root = parse_xml(file, sources_, sink_);
+        if (!root) return false;
+        if (root->name != "dialect") {
+            sink_.report(diag::DialectUnknownElement, root->range).arg(root->name).arg("file");
+            return false;
+        }
+        const XmlAttribute* base = root->find("extends");
+        if (base != nullptr && !load(base->value, base->range, tables)) return false;
+        tables.extends = base == nullptr ? "" : base->value;
+        tables.file = path;
+        for (const std::string_view needed : {"name", "title", "suffix"}) {
+            if (root->find(needed) != nullptr) continue;
+            sink_.report(diag::DialectMissingAttribute, root->range).arg(root->name).arg(needed);
+            return false;
+        }
+        tables.name = root->find("name")->value;
+        tables.title = root->find("title")->value;
+        tables.suffix = root->find("suffix")->value;
+        return apply_dialect(*root, tables, sink_);
+    }
+
+    const SearchPath& folders_;
+    Sources& sources_;
+    DiagnosticSink& sink_;
+    std::vector<std::string> chain_;
+};
+
+}  // namespace
+
+std::optional<Dialect> load_dialect(const std::string& name_or_file, const SearchPath& folders,
+                                    Sources& sources, DiagnosticSink& sink) {
+    auto tables = std::make_unique<DialectTables>();
+    tables->letters.fill(kNoAddress);
+    SearchPath with_own = folders;
+    if (is_file_name(name_or_file)) {
+        // What a file extends may lie beside it.
+        const fs::path folder = fs::path(name_or_file).parent_path();
+        with_own.insert(with_own.begin(), folder.empty() ? "." : folder.string());
+    }
+    ChainLoader chain(with_own, sources, sink);
+    if (!chain.load(name_or_file, {}, *tables)) return std::nullopt;
+    if (!finish_tables(*tables, sink)) return std::nullopt;
+    return Dialect(std::move(tables));
+}
+
+std::vector<DialectSummary> list_dialects(const SearchPath& folders) {
+    std::vector<DialectSummary> all;
+    for (const std::string& name : dialect_names(folders)) {
+        Sources sources;
+        DiagnosticList sink;
+        const auto dialect = load_dialect(name, folders, sources, sink);
+        DialectSummary summary{name, {}, {}, {}, {}, dialect.has_value()};
+        if (const auto path = find_dialect_file(name, folders)) summary.file = *path;
+        if (dialect) {
+            summary.title = dialect->title();
+            summary.suffix = dialect->suffix();
+            summary.extends = dialect->tables().extends;
+        }
+        all.push_back(std::move(summary));
+    }
+    return all;
+}
+
+}  // namespace kadr::nc

@@ -1,0 +1,188 @@
+// What a dialect says about a word, in sentences; made from the same tables that read and write.
+#include <algorithm>
+
+#include "base/numbers.h"
+#include "base/text.h"
+#include "nc/tables.h"
+
+namespace kadr::nc {
+
+namespace {
+
+/// Code in a message.
+std::string quoted(std::string_view text) { return std::string("`").append(text).append("`"); }
+
+class Explainer {
+  public:
+    Explainer(const DialectTables& tables) : tables_(tables) {}
+
+    std::vector<std::string> explain(std::string_view word) {
+        if (const auto function = find_function(word)) explain_function(*function);
+        for (std::size_t i = 0; i < tables_.cycles.size(); ++i) {
+            if (tables_.cycles[i].name == word) explain_cycle(static_cast<CycleId>(i));
+        }
+        explain_text(tables_.rules.ignores_case ? upper_ascii(word) : std::string(word));
+        return std::move(lines_);
+    }
+
+  private:
+    void explain_function(Function function) {
+        const FunctionInfo& row = info(function);
+        lines_.push_back(std::string(row.name).append(": ").append(row.meaning));
+        std::string parameters;
+        for (const Parameter& parameter : row.parameters) add_parameter(parameters, parameter);
+        if (!parameters.empty()) lines_.push_back("parameters: " + parameters);
+        if (row.group != Group::Once) {
+            lines_.push_back(std::string("modal, group ").append(group_name(row.group)));
+        }
+        std::size_t spelled = 0;
+        for (const Form& form : tables_.forms) {
+            if (form.function != function) continue;
+            explain_form(form);
+            ++spelled;
+        }
+        if (spelled == 0) lines_.push_back(tables_.name + " has no spelling for it");
+        explain_examples(row.name);
+    }
+
+    void explain_cycle(CycleId cycle) {
+        const CycleInfo& row = tables_.cycles[cycle];
+        lines_.push_back(row.name + ": " + row.meaning);
+        std::string parameters;
+        for (const Parameter& parameter : row.parameters) add_parameter(parameters, parameter);
+        lines_.push_back("parameters: " + parameters);
+        std::size_t spelled = 0;
+        for (const Form& form : tables_.forms) {
+            if (form.function != Function::Cycle || form.cycle != cycle) continue;
+            explain_form(form);
+            ++spelled;
+        }
+        if (spelled == 0)
+            lines_.push_back(tables_.name +
+                             " has no such cycle of its own; it is written as moves");
+        explain_examples(row.name);
+    }
+
+    static void add_parameter(std::string& out, const Parameter& parameter) {
+        if (!out.empty()) out += ", ";
+        out.append(parameter.name).append(" (").append(dimension_name(parameter.dimension));
+        out += parameter.is_optional ? ", optional)" : ")";
+    }
+
+    void explain_form(const Form& form) {
+        std::string line = form.is_written && form.is_read ? "written and read as "
+                           : form.is_written               ? "written as "
+                                                           : "read as ";
+        std::string pattern = form.pattern;
+        for (std::size_t at = 0; (at = pattern.find('\n', at)) != std::string::npos;) {
+            const std::size_t end = std::min(pattern.find_first_not_of(" \n", at), pattern.size());
+            pattern.replace(at, end - at, " ⏎ ");
+        }
+        line += quoted(pattern);
+        for (const Constraint& c : form.when) {
+            line += ", ";
+            line += tables_.parameters(form)[static_cast<std::size_t>(c.parameter)].name;
+            line += " from ";
+            append_shortest(line, c.least);
+            line += " to ";
+            append_shortest(line, c.most);
+        }
+        if (!form.sets.empty()) {
+            line += ", with";
+            for (const Function also : form.sets) line.append(" ").append(info(also).name);
+        }
+        if (form.owns_block) line += ", in a block of its own";
+        if (!form.note.empty()) line += "; " + form.note;
+        if (std::find(lines_.begin(), lines_.end(), line) == lines_.end()) lines_.push_back(line);
+        if (!form.doc.empty() &&
+            std::find(lines_.begin(), lines_.end(), form.doc) == lines_.end()) {
+            lines_.push_back(form.doc);
+        }
+    }
+
+    void explain_examples(std::string_view name) {
+        for (const Example& example : tables_.examples) {
+            if (!example.source.starts_with(std::string(name) + "(")) continue;
+            std::string line =
+                "example: " + quoted(example.source) + " is written " + quoted(example.text);
+            if (!example.meaning.empty()) line += ": " + example.meaning;
+            lines_.push_back(std::move(line));
+        }
+    }
+
+    /// A word as it stands in the control's text: `X`, `G83`, `G54.1`, `TRANS`.
+    void explain_text(std::string_view text) {
+        if (const AddressId id = tables_.find_address(text); id != kNoAddress)
+            return explain_address(id);
+        const std::size_t digits = text.find_first_of("0123456789");
+        if (digits == std::string_view::npos || digits == 0) return;
+        const AddressId id = tables_.find_address(text.substr(0, digits));
+        if (id == kNoAddress) return;
+        const Decimal number = parse_decimal(text.data() + digits, text.data() + text.size());
+        if (number.end != text.data() + text.size()) return;
+        const Code* code = tables_.find_code(id, number.value);
+        if (code == nullptr) return;
+        for (const FormId form : code->forms) {
+            explain_meaning(tables_.forms[form]);
+        }
+    }
+
+    void explain_meaning(const Form& form) {
+        if (form.function == Function::None) {
+            lines_.push_back("accepted, without effect on what Kadr executes");
+            return explain_form(form);
+        }
+        const bool is_cycle = form.function == Function::Cycle;
+        const std::string_view name =
+            is_cycle ? tables_.cycles[form.cycle].name : info(form.function).name;
+        const std::string_view meaning =
+            is_cycle ? tables_.cycles[form.cycle].meaning : info(form.function).meaning;
+        std::string line =
+            std::string(is_cycle ? "the cycle " : "").append(name).append(": ").append(meaning);
+        if (std::find(lines_.begin(), lines_.end(), line) == lines_.end())
+            lines_.push_back(std::move(line));
+        explain_form(form);
+    }
+
+    void explain_address(AddressId id) {
+        const Address& address = tables_.addresses[id];
+        std::string line = quoted(address.name);
+        switch (address.kind) {
+            case Address::Kind::Value: line += " is an address"; break;
+            case Address::Kind::Code: line += " is followed by the number of a function"; break;
+            case Address::Kind::Word: line += " is a word by itself"; break;
+            case Address::Kind::Call: line += " is a call"; break;
+        }
+        if (!address.doc.empty()) line += ": " + address.doc;
+        lines_.push_back(std::move(line));
+        if (address.kind == Address::Kind::Value && !address.is_block_number)
+            explain_format(address);
+        for (const FormId form : address.forms) explain_meaning(tables_.forms[form]);
+    }
+
+    void explain_format(const Address& address) {
+        const NumberFormat& format = address.format;
+        std::string line = "its number is written with up to ";
+        append_shortest(line, format.decimals);
+        line += " decimals";
+        if (format.point == PointRule::Always) line += " and always a decimal point";
+        if (format.point == PointRule::Never)
+            line = "its number is written without a decimal point";
+        if (format.increment > 0) {
+            line += "; without a point 1 means ";
+            append_shortest(line, format.increment);
+        }
+        lines_.push_back(std::move(line));
+    }
+
+    const DialectTables& tables_;
+    std::vector<std::string> lines_;
+};
+
+}  // namespace
+
+std::vector<std::string> explain(const Dialect& dialect, std::string_view word) {
+    return Explainer(dialect.tables()).explain(word);
+}
+
+}  // namespace kadr::nc

@@ -1,0 +1,212 @@
+// Checks of a whole dialect, and the indexes that make it fast.
+#include <algorithm>
+#include <cmath>
+
+#include "base/numbers.h"
+#include "nc/load.h"
+
+namespace kadr::nc {
+
+namespace {
+
+class Finisher {
+  public:
+    Finisher(DialectTables& tables, DiagnosticSink& sink) : tables_(tables), sink_(sink) {}
+
+    bool finish() {
+        index_forms();
+        index_codes();
+        index_slots();
+        index_power_on();
+        for (const Form& form : tables_.forms) check_parameters(form);
+        check_conflicts();
+        return !failed_;
+    }
+
+  private:
+    void index_forms() {
+        tables_.forms_of_cycle.assign(tables_.cycles.size(), {});
+        for (Address& address : tables_.addresses) address.forms.clear();
+        for (std::size_t i = 0; i < tables_.forms.size(); ++i) {
+            const Form& form = tables_.forms[i];
+            const auto id = static_cast<FormId>(i);
+            if (form.is_written) {
+                if (form.function == Function::Cycle) {
+                    tables_.forms_of_cycle[form.cycle].push_back(id);
+                } else {
+                    tables_.forms_of[static_cast<std::size_t>(form.function)].push_back(id);
+                }
+            }
+            if (form.is_comment) {
+                if (form.is_read) tables_.comment_forms.push_back(id);
+                continue;
+            }
+            if (!form.is_read) continue;
+            const FormWord& first = form.words[0];
+            if (first.kind != FormWord::Kind::Fixed)
+                tables_.addresses[first.address].forms.push_back(id);
+        }
+        // A form that says several functions serves each of them, behind the form of its own.
+        for (std::size_t i = 0; i < tables_.forms.size(); ++i) {
+            const Form& form = tables_.forms[i];
+            if (form.sets.empty() || !form.is_written) continue;
+            tables_.said_with_others.set(static_cast<std::size_t>(form.function));
+            for (const Function also : form.sets) {
+                tables_.forms_of[static_cast<std::size_t>(also)].push_back(static_cast<FormId>(i));
+            }
+        }
+    }
+
+    /// Whether the form is one code and nothing around it has to be looked at.
+    static bool is_simple(const Form& form) {
+        return form.words.size() == 1 && form.words[0].kind == FormWord::Kind::Fixed &&
+               !form.is_comment;
+    }
+
+    void index_codes() {
+        tables_.code_index.assign(tables_.addresses.size(), {});
+        tables_.codes.clear();
+        for (std::size_t i = 0; i < tables_.forms.size(); ++i) {
+            const Form& form = tables_.forms[i];
+            if (!form.is_read || form.is_comment) continue;
+            const FormWord& first = form.words[0];
+            if (first.kind != FormWord::Kind::Fixed) continue;
+            std::vector<std::uint16_t>& index = tables_.code_index[first.address];
+            const auto tenths = static_cast<std::size_t>(std::lround(first.number * 10));
+            if (index.size() <= tenths) index.resize(tenths + 1, 0);
+            if (index[tenths] == 0) {
+                tables_.codes.emplace_back();
+                index[tenths] = static_cast<std::uint16_t>(tables_.codes.size());
+            }
+            Code& code = tables_.codes[index[tenths] - 1u];
+            code.forms.push_back(static_cast<FormId>(i));
+            if (is_simple(form) && code.simple == kNoForm) code.simple = static_cast<FormId>(i);
+        }
+        for (Code& code : tables_.codes) {
+            if (code.forms.size() != 1 || code.simple == kNoForm) continue;
+            const Form& form = tables_.forms[code.simple];
+            code.function = form.function;
+            code.is_plain = form.function != Function::None && form.sets.empty() &&
+                            form.fixed.empty() && form.during.empty() && !form.owns_block &&
+                            !form.remembers && form.function != Function::Cycle &&
+                            info(form.function).parameters.empty();
+        }
+    }
+
+    void index_slots() {
+        tables_.slot_address.fill(kNoAddress);
+        for (std::size_t i = 0; i < tables_.addresses.size(); ++i) {
+            const Address& address = tables_.addresses[i];
+            if (address.slot < 0) continue;
+            AddressId& writer = tables_.slot_address[static_cast<std::size_t>(address.slot)];
+            if (writer == kNoAddress) writer = static_cast<AddressId>(i);
+        }
+        tables_.slot_order.clear();
+        for (std::size_t slot = 0; slot < kSlots; ++slot) {
+            if (tables_.slot_address[slot] != kNoAddress)
+                tables_.slot_order.push_back(static_cast<Slot>(slot));
+        }
+        std::stable_sort(tables_.slot_order.begin(), tables_.slot_order.end(),
+                         [&](Slot a, Slot b) { return order_of(a) < order_of(b); });
+    }
+    int order_of(Slot slot) const {
+        return tables_.addresses[tables_.slot_address[static_cast<std::size_t>(slot)]].order;
+    }
+
+    void index_power_on() {
+        tables_.power_on.fill(Function::None);
+        for (const DialectGroup& group : tables_.groups) {
+            for (const Function function : group.power_on) {
+                tables_.power_on[static_cast<std::size_t>(info(function).group)] = function;
+            }
+        }
+    }
+
+    // ------------------------------------------------------------ checks
+
+    static void collect(const std::vector<FormWord>& words, std::uint32_t& said) {
+        for (const FormWord& word : words) {
+            if (word.parameter >= 0) said |= 1u << word.parameter;
+            collect(word.arguments, said);
+        }
+    }
+
+    void check_parameters(const Form& form) {
+        const std::span<const Parameter> parameters = tables_.parameters(form);
+        std::uint32_t said = 0;
+        collect(form.words, said);
+        for (const std::vector<FormWord>& line : form.extra) collect(line, said);
+        for (const auto& [parameter, value] : form.fixed) said |= 1u << parameter;
+        for (std::size_t i = 0; i < parameters.size(); ++i) {
+            if (parameters[i].is_optional || (said >> i & 1u) != 0) continue;
+            failed_ = true;
+            sink_.report(diag::DialectMissingParameter, form.range)
+                .arg(form.pattern)
+                .arg(parameters[i].name);
+        }
+    }
+
+    /// What a reader looks at: two readable forms with the same signature cannot be told apart.
+    static std::string signature(const Form& form) {
+        std::vector<std::string> words;
+        for (const FormWord& word : form.words) {
+            std::string text = std::to_string(word.address);
+            if (word.kind == FormWord::Kind::Fixed) {
+                text += '=';
+                append_shortest(text, word.number);
+            }
+            if (word.kind == FormWord::Kind::Call) add_arguments(text, word);
+            if (word.kind == FormWord::Kind::Quoted) text += '"';
+            if (word.kind == FormWord::Kind::Text) text += word.text;
+            words.push_back(std::move(text));
+        }
+        std::sort(words.begin(), words.end());
+        std::string all = form.is_comment ? "(" : "";
+        for (const std::string& word : words) all += word + ' ';
+        for (const Constraint& c : form.when) {
+            append_shortest(all, c.least);
+            all += ',';
+        }
+        return all;
+    }
+
+    static void add_arguments(std::string& text, const FormWord& call) {
+        text += '(';
+        for (const FormWord& argument : call.arguments) {
+            if (argument.kind == FormWord::Kind::Fixed) append_shortest(text, argument.number);
+            if (argument.kind == FormWord::Kind::Value) text += '#';
+            if (argument.kind == FormWord::Kind::Text) text += '"';
+            text += ',';
+        }
+    }
+
+    void check_conflicts() {
+        std::map<std::string, const Form*> seen;
+        for (const Form& form : tables_.forms) {
+            if (!form.is_read) continue;
+            const auto [other, is_new] = seen.emplace(signature(form), &form);
+            if (is_new) continue;
+            failed_ = true;
+            auto report = std::move(sink_.report(diag::DialectConflict, form.range)
+                                        .arg(form.pattern)
+                                        .arg(meaning(*other->second)));
+            report.note(other->second->range, "here");
+        }
+    }
+    std::string meaning(const Form& form) const {
+        if (form.function == Function::Cycle) return tables_.cycles[form.cycle].name;
+        return std::string(info(form.function).name);
+    }
+
+    DialectTables& tables_;
+    DiagnosticSink& sink_;
+    bool failed_ = false;
+};
+
+}  // namespace
+
+bool finish_tables(DialectTables& tables, DiagnosticSink& sink) {
+    return Finisher(tables, sink).finish();
+}
+
+}  // namespace kadr::nc

@@ -1,0 +1,399 @@
+#include "nc/form.h"
+
+#include <algorithm>
+
+#include "base/numbers.h"
+#include "base/text.h"
+
+namespace kadr::nc {
+
+namespace {
+
+bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// `text` between backticks, for messages.
+std::string quoted(std::string_view text) { return std::string("`").append(text).append("`"); }
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+constexpr double kMostCodes = 1000;     // that one pattern may stand for
+constexpr double kGreatestCode = 9999;  // codes are looked up in tables of this size
+
+struct Unit {
+    std::string_view name;
+    double factor;  // text = canonical · factor
+};
+constexpr std::array<Unit, 5> kUnits = {
+    {{"s", 1}, {"ms", 1000}, {"min", 1.0 / 60}, {"deg", 1}, {"mm", 1}}};
+
+/// Reads one line of a pattern.
+class LineParser {
+  public:
+    LineParser(std::string_view line, std::span<const Parameter> parameters, DialectTables& tables,
+               const SourceRange& range, DiagnosticSink& sink)
+        : line_(line), parameters_(parameters), tables_(tables), range_(range), sink_(sink) {}
+
+    bool parse(std::vector<FormWord>& words) {
+        while (skip_blanks()) {
+            FormWord word;
+            if (!parse_word(word)) return false;
+            words.push_back(std::move(word));
+        }
+        return true;
+    }
+
+    bool parse_text(FormWord& word) {
+        word.kind = FormWord::Kind::Text;
+        const std::size_t brace = line_.find('{');
+        if (brace == std::string_view::npos) return fail("there is no `{…}` in the comment");
+        word.text = line_.substr(0, brace);
+        at_ = brace;
+        if (!parse_placeholder(word)) return false;
+        if (at_ != line_.size()) return fail("nothing may follow the text");
+        return true;
+    }
+
+  private:
+    bool fail(const std::string& why) {
+        sink_.report(diag::DialectBadForm, range_).arg(line_).arg(why);
+        return false;
+    }
+
+    bool skip_blanks() {
+        while (at_ < line_.size() && (line_[at_] == ' ' || line_[at_] == '\t')) ++at_;
+        return at_ < line_.size();
+    }
+    bool take(char c) {
+        if (at_ == line_.size() || line_[at_] != c) return false;
+        ++at_;
+        return true;
+    }
+    bool at_blank() const { return at_ == line_.size() || line_[at_] == ' ' || line_[at_] == '\t'; }
+
+    bool parse_word(FormWord& word) {
+        const std::size_t begin = at_;
+        while (at_ < line_.size() && is_letter(line_[at_])) ++at_;
+        // Names of several letters may hold digits: `CUT2D`, `CYCLE83(…)`.
+        std::size_t behind = at_;
+        if (at_ - begin >= 2) {
+            while (behind < line_.size() && (is_letter(line_[behind]) || is_digit(line_[behind])))
+                ++behind;
+        }
+        const char next = behind < line_.size() ? line_[behind] : ' ';
+        const bool extends = next == '(' || next == ' ' || next == '\t' || next == '=';
+        if (extends) at_ = behind;
+        const std::string_view name = line_.substr(begin, at_ - begin);
+        if (name.empty()) return fail("a word begins with a letter");
+        if (take('(')) return parse_call(word, name);
+        const bool has_equals = take('=');
+        if (take('"')) return parse_quoted(word, name);
+        if (at_ < line_.size() && line_[at_] == '{') return parse_value(word, name, begin);
+        if (at_blank() && !has_equals) return parse_name(word, name);
+        return parse_fixed(word, name, begin);
+    }
+
+    bool parse_name(FormWord& word, std::string_view name) {
+        word.kind = FormWord::Kind::Name;
+        word.text = name;
+        return head(word, name, Address::Kind::Word);
+    }
+
+    bool parse_fixed(FormWord& word, std::string_view name, std::size_t begin) {
+        const Decimal number = parse_decimal(line_.data() + at_, line_.data() + line_.size());
+        if (number.end == line_.data() + at_)
+            return fail("there is no number behind " + quoted(name));
+        at_ = static_cast<std::size_t>(number.end - line_.data());
+        if (!at_blank()) return fail("words stand between blanks");
+        word.kind = FormWord::Kind::Fixed;
+        word.number = number.value;
+        word.text = line_.substr(begin, at_ - begin);
+        return declared(word, name);
+    }
+
+    bool parse_value(FormWord& word, std::string_view name, std::size_t begin) {
+        word.kind = FormWord::Kind::Value;
+        word.text = line_.substr(begin, at_ - begin);
+        if (!declared(word, name) || !parse_placeholder(word)) return false;
+        return at_blank() || fail("words stand between blanks");
+    }
+
+    bool parse_quoted(FormWord& word, std::string_view name) {
+        word.kind = FormWord::Kind::Quoted;
+        word.text = std::string(name) + '=';
+        if (!declared(word, name) || !parse_placeholder(word)) return false;
+        return take('"') || fail("the quotation mark is not closed");
+    }
+
+    bool parse_call(FormWord& word, std::string_view name) {
+        word.kind = FormWord::Kind::Call;
+        word.text = name;
+        if (!head(word, name, Address::Kind::Call)) return false;
+        if (take(')')) return true;
+        do {
+            FormWord argument;
+            if (!parse_argument(argument)) return false;
+            word.arguments.push_back(std::move(argument));
+        } while (take(','));
+        return take(')') || fail("the parenthesis is not closed");
+    }
+
+    bool parse_argument(FormWord& word) {
+        word.kind = FormWord::Kind::Empty;
+        skip_blanks();
+        if (at_ == line_.size() || line_[at_] == ',' || line_[at_] == ')') return true;
+        if (line_[at_] == '{') {
+            word.kind = FormWord::Kind::Value;
+            return parse_placeholder(word);
+        }
+        if (take('"')) {
+            word.kind = FormWord::Kind::Text;
+            return parse_placeholder(word) &&
+                   (take('"') || fail("the quotation mark is not closed"));
+        }
+        const Decimal number = parse_decimal(line_.data() + at_, line_.data() + line_.size());
+        if (number.end == line_.data() + at_)
+            return fail("an argument is a number, a `{…}` or empty");
+        const auto end = static_cast<std::size_t>(number.end - line_.data());
+        word.kind = FormWord::Kind::Fixed;
+        word.number = number.value;
+        word.text = line_.substr(at_, end - at_);
+        at_ = end;
+        return true;
+    }
+
+    /// `{time:ms}`, `{number-6}`, `{x=0}`, `{x?}`, `{+retract}`, `{x?:named}`
+    bool parse_placeholder(FormWord& word) {
+        if (!take('{')) return fail("`{` expected");
+        const std::size_t close = line_.find('}', at_);
+        if (close == std::string_view::npos) return fail("`{` is not closed");
+        std::string_view inner = line_.substr(at_, close - at_);
+        at_ = close + 1;
+        if (!inner.empty() && inner.front() == '+') {
+            word.adds = true;
+            inner.remove_prefix(1);
+        }
+        const std::size_t colon = inner.find(':');
+        const std::string_view unit =
+            colon == std::string_view::npos ? std::string_view() : inner.substr(colon + 1);
+        inner = inner.substr(0, std::min(colon, inner.size()));
+        if (inner.ends_with('?')) {
+            word.is_optional = true;
+            inner.remove_suffix(1);
+        }
+        const std::size_t sign = inner.find_first_of("+-=");
+        const std::string_view name = inner.substr(0, std::min(sign, inner.size()));
+        for (std::size_t i = 0; i < parameters_.size(); ++i) {
+            if (parameters_[i].name == name) word.parameter = static_cast<int>(i);
+        }
+        if (word.parameter < 0) return unknown_parameter(name);
+        const Parameter& parameter = parameters_[static_cast<std::size_t>(word.parameter)];
+        word.dimension = parameter.dimension;
+        if (word.is_optional && !parameter.is_optional)
+            return fail("the parameter " + quoted(name) + " is not optional");
+        word.is_optional |= word.adds;
+        return parse_operator(word, inner, sign) && parse_unit(word, unit);
+    }
+
+    bool unknown_parameter(std::string_view name) {
+        std::vector<std::string_view> names;
+        for (const Parameter& parameter : parameters_) names.push_back(parameter.name);
+        const auto near = nearest_name(name, names.data(), names.size());
+        std::string why = "there is no parameter " + quoted(name);
+        if (near) why += ", is " + quoted(*near) + " meant?";
+        return fail(why);
+    }
+
+    bool parse_operator(FormWord& word, std::string_view inner, std::size_t sign) {
+        if (sign == std::string_view::npos) return true;
+        const std::string_view rest = inner.substr(inner[sign] == '=' ? sign + 1 : sign);
+        const Decimal number = parse_decimal(rest.data(), rest.data() + rest.size());
+        if (number.end != rest.data() + rest.size() || rest.empty()) {
+            return fail(quoted(rest) + " is not a number");
+        }
+        if (inner[sign] == '=') {
+            word.has_default = true;
+            word.fallback = number.value;
+        } else {
+            word.offset = number.value;
+        }
+        return true;
+    }
+
+    bool parse_unit(FormWord& word, std::string_view unit) {
+        if (unit.empty()) return true;
+        if (unit == "named") {
+            word.is_named_only = true;
+            return true;
+        }
+        for (const Unit& known : kUnits) {
+            if (known.name != unit) continue;
+            word.factor = known.factor;
+            return true;
+        }
+        return fail("there is no unit " + quoted(unit) +
+                    "; known are s, ms, min, deg, mm and named");
+    }
+
+    bool declared(FormWord& word, std::string_view name) {
+        word.address = tables_.find_address(name);
+        if (word.address != kNoAddress) return true;
+        sink_.report(diag::DialectUnknownAddress, range_).arg(name).arg(line_);
+        return false;
+    }
+
+    /// Words by themselves and calls need no declaration of their own.
+    bool head(FormWord& word, std::string_view name, Address::Kind kind) {
+        word.address = tables_.find_address(name);
+        if (word.address == kNoAddress) {
+            Address address;
+            address.name = name;
+            address.kind = kind;
+            address.order = 10;
+            word.address = static_cast<AddressId>(tables_.addresses.size());
+            tables_.names.emplace(address.name, word.address);
+            if (name.size() == 1)
+                tables_.letters[static_cast<unsigned char>(name[0])] = word.address;
+            tables_.addresses.push_back(std::move(address));
+            return true;
+        }
+        if (tables_.addresses[word.address].kind == kind) return true;
+        return fail(quoted(name) + " needs a value");
+    }
+
+    std::string_view line_;
+    std::span<const Parameter> parameters_;
+    DialectTables& tables_;
+    SourceRange range_;
+    DiagnosticSink& sink_;
+    std::size_t at_ = 0;
+};
+
+std::vector<std::string_view> split_lines(std::string_view text) {
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = trimmed(text.substr(0, end));
+        if (!line.empty()) lines.push_back(line);
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
+/// A code with a parameter, `G{number+53}`, as one form for every number of its constraint.
+std::vector<Form> expand_codes(Form form, DialectTables& tables, DiagnosticSink& sink) {
+    const auto is_open = [&](const FormWord& word) {
+        return word.kind == FormWord::Kind::Value &&
+               tables.addresses[word.address].kind == Address::Kind::Code;
+    };
+    const auto open = std::find_if(form.words.begin(), form.words.end(), is_open);
+    if (open == form.words.end()) return {std::move(form)};
+    const auto range = std::find_if(form.when.begin(), form.when.end(), [&](const Constraint& c) {
+        return c.parameter == open->parameter;
+    });
+    if (range == form.when.end()) {
+        sink.report(diag::DialectBadForm, form.range)
+            .arg(form.pattern)
+            .arg("a code with a parameter needs its range in `when`");
+        return {};
+    }
+    std::vector<Form> forms;
+    const Constraint limits = *range;
+    if (limits.most - limits.least >= kMostCodes) {
+        sink.report(diag::DialectBadForm, form.range)
+            .arg(form.pattern)
+            .arg("a code has at most 1000 numbers");
+        return {};
+    }
+    const auto place = static_cast<std::size_t>(open - form.words.begin());
+    form.when.erase(range);
+    for (double n = limits.least; n <= limits.most; ++n) {
+        Form one = form;
+        FormWord& word = one.words[place];
+        word.kind = FormWord::Kind::Fixed;
+        word.number = n * word.factor + word.offset;
+        append_shortest(word.text, word.number);
+        one.fixed.emplace_back(word.parameter, n);
+        word.parameter = -1;
+        forms.push_back(std::move(one));
+    }
+    return forms;
+}
+
+/// Codes that a form may begin with are looked up in tables.
+bool has_usual_codes(const std::vector<Form>& forms, DiagnosticSink& sink) {
+    for (const Form& form : forms) {
+        const FormWord& first = form.words[0];
+        if (first.kind != FormWord::Kind::Fixed) continue;
+        if (first.number >= 0 && first.number <= kGreatestCode) continue;
+        sink.report(diag::DialectBadForm, form.range)
+            .arg(form.pattern)
+            .arg("its first number is not from 0 to 9999");
+        return false;
+    }
+    return true;
+}
+
+bool says(const std::vector<FormWord>& words, int parameter) {
+    return std::ranges::any_of(words, [&](const FormWord& word) {
+        return word.parameter == parameter || says(word.arguments, parameter);
+    });
+}
+
+/// `when="number 0"` on a pattern without {number}: the pattern itself says the value.
+void fix_single_values(Form& form) {
+    std::erase_if(form.when, [&](const Constraint& c) {
+        if (c.least != c.most || says(form.words, c.parameter)) return false;
+        form.fixed.emplace_back(c.parameter, c.least);
+        return true;
+    });
+}
+
+}  // namespace
+
+bool parse_form_line(std::string_view line, std::span<const Parameter> parameters,
+                     DialectTables& tables, const SourceRange& range, std::vector<FormWord>& words,
+                     DiagnosticSink& sink) {
+    return LineParser(trimmed(line), parameters, tables, range, sink).parse(words);
+}
+
+std::vector<Form> parse_form(const Form& prototype, std::string_view text, DialectTables& tables,
+                             DiagnosticSink& sink) {
+    Form form = prototype;
+    form.pattern = trimmed(text);
+    const std::vector<std::string_view> lines = split_lines(text);
+    if (lines.empty()) {
+        sink.report(diag::DialectBadForm, form.range).arg("").arg("it is empty");
+        return {};
+    }
+    // A copy: parsing may add cycles' addresses while the span is in use.
+    const std::span<const Parameter> parameters = tables.parameters(form);
+    const CommentStyle& comment = tables.comment;
+    if (lines[0].starts_with(comment.open) && lines[0].ends_with(comment.close)) {
+        std::string_view inner = lines[0].substr(comment.open.size());
+        inner.remove_suffix(comment.close.size());
+        form.is_comment = true;
+        form.order = 100;
+        form.words.resize(1);
+        if (!LineParser(inner, parameters, tables, form.range, sink).parse_text(form.words[0]))
+            return {};
+        return {std::move(form)};
+    }
+    if (!LineParser(lines[0], parameters, tables, form.range, sink).parse(form.words)) return {};
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        std::vector<FormWord> words;
+        if (!LineParser(lines[i], parameters, tables, form.range, sink).parse(words)) return {};
+        form.extra.push_back(std::move(words));
+    }
+    form.order = tables.addresses[form.words[0].address].order;
+    fix_single_values(form);
+    std::vector<Form> forms = expand_codes(std::move(form), tables, sink);
+    if (!has_usual_codes(forms, sink)) forms.clear();
+    return forms;
+}
+
+}  // namespace kadr::nc

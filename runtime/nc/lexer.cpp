@@ -1,0 +1,428 @@
+#include "nc/lexer.h"
+
+#include <cmath>
+
+#include "base/text.h"
+
+namespace kadr::nc {
+
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
+bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
+char upper(char c) { return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c; }
+
+class Lexer {
+  public:
+    Lexer(const DialectTables& tables, std::string_view line, LexedLine& out)
+        : tables_(tables), rules_(tables.rules), line_(line), out_(out) {
+        open_ = tables.comment.open;
+        while (open_.ends_with(' ')) open_.remove_suffix(1);
+        for (const auto& [name, id] : tables.names) has_names_ |= name.size() > 1 && name != "()";
+    }
+
+    std::optional<LineFault> run() {
+        out_.clear();
+        take_skip();
+        while (!fault_ && skip_blanks()) take_piece();
+        return std::move(fault_);
+    }
+
+  private:
+    // ------------------------------------------------------------ characters
+
+    char peek(std::size_t ahead = 0) const {
+        const std::size_t i = at_ + ahead;
+        if (i >= line_.size()) return '\0';
+        return rules_.ignores_case ? upper(line_[i]) : line_[i];
+    }
+    bool skip_blanks() {
+        while (at_ < line_.size() && is_blank(line_[at_])) ++at_;
+        return at_ < line_.size();
+    }
+    void skip_inner_blanks() {
+        if (rules_.blanks_inside_words) skip_blanks();
+    }
+    bool is_letter(char c) const { return is_upper(c) || (rules_.ignores_case && is_lower(c)); }
+
+    void fail(const DiagnosticRow& row, std::size_t begin, std::size_t end,
+              std::vector<std::string> arguments) {
+        if (fault_) return;
+        fault_ = LineFault{&row,
+                           {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)},
+                           std::move(arguments)};
+    }
+    void fail_here(const DiagnosticRow& row) {
+        std::size_t end = at_ + 1;
+        // A character of several bytes is shown whole.
+        while (end < line_.size() && (static_cast<unsigned char>(line_[end]) & 0xc0u) == 0x80u)
+            ++end;
+        end = std::min(end, line_.size());
+        fail(row, at_, end, {std::string(line_.substr(at_, end - at_))});
+    }
+
+    // ------------------------------------------------------------ the front of a block
+
+    void take_skip() {
+        skip_blanks();
+        if (peek() != '/') return;
+        const std::size_t begin = at_++;
+        skip_inner_blanks();
+        int level = rules_.default_skip;
+        if (is_digit(peek())) {
+            level = 0;
+            while (is_digit(peek()) && level < 100) level = level * 10 + (line_[at_++] - '0');
+        }
+        if (level >= rules_.skip_levels || level > 9) {
+            fail(diag::IsoSkipLevel, begin, at_, {std::to_string(level)});
+            return;
+        }
+        out_.skip = static_cast<std::int8_t>(level);
+        skip_blanks();
+        if (peek() == '/') fail_here(diag::IsoSyntax);
+    }
+
+    // ------------------------------------------------------------ pieces
+
+    void take_piece() {
+        if (line_.compare(at_, open_.size(), open_) == 0) return take_comment();
+        const char c = peek();
+        if (c == '#' || c == '[' || c == '$') {
+            return fail(diag::IsoNotSupported, at_, at_ + 1,
+                        {"the control's own parametric language"});
+        }
+        if (!is_letter(c) && c != '_') return fail_here(diag::IsoSyntax);
+        const char next = peek(1);
+        const bool is_name = has_names_ && (is_letter(next) || next == '_' || c == '_');
+        is_name ? take_name() : take_letter();
+    }
+
+    void take_comment() {
+        const std::size_t begin = at_ + open_.size();
+        const std::string& close = tables_.comment.close;
+        std::size_t end = line_.size();
+        if (!close.empty()) {
+            end = line_.find(close, begin);
+            if (end == std::string_view::npos)
+                return fail(diag::IsoCommentOpen, at_, line_.size(), {});
+        }
+        std::string_view text = line_.substr(begin, end - begin);
+        const std::size_t start = at_;
+        at_ = std::min(end + close.size(), line_.size());
+        for (const FormId id : tables_.comment_forms) {
+            const Form& form = tables_.forms[id];
+            if (!text.starts_with(form.words[0].text)) continue;
+            out_.comment_form = id;
+            out_.text = text.substr(form.words[0].text.size());
+            out_.comment_form_span = {static_cast<std::uint32_t>(start),
+                                      static_cast<std::uint32_t>(at_)};
+            return;
+        }
+        while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+        while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+        if (out_.has_comment) out_.comment += ' ';
+        out_.comment += text;
+        out_.has_comment = true;
+    }
+
+    void add_word(AddressId address, std::size_t begin) {
+        GivenWord word;
+        word.address = address;
+        out_.words.push_back(word);
+        out_.decimals.emplace_back();
+        out_.minus.push_back(false);
+        out_.spans.push_back({static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)});
+    }
+
+    void take_letter() {
+        const std::size_t begin = at_;
+        const char letter = peek();
+        ++at_;
+        const AddressId address = tables_.letters[static_cast<unsigned char>(letter) & 127u];
+        if (address == kNoAddress) {
+            skip_inner_blanks();
+            while (at_ < line_.size() && (is_digit(peek()) || peek() == '.' || peek() == '-'))
+                ++at_;
+            if (peek() == '=')
+                return fail(diag::IsoNotSupported, begin, at_,
+                            {"the control's own parametric language"});
+            return fail(diag::IsoUnknownWord, begin, at_,
+                        {std::string(line_.substr(begin, at_ - begin))});
+        }
+        if (tables_.addresses[address].is_block_number) return take_block_number(begin);
+        skip_inner_blanks();
+        if (peek() == '#' || peek() == '[' || peek() == '$') return take_piece();
+        if (rules_.has_assignment) {
+            const std::size_t next = line_.find_first_not_of(" \t", at_);
+            if (next != std::string_view::npos && line_[next] == '=') {
+                at_ = next;
+                return take_assigned(address, begin);
+            }
+        }
+        if (!take_number(address, begin)) return;
+        if (peek() == '=')
+            fail(diag::IsoNotSupported, begin, at_, {"an address with a number of its own"});
+    }
+
+    void take_block_number(std::size_t begin) {
+        skip_inner_blanks();
+        std::int64_t number = 0;
+        const std::size_t first = at_;
+        while (is_digit(peek()) && number < 1'000'000'000) {
+            number = number * 10 + (line_[at_++] - '0');
+            skip_inner_blanks();
+        }
+        const std::string text(line_.substr(begin, at_ - begin));
+        if (at_ == first) return fail(diag::IsoNoValue, begin, at_, {text});
+        if (number > tables_.block_numbers.most)
+            return fail(diag::IsoTooManyDigits, begin, at_, {text});
+        out_.number = static_cast<std::int32_t>(number);
+    }
+
+    /// `10`, `-5.25`, and on some controls `1 0 . 5`.
+    bool take_number(AddressId address, std::size_t begin) {
+        Decimal decimal = parse_decimal(line_.data() + at_, line_.data() + line_.size());
+        auto end = static_cast<std::size_t>(decimal.end - line_.data());
+        const bool is_minus = peek() == '-';
+        if (rules_.blanks_inside_words) {
+            const std::size_t beyond = line_.find_first_not_of(" \t", end);
+            if (beyond != std::string_view::npos && end > at_ &&
+                (is_digit(line_[beyond]) || line_[beyond] == '.')) {
+                return take_spaced_number(address, begin);
+            }
+        }
+        if (end == at_) {
+            end = at_ + (is_minus || peek() == '+' || peek() == '.' ? 1 : 0);
+            fail(diag::IsoNoValue, begin, end, {std::string(line_.substr(begin, end - begin))});
+            return false;
+        }
+        at_ = end;
+        if (!take_exponent(decimal)) return false;
+        add_number(address, begin, decimal, is_minus);
+        return true;
+    }
+
+    bool take_spaced_number(AddressId address, std::size_t begin) {
+        compact_.clear();
+        std::size_t i = at_;
+        for (; i < line_.size(); ++i) {
+            const char c = line_[i];
+            if (is_blank(c)) continue;
+            if (!is_digit(c) && c != '.' && c != '-' && c != '+') break;
+            compact_ += c;
+        }
+        const Decimal decimal = parse_decimal(compact_.data(), compact_.data() + compact_.size());
+        if (decimal.end != compact_.data() + compact_.size()) {
+            fail_here(diag::IsoSyntax);
+            return false;
+        }
+        at_ = i;
+        while (at_ > begin && is_blank(line_[at_ - 1])) --at_;
+        add_number(address, begin, decimal, compact_[0] == '-');
+        return true;
+    }
+
+    /// `1.5EX-3`
+    bool take_exponent(Decimal& decimal) {
+        if (!has_names_ || peek() != 'E' || peek(1) != 'X') return true;
+        const std::size_t begin = at_;
+        at_ += 2;
+        const bool is_minus = peek() == '-';
+        if (is_minus || peek() == '+') ++at_;
+        int exponent = 0;
+        const std::size_t first = at_;
+        while (is_digit(peek()) && exponent < 1000) exponent = exponent * 10 + (line_[at_++] - '0');
+        if (at_ == first || exponent > 308) {
+            fail(diag::IsoSyntax, begin, at_, {std::string(line_.substr(begin, at_ - begin))});
+            return false;
+        }
+        decimal.value *= std::pow(10.0, is_minus ? -exponent : exponent);
+        decimal.has_point = true;
+        return true;
+    }
+
+    void add_number(AddressId address, std::size_t begin, const Decimal& decimal, bool is_minus) {
+        add_word(address, begin);
+        out_.words.back().has_value = true;
+        out_.words.back().is_known = true;
+        out_.words.back().number = decimal.value;
+        out_.decimals.back() = decimal;
+        out_.minus.back() = is_minus;
+    }
+
+    // ------------------------------------------------------------ names
+
+    void take_name() {
+        const std::size_t begin = at_;
+        std::size_t end = at_;
+        while (end < line_.size() &&
+               (is_letter(line_[end]) || is_digit(line_[end]) || line_[end] == '_'))
+            ++end;
+        const std::string_view written = line_.substr(begin, end - begin);
+        const std::string name = rules_.ignores_case ? upper_ascii(written) : std::string(written);
+        const AddressId address = tables_.find_address(name);
+        at_ = end;
+        skip_blanks();
+        if (address == kNoAddress) {
+            if (peek() == ':') {
+                ++at_;
+                if (out_.words.empty() && out_.label.empty()) {
+                    out_.label = name;
+                    return;
+                }
+            }
+            at_ = end;
+            return fail(diag::IsoUnknownWord, begin, end, {std::string(written)});
+        }
+        const Address& head = tables_.addresses[address];
+        if (head.kind == Address::Kind::Call && peek() == '(') return take_call(address, begin);
+        if (head.kind == Address::Kind::Word) {
+            at_ = end;
+            return add_word(address, begin);
+        }
+        if (head.kind == Address::Kind::Value && peek() == '=')
+            return take_assigned(address, begin);
+        fail(diag::IsoNoValue, begin, end, {std::string(written)});
+    }
+
+    /// `=10`, `=AC(10)`, `=IC(-5)`, `="text"`; behind the address.
+    void take_assigned(AddressId address, std::size_t begin) {
+        ++at_;
+        skip_blanks();
+        if (peek() == '"') return take_quoted(address, begin);
+        const bool is_absolute = peek() == 'A' && peek(1) == 'C';
+        const bool is_incremental = peek() == 'I' && peek(1) == 'C';
+        if (rules_.has_modes && (is_absolute || is_incremental) && peek(2) == '(') {
+            at_ += 3;
+            skip_blanks();
+            if (!take_number(address, begin)) return;
+            out_.words.back().mode =
+                is_absolute ? GivenWord::Mode::Absolute : GivenWord::Mode::Incremental;
+            skip_blanks();
+            if (peek() != ')') return fail_here(diag::IsoSyntax);
+            ++at_;
+            out_.spans.back().end = static_cast<std::uint32_t>(at_);
+            return;
+        }
+        if (is_letter(peek()) || peek() == '(' || peek() == '$') {
+            std::size_t end = line_.find_first_of(" \t;", at_);
+            end = std::min(end, line_.size());
+            return fail(diag::IsoNotSupported, begin, end, {"a computed value"});
+        }
+        if (!take_number(address, begin)) return;
+        skip_blanks();
+        if (peek() == '+' || peek() == '-' || peek() == '*' || peek() == '/') {
+            fail(diag::IsoNotSupported, begin, at_, {"a computed value"});
+        }
+    }
+
+    bool take_text(std::size_t begin) {
+        const std::size_t first = at_ + 1;
+        const std::size_t close = line_.find('"', first);
+        if (close == std::string_view::npos) {
+            fail(diag::IsoSyntax, begin, line_.size(), {std::string(line_.substr(begin))});
+            return false;
+        }
+        out_.text = line_.substr(first, close - first);
+        at_ = close + 1;
+        return true;
+    }
+
+    void take_quoted(AddressId address, std::size_t begin) {
+        if (!take_text(begin)) return;
+        add_word(address, begin);
+        GivenWord& word = out_.words.back();
+        word.has_value = true;
+        word.is_text = true;
+        // A name that is a number names the tool with this number.
+        const char* const first = out_.text.data();
+        const Decimal decimal = parse_decimal(first, first + out_.text.size());
+        if (!out_.text.empty() && decimal.end == first + out_.text.size() && !decimal.has_point) {
+            word.number = decimal.value;
+            word.is_known = true;
+            out_.decimals.back() = decimal;
+        }
+    }
+
+    void take_call(AddressId address, std::size_t begin) {
+        ++at_;
+        const auto first = static_cast<std::uint16_t>(out_.arguments.size());
+        while (skip_blanks() && peek() != ')') {
+            if (out_.arguments.size() - first >= kMaxCallArguments) {
+                return fail(diag::IsoTooManyWords, begin, at_, {});
+            }
+            GivenArgument argument;
+            if (peek() == '"') {
+                if (!take_text(begin)) return;
+                argument.kind = GivenArgument::Kind::Text;
+            } else if (peek() != ',') {
+                const Decimal decimal =
+                    parse_decimal(line_.data() + at_, line_.data() + line_.size());
+                const auto end = static_cast<std::size_t>(decimal.end - line_.data());
+                if (end == at_) {
+                    if (is_letter(peek()) || peek() == '$') {
+                        return fail(diag::IsoNotSupported, at_, at_ + 1, {"a computed value"});
+                    }
+                    return fail_here(diag::IsoSyntax);
+                }
+                argument.kind = GivenArgument::Kind::Number;
+                argument.number = decimal.value;
+                at_ = end;
+            }
+            out_.arguments.push_back(argument);
+            skip_blanks();
+            if (peek() == ',') {
+                ++at_;
+            } else if (peek() != ')') {
+                return at_ < line_.size() ? fail_here(diag::IsoSyntax)
+                                          : fail(diag::IsoSyntax, begin, line_.size(),
+                                                 {std::string(line_.substr(begin))});
+            }
+        }
+        if (at_ >= line_.size()) {
+            return fail(diag::IsoSyntax, begin, line_.size(), {std::string(line_.substr(begin))});
+        }
+        ++at_;
+        add_word(address, begin);
+        GivenWord& word = out_.words.back();
+        word.is_call = true;
+        word.first_argument = first;
+        word.argument_count = static_cast<std::uint16_t>(out_.arguments.size() - first);
+    }
+
+    const DialectTables& tables_;
+    const Rules& rules_;
+    std::string_view line_;
+    LexedLine& out_;
+    std::string_view open_;
+    std::string compact_;
+    bool has_names_ = false;
+    std::size_t at_ = 0;
+    std::optional<LineFault> fault_;
+};
+
+}  // namespace
+
+void LexedLine::clear() {
+    words.clear();
+    decimals.clear();
+    minus.clear();
+    spans.clear();
+    arguments.clear();
+    text.clear();
+    comment.clear();
+    label.clear();
+    skip = -1;
+    number = -1;
+    has_comment = false;
+    comment_form = kNoForm;
+}
+
+std::optional<LineFault> lex_line(const DialectTables& tables, std::string_view line,
+                                  LexedLine& out) {
+    return Lexer(tables, line, out).run();
+}
+
+}  // namespace kadr::nc

@@ -1,0 +1,51 @@
+// lexer.h — a line of ISO-7bit text as words, by the lexical rules of a dialect.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "base/numbers.h"
+#include "nc/match.h"
+
+namespace kadr::nc {
+
+/// Where a word stands in its line: bytes.
+struct Span {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+};
+
+/// What one line holds. Reused from line to line.
+struct LexedLine {
+    std::vector<GivenWord> words;
+    std::vector<Decimal> decimals;  // of the words
+    std::vector<bool> minus;
+    std::vector<Span> spans;
+    std::vector<GivenArgument> arguments;  // of calls
+    std::string text;                      // last text between quotes
+    std::string comment;
+    std::string label;
+    std::int8_t skip = -1;
+    std::int32_t number = -1;
+    bool has_comment = false;
+    FormId comment_form = kNoForm;  // of a message that stands in a comment
+    Span comment_form_span;
+
+    void clear();
+};
+
+/// A mistake in a line: the row, its place, and what to say.
+struct LineFault {
+    const DiagnosticRow* row = nullptr;
+    Span span;
+    std::vector<std::string> arguments;
+};
+
+/// Splits `line`. The words are in the order of the text; a message that is written as a comment is
+/// a word as well.
+std::optional<LineFault> lex_line(const DialectTables& tables, std::string_view line,
+                                  LexedLine& out);
+
+}  // namespace kadr::nc

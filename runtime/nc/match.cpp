@@ -1,0 +1,455 @@
+#include "nc/match.h"
+
+#include <algorithm>
+#include <bitset>
+#include <cmath>
+
+namespace kadr::nc {
+
+namespace {
+
+using Fault = std::optional<MatchFault>;
+using WordSet = std::bitset<kMaxWords>;
+
+bool near(double a, double b) { return std::fabs(a - b) < 1e-9; }
+
+/// How well a form fits the words that are left.
+struct Fit {
+    enum class Answer : std::uint8_t { Yes, Missing, Value, Mode };
+    Answer answer = Answer::Yes;
+    std::size_t matched = 0;  // words of the block that it takes
+    std::size_t culprit = 0;  // word of the block, for Value and Mode
+    int argument = -1;        // … of a call
+    WordSet taken;
+};
+
+class Matcher {
+  public:
+    Matcher(const DialectTables& tables, std::span<const GivenWord> words,
+            std::span<const GivenArgument> arguments, const ModalFunctions& modal, Block& block,
+            Match& match)
+        : tables_(tables),
+          words_(words),
+          arguments_(arguments),
+          modal_(modal),
+          block_(block),
+          match_(match) {}
+
+    Fault run() {
+        if (words_.size() > kMaxWords) return MatchFault{MatchFault::Kind::Full};
+        if (Fault fault = check_repeated_addresses()) return fault;
+        if (Fault fault = check_repeated_groups()) return fault;
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            if (Fault fault = take_head(i)) return fault;
+        }
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            if (Fault fault = take_value(i)) return fault;
+        }
+        order_functions();
+        if (Fault fault = check_cycle()) return fault;
+        return check_alone();
+    }
+
+  private:
+    const Address& address(std::size_t i) const { return tables_.addresses[words_[i].address]; }
+    bool is_code(std::size_t i) const { return address(i).kind == Address::Kind::Code; }
+
+    // ------------------------------------------------------------ words given twice
+
+    Fault check_repeated_addresses() {
+        for (std::size_t i = 1; i < words_.size(); ++i) {
+            std::size_t count = 1;
+            std::size_t first = i;
+            for (std::size_t j = i; j-- > 0;) {
+                if (words_[j].address != words_[i].address || used_[j]) continue;
+                ++count;
+                first = j;
+            }
+            if (count <= address(i).read_max) continue;
+            // A function is never dropped: which of too many the control would take is its
+            // builder's choice.
+            if (tables_.rules.address == Repeated::Alarm || is_code(i)) {
+                return MatchFault{MatchFault::Kind::AddressTwice, i, first};
+            }
+            used_[first] = true;
+        }
+        return {};
+    }
+
+    int group_of(std::size_t i) const {
+        const Address& head = address(i);
+        if (head.kind == Address::Kind::Word || head.kind == Address::Kind::Call) {
+            return head.forms.empty() ? -1 : tables_.forms[head.forms[0]].group;
+        }
+        if (!words_[i].is_known) return -1;
+        const Code* code = tables_.find_code(words_[i].address, words_[i].number);
+        return code == nullptr ? -1 : tables_.forms[code->forms[0]].group;
+    }
+
+    Fault check_repeated_groups() {
+        for (std::size_t i = 1; i < words_.size(); ++i) {
+            const int group = used_[i] ? -1 : group_of(i);
+            if (group < 0) continue;
+            for (std::size_t j = 0; j < i; ++j) {
+                if (used_[j] || group_of(j) != group) continue;
+                if (tables_.rules.group == Repeated::Alarm) {
+                    return MatchFault{MatchFault::Kind::GroupTwice, i, j};
+                }
+                used_[j] = true;
+            }
+        }
+        return {};
+    }
+
+    // ------------------------------------------------------------ heads of forms
+
+    Fault take_head(std::size_t i) {
+        if (used_[i]) return {};
+        const GivenWord& word = words_[i];
+        const Address& head = address(i);
+        if (head.kind == Address::Kind::Word || head.kind == Address::Kind::Call) {
+            return take_form(i, head.forms);
+        }
+        if (head.kind == Address::Kind::Code) {
+            if (!word.has_value) return MatchFault{MatchFault::Kind::NoValue, i};
+            if (!word.is_known) return MatchFault{MatchFault::Kind::CodeComputed, i};
+            const Code* code = tables_.find_code(word.address, word.number);
+            if (code == nullptr) return MatchFault{MatchFault::Kind::UnknownCode, i};
+            return take_form(i, code->forms);
+        }
+        // A number that by itself says something (`D0`), if there is such a form.
+        if (!word.is_known || tables_.code_index[word.address].empty()) return {};
+        const Code* code = tables_.find_code(word.address, word.number);
+        return code == nullptr ? Fault{} : take_form(i, code->forms);
+    }
+
+    Fault take_form(std::size_t head, const std::vector<FormId>& candidates) {
+        FormId best = kNoForm;
+        Fit best_fit;
+        FormId nearest = kNoForm;
+        Fit nearest_fit;
+        for (const FormId id : candidates) {
+            const Fit fit = fit_form(head, tables_.forms[id]);
+            if (fit.answer == Fit::Answer::Yes) {
+                if (best == kNoForm || fit.matched > best_fit.matched) best = id, best_fit = fit;
+            } else if (nearest == kNoForm || fit.matched > nearest_fit.matched) {
+                nearest = id, nearest_fit = fit;
+            }
+        }
+        if (best == kNoForm) return no_form(head, nearest, nearest_fit);
+        // A word with a wrong value is not passed over because a shorter form would do without it.
+        if (nearest != kNoForm && nearest_fit.answer == Fit::Answer::Value &&
+            !best_fit.taken[nearest_fit.culprit] && !is_slot_word(nearest_fit.culprit)) {
+            return no_form(head, nearest, nearest_fit);
+        }
+        if (Fault fault = check_rivals(head, candidates, best, best_fit)) return fault;
+        return apply(tables_.forms[best], best, head, best_fit);
+    }
+
+    bool is_slot_word(std::size_t i) const { return address(i).slot >= 0; }
+
+    Fault no_form(std::size_t head, FormId nearest, const Fit& fit) const {
+        if (fit.answer == Fit::Answer::Value) {
+            return MatchFault{MatchFault::Kind::Value, fit.culprit, head, nearest, fit.argument};
+        }
+        if (fit.answer == Fit::Answer::Mode)
+            return MatchFault{MatchFault::Kind::Mode, fit.culprit, head, nearest};
+        return MatchFault{MatchFault::Kind::Missing, head, head, nearest};
+    }
+
+    /// A word that another form of the same code would take must not slip through to a slot.
+    Fault check_rivals(std::size_t head, const std::vector<FormId>& candidates, FormId best,
+                       const Fit& best_fit) const {
+        for (const FormId id : candidates) {
+            if (id == best) continue;
+            const Fit fit = fit_form(head, tables_.forms[id]);
+            if (fit.answer != Fit::Answer::Yes) continue;
+            const WordSet beyond = fit.taken & ~best_fit.taken;
+            if (beyond.none()) continue;
+            const WordSet own = best_fit.taken & ~fit.taken;
+            for (std::size_t w = 0; w < words_.size(); ++w) {
+                if (!beyond[w]) continue;
+                std::size_t other = head;
+                for (std::size_t o = 0; o < words_.size(); ++o) {
+                    if (own[o]) other = o;
+                }
+                return MatchFault{MatchFault::Kind::Conflict, w, other, best};
+            }
+        }
+        return {};
+    }
+
+    Fit fit_form(std::size_t head, const Form& form) const {
+        Fit fit;
+        fit.taken[head] = true;
+        fit.matched = 1;
+        for (const Function needed : form.during) {
+            const Function active = modal_[static_cast<std::size_t>(info(needed).group)];
+            if (active != Function::None && active != needed) fit.answer = Fit::Answer::Missing;
+        }
+        fit_word(form, form.words[0], head, fit);
+        for (std::size_t f = 1; f < form.words.size(); ++f) {
+            const FormWord& wanted = form.words[f];
+            bool found = false;
+            for (std::size_t i = 0; i < words_.size() && !found; ++i) {
+                if (used_[i] || fit.taken[i] || words_[i].address != wanted.address) continue;
+                const bool is_other_code = is_code(i) && !near(words_[i].number, wanted.number);
+                if (is_other_code) continue;
+                fit.taken[i] = true;
+                ++fit.matched;
+                found = true;
+                fit_word(form, wanted, i, fit);
+            }
+            if (!found && !wanted.is_optional && !wanted.has_default) {
+                fit.answer = fit.answer == Fit::Answer::Yes ? Fit::Answer::Missing : fit.answer;
+            }
+        }
+        return fit;
+    }
+
+    static void refuse(Fit& fit, Fit::Answer answer, std::size_t word, int argument = -1) {
+        if (fit.answer == Fit::Answer::Value) return;
+        fit.answer = answer;
+        fit.culprit = word;
+        fit.argument = argument;
+    }
+
+    void fit_word(const Form& form, const FormWord& wanted, std::size_t i, Fit& fit) const {
+        const GivenWord& word = words_[i];
+        switch (wanted.kind) {
+            case FormWord::Kind::Fixed:
+                if (!word.has_value || (word.is_known && !near(word.number, wanted.number))) {
+                    refuse(fit, Fit::Answer::Value, i);
+                }
+                break;
+            case FormWord::Kind::Name: break;
+            case FormWord::Kind::Value:
+                if (!word.has_value || word.is_text) refuse(fit, Fit::Answer::Value, i);
+                if (wanted.is_named_only && word.is_known && !near(word.number, 0)) {
+                    refuse(fit, Fit::Answer::Value, i);
+                }
+                if (word.mode != GivenWord::Mode::Modal) refuse(fit, Fit::Answer::Mode, i);
+                if (word.is_known && !is_in_range(form, wanted, word.number))
+                    refuse(fit, Fit::Answer::Value, i);
+                break;
+            case FormWord::Kind::Quoted:
+                if (!word.is_text) refuse(fit, Fit::Answer::Value, i);
+                break;
+            case FormWord::Kind::Call: fit_call(form, wanted, i, fit); break;
+            case FormWord::Kind::Empty:
+            case FormWord::Kind::Text: break;
+        }
+    }
+
+    static bool is_in_range(const Form& form, const FormWord& wanted, double number) {
+        const double value = (number - wanted.offset) / wanted.factor;
+        return std::ranges::none_of(form.when, [&](const Constraint& c) {
+            return c.parameter == wanted.parameter && (value < c.least || value > c.most);
+        });
+    }
+
+    void fit_call(const Form& form, const FormWord& wanted, std::size_t i, Fit& fit) const {
+        const GivenWord& word = words_[i];
+        for (std::size_t a = 0; a < word.argument_count || a < wanted.arguments.size(); ++a) {
+            const GivenArgument given =
+                a < word.argument_count ? arguments_[word.first_argument + a] : GivenArgument{};
+            const FormWord* want = a < wanted.arguments.size() ? &wanted.arguments[a] : nullptr;
+            const bool fits = want == nullptr ? given.kind == GivenArgument::Kind::Empty
+                                              : fits_argument(form, *want, given);
+            if (!fits) refuse(fit, Fit::Answer::Value, i, static_cast<int>(a));
+            if (given.kind != GivenArgument::Kind::Empty) ++fit.matched;
+        }
+    }
+
+    static bool fits_argument(const Form& form, const FormWord& want, const GivenArgument& given) {
+        const bool is_empty = given.kind == GivenArgument::Kind::Empty;
+        const bool is_number = given.kind == GivenArgument::Kind::Number;
+        if (want.kind == FormWord::Kind::Empty) return is_empty;
+        if (want.kind == FormWord::Kind::Text) return !is_number && (!is_empty || want.is_optional);
+        if (want.kind == FormWord::Kind::Fixed)
+            return is_empty ? want.number == 0 : is_number && near(given.number, want.number);
+        if (is_empty) return want.is_optional || want.has_default;
+        return is_number && is_in_range(form, want, given.number);
+    }
+
+    // ------------------------------------------------------------ what a form says
+
+    Fault apply(const Form& form, FormId id, std::size_t head, const Fit& fit) {
+        if (match_.form_count == match_.forms.size())
+            return MatchFault{MatchFault::Kind::Full, head};
+        match_.forms[match_.form_count++] = id;
+        if (form.owns_block && !alone_) alone_ = head;
+        if (form.function == Function::None) {
+            used_ |= fit.taken;  // the control knows it, and nothing here depends on it
+            return {};
+        }
+        if (Fault fault = say(form.function, head, tables_.parameters(form).size())) return fault;
+        if (form.function == Function::Cycle) block_.cycle = form.cycle;
+        const auto invocation = static_cast<std::uint8_t>(block_.function_count - 1u);
+        for (const auto& [parameter, value] : form.fixed) {
+            block_.set_argument(block_.functions[invocation], static_cast<std::size_t>(parameter),
+                                value);
+        }
+        WordSet left = fit.taken;
+        left[head] = false;
+        used_[head] = true;
+        claim_word(form.words[0], head, invocation);
+        for (std::size_t f = 1; f < form.words.size(); ++f) {
+            for (std::size_t i = 0; i < words_.size(); ++i) {
+                if (!left[i] || words_[i].address != form.words[f].address) continue;
+                left[i] = false;
+                used_[i] = true;
+                claim_word(form.words[f], i, invocation);
+                break;
+            }
+        }
+        for (const Function also : form.sets) {
+            if (modal_[static_cast<std::size_t>(info(also).group)] == also) continue;
+            if (Fault fault = say(also, head, 0)) return fault;
+        }
+        return {};
+    }
+
+    Fault say(Function function, std::size_t head, std::size_t parameters) {
+        if (info(function).group == Group::Motion) {
+            block_.motion = function;
+            return {};
+        }
+        if (block_.add(function, parameters) == nullptr)
+            return MatchFault{MatchFault::Kind::Full, head};
+        heads_[block_.function_count - 1u] = head;
+        return {};
+    }
+
+    void claim_word(const FormWord& wanted, std::size_t i, std::uint8_t invocation) {
+        if (wanted.kind == FormWord::Kind::Value || wanted.kind == FormWord::Kind::Quoted) {
+            claim(wanted, i, -1, invocation);
+        }
+        if (wanted.kind != FormWord::Kind::Call) return;
+        const GivenWord& word = words_[i];
+        for (std::size_t a = 0; a < word.argument_count && a < wanted.arguments.size(); ++a) {
+            const FormWord& argument = wanted.arguments[a];
+            if (argument.parameter < 0) continue;
+            if (arguments_[word.first_argument + a].kind == GivenArgument::Kind::Empty) continue;
+            claim(argument, i, static_cast<int>(a), invocation);
+        }
+    }
+
+    void claim(const FormWord& wanted, std::size_t i, int argument, std::uint8_t invocation) {
+        Claim& claim = match_.claims[match_.claim_count++];
+        claim = {};
+        claim.word = static_cast<std::uint16_t>(i);
+        claim.argument = static_cast<std::int16_t>(argument);
+        claim.is_parameter = true;
+        claim.invocation = invocation;
+        claim.parameter = static_cast<std::uint8_t>(wanted.parameter);
+        claim.place =
+            static_cast<std::uint8_t>(block_.functions[invocation].first + wanted.parameter);
+        claim.dimension = wanted.dimension;
+        claim.adds = wanted.adds;
+        claim.is_named_only = wanted.is_named_only;
+        claim.factor = wanted.factor;
+        claim.offset = wanted.offset;
+    }
+
+    /// Functions stand in the order of their words, whichever was recognised first.
+    void order_functions() {
+        const std::size_t count = block_.function_count;
+        std::array<std::uint8_t, kMaxInvocations> order{};
+        for (std::size_t i = 0; i < count; ++i) order[i] = static_cast<std::uint8_t>(i);
+        std::stable_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count),
+                         [&](std::uint8_t a, std::uint8_t b) { return heads_[a] < heads_[b]; });
+        const std::array<Invocation, kMaxInvocations> old = block_.functions;
+        std::array<std::uint8_t, kMaxInvocations> place{};
+        for (std::size_t i = 0; i < count; ++i) {
+            block_.functions[i] = old[order[i]];
+            place[order[i]] = static_cast<std::uint8_t>(i);
+        }
+        for (std::size_t i = 0; i < match_.claim_count; ++i) {
+            Claim& claim = match_.claims[i];
+            if (claim.is_parameter) claim.invocation = place[claim.invocation];
+        }
+    }
+
+    // ------------------------------------------------------------ values
+
+    Fault take_value(std::size_t i) {
+        if (used_[i]) return {};
+        const GivenWord& word = words_[i];
+        const Address& head = address(i);
+        if (!word.has_value) return MatchFault{MatchFault::Kind::NoValue, i};
+        if (!head.forms.empty()) return take_form(i, head.forms);
+        if (head.slot < 0) return MatchFault{MatchFault::Kind::Unused, i};
+        if (word.is_text) return MatchFault{MatchFault::Kind::NoNumber, i};
+        const auto slot = static_cast<Slot>(head.slot);
+        if (block_.has(slot) || (seen_slots_ & bit(slot)) != 0)
+            return MatchFault{MatchFault::Kind::AddressTwice, i, i};
+        seen_slots_ |= bit(slot);
+        if (word.mode != GivenWord::Mode::Modal) {
+            if ((bit(slot) & (kTargetSlots | kCenterSlots)) == 0)
+                return MatchFault{MatchFault::Kind::Mode, i};
+            (word.mode == GivenWord::Mode::Absolute ? block_.absolute : block_.incremental) |=
+                bit(slot);
+        }
+        used_[i] = true;
+        Claim& claim = match_.claims[match_.claim_count++];
+        claim = {};
+        claim.word = static_cast<std::uint16_t>(i);
+        claim.place = static_cast<std::uint8_t>(head.slot);
+        claim.dimension = head.dimension;
+        return {};
+    }
+
+    /// Words of arcs have other meanings beside a cycle (K: repeats); none of them is passed over.
+    Fault check_cycle() const {
+        if (block_.find(Function::Cycle) == nullptr) return {};
+        const SlotMask of_arcs = kCenterSlots | bit(Slot::Radius) | bit(Slot::Turns);
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            const int slot = address(i).slot;
+            const bool is_slot =
+                slot >= 0 && (seen_slots_ & of_arcs & bit(static_cast<Slot>(slot))) != 0;
+            if (is_slot) return MatchFault{MatchFault::Kind::Unused, i};
+        }
+        return {};
+    }
+
+    Fault check_alone() const {
+        if (!alone_) return {};
+        const bool has_more = match_.form_count > 1 || seen_slots_ != 0;
+        if (!has_more) return {};
+        return MatchFault{MatchFault::Kind::Alone, *alone_};
+    }
+
+    const DialectTables& tables_;
+    std::span<const GivenWord> words_;
+    std::span<const GivenArgument> arguments_;
+    const ModalFunctions& modal_;
+    Block& block_;
+    Match& match_;
+    WordSet used_;
+    SlotMask seen_slots_ = 0;
+    std::optional<std::size_t> alone_;
+    std::array<std::size_t, kMaxInvocations> heads_{};  // word behind each function
+};
+
+}  // namespace
+
+std::optional<MatchFault> match_words(const DialectTables& tables, std::span<const GivenWord> words,
+                                      std::span<const GivenArgument> arguments,
+                                      const ModalFunctions& modal, Block& block, Match& match) {
+    match.claim_count = 0;
+    match.form_count = 0;
+    return Matcher(tables, words, arguments, modal, block, match).run();
+}
+
+void follow_modal(const Block& block, ModalFunctions& modal) {
+    if (block.motion != Function::None)
+        modal[static_cast<std::size_t>(Group::Motion)] = block.motion;
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        const Function function = block.functions[i].function;
+        const Group group = info(function).group;
+        if (group != Group::Once) modal[static_cast<std::size_t>(group)] = function;
+    }
+}
+
+}  // namespace kadr::nc

@@ -1,0 +1,119 @@
+#include "nc/number_text.h"
+
+#include <array>
+#include <cmath>
+
+#include "base/units.h"
+
+namespace kadr::nc {
+
+namespace {
+
+constexpr double kMetersPerFoot = 0.3048;  // exact by definition
+
+constexpr std::array<double, 10> kPowersOfTen = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
+
+double power_of_ten(int exponent) { return kPowersOfTen[static_cast<std::size_t>(exponent)]; }
+
+/// What 1 without a decimal point means; 0: one.
+double increment_of(const NumberFormat& format, Dimension dimension, const TextUnits& units) {
+    if (dimension == Dimension::Length && units.inch) return format.inch_increment;
+    if (dimension == Dimension::Feed) {
+        if (units.per_revolution && format.revolution_increment > 0)
+            return format.revolution_increment;
+        if (units.inverse_time) return 0;
+    }
+    return format.increment;
+}
+
+/// Whether the value in increments of its last decimal has more digits than the control takes.
+bool has_too_many_digits(double number, const NumberFormat& format, int decimals) {
+    if (format.max_digits == 0) return false;
+    const int whole_digits = format.max_digits - decimals;
+    return std::fabs(number) >=
+           (whole_digits > 9 ? 1e10 : power_of_ten(whole_digits < 0 ? 0 : whole_digits));
+}
+
+/// `value`, which has `written` decimals, without those behind the first `kept`.
+double truncated(double value, int written, int kept) {
+    constexpr int kExactDecimals = 15;
+    if (written > kExactDecimals || std::fabs(value) >= 1e15)
+        return value;  // more digits than any control takes
+    auto digits =
+        static_cast<std::int64_t>(std::llround(std::fabs(value) * std::pow(10.0, written)));
+    for (int i = kept; i < written; ++i) digits /= 10;
+    const double cut = static_cast<double>(digits) / power_of_ten(kept);
+    return value < 0 ? -cut : cut;
+}
+
+}  // namespace
+
+double text_scale(Dimension dimension, const TextUnits& units, bool is_slot) {
+    switch (dimension) {
+        case Dimension::Length: return units.inch ? 1 / kMmPerInch : 1;
+        case Dimension::Feed: return units.inch_feed && !units.inverse_time ? 1 / kMmPerInch : 1;
+        case Dimension::Speed:
+            return is_slot && units.cutting_speed && units.inch_feed ? 1 / kMetersPerFoot : 1;
+        case Dimension::Number:
+        case Dimension::Count:
+        case Dimension::Angle:
+        case Dimension::Time:
+        case Dimension::Text: return 1;
+    }
+    return 1;
+}
+
+NumberFault append_number(std::string& out, double number, const NumberFormat& format,
+                          Dimension dimension, const TextUnits& units) {
+    if (!std::isfinite(number)) return NumberFault::NotFinite;
+    const int decimals = text_decimals(format, dimension, units);
+    std::array<char, kMaxFixedLength> text;
+    char* end = format_fixed(text.data(), number, decimals);
+    if (decimals > 0) {
+        while (end[-1] == '0') --end;
+        if (end[-1] == '.' && format.point != PointRule::Always) --end;
+    } else if (format.point == PointRule::Always) {
+        *end++ = '.';
+    }
+    const char* const begin = text.data();
+    if (format.digits > 1 && format.point == PointRule::Never) {
+        for (std::ptrdiff_t missing = format.digits - (end - begin); missing > 0; --missing)
+            out += '0';
+    }
+    out.append(text.data(), end);
+    const Decimal decimal = parse_decimal(begin, end);
+    const double meaning = read_meaning(decimal, format, dimension, units);
+    const double half_increment = 0.5 / power_of_ten(decimals);
+    // One part in 10^12 for the last bits of the product that made the number.
+    if (!(std::fabs(meaning - number) <= half_increment + std::fabs(number) * 1e-12)) {
+        return NumberFault::NotReadBack;
+    }
+    return check_read(decimal, *begin == '-', meaning, format, dimension, units);
+}
+
+double read_meaning(const Decimal& decimal, const NumberFormat& format, Dimension dimension,
+                    const TextUnits& units) {
+    double value = decimal.value;
+    if (!decimal.has_point) {
+        const double increment = increment_of(format, dimension, units);
+        if (increment > 0) value *= increment;
+        // The product of two decimal numbers is a decimal number; take the double nearest to it.
+        return increment > 0 ? round_to(value, 9) : value;
+    }
+    if (!format.truncates) return value;
+    const int decimals = text_decimals(format, dimension, units);
+    if (decimal.decimals <= decimals) return value;
+    return truncated(value, decimal.decimals, decimals);
+}
+
+NumberFault check_read(const Decimal& decimal, bool has_minus, double meaning,
+                       const NumberFormat& format, Dimension dimension, const TextUnits& units) {
+    if (decimal.has_point && format.point == PointRule::Never) return NumberFault::Point;
+    if (has_minus && !format.allows_minus) return NumberFault::Negative;
+    if (format.max_digits != 0 && decimal.digits > format.max_digits) return NumberFault::TooLarge;
+    const int decimals = text_decimals(format, dimension, units);
+    return has_too_many_digits(meaning, format, decimals) ? NumberFault::TooLarge
+                                                          : NumberFault::None;
+}
+
+}  // namespace kadr::nc

@@ -1,0 +1,49 @@
+// number_text.h — the numbers of words: canonical value ↔ what stands in the text.
+//
+// Knows units of the text (inch or metric, kind of feed), decimals, the decimal point and what a
+// number without one means. The writer checks every number it has written with the reader's rule.
+#pragma once
+
+#include <string>
+
+#include "base/numbers.h"
+#include "nc/tables.h"
+
+namespace kadr::nc {
+
+/// The modal state that the meaning of a number depends on.
+struct TextUnits {
+    bool inch = false;            // lengths are inches
+    bool inch_feed = false;       // feeds are inches too
+    bool per_revolution = false;  // F is per revolution
+    bool inverse_time = false;    // F is 1/min
+    bool cutting_speed = false;   // S is m/min, or ft/min
+};
+
+/// number in the text = canonical value · this. `is_slot`: of the word S itself; a speed that is a
+/// parameter (a limit) is rpm always.
+double text_scale(Dimension dimension, const TextUnits& units, bool is_slot);
+
+/// Decimals with which the number is written.
+inline int text_decimals(const NumberFormat& format, Dimension dimension, const TextUnits& units) {
+    const bool is_inch = (dimension == Dimension::Length && units.inch) ||
+                         (dimension == Dimension::Feed && units.inch_feed);
+    return is_inch ? format.inch_decimals : format.decimals;
+}
+
+enum class NumberFault : std::uint8_t { None, NotFinite, TooLarge, NotReadBack, Negative, Point };
+
+/// Appends `number`, which is in the text's units, and checks that it reads back as it was meant.
+NumberFault append_number(std::string& out, double number, const NumberFormat& format,
+                          Dimension dimension, const TextUnits& units);
+
+/// What a number that was read means, in the text's units: a missing decimal point may make it a
+/// count of increments, and digits beyond the format may be dropped.
+double read_meaning(const Decimal& decimal, const NumberFormat& format, Dimension dimension,
+                    const TextUnits& units);
+
+/// Whether the control takes the number as it stands.
+NumberFault check_read(const Decimal& decimal, bool has_minus, double meaning,
+                       const NumberFormat& format, Dimension dimension, const TextUnits& units);
+
+}  // namespace kadr::nc

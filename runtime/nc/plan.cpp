@@ -1,0 +1,203 @@
+// Words of source blocks → BlockPlan, with the tables of the input dialect.
+#include <algorithm>
+
+#include "base/numbers.h"
+#include "base/text.h"
+#include "nc/match.h"
+
+namespace kadr::nc {
+
+namespace {
+
+class Planner {
+  public:
+    Planner(const Dialect& dialect, std::span<const SourceWord> words, DiagnosticSink& sink)
+        : tables_(dialect.tables()), words_(words), sink_(sink) {}
+
+    std::optional<BlockPlan> plan() {
+        if (words_.size() > kMaxWords) {
+            sink_.report(diag::BlockWordsTooMany, words_[0].range);
+            return std::nullopt;
+        }
+        bool failed = false;
+        for (std::size_t i = 0; i < words_.size(); ++i) failed |= !take(i);
+        if (failed) return std::nullopt;
+        Match match;
+        const ModalFunctions unknown{};
+        const auto fault =
+            match_words(tables_, std::span(given_.data(), count_), {}, unknown, plan_.block, match);
+        if (fault) {
+            report(*fault);
+            return std::nullopt;
+        }
+        for (std::size_t i = 0; i < match.claim_count; ++i) add_hole(match.claims[i]);
+        return std::move(plan_);
+    }
+
+  private:
+    std::string text_of(const SourceWord& word) const {
+        std::string text(word.address);
+        if (word.value == SourceWord::Value::Literal) append_shortest(text, word.number);
+        return text;
+    }
+
+    bool take(std::size_t i) {
+        const SourceWord& word = words_[i];
+        const AddressId address = tables_.find_address(word.address);
+        if (address == kNoAddress) {
+            report_unknown(word);
+            return false;
+        }
+        if (tables_.addresses[address].is_block_number) {
+            if (word.value != SourceWord::Value::Literal) {
+                sink_.report(diag::BlockWordCodeComputed, word.range).arg(word.address);
+                return false;
+            }
+            plan_.block.number = static_cast<std::int32_t>(word.number);
+            return true;
+        }
+        GivenWord& given = given_[count_];
+        given.address = address;
+        given.has_value = word.value != SourceWord::Value::None;
+        given.is_known = word.value == SourceWord::Value::Literal;
+        given.number = word.number;
+        given.mode = static_cast<GivenWord::Mode>(word.mode);
+        source_[count_++] = i;
+        return true;
+    }
+
+    void report_unknown(const SourceWord& word) {
+        std::vector<std::string_view> names;
+        for (const Address& address : tables_.addresses) {
+            if (!address.name.empty() && address.kind != Address::Kind::Call)
+                names.push_back(address.name);
+        }
+        auto report = std::move(
+            sink_.report(diag::BlockWordUnknown, word.range).arg(text_of(word)).arg(tables_.name));
+        const std::string upper = upper_ascii(word.address);
+        if (const auto near = nearest_name(upper, names.data(), names.size())) {
+            report.fix("is `" + std::string(*near) + "` meant?");
+        }
+    }
+
+    void add_hole(const Claim& claim) {
+        const std::size_t word = source_[claim.word];
+        const SourceWord& source = words_[word];
+        if (claim.is_parameter && claim.is_named_only) {
+            plan_.block.set_argument(plan_.block.functions[claim.invocation], claim.parameter, 0);
+            return;
+        }
+        const double value = (source.number - claim.offset) / claim.factor;
+        const bool is_literal = source.value == SourceWord::Value::Literal;
+        if (claim.is_parameter && claim.dimension == Dimension::Count && is_literal) {
+            plan_.block.set_argument(plan_.block.functions[claim.invocation], claim.parameter,
+                                     value);
+            return;
+        }
+        Hole hole;
+        hole.word = static_cast<std::uint16_t>(word);
+        hole.dimension = claim.dimension;
+        hole.is_argument = claim.is_parameter;
+        hole.place = claim.place;
+        hole.invocation = claim.invocation;
+        hole.parameter = claim.parameter;
+        hole.factor = 1 / claim.factor;
+        hole.offset = -claim.offset / claim.factor;
+        plan_.holes.push_back(hole);
+    }
+
+    void report(const MatchFault& fault) {
+        using Kind = MatchFault::Kind;
+        const SourceWord& word = words_[source_[fault.word]];
+        const SourceWord& other = words_[source_[fault.other]];
+        const std::string text = text_of(word);
+        const std::string form = fault.form == kNoForm ? "" : tables_.forms[fault.form].pattern;
+        switch (fault.kind) {
+            case Kind::UnknownCode: report_code(word); break;
+            case Kind::CodeComputed:
+                sink_.report(diag::BlockWordCodeComputed, word.range).arg(word.address);
+                break;
+            case Kind::NoValue:
+            case Kind::NoNumber:
+                sink_.report(diag::BlockWordNeedsValue, word.range).arg(text);
+                break;
+            case Kind::AddressTwice:
+                sink_.report(diag::BlockWordTwice, word.range)
+                    .arg(word.address)
+                    .note(other.range, "first here");
+                break;
+            case Kind::GroupTwice:
+                sink_.report(diag::BlockWordGroupTwice, word.range)
+                    .arg(text)
+                    .arg(text_of(other))
+                    .note(other.range, "the other one");
+                break;
+            case Kind::Missing:
+                sink_.report(diag::BlockWordMissing, word.range).arg(text).arg(form);
+                break;
+            case Kind::Value:
+                sink_.report(diag::BlockWordValueWrong, word.range).arg(text).arg(form);
+                break;
+            case Kind::Conflict:
+                sink_.report(diag::BlockWordConflict, word.range)
+                    .arg(text)
+                    .arg(text_of(other))
+                    .note(other.range, "the other one");
+                break;
+            case Kind::Unused: sink_.report(diag::BlockWordUnused, word.range).arg(text); break;
+            case Kind::Alone: sink_.report(diag::BlockWordAlone, word.range).arg(text); break;
+            case Kind::Mode:
+                sink_.report(diag::BlockWordModeMisplaced, word.range).arg(word.address);
+                break;
+            case Kind::Full: sink_.report(diag::BlockWordsTooMany, word.range); break;
+        }
+    }
+
+    void report_code(const SourceWord& word) {
+        std::vector<std::string> known;
+        const auto address = tables_.find_address(word.address);
+        const auto& index = tables_.code_index[address];
+        for (std::size_t tenths = 0; tenths < index.size(); ++tenths) {
+            if (index[tenths] == 0) continue;
+            known.emplace_back(word.address);
+            append_shortest(known.back(), static_cast<double>(tenths) / 10);
+        }
+        const std::vector<std::string_view> views(known.begin(), known.end());
+        auto report = std::move(sink_.report(diag::BlockWordCodeUnknown, word.range)
+                                    .arg(text_of(word))
+                                    .arg(tables_.name));
+        if (const auto near = nearest_name(text_of(word), views.data(), views.size())) {
+            report.fix("is `" + std::string(*near) + "` meant?");
+        }
+    }
+
+    const DialectTables& tables_;
+    std::span<const SourceWord> words_;
+    DiagnosticSink& sink_;
+    BlockPlan plan_;
+    std::array<GivenWord, kMaxWords> given_;
+    std::array<std::size_t, kMaxWords> source_{};
+    std::size_t count_ = 0;
+};
+
+}  // namespace
+
+std::optional<BlockPlan> plan_block(const Dialect& dialect, std::span<const SourceWord> words,
+                                    DiagnosticSink& sink) {
+    return Planner(dialect, words, sink).plan();
+}
+
+WordKind word_kind(const Dialect& dialect, std::string_view identifier) {
+    const DialectTables& tables = dialect.tables();
+    const AddressId id = tables.find_address(identifier);
+    if (id == kNoAddress) return WordKind::None;
+    switch (tables.addresses[id].kind) {
+        case Address::Kind::Value:
+        case Address::Kind::Code: return WordKind::Address;
+        case Address::Kind::Word: return WordKind::Word;
+        case Address::Kind::Call: return WordKind::None;
+    }
+    return WordKind::None;
+}
+
+}  // namespace kadr::nc

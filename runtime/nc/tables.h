@@ -1,0 +1,262 @@
+// tables.h — a dialect compiled: what the writer, the reader and the planner of source words share.
+//
+// An Address is the head of a word: a letter or name that takes a value (`X10`, `CR=5`), a code
+// whose number selects a function (`G1`, `M8`), a word by itself (`TRANS`) or a call (`MSG("…")`).
+// A Form is a pattern of such words that spells one function; the same form is written and read.
+// For the rooms of nc only.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "nc/dialect.h"
+
+namespace kadr::nc {
+
+enum class PointRule : std::uint8_t {
+    Needed,  // `X10`, `X10.5`
+    Always,  // `X10.`, `X10.5`
+    Never,   // whole numbers only
+};
+
+/// How the number of an address is written and what it means when it is read.
+struct NumberFormat {
+    int decimals = 3;       // written, metric
+    int inch_decimals = 4;  // written for lengths and feeds while lengths are inches
+    PointRule point = PointRule::Needed;
+    int digits = 1;        // least digits of a whole number: 2 gives `T03`
+    int max_digits = 0;    // most digits after the value is in increments; 0: no limit
+    double increment = 0;  // what 1 means without a point; 0: what it says
+    double inch_increment = 0;
+    double revolution_increment = 0;  // the same for a feed per revolution; 0: as `increment`
+    bool truncates = false;           // digits beyond `decimals` are dropped when read
+    bool allows_minus = true;
+};
+
+using AddressId = std::uint16_t;
+inline constexpr AddressId kNoAddress = 0xffff;
+using FormId = std::uint16_t;
+inline constexpr FormId kNoForm = 0xffff;
+
+struct Address {
+    enum class Kind : std::uint8_t { Value, Code, Word, Call };
+    std::string name;
+    std::string doc;
+    Kind kind = Kind::Value;
+    int order = 50;  // place of its words in a block, lowest first
+    int slot = -1;   // Slot that a word sets by itself; -1 none
+    Dimension dimension = Dimension::Number;
+    std::uint8_t write_max = 1;  // words of it in a block: written
+    std::uint8_t read_max = 1;   // … and read
+    bool is_block_number = false;
+    NumberFormat format;
+    std::vector<FormId> forms;  // that begin with it, any value (Value, Word, Call)
+};
+
+/// What a code (`G1`) can begin.
+struct Code {
+    FormId simple = kNoForm;             // the form that is this one word and needs no other
+    Function function = Function::None;  // of `simple`, if it sets nothing else: the fast way
+    bool is_plain = false;               // nothing but `function` has to be looked at
+    std::vector<FormId> forms;           // all of them
+};
+
+/// One word of a form, or one argument of a call.
+struct FormWord {
+    enum class Kind : std::uint8_t {
+        Fixed,   // address and number: `G04`, `X0`
+        Name,    // a word by itself: `TRANS`
+        Value,   // address and parameter: `P{time:ms}`
+        Quoted,  // address and parameter between quotes: `T="{tool}"`
+        Call,    // name and arguments in parentheses
+        Empty,   // an argument that is left out
+        Text,    // an argument between quotes: `"{text}"`
+    };
+    Kind kind = Kind::Fixed;
+    AddressId address = kNoAddress;
+    std::string text;    // written as it stands (Fixed, Name), or what stands before the value
+    double number = 0;   // Fixed
+    int parameter = -1;  // Value, Quoted, Text
+    Dimension dimension = Dimension::Number;
+    double factor = 1;  // written = value · factor + offset
+    double offset = 0;
+    bool is_named_only = false;  // the word stands for itself, its number is always 0
+    bool adds = false;           // read: added to the parameter; written: 0
+    bool has_default = false;    // written with `fallback` if the parameter was not given
+    double fallback = 0;
+    bool is_optional = false;
+    std::vector<FormWord> arguments;  // Call
+};
+
+/// The parameter lies in this range, whole numbers.
+struct Constraint {
+    int parameter = 0;
+    double least = 0;
+    double most = 0;
+};
+
+struct Form {
+    Function function = Function::None;
+    CycleId cycle = 0;
+    std::string pattern;                       // as in the file
+    std::vector<FormWord> words;               // of the first line
+    std::vector<std::vector<FormWord>> extra;  // further lines, written behind it
+    std::vector<Constraint> when;
+    std::vector<std::pair<int, double>> fixed;  // parameters that the form says by itself
+    std::vector<int> implied;      // parameters that the control takes from its position
+    std::vector<Function> sets;    // further functions that it says
+    std::vector<Function> needs;   // modal functions that are written before it in the line
+    std::vector<Function> before;  // functions that are written on lines of their own before it
+    std::vector<Function> during;  // modal functions of which one must be active
+    int group = -1;                // modal group of the dialect; -1 none
+    int order = 0;                 // place in the block: the order of its first word
+    bool is_written = true;
+    bool is_read = true;
+    bool owns_block = false;         // stands alone
+    bool remembers = false;          // parameters that are left out keep their value
+    bool is_comment = false;         // stands between the comment signs
+    bool feed_every_block = false;   // F has to be repeated in every block
+    bool feed_by_radius = false;     // … and of an arc it is feed/radius
+    bool feed_stays_metric = false;  // of an `inch` code: F is not an inch feed
+    bool replaces = false;           // does not add to the same function given before
+    std::string doc;
+    std::string note;
+    SourceRange range;  // in the file
+};
+
+struct DialectGroup {
+    std::string name;
+    std::vector<Function> power_on;
+};
+
+struct CommentStyle {
+    std::string open = "(";
+    std::string close = ")";
+    bool is_upper = false;
+    bool is_ascii = false;
+    std::size_t max_length = 0;  // characters; 0: no limit
+    std::vector<std::pair<char, std::string>> replacements;
+};
+
+struct BlockNumbers {
+    bool is_on = false;
+    std::int64_t start = 10;
+    std::int64_t step = 10;
+    std::int64_t most = 99999999;
+};
+
+struct ProgramFrame {
+    std::vector<std::string> header;   // templates, written at once, without block numbers
+    std::vector<std::string> start;    // templates, before the first block that does something
+    std::vector<std::string> end;      // templates, at the very end
+    std::vector<std::string> finish;   // before `end` if the program did not end itself
+    std::vector<std::string> skipped;  // beginnings of lines that a reader passes over
+    std::size_t name_length = 24;
+    bool name_needs_two_letters = false;
+    std::int64_t least_number = 0;  // program numbers; 0 and 0: no numbers
+    std::int64_t most_number = 0;
+};
+
+/// What happens if a block says something twice.
+enum class Repeated : std::uint8_t { Alarm, LastWins };
+
+struct Rules {
+    Repeated address = Repeated::Alarm;
+    Repeated group = Repeated::Alarm;
+    bool ignores_case = false;         // of letters outside comments and texts
+    bool has_assignment = true;        // `X=10`
+    bool has_modes = true;             // `X=AC(10)`, `X=IC(5)`
+    bool blanks_inside_words = false;  // `X 10`, `G 0 1`
+    int skip_levels = 10;              // `/0` … `/9`
+    int default_skip = 0;              // what `/` alone means
+    std::size_t max_line = 512;        // bytes, read
+    std::size_t write_line = 512;      // bytes, written
+    bool crlf = false;                 // written line ends
+};
+
+/// Words that are held back until a block programs an axis or says a function.
+struct Deferred {
+    int axis = -1;  // Slot; -1: functions
+    std::vector<Function> functions;
+    std::vector<FormWord> words;
+    std::string pattern;
+};
+
+struct Example {
+    std::string source;  // a Kadr statement
+    std::string text;    // what the control reads; lines joined by line ends
+    std::string block;   // `describe` of what it means, if it differs from what the source says
+    std::string meaning;
+    SourceRange range;
+};
+
+struct DialectTables {
+    std::string name;
+    std::string title;
+    std::string suffix;
+    std::string extends;
+    std::string file;
+    std::string doc;
+
+    std::vector<Address> addresses;
+    std::vector<Form> forms;  // in the order of the file: the first that fits is written
+    std::vector<DialectGroup> groups;
+    std::vector<CycleInfo> cycles;
+    std::deque<std::string> texts;  // names of cycle parameters; stay where they are
+    std::map<std::string, AlarmText, std::less<>> alarms;  // by row name
+    std::vector<RuleSetting> rule_settings;                // of the interpreter
+    std::vector<Deferred> deferred;
+    std::vector<Example> examples;
+    ProgramFrame program;
+    BlockNumbers block_numbers;
+    CommentStyle comment;
+    Rules rules;
+
+    // Made from the above when the file is loaded.
+    std::array<AddressId, 128> letters{};              // single-letter addresses; kNoAddress
+    std::unordered_map<std::string, AddressId> names;  // all addresses by name
+    std::vector<std::vector<std::uint16_t>>
+        code_index;  // [address][number·10] → index + 1 into `codes`
+    std::vector<Code> codes;
+    std::array<std::vector<FormId>, kFunctions> forms_of;
+    std::vector<std::vector<FormId>> forms_of_cycle;
+    std::array<AddressId, kSlots> slot_address{};  // that writes the slot; kNoAddress
+    std::vector<Slot> slot_order;                  // in which slots are written
+    std::array<Function, kGroups> power_on{};
+    std::vector<FormId> comment_forms;         // `(MSG,{text})`
+    std::bitset<kFunctions> said_with_others;  // functions of forms that also set others
+
+    AddressId find_address(std::string_view text) const {
+        if (text.size() == 1) {
+            const auto letter = static_cast<unsigned char>(text[0]);
+            return letter < 128 ? letters[letter] : kNoAddress;
+        }
+        const auto found = names.find(std::string(text));
+        return found == names.end() ? kNoAddress : found->second;
+    }
+    /// The code with this number (`54.1`), nullptr if the control has none.
+    const Code* find_code(AddressId address, double number) const {
+        const std::vector<std::uint16_t>& index = code_index[address];
+        const double tenths = number * 10;
+        if (!(tenths >= 0) || tenths >= static_cast<double>(index.size())) return nullptr;
+        const auto whole = static_cast<std::size_t>(tenths + 0.5);
+        if (whole >= index.size() || index[whole] == 0) return nullptr;
+        const double difference = tenths - static_cast<double>(whole);
+        if (difference > 1e-6 || difference < -1e-6) return nullptr;
+        return &codes[index[whole] - 1u];
+    }
+    /// The parameters of what the form says: the vocabulary's, or the cycle's.
+    std::span<const Parameter> parameters(const Form& form) const {
+        if (form.function == Function::Cycle) return cycles[form.cycle].parameters;
+        return info(form.function).parameters;
+    }
+};
+
+}  // namespace kadr::nc

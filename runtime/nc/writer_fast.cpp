@@ -1,0 +1,141 @@
+// The fast way: a straight move in absolute coordinates, perhaps with a feed. Nearly all blocks of
+// a program are such, and formatting their numbers is what expansion costs. Whatever is unusual
+// about a block, or about one of its numbers, sends it the long way before anything is written.
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "nc/block_writer.h"
+
+namespace kadr::nc {
+
+namespace {
+
+constexpr std::array<double, 10> kPowersOfTen = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
+constexpr double kSame = 1e-9;  // mm or deg, as in writer_positions.cpp
+
+}  // namespace
+
+void BlockWriter::prepare_fast() {
+    for (const Slot slot : tables_.slot_order) {
+        if ((bit(slot) & kTargetSlots) == 0) continue;
+        const Address& address = address_of(slot);
+        const NumberFormat& format = address.format;
+        // A missing point must not change the meaning, and minus must be allowed.
+        const bool has_increments = format.increment > 0 || format.inch_increment > 0;
+        const bool is_usual = address.name.size() == 1 && format.point != PointRule::Never &&
+                              format.allows_minus &&
+                              (format.point == PointRule::Always || !has_increments);
+        if (!is_usual) continue;
+        FastAxis axis;
+        axis.slot = slot;
+        axis.letter = address.name[0];
+        axis.is_length = address.dimension == Dimension::Length;
+        axis.has_point = format.point == PointRule::Always;
+        axis.decimals = {format.decimals, axis.is_length ? format.inch_decimals : format.decimals};
+        std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+        if (format.max_digits != 0 && format.max_digits < 19) {
+            most = 1;
+            for (int i = 0; i < format.max_digits; ++i) most *= 10;
+            --most;
+        }
+        axis.most = {most, most};
+        fast_axes_.push_back(axis);
+        fast_slots_ |= bit(slot);
+    }
+}
+
+bool BlockWriter::is_fast(const Block& block) const {
+    if (block.kind != Block::Kind::Nc || block.function_count != 0 || block.skip >= 0 ||
+        block.number >= 0)
+        return false;
+    const SlotMask targets = block.given & kTargetSlots;
+    if (targets == 0 || (block.given & ~(fast_slots_ | bit(Slot::Feed))) != 0) return false;
+    if (((block.incremental | block.absolute) & block.given) != 0) return false;
+    if (!block.comment.empty() || !pending_.empty() || options_.verbose_modal ||
+        modal_.units.inverse_time)
+        return false;
+    const Function motion = effective_motion(block);
+    if (motion != Function::Rapid && motion != Function::Line) return false;
+    const auto distance = static_cast<std::size_t>(Group::Distance);
+    return modal_.text[static_cast<std::size_t>(Group::Motion)] == motion &&
+           modal_.text[distance] == Function::Absolute &&
+           modal_.meant[distance] == Function::Absolute;
+}
+
+bool BlockWriter::write_fast(const Block& block, std::string& out) {
+    if (!is_fast(block)) return false;
+    struct Word {
+        const FastAxis* axis;
+        std::uint64_t scaled;
+        double text;
+        bool is_minus;
+        int decimals;
+    };
+    std::array<Word, kAxes> words;
+    std::size_t count = 0;
+    SlotMask changed = 0;
+    const std::size_t system = modal_.units.inch ? 1 : 0;
+    for (const FastAxis& axis : fast_axes_) {
+        if (!block.has(axis.slot)) continue;
+        const int decimals = axis.decimals[system];
+        const double scale = axis.is_length ? text_scale(Dimension::Length, modal_.units, true) : 1;
+        const double number = block.at(axis.slot) * scale;
+        std::uint64_t scaled = 0;
+        if (!scaled_magnitude(number, decimals, scaled) || scaled > axis.most[system]) return false;
+        const bool is_minus = number < 0 && scaled != 0;
+        const double rounded =
+            static_cast<double>(scaled) / kPowersOfTen[static_cast<std::size_t>(decimals)];
+        const double text = (is_minus ? -rounded : rounded) / scale;
+        const auto place = static_cast<std::size_t>(axis.slot);
+        const bool is_same =
+            is_known(place) && std::fabs(text - modal_.position.text[place]) < kSame;
+        if (!is_same) changed |= bit(axis.slot);
+        words[count++] = {&axis, scaled, text, is_minus, decimals};
+    }
+    modal_.meant[static_cast<std::size_t>(Group::Motion)] = effective_motion(block);
+    open_line(-1, -1, true, out);
+    std::array<char, 32 * kAxes> line;
+    char* end = line.data();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Word& word = words[i];
+        const auto place = static_cast<std::size_t>(word.axis->slot);
+        modal_.position.meant[place] = block.at(word.axis->slot);
+        modal_.position.text[place] = word.text;
+        modal_.position.known |= bit(word.axis->slot);
+        if (changed != 0 && (changed & bit(word.axis->slot)) == 0) continue;
+        if (end != line.data() || out.size() != line_start_) *end++ = ' ';
+        *end++ = word.axis->letter;
+        end = append_fast_number(end, *word.axis, word.scaled, word.is_minus, word.decimals);
+    }
+    out.append(line.data(), end);
+    if (block.has(Slot::Feed) && !is_standing(Slot::Feed, block.at(Slot::Feed), modal_.feed)) {
+        append_slot(block, Slot::Feed, {}, out);
+    }
+    if (block.has(Slot::Feed)) {
+        modal_.meant_feed = block.at(Slot::Feed);
+        modal_.has_meant_feed = true;
+    }
+    close_line(out);
+    return true;
+}
+
+/// The number `scaled`·10^-decimals without zeros at its end. Its digits are those of a whole
+/// number, so it reads back as exactly what was rounded, and that is within half an increment.
+char* BlockWriter::append_fast_number(char* out, const FastAxis& axis, std::uint64_t scaled,
+                                      bool is_minus, int decimals) const {
+    if (is_minus) *out++ = '-';
+    std::array<char, 32> digits;
+    char* const end = digits.data() + digits.size();
+    char* begin = write_digits_backwards(end, scaled);
+    while (end - begin <= decimals) *--begin = '0';
+    const char* const point = end - decimals;
+    const char* last = end;
+    while (last != point && last[-1] == '0') --last;
+    while (begin != point) *out++ = *begin++;
+    if (last != point || axis.has_point) *out++ = '.';
+    while (begin != last) *out++ = *begin++;
+    return out;
+}
+
+}  // namespace kadr::nc

@@ -1,0 +1,341 @@
+// Targets and arcs of a block: which words stand in the text, and with which numbers.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "nc/arc_words.h"
+#include "nc/block_writer.h"
+
+namespace kadr::nc {
+
+namespace {
+
+constexpr double kSame = 1e-9;  // mm or deg; far below any increment, above rounding noise
+
+constexpr Slot center_slot(std::size_t axis) {
+    return static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + axis);
+}
+
+}  // namespace
+
+const Address& BlockWriter::address_of(Slot slot) const {
+    return tables_.addresses[tables_.slot_address[static_cast<std::size_t>(slot)]];
+}
+
+bool BlockWriter::has_address(Slot slot) const {
+    return tables_.slot_address[static_cast<std::size_t>(slot)] != kNoAddress;
+}
+
+double BlockWriter::to_text(Slot slot, double value) const {
+    return value * text_scale(address_of(slot).dimension, modal_.units, true);
+}
+
+int BlockWriter::decimals(Slot slot) const {
+    const Address& address = address_of(slot);
+    return text_decimals(address.format, address.dimension, modal_.units);
+}
+
+/// First, second and third axis of the working plane.
+std::array<std::size_t, 3> BlockWriter::plane_axes() const {
+    switch (modal_.meant[static_cast<std::size_t>(Group::Plane)]) {
+        case Function::PlaneZx: return {2, 0, 1};
+        case Function::PlaneYz: return {1, 2, 0};
+        default: return {0, 1, 2};
+    }
+}
+
+void BlockWriter::place_targets(const Block& block, Targets& targets) {
+    // Without AC() and IC() a distance needs the position, or a block of distances only.
+    const SlotMask given = block.given & kTargetSlots;
+    const bool is_absolute_text = modal_.text_of(Group::Distance) != Function::Incremental;
+    const SlotMask distances = block.incremental & given;
+    if (!tables_.rules.has_modes && is_absolute_text && given != 0 && distances == given &&
+        (modal_.position.known & given) != given) {
+        targets.needs_incremental = true;
+    }
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        if (block.has(static_cast<Slot>(axis))) place_target(block, axis, targets);
+    }
+}
+
+void BlockWriter::place_target(const Block& block, std::size_t axis, Targets& targets) {
+    const auto slot = static_cast<Slot>(axis);
+    const SlotMask mask = bit(slot);
+    if (!has_address(slot)) {
+        cannot_express(block, "the axis " + std::string(kAxisNames[axis]));
+        return;
+    }
+    const double scale = to_text(slot, 1);
+    const int places = decimals(slot);
+    const double value = block.at(slot);
+    targets.written |= mask;
+    if (block.function_count != 0 && block.find(Function::MachineCoordinates) != nullptr) {
+        targets.number[axis] = value * scale;
+        return;
+    }
+    WrittenPosition& position = modal_.position;
+    const Function text_distance = modal_.text_of(Group::Distance);
+    const bool by_itself = ((block.incremental | block.absolute) & mask) != 0;
+    const Function meant_distance = modal_.meant_of(Group::Distance);
+    if (!by_itself && meant_distance == Function::None) {
+        // After raw text nobody knows what the number is; it goes through, the position is lost.
+        targets.number[axis] = value * scale;
+        position.known &= ~mask;
+        return;
+    }
+    const bool is_distance =
+        by_itself ? (block.incremental & mask) != 0 : meant_distance == Function::Incremental;
+    const bool was_known = is_known(axis);
+    const double old_text = position.text[axis];
+    position.meant[axis] = is_distance ? position.meant[axis] + value : value;
+    position.text[axis] = round_to(position.meant[axis] * scale, places) / scale;
+    if (!is_distance) position.known |= mask;
+
+    bool writes_distance = is_distance;
+    if (by_itself && tables_.rules.has_modes) {
+        (is_distance ? targets.wrapped_incremental : targets.wrapped_absolute) |= mask;
+    } else if (by_itself) {
+        writes_distance = text_distance == Function::Incremental || targets.needs_incremental;
+        if (writes_distance != is_distance && !was_known) {
+            failed_ = true;
+            sink_.report(diag::WriterPositionUnknown, place(block)).arg(kAxisNames[axis]);
+        }
+    }
+    targets.number[axis] =
+        (writes_distance ? position.text[axis] - old_text : position.text[axis]) * scale;
+}
+
+/// Words of axes that stay where they are need not be written, as long as one moves.
+void BlockWriter::drop_unchanged(const Block& block, const WrittenPosition& start,
+                                 Targets& targets) {
+    const Function motion = effective_motion(block);
+    if (motion != Function::Rapid && motion != Function::Line) return;
+    if (((block.incremental | block.absolute) & block.given) != 0) return;
+    if (modal_.text_of(Group::Distance) != Function::Absolute) return;
+    SlotMask unchanged = 0;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        const SlotMask mask = bit(static_cast<Slot>(axis));
+        if ((targets.written & start.known & mask) == 0) continue;
+        if (std::fabs(start.text[axis] - modal_.position.text[axis]) < kSame) unchanged |= mask;
+    }
+    if (unchanged != targets.written) targets.written &= ~unchanged;
+}
+
+// ---------------------------------------------------------------- arcs
+
+void BlockWriter::place_arc(const Block& block, const WrittenPosition& start, Targets& targets) {
+    if (block.has(Slot::Radius)) {
+        if (place_radius(block, start, targets)) return;
+    }
+    if ((block.given & kCenterSlots) != 0) place_center(block, start, targets);
+}
+
+void BlockWriter::place_center(const Block& block, const WrittenPosition& start, Targets& targets) {
+    const std::array<std::size_t, 3> axes = plane_axes();
+    const SlotMask in_plane = bit(center_slot(axes[0])) | bit(center_slot(axes[1]));
+    const bool has_plane = modal_.meant_of(Group::Plane) != Function::None;
+    if (!has_plane || (block.given & kCenterSlots & ~in_plane) != 0) {
+        // The words do not fit the plane, or the plane is unknown: as they are, nothing corrected.
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const Slot slot = center_slot(axis);
+            if (!block.has(slot) || !has_address(slot)) continue;
+            targets.written |= bit(slot);
+            targets.number[static_cast<std::size_t>(slot)] = to_text(slot, block.at(slot));
+            if ((block.absolute & bit(slot)) != 0) targets.wrapped_absolute |= bit(slot);
+        }
+        return;
+    }
+    ArcPoints arc{};
+    PlanePoint center{};
+    std::array<bool, 2> fixed_zero{};
+    bool is_absolute = false;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::size_t axis = axes[i];
+        const Slot slot = center_slot(axis);
+        const double scale = to_text(static_cast<Slot>(axis), 1);
+        arc.start[i] = start.meant[axis] * scale;
+        arc.text_start[i] = start.text[axis] * scale;
+        arc.end[i] = modal_.position.meant[axis] * scale;
+        arc.text_end[i] = modal_.position.text[axis] * scale;
+        const bool is_coordinate = (block.absolute & bit(slot) & block.given) != 0;
+        is_absolute |= is_coordinate;
+        fixed_zero[i] = !block.has(slot);
+        center[i] = is_coordinate ? block.at(slot) * scale
+                                  : arc.start[i] + (block.has(slot) ? block.at(slot) * scale : 0.0);
+        if (is_coordinate && (start.known >> axis & 1u) == 0) {
+            // A coordinate and a distance cannot be compared without the position.
+            if (!tables_.rules.has_modes) {
+                failed_ = true;
+                sink_.report(diag::WriterPositionUnknown, place(block)).arg(address_of(slot).name);
+                return;
+            }
+            targets.written |= bit(slot);
+            targets.wrapped_absolute |= bit(slot);
+            targets.number[static_cast<std::size_t>(slot)] = block.at(slot) * scale;
+        }
+    }
+    const SlotMask coordinates = block.absolute & block.given & in_plane;
+    if (is_absolute && ((start.known >> axes[0] & start.known >> axes[1]) & 1u) == 0) return;
+    const bool writes_absolute = is_absolute && tables_.rules.has_modes;
+    const int places = decimals(center_slot(axes[0]));
+    const PlanePoint words = center_words(arc, center, places, fixed_zero, writes_absolute);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Slot slot = center_slot(axes[i]);
+        if (fixed_zero[i]) continue;
+        if (!has_address(slot)) {
+            cannot_express(block, "an arc centre");
+            return;
+        }
+        targets.written |= bit(slot);
+        double number = words[i];
+        if (writes_absolute && (coordinates & bit(slot)) == 0) number -= arc.text_start[i];
+        if (writes_absolute && (coordinates & bit(slot)) != 0)
+            targets.wrapped_absolute |= bit(slot);
+        targets.number[static_cast<std::size_t>(slot)] = number;
+    }
+}
+
+/// A radius stays a radius where the control has the word and the rounded points still give the
+/// same centre; near half a turn they do not, and the centre is written instead.
+bool BlockWriter::place_radius(const Block& block, const WrittenPosition& start, Targets& targets) {
+    const std::array<std::size_t, 3> axes = plane_axes();
+    const double scale = to_text(static_cast<Slot>(axes[0]), 1);
+    const double radius = block.at(Slot::Radius) * scale;
+    const bool has_word = has_address(Slot::Radius);
+    PlanePoint from{}, to{}, text_from{}, text_to{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        from[i] = start.meant[axes[i]] * scale;
+        text_from[i] = start.text[axes[i]] * scale;
+        to[i] = modal_.position.meant[axes[i]] * scale;
+        text_to[i] = modal_.position.text[axes[i]] * scale;
+    }
+    const bool is_cw = effective_motion(block) == Function::ArcCw;
+    const auto exact = center_of_radius(from, to, radius, is_cw);
+    const int places = decimals(has_word ? Slot::Radius : center_slot(axes[0]));
+    const double increment = std::pow(10.0, -places);
+    const double rounded = round_to(radius, places);
+    const auto reached = center_of_radius(text_from, text_to, rounded, is_cw);
+    const bool fits =
+        exact && reached &&
+        std::hypot((*exact)[0] - (*reached)[0], (*exact)[1] - (*reached)[1]) <= 5 * increment &&
+        std::hypot(text_to[0] - text_from[0], text_to[1] - text_from[1]) <= 2 * std::fabs(rounded);
+    const bool has_center = has_address(center_slot(axes[0])) && has_address(center_slot(axes[1]));
+    // Without a position of start and end nothing can be converted; the control judges.
+    const SlotMask in_plane = bit(static_cast<Slot>(axes[0])) | bit(static_cast<Slot>(axes[1]));
+    const bool is_comparable = (start.known & in_plane) == in_plane ||
+                               modal_.meant_of(Group::Distance) == Function::Incremental;
+    if (has_word && (fits || !exact || !has_center || !is_comparable)) {
+        targets.written |= bit(Slot::Radius);
+        targets.number[static_cast<std::size_t>(Slot::Radius)] = radius;
+        return true;
+    }
+    if (!exact || !has_center || !is_comparable) {
+        cannot_express(block, "an arc by radius from an unknown position");
+        return true;
+    }
+    const ArcPoints arc{from, to, text_from, text_to};
+    const PlanePoint words = center_words(arc, *exact, places, {false, false}, false);
+    for (std::size_t i = 0; i < 2; ++i) {
+        targets.written |= bit(center_slot(axes[i]));
+        targets.number[static_cast<std::size_t>(center_slot(axes[i]))] = words[i];
+    }
+    return true;
+}
+
+/// The centre as the block means it, in the plane; the start if the block does not say.
+PlanePoint BlockWriter::meant_center(const Block& block, const PlanePoint& start,
+                                     const PlanePoint& end) const {
+    const std::array<std::size_t, 3> axes = plane_axes();
+    PlanePoint center = start;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Slot slot = center_slot(axes[i]);
+        if (!block.has(slot)) continue;
+        center[i] = (block.absolute & bit(slot)) != 0 ? block.at(slot) : start[i] + block.at(slot);
+    }
+    if (!block.has(Slot::Radius)) return center;
+    const bool is_clockwise = effective_motion(block) == Function::ArcCw;
+    return center_of_radius(start, end, block.at(Slot::Radius), is_clockwise).value_or(center);
+}
+
+/// Where F of an arc under inverse time is feed/radius, it is the angle over the time: so much
+/// greater than 1/time.
+void BlockWriter::place_arc_feed(const Block& block, const WrittenPosition& start,
+                                 Targets& targets) {
+    if (!modal_.units.inverse_time || !inverse_arc_by_radius_) return;
+    const std::array<std::size_t, 3> axes = plane_axes();
+    const SlotMask in_plane = bit(static_cast<Slot>(axes[0])) | bit(static_cast<Slot>(axes[1]));
+    const bool is_full = (block.given & in_plane) == 0;
+    const bool is_incremental = modal_.meant_of(Group::Distance) == Function::Incremental;
+    if (!is_full && !is_incremental && (start.known & in_plane) != in_plane) {
+        failed_ = true;
+        sink_.report(diag::WriterPositionUnknown, place(block)).arg("F");
+        return;
+    }
+    const PlanePoint from = {start.meant[axes[0]], start.meant[axes[1]]};
+    const PlanePoint to = {modal_.position.meant[axes[0]], modal_.position.meant[axes[1]]};
+    const bool is_clockwise = effective_motion(block) == Function::ArcCw;
+    targets.feed_factor = sweep_angle(from, to, meant_center(block, from, to), is_clockwise);
+}
+
+/// A helix of several turns on a control without a word for them: one block a turn.
+bool BlockWriter::split_turns(const Block& block, std::string& out) {
+    if (!block.has(Slot::Turns) || has_address(Slot::Turns)) return false;
+    const Function motion = effective_motion(block);
+    const auto turns = static_cast<int>(std::lround(block.at(Slot::Turns)));
+    Block last = block;
+    last.given &= ~bit(Slot::Turns);
+    if (turns <= 0 || !is_arc(motion)) {
+        write_block(last, out);
+        return true;
+    }
+    const std::array<std::size_t, 3> axes = plane_axes();
+    const WrittenPosition& start = modal_.position;
+    const bool is_incremental = modal_.meant_of(Group::Distance) == Function::Incremental;
+    const auto end_of = [&](std::size_t axis) {
+        const auto slot = static_cast<Slot>(axis);
+        if (!block.has(slot)) return start.meant[axis];
+        const bool is_distance = (block.incremental & bit(slot)) != 0 ||
+                                 (is_incremental && (block.absolute & bit(slot)) == 0);
+        return is_distance ? start.meant[axis] + block.at(slot) : block.at(slot);
+    };
+    const PlanePoint from = {start.meant[axes[0]], start.meant[axes[1]]};
+    const PlanePoint to = {end_of(axes[0]), end_of(axes[1])};
+    const PlanePoint center = meant_center(block, from, to);
+    constexpr double kTurn = 2 * std::numbers::pi;
+    const double sweep = sweep_angle(from, to, center, motion == Function::ArcCw);
+    const double total = kTurn * turns + sweep;
+    const std::array<double, kAxes> begin = start.meant;
+    std::array<double, kAxes> end{};
+    for (std::size_t axis = 0; axis < kAxes; ++axis) end[axis] = end_of(axis);
+    // Under inverse time the time of the block is shared out by the angle.
+    const bool shares_time = modal_.units.inverse_time && block.has(Slot::Feed);
+    const double inverse_time = shares_time ? block.at(Slot::Feed) * total : 0;
+    if (shares_time) last.set(Slot::Feed, inverse_time / sweep);
+    for (int turn = 1; turn <= turns; ++turn) {
+        Block circle;
+        if (turn == 1) {
+            circle = last;
+            circle.given &= ~(kTargetSlots | kCenterSlots | bit(Slot::Radius));
+            circle.incremental = circle.absolute = 0;
+            circle.comment.clear();
+        }
+        circle.source = block.source;
+        circle.skip = block.skip;
+        circle.motion = motion;
+        if (shares_time) circle.set(Slot::Feed, inverse_time / kTurn);
+        for (std::size_t i = 0; i < 2; ++i) circle.set(center_slot(axes[i]), center[i] - from[i]);
+        for (std::size_t axis = 0; axis < kAxes; ++axis) {
+            const auto slot = static_cast<Slot>(axis);
+            if (axis == axes[0] || axis == axes[1] || !block.has(slot)) continue;
+            const double at = begin[axis] + (end[axis] - begin[axis]) * kTurn * turn / total;
+            circle.set(slot, is_incremental ? at - start.meant[axis] : at);
+        }
+        write_block(circle, out);
+    }
+    last.function_count = 0;
+    last.argument_count = 0;
+    write_block(last, out);
+    return true;
+}
+
+}  // namespace kadr::nc

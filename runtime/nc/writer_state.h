@@ -1,0 +1,58 @@
+// writer_state.h — what the writer remembers between blocks.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "nc/match.h"
+#include "nc/number_text.h"
+
+namespace kadr::nc {
+
+/// Position of the axes, twice: as the program means it, and as the rounded words of the text add
+/// up to it, so that incremental words cannot drift. mm and degrees.
+struct WrittenPosition {
+    std::array<double, kAxes> meant{};
+    std::array<double, kAxes> text{};
+    SlotMask known = 0;  // the axes whose coordinates are known, not only their changes
+
+    void forget() { known = 0; }
+};
+
+/// Whether something additive (a rotation, a mirroring) acts.
+enum class Activity : std::uint8_t { No, Yes, Unknown };
+
+/// A number that stays in force and need not be repeated.
+struct Standing {
+    bool is_known = false;
+    double value = 0;
+};
+
+struct WriterModal {
+    ModalFunctions meant{};  // as the blocks say; None: not known
+    ModalFunctions text{};   // as the control has it
+    TextUnits units;
+    Standing feed;  // in the text's units
+    Standing speed;
+    double meant_feed = 0;  // of the blocks; holds if has_meant_feed
+    bool has_meant_feed = false;
+    WrittenPosition position;
+    Activity rotation = Activity::No;
+    Activity mirror = Activity::No;
+    std::array<Standing, 3> shift{};  // arguments of a function that remembers them
+
+    Function& text_of(Group group) { return text[static_cast<std::size_t>(group)]; }
+    Function& meant_of(Group group) { return meant[static_cast<std::size_t>(group)]; }
+
+    /// After raw text nothing is known.
+    void forget() {
+        meant.fill(Function::None);
+        text.fill(Function::None);
+        feed.is_known = speed.is_known = has_meant_feed = false;
+        position.forget();
+        rotation = mirror = Activity::Unknown;
+        for (Standing& s : shift) s.is_known = false;
+    }
+};
+
+}  // namespace kadr::nc

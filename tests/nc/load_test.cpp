@@ -1,0 +1,206 @@
+// Dialect files: inheritance, and every mistake with its line and column.
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "nc/tables.h"
+#include "tests/nc/nc_testing.h"
+
+namespace kadr::nc {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::codes;
+
+/// A folder of its own for the files of one test.
+class Folder {
+  public:
+    Folder() : path_(fs::temp_directory_path() / ("kadr_nc_" + std::to_string(::getpid()))) {
+        fs::create_directories(path_);
+    }
+    ~Folder() { fs::remove_all(path_); }
+    std::string add(const std::string& name, const std::string& text) const {
+        std::ofstream(path_ / name) << text;
+        return (path_ / name).string();
+    }
+    SearchPath search() const { return {path_.string(), KADR_ROOT "/dialects"}; }
+
+  private:
+    fs::path path_;
+};
+
+std::string with(const std::string& body) {
+    return "<dialect name=\"mine\" extends=\"iso\" title=\"Mine\" suffix=\"nc\">\n" + body +
+           "\n</dialect>\n";
+}
+
+struct Loaded {
+    std::optional<Dialect> dialect;
+    DiagnosticList messages;
+    Sources sources;
+};
+
+void load(Loaded& out, const std::string& text) {
+    const Folder folder;
+    const std::string file = folder.add("mine.xml", text);
+    out.dialect = load_dialect(file, folder.search(), out.sources, out.messages);
+}
+
+TEST(Load, MistakesHaveTheirPlace) {
+    struct Row {
+        const char* body;
+        const char* codes;
+        unsigned line, column;
+    };
+    for (const Row& row : {
+             Row{"<group name=\"g\"><code text=\"G7\" function=\"plane_xy\"></group>", "K4002", 2,
+                 55},
+             {"<gruop name=\"x\"/>", "K4003", 2, 2},
+             {"<group name=\"x\"><command/></group>", "K4003", 2, 18},
+             {"<number addresses=\"X\" decimal=\"3\"/>", "K4004", 2, 23},
+             {"<alarm for=\"IsoUnknownCode\"/>", "K4005", 2, 2},
+             {"<number addresses=\"X\" point=\"sometimes\"/>", "K4006", 2, 23},
+             {"<number addresses=\"X\" decimals=\"many\"/>", "K4006", 2, 23},
+             {"<number addresses=\"X\" decimals=\"12\"/>", "K4006", 2, 9},
+             {"<number addresses=\"QQ\"/>", "K4006", 2, 9},
+             {"<address name=\"X\" slot=\"left\"/>", "K4006", 2, 19},
+             {"<alarm for=\"NoSuchRow\" number=\"1\"/>", "K4006", 2, 8},
+             {"<cycle name=\"drill_pek\"><form>G83 Z{to}</form></cycle>", "K4006", 2, 8},
+             {"<cycle name=\"mine\" parameters=\"to:length\"/>", "K4006", 2, 20},
+             {"<group name=\"g\"><code text=\"G7\" function=\"fast\"/></group>", "K4008", 2, 33},
+             {"<group name=\"g\" default=\"fast\"/>", "K4008", 2, 17},
+             {"<command name=\"dwell\"><form>G4 P{seconds}</form></command>", "K4009", 2, 24},
+             {"<command name=\"dwell\"><form>G4 P{time:hours}</form></command>", "K4009", 2, 24},
+             {"<command name=\"dwell\"><form>G4 P{time</form></command>", "K4009", 2, 24},
+             {"<command name=\"dwell\"><form></form></command>", "K4009", 2, 24},
+             {"<command name=\"dwell\"><form>WAIT({time}</form></command>", "K4009", 2, 24},
+             {"<command name=\"tool_select\"><form>T{tool?}</form></command>", "K4009", 2, 30},
+             {"<command name=\"work_offset\"><form>G{number+53}</form></command>", "K4009", 2, 30},
+             {"<command name=\"work_offset\"><form when=\"number "
+              "1..99999\">G{number}</form></command>",
+              "K4009", 2, 30},
+             {"<group name=\"g\"><code text=\"G123456789\" function=\"line\"/></group>", "K4009", 2,
+              18},
+             {"<command name=\"work_offset\"><form when=\"number one\">G54</form></command>",
+              "K4006", 2, 35},
+             {"<group name=\"g\"><code text=\"G0\" function=\"line\"/></group>", "K4010", 2, 18},
+             {"<command name=\"tool_select\"><form>T1</form></command>", "K4011", 2, 30},
+             {"<command name=\"dwell\"><form>G4 Q{time}</form></command>", "K4013", 2, 24},
+         }) {
+        SCOPED_TRACE(row.body);
+        Loaded loaded;
+        load(loaded, with(row.body));
+        EXPECT_FALSE(loaded.dialect);
+        ASSERT_FALSE(loaded.messages.all().empty());
+        const Diagnostic& first = loaded.messages.all()[0];
+        EXPECT_EQ(first.row->code, row.codes) << first.message();
+        const LineColumn place = loaded.sources.locate(first.range.file, first.range.begin);
+        EXPECT_EQ(place.line, row.line) << first.message();
+        EXPECT_EQ(place.column, row.column) << first.message();
+    }
+}
+
+TEST(Load, FilesThatAreNotThere) {
+    Sources sources;
+    DiagnosticList sink;
+    EXPECT_FALSE(load_dialect("fanuk", testing::dialect_folders(), sources, sink));
+    ASSERT_EQ(codes(sink), "K4001");
+    EXPECT_NE(sink.all()[0].fixes[0].text.find("fanuc"), std::string::npos);
+    EXPECT_FALSE(load_dialect("/nowhere/x.xml", testing::dialect_folders(), sources, sink));
+    Loaded loaded;
+    load(loaded, "<dialect name=\"m\" extends=\"izo\" title=\"t\" suffix=\"s\"/>");
+    EXPECT_EQ(codes(loaded.messages), "K4001");
+    Loaded empty;
+    load(empty, "");
+    EXPECT_EQ(codes(empty.messages), "K4002");
+    Loaded other;
+    load(other, "<machine/>");
+    EXPECT_EQ(codes(other.messages), "K4003");
+    Loaded nameless;
+    load(nameless, "<dialect name=\"m\" extends=\"iso\"/>");
+    EXPECT_EQ(codes(nameless.messages), "K4005");
+}
+
+TEST(Load, ExtendingInACircle) {
+    const Folder folder;
+    folder.add("a.xml", "<dialect name=\"a\" extends=\"b\" title=\"A\" suffix=\"nc\"/>");
+    folder.add("b.xml", "<dialect name=\"b\" extends=\"a\" title=\"B\" suffix=\"nc\"/>");
+    Sources sources;
+    DiagnosticList sink;
+    EXPECT_FALSE(load_dialect("a", folder.search(), sources, sink));
+    EXPECT_EQ(codes(sink), "K4007");
+}
+
+TEST(Load, WhatAFileSaysReplacesWhatItExtends) {
+    Loaded loaded;
+    load(loaded, with("<group name=\"motion\"><code text=\"G1\" function=\"rapid\"/><code "
+                      "text=\"G0\" function=\"line\"/></group>\n"
+                      "<number addresses=\"X\" decimals=\"1\"/>\n<remove commands=\"dwell\"/>\n"
+                      "<rule name=\"arc_tolerance\" value=\"0.5\"/>"));
+    ASSERT_TRUE(loaded.dialect) << testing::rendered(loaded.messages, loaded.sources);
+    const Dialect& dialect = *loaded.dialect;
+    EXPECT_FALSE(dialect.can_write(Function::Dwell));
+    EXPECT_TRUE(dialect.can_write(Function::ArcCw));
+    EXPECT_EQ(describe(testing::source_block(dialect, "G0 X1")), "line X1");
+    std::string tolerance;
+    for (const RuleSetting& rule : dialect.rules()) {
+        if (rule.name == "arc_tolerance") tolerance += rule.value;
+    }
+    EXPECT_EQ(tolerance, "0.5");  // said once, whatever iso says
+}
+
+TEST(Load, TheShippedFilesFollowTheSchema) {
+    if (std::system("command -v xmllint > /dev/null") != 0)
+        GTEST_SKIP() << "xmllint is not installed";
+    for (const char* name : {"iso", "sinumerik", "fanuc", "axioma"}) {
+        const std::string command = "xmllint --noout --schema " KADR_ROOT
+                                    "/dialects/dialect.xsd " KADR_ROOT "/dialects/" +
+                                    std::string(name) + ".xml 2> /dev/null";
+        EXPECT_EQ(std::system(command.c_str()), 0) << name;
+    }
+}
+
+TEST(Load, Questions) {
+    const Dialect& fanuc = testing::shipped("fanuc");
+    const Dialect& iso = testing::shipped("iso");
+    const auto peck = fanuc.find_cycle("drill_peck");
+    ASSERT_TRUE(peck);
+    EXPECT_TRUE(fanuc.has_native_cycle(*peck, 0b11111));
+    EXPECT_FALSE(iso.has_native_cycle(*peck, 0b11111));
+    EXPECT_TRUE(testing::shipped("sinumerik").has_native_cycle(*peck, 0b11111));
+    EXPECT_FALSE(fanuc.find_cycle("knit"));
+    EXPECT_TRUE(fanuc.can_write(Function::LengthCompOn));
+    EXPECT_FALSE(testing::shipped("sinumerik").can_write(Function::LengthCompOn));
+    EXPECT_EQ(fanuc.alarm(diag::IsoUnknownCode)->number, "PS0010");
+    EXPECT_FALSE(iso.alarm(diag::IsoUnknownCode));
+    EXPECT_EQ(fanuc.power_on(Group::Plane), Function::PlaneXy);
+    const auto list = list_dialects(testing::dialect_folders());
+    ASSERT_GE(list.size(), 4u);
+    EXPECT_EQ(list[0].name, "axioma");
+    EXPECT_EQ(list[0].extends, "sinumerik");
+    EXPECT_TRUE(list[0].is_valid);
+}
+
+TEST(Load, Explanations) {
+    const auto text = [](const char* dialect, const char* word) {
+        std::string all;
+        for (const std::string& line : explain(testing::shipped(dialect), word)) all += line + '\n';
+        return all;
+    };
+    EXPECT_EQ(text("fanuc", "dwell"),
+              "dwell: waits; seconds or spindle revolutions\n"
+              "parameters: time (time, optional), revolutions (number, optional)\n"
+              "written and read as `G04 P{time:ms}`, in a block of its own\n"
+              "read as `G04 X{time:s}`, in a block of its own\n"
+              "example: `dwell(0.5s);` is written `G04 P500`\n");
+    EXPECT_NE(text("fanuc", "G83").find("the cycle drill_peck"), std::string::npos);
+    EXPECT_NE(text("fanuc", "X").find("without a point 1 means 0.001"), std::string::npos);
+    EXPECT_NE(text("sinumerik", "trans").find("shift"), std::string::npos);
+    EXPECT_NE(text("sinumerik", "set_position").find("no spelling"), std::string::npos);
+    EXPECT_EQ(text("fanuc", "KNIT"), "");
+}
+
+}  // namespace
+}  // namespace kadr::nc

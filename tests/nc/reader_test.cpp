@@ -1,0 +1,297 @@
+// Text → blocks, per control: lexical rules, meaning of numbers, groups, and the control's alarms.
+#include "nc/reader.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/nc/nc_testing.h"
+
+namespace kadr::nc {
+namespace {
+
+using testing::read_blocks;
+using testing::shipped;
+
+struct Row {
+    const char* text;
+    const char* blocks;  // described, one a line
+};
+
+void expect_blocks(const char* dialect, std::initializer_list<Row> rows) {
+    for (const Row& row : rows) {
+        const auto result = read_blocks(shipped(dialect), row.text);
+        std::string all;
+        for (const Block& block : result.blocks) {
+            if (!all.empty()) all += '\n';
+            all += describe(block);
+        }
+        EXPECT_EQ(all, row.blocks) << dialect << ": " << row.text;
+        EXPECT_EQ(testing::codes(result.messages), "") << dialect << ": " << row.text;
+        EXPECT_FALSE(result.failed);
+    }
+}
+
+TEST(Reader, FanucNumbers) {
+    // Reference fanuc.md chapters 1.6 and 12: IS-B, conventional decimal point input.
+    expect_blocks(
+        "fanuc",
+        {
+            {"G00X1.23456", "rapid X1.234"},  // cut, not rounded
+            {"G00X-1.23456", "rapid X-1.234"},
+            {"G00X1000", "rapid X1"},
+            {"X1000.", "X1000"},
+            {"X+10.Y-.5", "X10 Y-0.5"},
+            {"X10", "X0.01"},
+            {"G20\nX10000\nX1.", "inch\nX25.4\nX25.4"},
+            {"G20 X1. F10.", "X25.4 F254 | inch"},  // the block's own G20 acts in it
+            {"A90.\nA90", "A90\nA0.09"},
+            {"G94 F200\nF200.", "F200 | feed_per_minute\nF200"},
+            {"G95 F20\nF0.2", "F0.2 | feed_per_revolution\nF0.2"},
+            {"G04P500\nG04X0.5\nG04X500", "dwell(time=0.5)\ndwell(time=0.5)\ndwell(time=0.5)"},
+            {"X123456.789", "X123456.789"},
+            {"X-0.", "X0"},
+        });
+}
+
+TEST(Reader, FanucWords) {
+    expect_blocks("fanuc",
+                  {
+                      {"%\nO0001(TITLE)\nG00 X1.\nM30\n%\nX5.", "rapid X1\nend_rewind"},
+                      {"G 0 1 X 1 0 . Y5.", "line X10 Y5"},
+                      {"G0X1.G1X2.", "line X2"},  // the last one is valid
+                      {"/G00 X1.\n/3 N5 X2.", "/1 rapid X1\n/3 N5 X2"},
+                      {"N100 G01 X25.4 Y-10. F300. S1200 M08 (COMMENT)",
+                       "N100 line X25.4 Y-10 F300 S1200 | coolant_flood ; COMMENT"},
+                      {"(ONLY A COMMENT)", "comment \"ONLY A COMMENT\""},
+                      {"(MSG,LOAD)", "message(text=\"LOAD\")"},
+                      {"G02 X10. Y0. R5.", "arc_cw X10 Y0 R5"},
+                      {"G43 H03 Z50.", "Z50 | length_comp_on(offset=3)"},
+                      {"T03 M06", "tool_select(tool=3) | tool_change"},
+                      {"G54.1 P2\nG54 P2\nG54.1\nG54",
+                       "work_offset(number=8)\nwork_offset(number=8)\nwork_offset(number=7)\nwork_"
+                       "offset(number=1)"},
+                      {"G04", "exact_stop_once"},
+                      {"G52 X60.", "shift(x=60)"},
+                      {"G92 S3000", "speed_limit(limit=3000)"},
+                      {"G68 X0. Y0. R30.", "rotate(angle=30)"},
+                      {"G98 G83 X5. Z-12. R2. Q3. F180.",
+                       "X5 F180 | cycle_return_initial | cycle#1(0=-12, 1=3, 2=2, 4=0)"},
+                      {"G82 Z-5. R2. P500", "cycle#0(0=-5, 1=2, 3=0.5)"},
+                      {"M03 M08", "spindle_cw | coolant_flood"},
+                      {"G90 G54 G17 G40 G80",
+                       "absolute | work_offset(number=1) | plane_xy | radius_comp_off | cycle_off"},
+                      {"X1.\r\nY2.\r\n", "X1\nY2"},
+                  });
+}
+
+TEST(Reader, SinumerikWords) {
+    // Reference sinumerik.md chapters 1.2, 1.3, 15.1 and 15.2.
+    expect_blocks(
+        "sinumerik",
+        {
+            {"%_N_PART_MPF\n;$PATH=/_N_WKS_DIR\nN10 G17 G90 G1 X10 Y10 F500     ; (10,10)",
+             "comment \"$PATH=/_N_WKS_DIR\"\nN10 line X10 Y10 F500 | plane_xy | absolute ; "
+             "(10,10)"},
+            {"N20 X=IC(5)", "N20 X=IC(5)"},
+            {"N30 G91 X5 Y=AC(0)", "N30 X5 Y=AC(0) | incremental"},
+            {"x10 g1 f.5", "line X10 F0.5"},
+            {"G1X10Y20F100", "line X10 Y20 F100"},
+            {"X=10 Y = -5", "X10 Y-5"},
+            {"X1.5EX-3", "X0.0015"},
+            {"G3 X0 Y20 CR=20", "arc_ccw X0 Y20 R20"},
+            {"G3 X0 Y20 I=AC(0) J=AC( 0 )", "arc_ccw X0 Y20 I=AC(0) J=AC(0)"},
+            {"G3 X0 Y20 I-20 J0 Z-9 TURN=2", "arc_ccw X0 Y20 Z-9 I-20 J0 TURN=2"},
+            {"/ X1\n/3 N120 G1 G91 X10 M8",
+             "/0 X1\n/3 N120 line X10 | incremental | coolant_flood"},
+            {"G505\nG500\nG57\nG599",
+             "work_offset(number=5)\nwork_offset(number=0)\nwork_offset(number=4)\nwork_offset("
+             "number=99)"},
+            {"SUPA G0 Z0 D0", "rapid Z0 | machine_coordinates | tool_edge(edge=0)"},
+            {"T=\"MILL_10\" D1\nT=\"3\"",
+             "tool_select | tool_edge(edge=1) \"MILL_10\"\ntool_select(tool=3)"},
+            {"MSG(\"ready; go\")\nMSG()", "message(text=\"ready; go\")\nmessage"},
+            {"TRANS X10 Y=5\nTRANS\nAMIRROR X0", "shift(x=10, y=5)\nshift\nmirror(x=0)"},
+            {"G4 F2.5\nG4 S30", "dwell(time=2.5)\ndwell(revolutions=30)"},
+            {"LIMS=3000", "speed_limit(limit=3000)"},
+            {"G96 S120\nG97\nG94",
+             "S120 | cutting_speed_on | feed_per_revolution\ncutting_speed_off\nfeed_per_minute"},
+            {"CYCLE81(10,0,2,-40)", "cycle#0(0=-40, 1=2, 2=10, 3=0)"},
+            {"CYCLE83(50,2,0,-12,,,3,0,0,0,1,1)", "cycle#1(0=-12, 1=3, 2=2, 3=50, 4=0)"},
+            {"G700 X1 F10\nG70 X1 F10", "X25.4 F254 | inch\nX25.4 F10 | inch"},
+            {"START:\nM17", "label START\nend"},
+        });
+}
+
+struct WrongRow {
+    const char* text;
+    const char* alarm;
+    unsigned line, column;
+};
+
+void expect_alarms(const char* dialect, std::initializer_list<WrongRow> rows) {
+    for (const WrongRow& row : rows) {
+        SCOPED_TRACE(std::string(dialect) + ": " + row.text);
+        const auto result = read_blocks(shipped(dialect), row.text);
+        EXPECT_TRUE(result.failed);
+        ASSERT_EQ(result.messages.all().size(), 1u);
+        const Diagnostic& message = result.messages.all()[0];
+        EXPECT_EQ(message.alarm_number, row.alarm) << message.message();
+        ASSERT_TRUE(message.line);
+        EXPECT_EQ(message.line->line, row.line);
+        EXPECT_EQ(message.line->column, row.column) << message.message();
+    }
+}
+
+TEST(Reader, FanucAlarms) {
+    expect_alarms("fanuc", {
+                               {"G01 X10. E5.", "PS0009", 1, 10},
+                               {"G111 X10.", "PS0010", 1, 1},
+                               {"G01 X Y5.", "PS0005", 1, 5},
+                               {"X.", "PS0005", 1, 1},
+                               {"X1234567.", "PS0003", 1, 1},
+                               {"X1.234567891", "PS0003", 1, 1},
+                               {"G04 P500.", "PS0007", 1, 5},
+                               {"S100.5", "PS0007", 1, 1},
+                               {"G01 X1. F-5.", "PS0006", 1, 9},
+                               {"G01 X1. P5", "PS0009", 1, 9},
+                               {"G68 X10. Y5. R30.", "PS0010", 1, 5},
+                               {"G04 X1. P500", "PS0010", 1, 5},
+                               {"G54.1 P99", "PS0010", 1, 7},
+                               {"X1.\nX1. (ROUGH\nX2.", "PS0004", 2, 5},
+                               {"G01 x5.", "PS0004", 1, 5},
+                               {"N X5.", "PS0005", 1, 1},
+                           });
+}
+
+TEST(Reader, SinumerikAlarms) {
+    expect_alarms("sinumerik", {
+                                   {"G1 X10 Q5", "12550", 1, 8},
+                                   {"G81 X10", "12470", 1, 1},
+                                   {"GX10", "12550", 1, 1},
+                                   {"CR7", "12550", 1, 1},
+                                   {"G1 X Y10", "12080", 1, 4},
+                                   {"N10 X10 X20", "12010", 1, 9},
+                                   {"G0 G1 X10", "12060", 1, 4},
+                                   {"G95 G96 S100", "12060", 1, 5},
+                                   {"TRANS X10 G1", "12120", 1, 1},
+                                   {"F=IC(100)", "12020", 1, 1},
+                                   {"G1 X10,5", "12080", 1, 7},
+                                   {"(comment)", "12080", 1, 1},
+                                   {"/12 X5", "12080", 1, 1},
+                                   {"G2 X1 Y1 R10", "12550", 1, 10},
+                                   {"MSG(\"open", "12080", 1, 1},
+                                   {"Ж X5", "12080", 1, 1},
+                               });
+}
+
+TEST(Reader, WhatIsNotReadYetSaysSo) {
+    for (const char* text : {"R1=5", "X=R1", "X=SIN(30)", "S2=1000", "$AA_IM[X]=5", "LOOP1: X5"}) {
+        EXPECT_EQ(testing::codes(read_blocks(shipped("sinumerik"), text).messages), "K5018")
+            << text;
+    }
+    for (const char* text : {"#1=5", "G01 X#1", "G01 X[1+2]"}) {
+        EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), text).messages), "K5018") << text;
+    }
+}
+
+TEST(Reader, WordsWithoutEffectAreAccepted) {
+    expect_blocks("fanuc", {{"G40G49G80G69G50G15",
+                             "radius_comp_off | length_comp_off | cycle_off | rotate_off"},
+                            {"G05.1 Q1\nG01 X1.", "line X1"}});
+    expect_blocks("sinumerik", {{"G1 SOFT G601 X5 NORM", "line X5"}, {"STOPRE", ""}});
+    // Repeats of a cycle are not executed, so they are not passed over either.
+    EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "G81 X1. Z-5. R2. K3").messages),
+              "K5010");
+}
+
+TEST(Reader, BlocksHaveALimitOfWords) {
+    std::string line;
+    for (int i = 0; i < 30; ++i) line += "M8 M9 M7 ";
+    EXPECT_EQ(testing::codes(read_blocks(shipped("iso"), line).messages), "K5017");
+    EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "M3 M8 M0").messages), "");
+    EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "M3 M8 M0 M1").messages), "K5007");
+}
+
+TEST(Reader, GoesOnBehindAMistake) {
+    const auto result = read_blocks(shipped("fanuc"), "X1.\nE5.\nX2.\nG111\n");
+    EXPECT_EQ(result.blocks.size(), 2u);
+    EXPECT_EQ(result.blocks[1].line, 3u);
+    EXPECT_EQ(testing::codes(result.messages), "K5001 K5002");
+}
+
+/// Gives a text in pieces of a fixed size.
+class Pieces final : public TextSource {
+  public:
+    Pieces(std::string_view text, std::size_t size) : text_(text), size_(size) {}
+    std::string_view next() override {
+        const std::string_view piece = text_.substr(0, size_);
+        text_.remove_prefix(piece.size());
+        return piece;
+    }
+
+  private:
+    std::string_view text_;
+    std::size_t size_;
+};
+
+TEST(Reader, PiecesMayEndAnywhere) {
+    const std::string text = "N10 G1 X1.5 F200\r\nN20 X2 ; two\n\nN30 G4 F1.5\nN40 X3";
+    for (std::size_t size = 1; size < text.size() + 1; ++size) {
+        Pieces pieces(text, size);
+        DiagnosticList sink;
+        Reader reader(shipped("sinumerik"), pieces, "part.mpf", sink);
+        std::vector<Block> blocks(10);
+        ASSERT_EQ(reader.pull(blocks), 4u) << size;
+        EXPECT_EQ(describe(blocks[0]), "N10 line X1.5 F200");
+        EXPECT_EQ(describe(blocks[1]), "N20 X2 ; two");
+        EXPECT_EQ(describe(blocks[3]), "N40 X3");
+        EXPECT_EQ(blocks[3].line, 5u);
+        EXPECT_EQ(reader.pull(blocks), 0u);
+        EXPECT_EQ(reader.lines(), 5u);
+    }
+}
+
+TEST(Reader, LongLinesAreAnAlarmAndNotMemory) {
+    /// A line of 200 MB in pieces of 64 KiB.
+    class Endless final : public TextSource {
+      public:
+        std::string_view next() override {
+            if (count_++ > 3200)
+                return count_ == 3202 ? std::string_view("\nX5\n") : std::string_view();
+            return piece_;
+        }
+
+      private:
+        std::string piece_ = std::string(65536, 'X');
+        int count_ = 0;
+    };
+    Endless source;
+    DiagnosticList sink;
+    Reader reader(shipped("sinumerik"), source, "part.mpf", sink);
+    std::vector<Block> blocks(2);
+    EXPECT_EQ(reader.pull(blocks), 1u);
+    EXPECT_EQ(describe(blocks[0]), "X5");
+    EXPECT_EQ(blocks[0].line, 2u);
+    ASSERT_EQ(testing::codes(sink), "K5016");
+    EXPECT_EQ(sink.all()[0].alarm_number, "12540");
+}
+
+TEST(Reader, Places) {
+    const std::string text = "N10 G1 X1 F200\nN20 G2 X5 Y5 CR=3 M8\n";
+    Pieces pieces(text, text.size());
+    DiagnosticList sink;
+    Reader reader(shipped("sinumerik"), pieces, "part.mpf", sink);
+    std::vector<Block> blocks(2);
+    ASSERT_EQ(reader.pull(blocks), 2u);
+    EXPECT_EQ(reader.place(blocks[1]).line, 2u);
+    EXPECT_EQ(reader.place(blocks[1]).column, 5u);
+    EXPECT_EQ(reader.place(blocks[1], Slot::Radius).column, 14u);
+    EXPECT_EQ(reader.place(blocks[1], Slot::Radius).length, 4u);
+    EXPECT_EQ(reader.place(blocks[1], Function::CoolantFlood).column, 19u);
+    EXPECT_EQ(reader.place(blocks[1], Function::ArcCw).text, "N20 G2 X5 Y5 CR=3 M8");
+    EXPECT_EQ(reader.place(blocks[0], Slot::Feed).column, 11u);
+}
+
+}  // namespace
+}  // namespace kadr::nc

@@ -1,0 +1,367 @@
+// Block → text, per control: words in their order, modal state, numbers, arcs, frames, tools.
+#include "nc/writer.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "tests/nc/nc_testing.h"
+
+namespace kadr::nc {
+namespace {
+
+using testing::shipped;
+
+struct Program {
+    const char* source;  // statements, one a line
+    const char* text;    // what comes behind the safety line
+};
+
+Block statement_block(std::string_view statement) {
+    Block block;
+    if (statement.starts_with("// ")) {
+        block.kind = Block::Kind::Comment;
+        block.comment = statement.substr(3);
+        return block;
+    }
+    if (statement.starts_with("raw ")) {
+        block.kind = Block::Kind::Raw;
+        block.text = statement.substr(4);
+        return block;
+    }
+    return testing::source_block(shipped("iso"), statement);
+}
+
+struct Written {
+    std::string text;   // behind the safety line
+    std::string codes;  // of messages
+};
+
+Written write(const std::string& dialect, std::string_view source, WriteOptions options = {},
+              bool is_inch = false) {
+    DiagnosticList sink;
+    options.number_blocks = false;
+    Writer writer(shipped(dialect), options, sink);
+    std::string text;
+    writer.begin({"test", 1, "", is_inch}, text);
+    bool is_first = true;
+    std::size_t start = 0;
+    while (!source.empty()) {
+        const std::size_t end = std::min(source.find('\n'), source.size());
+        const Block block = statement_block(source.substr(0, end));
+        source.remove_prefix(std::min(end + 1, source.size()));
+        if (is_first) {
+            Block nothing;  // brings the safety line
+            writer.write(nothing, text);
+            start = text.size();
+            is_first = false;
+        }
+        writer.write(block, text);
+    }
+    EXPECT_EQ(writer.lines(),
+              static_cast<std::uint32_t>(std::count(text.begin(), text.end(), '\n')));
+    return {text.substr(start), testing::codes(sink)};
+}
+
+void expect_text(const std::string& dialect, std::initializer_list<Program> programs) {
+    for (const Program& program : programs) {
+        const Written written = write(dialect, program.source);
+        EXPECT_EQ(written.text, program.text) << dialect << ":\n" << program.source;
+        EXPECT_EQ(written.codes, "") << dialect << ":\n" << program.source;
+    }
+}
+
+TEST(Writer, ModalWordsAreWrittenOnce) {
+    expect_text("fanuc", {
+                             {"G1 X0 F200\nG1 X10 F200\nG1 X20 F300\nG0 X0",
+                              "G01 X0. F200.\nX10.\nX20. F300.\nG00 X0.\n"},
+                             {"G0 X1 Y2 Z3\nX1 Y5 Z3\nX1 Y5 Z3", "X1. Y2. Z3.\nY5.\nX1. Y5. Z3.\n"},
+                             {"G17 G90\nG0 X1", "X1.\n"},
+                             {"S2400 M3\nS2400\nS2500", "S2400 M03\nS2500\n"},
+                         });
+    expect_text("sinumerik",
+                {
+                    {"G1 X0 F200\nG1 X10.5 F200\nG0 X-0.25", "G1 X0 F200\nX10.5\nG0 X-0.25\n"},
+                    {"G91\nX5\nX5\nG90\nX0", "G91\nG0 X5\nX5\nG90\nX0\n"},
+                });
+    const Written verbose = write("fanuc", "G1 X0 F200\nG1 X10 F200", {.verbose_modal = true});
+    EXPECT_EQ(verbose.text, "G01 X0. F200.\nG01 X10. F200.\n");
+}
+
+TEST(Writer, AfterRawTextNothingIsKnown) {
+    expect_text("fanuc", {{"G1 X10 F200\nraw G65 P9810\nG1 X10 F200",
+                           "G01 X10. F200.\nG65 P9810\nG01 X10. F200.\n"}});
+}
+
+TEST(Writer, NumbersFollowTheControl) {
+    expect_text("fanuc", {
+                             {"G0 X10 Y-0.5 Z0.0004", "X10. Y-0.5 Z0.\n"},
+                             {"G1 X1.2346 F200.5", "G01 X1.235 F200.5\n"},
+                             {"S2400.4 M3\nT3 M6\nD1", "S2400 M03\nT03 M06\nD01\n"},
+                             {"G4 P0.25", "G04 P250\n"},
+                         });
+    expect_text("sinumerik", {
+                                 {"G0 X10 Y-0.5 Z0.0004", "G0 X10 Y-0.5 Z0\n"},
+                                 {"G4 P0.25", "G4 F0.25\n"},
+                                 {"G1 X1 F0.1234", "G1 X1 F0.1234\n"},
+                             });
+}
+
+TEST(Writer, Inches) {
+    EXPECT_EQ(write("fanuc", "G1 X25.4 F254", {}, true).text, "G01 X1. F10.\n");
+    EXPECT_EQ(write("sinumerik", "G1 X25.4 F254", {}, true).text, "G1 X1 F10\n");
+}
+
+TEST(Writer, IncrementalWordsDoNotDrift) {
+    // 1/3 three times is 1: the roundings of the steps must not add up.
+    expect_text("fanuc", {{"G91\nX0.33333333333\nX0.33333333333\nX0.33333333334",
+                           "G91\nX0.333\nX0.334\nX0.333\n"}});
+}
+
+TEST(Writer, WordsByThemselves) {
+    expect_text("sinumerik", {{"G0 X10\nX=IC(5) Y=AC(3)", "G0 X10\nX=IC(5) Y=AC(3)\n"}});
+    expect_text("fanuc",
+                {
+                    {"G0 X10\nX=IC(5)", "X10.\nX15.\n"},
+                    // The position is not known: a block of distances under G91, then back.
+                    {"G0 X=IC(5)\nX20", "G91 X5.\nG90 X20.\n"},
+                    {"G0 X10 Y0\nG91\nX=AC(3)", "X10. Y0.\nG91\nX-7.\n"},
+                });
+    EXPECT_EQ(write("fanuc", "G0 X=IC(5) Y=AC(2)").codes, "K4204");
+}
+
+TEST(Writer, ArcsFitTheRoundedPoints) {
+    expect_text(
+        "fanuc",
+        {
+            {"G0 X20 Y0\nG3 X0 Y20 I-20 J0 F100", "X20. Y0.\nG03 X0. Y20. I-20. J0. F100.\n"},
+            {"G0 X20 Y0\nG3 X0 Y20 CR=20", "X20. Y0.\nG03 X0. Y20. R20.\n"},
+            {"G0 X20 Y0\nG3 X0 Y20 I=AC(0) J=AC(0)", "X20. Y0.\nG03 X0. Y20. I-20. J0.\n"},
+            {"G0 X20 Y0\nG3 I-20", "X20. Y0.\nG03 I-20.\n"},
+        });
+    expect_text("sinumerik", {
+                                 {"G0 X20 Y0\nG3 X0 Y20 I=AC(0) J=AC(0)",
+                                  "G0 X20 Y0\nG3 X0 Y20 I=AC(0) J=AC(0)\n"},
+                                 {"G0 X20 Y0\nG3 X0 Y20 CR=-20", "G0 X20 Y0\nG3 X0 Y20 CR=-20\n"},
+                             });
+}
+
+TEST(Writer, RadiusThatNoLongerFitsBecomesACentre) {
+    // Half a turn whose chord the rounding makes longer than twice the rounded radius.
+    const Written written = write("fanuc", "G0 X0 Y0\nG2 X9.2007 Y0 CR=4.60035");
+    EXPECT_EQ(written.text, "X0. Y0.\nG02 X9.201 Y0. I4.6 J0.\n");
+}
+
+TEST(Writer, HelixTurnsBecomeBlocksWhereThereIsNoWord) {
+    // 2 full turns and a quarter: 8/9 of the depth in the turns.
+    expect_text("fanuc",
+                {{"G0 X20 Y0 Z0\nG3 X0 Y20 I-20 J0 Z-9 TURN=2",
+                  "X20. Y0. Z0.\nG03 Z-4. I-20. J0.\nZ-8. I-20. J0.\nX0. Y20. Z-9. I-20. J0.\n"}});
+    expect_text("sinumerik", {{"G0 X20 Y0 Z0\nG3 X0 Y20 I-20 J0 Z-9 TURN=2",
+                               "G0 X20 Y0 Z0\nG3 X0 Y20 Z-9 I-20 J0 TURN=2\n"}});
+}
+
+TEST(Writer, ToolsAndHeldBackWords) {
+    expect_text("fanuc", {
+                             {"tool(3)\nS2400 M3\nG0 X0 Y0\nG0 Z50\nG0 Z2",
+                              "T03 M06\nS2400 M03\nX0. Y0.\nG43 H03 Z50.\nZ2.\n"},
+                             {"tool(3)\nG41\nG1 X5 F100\nG40\nG42",
+                              "T03 M06\nG41 D03\nG01 X5. F100.\nG40\nG42 D03\n"},
+                         });
+    expect_text("sinumerik", {{"tool(3)\nG0 Z50", "T=\"3\" D1\nM6\nG0 Z50\n"}});
+}
+
+TEST(Writer, OneMCodeABlock) {
+    expect_text("fanuc", {{"S100 M3 M8 M0", "S100 M03\nM08\nM00\n"}});
+    expect_text("sinumerik", {{"S100 M3 M8 M0", "S100 M3 M8 M0\n"}});
+}
+
+TEST(Writer, Frames) {
+    expect_text("fanuc",
+                {
+                    {"shift(x: 60, y: 40)\nshift()", "G52 X60. Y40.\nG52 X0. Y0.\n"},
+                    {"shift(x: 60)\nrotate(30)\nshift(x: 10)",
+                     "G52 X60.\nG68 X0. Y0. R30.\nG69\nG52 X10.\n"},
+                    {"G18\nrotate(30)", "G18\nG68 Z0. X0. R30.\n"},
+                    {"mirror(x: 0)\nshift()", "G51.1 X0.\nG50.1 X0. Y0. Z0.\nG52 X0. Y0. Z0.\n"},
+                });
+    expect_text("sinumerik",
+                {{"shift(x: 60)\nrotate(30)\nshift()", "TRANS X60\nAROT RPL=30\nTRANS\n"}});
+    EXPECT_EQ(write("fanuc", "rotate(30)\nrotate(10)").codes, "K4201");
+}
+
+TEST(Writer, FeedAndSpeedModes) {
+    expect_text("sinumerik", {
+                                 {"G95\nG96 S120 M3\nG1 X0 F0.2", "G95\nG96 S120 M3\nG1 X0 F0.2\n"},
+                                 {"G96 S120", "G961 S120\n"},
+                                 {"G95\nG96\nG97 S500", "G95\nG96\nG97 S500\n"},
+                                 {"G95 G96 S100", "G96 S100\n"},
+                                 {"G96 S100\nG94", "G961 S100\n"},
+                                 // A change of the feed mode deletes F.
+                                 {"G1 X0 F100\nG95 F100\nX1", "G1 X0 F100\nG95 F100\nX1\n"},
+                             });
+    expect_text("fanuc", {
+                             {"G96 S120 M3", "G96 S120 M03\n"},
+                             {"G93\nG1 X1 F2\nX2\nX3 F2", "G93\nG01 X1. F2.\nX2. F2.\nX3. F2.\n"},
+                         });
+}
+
+TEST(Writer, InverseTimeOfArcsByRadius) {
+    // F 2 is half a minute; a quarter turn in half a minute is pi/2 · 2 = pi per minute.
+    expect_text("fanuc",
+                {
+                    {"G0 X20 Y0\nG93\nG3 X0 Y20 I-20 J0 F2\nG3 X-20 Y0 CR=20 F2",
+                     "X20. Y0.\nG93\nG03 X0. Y20. I-20. J0. F3.142\nX-20. Y0. R20. F3.142\n"},
+                    // 2 turns and a quarter in half a minute: 9/8 of the feed for each turn, 9
+                    // times for the rest.
+                    {"G0 X20 Y0 Z0\nG93\nG3 X0 Y20 I-20 J0 Z-9 TURN=2 F2",
+                     "X20. Y0. Z0.\nG93\nG03 Z-4. I-20. J0. F28.274\nZ-8. I-20. J0. F28.274\n"
+                     "X0. Y20. Z-9. I-20. J0. F28.274\n"},
+                });
+    expect_text("sinumerik", {{"G0 X20 Y0\nG93\nG3 X0 Y20 I-20 J0 F2",
+                               "G0 X20 Y0\nG93\nG3 X0 Y20 I-20 J0 F2\n"}});
+}
+
+TEST(Writer, Cycles) {
+    expect_text(
+        "fanuc",
+        {
+            {"G0 Z50\ndrill_peck(to: -12, peck: 3, retract: 2, initial: 50, dwell: 0)\nG0 X5\n"
+             "drill(to: -5, retract: 2, initial: 50, dwell: 0.5)",
+             "Z50.\nG98 G83 Z-12. R2. Q3.\nG80\nX5.\nG82 Z-5. R2. P500\nG80\n"},
+            // The tool axis is somewhere else: it goes to the level first.
+            {"G0 Z60\nG1 X5 F100\ndrill(to: -5, retract: 2, initial: 50, dwell: 0)\nX9",
+             "Z60.\nG01 X5. F100.\nG00 Z50.\nG98 G81 Z-5. R2.\nG80\nG01 X9.\n"},
+            {"G0 Z50\nG91\ndrill(to: -5, retract: 2, initial: 50, dwell: 0)\nX9",
+             "Z50.\nG91\nG90 G98 G81 Z-5. R2.\nG80\nG91 X9.\n"},
+            {"tool(3)\ndrill(to: -5, retract: 2, initial: 50, dwell: 0)",
+             "T03 M06\nG43 H03 Z50.\nG98 G81 Z-5. R2.\nG80\n"},
+        });
+}
+
+TEST(Writer, Comments) {
+    expect_text("fanuc", {
+                             {"// bracket 120 x 80 (rough)", "(BRACKET 120 X 80 [ROUGH])\n"},
+                             {"// фланец Ø80, чистовая", "(FLANETS O80, CHISTOVAIA)\n"},
+                         });
+    expect_text("sinumerik", {{"// фланец (чистовая)", "; фланец (чистовая)\n"}});
+    Block block = testing::source_block(shipped("iso"), "G0 X1");
+    block.comment = "go";
+    DiagnosticList sink;
+    Writer writer(shipped("sinumerik"), {}, sink);
+    std::string text;
+    writer.begin({"part", 1, "", false}, text);
+    EXPECT_EQ(writer.write(block, text), 3u);
+    EXPECT_EQ(text, "%_N_PART_MPF\nN10 G17 G71 G40 G64 G90 G94\nN20 G0 X1 ; go\n");
+}
+
+TEST(Writer, ProgramFrame) {
+    struct Row {
+        const char* dialect;
+        ProgramInfo program;
+        const char* text;
+    };
+    for (const Row& row : {
+             Row{"fanuc",
+                 {"bracket", 12, "Flange (A)", false},
+                 "%\nO0012(BRACKET)\n(FLANGE [A])\nG00 G17 G21 G40 G49 G80 G90 G94\nX1.\nM30\n%\n"},
+             {"fanuc",
+              {"bracket", 12, "", true},
+              "%\nO0012(BRACKET)\nG00 G17 G20 G40 G49 G80 G90 G94\nX0.0394\nM30\n%\n"},
+             {"sinumerik",
+              {"3 holes", 1, "", false},
+              "%_N_NC_3_HOLES_MPF\nN10 G17 G71 G40 G64 G90 G94\nN20 G0 X1\nN30 M30\n"},
+         }) {
+        DiagnosticList sink;
+        Writer writer(shipped(row.dialect), {}, sink);
+        std::string text;
+        writer.begin(row.program, text);
+        writer.write(testing::source_block(shipped("iso"), "G0 X1"), text);
+        writer.end(text);
+        EXPECT_EQ(text, row.text);
+        EXPECT_FALSE(writer.failed());
+    }
+}
+
+TEST(Writer, WhatCannotBeSaidIsAnError) {
+    struct Row {
+        const char* dialect;
+        const char* source;
+        const char* codes;
+    };
+    for (const Row& row : {
+             Row{"sinumerik", "G92 X0", "K4201"},
+             {"fanuc", "G0 X1234567", "K4202"},
+             {"fanuc", "work_offset(0)", "K4201"},
+             {"fanuc", "G54.1 P100", "K4201"},
+             {"fanuc", "ATRANS X5", "K4201"},
+             {"fanuc", "SPOS=90", "K4201"},
+             {"fanuc", "G91\nG53 Z0", "K4201"},
+             {"sinumerik", "G43 H3", "K4201"},
+             {"sinumerik", "message(\"say \"hi\"\")", "K4207"},
+         }) {
+        EXPECT_EQ(write(row.dialect, row.source).codes, row.codes)
+            << row.dialect << ": " << row.source;
+    }
+    DiagnosticList sink;
+    Writer writer(shipped("fanuc"), {}, sink);
+    std::string text;
+    Block block;
+    block.set(Slot::X, std::numeric_limits<double>::infinity());
+    writer.write(block, text);
+    block.set(Slot::X, 1);
+    writer.write(block, text);
+    EXPECT_EQ(testing::codes(sink), "K4203");
+    EXPECT_TRUE(writer.failed());
+}
+
+TEST(Writer, LongLinesAreAnError) {
+    const std::string line(600, 'X');
+    EXPECT_EQ(write("sinumerik", "raw " + line).codes, "K4205");
+    EXPECT_EQ(write("sinumerik", "raw " + line.substr(0, 511)).codes, "");
+}
+
+TEST(Writer, LongCommentsGoOn) {
+    const std::string words =
+        "one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen";
+    EXPECT_EQ(write("fanuc", "// " + words).text,
+              "(ONE TWO THREE FOUR FIVE SIX SEVEN EIGHT NINE TEN ELEVEN TWELVE THIRTEEN "
+              "FOURTEEN)\n(FIFTEEN)\n");
+}
+
+TEST(Writer, ANumberThatWouldReadOtherwiseIsNeverWritten) {
+    // A point that is left out where the control then counts increments.
+    const std::string file = ::testing::TempDir() + "kadr_broken_point.xml";
+    std::ofstream(file) << "<dialect name=\"broken\" extends=\"fanuc\" title=\"t\" suffix=\"nc\">"
+                           "<number addresses=\"X\" point=\"needed\"/></dialect>";
+    Sources sources;
+    DiagnosticList sink;
+    const auto dialect = load_dialect(file, testing::dialect_folders(), sources, sink);
+    std::filesystem::remove(file);
+    ASSERT_TRUE(dialect);
+    Writer writer(*dialect, {}, sink);
+    std::string text;
+    Block block;
+    block.motion = Function::Line;
+    block.set(Slot::X, 10);
+    writer.write(block, text);
+    EXPECT_EQ(testing::codes(sink), "K4206");
+}
+
+TEST(Writer, MessagesNameTheStatement) {
+    DiagnosticList sink;
+    Writer writer(shipped("sinumerik"), {}, sink);
+    const std::vector<SourceRange> statements = {{FileId{0}, 3, 9}};
+    writer.set_statements(statements);
+    Block block = testing::source_block(shipped("iso"), "G92 X0");
+    block.source = SourceId{0};
+    std::string text;
+    writer.write(block, text);
+    writer.write(block, text);  // in a loop: said once
+    ASSERT_EQ(sink.all().size(), 1u);
+    EXPECT_EQ(sink.all()[0].range, statements[0]);
+}
+
+}  // namespace
+}  // namespace kadr::nc
