@@ -14,37 +14,37 @@ namespace kadr::machine {
 
 /// One physical axis. Canonical units: mm or rad, and seconds.
 struct MachineAxis {
-    std::string name;          // "X"
-    Axis axis = Axis::X;       // the logical axis that programs it
+    std::string name;     // "X"
+    Axis axis = Axis::X;  // the logical axis that programs it
     bool is_rotary = false;
-    double lower = 0;          // software limits; infinite if the machine has none
+    double lower = 0;  // software limits; infinite if the machine has none
     double upper = 0;
-    double velocity = 0;       // > 0; rapid traverse
-    double acceleration = 0;   // > 0
-    double jerk = 0;           // > 0; infinite if not limited
-    double home = 0;           // reference point, where the axis stands at program start
+    double velocity = 0;      // > 0; rapid traverse
+    double acceleration = 0;  // > 0
+    double jerk = 0;          // > 0; infinite if not limited
+    double home = 0;          // reference point, where the axis stands at program start
 };
 
 struct ToolData {
     std::int64_t number = 0;
-    double length = 0;         // mm
-    double radius = 0;         // mm
+    double length = 0;  // mm
+    double radius = 0;  // mm
     std::string name;
 };
 
 struct Machine {
     std::string name;
     std::string title;
-    double tick = 0.001;                       // s, interpolation period
-    double corner_tolerance = 0;               // reserved for blending, mm; 0: corners stay sharp
-    double max_feed = 0;                       // mm/s, path; 0: no limit of its own
-    double max_speed = 0;                      // rev/s of the spindle; 0: no limit
-    double orient_time = 0;                    // s
-    double tool_change_time = 0;               // s
-    bool is_lathe = false;                     // X is programmed as a diameter
-    std::vector<MachineAxis> axes;             // in the order of setpoint columns
+    double tick = 0.001;            // s, interpolation period
+    double corner_tolerance = 0;    // reserved for blending, mm; 0: corners stay sharp
+    double max_feed = 0;            // mm/s, path; 0: no limit of its own
+    double max_speed = 0;           // rev/s of the spindle; 0: no limit
+    double orient_time = 0;         // s
+    double tool_change_time = 0;    // s
+    bool is_lathe = false;          // X is programmed as a diameter; axis X is the radius
+    std::vector<MachineAxis> axes;  // in the order of setpoint columns
     std::vector<ToolData> tools;
-    std::vector<AxisValues> work_offsets;      // [0] none, [1] G54 …; mm, deg
+    std::vector<AxisValues> work_offsets;  // [0] none, [1] G54 …; mm, deg
 
     const MachineAxis* find(Axis axis) const;
     const ToolData* find_tool(std::int64_t number) const;
@@ -52,9 +52,20 @@ struct Machine {
 
 using SearchPath = std::vector<std::string>;
 
-/// Loads a machine by name or by file. Everything wrong is reported with its place; nothing is
-/// returned then.
+/// Loads a machine by name or by file; a text with a `/` or with the ending `.xml` is a file. Every
+/// mistake is reported with its place; nothing is returned then.
 std::optional<Machine> load_machine(const std::string& name_or_file, const SearchPath& folders,
                                     Sources& sources, DiagnosticSink& sink);
+
+/// A machine that can be loaded by name.
+struct MachineSummary {
+    std::string name;  // of the file, without its ending
+    std::string title;
+    std::string file;
+    std::string axes;  // "X Y Z"; empty if the file has mistakes
+};
+
+/// The machines of these folders in the order of their names; the first folder wins a name.
+std::vector<MachineSummary> list(const SearchPath& folders);
 
 }  // namespace kadr::machine

@@ -1,20 +1,18 @@
 // command.h — what the interpreter tells the motion side.
 //
 // Resolved: frames, units, plane, modal state and offsets are worked in; nobody behind this point
-// knows a G-code. Positions are of the tool tip in the base coordinate system, mm and degrees.
+// knows a G-code. Positions are of the tool tip in the base coordinate system, mm and degrees; X of a
+// lathe is a radius.
 #pragma once
 
 #include <cstdint>
 #include <string>
 
-#include <Eigen/Core>
-
 #include "base/axes.h"
 #include "base/source.h"
+#include "path/vec3.h"
 
 namespace kadr::path {
-
-using Vec3 = Eigen::Vector3d;
 
 enum class Op : std::uint8_t {
     Rapid, Line, Arc, Dwell, Spindle, SpeedLimit, Tool, ToolLength, Coolant, Stop, OptionalStop,
@@ -45,7 +43,7 @@ struct Command {
     Vec3 center = Vec3::Zero();
     Vec3 normal = Vec3::UnitZ();
     double sweep = 0;                // rad, > 0, additional turns included
-    bool is_clockwise = false;       // as programmed, in `plane`; for listings
+    bool is_clockwise = false;       // in `plane` of the base system, mirrors worked in; for listings
     double turns = 0;                // additional full turns, as programmed
 
     double feed = 0;                 // mm/min, mm/rev or 1/min, as feed_mode says
@@ -54,7 +52,7 @@ struct Command {
     double time = 0;                 // Dwell, s; 0 if revolutions
     double revolutions = 0;          // Dwell
     std::int64_t tool = 0;           // Tool, ToolLength: the tool or offset number
-    double length = 0;               // ToolLength: what is added along the tool axis, mm
+    double length = 0;               // ToolLength: what is added along the normal of `plane`, mm
     std::string text;                // Message
 };
 

@@ -1,0 +1,60 @@
+// element_reader.h — the attributes of one element, read with a message for every mistake.
+//
+// Knows XML elements and quantities; what the values mean for a machine is load.cpp's matter.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/diagnostic.h"
+#include "machine/quantity.h"
+#include "machine/xml_tree.h"
+
+namespace kadr::machine {
+
+/// Below, every question about an attribute answers nothing when the attribute is missing or wrong;
+/// what is wrong has then been reported, what is missing only by `require`.
+class ElementReader {
+ public:
+    ElementReader(const XmlElement& element, DiagnosticSink& sink)
+        : element_(element), sink_(sink) {}
+
+    const XmlElement& element() const { return element_; }
+
+    /// Reports unknown and doubled attributes and text between the children.
+    void check_attributes(std::span<const std::string_view> known) const;
+
+    /// Reports that the attribute is missing. True if it is there.
+    bool require(std::string_view attribute) const;
+
+    std::string text(std::string_view attribute) const;
+    std::optional<double> quantity(std::string_view attribute, Dimension dimension) const;
+    std::optional<Range> range(std::string_view attribute, Dimension dimension) const;
+    /// Above zero, or zero and above.
+    std::optional<double> positive(std::string_view attribute, Dimension dimension) const;
+    std::optional<double> magnitude(std::string_view attribute, Dimension dimension) const;
+    std::optional<std::int64_t> whole(std::string_view attribute, std::int64_t least,
+                                      std::int64_t most) const;
+    /// The index of the value in `words`.
+    std::optional<std::size_t> choice(std::string_view attribute,
+                                      std::span<const std::string_view> words) const;
+
+    /// The place of the attribute's value; of the element if there is none.
+    SourceRange place(std::string_view attribute) const;
+
+ private:
+    void report_quantity(const XmlAttribute& attribute, const QuantityError& error,
+                         Dimension dimension, bool is_range) const;
+
+    const XmlElement& element_;
+    DiagnosticSink& sink_;
+};
+
+/// A proposal for a slip, as words for a fix; nothing if no candidate is near.
+std::optional<std::string> proposal(std::string_view wrong,
+                                    std::span<const std::string_view> candidates);
+
+}  // namespace kadr::machine

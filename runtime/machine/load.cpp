@@ -1,0 +1,328 @@
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <unordered_map>
+
+#include "base/numbers.h"
+#include "base/text.h"
+#include "base/units.h"
+#include "machine/element_reader.h"
+#include "machine/machine.h"
+#include "machine/xml_tree.h"
+
+namespace kadr::machine {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// G54 … G59, and the 300 further ones that the largest controls have.
+constexpr std::int64_t kMostOffsets = 306;
+constexpr std::int64_t kMostTools = 99'999'999;
+
+constexpr std::string_view kMachineAttributes[] = {
+    "name", "title", "kind", "tick", "max_feed", "max_speed", "orient_time", "tool_change_time"};
+constexpr std::string_view kAxisAttributes[] = {"name",         "limits", "velocity",
+                                                "acceleration", "jerk",   "home"};
+constexpr std::string_view kToolAttributes[] = {"number", "length", "radius", "name"};
+constexpr std::string_view kOffsetAttributes[] = {"number", "x", "y", "z", "a",
+                                                  "b",      "c", "u", "v", "w"};
+constexpr std::string_view kMachineChildren[] = {"axis", "tool", "offset"};
+constexpr std::string_view kKinds[] = {"mill", "lathe"};
+
+/// The dimensions of an axis' attributes.
+struct AxisDimensions {
+    Dimension position;
+    Dimension velocity;
+    Dimension acceleration;
+    Dimension jerk;
+};
+constexpr AxisDimensions kLinear = {Dimension::Length, Dimension::Velocity, Dimension::Acceleration,
+                                    Dimension::Jerk};
+constexpr AxisDimensions kRotary = {Dimension::Angle, Dimension::AngularVelocity,
+                                    Dimension::AngularAcceleration, Dimension::AngularJerk};
+
+/// A position with its unit, as messages show it.
+std::string shown_position(const MachineAxis& axis, double position) {
+    const double value = axis.is_rotary ? deg_from_rad(position) : position;
+    return format_shortest(round_to(value, 6)) + (axis.is_rotary ? " deg" : " mm");
+}
+
+/// Builds one Machine from its element; mistakes go to the sink and loading goes on, so that one
+/// look at the file finds them all.
+class MachineBuilder {
+ public:
+    MachineBuilder(const XmlElement& root, DiagnosticSink& sink) : root_(root), sink_(sink) {}
+
+    Machine build() {
+        machine_.work_offsets.resize(1, AxisValues{});
+        read_machine();
+        for (const XmlElement& child : root_.children) read_child(child);
+        if (machine_.axes.empty()) {
+            sink_.report(diag::MachineWithoutAxes, root_.range).arg(machine_.name);
+        }
+        return std::move(machine_);
+    }
+
+ private:
+    void read_machine() {
+        const ElementReader reader(root_, sink_);
+        reader.check_attributes(kMachineAttributes);
+        reader.require("name");
+        machine_.name = reader.text("name");
+        machine_.title = reader.text("title");
+        machine_.is_lathe = reader.choice("kind", kKinds).value_or(0) == 1;
+        machine_.tick = reader.positive("tick", Dimension::Time).value_or(machine_.tick);
+        machine_.max_feed = reader.magnitude("max_feed", Dimension::Velocity).value_or(0);
+        machine_.max_speed = reader.magnitude("max_speed", Dimension::AngularVelocity).value_or(0) /
+                             (2 * std::numbers::pi);
+        machine_.orient_time = reader.magnitude("orient_time", Dimension::Time).value_or(0);
+        machine_.tool_change_time =
+            reader.magnitude("tool_change_time", Dimension::Time).value_or(0);
+    }
+
+    void read_child(const XmlElement& child) {
+        if (child.name == "axis") {
+            read_axis(child);
+        } else if (child.name == "tool") {
+            read_tool(child);
+        } else if (child.name == "offset") {
+            read_offset(child);
+        } else {
+            report_unknown(child, root_, kMachineChildren);
+            return;
+        }
+        for (const XmlElement& below : child.children) report_unknown(below, child, {});
+    }
+
+    void report_unknown(const XmlElement& element, const XmlElement& parent,
+                        std::span<const std::string_view> known) {
+        auto message = sink_.report(diag::MachineElementUnknown, element.range);
+        message.arg(element.name).arg(parent.name);
+        if (const auto better = proposal(element.name, known)) {
+            message.fix(element.range, *better, "the element is called so");
+        }
+    }
+
+    /// True if `what` is new; else it has been reported.
+    bool is_first(const std::string& what, const SourceRange& place) {
+        const auto [first, is_new] = seen_.emplace(what, place);
+        if (!is_new) {
+            sink_.report(diag::MachineTwice, place)
+                .arg(what)
+                .note(first->second, "the first description");
+        }
+        return is_new;
+    }
+
+    void read_axis(const XmlElement& element) {
+        const ElementReader reader(element, sink_);
+        reader.check_attributes(kAxisAttributes);
+        if (!reader.require("name")) return;
+        MachineAxis axis;
+        axis.name = reader.text("name");
+        const auto known = std::find(kAxisNames.begin(), kAxisNames.end(), axis.name);
+        if (known == kAxisNames.end()) {
+            auto message = sink_.report(diag::MachineAxisName, reader.place("name"));
+            message.arg(axis.name);
+            const std::string upper = upper_ascii(axis.name);
+            if (std::find(kAxisNames.begin(), kAxisNames.end(), upper) != kAxisNames.end()) {
+                message.fix(reader.place("name"), upper, "axes are written in upper case");
+            }
+            return;
+        }
+        axis.axis = static_cast<Axis>(known - kAxisNames.begin());
+        axis.is_rotary = is_rotary(axis.axis);
+        const AxisDimensions& dimension = axis.is_rotary ? kRotary : kLinear;
+        reader.require("velocity");
+        reader.require("acceleration");
+        axis.velocity = reader.positive("velocity", dimension.velocity).value_or(1);
+        axis.acceleration = reader.positive("acceleration", dimension.acceleration).value_or(1);
+        axis.jerk = reader.positive("jerk", dimension.jerk).value_or(kInfinity);
+        axis.home = reader.quantity("home", dimension.position).value_or(0);
+        read_limits(reader, axis, dimension.position);
+        if (is_first("axis " + axis.name, reader.place("name"))) machine_.axes.push_back(axis);
+    }
+
+    void read_limits(const ElementReader& reader, MachineAxis& axis, Dimension dimension) {
+        const auto limits = reader.range("limits", dimension);
+        axis.lower = limits ? limits->lower : -kInfinity;
+        axis.upper = limits ? limits->upper : kInfinity;
+        if (!(axis.lower < axis.upper)) {
+            sink_.report(diag::MachineLimitsReversed, reader.place("limits"))
+                .arg(shown_position(axis, axis.lower))
+                .arg(shown_position(axis, axis.upper));
+        } else if (axis.home < axis.lower || axis.home > axis.upper) {
+            sink_.report(diag::MachineHomeOutside, reader.place("home"))
+                .arg(axis.name)
+                .arg(shown_position(axis, axis.home));
+        }
+    }
+
+    void read_tool(const XmlElement& element) {
+        const ElementReader reader(element, sink_);
+        reader.check_attributes(kToolAttributes);
+        if (!reader.require("number")) return;
+        const auto number = reader.whole("number", 1, kMostTools);
+        ToolData tool;
+        tool.name = reader.text("name");
+        tool.length = reader.quantity("length", Dimension::Length).value_or(0);
+        tool.radius = reader.magnitude("radius", Dimension::Length).value_or(0);
+        if (!number || !is_first("tool " + std::to_string(*number), reader.place("number"))) return;
+        tool.number = *number;
+        machine_.tools.push_back(tool);
+    }
+
+    void read_offset(const XmlElement& element) {
+        const ElementReader reader(element, sink_);
+        reader.check_attributes(kOffsetAttributes);
+        if (!reader.require("number")) return;
+        const auto number = reader.whole("number", 1, kMostOffsets);
+        AxisValues values{};
+        for (std::size_t i = 0; i < kAxes; ++i) {
+            const bool rotary = is_rotary(static_cast<Axis>(i));
+            // Attribute names are the axes' in lower case, as everything in the file is.
+            const auto value = reader.quantity(kOffsetAttributes[i + 1],
+                                               rotary ? Dimension::Angle : Dimension::Length);
+            if (value) values[i] = rotary ? deg_from_rad(*value) : *value;
+        }
+        if (!number || !is_first("offset " + std::to_string(*number), reader.place("number"))) {
+            return;
+        }
+        const auto place = static_cast<std::size_t>(*number);
+        if (machine_.work_offsets.size() <= place) {
+            machine_.work_offsets.resize(place + 1, AxisValues{});
+        }
+        machine_.work_offsets[place] = values;
+    }
+
+    const XmlElement& root_;
+    DiagnosticSink& sink_;
+    Machine machine_;
+    std::unordered_map<std::string, SourceRange> seen_;  // what has been described, and where
+};
+
+/// Counts the errors that pass on their way to the real sink.
+class CountingSink final : public DiagnosticSink {
+ public:
+    explicit CountingSink(DiagnosticSink& sink) : sink_(sink) {}
+    void take(Diagnostic diagnostic) override {
+        if (diagnostic.severity != Severity::Warning) ++errors_;
+        sink_.take(std::move(diagnostic));
+    }
+    bool has_errors() const { return errors_ > 0; }
+
+ private:
+    DiagnosticSink& sink_;
+    std::size_t errors_ = 0;
+};
+
+std::optional<Machine> load_text(FileId file, const Sources& sources, DiagnosticSink& sink) {
+    const auto root = parse_xml(file, sources.text(file));
+    if (!root) {
+        sink.report(diag::MachineXmlBroken, root.error().range).arg(root.error().what);
+        return std::nullopt;
+    }
+    if (root->name != "machine") {
+        sink.report(diag::MachineElementUnknown, root->range)
+            .arg(root->name)
+            .arg("the file")
+            .fix("the outermost element of a machine file is `<machine>`");
+        return std::nullopt;
+    }
+    CountingSink counting(sink);
+    Machine machine = MachineBuilder(*root, counting).build();
+    if (counting.has_errors()) return std::nullopt;
+    return machine;
+}
+
+bool is_file_name(const std::string& text) {
+    return text.find('/') != std::string::npos || text.ends_with(".xml");
+}
+
+/// The stock file of this name, if any folder has it.
+std::optional<std::string> find_stock(const std::string& name, const SearchPath& folders) {
+    for (const std::string& folder : folders) {
+        const fs::path path = fs::path(folder) / (name + ".xml");
+        std::error_code error;
+        if (fs::is_regular_file(path, error)) return path.string();
+    }
+    return std::nullopt;
+}
+
+void report_unknown_machine(const std::string& name, const SearchPath& folders,
+                            DiagnosticSink& sink) {
+    const std::vector<MachineSummary> machines = list(folders);
+    std::vector<std::string_view> names;
+    std::string known;
+    for (const MachineSummary& machine : machines) {
+        names.push_back(machine.name);
+        known.append(known.empty() ? "`" : ", `").append(machine.name).append("`");
+    }
+    auto message = sink.report(diag::MachineUnknown);
+    message.arg(name);
+    if (const auto better = proposal(name, names)) message.fix("there is `" + *better + "`");
+    if (!known.empty()) message.note("known are " + known);
+}
+
+}  // namespace
+
+std::optional<Machine> load_machine(const std::string& name_or_file, const SearchPath& folders,
+                                    Sources& sources, DiagnosticSink& sink) {
+    std::string path = name_or_file;
+    if (!is_file_name(name_or_file)) {
+        const auto stock = find_stock(name_or_file, folders);
+        if (!stock) {
+            report_unknown_machine(name_or_file, folders, sink);
+            return std::nullopt;
+        }
+        path = *stock;
+    }
+    const auto file = sources.read(path);
+    if (!file) {
+        sink.report(diag::FileUnreadable).arg(path);
+        return std::nullopt;
+    }
+    return load_text(*file, sources, sink);
+}
+
+namespace {
+
+MachineSummary summary_of(const fs::path& file) {
+    MachineSummary summary;
+    summary.name = file.stem().string();
+    summary.file = file.string();
+    Sources sources;
+    DiagnosticList unheard;  // `kadr machine check` tells what is wrong with a file
+    if (const auto machine = load_machine(summary.file, {}, sources, unheard)) {
+        summary.title = machine->title;
+        for (const MachineAxis& axis : machine->axes) {
+            summary.axes.append(summary.axes.empty() ? "" : " ").append(axis.name);
+        }
+    }
+    return summary;
+}
+
+}  // namespace
+
+std::vector<MachineSummary> list(const SearchPath& folders) {
+    std::map<std::string, MachineSummary> machines;
+    for (const std::string& folder : folders) {
+        std::error_code error;
+        fs::directory_iterator entry(folder, error);
+        for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+            const fs::path& file = entry->path();
+            if (file.extension() != ".xml" || machines.contains(file.stem().string())) continue;
+            machines.emplace(file.stem().string(), summary_of(file));
+        }
+    }
+    std::vector<MachineSummary> sorted;
+    for (auto& [name, summary] : machines) sorted.push_back(std::move(summary));
+    return sorted;
+}
+
+}  // namespace kadr::machine

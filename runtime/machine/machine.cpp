@@ -1,0 +1,19 @@
+#include "machine/machine.h"
+
+#include <algorithm>
+
+namespace kadr::machine {
+
+const MachineAxis* Machine::find(Axis axis) const {
+    const auto found = std::find_if(axes.begin(), axes.end(),
+                                    [axis](const MachineAxis& a) { return a.axis == axis; });
+    return found == axes.end() ? nullptr : &*found;
+}
+
+const ToolData* Machine::find_tool(std::int64_t number) const {
+    const auto found = std::find_if(tools.begin(), tools.end(),
+                                    [number](const ToolData& t) { return t.number == number; });
+    return found == tools.end() ? nullptr : &*found;
+}
+
+}  // namespace kadr::machine

@@ -1,0 +1,137 @@
+#include "machine/quantity.h"
+
+#include <array>
+#include <numbers>
+#include <vector>
+
+#include "base/numbers.h"
+#include "base/units.h"
+
+namespace kadr::machine {
+
+namespace {
+
+struct Unit {
+    Dimension dimension;
+    std::string_view name;
+    double factor;  // canonical value of one
+};
+
+constexpr double kDegree = rad_from_deg(1);
+constexpr double kTurn = 2 * std::numbers::pi;
+
+constexpr std::array kUnits = {
+    Unit{Dimension::Time, "s", 1},
+    Unit{Dimension::Time, "ms", 1e-3},
+    Unit{Dimension::Time, "us", 1e-6},
+    Unit{Dimension::Length, "mm", 1},
+    Unit{Dimension::Length, "m", 1e3},
+    Unit{Dimension::Length, "um", 1e-3},
+    Unit{Dimension::Length, "in", kMmPerInch},
+    Unit{Dimension::Angle, "deg", kDegree},
+    Unit{Dimension::Angle, "rad", 1},
+    Unit{Dimension::Velocity, "m/min", 1e3 / 60},
+    Unit{Dimension::Velocity, "mm/min", 1.0 / 60},
+    Unit{Dimension::Velocity, "mm/s", 1},
+    Unit{Dimension::Velocity, "m/s", 1e3},
+    Unit{Dimension::Velocity, "in/min", kMmPerInch / 60},
+    Unit{Dimension::AngularVelocity, "rpm", kTurn / 60},
+    Unit{Dimension::AngularVelocity, "deg/s", kDegree},
+    Unit{Dimension::AngularVelocity, "deg/min", kDegree / 60},
+    Unit{Dimension::AngularVelocity, "rad/s", 1},
+    Unit{Dimension::Acceleration, "m/s2", 1e3},
+    Unit{Dimension::Acceleration, "mm/s2", 1},
+    Unit{Dimension::AngularAcceleration, "deg/s2", kDegree},
+    Unit{Dimension::AngularAcceleration, "rad/s2", 1},
+    Unit{Dimension::Jerk, "m/s3", 1e3},
+    Unit{Dimension::Jerk, "mm/s3", 1},
+    Unit{Dimension::AngularJerk, "deg/s3", kDegree},
+    Unit{Dimension::AngularJerk, "rad/s3", 1},
+};
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+const Unit* find_unit(std::string_view name, Dimension dimension) {
+    for (const Unit& unit : kUnits) {
+        if (unit.dimension == dimension && unit.name == name) return &unit;
+    }
+    return nullptr;
+}
+
+/// The factor of the unit that `text` consists of.
+Result<double, QuantityError> unit_factor(std::string_view text, Dimension dimension) {
+    text = trimmed(text);
+    if (text.empty()) return QuantityError{QuantityFault::UnitMissing, text};
+    const Unit* unit = find_unit(text, dimension);
+    if (unit == nullptr) return QuantityError{QuantityFault::UnitUnknown, text};
+    return unit->factor;
+}
+
+}  // namespace
+
+Result<double, QuantityError> parse_quantity(std::string_view text, Dimension dimension) {
+    text = trimmed(text);
+    const char* const end = text.data() + text.size();
+    const Decimal number = parse_decimal(text.data(), end);
+    if (number.end == text.data()) return QuantityError{QuantityFault::NotANumber, text};
+    const auto factor = unit_factor(
+        std::string_view(number.end, static_cast<std::size_t>(end - number.end)), dimension);
+    if (!factor) return factor.error();
+    return number.value * *factor;
+}
+
+Result<Range, QuantityError> parse_range(std::string_view text, Dimension dimension) {
+    text = trimmed(text);
+    const std::size_t dots = text.find("..");
+    if (dots == std::string_view::npos) return QuantityError{QuantityFault::NotANumber, text};
+    // The first number ends before the dots, even if it is written `300.`.
+    const std::string_view low = trimmed(text.substr(0, dots));
+    const Decimal lower = parse_decimal(low.data(), low.data() + low.size());
+    if (low.empty() || lower.end != low.data() + low.size()) {
+        return QuantityError{QuantityFault::NotANumber, low.empty() ? text : low};
+    }
+    const std::string_view rest = trimmed(text.substr(dots + 2));
+    const char* const end = rest.data() + rest.size();
+    const Decimal upper = parse_decimal(rest.data(), end);
+    if (upper.end == rest.data()) {
+        return QuantityError{QuantityFault::NotANumber, rest.empty() ? text : rest};
+    }
+    const auto factor = unit_factor(
+        std::string_view(upper.end, static_cast<std::size_t>(end - upper.end)), dimension);
+    if (!factor) return factor.error();
+    return Range{lower.value * *factor, upper.value * *factor};
+}
+
+std::string unit_names(Dimension dimension) {
+    std::vector<std::string_view> names;
+    for (const Unit& unit : kUnits) {
+        if (unit.dimension == dimension) names.push_back(unit.name);
+    }
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
+        text.append("`").append(names[i]).append("`");
+    }
+    return text;
+}
+
+std::string_view dimension_name(Dimension dimension) {
+    switch (dimension) {
+        case Dimension::Time: return "a time";
+        case Dimension::Length: return "a length";
+        case Dimension::Angle: return "an angle";
+        case Dimension::Velocity: return "a velocity";
+        case Dimension::AngularVelocity: return "a speed of rotation";
+        case Dimension::Acceleration: return "an acceleration";
+        case Dimension::AngularAcceleration: return "an angular acceleration";
+        case Dimension::Jerk: return "a jerk";
+        case Dimension::AngularJerk: return "an angular jerk";
+    }
+    return "a quantity";
+}
+
+}  // namespace kadr::machine

@@ -1,0 +1,51 @@
+// quantity.h — numbers with units, as machine files write them: `30 m/min`, `-300..300 mm`.
+//
+// A unit is always written: a forgotten one is a factor of a thousand in an acceleration.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+
+namespace kadr::machine {
+
+enum class Dimension : std::uint8_t {
+    Time,
+    Length,
+    Angle,
+    Velocity,
+    AngularVelocity,
+    Acceleration,
+    AngularAcceleration,
+    Jerk,
+    AngularJerk,
+};
+
+enum class QuantityFault : std::uint8_t { NotANumber, UnitMissing, UnitUnknown };
+
+struct QuantityError {
+    QuantityFault fault;
+    std::string_view text;  // the part that is wrong
+};
+
+struct Range {
+    double lower = 0;
+    double upper = 0;
+};
+
+/// A number and a unit of the dimension, in canonical units: mm or rad, and seconds; an
+/// AngularVelocity in `rpm` is rad/s too.
+Result<double, QuantityError> parse_quantity(std::string_view text, Dimension dimension);
+
+/// `lower..upper unit`, canonical; the order of the two is the caller's matter.
+Result<Range, QuantityError> parse_range(std::string_view text, Dimension dimension);
+
+/// The unit's names, for messages: "`mm`, `m` or `in`".
+std::string unit_names(Dimension dimension);
+/// What the dimension is called in messages: "a length".
+std::string_view dimension_name(Dimension dimension);
+
+}  // namespace kadr::machine

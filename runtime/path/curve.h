@@ -1,0 +1,40 @@
+// curve.h — one piece of path as geometry, walked by its arc length.
+//
+// Geometry only: no time (motion/profile.h), no axes (motion/limits.h), no text (nc/). The set of
+// kinds is closed: a new one is a file beside line.h and helix.h with the functions below, and one
+// entry in `Curve`; the compiler then finds what it forgot.
+//
+// Every kind has `length`, `start`, `end`, `position`, `evaluate`, `part` and `bounds`.
+#pragma once
+
+#include <variant>
+
+#include "path/helix.h"
+#include "path/line.h"
+#include "path/vec3.h"
+
+namespace kadr::path {
+
+/// A plain value without heap: segments are copied by the million.
+using Curve = std::variant<Point, Line, Helix>;
+
+/// Arc length of the whole curve, mm.
+double length(const Curve& curve);
+Vec3 start(const Curve& curve);
+/// The programmed end, exactly.
+Vec3 end(const Curve& curve);
+
+/// The point at arc length `s` from the start. `s` ≤ 0 gives the start and `s` ≥ length the end,
+/// both exactly; every other point is computed from `s` alone, so nothing accumulates.
+Vec3 position(const Curve& curve, double s);
+
+/// Place, direction and bending at arc length `s`; of a Point the direction is zero.
+CurvePoint evaluate(const Curve& curve, double s);
+
+/// The piece from arc length `from` to `to`, 0 ≤ from ≤ to ≤ length.
+Curve part(const Curve& curve, double from, double to);
+
+/// Least and greatest coordinates on the whole curve.
+Box bounds(const Curve& curve);
+
+}  // namespace kadr::path

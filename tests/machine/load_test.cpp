@@ -1,0 +1,280 @@
+// Machine files: what they mean, and what is said about their mistakes.
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "machine/machine.h"
+
+namespace kadr::machine {
+namespace {
+
+const std::string kStock = std::string(KADR_ROOT) + "/runtime/machines";
+
+/// A machine file that lives as long as the test.
+class TemporaryFile {
+ public:
+    explicit TemporaryFile(const std::string& text)
+        : path_(
+              (std::filesystem::temp_directory_path() /
+               ("kadr-machine-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)) + ".xml"))
+                  .string()) {
+        std::ofstream(path_, std::ios::binary) << text;
+    }
+    ~TemporaryFile() { std::remove(path_.c_str()); }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    const std::string& path() const { return path_; }
+
+ private:
+    std::string path_;
+};
+
+struct Loaded {
+    std::optional<Machine> machine;
+    Sources sources;
+    DiagnosticList diagnostics;
+};
+
+void load(const std::string& text, Loaded& loaded) {
+    const TemporaryFile file(text);
+    loaded.machine = load_machine(file.path(), {}, loaded.sources, loaded.diagnostics);
+}
+
+constexpr const char* kAxisX =
+    R"(<axis name="X" limits="-300..300 mm" velocity="30 m/min" acceleration="5 m/s2"/>)";
+
+TEST(MachineFile, StockMachinesLoad) {
+    for (const char* name : {"mill", "mill-fast", "lathe"}) {
+        SCOPED_TRACE(name);
+        Sources sources;
+        DiagnosticList diagnostics;
+        const auto machine = load_machine(name, {kStock}, sources, diagnostics);
+        ASSERT_TRUE(machine);
+        EXPECT_TRUE(diagnostics.all().empty());
+        EXPECT_EQ(machine->name, name);
+        EXPECT_FALSE(machine->title.empty());
+        EXPECT_EQ(machine->is_lathe, machine->name == "lathe");
+        EXPECT_EQ(machine->find(Axis::Y) == nullptr, machine->is_lathe);
+        EXPECT_NE(machine->find(Axis::Z), nullptr);
+        EXPECT_EQ(machine->work_offsets.size(), 1u);
+    }
+}
+
+TEST(MachineFile, ListsByName) {
+    const auto machines = list({kStock, "/no/such/folder"});
+    ASSERT_EQ(machines.size(), 3u);
+    EXPECT_EQ(machines[0].name, "lathe");
+    EXPECT_EQ(machines[0].axes, "X Z");
+    EXPECT_EQ(machines[1].name, "mill");
+    EXPECT_EQ(machines[1].axes, "X Y Z");
+    EXPECT_EQ(machines[2].name, "mill-fast");
+}
+
+TEST(MachineFile, ValuesAreCanonical) {
+    Loaded loaded;
+    load(
+        R"(<machine name="m" title="t &amp; t" tick="0.5 ms" max_feed="20 m/min" max_speed="6000 rpm"
+                     orient_time="300 ms" tool_change_time="4 s">
+              <axis name="X" limits="-0.5..0.25 m" velocity="30 m/min" acceleration="5 m/s2"
+                    jerk="100 m/s3" home="1in"/>
+              <axis name="C" velocity="60 rpm" acceleration="180 deg/s2" home="90 deg"/>
+              <tool number="3" name="drill" length="120.5 mm" radius="4250 um"/>
+              <offset number="2" x="-10 mm" c="45 deg"/>
+            </machine>)",
+        loaded);
+    ASSERT_TRUE(loaded.machine);
+    const Machine& machine = *loaded.machine;
+    EXPECT_EQ(machine.title, "t & t");
+    EXPECT_DOUBLE_EQ(machine.tick, 0.0005);
+    EXPECT_DOUBLE_EQ(machine.max_feed, 20000.0 / 60);
+    EXPECT_DOUBLE_EQ(machine.max_speed, 100);
+    EXPECT_DOUBLE_EQ(machine.orient_time, 0.3);
+    EXPECT_DOUBLE_EQ(machine.tool_change_time, 4);
+    ASSERT_EQ(machine.axes.size(), 2u);
+    const MachineAxis& x = machine.axes[0];
+    EXPECT_DOUBLE_EQ(x.lower, -500);
+    EXPECT_DOUBLE_EQ(x.upper, 250);
+    EXPECT_DOUBLE_EQ(x.velocity, 500);
+    EXPECT_DOUBLE_EQ(x.acceleration, 5000);
+    EXPECT_DOUBLE_EQ(x.jerk, 1e5);
+    EXPECT_DOUBLE_EQ(x.home, 25.4);
+    const MachineAxis& c = machine.axes[1];
+    EXPECT_TRUE(c.is_rotary);
+    EXPECT_DOUBLE_EQ(c.velocity, 2 * std::numbers::pi);
+    EXPECT_DOUBLE_EQ(c.acceleration, std::numbers::pi);
+    EXPECT_DOUBLE_EQ(c.home, std::numbers::pi / 2);
+    EXPECT_EQ(c.lower, -std::numeric_limits<double>::infinity());
+    EXPECT_EQ(c.jerk, std::numeric_limits<double>::infinity());
+    ASSERT_NE(machine.find_tool(3), nullptr);
+    EXPECT_DOUBLE_EQ(machine.find_tool(3)->length, 120.5);
+    EXPECT_DOUBLE_EQ(machine.find_tool(3)->radius, 4.25);
+    EXPECT_EQ(machine.find_tool(4), nullptr);
+    ASSERT_EQ(machine.work_offsets.size(), 3u);
+    EXPECT_DOUBLE_EQ(machine.work_offsets[1][0], 0);
+    EXPECT_DOUBLE_EQ(machine.work_offsets[2][0], -10);
+    EXPECT_DOUBLE_EQ(machine.work_offsets[2][index(Axis::C)], 45);
+}
+
+/// One mistake: the code, the text that the message underlines, and the words of its fix.
+struct Mistake {
+    const char* name;
+    const char* xml;  // inside <machine name="m"> beside a good axis X, or the whole file
+    const char* code;
+    const char* marked;
+    const char* fix;  // replacement or words; "" for none
+};
+
+void expect_mistake(const Mistake& mistake) {
+    SCOPED_TRACE(mistake.name);
+    const std::string xml = mistake.xml;
+    Loaded loaded;
+    load(xml.starts_with("<machine") || xml.starts_with("<mill") || xml.empty()
+             ? xml
+             : std::string("<machine name=\"m\">") + kAxisX + xml + "</machine>",
+         loaded);
+    EXPECT_FALSE(loaded.machine);
+    ASSERT_EQ(loaded.diagnostics.all().size(), 1u) << "one mistake, one message";
+    const Diagnostic& said = loaded.diagnostics.all()[0];
+    EXPECT_EQ(said.row->code, mistake.code) << said.message();
+    if (said.range.file.is_valid()) {
+        EXPECT_EQ(loaded.sources.text(said.range), mistake.marked);
+    }
+    const std::string fix = said.fixes.empty()                  ? ""
+                            : said.fixes[0].replacement.empty() ? said.fixes[0].text
+                                                                : said.fixes[0].replacement;
+    EXPECT_EQ(fix, mistake.fix);
+}
+
+TEST(MachineFile, MistakesOfStructure) {
+    for (const Mistake& mistake :
+         {Mistake{"broken off", "<machine name=\"m\"", "K6002", "\"", ""},
+          {"nothing", "", "K6002", "", ""},
+          {"another file", "<mill/>", "K6003", "mill",
+           "the outermost element of a machine file is `<machine>`"},
+          {"unknown element", "<axes/>", "K6003", "axes", "axis"},
+          {"unknown below", "<tool number=\"1\"><edge/></tool>", "K6003", "edge", ""},
+          {"unknown attribute", "<tool number=\"1\" lenght=\"3 mm\"/>", "K6004", "lenght",
+           "length"},
+          {"missing attribute", "<tool length=\"3 mm\"/>", "K6005", "tool", ""},
+          {"machine without name",
+           R"(<machine><axis name="X" velocity="1 m/s" acceleration="1 m/s2"/></machine>)", "K6005",
+           "machine", ""},
+          {"doubled attribute", "<tool number=\"1\" number=\"2\"/>", "K6006", "number", ""},
+          {"no axes", "<machine name=\"m\"/>", "K6015", "machine", ""},
+          {"stray text", "five tools", "K6019", "f", ""},
+          {"doubled axis", kAxisX, "K6014", "X", ""},
+          {"doubled tool", "<tool number=\"1\"/><tool number=\"1\"/>", "K6014", "1", ""},
+          {"doubled offset", "<offset number=\"1\"/><offset number=\"1\"/>", "K6014", "1", ""}}) {
+        expect_mistake(mistake);
+    }
+}
+
+TEST(MachineFile, MistakesOfAnAxis) {
+    for (
+        const Mistake& mistake :
+        {Mistake{"no velocity", R"(<axis name="Y" acceleration="5 m/s2"/>)", "K6005", "axis", ""},
+         {"no acceleration", R"(<axis name="Y" velocity="5 m/s"/>)", "K6005", "axis", ""},
+         {"not a name", R"(<axis name="Q" velocity="30 m/min" acceleration="5 m/s2"/>)", "K6013",
+          "Q", ""},
+         {"lower case", R"(<axis name="y" velocity="30 m/min" acceleration="5 m/s2"/>)", "K6013",
+          "y", "Y"},
+         {"not a number", R"(<axis name="Y" velocity="fast" acceleration="5 m/s2"/>)", "K6007",
+          "fast", ""},
+         {"not a range",
+          R"(<axis name="Y" limits="300 mm" velocity="1 m/s" acceleration="5 m/s2"/>)", "K6007",
+          "300 mm", ""},
+         {"comma", R"(<axis name="Y" limits="-1,5..3 mm" velocity="1 m/s" acceleration="5 m/s2"/>)",
+          "K6007", "-1,5..3 mm", ""},
+         {"no unit", R"(<axis name="Y" velocity="30" acceleration="5 m/s2"/>)", "K6008", "30",
+          "write `m/min`, `mm/min`, `mm/s`, `m/s` or `in/min` after the number"},
+         {"unit of time", R"(<axis name="Y" velocity="30 s" acceleration="5 m/s2"/>)", "K6009",
+          "30 s", "write `m/min`, `mm/min`, `mm/s`, `m/s` or `in/min`"},
+         {"rotary in metres", R"(<axis name="C" velocity="30 m/min" acceleration="5 deg/s2"/>)",
+          "K6009", "30 m/min", "write `rpm`, `deg/s`, `deg/min` or `rad/s`"},
+         {"reversed",
+          R"(<axis name="Y" limits="3..-3 mm" velocity="1 m/s" acceleration="5 m/s2"/>)", "K6010",
+          "3..-3 mm", ""},
+         {"no room", R"(<axis name="Y" limits="3..3 mm" velocity="1 m/s" acceleration="5 m/s2"/>)",
+          "K6010", "3..3 mm", ""},
+         {"no speed", R"(<axis name="Y" velocity="0 m/min" acceleration="5 m/s2"/>)", "K6011",
+          "0 m/min", ""},
+         {"negative jerk",
+          R"(<axis name="Y" velocity="1 m/s" acceleration="5 m/s2" jerk="-1 m/s3"/>)", "K6011",
+          "-1 m/s3", ""},
+         {"home outside",
+          R"(<axis name="Y" limits="1..3 mm" velocity="1 m/s" acceleration="5 m/s2" home="5 mm"/>)",
+          "K6016", "5 mm", ""}}) {
+        expect_mistake(mistake);
+    }
+}
+
+TEST(MachineFile, MistakesOfValues) {
+    const std::string axis = std::string(kAxisX) + "</machine>";
+    const std::string kind = R"(<machine name="m" kind="lath">)" + axis;
+    const std::string tick = R"(<machine name="m" tick="0 ms">)" + axis;
+    const std::string time = R"(<machine name="m" tool_change_time="-1 s">)" + axis;
+    for (const Mistake& mistake :
+         {Mistake{"kind", kind.c_str(), "K6017", "lath", "lathe"},
+          {"tick", tick.c_str(), "K6011", "0 ms", ""},
+          {"negative time", time.c_str(), "K6012", "-1 s", ""},
+          {"negative radius", R"(<tool number="1" radius="-1 mm"/>)", "K6012", "-1 mm", ""},
+          {"offset G54", R"(<offset number="G54"/>)", "K6018", "G54", ""},
+          {"offset zero", R"(<offset number="0"/>)", "K6018", "0", ""},
+          {"offset too large", R"(<offset number="99999999999999999999"/>)", "K6018",
+           "99999999999999999999", ""}}) {
+        expect_mistake(mistake);
+    }
+}
+
+TEST(MachineFile, EveryMistakeIsFoundAtOnce) {
+    Loaded loaded;
+    load(R"(<machine name="m" tick="0 s">
+              <axis name="X" velocity="1" acceleration="5 m/s2"/>
+              <axis nam="Y" velocity="1 m/s" acceleration="5 m/s2"/>
+            </machine>)",
+         loaded);
+    std::string codes;
+    for (const Diagnostic& said : loaded.diagnostics.all())
+        codes += std::string(said.row->code) + " ";
+    EXPECT_EQ(codes, "K6011 K6008 K6004 K6005 ");
+    const Diagnostic& unit = loaded.diagnostics.all()[1];
+    const LineColumn place = loaded.sources.locate(unit.range.file, unit.range.begin);
+    EXPECT_EQ(place.line, 2u);
+    EXPECT_EQ(place.column, 40u);
+}
+
+TEST(MachineFile, UnknownName) {
+    Sources sources;
+    DiagnosticList diagnostics;
+    EXPECT_FALSE(load_machine("mil", {kStock}, sources, diagnostics));
+    ASSERT_EQ(diagnostics.all().size(), 1u);
+    EXPECT_EQ(diagnostics.all()[0].row->code, "K6001");
+    EXPECT_EQ(diagnostics.all()[0].fixes.at(0).text, "there is `mill`");
+    EXPECT_EQ(diagnostics.all()[0].notes.at(0).text, "known are `lathe`, `mill`, `mill-fast`");
+}
+
+TEST(MachineFile, UnreadableFile) {
+    Sources sources;
+    DiagnosticList diagnostics;
+    EXPECT_FALSE(load_machine("/no/such/machine.xml", {kStock}, sources, diagnostics));
+    ASSERT_EQ(diagnostics.all().size(), 1u);
+    EXPECT_EQ(diagnostics.all()[0].row->code, "K9001");
+}
+
+TEST(MachineFile, ADeepFileIsNoFall) {
+    std::string deep = "<machine name=\"m\">";
+    for (int i = 0; i < 100000; ++i) deep += "<a>";
+    for (int i = 0; i < 100000; ++i) deep += "</a>";
+    Loaded loaded;
+    load(deep + "</machine>", loaded);
+    EXPECT_FALSE(loaded.machine);
+    EXPECT_EQ(loaded.diagnostics.all().size(), 2u);  // the unknown element, and no axes
+}
+
+}  // namespace
+}  // namespace kadr::machine
