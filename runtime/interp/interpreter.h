@@ -21,10 +21,13 @@ namespace kadr::interp {
 struct CycleCall {
     nc::CycleId cycle = 0;
     std::string_view name;
-    std::span<const double> arguments;   // in the order of CycleInfo::parameters; mm, deg, s
-    std::uint32_t given = 0;             // bit i: argument i holds
-    AxisValues position{};               // programmed position, mm, deg
-    double feed = 0;                     // the modal feed
+    std::span<const double> arguments;  // in the order of CycleInfo::parameters; mm, deg, s
+    std::uint32_t given = 0;            // bit i: argument i holds
+    /// Programmed position, mm and deg: X and Y are the axes of the plane, Z is the tool axis.
+    AxisValues position{};
+    double feed = 0;  // the modal feed, unit of its mode; 0: none
+    path::FeedMode feed_mode = path::FeedMode::PerMinute;
+    double speed = 0;  // of the spindle, rpm
     SourceId source;
 };
 
@@ -52,8 +55,8 @@ class Interpreter final : public Stream<path::Command> {
     ~Interpreter() override;
 
     std::size_t pull(std::span<path::Command> out) override;
-    bool alarmed() const;               // an alarm ended the run
-    std::uint64_t blocks() const;       // executed so far
+    bool alarmed() const;          // an alarm ended the run
+    std::uint64_t blocks() const;  // executed so far
 
   private:
     struct State;

@@ -1,0 +1,172 @@
+// cycles.cpp — machining cycles: called, repeated as a modal cycle, and their blocks executed.
+//
+// What a cycle does is not known here: the expander runs its definition and hands back blocks, and
+// those are executed like any others, with the caller's frames and feed.
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Invocation;
+using nc::Slot;
+using nc::SlotMask;
+
+namespace {
+
+constexpr std::size_t kCycleBatch = 16;
+
+/// Where the cycle's parameter of this name stands, if it has one.
+std::optional<std::size_t> find_parameter(const nc::CycleInfo& cycle, std::string_view name) {
+    for (std::size_t i = 0; i < cycle.parameters.size(); ++i) {
+        if (cycle.parameters[i].name == name) return i;
+    }
+    return std::nullopt;
+}
+
+void set_argument(ModalCycle& call, std::optional<std::size_t> parameter, double value) {
+    if (!parameter) return;
+    call.arguments[*parameter] = value;
+    call.given |= 1u << *parameter;
+}
+
+bool is_given(const ModalCycle& call, std::optional<std::size_t> parameter) {
+    return parameter && (call.given >> *parameter & 1u) != 0;
+}
+
+}  // namespace
+
+void Executor::call_cycle(const Block& block, const Invocation& invocation) {
+    const nc::CycleInfo& info = dialect_.cycles()[block.cycle];
+    if (cycles_ == nullptr || cycle_blocks_) {
+        report(diag::CycleUnavailable, block, Function::Cycle).arg(info.name);
+        return;
+    }
+    ModalCycle call;
+    call.cycle = block.cycle;
+    call.given = invocation.given;
+    for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+        call.arguments[i] = block.argument(invocation, i);
+    }
+    // The level where the cycle mode begins stays the initial level until the mode ends.
+    const Axis tool_axis = path::axes_of(cycle_plane()).normal;
+    call.initial = modal_cycle_.is_active ? modal_cycle_.initial : position_.here[index(tool_axis)];
+    call.is_active = rules_.modal_cycles;
+    modal_cycle_ = call;
+    start_cycle(block, call);
+}
+
+void Executor::repeat_cycle(const Block& block) {
+    const nc::CycleInfo& info = dialect_.cycles()[modal_cycle_.cycle];
+    const Slot depth = nc::slot_of(path::axes_of(cycle_plane()).normal);
+    if (block.has(depth)) {
+        set_argument(modal_cycle_, find_parameter(info, "to"), block.at(depth));
+    }
+    if (block.has(Slot::Radius)) {
+        set_argument(modal_cycle_, find_parameter(info, "retract"), block.at(Slot::Radius));
+    }
+    start_cycle(block, modal_cycle_);
+}
+
+/// Moves to the place in the plane and opens the stream of the cycle's blocks.
+void Executor::start_cycle(const Block& block, ModalCycle call) {
+    const path::PlaneAxes plane = path::axes_of(cycle_plane());
+    const SlotMask place =
+        block.given & nc::kTargetSlots & ~SlotMask{bit(nc::slot_of(plane.normal))};
+    if (!check_axes(block, place)) return;
+    if (place != 0) line(block, target_of(block, place), path::Op::Rapid, modal_.has_exact_stop);
+    if (ended_) return;
+
+    const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
+    const std::optional<std::size_t> to = find_parameter(info, "to");
+    const std::optional<std::size_t> retract = find_parameter(info, "retract");
+    const std::optional<std::size_t> initial = find_parameter(info, "initial");
+    if (rules_.cycle_levels_incremental && modal_.is_incremental) {
+        if (is_given(call, retract)) call.arguments[*retract] += call.initial;
+        const double from = is_given(call, retract) ? call.arguments[*retract] : call.initial;
+        if (is_given(call, to)) call.arguments[*to] += from;
+    }
+    if (rules_.modal_cycles && !is_given(call, initial)) {
+        const bool stays_low = returns_to_retract_ && is_given(call, retract);
+        set_argument(call, initial, stays_low ? call.arguments[*retract] : call.initial);
+    }
+
+    CycleCall request;
+    request.cycle = call.cycle;
+    request.name = info.name;
+    request.arguments = {call.arguments.data(), info.parameters.size()};
+    request.given = call.given;
+    request.position = position_in_cycle();
+    request.feed = modal_.feed;
+    request.feed_mode = modal_.feed_mode;
+    request.speed = spindle_.speed;
+    request.source = block.source;
+    cycle_stream_ = cycles_->expand(request);
+    if (cycle_stream_ == nullptr) {
+        ended_ = alarmed_ = true;  // the expander has said why
+        return;
+    }
+    caller_ = block;
+    cycle_name_ = info.name;
+    modal_before_cycle_ = modal_;
+    after_cycle_ = {};
+    modal_.is_incremental = false;
+    modal_.motion = Function::Rapid;
+    // The cycle's own motions neither repeat it nor end its mode.
+    is_modal_behind_cycle_ = modal_cycle_.is_active;
+    modal_cycle_.is_active = false;
+    cycle_blocks_.emplace(*cycle_stream_, kCycleBatch);
+}
+
+void Executor::finish_cycle() {
+    cycle_blocks_.reset();
+    cycle_stream_.reset();
+    modal_ = modal_before_cycle_;
+    modal_cycle_.is_active = is_modal_behind_cycle_;
+    act_after_motion(caller_, after_cycle_);
+}
+
+/// The plane in which a cycle works. Lathes drill along Z whatever their plane.
+path::Plane Executor::cycle_plane() const {
+    return machine_.is_lathe ? path::Plane::Xy : modal_.plane;
+}
+
+/// The programmed position as a cycle sees it: first and second axis of the plane, tool axis. X of
+/// a lathe is the diameter that programs say.
+AxisValues Executor::position_in_cycle() const {
+    AxisValues position = position_.here;
+    for (std::size_t i = 0; i < kAxes; ++i) position[i] /= word_scale_[i];
+    const path::PlaneAxes plane = path::axes_of(cycle_plane());
+    const AxisValues all = position;
+    position[0] = all[index(plane.first)];
+    position[1] = all[index(plane.second)];
+    position[2] = all[index(plane.normal)];
+    return position;
+}
+
+/// Cycles are written for the plane X-Y with the tool axis Z; in another plane the words belong to
+/// its first axis, its second axis and its tool axis.
+const Block& Executor::in_plane_of_cycle(const Block& block) {
+    if (cycle_plane() == path::Plane::Xy || block.kind != Block::Kind::Nc) return block;
+    const path::PlaneAxes plane = path::axes_of(cycle_plane());
+    const std::array<std::size_t, 3> axes = {index(plane.first), index(plane.second),
+                                             index(plane.normal)};
+    remapped_ = block;
+    for (const std::size_t base : {std::size_t{0}, static_cast<std::size_t>(Slot::CenterX)}) {
+        const SlotMask three = SlotMask{0b111} << base;
+        remapped_.given &= ~three;
+        remapped_.incremental &= ~three;
+        remapped_.absolute &= ~three;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t from = base + i;
+            const std::size_t to = base + axes[i];
+            remapped_.values[to] = block.values[from];
+            remapped_.given |= (block.given >> from & 1u) << to;
+            remapped_.incremental |= (block.incremental >> from & 1u) << to;
+            remapped_.absolute |= (block.absolute >> from & 1u) << to;
+        }
+    }
+    return remapped_;
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,529 @@
+#include "interp/executor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "base/assert.h"
+#include "base/units.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Group;
+using nc::Invocation;
+using nc::Slot;
+using path::Command;
+using path::FeedMode;
+using path::Op;
+using path::Plane;
+using path::SpindleMode;
+
+namespace {
+
+/// Blocks of a batch: enough to hide the cost of a pull, few enough to stay in the nearest cache.
+constexpr std::size_t kProgramBatch = 64;
+
+/// Sets the member of a modal group; false if the function is no such member.
+bool set_modal(Modal& modal, Function function) {
+    switch (function) {
+        case Function::Rapid:
+        case Function::Line:
+        case Function::ArcCw:
+        case Function::ArcCcw: modal.motion = function; return true;
+        case Function::PlaneXy: modal.plane = Plane::Xy; return true;
+        case Function::PlaneZx: modal.plane = Plane::Zx; return true;
+        case Function::PlaneYz: modal.plane = Plane::Yz; return true;
+        case Function::Absolute: modal.is_incremental = false; return true;
+        case Function::Incremental: modal.is_incremental = true; return true;
+        case Function::FeedPerMinute: modal.feed_mode = FeedMode::PerMinute; return true;
+        case Function::FeedPerRevolution: modal.feed_mode = FeedMode::PerRevolution; return true;
+        case Function::FeedInverseTime: modal.feed_mode = FeedMode::InverseTime; return true;
+        case Function::ExactStop: modal.has_exact_stop = true; return true;
+        case Function::ContinuousPath: modal.has_exact_stop = false; return true;
+        default: return false;  // not modal, or the state of something else than the block
+    }
+}
+
+bool is_running(SpindleMode mode) { return mode == SpindleMode::Cw || mode == SpindleMode::Ccw; }
+
+/// X, Y, Z of a frame function. `x_scale` is 0.5 where X is a diameter.
+FrameWords frame_words(const Block& block, const Invocation& invocation, double x_scale) {
+    FrameWords words;
+    for (std::size_t i = 0; i < 3; ++i) words.values[i] = block.argument(invocation, i);
+    words.values[0] *= x_scale;
+    words.given = invocation.given & 0b111u;
+    return words;
+}
+
+std::int64_t count_of(const Block& block, const Invocation& invocation) {
+    return std::llround(block.argument(invocation, 0));
+}
+
+}  // namespace
+
+// ------------------------------------------------------------------------------ the run
+
+Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
+                   Stream<Block>& blocks, const nc::Reader* places, CycleExpander* cycles,
+                   const InterpreterOptions& options, DiagnosticSink& sink)
+    : dialect_(dialect),
+      machine_(machine),
+      places_(places),
+      cycles_(cycles),
+      options_(options),
+      sink_(sink),
+      rules_(rules_of(dialect, sink)),
+      program_(blocks, kProgramBatch) {
+    lower_.fill(-std::numeric_limits<double>::infinity());
+    upper_.fill(std::numeric_limits<double>::infinity());
+    word_scale_.fill(1);
+    if (machine.is_lathe) word_scale_[index(Axis::X)] = 0.5;
+    for (const machine::MachineAxis& axis : machine.axes) {
+        const auto degrees = [&](double value) {
+            return axis.is_rotary ? deg_from_rad(value) : value;
+        };
+        axes_ |= bit(axis.axis);
+        lower_[index(axis.axis)] = degrees(axis.lower);
+        upper_[index(axis.axis)] = degrees(axis.upper);
+        position_.base[index(axis.axis)] = degrees(axis.home);
+    }
+    for (const Group group :
+         {Group::Motion, Group::Plane, Group::Distance, Group::FeedMode, Group::PathMode}) {
+        set_modal(modal_, dialect.power_on(group));
+    }
+    returns_to_retract_ = dialect.power_on(Group::CycleReturn) == Function::CycleReturnRetract;
+    const auto offset = static_cast<std::size_t>(rules_.default_work_offset);
+    if (offset < machine.work_offsets.size()) {
+        frames_.select_work_offset(machine.work_offsets[offset]);
+    }
+    frame_changed();
+    position_.programmed = position_.here;
+}
+
+std::size_t Executor::pull(std::span<Command> out) {
+    output_.open(out);
+    while (output_.has_room() && !ended_) execute_next();
+    return output_.written();
+}
+
+void Executor::execute_next() {
+    if (cycle_blocks_) {
+        const Block* block = cycle_blocks_->next();
+        if (block == nullptr) {
+            finish_cycle();
+        } else {
+            execute(in_plane_of_cycle(*block));
+        }
+        return;
+    }
+    const Block* block = program_.next();
+    if (block == nullptr) return end_of_blocks();
+    if (places_ != nullptr && places_->failed() && block->line > places_->first_fault()) {
+        ended_ = alarmed_ = true;  // the control stops at the line that could not be read
+        return;
+    }
+    execute(*block);
+}
+
+void Executor::end_of_blocks() {
+    ended_ = true;
+    // The reader has said already why it stopped.
+    if (places_ != nullptr && places_->failed()) {
+        alarmed_ = true;
+        return;
+    }
+    const bool is_alarm = rules_.missing_end == MissingEnd::Alarm;
+    Block nowhere{};
+    nowhere.line = places_ != nullptr ? static_cast<std::uint32_t>(places_->lines()) : 0;
+    LinePlace place = places_ != nullptr ? places_->place(nowhere) : LinePlace{};
+    report(is_alarm ? diag::EndOfRecord : diag::EndMissing, std::move(place));
+}
+
+void Executor::execute(const Block& block) {
+    if (block.kind != Block::Kind::Nc) {
+        if (block.kind == Block::Kind::Raw) report(diag::RawInCycle, block);
+        return;
+    }
+    if (block.skip >= 0 && (options_.skip_levels >> block.skip & 1u) != 0) return;
+    ++block_count_;
+    if (options_.max_blocks != 0 && block_count_ > options_.max_blocks) {
+        --block_count_;
+        report(diag::TooManyBlocks, block).arg(static_cast<std::size_t>(options_.max_blocks));
+        return;
+    }
+    if (block.function_count == 0) {  // nothing but words: nearly every block
+        static constexpr Actions kNone{};
+        if (block.has(Slot::Feed)) set_feed(block);
+        if (block.has(Slot::Speed)) {
+            program_speed(block);
+            update_spindle(block);
+        }
+        move(block, kNone);
+        return;
+    }
+    const Actions actions = apply_functions(block);
+    if (ended_) return;
+    if (block.has(Slot::Feed)) set_feed(block);
+    act_before_motion(block, actions);
+    if (ended_) return;
+    const bool was_in_cycle = cycle_blocks_.has_value();
+    move(block, actions);
+    if (ended_) return;
+    if (cycle_blocks_ && !was_in_cycle) {
+        after_cycle_ = actions;  // what the calling block does after its motion waits for the cycle
+    } else {
+        act_after_motion(block, actions);
+    }
+}
+
+// ------------------------------------------------------------------------------ functions
+
+Actions Executor::apply_functions(const Block& block) {
+    Actions actions;
+    for (std::size_t i = 0; i < block.function_count && !ended_; ++i) {
+        apply_function(block, block.functions[i], actions);
+    }
+    return actions;
+}
+
+void Executor::apply_function(const Block& block, const Invocation& invocation, Actions& actions) {
+    switch (invocation.function) {
+        case Function::None:
+        case Function::Inch:  // lengths have become mm in the reader
+        case Function::Metric:
+        case Function::RadiusCompOff: break;
+
+        case Function::Rapid:
+        case Function::Line:
+        case Function::ArcCw:
+        case Function::ArcCcw:
+        case Function::PlaneXy:
+        case Function::PlaneZx:
+        case Function::PlaneYz:
+        case Function::Absolute:
+        case Function::Incremental:
+        case Function::ExactStop:
+        case Function::ContinuousPath:
+            set_modal(modal_, invocation.function);
+            // A tool length acts along the normal of the plane.
+            tool_.has_changed |= wanted_length_axis() != tool_.axis;
+            break;
+
+        case Function::FeedPerMinute: select_feed_mode(FeedMode::PerMinute); break;
+        case Function::FeedPerRevolution: select_feed_mode(FeedMode::PerRevolution); break;
+        case Function::FeedInverseTime: select_feed_mode(FeedMode::InverseTime); break;
+        case Function::CuttingSpeedOn: spindle_.has_cutting_speed = true; break;
+        case Function::CuttingSpeedOff: leave_cutting_speed(); break;
+        case Function::SpeedLimit: actions.limit = &invocation; break;
+
+        case Function::RadiusCompLeft:
+        case Function::RadiusCompRight:
+            report(diag::RadiusCompUnsupported, block, invocation.function);
+            break;
+
+        case Function::LengthCompOn:
+            if ((invocation.given & 1u) != 0) tool_.offset = count_of(block, invocation);
+            set_length_source(Tool::Source::Offset, actions);
+            break;
+        case Function::LengthCompOff: set_length_source(Tool::Source::None, actions); break;
+        case Function::LengthOffset:
+            tool_.offset = count_of(block, invocation);
+            if (tool_.source == Tool::Source::Offset) {
+                set_length_source(Tool::Source::Offset, actions);
+            }
+            break;
+        case Function::ToolEdge:
+            set_length_source(
+                count_of(block, invocation) == 0 ? Tool::Source::None : Tool::Source::Edge,
+                actions);
+            break;
+        case Function::ToolSelect:
+            tool_.selected = tool_number(block, invocation);
+            actions.tool_change |= rules_.tool_select_changes;
+            break;
+        case Function::ToolChange: actions.tool_change = true; break;
+        case Function::Tool:
+            tool_.selected = tool_number(block, invocation);
+            actions.tool_change = true;
+            set_length_source(Tool::Source::Edge, actions);
+            break;
+
+        case Function::ExactStopOnce: actions.exact_stop = true; break;
+        case Function::MachineCoordinates: actions.machine_coordinates = true; break;
+        case Function::WorkOffset: select_work_offset(block, count_of(block, invocation)); break;
+        case Function::Shift:
+        case Function::ShiftAdd:
+        case Function::Rotate:
+        case Function::RotateOff:
+        case Function::Mirror:
+        case Function::MirrorOff:
+        case Function::SetPosition: apply_frame(block, invocation); break;
+
+        case Function::SpindleCw:
+        case Function::SpindleCcw:
+        case Function::SpindleStop: actions.spindle = invocation.function; break;
+        case Function::SpindleOrient: actions.orient = &invocation; break;
+        case Function::CoolantFlood: actions.flood = true; break;
+        case Function::CoolantMist: actions.mist = true; break;
+        case Function::CoolantOff: actions.coolant_off = true; break;
+
+        case Function::Dwell: actions.dwell = &invocation; break;
+        case Function::Stop:
+        case Function::OptionalStop: actions.stop = invocation.function; break;
+        case Function::End:
+        case Function::EndRewind: actions.end = invocation.function; break;
+        case Function::Message: actions.message = &invocation; break;
+
+        case Function::CycleOff: modal_cycle_.is_active = false; break;
+        case Function::CycleReturnInitial: returns_to_retract_ = false; break;
+        case Function::CycleReturnRetract: returns_to_retract_ = true; break;
+        case Function::Cycle: actions.cycle = &invocation; break;
+    }
+}
+
+void Executor::act_before_motion(const Block& block, const Actions& actions) {
+    if (actions.tool_change) change_tool(block);
+    if (actions.limit != nullptr) set_speed_limit(block, *actions.limit);
+    if (block.has(Slot::Speed)) program_speed(block);
+    if (spindle_.has_cutting_speed && !(spindle_.cutting_speed > 0) &&
+        block.find(Function::CuttingSpeedOn) != nullptr) {
+        report(diag::CuttingSpeedMissing, block, Function::CuttingSpeedOn);
+        return;
+    }
+    if (actions.spindle == Function::SpindleCw) spindle_.mode = SpindleMode::Cw;
+    if (actions.spindle == Function::SpindleCcw) spindle_.mode = SpindleMode::Ccw;
+    if (!rules_.stops_after_motion) stop_spindle_and_coolant(block, actions);
+    update_spindle(block);
+    if (actions.orient != nullptr) orient_spindle(block, *actions.orient);
+    if (actions.flood) set_coolant(block, path::CoolantMode::Flood);
+    if (actions.mist) set_coolant(block, path::CoolantMode::Mist);
+    if (actions.message != nullptr) put(Op::Message, block).text = block.text;
+    if (actions.dwell != nullptr) dwell(block, *actions.dwell);
+}
+
+void Executor::act_after_motion(const Block& block, const Actions& actions) {
+    if (rules_.stops_after_motion) stop_spindle_and_coolant(block, actions);
+    if (actions.stop == Function::Stop) put(Op::Stop, block);
+    if (actions.stop == Function::OptionalStop && options_.optional_stop) {
+        put(Op::OptionalStop, block);
+    }
+    if (actions.end != Function::None) {
+        put(Op::End, block);
+        ended_ = true;
+    }
+}
+
+void Executor::stop_spindle_and_coolant(const Block& block, const Actions& actions) {
+    if (actions.spindle == Function::SpindleStop) {
+        spindle_.mode = SpindleMode::Stop;
+        update_spindle(block);
+    }
+    if (actions.coolant_off) set_coolant(block, path::CoolantMode::Off);
+}
+
+void Executor::dwell(const Block& block, const Invocation& invocation) {
+    const double time = block.argument(invocation, 0);
+    const double revolutions = block.argument(invocation, 1);
+    if (time < 0 || revolutions < 0) {
+        report(diag::DwellInvalid, block, Function::Dwell).arg("it is negative");
+        return;
+    }
+    if (revolutions > 0 && !is_running(spindle_.mode)) {
+        report(diag::DwellInvalid, block, Function::Dwell).arg("the spindle stands");
+        return;
+    }
+    if (time == 0 && revolutions == 0) return;
+    Command& command = put(Op::Dwell, block);
+    command.time = time;
+    command.revolutions = revolutions;
+}
+
+// ------------------------------------------------------------------------------ feed, spindle
+
+void Executor::select_feed_mode(FeedMode mode) {
+    if (mode != modal_.feed_mode && rules_.feed_deleted_on_mode_change) modal_.has_feed = false;
+    modal_.feed_mode = mode;
+}
+
+void Executor::set_feed(const Block& block) {
+    modal_.feed = block.at(Slot::Feed);
+    modal_.has_feed = true;
+}
+
+void Executor::program_speed(const Block& block) {
+    (spindle_.has_cutting_speed ? spindle_.cutting_speed : spindle_.speed) = block.at(Slot::Speed);
+}
+
+/// The spindle keeps the speed that it has at this moment.
+void Executor::leave_cutting_speed() {
+    if (!spindle_.has_cutting_speed) return;
+    spindle_.has_cutting_speed = false;
+    const double diameter = 2 * std::abs(position_.here[index(Axis::X)]);
+    double highest = machine_.max_speed > 0 ? rpm_from_speed(machine_.max_speed)
+                                            : std::numeric_limits<double>::infinity();
+    if (spindle_.limit > 0) highest = std::min(highest, spindle_.limit);
+    const double mm_min = 1000 * spindle_.cutting_speed;
+    const double speed = std::min(mm_min / (std::numbers::pi * diameter), highest);
+    if (std::isfinite(speed)) spindle_.speed = speed;  // in the centre without a limit: as before
+}
+
+void Executor::set_speed_limit(const Block& block, const Invocation& invocation) {
+    const double limit = block.argument(invocation, 0);
+    if (!(limit > 0)) {
+        report(diag::SpeedLimitInvalid, block, Function::SpeedLimit).arg(limit);
+        return;
+    }
+    if (limit == spindle_.limit) return;
+    spindle_.limit = limit;
+    put(Op::SpeedLimit, block).speed = limit;
+}
+
+/// Tells the motion side what has become of the spindle, if anything has.
+void Executor::update_spindle(const Block& block) {
+    const bool runs = is_running(spindle_.mode);
+    const double speed = spindle_.has_cutting_speed ? spindle_.cutting_speed : spindle_.speed;
+    const Spindle::Told now{spindle_.mode, runs ? speed : 0, runs && spindle_.has_cutting_speed};
+    if (now == spindle_.told) return;
+    if (runs && !(speed > 0)) report(diag::SpindleWithoutSpeed, block);
+    spindle_.told = now;
+    Command& command = put(Op::Spindle, block);
+    command.spindle = now.mode;
+    command.speed = now.speed;
+    command.cutting_speed = now.has_cutting_speed;
+    command.angle_deg = 0;
+}
+
+void Executor::orient_spindle(const Block& block, const Invocation& invocation) {
+    spindle_.mode = SpindleMode::Orient;
+    spindle_.told = {SpindleMode::Orient, 0, false};
+    Command& command = put(Op::Spindle, block);
+    command.spindle = SpindleMode::Orient;
+    command.speed = 0;
+    command.cutting_speed = false;
+    command.angle_deg = block.argument(invocation, 0);
+}
+
+void Executor::set_coolant(const Block& block, path::CoolantMode mode) {
+    if (mode == coolant_) return;
+    coolant_ = mode;
+    put(Op::Coolant, block).coolant = mode;
+}
+
+// ------------------------------------------------------------------------------ tool
+
+void Executor::set_length_source(Tool::Source source, Actions& actions) {
+    tool_.source = source;
+    tool_.has_changed = true;
+    actions.length_changed = true;
+}
+
+std::int64_t Executor::tool_number(const Block& block, const Invocation& invocation) {
+    if ((invocation.given & 1u) != 0 || block.text.empty()) return count_of(block, invocation);
+    const auto named = std::find_if(machine_.tools.begin(), machine_.tools.end(),
+                                    [&](const auto& tool) { return tool.name == block.text; });
+    if (named != machine_.tools.end()) return named->number;
+    report(diag::ToolUnknown, block).arg(block.text);
+    return 0;
+}
+
+void Executor::change_tool(const Block& block) {
+    if (tool_.selected != tool_.current) {
+        tool_.current = tool_.selected;
+        put(Op::Tool, block).tool = tool_.current;
+    }
+    if (rules_.tool_change_activates_length) tool_.source = Tool::Source::Edge;
+    tool_.has_changed |= tool_.source == Tool::Source::Edge;
+}
+
+// ------------------------------------------------------------------------------ frames
+
+void Executor::select_work_offset(const Block& block, std::int64_t number) {
+    if (number < 0 || number > rules_.work_offsets) {
+        report(diag::WorkOffsetUnknown, block, Function::WorkOffset).arg(number);
+        return;
+    }
+    // Offsets that the machine file does not name are zero, as in a new control.
+    const auto i = static_cast<std::size_t>(number);
+    frames_.select_work_offset(i < machine_.work_offsets.size() ? machine_.work_offsets[i]
+                                                                : AxisValues{});
+    frame_changed();
+}
+
+void Executor::apply_frame(const Block& block, const Invocation& invocation) {
+    const bool is_set = invocation.function == Function::SetPosition;
+    const double x_scale = rules_.shift_in_diameter ? word_scale_[index(Axis::X)] : 1;
+    const FrameWords words = frame_words(block, invocation, x_scale);
+    switch (invocation.function) {
+        case Function::Shift: frames_.shift(words); break;
+        case Function::ShiftAdd: frames_.shift_add(words); break;
+        case Function::Rotate:
+            frames_.rotate(modal_.plane, rad_from_deg(block.argument(invocation, 0)));
+            break;
+        case Function::RotateOff: frames_.rotate_off(); break;
+        case Function::Mirror: frames_.mirror(static_cast<AxisMask>(words.given)); break;
+        case Function::MirrorOff: frames_.mirror_off(); break;
+        case Function::SetPosition:
+            frames_.set_position(words, position_.here, position_.base);
+            break;
+        default: KADR_ASSERT(false, "not a function of frames");
+    }
+    frame_changed();
+    for (std::size_t i = 0; is_set && i < 3; ++i) {
+        if (words.has(i)) position_.programmed[i] = position_.here[i];
+    }
+}
+
+/// No axis moves when a frame changes, but the tool has other coordinates now.
+void Executor::frame_changed() { position_.here = frames_.from_base(position_.base); }
+
+// ------------------------------------------------------------------------------ out
+
+Command& Executor::put(Op op, const Block& block) {
+    const Block& from = origin(block);
+    Command& command = output_.next();
+    command.op = op;
+    command.feed_mode = modal_.feed_mode;
+    command.plane = modal_.plane;
+    command.exact_stop = false;
+    command.machine_coordinates = false;
+    command.moved = 0;
+    command.source = from.source;
+    command.line = from.line;
+    command.to = position_.base;
+    command.text.clear();
+    return command;
+}
+
+const Block& Executor::origin(const Block& block) const { return cycle_blocks_ ? caller_ : block; }
+
+DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block) {
+    const Block& from = origin(block);
+    return report(row,
+                  places_ != nullptr ? places_->place(from) : LinePlace{{}, from.line, 1, 1, {}});
+}
+
+DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block, Slot slot) {
+    if (places_ == nullptr || cycle_blocks_) return report(row, block);
+    return report(row, places_->place(block, slot));
+}
+
+DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block,
+                                   Function function) {
+    if (places_ == nullptr || cycle_blocks_) return report(row, block);
+    return report(row, places_->place(block, function));
+}
+
+DiagnosticBuilder Executor::report(const DiagnosticRow& row, LinePlace place) {
+    if (row.severity == Severity::Alarm) ended_ = alarmed_ = true;
+    DiagnosticBuilder builder = sink_.report(row, std::move(place));
+    if (std::optional<nc::AlarmText> alarm = dialect_.alarm(row)) {
+        builder.alarm(std::move(alarm->number), std::move(alarm->text));
+    }
+    if (cycle_blocks_) builder.note("inside the cycle `" + std::string(cycle_name_) + "`");
+    return builder;
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,193 @@
+// executor.h — executes blocks one by one and puts commands out. Internal to interp.
+//
+// What a block does is told in chapters: executor.cpp (the order of things in a block, its single
+// functions), motion.cpp (targets, lines, arcs, tool length, limits), cycles.cpp (machining
+// cycles).
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "interp/frames.h"
+#include "interp/interpreter.h"
+#include "interp/output.h"
+#include "interp/rules.h"
+#include "interp/state.h"
+#include "path/arc.h"
+
+namespace kadr::interp {
+
+/// What the functions of one block ask for besides changing the modal state.
+struct Actions {
+    bool machine_coordinates = false;
+    bool exact_stop = false;
+    bool length_changed = false;
+    bool tool_change = false;
+    bool flood = false;
+    bool mist = false;
+    bool coolant_off = false;
+    nc::Function spindle = nc::Function::None;
+    nc::Function stop = nc::Function::None;
+    nc::Function end = nc::Function::None;
+    const nc::Invocation* orient = nullptr;
+    const nc::Invocation* dwell = nullptr;
+    const nc::Invocation* message = nullptr;
+    const nc::Invocation* limit = nullptr;
+    const nc::Invocation* cycle = nullptr;
+};
+
+/// End of a motion in the programmed system and in the base system.
+struct Target {
+    AxisValues here;
+    AxisValues base;
+    AxisMask moved = 0;
+};
+
+/// Blocks of one stream, pulled in batches.
+class BlockQueue {
+  public:
+    BlockQueue(Stream<nc::Block>& blocks, std::size_t batch) : stream_(&blocks), blocks_(batch) {}
+    /// The next block, nullptr at the end. Valid until the next call.
+    const nc::Block* next() {
+        if (next_ == count_) {
+            count_ = stream_->pull(blocks_);
+            next_ = 0;
+            if (count_ == 0) return nullptr;
+        }
+        return &blocks_[next_++];
+    }
+
+  private:
+    Stream<nc::Block>* stream_;
+    std::vector<nc::Block> blocks_;
+    std::size_t next_ = 0;
+    std::size_t count_ = 0;
+};
+
+class Executor {
+  public:
+    Executor(const nc::Dialect& dialect, const machine::Machine& machine, Stream<nc::Block>& blocks,
+             const nc::Reader* places, CycleExpander* cycles, const InterpreterOptions& options,
+             DiagnosticSink& sink);
+
+    std::size_t pull(std::span<path::Command> out);
+    bool alarmed() const { return alarmed_; }
+    std::uint64_t blocks() const { return block_count_; }
+
+  private:
+    // executor.cpp: the order of things
+    void execute_next();
+    void execute(const nc::Block& block);
+    void end_of_blocks();
+    Actions apply_functions(const nc::Block& block);
+    void apply_function(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
+    void act_before_motion(const nc::Block& block, const Actions& actions);
+    void act_after_motion(const nc::Block& block, const Actions& actions);
+
+    // executor.cpp: single functions
+    void dwell(const nc::Block& block, const nc::Invocation& invocation);
+    void select_feed_mode(path::FeedMode mode);
+    void set_feed(const nc::Block& block);
+    void program_speed(const nc::Block& block);
+    void leave_cutting_speed();
+    void set_speed_limit(const nc::Block& block, const nc::Invocation& invocation);
+    void update_spindle(const nc::Block& block);
+    void orient_spindle(const nc::Block& block, const nc::Invocation& invocation);
+    void stop_spindle_and_coolant(const nc::Block& block, const Actions& actions);
+    void set_coolant(const nc::Block& block, path::CoolantMode mode);
+    void set_length_source(Tool::Source source, Actions& actions);
+    std::int64_t tool_number(const nc::Block& block, const nc::Invocation& invocation);
+    void change_tool(const nc::Block& block);
+    void select_work_offset(const nc::Block& block, std::int64_t number);
+    void apply_frame(const nc::Block& block, const nc::Invocation& invocation);
+
+    // motion.cpp
+    void move(const nc::Block& block, const Actions& actions);
+    Target target_of(const nc::Block& block, nc::SlotMask targets) const;
+    void arrive(const Target& target);
+    void line(const nc::Block& block, const Target& target, path::Op op, bool exact_stop);
+    void move_in_machine_coordinates(const nc::Block& block);
+    Axis wanted_length_axis() const;
+    double wanted_length(const nc::Block& block);
+    void activate_length(const nc::Block& block, AxisMask moved);
+    void move_length_alone(const nc::Block& block);
+    void arc(const nc::Block& block, const Target& target, bool exact_stop);
+    std::optional<path::Arc> resolve_arc(const nc::Block& block, const Target& target);
+    void report_radius_arc(const nc::Block& block, path::ArcFault fault, const path::ArcEnds& ends);
+    void report_center_arc(const nc::Block& block, path::ArcFault fault, const path::ArcEnds& ends,
+                           const path::Vec3& center);
+    void warn_arc_word(const nc::Block& block, nc::SlotMask words);
+    bool check_axes(const nc::Block& block, nc::SlotMask targets);
+    bool check_feed(const nc::Block& block, std::string_view what);
+    bool check_limits(const nc::Block& block, const AxisValues& base, AxisMask moved);
+    bool check_arc_limits(const nc::Block& block, const path::Arc& arc, const Target& target);
+    void report_limit(const nc::Block& block, Axis axis, double at);
+
+    // cycles.cpp
+    void call_cycle(const nc::Block& block, const nc::Invocation& invocation);
+    void repeat_cycle(const nc::Block& block);
+    void start_cycle(const nc::Block& block, ModalCycle call);
+    void finish_cycle();
+    path::Plane cycle_plane() const;
+    AxisValues position_in_cycle() const;
+    const nc::Block& in_plane_of_cycle(const nc::Block& block);
+
+    path::Command& put(path::Op op, const nc::Block& block);
+    void frame_changed();
+    /// A message at the block, or at the word that set the slot or said the function. Inside a
+    /// cycle the place is that of the block which called it. An alarm ends the run.
+    DiagnosticBuilder report(const DiagnosticRow& row, const nc::Block& block);
+    DiagnosticBuilder report(const DiagnosticRow& row, const nc::Block& block, nc::Slot slot);
+    DiagnosticBuilder report(const DiagnosticRow& row, const nc::Block& block,
+                             nc::Function function);
+    DiagnosticBuilder report(const DiagnosticRow& row, LinePlace place);
+    /// The block in the text that is being executed: `block`, or the one that called the cycle.
+    const nc::Block& origin(const nc::Block& block) const;
+
+    const nc::Dialect& dialect_;
+    const machine::Machine& machine_;
+    const nc::Reader* places_;
+    CycleExpander* cycles_;
+    InterpreterOptions options_;
+    DiagnosticSink& sink_;
+    Rules rules_;
+
+    BlockQueue program_;
+    Output output_;
+    std::uint64_t block_count_ = 0;
+    bool ended_ = false;
+    bool alarmed_ = false;
+
+    Modal modal_;
+    Position position_;
+    Frames frames_{rules_};
+    Spindle spindle_;
+    Tool tool_;
+    path::CoolantMode coolant_ = path::CoolantMode::Off;
+    bool warned_spindle_stopped_ = false;
+    std::vector<std::int64_t> unknown_tools_;  // each is reported once
+
+    // Of the machine, by logical axis; deg for rotary axes.
+    AxisMask axes_ = 0;
+    AxisValues lower_{};
+    AxisValues upper_{};
+    AxisValues word_scale_{};    // 0.5 for X of a lathe: a diameter is programmed
+    AxisValues length_shift_{};  // machine position − base position: the tool length in force
+
+    // A cycle that runs: its blocks, who called it, and what to restore behind it.
+    ModalCycle modal_cycle_;
+    bool returns_to_retract_ = false;
+    std::unique_ptr<Stream<nc::Block>> cycle_stream_;
+    std::optional<BlockQueue> cycle_blocks_;
+    std::string_view cycle_name_;
+    nc::Block caller_{};
+    Modal modal_before_cycle_;
+    bool is_modal_behind_cycle_ = false;
+    Actions after_cycle_;
+    nc::Block remapped_{};  // a block of the cycle, in another plane than X-Y
+};
+
+}  // namespace kadr::interp

@@ -1,0 +1,122 @@
+#include "interp/frames.h"
+
+#include <algorithm>
+
+#include "base/assert.h"
+
+namespace kadr::interp {
+
+using path::Frame;
+using path::Vec3;
+
+namespace {
+
+/// More steps than this come only from a loop that adds frames; controls that do so can delete
+/// nothing but the whole, so the oldest two may become one.
+constexpr std::size_t kMaxSteps = 64;
+
+Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
+
+Vec3 vector_of(const FrameWords& words) {
+    return {words.values[0], words.values[1], words.values[2]};
+}
+
+}  // namespace
+
+void Frames::select_work_offset(const AxisValues& offset) {
+    work_offset_ = offset;
+    update();
+}
+
+void Frames::shift(const FrameWords& words) {
+    if (!rules_->shift_keeps_unnamed || words.given == 0) shift_ = Vec3::Zero();
+    if (!rules_->shift_keeps_unnamed) steps_.clear();
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (words.has(i)) shift_[static_cast<Eigen::Index>(i)] = words.values[i];
+    }
+    update();
+}
+
+void Frames::shift_add(const FrameWords& words) {
+    append(Step::Kind::Shift, path::translation(vector_of(words)));
+}
+
+void Frames::rotate(path::Plane plane, double angle) {
+    if (rules_->rotate_replaces) erase(Step::Kind::Rotation);
+    append(Step::Kind::Rotation, path::rotation_in_plane(plane, angle));
+}
+
+void Frames::rotate_off() {
+    erase(Step::Kind::Rotation);
+    update();
+}
+
+void Frames::mirror(AxisMask axes) { append(Step::Kind::Mirror, path::mirroring(axes)); }
+
+void Frames::mirror_off() {
+    erase(Step::Kind::Mirror);
+    update();
+}
+
+void Frames::set_position(const FrameWords& words, const AxisValues& here, const AxisValues& base) {
+    AxisValues wanted = here;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!words.has(i)) continue;
+        wanted[i] = words.values[i];
+        // Setting the position of an axis ends its local shift.
+        if (rules_->shift_keeps_unnamed) shift_[static_cast<Eigen::Index>(i)] = 0;
+    }
+    set_shift_ = {};
+    update();
+    const AxisValues reached = to_base(wanted);
+    for (std::size_t i = 0; i < 3; ++i) set_shift_[i] = base[i] - reached[i];
+    update();
+}
+
+void Frames::append(Step::Kind kind, const Frame& frame) {
+    if (!steps_.empty() && steps_.back().kind == kind) {
+        steps_.back().frame = steps_.back().frame * frame;
+    } else {
+        steps_.push_back({kind, frame});
+    }
+    if (steps_.size() > kMaxSteps) {
+        steps_[1].frame = steps_[0].frame * steps_[1].frame;
+        steps_.erase(steps_.begin());
+    }
+    update();
+}
+
+void Frames::erase(Step::Kind kind) {
+    std::erase_if(steps_, [kind](const Step& step) { return step.kind == kind; });
+}
+
+void Frames::update() {
+    total_ = path::translation(linear(work_offset_) + linear(set_shift_) + shift_);
+    for (const Step& step : steps_) total_ = total_ * step.frame;
+    is_shift_ = total_.linear == path::Mat3::Identity();
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        shift_values_[i] =
+            i < 3 ? total_.shift[static_cast<Eigen::Index>(i)] : work_offset_[i] + set_shift_[i];
+    }
+    const Result<Frame, path::FrameFault> back = path::inverse(total_);
+    KADR_ASSERT(back, "rotations, mirrors and shifts can be undone");
+    back_ = *back;
+}
+
+AxisValues Frames::to_base(const AxisValues& programmed) const {
+    AxisValues base;
+    const Vec3 point = total_(linear(programmed));
+    for (std::size_t i = 0; i < 3; ++i) base[i] = point[static_cast<Eigen::Index>(i)];
+    for (std::size_t i = 3; i < kAxes; ++i) base[i] = programmed[i] + shift_values_[i];
+    return base;
+}
+
+AxisValues Frames::from_base(const AxisValues& base) const {
+    AxisValues programmed;
+    const Vec3 point = back_(linear(base));
+    for (std::size_t i = 0; i < 3; ++i) programmed[i] = point[static_cast<Eigen::Index>(i)];
+    for (std::size_t i = 3; i < kAxes; ++i) programmed[i] = base[i] - shift_values_[i];
+    return programmed;
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,68 @@
+// frames.h — the frames in force: work offset, set position, programmable frame.
+//
+// base = work offset + set shift + programmable frame (programmed point). Keeps the product and its
+// inverse ready, so that a block pays for frames only when one changes.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "interp/rules.h"
+#include "path/frame.h"
+
+namespace kadr::interp {
+
+/// Words of a frame function: which of X, Y, Z were given, and their values, mm.
+struct FrameWords {
+    std::array<double, 3> values{};
+    unsigned given = 0;  // bit 0: X …
+    bool has(std::size_t i) const { return (given >> i & 1u) != 0; }
+};
+
+class Frames {
+  public:
+    explicit Frames(const Rules& rules) : rules_(&rules) {}
+
+    void select_work_offset(const AxisValues& offset);
+    void shift(const FrameWords& words);
+    void shift_add(const FrameWords& words);
+    void rotate(path::Plane plane, double angle);  // rad
+    void rotate_off();
+    void mirror(AxisMask axes);
+    void mirror_off();
+    /// The tool stands at `base`; the words given are the coordinates that it gets, `here` the
+    /// others'. Moves the origin of every work offset.
+    void set_position(const FrameWords& words, const AxisValues& here, const AxisValues& base);
+
+    AxisValues to_base(const AxisValues& programmed) const;
+    AxisValues from_base(const AxisValues& base) const;
+    /// Nothing but a shift: each axis can be worked out by itself.
+    bool is_shift() const { return is_shift_; }
+    const AxisValues& shift_values() const { return shift_values_; }
+    const path::Frame& total() const { return total_; }
+
+  private:
+    /// A step of the programmable frame behind the shift; the kind tells what deletes it.
+    struct Step {
+        enum class Kind : std::uint8_t { Shift, Rotation, Mirror };
+        Kind kind;
+        path::Frame frame;
+    };
+
+    void append(Step::Kind kind, const path::Frame& frame);
+    void erase(Step::Kind kind);
+    void update();
+
+    const Rules* rules_;
+    AxisValues work_offset_{};
+    AxisValues set_shift_{};
+    path::Vec3 shift_ = path::Vec3::Zero();
+    std::vector<Step> steps_;  // in the order in which they were programmed
+    path::Frame total_;
+    path::Frame back_;
+    AxisValues shift_values_{};  // of all axes, if is_shift_
+    bool is_shift_ = true;
+};
+
+}  // namespace kadr::interp

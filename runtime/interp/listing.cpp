@@ -1,0 +1,218 @@
+#include "interp/listing.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "base/numbers.h"
+#include "base/render.h"
+
+namespace kadr::interp {
+
+using path::Command;
+using path::CoolantMode;
+using path::FeedMode;
+using path::Op;
+using path::Plane;
+using path::SpindleMode;
+
+namespace {
+
+std::string_view op_name(Op op) {
+    switch (op) {
+        case Op::Rapid: return "rapid";
+        case Op::Line: return "line";
+        case Op::Arc: return "arc";
+        case Op::Dwell: return "dwell";
+        case Op::Spindle: return "spindle";
+        case Op::SpeedLimit: return "speed_limit";
+        case Op::Tool: return "tool";
+        case Op::ToolLength: return "tool_length";
+        case Op::Coolant: return "coolant";
+        case Op::Stop: return "stop";
+        case Op::OptionalStop: return "optional_stop";
+        case Op::Message: return "message";
+        case Op::End: return "end";
+    }
+    return "";
+}
+
+std::string_view plane_name(Plane plane) {
+    switch (plane) {
+        case Plane::Xy: return "XY";
+        case Plane::Zx: return "ZX";
+        case Plane::Yz: return "YZ";
+    }
+    return "";
+}
+
+std::string_view spindle_name(SpindleMode mode) {
+    switch (mode) {
+        case SpindleMode::Stop: return "stop";
+        case SpindleMode::Cw: return "cw";
+        case SpindleMode::Ccw: return "ccw";
+        case SpindleMode::Orient: return "orient";
+    }
+    return "";
+}
+
+std::string_view coolant_name(CoolantMode mode) {
+    switch (mode) {
+        case CoolantMode::Off: return "off";
+        case CoolantMode::Flood: return "flood";
+        case CoolantMode::Mist: return "mist";
+    }
+    return "";
+}
+
+/// Nine decimals at most, without trailing zeros: frames leave noise behind them.
+void append_number(std::string& out, double value) {
+    constexpr double kScale = 1e9;
+    constexpr double kQuickLimit = 1e6;  // below it 15 digits hold the value and its decimals
+    if (!(std::abs(value) < kQuickLimit)) {
+        append_shortest(out, round_to(value, 9));
+        return;
+    }
+    const long long scaled = std::llround(value * kScale);
+    if (scaled < 0) out += '-';
+    const auto size = static_cast<unsigned long long>(scaled < 0 ? -scaled : scaled);
+    char digits[24];
+    const auto whole = std::to_chars(digits, digits + sizeof digits, size / 1'000'000'000);
+    out.append(digits, whole.ptr);
+    unsigned long long rest = size % 1'000'000'000;
+    if (rest == 0) return;
+    char decimals[9];
+    for (std::size_t i = 9; i-- > 0; rest /= 10) decimals[i] = static_cast<char>('0' + rest % 10);
+    std::size_t count = 9;
+    while (decimals[count - 1] == '0') --count;
+    out += '.';
+    out.append(decimals, count);
+}
+
+/// `,"name":` and the value behind it.
+void append_key(std::string& out, std::string_view name) {
+    out += ",\"";
+    out += name;
+    out += "\":";
+}
+void append_field(std::string& out, std::string_view name, double value) {
+    append_key(out, name);
+    append_number(out, value);
+}
+void append_word(std::string& out, std::string_view name, std::string_view word) {
+    append_key(out, name);
+    out += '"';
+    out += word;
+    out += '"';
+}
+
+void append_text(std::string& out, std::string_view name, std::string_view text) {
+    append_key(out, name);
+    const auto is_plain = [](char c) { return c >= ' ' && c < 127 && c != '"' && c != '\\'; };
+    if (std::all_of(text.begin(), text.end(), is_plain)) {  // nearly always; without a copy
+        out += '"';
+        out += text;
+        out += '"';
+    } else {
+        out += json_string(text);
+    }
+}
+
+void append_target(std::string& out, const Command& command, AxisMask axes) {
+    out += ",\"to\":";
+    char separator = '{';
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        if ((axes >> i & 1u) == 0) continue;
+        out += separator;
+        out += '"';
+        out += kAxisNames[i];
+        out += "\":";
+        append_number(out, command.to[i]);
+        separator = ',';
+    }
+    out += '}';
+    if (command.machine_coordinates) out += ",\"machine_coordinates\":true";
+}
+
+void append_arc(std::string& out, const Command& command) {
+    out += ",\"center\":";
+    char separator = '[';
+    for (const double value : {command.center.x(), command.center.y(), command.center.z()}) {
+        out += separator;
+        append_number(out, value);
+        separator = ',';
+    }
+    out += ']';
+    append_word(out, "plane", plane_name(command.plane));
+    append_word(out, "dir", command.is_clockwise ? "cw" : "ccw");
+    if (command.turns != 0) append_field(out, "turns", command.turns);
+}
+
+void append_feed(std::string& out, const Command& command) {
+    append_field(out, "feed", command.feed);
+    if (command.feed_mode == FeedMode::PerRevolution) {
+        append_word(out, "feed_mode", "per_revolution");
+    }
+    if (command.feed_mode == FeedMode::InverseTime) append_word(out, "feed_mode", "inverse_time");
+}
+
+void append_spindle(std::string& out, const Command& command) {
+    append_word(out, "mode", spindle_name(command.spindle));
+    switch (command.spindle) {
+        case SpindleMode::Stop: break;
+        case SpindleMode::Orient: append_field(out, "angle", command.angle_deg); break;
+        case SpindleMode::Cw:
+        case SpindleMode::Ccw:
+            append_field(out, command.cutting_speed ? "cutting_speed" : "speed", command.speed);
+            break;
+    }
+}
+
+}  // namespace
+
+Listing::Listing(const machine::Machine& machine) {
+    for (const machine::MachineAxis& axis : machine.axes) axes_ |= bit(axis.axis);
+}
+
+void Listing::append(const Command& command, std::string_view source, std::string& out) const {
+    out += "{\"op\":\"";
+    out += op_name(command.op);
+    out += '"';
+    switch (command.op) {
+        case Op::Rapid: append_target(out, command, axes_); break;
+        case Op::Line:
+            append_target(out, command, axes_);
+            append_feed(out, command);
+            break;
+        case Op::Arc:
+            append_target(out, command, axes_);
+            append_arc(out, command);
+            append_feed(out, command);
+            break;
+        case Op::Dwell:
+            if (command.revolutions > 0) {
+                append_field(out, "revolutions", command.revolutions);
+            } else {
+                append_field(out, "time", command.time);
+            }
+            break;
+        case Op::Spindle: append_spindle(out, command); break;
+        case Op::SpeedLimit: append_field(out, "speed", command.speed); break;
+        case Op::Tool: append_field(out, "tool", static_cast<double>(command.tool)); break;
+        case Op::ToolLength:
+            append_field(out, "tool", static_cast<double>(command.tool));
+            append_field(out, "length", command.length);
+            break;
+        case Op::Coolant: append_word(out, "mode", coolant_name(command.coolant)); break;
+        case Op::Message: append_text(out, "text", command.text); break;
+        case Op::Stop:
+        case Op::OptionalStop:
+        case Op::End: break;
+    }
+    if (command.exact_stop) out += ",\"exact_stop\":true";
+    if (command.line != 0) append_field(out, "iso", command.line);
+    if (!source.empty()) append_text(out, "src", source);
+    out += "}\n";
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,433 @@
+// motion.cpp — where a block goes: targets, lines, arcs, tool length and limits.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "base/numbers.h"
+#include "interp/executor.h"
+#include "path/helix.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Slot;
+using nc::SlotMask;
+using path::Command;
+using path::FeedMode;
+using path::Op;
+using path::SpindleMode;
+using path::Vec3;
+
+namespace {
+
+constexpr SlotMask kArcSlots = nc::kCenterSlots | bit(Slot::Radius) | bit(Slot::Turns);
+
+/// Rounding of the text and of frames: an axis may stand this far behind its limit.
+constexpr double kLimitSlack = 1e-6;  // mm, deg
+
+Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
+
+Slot first_slot(SlotMask slots) { return static_cast<Slot>(std::countr_zero(slots)); }
+
+path::Plane plane_with_normal(Axis axis) {
+    switch (axis) {
+        case Axis::X: return path::Plane::Yz;
+        case Axis::Y: return path::Plane::Zx;
+        default: return path::Plane::Xy;
+    }
+}
+
+std::string_view slot_word(Slot slot) {
+    switch (slot) {
+        case Slot::CenterX: return "I";
+        case Slot::CenterY: return "J";
+        case Slot::CenterZ: return "K";
+        case Slot::Radius: return "radius";
+        default: return "turns";
+    }
+}
+
+}  // namespace
+
+void Executor::move(const Block& block, const Actions& actions) {
+    if (block.motion != Function::None) {
+        modal_.motion = block.motion;
+        modal_cycle_.is_active = false;  // a motion code ends a modal cycle
+    }
+    const SlotMask targets = block.given & nc::kTargetSlots;
+    const SlotMask arc_words = block.given & kArcSlots;
+    if (actions.cycle != nullptr) return call_cycle(block, *actions.cycle);
+    if (modal_cycle_.is_active && (targets | arc_words) != 0) return repeat_cycle(block);
+    if (targets == 0 && (arc_words == 0 || !is_arc(modal_.motion))) {
+        if (arc_words != 0) warn_arc_word(block, arc_words);
+        if (actions.length_changed) move_length_alone(block);
+        return;
+    }
+    if (!check_axes(block, targets)) return;
+    if (actions.machine_coordinates) return move_in_machine_coordinates(block);
+
+    const Target target = target_of(block, targets);
+    const bool exact_stop = modal_.has_exact_stop || actions.exact_stop;
+    if (is_arc(modal_.motion)) return arc(block, target, exact_stop);
+    if (arc_words != 0) warn_arc_word(block, arc_words);
+    line(block, target, modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, exact_stop);
+}
+
+Target Executor::target_of(const Block& block, SlotMask targets) const {
+    Target target{position_.here, position_.base, static_cast<AxisMask>(targets)};
+    const SlotMask incremental = modal_.is_incremental ? ~block.absolute : block.incremental;
+    const AxisValues& last = rules_.incremental_frame == IncrementalFrame::Traversed
+                                 ? position_.programmed
+                                 : position_.here;
+    const AxisValues& shift = frames_.shift_values();
+    for (SlotMask rest = targets; rest != 0; rest &= rest - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+        double value = block.values[i] * word_scale_[i];
+        if ((incremental >> i & 1u) != 0) value += last[i];
+        target.here[i] = value;
+        target.base[i] = value + shift[i];
+    }
+    if (!frames_.is_shift()) target.base = frames_.to_base(target.here);
+    return target;
+}
+
+void Executor::arrive(const Target& target) {
+    position_.here = target.here;
+    position_.base = target.base;
+    for (AxisMask rest = target.moved; rest != 0; rest = static_cast<AxisMask>(rest & (rest - 1))) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+        position_.programmed[i] = target.here[i];
+    }
+}
+
+// ------------------------------------------------------------------------------ lines
+
+void Executor::line(const Block& block, const Target& target, Op op, bool exact_stop) {
+    if (op == Op::Line && !check_feed(block, "line")) return;
+    if (tool_.has_changed) activate_length(block, target.moved);
+    if (!check_limits(block, target.base, target.moved)) return;
+    Command& command = put(op, block);
+    command.to = target.base;
+    command.moved = target.moved;
+    command.exact_stop = exact_stop;
+    command.feed = op == Op::Line ? modal_.feed : 0;
+    arrive(target);
+}
+
+/// Machine coordinates are coordinates of the spindle nose: neither frames nor, on most controls,
+/// the tool length act.
+void Executor::move_in_machine_coordinates(const Block& block) {
+    if (rules_.machine_coordinates_need_absolute && modal_.is_incremental) {
+        report(diag::MachineCoordinatesIgnored, block, Function::MachineCoordinates);
+        return;
+    }
+    if (is_arc(modal_.motion) && !rules_.machine_coordinates_rapid) {
+        report(diag::ArcInMachineCoordinates, block, Function::MachineCoordinates);
+        return;
+    }
+    const bool is_rapid = rules_.machine_coordinates_rapid || modal_.motion == Function::Rapid;
+    if (!is_rapid && !check_feed(block, "line")) return;
+
+    const SlotMask targets = block.given & nc::kTargetSlots;
+    if (rules_.machine_coordinates_keep_length && tool_.has_changed) {
+        activate_length(block, static_cast<AxisMask>(targets));
+    }
+    const AxisValues length = rules_.machine_coordinates_keep_length ? AxisValues{} : length_shift_;
+    AxisValues to = position_.base;
+    for (std::size_t i = 0; i < kAxes; ++i) to[i] += length[i];
+    const SlotMask incremental = modal_.is_incremental ? ~block.absolute : block.incremental;
+    for (SlotMask rest = targets; rest != 0; rest &= rest - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+        const double value = block.values[i] * word_scale_[i];
+        to[i] = (incremental >> i & 1u) != 0 ? to[i] + value : value;
+    }
+    Target target{{}, to, static_cast<AxisMask>(targets)};
+    for (std::size_t i = 0; i < kAxes; ++i) target.base[i] -= length[i];
+    target.here = frames_.from_base(target.base);
+    if (!check_limits(block, target.base, target.moved)) return;
+
+    Command& command = put(is_rapid ? Op::Rapid : Op::Line, block);
+    command.to = to;
+    command.moved = target.moved;
+    command.machine_coordinates = !rules_.machine_coordinates_keep_length;
+    command.exact_stop = true;
+    command.feed = is_rapid ? 0 : modal_.feed;
+    arrive(target);
+}
+
+// ------------------------------------------------------------------------------ tool length
+
+Axis Executor::wanted_length_axis() const {
+    return rules_.length_axis == LengthAxis::Z ? Axis::Z : path::axes_of(modal_.plane).normal;
+}
+
+double Executor::wanted_length(const Block& block) {
+    if (tool_.source == Tool::Source::None) return 0;
+    const std::int64_t number = tool_.length_number();
+    if (number == 0) return 0;
+    if (const machine::ToolData* data = machine_.find_tool(number)) return data->length;
+    // A machine without a tool table has no lengths; a table with a gap is likely a mistake.
+    const bool is_known_gap =
+        std::find(unknown_tools_.begin(), unknown_tools_.end(), number) != unknown_tools_.end();
+    if (!machine_.tools.empty() && !is_known_gap) {
+        unknown_tools_.push_back(number);
+        report(diag::ToolUnknown, block).arg(number);
+    }
+    return 0;
+}
+
+/// A length that was selected acts with the first motion of the tool axis: the motion side is told
+/// just before it, and only if the length is another one than before.
+void Executor::activate_length(const Block& block, AxisMask moved) {
+    const Axis axis = wanted_length_axis();
+    if ((moved & (bit(axis) | bit(tool_.axis))) == 0) return;
+    tool_.has_changed = false;
+    const double length = wanted_length(block);
+    if (length == tool_.length && (axis == tool_.axis || length == 0)) {
+        tool_.axis = axis;
+        return;
+    }
+    tool_.length = length;
+    tool_.axis = axis;
+    length_shift_ = {};
+    length_shift_[index(axis)] = length;
+    Command& command = put(Op::ToolLength, block);
+    command.plane = plane_with_normal(axis);
+    command.tool = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
+    command.length = length;
+    command.moved = bit(axis);
+}
+
+/// `G43 H1` in a block without axis words: the programmed position stays, so the machine axis moves
+/// by the change of the length, in the active kind of motion.
+void Executor::move_length_alone(const Block& block) {
+    if (!rules_.length_moves_alone) return;
+    const Axis axis = wanted_length_axis();
+    if (wanted_length(block) == tool_.length && axis == tool_.axis) return;
+    line(block, {position_.here, position_.base, bit(axis)},
+         modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, modal_.has_exact_stop);
+}
+
+// ------------------------------------------------------------------------------ arcs
+
+void Executor::arc(const Block& block, const Target& target, bool exact_stop) {
+    if (!check_feed(block, "arc")) return;
+    const bool has_radius = block.has(Slot::Radius);
+    const bool has_center = (block.given & nc::kCenterSlots) != 0;
+    if (!has_radius && !has_center && rules_.arc_without_center == ArcWithoutCenter::Line) {
+        return line(block, target, Op::Line, exact_stop);
+    }
+    if (tool_.has_changed) activate_length(block, target.moved);
+    std::optional<path::Arc> resolved = resolve_arc(block, target);
+    if (!resolved) return;
+
+    // From the programmed into the base system. A frame that mirrors the plane turns the arc round,
+    // which the product of the two directions of the plane shows.
+    path::Arc& arc = *resolved;
+    const path::PlaneAxes plane = path::axes_of(modal_.plane);
+    const Vec3 third = path::unit(plane.normal);
+    const path::Frame& frame = frames_.total();
+    const double side = arc.normal.dot(third);
+    arc = {linear(position_.base), linear(target.base), frame(arc.center),
+           side * frame.direction(path::unit(plane.first))
+                      .cross(frame.direction(path::unit(plane.second)))
+                      .normalized(),
+           arc.sweep};
+    if (!check_arc_limits(block, arc, target)) return;
+
+    Command& command = put(Op::Arc, block);
+    command.to = target.base;
+    command.moved = target.moved;
+    command.exact_stop = exact_stop;
+    command.center = arc.center;
+    command.normal = arc.normal;
+    command.sweep = arc.sweep;
+    command.is_clockwise = arc.normal.dot(third) < 0;
+    command.turns = block.has(Slot::Turns) ? block.at(Slot::Turns) : 0;
+    command.feed = modal_.feed;
+    // F = feed/radius, and the length is radius · sweep: the time is sweep/F.
+    if (modal_.feed_mode == FeedMode::InverseTime && rules_.inverse_time_arc_by_radius) {
+        command.feed = modal_.feed / arc.sweep;
+    }
+    arrive(target);
+}
+
+/// The arc in the programmed system; nothing if it was reported, or if there is nothing to move.
+std::optional<path::Arc> Executor::resolve_arc(const Block& block, const Target& target) {
+    const bool has_center = (block.given & nc::kCenterSlots) != 0;
+    const double turns = block.has(Slot::Turns) ? block.at(Slot::Turns) : 0;
+    if (turns != std::floor(turns) || turns < 0 || turns > path::kMaxTurns) {
+        report(diag::ArcTurnsInvalid, block, Slot::Turns).arg(turns);
+        return std::nullopt;
+    }
+    const path::ArcEnds ends{linear(position_.here), linear(target.here)};
+    const path::ArcTurning turning{modal_.plane, modal_.motion == Function::ArcCw,
+                                   static_cast<int>(turns)};
+    if (block.has(Slot::Radius)) {
+        if (has_center && !rules_.arc_radius_wins) {
+            report(diag::ArcCenterAndRadius, block, Slot::Radius);
+            return std::nullopt;
+        }
+        const Result<path::Arc, path::ArcFault> arc =
+            path::arc_of_radius(ends, block.at(Slot::Radius), turning);
+        if (arc) return *arc;
+        report_radius_arc(block, arc.error(), ends);
+        return std::nullopt;
+    }
+    const Slot across = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) +
+                                          index(path::axes_of(modal_.plane).normal));
+    if (block.has(across)) {
+        report(diag::ArcCenterOutsidePlane, block, across).arg(slot_word(across));
+        return std::nullopt;
+    }
+    Vec3 center = ends.start;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Slot slot = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + i);
+        if (!block.has(slot)) continue;
+        double& value = center[static_cast<Eigen::Index>(i)];
+        value = (block.absolute & bit(slot)) != 0 ? block.at(slot) : value + block.at(slot);
+    }
+    const path::ArcTolerance tolerance{rules_.arc_tolerance, rules_.arc_tolerance_factor,
+                                       rules_.arc_error == ArcError::ShiftCenter
+                                           ? path::RadiusError::ShiftCenter
+                                           : path::RadiusError::Spread};
+    const Result<path::Arc, path::ArcFault> arc =
+        path::arc_about_center(ends, center, turning, tolerance);
+    if (arc) return *arc;
+    report_center_arc(block, arc.error(), ends, center);
+    return std::nullopt;
+}
+
+void Executor::report_radius_arc(const Block& block, path::ArcFault fault,
+                                 const path::ArcEnds& ends) {
+    const Vec3 way = ends.end - ends.start;
+    if (fault == path::ArcFault::RadiusTooSmall) {
+        const double height = way.dot(path::unit(path::axes_of(modal_.plane).normal));
+        const double chord = std::sqrt(std::max(0.0, way.squaredNorm() - height * height));
+        report(diag::ArcRadiusTooSmall, block, Slot::Radius)
+            .arg(round_to(block.at(Slot::Radius), 6))
+            .arg(round_to(chord, 6));
+        return;
+    }
+    const bool moves = way.norm() > 0;  // along the axis of a helix
+    if (!moves && rules_.arc_radius_without_chord == ArcWithoutChord::NoMotion) return;
+    report(diag::ArcWithoutChord, block, Slot::Radius);
+}
+
+void Executor::report_center_arc(const Block& block, path::ArcFault fault,
+                                 const path::ArcEnds& ends, const Vec3& center) {
+    const SlotMask centers = block.given & nc::kCenterSlots;
+    if (fault == path::ArcFault::NoRadius) {
+        if (centers == 0) {
+            report(diag::ArcCenterMissing, block, block.motion);
+        } else {
+            report(diag::ArcCenterMissing, block, first_slot(centers));
+        }
+        return;
+    }
+    const Vec3 normal = path::unit(path::axes_of(modal_.plane).normal);
+    const Vec3 from = ends.start - center;
+    const Vec3 to = ends.end - center;
+    report(diag::ArcEndOffCircle, block, first_slot(centers))
+        .arg(round_to((from - from.dot(normal) * normal).norm(), 6))
+        .arg(round_to((to - to.dot(normal) * normal).norm(), 6));
+}
+
+void Executor::warn_arc_word(const Block& block, SlotMask words) {
+    const Slot slot = first_slot(words);
+    report(diag::ArcWordUnused, block, slot)
+        .arg(slot_word(slot))
+        .arg(modal_.motion == Function::Rapid ? "rapid" : "line");
+}
+
+// ------------------------------------------------------------------------------ checks
+
+bool Executor::check_axes(const Block& block, SlotMask targets) {
+    const SlotMask missing = targets & ~SlotMask{axes_};
+    if (missing == 0) return true;
+    const Slot slot = first_slot(missing);
+    report(diag::AxisMissing, block, slot).arg(kAxisNames[static_cast<std::size_t>(slot)]);
+    return false;
+}
+
+bool Executor::check_feed(const Block& block, std::string_view what) {
+    if (!modal_.has_feed) {
+        report(diag::FeedMissing, block).arg(what);
+        return false;
+    }
+    if (!(modal_.feed > 0)) {
+        const double feed = modal_.feed;
+        (block.has(Slot::Feed) ? report(diag::FeedNotPositive, block, Slot::Feed)
+                               : report(diag::FeedNotPositive, block))
+            .arg(feed);
+        return false;
+    }
+    if (modal_.feed_mode == FeedMode::InverseTime && rules_.inverse_time_feed_in_every_block &&
+        !block.has(Slot::Feed)) {
+        report(diag::InverseTimeFeedMissing, block);
+        return false;
+    }
+    if (spindle_.mode == SpindleMode::Cw || spindle_.mode == SpindleMode::Ccw) return true;
+    if (modal_.feed_mode == FeedMode::PerRevolution) {
+        report(diag::RevolutionFeedStands, block);
+        return false;
+    }
+    if (!warned_spindle_stopped_) {
+        warned_spindle_stopped_ = true;
+        report(diag::FeedWithSpindleStopped, block);
+    }
+    return true;
+}
+
+bool Executor::check_limits(const Block& block, const AxisValues& base, AxisMask moved) {
+    const AxisMask axes =
+        frames_.is_shift() ? moved : static_cast<AxisMask>(moved | (axes_ & kLinearXYZ));
+    for (AxisMask rest = axes; rest != 0; rest = static_cast<AxisMask>(rest & (rest - 1))) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+        const double at = base[i] + length_shift_[i];
+        if (at < lower_[i] - kLimitSlack || at > upper_[i] + kLimitSlack) {
+            report_limit(block, static_cast<Axis>(i), at);
+            return false;
+        }
+    }
+    return true;
+}
+
+bool Executor::check_arc_limits(const Block& block, const path::Arc& arc, const Target& target) {
+    if (!check_limits(block, target.base, target.moved)) return false;
+    // Far from every limit, which is nearly always, the whole circle is the quick answer.
+    const path::ArcShape shape = path::shape_of(arc);
+    const double reach = std::max(shape.start_radius, shape.end_radius) + std::abs(shape.height);
+    bool is_far = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double center = arc.center[static_cast<Eigen::Index>(i)] + length_shift_[i];
+        is_far &= center - reach >= lower_[i] && center + reach <= upper_[i];
+    }
+    if (is_far) return true;
+    const path::Box box =
+        path::bounds(path::make_helix(arc.start, arc.end, arc.center, arc.normal, arc.sweep));
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto k = static_cast<Eigen::Index>(i);
+        for (const double edge : {box.lower[k], box.upper[k]}) {
+            const double at = edge + length_shift_[i];
+            if (at >= lower_[i] - kLimitSlack && at <= upper_[i] + kLimitSlack) continue;
+            report_limit(block, static_cast<Axis>(i), at);
+            return false;
+        }
+    }
+    return true;
+}
+
+void Executor::report_limit(const Block& block, Axis axis, double at) {
+    const std::size_t i = index(axis);
+    const double limit = at < lower_[i] ? lower_[i] : upper_[i];
+    DiagnosticBuilder builder = block.has(nc::slot_of(axis))
+                                    ? report(diag::AxisLimit, block, nc::slot_of(axis))
+                                    : report(diag::AxisLimit, block);
+    builder.arg(kAxisNames[i]).arg(round_to(at, 6)).arg(round_to(limit, 6));
+}
+
+}  // namespace kadr::interp

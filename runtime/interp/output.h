@@ -1,0 +1,40 @@
+// output.h — commands on their way out.
+//
+// Into the caller's batch while it has room; a block that makes more commands than fit leaves the
+// rest in a queue for the next pull.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "path/command.h"
+
+namespace kadr::interp {
+
+class Output {
+  public:
+    /// Starts a batch; what the last one had no room for comes first.
+    void open(std::span<path::Command> out) {
+        out_ = out;
+        written_ = std::min(queue_.size(), out.size());
+        const auto end = queue_.begin() + static_cast<std::ptrdiff_t>(written_);
+        std::move(queue_.begin(), end, out.begin());
+        queue_.erase(queue_.begin(), end);
+    }
+    bool has_room() const { return written_ < out_.size(); }
+    std::size_t written() const { return written_; }
+
+    /// The place of the next command. Valid until the next call.
+    path::Command& next() {
+        if (written_ < out_.size()) return out_[written_++];
+        return queue_.emplace_back();
+    }
+
+  private:
+    std::span<path::Command> out_;
+    std::size_t written_ = 0;
+    std::vector<path::Command> queue_;
+};
+
+}  // namespace kadr::interp

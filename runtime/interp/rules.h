@@ -1,0 +1,46 @@
+// rules.h — how a control behaves where controls differ: the switches that its dialect sets.
+//
+// The table is rules.def; struct, names and documentation are made from it. Rules change what a
+// function does, never how it is spelled (that is the rest of the dialect's XML).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "base/diagnostic.h"
+#include "nc/dialect.h"
+
+namespace kadr::interp {
+
+enum class ArcError : std::uint8_t { Spread, ShiftCenter };
+enum class ArcWithoutChord : std::uint8_t { Alarm, NoMotion };
+enum class ArcWithoutCenter : std::uint8_t { Alarm, Line };
+enum class IncrementalFrame : std::uint8_t { Traversed, Distance };
+enum class LengthAxis : std::uint8_t { Plane, Z };
+enum class MissingEnd : std::uint8_t { Warning, Alarm };
+
+struct Rules {
+#define KADR_RULE(type, field, standard, values, meaning, source) type field = standard;
+#include "interp/rules.def"
+#undef KADR_RULE
+};
+
+/// A row of the table, for documentation and for the check of dialect files.
+struct RuleInfo {
+    std::string_view name;
+    std::string_view values;  // unit, or what may stand there
+    std::string_view meaning;
+    std::string_view source;
+};
+std::span<const RuleInfo> all_rules();
+
+/// Sets one rule from its text. False: there is no such rule, or it cannot have that value.
+bool set_rule(Rules& rules, std::string_view name, std::string_view value);
+
+/// The rules that the dialect names, defaults for the others. A value that a rule cannot have is
+/// reported, and the default stays.
+Rules rules_of(const nc::Dialect& dialect, DiagnosticSink& sink);
+
+}  // namespace kadr::interp

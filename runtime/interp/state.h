@@ -1,0 +1,74 @@
+// state.h — what changes while a program runs, in small structs by concern.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "base/axes.h"
+#include "nc/block.h"
+#include "path/command.h"
+
+namespace kadr::interp {
+
+/// The modal functions that a cycle finds and has to leave as they were.
+struct Modal {
+    nc::Function motion = nc::Function::Rapid;
+    path::Plane plane = path::Plane::Xy;
+    path::FeedMode feed_mode = path::FeedMode::PerMinute;
+    bool is_incremental = false;
+    bool has_exact_stop = false;
+    bool has_feed = false;
+    double feed = 0;  // unit of the feed mode
+};
+
+/// Where the tool tip stands. Lengths mm, angles deg; X of a lathe is a radius here.
+struct Position {
+    AxisValues programmed{};  // the last coordinate programmed for each axis
+    AxisValues here{};        // in the programmed system in force
+    AxisValues base{};        // in the base coordinate system; always the frame of `here`
+};
+
+struct Spindle {
+    path::SpindleMode mode = path::SpindleMode::Stop;
+    double speed = 0;                // rpm
+    double cutting_speed = 0;        // m/min; 0: never programmed
+    double limit = 0;                // rpm under constant cutting speed; 0: none
+    bool has_cutting_speed = false;  // constant cutting speed is on
+
+    /// What the motion side was told last.
+    struct Told {
+        path::SpindleMode mode = path::SpindleMode::Stop;
+        double speed = 0;
+        bool has_cutting_speed = false;
+        friend bool operator==(const Told&, const Told&) = default;
+    };
+    Told told;
+};
+
+/// The tool and the length that should act, and the length that does.
+struct Tool {
+    enum class Source : std::uint8_t { None, Edge, Offset };  // of the length
+
+    std::int64_t selected = 0;
+    std::int64_t current = 0;  // in the spindle; 0 none
+    Source source = Source::None;
+    std::int64_t offset = 0;   // Source::Offset: number of the length offset
+    bool has_changed = false;  // the length that should act has to be looked up
+
+    double length = 0;    // in force, mm
+    Axis axis = Axis::Z;  // along which it is in force
+
+    /// Number of the tool or offset whose length should act.
+    std::int64_t length_number() const { return source == Source::Edge ? current : offset; }
+};
+
+/// A modal cycle: repeated in every block with axis words.
+struct ModalCycle {
+    bool is_active = false;
+    nc::CycleId cycle = 0;
+    std::uint32_t given = 0;
+    std::array<double, nc::kMaxArguments> arguments{};
+    double initial = 0;  // level of the tool axis when the cycle mode was entered
+};
+
+}  // namespace kadr::interp
