@@ -1,17 +1,25 @@
-// pipeline.h — Command → Setpoint, and what a run amounts to.
+// pipeline.h — Command → Segment → Setpoint, and what a run amounts to.
 //
 // plan: commands become segments, the look-ahead gives every junction its speed; sample: each
 // segment is walked along its profile at the machine's tick.
+//
+//     Planner planner(commands, machine, options, sink);   // Stream<Segment>
+//     Sampler sampler(planner, machine, options.tick);      // Stream<Setpoint>
+//
+// Pull the Planner for times and drawings, the Sampler for setpoints; planner.totals() is complete
+// when either has come to its end.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
-#include <string>
+#include <span>
 #include <vector>
 
 #include "base/stream.h"
 #include "machine/machine.h"
+#include "motion/segment.h"
 #include "path/command.h"
 
 namespace kadr::motion {
@@ -19,29 +27,88 @@ namespace kadr::motion {
 /// One sample of the motion. Canonical units: s, mm, rad, mm/s.
 struct Setpoint {
     double time = 0;
-    std::array<double, kAxes> axis{};   // in the order of Machine::axes
+    std::array<double, kAxes> axis{};  // in the order of Machine::axes
     path::Vec3 tip = path::Vec3::Zero();
     path::Vec3 tool = path::Vec3::UnitZ();  // unit vector from tip to holder
-    double feed = 0;                    // path speed at this instant
-    std::uint32_t line = 0;             // of the ISO-7bit text
+    double feed = 0;                        // path speed at this instant
+    std::uint32_t line = 0;                 // of the ISO-7bit text
     SourceId source;
 };
 
 /// What a run amounts to; filled while the motion is planned, complete at the end of the stream.
 struct Totals {
     std::uint64_t commands = 0;
-    double time = 0;                    // s, everything
-    double cutting_time = 0;            // s at feed
-    double rapid_time = 0;              // s
-    double dwell_time = 0;              // s
-    double tool_change_time = 0;        // s
-    double length = 0;                  // mm, of the tip, all motion
-    double cutting_length = 0;          // mm
-    std::array<double, kAxes> travel_min{};  // per machine axis, mm or rad
+    std::uint64_t segments = 0;              // pieces of motion
+    double time = 0;                         // s, everything
+    double cutting_time = 0;                 // s at feed
+    double rapid_time = 0;                   // s
+    double dwell_time = 0;                   // s, dwells and spindle orientation
+    double tool_change_time = 0;             // s
+    double length = 0;                       // mm, of the tip, all motion
+    double cutting_length = 0;               // mm
+    std::array<double, kAxes> travel_min{};  // per machine axis, mm or rad; start included
     std::array<double, kAxes> travel_max{};
-    std::array<double, kAxes> max_velocity{};
-    std::array<double, kAxes> max_acceleration{};
-    std::array<double, kAxes> max_jerk{};    // infinite under trapezoidal profiles
+    std::array<double, kAxes> max_velocity{};      // mm/s or rad/s
+    std::array<double, kAxes> max_acceleration{};  // inside pieces and at corners (jump / tick)
+    std::array<double, kAxes> max_jerk{};          // infinite under trapezoidal profiles
+};
+
+/// How fast a corner may be taken.
+enum class CornerRule : std::uint8_t {
+    AxisJump,           // no axis jumps by more than `velocity_jump`
+    JunctionDeviation,  // as if an arc missed the corner by `junction_deviation`
+};
+
+struct PlannerOptions {
+    double tick = 0;               // s; 0: the machine's
+    double feed_override = 1;      // > 0; multiplies the feed, never a limit
+    double rapid_override = 1;     // > 0
+    std::size_t lookahead = 1024;  // pieces known ahead at least, the current one included
+    CornerRule corner_rule = CornerRule::AxisJump;
+    double junction_deviation = 0.01;  // mm
+    std::array<double, kAxes>
+        velocity_jump{};        // per machine axis, mm/s or rad/s; 0: acceleration · tick
+    bool stop_at_alarm = true;  // false: report and go on with a sensible value
+    /// The place of a line of the ISO-7bit text, for messages; may be empty.
+    std::function<LinePlace(std::uint32_t line, SourceId source)> place_of;
+};
+
+/// Plans commands into segments with look-ahead. Memory is bounded by the look-ahead, whatever the
+/// program's length.
+class Planner final : public Stream<Segment> {
+ public:
+    /// All references outlive the planner.
+    Planner(Stream<path::Command>& commands, const machine::Machine& machine,
+            const PlannerOptions& options, DiagnosticSink& sink);
+    ~Planner() override;
+
+    std::size_t pull(std::span<Segment> out) override;
+
+    /// Of the segments that were delivered; complete at the end of the stream.
+    const Totals& totals() const;
+    /// An alarm of the motion was reported. With stop_at_alarm the stream ended before the command
+    /// that caused it.
+    bool alarmed() const;
+
+ private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// Walks segments at a fixed tick. The setpoints stand at 0, tick, 2·tick …; a tick that crosses a
+/// boundary of pieces is filled from the next piece, and the last one stands at the first tick at
+/// or after the end, in the end position.
+class Sampler final : public Stream<Setpoint> {
+ public:
+    /// `tick` in s; 0: the machine's. References outlive the sampler.
+    Sampler(Stream<Segment>& segments, const machine::Machine& machine, double tick = 0);
+    ~Sampler() override;
+
+    std::size_t pull(std::span<Setpoint> out) override;
+
+ private:
+    struct State;
+    std::unique_ptr<State> state_;
 };
 
 }  // namespace kadr::motion

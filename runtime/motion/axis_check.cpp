@@ -1,0 +1,100 @@
+#include "motion/axis_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/numbers.h"
+#include "base/units.h"
+#include "motion/standing.h"
+
+namespace kadr::motion {
+
+namespace {
+
+// Limits are checked to a millionth of a millimetre (or rad): a hundredth of what encoders resolve.
+constexpr double kLimitTolerance = 1e-6;
+
+std::string shown(const machine::MachineAxis& axis, double position) {
+    const double value = axis.is_rotary ? deg_from_rad(position) : position;
+    return format_shortest(round_to(value, 4)) + (axis.is_rotary ? " deg" : " mm");
+}
+
+}  // namespace
+
+LinePlace place_of(const path::Command& command, const PlannerOptions& options) {
+    if (options.place_of) return options.place_of(command.line, command.source);
+    LinePlace place;
+    place.line = command.line;
+    return place;
+}
+
+AxisCheck::AxisCheck(const machine::Machine& machine, const AxisTable& axes,
+                     const PlannerOptions& options, DiagnosticSink& sink)
+    : machine_(machine), axes_(axes), options_(options), sink_(sink) {
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        const auto axis = static_cast<Axis>(i);
+        const std::size_t slot = axes.slot(axis);
+        if (slot == axes.size()) {
+            missing_.push_back(axis);
+        } else {
+            travel_.lower[slot] = travel_.upper[slot] = machine.axes[slot].home;
+        }
+    }
+}
+
+AxisCheck::Answer AxisCheck::check(const path::Command& command, const Segment& piece,
+                                   double length) {
+    if (!has_all_axes(command, piece, length)) return Answer::Impossible;
+    return keeps_limits(command, axes_.travel(piece, length)) ? Answer::Possible : Answer::Beyond;
+}
+
+bool AxisCheck::has_all_axes(const path::Command& command, const Segment& piece, double length) {
+    if (missing_.empty()) return true;
+    const path::Box box = path::bounds(piece.curve);  // an arc may come back to where it began
+    bool has_all = true;
+    for (const Axis axis : missing_) {
+        const std::size_t i = index(axis);
+        const auto k = static_cast<Eigen::Index>(i);
+        const double way =
+            i < 3 ? box.upper[k] - box.lower[k] : std::abs(piece.follower_rate[i - 3]) * length;
+        if (way <= kStill) continue;
+        has_all = false;
+        if (is_reported_[i]) continue;
+        is_reported_[i] = true;
+        sink_.report(diag::AxisNotOnMachine, place_of(command, options_))
+            .arg(kAxisNames[i])
+            .arg(machine_.name);
+    }
+    return has_all;
+}
+
+bool AxisCheck::keeps_limits(const path::Command& command, const AxisTable::Travel& reached) {
+    bool keeps_all = true;
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+        const machine::MachineAxis& axis = machine_.axes[i];
+        const bool above = reached.upper[i] > axis.upper + kLimitTolerance;
+        const bool below = reached.lower[i] < axis.lower - kLimitTolerance;
+        if (!above && !below) {
+            is_outside_[i] = false;
+            continue;
+        }
+        keeps_all = false;
+        if (is_outside_[i]) continue;
+        is_outside_[i] = true;
+        sink_.report(diag::AxisBeyondLimit, place_of(command, options_))
+            .arg(axis.name)
+            .arg(shown(axis, above ? reached.upper[i] : reached.lower[i]))
+            .arg(shown(axis, above ? axis.upper : axis.lower));
+    }
+    return keeps_all;
+}
+
+void AxisCheck::widen_travel(const Segment& piece, double length) {
+    const AxisTable::Travel reached = axes_.travel(piece, length);
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+        travel_.lower[i] = std::min(travel_.lower[i], reached.lower[i]);
+        travel_.upper[i] = std::max(travel_.upper[i], reached.upper[i]);
+    }
+}
+
+}  // namespace kadr::motion

@@ -1,0 +1,54 @@
+// axis_check.h — can the machine's axes go where a piece of path leads?
+//
+// Reports axes that the machine does not have and limits that would be passed, each once until the
+// axis is back inside, and keeps the travel of the whole run.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "machine/machine.h"
+#include "motion/axis_table.h"
+#include "motion/pipeline.h"
+
+namespace kadr::motion {
+
+/// The place of a command in the ISO-7bit text, as the caller of the planner tells it.
+LinePlace place_of(const path::Command& command, const PlannerOptions& options);
+
+class AxisCheck {
+ public:
+    /// References outlive the check.
+    AxisCheck(const machine::Machine& machine, const AxisTable& axes, const PlannerOptions& options,
+              DiagnosticSink& sink);
+
+    enum class Answer : std::uint8_t {
+        Possible,
+        Beyond,      // passes a limit
+        Impossible,  // needs an axis that is not there
+    };
+    /// Asks about a piece of this path length and reports what is wrong with it.
+    Answer check(const path::Command& command, const Segment& piece, double length);
+
+    /// Counts a piece into the travel.
+    void widen_travel(const Segment& piece, double length);
+    /// Least and greatest position of every axis so far, start included.
+    const AxisTable::Travel& travel() const { return travel_; }
+
+ private:
+    bool has_all_axes(const path::Command& command, const Segment& piece, double length);
+    bool keeps_limits(const path::Command& command, const AxisTable::Travel& reached);
+
+    const machine::Machine& machine_;
+    const AxisTable& axes_;
+    const PlannerOptions& options_;
+    DiagnosticSink& sink_;
+    std::vector<Axis> missing_;              // logical axes without a machine axis
+    std::array<bool, kAxes> is_reported_{};  // per logical axis: missing, and said
+    std::array<bool, kAxes> is_outside_{};   // per machine axis: said, and not back yet
+    AxisTable::Travel travel_;
+};
+
+}  // namespace kadr::motion

@@ -1,0 +1,210 @@
+#include "motion/axis_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace kadr::motion {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// sqrt(1 − 1/4): the usual split of LinuxCNC; 87 % of the acceleration turn the path, half of it
+// remains along the path.
+constexpr double kNormalShare = 0.86602540378443865;
+
+/// A helix as limits see it: a circle of constant curvature and a steady rise. Spread radii differ
+/// by hundredths; of both ends the less favourable one counts.
+struct CircleView {
+    double curvature;  // 1/mm
+    double turning;    // share of the tangent in the plane of the circle
+    double rising;     // share along the normal, ≥ 0
+    double tilt_cos;   // direction of the tangent in the plane: cos·e_φ + sin·e_r
+    double tilt_sin;
+
+    explicit CircleView(const path::Helix& helix) {
+        const double first = helix.radius;
+        const double last = helix.radius + helix.radius_rate * helix.sweep;
+        const double spread = helix.radius_rate;
+        const double height = helix.height_rate;
+        const double small = std::min(first, last);
+        const double in_plane = std::hypot(small, spread);
+        const double rate = std::hypot(in_plane, height);
+        curvature = std::hypot(small, 2 * spread) / (rate * rate);
+        rising = std::abs(height) / rate;
+        const double wide = std::hypot(std::max(first, last), spread);
+        turning = wide / std::hypot(wide, height);
+        tilt_cos = in_plane > 0 ? small / in_plane : 1;
+        tilt_sin = in_plane > 0 ? spread / in_plane : 0;
+    }
+};
+
+/// How much of the circle the coordinate sees: 1 if the plane contains it, 0 across.
+double amplitude(const path::Helix& helix, std::size_t coordinate) {
+    const auto i = static_cast<Eigen::Index>(coordinate);
+    return std::hypot(helix.e1[i], helix.e2[i]);
+}
+
+/// Greatest |dq/ds| of a coordinate on the arc.
+double greatest_rate(const path::Helix& helix, const CircleView& circle, std::size_t coordinate) {
+    const auto i = static_cast<Eigen::Index>(coordinate);
+    const double rise = std::copysign(circle.rising, helix.height_rate) * helix.normal[i];
+    const double on_cos = circle.tilt_sin * helix.e1[i] + circle.tilt_cos * helix.e2[i];
+    const double on_sin = circle.tilt_sin * helix.e2[i] - circle.tilt_cos * helix.e1[i];
+    const path::Extremes wave =
+        path::wave_extremes(rise, circle.turning * on_cos, circle.turning * on_sin, helix.sweep);
+    return std::max(std::abs(wave.lower), std::abs(wave.upper));
+}
+
+}  // namespace
+
+AxisTable::AxisTable(const machine::Machine& machine) {
+    slots_.fill(machine.axes.size());
+    for (const machine::MachineAxis& axis : machine.axes) {
+        slots_[index(axis.axis)] = axes_.size();
+        axes_.push_back({index(axis.axis), axis.velocity, axis.acceleration});
+    }
+}
+
+AxisRates AxisTable::rates(const path::Vec3& tangent, const Segment& piece) const {
+    AxisRates rates;
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+        const std::size_t c = axes_[i].coordinate;
+        rates[i] = c < 3 ? tangent[static_cast<Eigen::Index>(c)] : piece.follower_rate[c - 3];
+    }
+    return rates;
+}
+
+AxisRates AxisTable::start_rates(const Segment& piece) const {
+    if (const auto* line = std::get_if<path::Line>(&piece.curve)) {
+        return rates(line->direction, piece);
+    }
+    return rates(path::evaluate(piece.curve, 0).tangent, piece);
+}
+
+AxisRates AxisTable::end_rates(const Segment& piece) const {
+    if (const auto* line = std::get_if<path::Line>(&piece.curve)) {
+        return rates(line->direction, piece);
+    }
+    return rates(path::evaluate(piece.curve, path::length(piece.curve)).tangent, piece);
+}
+
+PathLimits AxisTable::limits(const Segment& piece, double wanted) const {
+    const auto* helix = std::get_if<path::Helix>(&piece.curve);
+    if (helix == nullptr) {
+        const AxisRates along = start_rates(piece);
+        double slowness = 0;  // 1/speed
+        double weight = 0;    // 1/acceleration
+        for (std::size_t i = 0; i < axes_.size(); ++i) {
+            const double rate = std::abs(along[i]);
+            slowness = std::max(slowness, rate / axes_[i].velocity);
+            weight = std::max(weight, rate / axes_[i].acceleration);
+        }
+        return {slowness * wanted > 1 ? 1 / slowness : wanted, weight > 0 ? 1 / weight : kInfinity};
+    }
+
+    const CircleView circle(*helix);
+    double speed = wanted;
+    for (const Entry& axis : axes_) {
+        if (axis.coordinate >= 3) {
+            const double rate = std::abs(piece.follower_rate[axis.coordinate - 3]);
+            if (rate * speed > axis.velocity) speed = axis.velocity / rate;
+            continue;
+        }
+        const double rate = greatest_rate(*helix, circle, axis.coordinate);
+        if (rate * speed > axis.velocity) speed = axis.velocity / rate;
+        const double bend = circle.curvature * amplitude(*helix, axis.coordinate);
+        if (bend * speed * speed > kNormalShare * axis.acceleration) {
+            speed = std::sqrt(kNormalShare * axis.acceleration / bend);
+        }
+    }
+
+    double acceleration = kInfinity;
+    for (const Entry& axis : axes_) {
+        if (axis.coordinate >= 3) {
+            const double rate = std::abs(piece.follower_rate[axis.coordinate - 3]);
+            if (rate * acceleration > axis.acceleration) acceleration = axis.acceleration / rate;
+            continue;
+        }
+        // m·sqrt((c·a)² + N²) + h·a ≤ A, solved for a: m share of the circle in this coordinate, N
+        // the centripetal acceleration, c and h the shares of the tangent in and across the plane.
+        const double m = amplitude(*helix, axis.coordinate);
+        const double n = circle.curvature * speed * speed;
+        const double c = circle.turning;
+        const double h =
+            circle.rising * std::abs(helix->normal[static_cast<Eigen::Index>(axis.coordinate)]);
+        const double a = axis.acceleration;
+        const double left = a * a - m * m * n * n;
+        const double root =
+            std::sqrt(std::max(0.0, a * a * h * h + (m * m * c * c - h * h) * left));
+        const double denominator = a * h + root;
+        if (denominator > 0) acceleration = std::min(acceleration, left / denominator);
+    }
+    return {speed, acceleration};
+}
+
+AxisTable::Peaks AxisTable::peaks(const Segment& piece) const {
+    Peaks peaks;
+    const double speed = piece.profile.peak_speed;
+    const double along = std::max(piece.profile.accelerating > 0 ? piece.profile.acceleration : 0.0,
+                                  piece.profile.braking > 0 ? piece.profile.deceleration : 0.0);
+    const auto* helix = std::get_if<path::Helix>(&piece.curve);
+    if (helix == nullptr) {
+        const AxisRates rates = start_rates(piece);
+        for (std::size_t i = 0; i < axes_.size(); ++i) {
+            peaks.velocity[i] = std::abs(rates[i]) * speed;
+            peaks.acceleration[i] = std::abs(rates[i]) * along;
+        }
+        return peaks;
+    }
+    const CircleView circle(*helix);
+    const double normal = circle.curvature * speed * speed;
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+        const std::size_t c = axes_[i].coordinate;
+        if (c >= 3) {
+            const double rate = std::abs(piece.follower_rate[c - 3]);
+            peaks.velocity[i] = rate * speed;
+            peaks.acceleration[i] = rate * along;
+            continue;
+        }
+        const double rise = circle.rising * std::abs(helix->normal[static_cast<Eigen::Index>(c)]);
+        peaks.velocity[i] = greatest_rate(*helix, circle, c) * speed;
+        peaks.acceleration[i] =
+            amplitude(*helix, c) * std::hypot(circle.turning * along, normal) + rise * along;
+    }
+    return peaks;
+}
+
+AxisRates AxisTable::positions(const Segment& piece, double distance) const {
+    const path::Vec3 point = path::position(piece.curve, distance) + piece.tool_length * piece.tool;
+    AxisRates positions{};
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+        const std::size_t c = axes_[i].coordinate;
+        positions[i] = c < 3 ? point[static_cast<Eigen::Index>(c)]
+                             : piece.follower_start[c - 3] + piece.follower_rate[c - 3] * distance;
+    }
+    return positions;
+}
+
+AxisTable::Travel AxisTable::travel(const Segment& piece, double length) const {
+    const path::Vec3 offset = piece.tool_length * piece.tool;
+    const path::Box box = path::bounds(piece.curve);
+    Travel travel;
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+        const std::size_t c = axes_[i].coordinate;
+        if (c < 3) {
+            const auto k = static_cast<Eigen::Index>(c);
+            travel.lower[i] = box.lower[k] + offset[k];
+            travel.upper[i] = box.upper[k] + offset[k];
+        } else {
+            const double from = piece.follower_start[c - 3];
+            const double to = from + piece.follower_rate[c - 3] * length;
+            travel.lower[i] = std::min(from, to);
+            travel.upper[i] = std::max(from, to);
+        }
+    }
+    return travel;
+}
+
+}  // namespace kadr::motion

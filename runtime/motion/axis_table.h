@@ -1,0 +1,73 @@
+// axis_table.h — a path as the machine's axes see it: rates, limits, travel.
+//
+// Compiled once from the Machine. Today an axis stands for one coordinate, X Y Z of the tip plus
+// the tool length, the others directly; with kinematic chains this is where the path is turned
+// into axes.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "base/axes.h"
+#include "machine/machine.h"
+#include "motion/corner.h"
+#include "motion/segment.h"
+
+namespace kadr::motion {
+
+/// What the axes allow on one piece.
+struct PathLimits {
+    double speed = 0;         // infinite if nothing limits it
+    double acceleration = 0;  // along the path, at this speed
+};
+
+class AxisTable {
+ public:
+    explicit AxisTable(const machine::Machine& machine);
+
+    std::size_t size() const { return axes_.size(); }
+    /// The machine's axis behind a logical one; size() if it has none.
+    std::size_t slot(Axis axis) const { return slots_[index(axis)]; }
+    double acceleration(std::size_t i) const { return axes_[i].acceleration; }
+
+    /// dq/ds of every axis at the start and at the end of a piece.
+    AxisRates start_rates(const Segment& piece) const;
+    AxisRates end_rates(const Segment& piece) const;
+
+    /// The greatest path speed up to `wanted`, and the acceleration that then remains.
+    ///
+    /// On an arc the centripetal acceleration takes its share first: at most kNormalShare of what
+    /// an axis has, so that enough is left to reach the speed at all. source       reference motion
+    /// §2.1
+    PathLimits limits(const Segment& piece, double wanted) const;
+
+    /// Greatest axis velocities and accelerations of a piece under its profile.
+    struct Peaks {
+        AxisRates velocity{};
+        AxisRates acceleration{};
+    };
+    Peaks peaks(const Segment& piece) const;
+
+    /// Positions of the axes at a distance along the piece.
+    AxisRates positions(const Segment& piece, double distance) const;
+
+    /// Least and greatest axis positions on the piece.
+    struct Travel {
+        AxisRates lower{};
+        AxisRates upper{};
+    };
+    Travel travel(const Segment& piece, double length) const;
+
+ private:
+    struct Entry {
+        std::size_t coordinate;  // logical index: 0…2 of the tip, 3… a follower
+        double velocity;
+        double acceleration;
+    };
+    AxisRates rates(const path::Vec3& tangent, const Segment& piece) const;
+
+    std::vector<Entry> axes_;
+    std::array<std::size_t, kAxes> slots_{};
+};
+
+}  // namespace kadr::motion

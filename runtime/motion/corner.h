@@ -1,0 +1,37 @@
+// corner.h — how fast the corner between two pieces of path may be taken.
+//
+// Looks at directions of travel and nothing else: no time (profile.h), no neighbours further away
+// (lookahead.h). The path keeps its corner; the rules only bound what its sharpness costs.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "base/axes.h"
+#include "path/vec3.h"
+
+namespace kadr::motion {
+
+/// dq/ds of every machine axis, in the order of Machine::axes; only the first so many are used.
+using AxisRates = std::array<double, kAxes>;
+
+/// Highest speed at which no axis changes its velocity at once by more than it may.
+///
+/// in, out  dq/ds before and after the corner, one per axis
+/// jump     mm/s or rad/s, one per axis, > 0
+/// returns  path speed; infinity if the corner is straight
+/// source   reference motion §2.4, rule 1
+double axis_jump_speed(std::span<const double> in, std::span<const double> out,
+                       std::span<const double> jump);
+
+/// Speed of an arc that touches both legs and misses the corner by `deviation`.
+///
+/// in, out       directions of travel, unit vectors
+/// deviation     mm, > 0
+/// acceleration  the lesser of both pieces, > 0
+/// returns       mm/s; infinity if the corner is straight, 0 if it turns back
+/// source        reference motion §2.4, rule 2
+double junction_deviation_speed(const path::Vec3& in, const path::Vec3& out, double deviation,
+                                double acceleration);
+
+}  // namespace kadr::motion

@@ -1,0 +1,332 @@
+#include "motion/prepare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "base/numbers.h"
+#include "base/units.h"
+#include "motion/axis_check.h"
+#include "motion/feed.h"
+#include "motion/spindle.h"
+#include "motion/standing.h"
+
+namespace kadr::motion {
+
+namespace {
+
+using path::Command;
+using path::Op;
+using path::Vec3;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// To go on after a missing feed has been reported, mm/s; slow enough to be noticed in the time.
+constexpr double kFallbackFeed = 1;
+
+/// What a corner needs to know of the piece before it.
+struct CornerMemory {
+    AxisRates rates{};              // dq/ds at its end
+    Vec3 direction = Vec3::Zero();  // at its end
+    double acceleration = 0;
+    bool turns_only = false;
+    bool must_stop = true;  // the path comes to rest behind it
+};
+
+}  // namespace
+
+struct Preparer::State {
+    State(Stream<Command>& commands_in, const machine::Machine& machine_in,
+          const AxisTable& axes_in, const PlannerOptions& options_in, DiagnosticSink& sink_in);
+
+    bool next(Piece& piece);
+    const Command* next_command();
+    void execute(const Command& command);
+
+    void set_spindle(const Command& command);
+    void dwell(const Command& command);
+    void stand(const Command& command, SegmentKind kind, double duration);
+
+    void move(const Command& command);
+    bool is_possible(const Command& command, const Segment& segment, double length);
+    void emit_parts(const Command& command, const Segment& whole, double length, int parts);
+    void emit(const Command& command, const Segment& segment, double length);
+    double wanted_feed(const Command& command, const Segment& segment, double length);
+    double corner_speed(const Segment& segment, const AxisRates& in, double acceleration) const;
+    void remember(const Segment& segment, const AxisRates& in, double acceleration);
+
+    void alarm_raised();
+
+    Stream<Command>& commands;
+    const machine::Machine& machine;
+    const AxisTable& axes;
+    const PlannerOptions& options;
+    DiagnosticSink& sink;
+    AxisRates jump{};  // by how much an axis may change its velocity at a corner
+
+    std::vector<Command> batch = std::vector<Command>(kBatch);
+    std::size_t batch_size = 0;
+    std::size_t batch_at = 0;
+    std::uint64_t commands_read = 0;
+    bool has_ended = false;
+    bool has_alarmed = false;
+    bool feed_reported = false;
+
+    Standing standing;
+    Spindle spindle;
+    AxisCheck check;
+    CornerMemory last;
+
+    std::vector<Piece> ready;  // the pieces of one command, from ready_at on
+    std::size_t ready_at = 0;
+};
+
+Preparer::State::State(Stream<Command>& commands_in, const machine::Machine& machine_in,
+                       const AxisTable& axes_in, const PlannerOptions& options_in,
+                       DiagnosticSink& sink_in)
+    : commands(commands_in),
+      machine(machine_in),
+      axes(axes_in),
+      options(options_in),
+      sink(sink_in),
+      standing(machine_in),
+      check(machine_in, axes_in, options_in, sink_in) {
+    const double tick = options.tick > 0 ? options.tick : machine.tick;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        jump[i] =
+            options.velocity_jump[i] > 0 ? options.velocity_jump[i] : axes.acceleration(i) * tick;
+    }
+    spindle.machine_limit = machine.max_speed;
+}
+
+bool Preparer::State::next(Piece& piece) {
+    while (ready_at == ready.size()) {
+        ready.clear();
+        ready_at = 0;
+        const Command* command = next_command();
+        if (command == nullptr) return false;
+        execute(*command);
+    }
+    piece = ready[ready_at++];
+    return true;
+}
+
+const Command* Preparer::State::next_command() {
+    if (has_ended) return nullptr;
+    if (batch_at == batch_size) {
+        batch_at = 0;
+        batch_size = commands.pull(batch);
+        if (batch_size == 0) {
+            has_ended = true;
+            return nullptr;
+        }
+    }
+    ++commands_read;
+    return &batch[batch_at++];
+}
+
+void Preparer::State::execute(const Command& command) {
+    switch (command.op) {
+        case Op::Rapid:
+        case Op::Line:
+        case Op::Arc: move(command); return;
+        case Op::Dwell: dwell(command); return;
+        case Op::Spindle: set_spindle(command); return;
+        case Op::SpeedLimit: spindle.limit = speed_from_rpm(command.speed); return;
+        case Op::Tool: stand(command, SegmentKind::ToolChange, machine.tool_change_time); return;
+        case Op::ToolLength: standing.set_tool_length(command, axes); return;
+        case Op::Stop:
+        case Op::OptionalStop:
+        case Op::End: last.must_stop = true; return;
+        // Switched while moving: a control does not stop for them.
+        case Op::Coolant:
+        case Op::Message: return;
+    }
+}
+
+// ------------------------------------------------------------------------------ standstill
+
+void Preparer::State::set_spindle(const Command& command) {
+    feed_reported = false;
+    if (command.spindle == path::SpindleMode::Orient) {
+        spindle.is_turning = false;
+        stand(command, SegmentKind::Orient, machine.orient_time);
+        return;
+    }
+    spindle.is_turning = command.spindle != path::SpindleMode::Stop && command.speed > 0;
+    spindle.holds_cutting_speed = command.cutting_speed;
+    if (command.cutting_speed) {
+        spindle.cutting_speed = feed_from_mm_min(command.speed * 1000);  // from m/min
+        return;
+    }
+    spindle.speed = speed_from_rpm(command.speed);
+    if (spindle.is_turning && machine.max_speed > 0 && spindle.speed > machine.max_speed) {
+        sink.report(diag::SpindleTooFast, place_of(command, options))
+            .arg(command.speed)
+            .arg(round_to(rpm_from_speed(machine.max_speed), 3));
+    }
+}
+
+void Preparer::State::dwell(const Command& command) {
+    double duration = command.time;
+    if (command.revolutions > 0) {
+        const double turns = spindle.speed_at(standing.tip()[0]);
+        if (turns > 0) {
+            duration = command.revolutions / turns;
+        } else {
+            sink.report(diag::DwellWithoutSpindle, place_of(command, options))
+                .arg(command.revolutions);
+            alarm_raised();
+        }
+    }
+    stand(command, SegmentKind::Dwell, duration);
+}
+
+void Preparer::State::stand(const Command& command, SegmentKind kind, double duration) {
+    last.must_stop = true;
+    if (!(duration > 0) || has_ended) return;
+    Piece& piece = ready.emplace_back();
+    piece.segment = standing.still();
+    piece.segment.kind = kind;
+    piece.segment.line = command.line;
+    piece.segment.source = command.source;
+    piece.segment.duration = duration;
+    // Length 0 between two stops: speed and acceleration only have to be above zero.
+    piece.speed = piece.acceleration = 1;
+}
+
+// ------------------------------------------------------------------------------ motion
+
+void Preparer::State::move(const Command& command) {
+    const Standing::Target target = standing.target_of(command);
+    Segment segment = standing.still();
+    segment.kind = command.op == Op::Rapid ? SegmentKind::Rapid : SegmentKind::Feed;
+    segment.line = command.line;
+    segment.source = command.source;
+    const double length = standing.lay_path(command, target, segment);
+    if (length > 0 && is_possible(command, segment, length)) {
+        const int parts = command.op == Op::Rapid ? 1 : feed_parts(command, segment, spindle);
+        if (parts == 1) {
+            emit(command, segment, length);
+        } else {
+            emit_parts(command, segment, length, parts);
+        }
+        if (!has_ended) check.widen_travel(segment, length);
+    }
+    if (has_ended) return;
+    standing.arrive(command, target);
+    if (command.exact_stop) last.must_stop = true;
+}
+
+/// False if the piece has to be left out; the reason has been reported.
+bool Preparer::State::is_possible(const Command& command, const Segment& segment, double length) {
+    const AxisCheck::Answer answer = check.check(command, segment, length);
+    if (answer == AxisCheck::Answer::Possible) return true;
+    alarm_raised();
+    return answer == AxisCheck::Answer::Beyond && !has_ended;
+}
+
+/// A piece on which the spindle changes its speed goes as several, each with its own feed.
+void Preparer::State::emit_parts(const Command& command, const Segment& whole, double length,
+                                 int parts) {
+    for (int i = 0; i < parts && !has_ended; ++i) {
+        const double from = length * i / parts;
+        const double to = i + 1 == parts ? length : length * (i + 1) / parts;
+        Segment piece = whole;
+        piece.curve = path::part(whole.curve, from, to);
+        for (std::size_t k = 0; k < kFollowers; ++k) {
+            piece.follower_start[k] += piece.follower_rate[k] * from;
+        }
+        emit(command, piece, to - from);
+    }
+}
+
+void Preparer::State::emit(const Command& command, const Segment& segment, double length) {
+    double feed = wanted_feed(command, segment, length);
+    if (has_ended) return;
+    PathLimits limits = axes.limits(segment, feed);
+    if (segment.kind == SegmentKind::Rapid) {
+        // A straight line: its acceleration does not depend on the speed.
+        limits.speed *= options.rapid_override;
+        feed = limits.speed;
+    }
+    const AxisRates in = axes.start_rates(segment);
+    Piece& piece = ready.emplace_back();
+    piece.segment = segment;
+    piece.segment.feed = feed;
+    piece.length = length;
+    piece.speed = limits.speed;
+    piece.acceleration = limits.acceleration;
+    piece.entry_limit = corner_speed(segment, in, limits.acceleration);
+    remember(segment, in, limits.acceleration);
+}
+
+/// The path speed that the program asks for, override included; infinite at rapid.
+double Preparer::State::wanted_feed(const Command& command, const Segment& segment, double length) {
+    if (command.op == Op::Rapid) return kInfinity;
+    const auto feed = path_feed(command, segment, length, spindle);
+    if (!feed) {
+        const bool no_feed = feed.error() == FeedFault::NoFeed;
+        if (!feed_reported) {
+            sink.report(no_feed ? diag::MotionWithoutFeed : diag::FeedWithoutSpindle,
+                        place_of(command, options));
+        }
+        feed_reported = true;
+        alarm_raised();
+        return kFallbackFeed;
+    }
+    const double wanted = *feed * options.feed_override;
+    return machine.max_feed > 0 && !segment.turns_only ? std::min(wanted, machine.max_feed)
+                                                       : wanted;
+}
+
+double Preparer::State::corner_speed(const Segment& segment, const AxisRates& in,
+                                     double acceleration) const {
+    if (last.must_stop) return 0;
+    if (segment.turns_only != last.turns_only) return 0;  // mm/s and deg/s do not meet
+    const std::size_t n = axes.size();
+    if (options.corner_rule == CornerRule::AxisJump || segment.turns_only) {
+        return axis_jump_speed({last.rates.data(), n}, {in.data(), n}, {jump.data(), n});
+    }
+    // The rule knows directions in space; axes beside X Y Z keep to the jump.
+    double speed = kInfinity;
+    for (std::size_t i = 0; i < n; ++i) {
+        if (index(machine.axes[i].axis) < 3) continue;
+        speed = std::min(speed, axis_jump_speed({&last.rates[i], 1}, {&in[i], 1}, {&jump[i], 1}));
+    }
+    const Vec3 direction = path::evaluate(segment.curve, 0).tangent;
+    return std::min(speed,
+                    junction_deviation_speed(last.direction, direction, options.junction_deviation,
+                                             std::min(acceleration, last.acceleration)));
+}
+
+void Preparer::State::remember(const Segment& segment, const AxisRates& in, double acceleration) {
+    const bool is_straight = std::holds_alternative<path::Line>(segment.curve);
+    last.rates = is_straight ? in : axes.end_rates(segment);
+    if (options.corner_rule == CornerRule::JunctionDeviation) {
+        last.direction = path::evaluate(segment.curve, path::length(segment.curve)).tangent;
+    }
+    last.acceleration = acceleration;
+    last.turns_only = segment.turns_only;
+    last.must_stop = false;
+}
+
+void Preparer::State::alarm_raised() {
+    has_alarmed = true;
+    if (options.stop_at_alarm) has_ended = true;
+}
+
+// ------------------------------------------------------------------------------ the door
+
+Preparer::Preparer(Stream<path::Command>& commands, const machine::Machine& machine,
+                   const AxisTable& axes, const PlannerOptions& options, DiagnosticSink& sink)
+    : state_(std::make_unique<State>(commands, machine, axes, options, sink)) {}
+Preparer::~Preparer() = default;
+
+bool Preparer::next(Piece& piece) { return state_->next(piece); }
+std::uint64_t Preparer::commands() const { return state_->commands_read; }
+bool Preparer::alarmed() const { return state_->has_alarmed; }
+const AxisTable::Travel& Preparer::travel() const { return state_->check.travel(); }
+
+}  // namespace kadr::motion

@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/units.h"
+#include "motion/pipeline.h"
+
+namespace kadr::motion {
+
+namespace {
+
+// Segments are half a kilobyte; a small batch stays in the first cache.
+constexpr std::size_t kSegmentBatch = 32;
+
+// A tick that misses the end by less is at the end (reference motion §2.7).
+constexpr double kTickRounding = 1e-9;
+
+}  // namespace
+
+struct Sampler::State {
+    State(Stream<Segment>& segments_in, const machine::Machine& machine, double tick_in)
+        : segments(segments_in), tick(tick_in > 0 ? tick_in : machine.tick) {
+        for (const machine::MachineAxis& axis : machine.axes) order.push_back(index(axis.axis));
+    }
+
+    std::size_t pull(std::span<Setpoint> out);
+    bool next_segment();
+    std::size_t walk(const Segment& segment, std::span<Setpoint> out);
+    void rest(Setpoint& out) const;
+    void place(const Segment& segment, const path::Vec3& tip, double distance, Setpoint& out) const;
+
+    double now() const { return static_cast<double>(ticks) * tick; }
+
+    Stream<Segment>& segments;
+    double tick;
+    std::vector<std::size_t> order;  // logical axis of every setpoint column
+
+    std::vector<Segment> batch = std::vector<Segment>(kSegmentBatch);
+    std::size_t batch_size = 0;
+    std::size_t batch_at = 0;
+    Segment last;  // the segment before the one at batch_at
+    bool has_any = false;
+    bool has_ended = false;   // no segment is left
+    bool is_done = false;     // the setpoint at rest is out
+    std::uint64_t ticks = 0;  // of the next setpoint
+};
+
+/// Makes batch[batch_at] the segment of the next setpoint.
+bool Sampler::State::next_segment() {
+    if (batch_at == batch_size) {
+        if (batch_size > 0) last = batch[batch_size - 1];
+        batch_at = 0;
+        batch_size = segments.pull(batch);
+        if (batch_size == 0) return false;
+        has_any = true;
+    }
+    return true;
+}
+
+std::size_t Sampler::State::pull(std::span<Setpoint> out) {
+    std::size_t written = 0;
+    while (written < out.size() && !has_ended) {
+        if (!next_segment()) {
+            has_ended = true;
+            break;
+        }
+        const Segment& segment = batch[batch_at];
+        written += walk(segment, out.subspan(written));
+        // Ticks inside are written unless `out` is full.
+        if (now() >= segment.end_time() - kTickRounding * tick) ++batch_at;
+    }
+    if (has_ended && has_any && !is_done && written < out.size()) {
+        rest(out[written++]);
+        is_done = true;
+    }
+    return written;
+}
+
+inline void Sampler::State::place(const Segment& segment, const path::Vec3& tip, double distance,
+                                  Setpoint& out) const {
+    const path::Vec3 carrier = tip + segment.tool_length * segment.tool;
+    out.tip = tip;
+    out.tool = segment.tool;
+    out.line = segment.line;
+    out.source = segment.source;
+    std::size_t column = 0;
+    for (const std::size_t c : order) {
+        out.axis[column++] =
+            c < 3 ? carrier[static_cast<Eigen::Index>(c)]
+                  : segment.follower_start[c - 3] + segment.follower_rate[c - 3] * distance;
+    }
+    for (; column < kAxes; ++column) out.axis[column] = 0;
+}
+
+/// Writes the setpoints of the ticks before the segment's end, as far as `out` has room.
+std::size_t Sampler::State::walk(const Segment& segment, std::span<Setpoint> out) {
+    const double end = segment.end_time() - kTickRounding * tick;
+    std::size_t written = 0;
+    const auto fill = [&](const auto& curve) {
+        for (; written < out.size(); ++written, ++ticks) {
+            const double time = now();
+            if (time >= end) return;
+            const ProfileState state = state_at(segment.profile, time - segment.start_time);
+            Setpoint& setpoint = out[written];
+            setpoint.time = time;
+            setpoint.feed = state.speed;
+            place(segment, path::position(curve, state.distance), state.distance, setpoint);
+        }
+    };
+    std::visit(fill, segment.curve);
+    return written;
+}
+
+/// The last setpoint: at rest in the end of the path.
+void Sampler::State::rest(Setpoint& out) const {
+    out.time = now();
+    out.feed = 0;
+    place(last, path::end(last.curve), last.profile.length, out);
+}
+
+Sampler::Sampler(Stream<Segment>& segments, const machine::Machine& machine, double tick)
+    : state_(std::make_unique<State>(segments, machine, tick)) {}
+Sampler::~Sampler() = default;
+
+std::size_t Sampler::pull(std::span<Setpoint> out) { return state_->pull(out); }
+
+}  // namespace kadr::motion

@@ -1,0 +1,52 @@
+// segment.h — a piece of motion, planned: geometry, what follows it, and its profile in time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "base/axes.h"
+#include "base/source.h"
+#include "motion/profile.h"
+#include "path/curve.h"
+
+namespace kadr::motion {
+
+enum class SegmentKind : std::uint8_t {
+    Rapid,  // positioning
+    Feed,   // cutting
+    Dwell,  // the rest stand still for `duration`
+    ToolChange,
+    Orient,  // the spindle turns to an angle
+};
+
+constexpr bool is_motion(SegmentKind kind) { return kind <= SegmentKind::Feed; }
+
+/// Axes beside X, Y, Z: A B C (rad) and U V W (mm), in this order.
+inline constexpr std::size_t kFollowers = kAxes - 3;
+
+/// One planned piece. A line or an arc draws itself from `curve`; `kind`, `line` and `source` tell
+/// how to colour it and whence it came.
+struct Segment {
+    SegmentKind kind = SegmentKind::Rapid;
+    bool turns_only = false;  // no linear axis moves: lengths are degrees, not mm
+    AxisMask followers = 0;   // axes beside X, Y, Z that move in this piece
+    std::uint32_t line = 0;   // of the ISO-7bit text
+    SourceId source;
+
+    path::Curve curve;                      // way of the tool tip; a Point if it stands
+    path::Vec3 tool = path::Vec3::UnitZ();  // unit vector from tip to holder
+    double tool_length = 0;  // mm along `tool`; linear axes = tip + tool_length · tool
+
+    double start_time = 0;  // s, from the start of the program
+    double duration = 0;    // s
+    double feed =
+        0;  // mm/s (deg/s), what was asked for, override included; rapid: what the axes can
+    Profile profile;  // of the path length; empty for a standstill
+
+    std::array<double, kFollowers> follower_start{};  // rad or mm
+    std::array<double, kFollowers> follower_rate{};   // per unit of path length
+
+    double end_time() const { return start_time + duration; }
+};
+
+}  // namespace kadr::motion

@@ -1,0 +1,55 @@
+// standing.h — where the machine stands, and where a command leads from there.
+//
+// Positions of the tool tip in the base coordinate system; the axes carry it at the tool's length.
+// Geometry only: no limits (axis_check.h), no feeds and no corners (prepare.h).
+#pragma once
+
+#include <array>
+
+#include "machine/machine.h"
+#include "motion/axis_table.h"
+#include "motion/segment.h"
+#include "path/command.h"
+
+namespace kadr::motion {
+
+/// A billionth of a millimetre or degree is the rounding of frames, not motion.
+inline constexpr double kStill = 1e-9;
+
+class Standing {
+ public:
+    /// At the reference points of the axes, without tool.
+    explicit Standing(const machine::Machine& machine);
+
+    struct Target {
+        path::Vec3 tip;
+        std::array<double, kFollowers> followers;  // rad or mm
+    };
+    Target target_of(const path::Command& command) const;
+
+    /// The way of a Rapid, Line or Arc to its target as geometry. Returns the length of the path in
+    /// mm, or in degrees if only rotary axes move (`segment.turns_only`); 0 if nothing moves.
+    double lay_path(const path::Command& command, const Target& target, Segment& segment) const;
+
+    /// A segment in which the machine stands here, for the caller to complete.
+    Segment still() const;
+
+    void arrive(const path::Command& command, const Target& target);
+
+    /// Another tool length acts. The axes stay where they are; what changes is the point of the
+    /// tool that they carry.
+    void set_tool_length(const path::Command& command, const AxisTable& axes);
+
+    const path::Vec3& tip() const { return tip_; }
+
+ private:
+    void lay_followers(const Target& target, double& length, Segment& segment) const;
+
+    path::Vec3 tip_ = path::Vec3::Zero();
+    std::array<double, kFollowers> followers_{};
+    path::Vec3 tool_ = path::Vec3::UnitZ();  // from tip to holder
+    double tool_length_ = 0;
+    AxisValues last_to_{};  // `to` of the last motion command, as it stood there
+};
+
+}  // namespace kadr::motion

@@ -1,0 +1,312 @@
+// What must hold for every program on every machine.
+#include <algorithm>
+#include <numbers>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "motion/axis_table.h"
+#include "motion/lookahead.h"
+#include "tests/motion/support.h"
+
+namespace kadr::motion {
+namespace {
+
+using namespace test;
+
+// Limits hold up to the rounding of v² − v² over short pieces.
+constexpr double kRelative = 1e-6;
+
+double any_number(int low, int high) {
+    return *rc::gen::inRange(low * 1000, high * 1000 + 1) / 1000.0;
+}
+
+Vec3 any_point(int reach) {
+    const double x = any_number(-reach, reach), y = any_number(-reach, reach);
+    return {x, y, any_number(-reach, reach)};
+}
+
+machine::Machine any_machine() {
+    Dynamics dynamics;
+    for (int i = 0; i < 3; ++i) {
+        dynamics.velocity[i] = any_number(20, 1500);
+        dynamics.acceleration[i] = any_number(100, 20000);
+    }
+    auto machine = machine_of(dynamics);
+    machine.tick = *rc::gen::element(0.0005, 0.001, 0.002, 0.008);
+    return machine;
+}
+
+/// A turn about a random centre in the plane, with height, from where the tip stands.
+Command any_arc(const Vec3& from) {
+    const Vec3 center = from + Vec3(any_number(-30, 30), any_number(1, 30), 0);
+    const double sweep = any_number(-7, 7);
+    if (std::abs(sweep) < 1e-3) return line_to(from, 1000);
+    const Vec3 out = from - center;
+    const double c = std::cos(sweep), s = std::sin(sweep);
+    const Vec3 to =
+        center + Vec3(c * out[0] - s * out[1], s * out[0] + c * out[1], any_number(-5, 5));
+    return arc_to(to, {center[0], center[1], 0}, sweep, any_number(500, 60000));
+}
+
+/// Lines of all lengths, arcs, rapids, exact stops and dwells, mixed.
+std::vector<Command> any_program() {
+    std::vector<Command> program;
+    Vec3 at = Vec3::Zero();
+    const int count = *rc::gen::inRange(1, 40);
+    for (int i = 0; i < count; ++i) {
+        const int kind = *rc::gen::inRange(0, 10);
+        Command command;
+        if (kind < 5) {
+            const int reach = *rc::gen::element(1, 5, 100);
+            command = line_to(at + any_point(reach) * *rc::gen::element(1.0, 0.01),
+                              any_number(500, 60000));
+        } else if (kind < 7) {
+            command = any_arc(at);
+        } else if (kind < 9) {
+            command = rapid_to(any_point(200));
+        } else {
+            command = simple(Op::Dwell);
+            command.time = any_number(0, 1);
+            program.push_back(command);
+            continue;
+        }
+        command.exact_stop = *rc::gen::inRange(0, 5) == 0;
+        at = Vec3(command.to[0], command.to[1], command.to[2]);
+        program.push_back(command);
+    }
+    return program;
+}
+
+PlannerOptions any_options() {
+    PlannerOptions options;
+    options.lookahead = *rc::gen::element<std::size_t>(1, 2, 5, 20, 100, 1024);
+    return options;
+}
+
+RC_GTEST_PROP(MotionProperty, JunctionsMeetAndLimitsHold, ()) {
+    const auto machine = any_machine();
+    const Motion result = run(machine, any_program(), any_options());
+    RC_ASSERT(result.diagnostics.all().empty());
+    double time = 0;
+    double speed = 0;
+    for (const Segment& segment : result.segments) {
+        RC_ASSERT(segment.start_time == time);
+        RC_ASSERT(segment.duration >= 0);
+        RC_ASSERT(segment.profile.entry_speed == speed);
+        RC_ASSERT(segment.profile.peak_speed <= segment.feed * (1 + kRelative) ||
+                  !is_motion(segment.kind));
+        time += segment.duration;
+        speed = segment.profile.exit_speed;
+    }
+    RC_ASSERT(speed == 0);
+    RC_ASSERT(result.totals.time == time);
+    for (std::size_t i = 0; i < 3; ++i) {
+        RC_ASSERT(result.totals.max_velocity[i] <= machine.axes[i].velocity * (1 + kRelative));
+        RC_ASSERT(result.totals.max_acceleration[i] <=
+                  machine.axes[i].acceleration * (1 + kRelative));
+    }
+}
+
+/// How far a point is from the curve of a segment, by another way than the curve's own evaluation.
+double miss(const Segment& segment, const Vec3& point) {
+    if (const auto* line = std::get_if<path::Line>(&segment.curve)) {
+        const double along =
+            std::clamp((point - line->start).dot(line->direction), 0.0, line->length);
+        return (point - line->start - along * line->direction).norm();
+    }
+    if (const auto* helix = std::get_if<path::Helix>(&segment.curve)) {
+        const Vec3 out = point - helix->base;
+        const double height = out.dot(helix->normal);
+        return std::abs((out - height * helix->normal).norm() - helix->radius);
+    }
+    return (point - path::start(segment.curve)).norm();
+}
+
+RC_GTEST_PROP(MotionProperty, SetpointsLieOnThePathAtEveryTick, ()) {
+    const auto machine = any_machine();
+    const auto program = any_program();
+    const Motion planned = run(machine, program);
+    const auto setpoints = sample(machine, program);
+    RC_PRE(!planned.segments.empty());
+    const auto ticks =
+        static_cast<std::size_t>(std::ceil(planned.totals.time / machine.tick - 1e-9));
+    RC_ASSERT(setpoints.size() == ticks + 1);
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < setpoints.size(); ++i) {
+        const Setpoint& setpoint = setpoints[i];
+        RC_ASSERT(setpoint.time == static_cast<double>(i) * machine.tick);
+        while (k + 1 < planned.segments.size() &&
+               setpoint.time >= planned.segments[k].end_time() - 1e-9 * machine.tick) {
+            ++k;
+        }
+        const Segment& segment = planned.segments[k];
+        RC_ASSERT(setpoint.line == segment.line);
+        RC_ASSERT(miss(segment, setpoint.tip) <= 1e-9);
+        RC_ASSERT(
+            (Vec3(setpoint.axis[0], setpoint.axis[1], setpoint.axis[2]) - setpoint.tip).norm() ==
+            0);
+    }
+    RC_ASSERT(setpoints.front().tip == Vec3(0, 0, 0));
+    RC_ASSERT(setpoints.back().tip == path::end(planned.segments.back().curve));
+    RC_ASSERT(setpoints.back().feed == 0);
+}
+
+RC_GTEST_PROP(MotionProperty, SampledAxesKeepTheirLimits, ()) {
+    const auto machine = any_machine();
+    const auto setpoints = sample(machine, any_program());
+    for (std::size_t i = 2; i < setpoints.size(); ++i) {
+        for (std::size_t a = 0; a < 3; ++a) {
+            const double v1 = (setpoints[i - 1].axis[a] - setpoints[i - 2].axis[a]) / machine.tick;
+            const double v2 = (setpoints[i].axis[a] - setpoints[i - 1].axis[a]) / machine.tick;
+            // A difference of positions of some hundred mm has 1e-13 mm of rounding.
+            RC_ASSERT(std::abs(v2) <= machine.axes[a].velocity * (1 + kRelative) + 1e-9);
+            // Two ticks average over what lies in them. One corner gives at most what one tick of
+            // acceleration gives, so twice the limit if the path holds one corner a tick; short
+            // blocks can put more corners into a tick, and are bounded as a path, not here.
+            const bool one_line = setpoints[i].line == setpoints[i - 2].line;
+            if (one_line) {
+                RC_ASSERT(std::abs(v2 - v1) / machine.tick <=
+                          machine.axes[a].acceleration * (1 + kRelative) + 1e-3);
+            }
+        }
+    }
+}
+
+RC_GTEST_PROP(MotionProperty, TicksOfAStraightChainAddUpToThePath, ()) {
+    const auto machine = any_machine();
+    const Vec3 direction = any_point(10);
+    RC_PRE(direction.norm() > 0.1);
+    std::vector<Command> program;
+    const int count = *rc::gen::inRange(1, 200);
+    double reach = 0;
+    for (int i = 0; i < count; ++i) {
+        reach += any_number(0, 1) * *rc::gen::element(1.0, 0.001);
+        program.push_back(line_to(direction * reach, any_number(10, 60000)));
+    }
+    const auto setpoints = sample(machine, program);
+    double sum = 0;
+    for (std::size_t i = 1; i < setpoints.size(); ++i) {
+        sum += (setpoints[i].tip - setpoints[i - 1].tip).norm();
+    }
+    const double length =
+        setpoints.empty() ? 0 : (setpoints.back().tip - setpoints.front().tip).norm();
+    RC_ASSERT(std::abs(sum - length) <= 1e-9 * std::max(1.0, length));
+}
+
+RC_GTEST_PROP(MotionProperty, CuttingALineCostsNoTime, ()) {
+    const auto machine = any_machine();
+    const Vec3 end = any_point(100);
+    RC_PRE(end.norm() > 0.1);
+    const double feed = any_number(10, 60000);
+    const int pieces = *rc::gen::inRange(2, 400);
+    std::vector<Command> program;
+    for (int i = 1; i <= pieces; ++i) program.push_back(line_to(end * (double(i) / pieces), feed));
+    const double whole = run(machine, {line_to(end, feed)}).totals.time;
+    const double cut = run(machine, program).totals.time;
+    RC_ASSERT(std::abs(cut - whole) <= 1e-7 * whole);
+}
+
+// --- look-ahead against its definition ----------------------------------------------------------
+
+struct Chain {
+    std::vector<Stretch> stretches;
+};
+
+Chain any_chain() {
+    Chain chain;
+    const int count = *rc::gen::inRange(1, 120);
+    for (int i = 0; i < count; ++i) {
+        chain.stretches.push_back({any_number(0, 3), any_number(1, 200), any_number(100, 2000),
+                                   *rc::gen::element(0.0, 5.0, 50.0, 1e9)});
+    }
+    return chain;
+}
+
+/// Junction speeds squared by the definition: at every junction plan the known pieces anew.
+std::vector<double> by_definition(const std::vector<Stretch>& path, std::size_t depth) {
+    const auto limit = [&](std::size_t k) {  // of the junction before piece k
+        const double corner = path[k].entry_limit;
+        const double before = k > 0 ? path[k - 1].speed : 0.0;
+        const double v = std::min({corner, before, path[k].speed});
+        return v * v;
+    };
+    const auto gain = [&](std::size_t k) { return 2 * path[k].acceleration * path[k].length; };
+    std::vector<double> speeds = {0};
+    for (std::size_t k = 0; k < path.size(); ++k) {
+        const std::size_t known = std::min(path.size(), k + depth);
+        double after = 0;
+        for (std::size_t i = known; i-- > k + 1;) after = std::min(limit(i), after + gain(i));
+        speeds.push_back(std::min(after, speeds[k] + gain(k)));
+    }
+    return speeds;
+}
+
+std::vector<double> by_streaming(const std::vector<Stretch>& path, std::size_t depth) {
+    LookAhead lookahead(depth);
+    std::vector<double> speeds = {0};
+    std::size_t next = 0;
+    while (speeds.size() <= path.size()) {
+        while (next < path.size() && !lookahead.is_full()) lookahead.append(path[next++]);
+        if (next == path.size()) lookahead.finish();
+        speeds.push_back(std::pow(lookahead.take().exit, 2));
+    }
+    return speeds;
+}
+
+RC_GTEST_PROP(LookAhead, IsItsDefinitionAtSmallDepths, ()) {
+    const Chain chain = any_chain();
+    const std::size_t depth = *rc::gen::inRange<std::size_t>(1, 31);
+    const auto expected = by_definition(chain.stretches, depth);
+    const auto got = by_streaming(chain.stretches, depth);
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+        RC_ASSERT(std::abs(got[k] - expected[k]) <= 1e-9 * std::max(1.0, expected[k]));
+    }
+}
+
+RC_GTEST_PROP(LookAhead, LiesBetweenItsDepthAndTheWholePath, ()) {
+    const Chain chain = any_chain();
+    const std::size_t depth = *rc::gen::inRange<std::size_t>(32, 100);
+    const auto least = by_definition(chain.stretches, depth);
+    const auto most = by_definition(chain.stretches, chain.stretches.size());
+    const auto got = by_streaming(chain.stretches, depth);
+    for (std::size_t k = 0; k < got.size(); ++k) {
+        RC_ASSERT(got[k] >= least[k] * (1 - 1e-12) - 1e-12);
+        RC_ASSERT(got[k] <= most[k] * (1 + 1e-12) + 1e-12);
+    }
+}
+
+TEST(LookAhead, LargeWindowEqualsTheWholePath) {
+    // 20000 blocks of a hundredth to a tenth of a millimetre: the braking distance from 200 mm/s is
+    // 4 mm, some 80 blocks, far inside the window.
+    std::vector<Command> program;
+    for (int i = 1; i <= 20000; ++i) {
+        const double t = i * 0.001;
+        program.push_back(
+            line_to({40 * std::cos(t), 25 * std::sin(2 * t), 5 * std::sin(t / 3)}, 12000));
+    }
+    PlannerOptions whole;
+    whole.lookahead = 100000;
+    PlannerOptions window;
+    window.lookahead = 500;
+    const Motion a = run(machine_of(), program, whole);
+    const Motion b = run(machine_of(), program, window);
+    ASSERT_EQ(a.segments.size(), b.segments.size());
+    for (std::size_t i = 0; i < a.segments.size(); ++i) {
+        ASSERT_EQ(a.segments[i].profile.exit_speed, b.segments[i].profile.exit_speed) << i;
+    }
+    EXPECT_EQ(a.totals.time, b.totals.time);
+}
+
+TEST(LookAhead, TakesBackNothingThatIsFixed) {
+    LookAhead lookahead(1);
+    EXPECT_TRUE(lookahead.is_empty());
+    lookahead.append({1, 100, 1000, 0});
+    EXPECT_TRUE(lookahead.is_full());
+    const JunctionSpeeds first = lookahead.take();
+    EXPECT_EQ(first.entry, 0);
+    EXPECT_EQ(first.exit, 0);  // nothing is known behind it
+}
+
+}  // namespace
+}  // namespace kadr::motion

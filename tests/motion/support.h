@@ -1,0 +1,140 @@
+// support.h — machines and command lists for the motion tests.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "motion/pipeline.h"
+
+namespace kadr::motion::test {
+
+using path::Command;
+using path::Op;
+using path::Vec3;
+
+/// Velocity and acceleration of X, Y and Z.
+struct Dynamics {
+    Vec3 velocity = {500, 500, 400};
+    Vec3 acceleration = {5000, 5000, 4000};
+};
+
+inline machine::Machine machine_of(const Dynamics& dynamics = {}) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    machine::Machine machine;
+    machine.name = "test";
+    for (int i = 0; i < 3; ++i) {
+        machine::MachineAxis axis;
+        axis.name = std::string(1, "XYZ"[i]);
+        axis.axis = static_cast<Axis>(i);
+        axis.lower = -kInfinity;
+        axis.upper = kInfinity;
+        axis.velocity = dynamics.velocity[i];
+        axis.acceleration = dynamics.acceleration[i];
+        axis.jerk = kInfinity;
+        machine.axes.push_back(axis);
+    }
+    return machine;
+}
+
+/// Feed without limit by the axes or the program.
+inline constexpr double kFast = 1e9;
+
+inline Command line_to(const Vec3& to, double feed_mm_min) {
+    Command command;
+    command.op = Op::Line;
+    command.moved = kLinearXYZ;
+    command.feed = feed_mm_min;
+    for (int i = 0; i < 3; ++i) command.to[static_cast<std::size_t>(i)] = to[i];
+    return command;
+}
+
+inline Command rapid_to(const Vec3& to) {
+    Command command = line_to(to, 0);
+    command.op = Op::Rapid;
+    return command;
+}
+
+/// Counter-clockwise about +Z, or clockwise for a negative sweep.
+inline Command arc_to(const Vec3& to, const Vec3& center, double sweep, double feed_mm_min) {
+    Command command = line_to(to, feed_mm_min);
+    command.op = Op::Arc;
+    command.center = center;
+    command.normal = sweep < 0 ? Vec3(0, 0, -1) : Vec3(0, 0, 1);
+    command.sweep = std::abs(sweep);
+    return command;
+}
+
+inline Command spindle_on(double speed_rpm) {
+    Command command;
+    command.op = Op::Spindle;
+    command.spindle = path::SpindleMode::Cw;
+    command.speed = speed_rpm;
+    return command;
+}
+
+inline Command simple(Op op) {
+    Command command;
+    command.op = op;
+    return command;
+}
+
+/// A list of commands as a stream.
+class CommandList final : public Stream<Command> {
+ public:
+    explicit CommandList(std::vector<Command> commands) : commands_(std::move(commands)) {
+        std::uint32_t line = 0;
+        for (Command& command : commands_) {
+            ++line;
+            if (command.line == 0) command.line = line;
+        }
+    }
+    std::size_t pull(std::span<Command> out) override {
+        std::size_t n = 0;
+        while (n < out.size() && at_ < commands_.size()) out[n++] = commands_[at_++];
+        return n;
+    }
+
+ private:
+    std::vector<Command> commands_;
+    std::size_t at_ = 0;
+};
+
+/// A whole run: the segments, what they amount to and what was reported.
+struct Motion {
+    std::vector<Segment> segments;
+    Totals totals;
+    DiagnosticList diagnostics;
+    bool alarmed = false;
+};
+
+inline Motion run(const machine::Machine& machine, std::vector<Command> commands,
+                  const PlannerOptions& options = {}) {
+    Motion result;
+    CommandList list(std::move(commands));
+    Planner planner(list, machine, options, result.diagnostics);
+    std::vector<Segment> batch(7);  // not a divisor of anything
+    while (const std::size_t n = planner.pull(batch)) {
+        result.segments.insert(result.segments.end(), batch.begin(),
+                               batch.begin() + static_cast<long>(n));
+    }
+    result.totals = planner.totals();
+    result.alarmed = planner.alarmed();
+    return result;
+}
+
+inline std::vector<Setpoint> sample(const machine::Machine& machine, std::vector<Command> commands,
+                                    const PlannerOptions& options = {}) {
+    DiagnosticList diagnostics;
+    CommandList list(std::move(commands));
+    Planner planner(list, machine, options, diagnostics);
+    Sampler sampler(planner, machine, options.tick);
+    std::vector<Setpoint> all;
+    std::vector<Setpoint> batch(13);
+    while (const std::size_t n = sampler.pull(batch)) {
+        all.insert(all.end(), batch.begin(), batch.begin() + static_cast<long>(n));
+    }
+    return all;
+}
+
+}  // namespace kadr::motion::test
