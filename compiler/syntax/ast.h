@@ -1,8 +1,8 @@
 // ast.h — a Kadr program after parsing: flat vectors, typed indices, no ANTLR.
 //
 // Every node is one plain struct with a kind; what its children mean is said at the kind. Lists
-// of children are runs in `Ast::expression_lists` and so on. Nothing is resolved here: names are
-// texts, types are as written.
+// of children are runs in `Ast::expression_lists` and so on. Nothing nests deeper than kMaxNesting,
+// so that a recursive walk is safe. Nothing is resolved here: names are texts, types are as written.
 #pragma once
 
 #include <array>
@@ -25,6 +25,9 @@ struct TypeId { std::uint32_t index = 0xffffffffu; bool is_valid() const { retur
 struct TextId { std::uint32_t index = 0; bool is_empty() const { return index == 0; }
                 friend bool operator==(TextId, TextId) = default; };
 
+/// Deepest nesting of expressions and of statements; what is deeper is a diagnostic.
+inline constexpr int kMaxNesting = 500;
+
 /// A run of children in one of the list vectors of Ast.
 struct List { std::uint32_t first = 0; std::uint32_t count = 0; };
 
@@ -38,7 +41,8 @@ enum class ExprKind : std::uint8_t {
     Bool,          // integer: 0 or 1
     Int,           // integer
     Real,          // number; with `unit` also for whole numbers
-    String,        // parts: list of String pieces (text) and expressions in braces, see Format
+    String,        // without braces: text, and an empty list; with: list of pieces, each a String
+                   // without list or a Format, no two Strings in a row; escapes are resolved
     Format,        // child 0: expression; text: the format behind ':' (".3", "03"), may be empty
     Name,          // text
     Unary,         // op; child 0
@@ -94,7 +98,7 @@ enum class StmtKind : std::uint8_t {
     Empty,
     Block,        // { … }: statements: list
     Expression,   // expression[0]
-    Declaration,  // declaration (a Variable)
+    Declaration,  // declaration (a Variable or a Contour)
     If,           // expression[0]; statement[0] then; statement[1] else, may be invalid
     While,        // expression[0]; statement[0]
     DoWhile,      // statement[0]; expression[0]

@@ -13,14 +13,14 @@ namespace kadr::syntax {
 
 /// Lexemes of the structural elements in one keyword language: "если" is `if`.
 struct KeywordTable {
-    std::string name;                                            // "en", "ru"
-    std::unordered_map<std::string, std::string> canonical;      // lexeme → English keyword or type
+    std::string name;                                        // "en", "ru"
+    std::unordered_map<std::string, std::string> canonical;  // lexeme → English keyword or type
 };
 
 /// Loads dialects/languages/NAME.xml. Mistakes are reported; nothing is returned then.
 std::optional<KeywordTable> load_keywords(const std::string& name_or_file,
-                                          const std::vector<std::string>& folders,
-                                          Sources& sources, DiagnosticSink& sink);
+                                          const std::vector<std::string>& folders, Sources& sources,
+                                          DiagnosticSink& sink);
 
 /// Name of the keyword language that the source's first declaration asks for (`language ru;`), and
 /// of its input dialect (`dialect fanuc;`); empty where it does not say. A cheap look at the first

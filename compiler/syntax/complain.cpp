@@ -1,0 +1,602 @@
+#include "syntax/complain.h"
+
+#include <algorithm>
+
+#include "base/assert.h"
+#include "base/text.h"
+#include "syntax/keyword.h"
+#include "syntax/operators.h"
+
+namespace kadr::syntax {
+
+namespace {
+
+bool is_word(Token token) {
+    return token == Token::LiteralWord || token == Token::BareWord || token == Token::Address;
+}
+
+bool opens(Token token) {
+    return token == Token::OpenParen || token == Token::OpenBracket || token == Token::OpenBrace ||
+           token == Token::OpenValue;
+}
+
+bool closes(Token token) {
+    return token == Token::CloseParen || token == Token::CloseBracket || token == Token::CloseBrace;
+}
+
+/// Words that can only begin a declaration of a file.
+bool begins_declaration(Token token) {
+    switch (token) {
+        case Token::Cycle:
+        case Token::Program:
+        case Token::Curve:
+        case Token::Test:
+        case Token::Property:
+        case Token::Struct:
+        case Token::Enum:
+        case Token::Import:
+        case Token::Language:
+        case Token::Dialect: return true;
+        default: return false;
+    }
+}
+
+/// Words that only begin a statement.
+bool begins_statement(Token token) {
+    switch (token) {
+        case Token::If:
+        case Token::While:
+        case Token::Do:
+        case Token::For:
+        case Token::Switch:
+        case Token::Break:
+        case Token::Continue:
+        case Token::Return:
+        case Token::With:
+        case Token::Const:
+        case Token::Auto:
+        case Token::TypeName:
+        case Token::Note:
+        case Token::Raw:
+        case Token::Require:
+        case Token::Assert:
+        case Token::ErrorWord:
+        case Token::Warn:
+        case Token::Expect:
+        case Token::Assume:
+        case Token::Close: return true;
+        default: return begins_declaration(token);
+    }
+}
+
+bool is_keyword(Token token) { return token >= Token::If && token <= Token::Contains; }
+
+std::string lower_ascii(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + ('a' - 'A'));
+    }
+    return lower;
+}
+
+}  // namespace
+
+// ---------------------------------------------------------------- the tokens
+
+LexemeStream::LexemeStream(const std::vector<Lexeme>& lexemes) {
+    tokens_.reserve(lexemes.size());
+    for (std::size_t i = 0; i < lexemes.size(); ++i) tokens_.emplace_back(lexemes[i], i);
+}
+
+antlr4::Token* LexemeStream::LT(ssize_t offset) {
+    if (offset < 0 && at_ < static_cast<std::size_t>(-offset)) return &tokens_.front();
+    const std::size_t index = offset < 0 ? at_ - static_cast<std::size_t>(-offset)
+                                         : at_ + static_cast<std::size_t>(offset) - 1;
+    return &tokens_[std::min(index, tokens_.size() - 1)];
+}
+
+antlr4::Token* LexemeStream::get(std::size_t index) const { return &tokens_[index]; }
+
+// ---------------------------------------------------------------- what is wrong
+
+/// Where the parser stands and what it could go on with.
+struct Complaints::Place {
+    std::size_t index;
+    const Lexeme& offending;
+    const Lexeme& previous;
+    antlr4::misc::IntervalSet expected;
+    std::size_t rule;  // innermost
+    Token head;        // first token of the statement or declaration around
+    bool is_new_line;
+
+    bool expects(Token token) const {
+        return expected.contains(token == Token::EndOfFile ? antlr4::Token::EOF
+                                                           : static_cast<std::size_t>(token));
+    }
+    /// Whether nothing but this token can go on.
+    bool expects_only(Token token) const { return expects(token) && expected.size() == 1; }
+};
+
+Complaints::Place Complaints::place_of(antlr4::Parser& parser, std::size_t index) {
+    const Lexeme& offending = stream_.lexeme(index);
+    const Lexeme& previous = stream_.lexeme(index > 0 ? index - 1 : 0);
+    Token head = Token::EndOfFile;
+    for (antlr4::RuleContext* context = parser.getContext(); context != nullptr;
+         context = static_cast<antlr4::RuleContext*>(context->parent)) {
+        const std::size_t rule = context->getRuleIndex();
+        if (rule == KadrParser::RuleStatement || rule == KadrParser::RuleDeclaration) {
+            auto* start = static_cast<antlr4::ParserRuleContext*>(context)->start;
+            head = static_cast<LexemeToken*>(start)->lexeme().token;
+            break;
+        }
+    }
+    return {index,
+            offending,
+            previous,
+            parser.getExpectedTokens(),
+            parser.getContext()->getRuleIndex(),
+            head,
+            file_.crosses_line(previous.end, offending.begin)};
+}
+
+std::string Complaints::quoted(const Lexeme& lexeme) const {
+    if (lexeme.token == Token::EndOfFile) return "the end of the file";
+    std::string_view spelled = file_.spelling(lexeme);
+    constexpr std::size_t kLongest = 40;
+    if (spelled.size() <= kLongest) return "`" + std::string(spelled) + "`";
+    std::size_t length = kLongest;
+    while ((spelled[length] & 0xc0) == 0x80) --length;
+    return "`" + std::string(spelled.substr(0, length)) + "…`";
+}
+
+void Complaints::complain(antlr4::Parser& parser, std::size_t index) {
+    if (index == last_place_) return;
+    last_place_ = index;
+    const Place place = place_of(parser, index);
+    // What was put in or left out around here is told already.
+    if (place.previous.is_repair || place.offending.is_repair) return;
+    explain(place);
+    if (limit_.is_full()) throw antlr4::ParseCancellationException();
+}
+
+bool Complaints::is_semicolon_forgotten(const Place& place) const {
+    if (!place.expects(Token::Semicolon)) return false;
+    const Token token = place.offending.token;
+    return place.is_new_line || token == Token::CloseBrace || token == Token::EndOfFile ||
+           begins_statement(token);
+}
+
+void Complaints::explain(const Place& place) {
+    if (explain_for(place) || explain_name(place) || explain_value(place) || explain_sign(place) ||
+        explain_closing(place)) {
+        return;
+    }
+    const SourceRange range = file_.range(place.offending);
+    if (place.expects(Token::OpenBrace) && place.rule == KadrParser::RuleBlock) {
+        const SourceRange gap = file_.range(place.previous.end, place.previous.end);
+        file_.sink.report(diag::BodyMissing, gap).arg(quoted(place.previous));
+    } else if (place.head == Token::Switch && place.expects_only(Token::CloseBrace)) {
+        file_.sink.report(diag::CaseMissing, range).arg(quoted(place.offending));
+    } else {
+        file_.sink.report(diag::Unexpected, range)
+            .arg(quoted(place.offending))
+            .arg(quoted(place.previous));
+    }
+}
+
+/// The head of a `for`: which of its two kinds it is shows only at its third token.
+bool Complaints::explain_for(const Place& place) {
+    if (place.rule != KadrParser::RuleForHead) return false;
+    const SourceRange gap = file_.range(place.previous.end, place.previous.end);
+    if (place.offending.token == Token::Colon) {
+        file_.sink.report(diag::ForTypeMissing, file_.range(place.previous))
+            .arg(quoted(place.previous));
+        return true;
+    }
+    if (place.previous.token != Token::Identifier || !place.expects(Token::Number)) return false;
+    const char* sign = place.offending.token == Token::Identifier ? ":" : "=";
+    file_.sink.report(diag::SignMissing, gap).arg(sign).arg(quoted(place.previous));
+    return true;
+}
+
+/// Where nothing but one sign can stand.
+bool Complaints::explain_sign(const Place& place) {
+    if (place.expects(Token::Text) && place.rule == KadrParser::RuleText) {
+        file_.sink.report(diag::TitleMissing, file_.range(place.offending))
+            .arg(quoted(place.previous));
+        return true;
+    }
+    constexpr std::pair<Token, const char*> kSigns[] = {
+        {Token::OpenParen, "("}, {Token::Colon, ":"}, {Token::While, "while"},
+        {Token::Over, "over"},   {Token::In, "in"},
+    };
+    const SourceRange gap = file_.range(place.previous.end, place.previous.end);
+    const SourceRange before = file_.range(place.offending.begin, place.offending.begin);
+    for (const auto& [token, sign] : kSigns) {
+        if (!place.expects_only(token)) continue;
+        auto message = file_.sink.report(diag::SignMissing, gap);
+        message.arg(sign).arg(quoted(place.previous));
+        if (token == Token::OpenParen) message.fix(before, sign, "open it");
+        return true;
+    }
+    const bool is_for = place.rule == KadrParser::RuleForHead;
+    const bool is_field = place.rule == KadrParser::RuleField;
+    if (place.expects_only(Token::Semicolon) && (is_for || is_field) && !place.is_new_line) {
+        file_.sink.report(diag::SignMissing, gap).arg(";").arg(quoted(place.previous));
+        return true;
+    }
+    const bool is_name_first = place.previous.token == Token::Identifier;
+    if (place.expects_only(Token::Assign) && is_name_first) {
+        file_.sink.report(diag::SignMissing, gap).arg("=").arg(quoted(place.previous));
+        return true;
+    }
+    return false;
+}
+
+/// Where a name must stand.
+bool Complaints::explain_name(const Place& place) {
+    if (!place.expects(Token::Identifier) || place.expected.size() > 3) return false;
+    const Lexeme& offending = place.offending;
+    const SourceRange range = file_.range(offending);
+    if (is_word(offending.token)) {
+        const std::string_view spelled = file_.spelling(offending);
+        bad_names_.insert(std::string(spelled));
+        const std::string lower = lower_ascii(spelled);
+        file_.sink.report(diag::AddressAsName, range)
+            .arg(quoted(offending))
+            .fix(range, lower, "write it in lower case");
+    } else if (is_keyword(offending.token)) {
+        file_.sink.report(diag::KeywordAsName, range).arg(quoted(offending));
+    } else {
+        file_.sink.report(diag::NameMissing, file_.range(place.previous.end, place.previous.end))
+            .arg(quoted(place.previous))
+            .arg(quoted(offending));
+    }
+    return true;
+}
+
+/// Where a value must stand.
+bool Complaints::explain_value(const Place& place) {
+    if (!place.expects(Token::Number) || place.expects(Token::If)) return false;
+    const Lexeme& offending = place.offending;
+    const SourceRange gap = file_.range(place.previous.end, place.previous.end);
+    const bool is_text_meant = place.head == Token::Raw || place.head == Token::Note;
+    // In `X=a* Y5` a value was forgotten, in `X=a*R5` the word was meant as one.
+    const bool is_next_word = is_word(place.head) && place.previous.end != offending.begin;
+    if (is_word(offending.token) && !is_text_meant && !is_next_word) {
+        const std::string_view spelled = file_.spelling(offending);
+        if (bad_names_.count(std::string(spelled)) > 0) return true;
+        file_.sink.report(diag::WordAsValue, file_.range(offending))
+            .arg(quoted(offending))
+            .fix(file_.range(offending), lower_ascii(spelled),
+                 "if a variable is meant: names of variables are not addresses");
+        return true;
+    }
+    file_.sink.report(diag::ValueMissing, gap).arg(quoted(place.previous));
+    return true;
+}
+
+/// Where something must end: a statement, brackets, a list.
+bool Complaints::explain_closing(const Place& place) {
+    const Lexeme& offending = place.offending;
+    const SourceRange range = file_.range(offending);
+    const SourceRange gap = file_.range(place.previous.end, place.previous.end);
+    if (place.expects(Token::If)) {
+        file_.sink.report(diag::StatementMissing, gap).arg(quoted(place.previous));
+        return true;
+    }
+    if (place.previous.token == Token::Address && place.expects(Token::Assign)) {
+        file_.sink.report(diag::WordWithoutValue, file_.range(place.previous))
+            .arg(quoted(place.previous));
+        return true;
+    }
+    const bool is_variable =
+        place.head == Token::TypeName || place.head == Token::Const || place.head == Token::Auto;
+    if (is_semicolon_forgotten(place)) {
+        const char* what =
+            is_word(place.head) ? "this block"
+            : is_variable || begins_declaration(place.head) || place.head == Token::Contour
+                ? "this declaration"
+                : "this statement";
+        file_.sink.report(diag::SemicolonMissing, gap).arg(what).fix(gap, ";", "end it");
+        return true;
+    }
+    if (is_variable && place.expects(Token::Semicolon) && offending.token == Token::OpenBracket) {
+        file_.sink.report(diag::ArrayBrackets, range).arg(file_.spelling(place.previous));
+        return true;
+    }
+    if (is_variable && place.expects(Token::Semicolon) && offending.token == Token::Comma) {
+        file_.sink.report(diag::SeveralNames, range)
+            .fix(range, ";", "end the declaration and begin another one");
+        return true;
+    }
+    return explain_assignment(place) || explain_comma(place);
+}
+
+/// `=` where a value is over.
+bool Complaints::explain_assignment(const Place& place) {
+    if (place.offending.token != Token::Assign) return false;
+    const SourceRange range = file_.range(place.offending);
+    if (is_word(place.previous.token)) {
+        file_.sink.report(diag::AddressAsName, file_.range(place.previous))
+            .arg(quoted(place.previous))
+            .fix(file_.range(place.previous), lower_ascii(file_.spelling(place.previous)),
+                 "write it in lower case");
+        return true;
+    }
+    const auto token_before = [&](std::size_t distance) {
+        return place.index < distance ? Token::EndOfFile
+                                      : stream_.lexeme(place.index - distance).token;
+    };
+    const bool is_first =
+        token_before(2) == Token::OpenParen && token_before(3) == Token::Identifier;
+    if (place.previous.token == Token::Identifier && place.rule == KadrParser::RuleSuffix &&
+        (is_first || token_before(2) == Token::Comma)) {
+        file_.sink.report(diag::ArgumentAssigned, range)
+            .arg(quoted(place.previous))
+            .fix(range, ":", "give the argument with `:`");
+    } else {
+        file_.sink.report(diag::AssignmentInValue, range).fix(range, "==", "to compare");
+    }
+    return true;
+}
+
+/// Two values, parameters or words in a row.
+bool Complaints::explain_comma(const Place& place) {
+    const Token token = place.offending.token;
+    const SourceRange gap = file_.range(place.previous.end, place.previous.end);
+    const bool closes_list =
+        (place.expects_only(Token::CloseParen) &&
+         (place.rule == KadrParser::RuleSuffix || place.rule == KadrParser::RuleParameters ||
+          place.rule == KadrParser::RuleModal)) ||
+        (place.expects_only(Token::CloseParen) &&
+         (place.head == Token::Require || place.head == Token::Assert)) ||
+        place.expects_only(Token::CloseBrace) || place.expects(Token::Comma);
+    if (closes_list && token == Token::Comma) {
+        file_.sink.report(diag::ValueMissing, gap).arg(quoted(place.previous));
+        return true;
+    }
+    if (place.head == Token::Enum && is_word(token)) {
+        file_.sink.report(diag::AddressAsName, file_.range(place.offending))
+            .arg(quoted(place.offending))
+            .fix(file_.range(place.offending), lower_ascii(file_.spelling(place.offending)),
+                 "write it in lower case");
+        return true;
+    }
+    if (place.rule == KadrParser::RuleParameters || place.rule == KadrParser::RuleType) {
+        const bool is_first =
+            place.previous.token == Token::OpenParen || place.previous.token == Token::Comma;
+        if (is_first) {
+            file_.sink.report(diag::ParameterShape, file_.range(place.offending))
+                .arg(quoted(place.offending));
+            return true;
+        }
+    }
+    const bool begins_item = token == Token::Identifier || token == Token::Number ||
+                             token == Token::Text || token == Token::TextOpen ||
+                             token == Token::TypeName || token == Token::ArgumentName ||
+                             token == Token::OpenValue;
+    const bool is_preserved = place.expects(Token::OpenBrace) && is_word(token) &&
+                              is_word(place.previous.token) && begins_declaration(place.head);
+    if (!(closes_list && begins_item && place.head != Token::Switch) && !is_preserved) return false;
+    file_.sink.report(diag::CommaMissing, gap)
+        .arg(quoted(place.previous))
+        .arg(quoted(place.offending))
+        .fix(gap, ",", "separate them");
+    return true;
+}
+
+/// Something stands where a statement or a declaration should begin.
+void Complaints::explain_start(antlr4::Parser& parser) {
+    const std::size_t index = stream_.index();
+    if (index == last_place_) return;
+    last_place_ = index;
+    const Lexeme& lexeme = stream_.lexeme(index);
+    const SourceRange range = file_.range(lexeme);
+    const bool is_file = parser.getContext()->getRuleIndex() == KadrParser::RuleFile;
+    if (is_file && has_broken_blocks_) return;
+    const bool follows_repair = index > 0 && stream_.lexeme(index - 1).is_repair;
+    if (follows_repair) return;
+    if (is_file && file_.spelling(lexeme) == "include") {
+        const bool has_hash = lexeme.begin > 0 && file_.text[lexeme.begin - 1] == '#';
+        const SourceRange whole = file_.range(lexeme.begin - (has_hash ? 1 : 0), lexeme.end);
+        file_.sink.report(diag::IncludeWord, whole).fix(whole, "import", "use `import`");
+    } else if (is_file) {
+        file_.sink.report(diag::StatementOutside, range).arg(quoted(lexeme));
+    } else if (lexeme.token == Token::Else) {
+        file_.sink.report(diag::ElseWithoutIf, range);
+    } else if (lexeme.token == Token::Case || lexeme.token == Token::Default) {
+        file_.sink.report(diag::CaseOutside, range).arg(quoted(lexeme));
+    } else if (begins_declaration(lexeme.token)) {
+        file_.sink.report(diag::DeclarationInside, range).arg(quoted(lexeme));
+    } else {
+        file_.sink.report(diag::StatementStart, range).arg(quoted(lexeme));
+    }
+    if (limit_.is_full()) throw antlr4::ParseCancellationException();
+}
+
+// ---------------------------------------------------------------- where it goes on
+
+void Complaints::reportError(antlr4::Parser* parser, const antlr4::RecognitionException& e) {
+    std::size_t index = stream_.index();
+    if (e.getOffendingToken() != nullptr) {
+        index = std::max(index, e.getOffendingToken()->getTokenIndex());
+    }
+    complain(*parser, index);
+}
+
+/// A single token is missing. `;` is put in, an address in the place of a name is taken for it;
+/// everything else ends the statement.
+antlr4::Token* Complaints::recoverInline(antlr4::Parser* parser) {
+    const std::size_t index = stream_.index();
+    const Place place = place_of(*parser, index);
+    const bool is_name = place.expects_only(Token::Identifier) && is_word(place.offending.token);
+    const bool is_semicolon = place.expects_only(Token::Semicolon) && is_semicolon_forgotten(place);
+    if (!is_name && !is_semicolon) throw antlr4::InputMismatchException(parser);
+    complain(*parser, index);
+    Lexeme lexeme = place.offending;
+    if (is_name) {
+        lexeme.token = Token::Identifier;
+        lexeme.text = file_.texts.intern(file_.spelling(lexeme));
+        stream_.consume();
+    } else {
+        lexeme.token = Token::Semicolon;
+        lexeme.begin = lexeme.end = place.previous.end;
+    }
+    // The parser hangs tokens without an index into the tree itself.
+    conjured_.emplace_back(lexeme, INVALID_INDEX);
+    return &conjured_.back();
+}
+
+void Complaints::recover(antlr4::Parser* parser, std::exception_ptr e) {
+    antlr4::ParserRuleContext& context = *parser->getContext();
+    switch (context.getRuleIndex()) {
+        case KadrParser::RuleParameters: return skip_parameters(context);
+        case KadrParser::RuleStatement:
+        case KadrParser::RuleDeclaration: return skip_statement(*parser, context);
+        case KadrParser::RuleSwitchCase: return skip_statement(*parser, context);
+        case KadrParser::RuleFile: return;
+        default: std::rethrow_exception(e);
+    }
+}
+
+/// The brackets that are open between the start of a rule and the place of the parser.
+std::vector<Token> Complaints::open_brackets(const antlr4::ParserRuleContext& context) const {
+    std::vector<Token> open;
+    for (std::size_t i = context.start->getTokenIndex(); i < stream_.place(); ++i) {
+        const Token token = stream_.lexeme(i).token;
+        if (opens(token)) open.push_back(token);
+        if (closes(token) && !open.empty()) open.pop_back();
+    }
+    return open;
+}
+
+/// Goes on behind the `)` of the parameters, so that the body is read.
+void Complaints::skip_parameters(const antlr4::ParserRuleContext& context) {
+    std::size_t depth = open_brackets(context).size();
+    while (depth > 0 && stream_.LA(1) != antlr4::Token::EOF) {
+        const Token token = token_of(stream_.LA(1));
+        if (opens(token)) ++depth;
+        if (closes(token)) --depth;
+        stream_.consume();
+    }
+}
+
+/// A state of the parser from which its rules call `block`. Full-context prediction follows the
+/// chain of calling states; a block that recovery reads must seem to be called from such a one.
+static std::size_t state_that_calls_block(const antlr4::Parser& parser) {
+    for (const antlr4::atn::ATNState* state : parser.getATN().states) {
+        if (state == nullptr || state->transitions.empty()) continue;
+        const antlr4::atn::Transition* transition = state->transitions[0];
+        if (transition->getSerializationType() == antlr4::atn::Transition::RULE &&
+            transition->target->ruleIndex == KadrParser::RuleBlock) {
+            return state->stateNumber;
+        }
+    }
+    KADR_ASSERT(false, "the grammar has no rule that calls block");
+}
+
+/// Goes on behind the `;` of the statement, or behind its body, which is read on the way. Stops
+/// before a `}` of the block around and before a line that is not indented deeper.
+void Complaints::skip_statement(antlr4::Parser& parser, const antlr4::ParserRuleContext& context) {
+    const Lexeme& start = static_cast<LexemeToken*>(context.start)->lexeme();
+    const std::uint32_t indent = file_.lines.line_indent(start.begin);
+    const std::size_t begin = context.start->getTokenIndex();
+    std::vector<Token> open = open_brackets(context);
+    // `for i = 0; i < 5; i++` without parentheses: its `;` end nothing.
+    int separators =
+        start.token == Token::For && stream_.lexeme(begin + 1).token != Token::OpenParen ? 2 : 0;
+    while (stream_.LA(1) != antlr4::Token::EOF) {
+        const Lexeme& lexeme = stream_.lexeme(stream_.index());
+        const Token token = lexeme.token;
+        if (open.empty()) {
+            if (token == Token::OpenBrace) {
+                parser.setState(state_that_calls_block(parser));
+                static_cast<KadrParser&>(parser).block();
+                if (start.token != Token::If || token_of(stream_.LA(1)) != Token::Else) return;
+                continue;
+            }
+            if (token == Token::Else && start.token == Token::If) {
+                stream_.consume();
+                if (token_of(stream_.LA(1)) == Token::If) stream_.consume();
+                continue;
+            }
+            if (token == Token::CloseBrace) break;
+            const bool has_moved = stream_.index() > begin;
+            const Lexeme& previous = stream_.lexeme(stream_.index() - (has_moved ? 1 : 0));
+            if (has_moved && token != Token::Semicolon &&
+                file_.crosses_line(previous.end, lexeme.begin) &&
+                file_.lines.indent(lexeme.begin) <= indent) {
+                return;
+            }
+        }
+        if (opens(token)) open.push_back(token);
+        if (closes(token) && !open.empty()) open.pop_back();
+        stream_.consume();
+        if (token == Token::Semicolon && open.empty() && separators-- == 0) return;
+    }
+    // A statement that is nothing but a mistake must not be tried again.
+    if (stream_.index() == begin && token_of(stream_.LA(1)) != Token::CloseBrace) stream_.consume();
+}
+
+/// Before each statement of a block and each declaration of a file: steps over what cannot begin
+/// one.
+void Complaints::sync(antlr4::Parser* parser) {
+    antlr4::ParserRuleContext& context = *parser->getContext();
+    const std::size_t rule = context.getRuleIndex();
+    if (rule != KadrParser::RuleBlock && rule != KadrParser::RuleFile &&
+        rule != KadrParser::RuleSwitchCase) {
+        return;
+    }
+    const bool is_file = rule == KadrParser::RuleFile;
+    const auto& atn = parser->getATN();
+    const antlr4::misc::IntervalSet& starts = atn.nextTokens(atn.states[parser->getState()]);
+    if (!starts.contains(static_cast<std::size_t>(is_file ? Token::Cycle : Token::If))) return;
+    const auto fits = [&] {
+        const Token token = token_of(stream_.LA(1));
+        return starts.contains(stream_.LA(1)) || token == Token::EndOfFile ||
+               (rule == KadrParser::RuleSwitchCase &&
+                (token == Token::Case || token == Token::Default || token == Token::CloseBrace));
+    };
+    while (!fits()) {
+        explain_start(*parser);
+        skip_start(*parser, is_file);
+    }
+}
+
+void Complaints::skip_start(antlr4::Parser& parser, bool is_file) {
+    const Token first = token_of(stream_.LA(1));
+    stream_.consume();
+    if (first == Token::Else && !is_file) return;
+    int depth = opens(first) ? 1 : 0;
+    Token last = first;
+    while (stream_.LA(1) != antlr4::Token::EOF) {
+        const std::size_t index = stream_.index();
+        const Token token = token_of(stream_.LA(1));
+        if (depth == 0 && token == Token::OpenBrace) {
+            static_cast<KadrParser&>(parser).block();
+            last = Token::CloseBrace;
+            if (!is_file) return;
+            continue;
+        }
+        if (depth == 0 && token == Token::CloseBrace && !is_file) return;
+        if (depth == 0 && is_file) {
+            const bool is_fresh =
+                last == Token::Semicolon || last == Token::CloseBrace ||
+                file_.crosses_line(stream_.lexeme(index - 1).end, stream_.lexeme(index).begin);
+            const bool is_declaration = begins_declaration(token) || token == Token::TypeName ||
+                                        token == Token::Const || token == Token::Contour;
+            if (is_fresh && is_declaration) return;
+        }
+        if (opens(token)) ++depth;
+        if (closes(token)) --depth;
+        stream_.consume();
+        last = token;
+        const bool is_end =
+            token == Token::Semicolon ||
+            (token == Token::Colon && (first == Token::Case || first == Token::Default));
+        if (depth == 0 && is_end && !is_file) return;
+    }
+}
+
+}  // namespace kadr::syntax

@@ -1,0 +1,115 @@
+// complain.h — what a syntax error is in a technologist's words, and where the parser goes on.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "syntax/antlr.h"
+#include "syntax/limits.h"
+
+namespace kadr::syntax {
+
+/// A Lexeme as ANTLR wants to see it.
+class LexemeToken final : public antlr4::Token {
+  public:
+    LexemeToken(const Lexeme& lexeme, std::size_t index) : lexeme_(lexeme), index_(index) {}
+    const Lexeme& lexeme() const { return lexeme_; }
+
+    std::string getText() const override { return ""; }
+    std::size_t getType() const override {
+        return lexeme_.token == syntax::Token::EndOfFile ? antlr4::Token::EOF
+                                                         : static_cast<std::size_t>(lexeme_.token);
+    }
+    std::size_t getLine() const override { return 0; }
+    std::size_t getCharPositionInLine() const override { return 0; }
+    std::size_t getChannel() const override { return DEFAULT_CHANNEL; }
+    std::size_t getTokenIndex() const override { return index_; }
+    std::size_t getStartIndex() const override { return lexeme_.begin; }
+    std::size_t getStopIndex() const override { return lexeme_.end; }
+    antlr4::TokenSource* getTokenSource() const override { return nullptr; }
+    antlr4::CharStream* getInputStream() const override { return nullptr; }
+    std::string toString() const override { return ""; }
+
+  private:
+    Lexeme lexeme_;
+    std::size_t index_;
+};
+
+/// The lexemes as the stream that ANTLR's parser reads.
+class LexemeStream final : public antlr4::TokenStream {
+  public:
+    explicit LexemeStream(const std::vector<Lexeme>& lexemes);
+
+    void consume() override {
+        if (at_ + 1 < tokens_.size()) ++at_;
+    }
+    std::size_t LA(ssize_t offset) override { return LT(offset)->getType(); }
+    antlr4::Token* LT(ssize_t offset) override;
+    antlr4::Token* get(std::size_t index) const override;
+    ssize_t mark() override { return 0; }
+    void release(ssize_t) override {}
+    std::size_t index() override { return at_; }
+    std::size_t place() const { return at_; }
+    void seek(std::size_t index) override { at_ = index; }
+    std::size_t size() override { return tokens_.size(); }
+    std::string getSourceName() const override { return ""; }
+    antlr4::TokenSource* getTokenSource() const override { return nullptr; }
+    std::string getText(const antlr4::misc::Interval&) override { return ""; }
+    std::string getText() override { return ""; }
+    std::string getText(antlr4::RuleContext*) override { return ""; }
+    std::string getText(antlr4::Token*, antlr4::Token*) override { return ""; }
+
+    /// The lexeme at an index, before the first one the first one.
+    const Lexeme& lexeme(std::size_t index) const { return tokens_[index].lexeme(); }
+
+  private:
+    mutable std::vector<LexemeToken> tokens_;
+    std::size_t at_ = 0;
+};
+
+/// Reports syntax errors and finds the place where the parser can go on: behind the next `;` or `}`
+/// of the statement or declaration that holds the mistake.
+class Complaints final : public antlr4::DefaultErrorStrategy {
+  public:
+    Complaints(const SourceFile& file, LexemeStream& stream, const LimitedSink& limit,
+               bool has_broken_blocks)
+        : file_(file), stream_(stream), limit_(limit), has_broken_blocks_(has_broken_blocks) {}
+
+    antlr4::Token* recoverInline(antlr4::Parser* parser) override;
+    void reportError(antlr4::Parser* parser, const antlr4::RecognitionException& e) override;
+    void recover(antlr4::Parser* parser, std::exception_ptr e) override;
+    void sync(antlr4::Parser* parser) override;
+
+  private:
+    struct Place;
+    Place place_of(antlr4::Parser& parser, std::size_t index);
+    void complain(antlr4::Parser& parser, std::size_t index);
+    void explain(const Place& place);
+    bool explain_name(const Place& place);
+    bool explain_value(const Place& place);
+    bool explain_for(const Place& place);
+    bool explain_sign(const Place& place);
+    bool explain_closing(const Place& place);
+    bool explain_assignment(const Place& place);
+    bool explain_comma(const Place& place);
+    void explain_start(antlr4::Parser& parser);
+    bool is_semicolon_forgotten(const Place& place) const;
+    std::vector<Token> open_brackets(const antlr4::ParserRuleContext& context) const;
+    void skip_parameters(const antlr4::ParserRuleContext& context);
+    void skip_statement(antlr4::Parser& parser, const antlr4::ParserRuleContext& context);
+    void skip_start(antlr4::Parser& parser, bool is_file);
+    std::string quoted(const Lexeme& lexeme) const;
+
+    const SourceFile& file_;
+    LexemeStream& stream_;
+    const LimitedSink& limit_;
+    bool has_broken_blocks_;
+    std::deque<LexemeToken> conjured_;   // tokens that were missing
+    std::set<std::string> bad_names_;    // addresses that stood in the place of a name
+    std::size_t last_place_ = SIZE_MAX;  // index of the token of the last complaint
+};
+
+}  // namespace kadr::syntax

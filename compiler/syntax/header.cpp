@@ -1,0 +1,69 @@
+// header.cpp — what the first lines of a source say about how to read it.
+#include "syntax/parse.h"
+
+namespace kadr::syntax {
+
+namespace {
+
+/// `language` and `dialect` in every keyword language that ships; a test holds them against the
+/// files. Other languages write them in English.
+constexpr std::string_view kLanguageLexemes[] = {"language", "язык", "мова", "język"};
+constexpr std::string_view kDialectLexemes[] = {"dialect", "диалект", "діалект", "dialekt"};
+
+template <std::size_t N>
+bool is_one_of(std::string_view word, const std::string_view (&lexemes)[N]) {
+    for (const std::string_view lexeme : lexemes) {
+        if (lexeme == word) return true;
+    }
+    return false;
+}
+
+/// Takes blanks and comments off the front.
+void skip_blanks(std::string_view& text) {
+    while (!text.empty()) {
+        const std::size_t first = text.find_first_not_of(" \t\r\n\f");
+        text.remove_prefix(first == std::string_view::npos ? text.size() : first);
+        std::size_t end = 0;
+        if (text.starts_with("//")) {
+            end = text.find('\n');
+        } else if (text.starts_with("/*")) {
+            end = text.find("*/", 2);
+            if (end != std::string_view::npos) end += 2;
+        } else {
+            return;
+        }
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end);
+    }
+}
+
+/// Takes a word off the front: everything up to a blank or `;`.
+std::string_view take_word(std::string_view& text) {
+    const std::string_view word = text.substr(0, text.find_first_of(" \t\r\n\f;/{}()=\""));
+    text.remove_prefix(word.size());
+    return word;
+}
+
+}  // namespace
+
+SourceHeader scan_header(std::string_view text) {
+    SourceHeader header;
+    // `language`, `dialect` and `units` may stand in any order; the first other word ends the look.
+    for (int i = 0; i < 4; ++i) {
+        skip_blanks(text);
+        const std::string_view keyword = take_word(text);
+        if (keyword.empty()) break;
+        skip_blanks(text);
+        const bool is_quoted = text.starts_with('"');
+        if (is_quoted) text.remove_prefix(1);
+        const std::string_view value = take_word(text);
+        if (is_quoted && text.starts_with('"')) text.remove_prefix(1);
+        skip_blanks(text);
+        if (value.empty() || !text.starts_with(';')) break;
+        text.remove_prefix(1);
+        if (is_one_of(keyword, kLanguageLexemes)) header.language = value;
+        if (is_one_of(keyword, kDialectLexemes)) header.dialect = value;
+    }
+    return header;
+}
+
+}  // namespace kadr::syntax

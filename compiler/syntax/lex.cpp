@@ -1,0 +1,283 @@
+#include "syntax/lex.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/text.h"
+#include "syntax/antlr.h"
+#include "syntax/strings.h"
+
+namespace kadr::syntax {
+
+namespace {
+
+/// Length of the well-formed UTF-8 character at `at`, 0 if there is none.
+std::size_t utf8_length(std::string_view text, std::size_t at) {
+    const auto byte = [&](std::size_t i) {
+        return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
+    };
+    const auto is_tail = [&](std::size_t i) { return (byte(i) & 0xc0u) == 0x80u; };
+    const unsigned first = byte(at);
+    if (first < 0x80) return 1;
+    if (first >= 0xc2 && first < 0xe0) return is_tail(at + 1) ? 2 : 0;
+    if (first >= 0xe0 && first < 0xf0) {
+        const bool is_overlong = first == 0xe0 && byte(at + 1) < 0xa0;
+        const bool is_surrogate = first == 0xed && byte(at + 1) >= 0xa0;
+        return is_tail(at + 1) && is_tail(at + 2) && !is_overlong && !is_surrogate ? 3 : 0;
+    }
+    if (first >= 0xf0 && first < 0xf5) {
+        const bool is_outside =
+            (first == 0xf0 && byte(at + 1) < 0x90) || (first == 0xf4 && byte(at + 1) >= 0x90);
+        return is_tail(at + 1) && is_tail(at + 2) && is_tail(at + 3) && !is_outside ? 4 : 0;
+    }
+    return 0;
+}
+
+bool is_control(char c) {
+    return (c >= 0 && c < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f') || c == 0x7f;
+}
+
+std::string hex_byte(char c) {
+    constexpr char kDigits[] = "0123456789ABCDEF";
+    const auto value = static_cast<unsigned char>(c);
+    return {'0', 'x', kDigits[value >> 4], kDigits[value & 15]};
+}
+
+/// Byte offsets of code points; cheap when asked for in rising order.
+class Cursor {
+  public:
+    Cursor(std::string_view text, std::uint32_t begin) : text_(text), byte_(begin) {}
+
+    std::uint32_t byte_of(std::size_t point) {
+        while (point_ < point && byte_ < text_.size()) {
+            ++byte_;
+            while (byte_ < text_.size() && (text_[byte_] & 0xc0) == 0x80) ++byte_;
+            ++point_;
+        }
+        return byte_;
+    }
+    /// The code point that begins at this byte.
+    std::size_t point_of(std::uint32_t byte) {
+        while (byte_ < byte) byte_of(point_ + 1);
+        for (; byte_ > byte; --byte_) {
+            if ((text_[byte_ - 1] & 0xc0) != 0x80) --point_;
+        }
+        return point_;
+    }
+
+  private:
+    std::string_view text_;
+    std::uint32_t byte_;
+    std::size_t point_ = 0;
+};
+
+class Lexing {
+  public:
+    Lexing(const SourceFile& file, const KeywordTable& keywords, const LimitedSink& limit,
+           std::vector<Comment>& comments)
+        : file_(file), keywords_(keywords), limit_(limit), comments_(comments) {}
+
+    bool run(std::uint32_t begin, std::uint32_t end);
+    std::vector<Lexeme> take() { return std::move(out_); }
+    /// Whether something that is not closed swallowed the rest of the file.
+    bool is_cut() const { return is_cut_; }
+
+  private:
+    struct Reading {
+        KadrLexer& lexer;
+        antlr4::ANTLRInputStream& input;
+        Cursor& cursor;
+        std::uint32_t end;
+
+        void go_on_at(std::uint32_t byte) {
+            lexer.hitEOF = false;
+            input.seek(cursor.point_of(byte));
+        }
+    };
+    void take_token(Token token, std::uint32_t begin, std::uint32_t end, Reading& reading);
+    void comment(std::uint32_t begin, std::uint32_t end);
+    void text(Token token, std::uint32_t begin, std::uint32_t end, Reading& reading);
+    void raw_text(std::uint32_t begin, Reading& reading);
+    void unknown(std::uint32_t begin, std::uint32_t end);
+    bool is_raw(const Lexeme& lexeme) const;
+    void push(Token token, std::uint32_t begin, std::uint32_t end, TextId content = {});
+
+    const SourceFile& file_;
+    const KeywordTable& keywords_;
+    const LimitedSink& limit_;
+    std::vector<Comment>& comments_;
+    std::vector<Lexeme> out_;
+    bool is_cut_ = false;
+    bool is_beside_unknown_ = false;
+    std::uint32_t unknown_end_ = UINT32_MAX;  // of the last unknown character
+};
+
+bool Lexing::run(std::uint32_t begin, std::uint32_t end) {
+    antlr4::ANTLRInputStream input(std::string(file_.text.substr(begin, end - begin)));
+    KadrLexer lexer(&input);
+    lexer.removeErrorListeners();
+    Cursor cursor(file_.text, begin);
+    Reading reading{lexer, input, cursor, end};
+    while (true) {
+        const std::unique_ptr<antlr4::Token> token = lexer.nextToken();
+        if (token->getType() == antlr4::Token::EOF) return true;
+        if (limit_.is_full()) return false;
+        if (out_.size() >= kMaxLexemes) {
+            const std::uint32_t place = cursor.byte_of(token->getStartIndex());
+            file_.sink.report(diag::FileTooLong, file_.range(place, place + 1));
+            return false;
+        }
+        const std::uint32_t first = cursor.byte_of(token->getStartIndex());
+        const std::uint32_t last = cursor.byte_of(token->getStopIndex() + 1);
+        take_token(token_of(token->getType()), first, last, reading);
+    }
+}
+
+void Lexing::take_token(Token token, std::uint32_t begin, std::uint32_t end, Reading& reading) {
+    switch (token) {
+        case Token::LineComment:
+        case Token::BlockComment: return comment(begin, end);
+        case Token::CommentUnclosed:
+            file_.sink.report(diag::CommentNotClosed, file_.range(begin, end));
+            comment(begin, reading.end);
+            reading.input.seek(reading.input.size());
+            is_cut_ = true;
+            return;
+        case Token::Text:
+        case Token::TextUnclosed:
+        case Token::TextWrongQuotes: return text(token, begin, end, reading);
+        case Token::Unknown: return unknown(begin, end);
+        case Token::OpenBrace:
+            if (!out_.empty() && is_raw(out_.back())) return raw_text(begin, reading);
+            return push(token, begin, end);
+        case Token::Identifier:
+            return push(token, begin, end,
+                        file_.texts.intern(file_.text.substr(begin, end - begin)));
+        default: return push(token, begin, end);
+    }
+}
+
+void Lexing::comment(std::uint32_t begin, std::uint32_t end) {
+    const std::string_view spelled = file_.text.substr(begin, end - begin);
+    comments_.push_back({file_.range(begin, end), spelled.starts_with("///")});
+}
+
+void Lexing::text(Token token, std::uint32_t begin, std::uint32_t end, Reading& reading) {
+    const auto lex_piece = [this](std::uint32_t from, std::uint32_t to) { run(from, to); };
+    if (token == Token::TextWrongQuotes) {
+        // The quotes are one character each, of one to three bytes.
+        std::uint32_t first = begin + 1;
+        std::uint32_t last = end - 1;
+        while ((file_.text[first] & 0xc0) == 0x80) ++first;
+        while ((file_.text[last] & 0xc0) == 0x80) --last;
+        const std::string_view content = file_.text.substr(first, last - first);
+        file_.sink.report(diag::WrongQuotes, file_.range(begin, end))
+            .fix(file_.range(begin, end), "\"" + std::string(content) + "\"",
+                 "use straight double quotes");
+        return push(Token::Text, begin, end, file_.texts.intern(content));
+    }
+    if (token == Token::TextUnclosed) {
+        // What closes the statement was hardly meant as text.
+        const std::string_view spelled = file_.text.substr(begin, end - begin);
+        const std::size_t last = spelled.find_last_not_of(" \t;)}");
+        end = begin + static_cast<std::uint32_t>(last) + 1;
+        file_.sink.report(diag::TextNotClosed, file_.range(begin, end))
+            .fix(file_.range(end, end), "\"", "close it");
+        split_text(file_, begin, end, false, lex_piece, out_);
+        reading.go_on_at(end);
+        return;
+    }
+    split_text(file_, begin, end, true, lex_piece, out_);
+}
+
+void Lexing::raw_text(std::uint32_t begin, Reading& reading) {
+    int depth = 0;
+    std::uint32_t end = begin;
+    do {
+        if (file_.text[end] == '{') ++depth;
+        if (file_.text[end] == '}') --depth;
+        ++end;
+    } while (depth > 0 && end < reading.end);
+    if (depth > 0) {
+        file_.sink.report(diag::RawNotClosed, file_.range(begin, begin + 1));
+        reading.input.seek(reading.input.size());
+        is_cut_ = true;
+        return push(Token::RawText, begin, end);
+    }
+    push(Token::RawText, begin, end,
+         file_.texts.intern(raw_lines(file_.text.substr(begin + 1, end - begin - 2))));
+    reading.go_on_at(end);
+}
+
+void Lexing::unknown(std::uint32_t begin, std::uint32_t end) {
+    // A run of them is one mistake.
+    const bool continues = begin == unknown_end_;
+    unknown_end_ = end;
+    is_beside_unknown_ = true;
+    if (continues) return;
+    const std::string_view spelled = file_.text.substr(begin, end - begin);
+    if (file_.text.substr(end).starts_with("include")) return;  // told by the parser
+    if (spelled == "#") {
+        file_.sink.report(diag::HashSign, file_.range(begin, end));
+    } else {
+        file_.sink.report(diag::UnknownCharacter, file_.range(begin, end)).arg(spelled);
+    }
+}
+
+bool Lexing::is_raw(const Lexeme& lexeme) const {
+    if (lexeme.token != Token::Identifier) return false;
+    const auto found = keywords_.canonical.find(std::string(file_.texts.text(lexeme.text)));
+    return found != keywords_.canonical.end() && found->second == "raw";
+}
+
+void Lexing::push(Token token, std::uint32_t begin, std::uint32_t end, TextId content) {
+    Lexeme lexeme;
+    lexeme.token = token;
+    lexeme.begin = begin;
+    lexeme.end = end;
+    lexeme.text = content;
+    lexeme.is_repair = std::exchange(is_beside_unknown_, false);
+    out_.push_back(lexeme);
+}
+
+}  // namespace
+
+std::optional<std::string> clean_text(FileId file, std::string_view text, DiagnosticSink& sink) {
+    std::string clean(text);
+    std::size_t bad_runs = 0;
+    std::size_t bad_end = std::string_view::npos;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t length = utf8_length(text, i);
+        if (length > 0 && !is_control(text[i])) {
+            i += length;
+            continue;
+        }
+        clean[i] = ' ';
+        if (i != bad_end) {
+            const SourceRange place{file, static_cast<std::uint32_t>(i),
+                                    static_cast<std::uint32_t>(i + 1)};
+            if (++bad_runs > kMaxBadBytes) {
+                sink.report(diag::FileNotText, place);
+                return std::nullopt;
+            }
+            sink.report(diag::ByteNotText, place).arg(hex_byte(text[i]));
+        }
+        bad_end = ++i;
+    }
+    return clean;
+}
+
+std::optional<std::vector<Lexeme>> lex(const SourceFile& file, const KeywordTable& keywords,
+                                       const LimitedSink& limit, std::vector<Comment>& comments) {
+    Lexing lexing(file, keywords, limit, comments);
+    const auto size = static_cast<std::uint32_t>(file.text.size());
+    if (!lexing.run(0, size)) return std::nullopt;
+    std::vector<Lexeme> lexemes = lexing.take();
+    Lexeme last;
+    last.begin = last.end = size;
+    last.is_repair = lexing.is_cut();  // what is missing at the end is told already
+    lexemes.push_back(last);
+    return lexemes;
+}
+
+}  // namespace kadr::syntax

@@ -1,0 +1,29 @@
+// limits.h — how much of a source Kadr reads before it says that something else must be wrong.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "base/diagnostic.h"
+
+namespace kadr::syntax {
+
+inline constexpr std::size_t kMaxBytes = std::size_t{8} << 20;  // a parse costs about 1 µs a byte
+inline constexpr std::size_t kMaxLexemes = 1'000'000;           // … and some 200 bytes a token
+inline constexpr std::size_t kMaxErrors = 50;
+inline constexpr std::size_t kMaxBadBytes = 8;  // then the file is no text
+
+/// Keeps diagnostics until there are too many of them; what comes then is dropped. The steps of
+/// parsing find mistakes in their own order, a reader wants them in the order of the source.
+class LimitedSink final : public DiagnosticSink {
+  public:
+    void take(Diagnostic diagnostic) override;
+    bool is_full() const { return kept_.size() >= kMaxErrors; }
+    /// Hands everything on, sorted by place, and says if it was too much.
+    void deliver(DiagnosticSink& sink);
+
+  private:
+    std::vector<Diagnostic> kept_;
+};
+
+}  // namespace kadr::syntax

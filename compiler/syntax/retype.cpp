@@ -1,0 +1,527 @@
+#include "syntax/retype.h"
+
+#include <unordered_map>
+
+#include "syntax/brackets.h"
+#include "syntax/keyword.h"
+
+namespace kadr::syntax {
+
+namespace {
+
+/// What the present statement began with, as far as it matters for what follows.
+enum class Head : std::uint8_t {
+    Other,
+    Words,  // an NC block
+    With,
+    Contour,  // `contour c = {`: the brace opens statements
+    Case,
+    Declaration,  // of a variable
+    Header,       // a declaration at file level that has parameters
+    Struct,
+    Enum,
+};
+
+bool is_word(Token token) {
+    return token == Token::LiteralWord || token == Token::BareWord || token == Token::Address;
+}
+
+/// Whether a value can end with this token.
+bool ends_value(Token token) {
+    switch (token) {
+        case Token::Identifier:
+        case Token::Number:
+        case Token::Text:
+        case Token::TextClose:
+        case Token::CloseParen:
+        case Token::CloseBracket:
+        case Token::CloseBrace:
+        case Token::True:
+        case Token::False:
+        case Token::LiteralWord:
+        case Token::PlusPlus:
+        case Token::MinusMinus: return true;
+        default: return false;
+    }
+}
+
+class Retyping {
+  public:
+    Retyping(const SourceFile& file, std::vector<Lexeme> in, const KeywordTable& keywords)
+        : file_(file), in_(std::move(in)), keywords_(keywords), brackets_(file, out_) {}
+
+    std::optional<Prepared> run();
+
+  private:
+    void step();
+    void begin_statement();
+    void end_statement();
+    void end_forgotten_statement();
+    const char* head_text() const;
+    void mend_before();
+    void open_paren(Lexeme lexeme);
+    void open_brace(Lexeme lexeme);
+    void name();
+    bool argument_name();
+    bool is_keyword_here(const Keyword& keyword) const;
+    bool follows(std::string_view followers) const;
+    bool is_type_place() const;
+    bool is_type_at(std::size_t i) const;
+    bool is_generic_call() const;
+    const Keyword* foreign_keyword(const Lexeme& lexeme);
+    void push(Lexeme lexeme, Token token);
+
+    const Keyword* keyword_of(const Lexeme& lexeme);
+    const Lexeme& at(std::size_t i) const { return in_[i < in_.size() ? i : in_.size() - 1]; }
+    Token next() const { return at(i_ + 1).token; }
+    Token previous() const { return out_.empty() ? Token::EndOfFile : out_.back().token; }
+    bool is_name(std::size_t i) const {
+        return at(i).token == Token::Identifier || is_word(at(i).token);
+    }
+
+    const SourceFile& file_;
+    std::vector<Lexeme> in_;
+    const KeywordTable& keywords_;
+    std::vector<Lexeme> out_;
+    Brackets brackets_;
+    std::size_t i_ = 0;
+    Head head_ = Head::Other;
+    bool at_start_ = true;               // of a statement or declaration
+    std::uint32_t statement_begin_ = 0;  // byte
+    std::size_t statement_first_ = 0;    // index in out_
+    bool has_assignment_ = false;        // the present statement has its `=` behind it
+    std::unordered_map<std::uint32_t, const Keyword*> known_;  // by TextId
+};
+
+std::optional<Prepared> Retyping::run() {
+    out_.reserve(in_.size() + 8);
+    for (Lexeme& lexeme : in_) {  // words for brackets and operators
+        const Keyword* keyword = keyword_of(lexeme);
+        if (keyword != nullptr && keyword->place == Keyword::Place::Operator) {
+            lexeme.token = keyword->token;
+        }
+    }
+    for (i_ = 0; in_[i_].token != Token::EndOfFile; ++i_) {
+        step();
+        if (brackets_.depth() > kMaxNesting) {
+            file_.sink.report(diag::NestingTooDeep, file_.range(in_[i_])).arg(kMaxNesting);
+            return std::nullopt;
+        }
+    }
+    brackets_.close_blocks(in_[i_]);
+    out_.push_back(in_[i_]);
+    return Prepared{std::move(out_), brackets_.has_broken_blocks()};
+}
+
+void Retyping::step() {
+    const Lexeme& lexeme = in_[i_];
+    mend_before();
+    end_forgotten_statement();
+    if (at_start_) begin_statement();
+    switch (lexeme.token) {
+        case Token::Identifier: return name();
+        case Token::LiteralWord:
+        case Token::BareWord:
+        case Token::Address:
+            if (argument_name()) return;
+            return push(lexeme, lexeme.token);
+        case Token::OpenParen: return open_paren(lexeme);
+        case Token::OpenBracket:
+            brackets_.open(lexeme, Bracket::Role::Plain);
+            return push(lexeme, lexeme.token);
+        case Token::OpenBrace: return open_brace(lexeme);
+        case Token::CloseParen:
+        case Token::CloseBracket: {
+            const Bracket* top = brackets_.top();
+            const bool is_control = top != nullptr && (top->role == Bracket::Role::Control ||
+                                                       top->role == Bracket::Role::For);
+            if (!brackets_.close(lexeme)) return;
+            push(lexeme, lexeme.token);
+            at_start_ = is_control && lexeme.token == Token::CloseParen;
+            return;
+        }
+        case Token::CloseBrace: {
+            const Bracket* top = brackets_.top();
+            const bool is_value = top != nullptr && top->open.token == Token::OpenValue;
+            if (!brackets_.close(lexeme)) return;
+            push(lexeme, lexeme.token);
+            if (!is_value) end_statement();
+            return;
+        }
+        case Token::Semicolon: {
+            Bracket* top = brackets_.top();
+            const bool is_for =
+                top != nullptr && top->role == Bracket::Role::For && top->semicolons++ < 2;
+            push(lexeme, lexeme.token);
+            if (is_for) return;
+            end_statement();
+            return;
+        }
+        case Token::Question:
+            if (Bracket* top = brackets_.top()) ++top->questions;
+            brackets_.add_head();  // what follows is nested in the choice
+            return push(lexeme, lexeme.token);
+        case Token::Comma:
+            if (!brackets_.is_statement_level()) brackets_.reset_heads();
+            return push(lexeme, lexeme.token);
+        case Token::Colon: {
+            Bracket* top = brackets_.top();
+            const bool is_choice = top != nullptr && top->questions > 0;
+            if (is_choice) --top->questions;
+            push(lexeme, lexeme.token);
+            at_start_ = !is_choice && head_ == Head::Case && brackets_.is_statement_level();
+            return;
+        }
+        case Token::Assign:
+            if (brackets_.is_statement_level()) has_assignment_ = true;
+            return push(lexeme, lexeme.token);
+        default: return push(lexeme, lexeme.token);
+    }
+}
+
+void Retyping::push(Lexeme lexeme, Token token) {
+    lexeme.token = token;
+    out_.push_back(lexeme);
+    at_start_ = false;
+}
+
+/// Behind `;` or `}`: unless an `else` goes on with it, the statements around are over as well.
+void Retyping::end_statement() {
+    at_start_ = true;
+    const Keyword* keyword = keyword_of(at(i_ + 1));
+    if (keyword == nullptr || keyword->token != Token::Else) brackets_.reset_heads();
+}
+
+void Retyping::begin_statement() {
+    statement_begin_ = in_[i_].begin;
+    statement_first_ = out_.size();
+    head_ = is_word(in_[i_].token) ? Head::Words : Head::Other;
+    has_assignment_ = false;
+    if (Bracket* top = brackets_.top()) top->questions = 0;
+}
+
+/// Closes brackets that cannot reach over the next token.
+void Retyping::mend_before() {
+    const Lexeme& lexeme = in_[i_];
+    if (brackets_.is_statement_level()) {
+        // What only a file can hold, at the left margin of the block around: its `}` is missing.
+        if (brackets_.is_file_level() || !at_start_ || lexeme.token != Token::Identifier) return;
+        const Keyword* keyword = keyword_of(lexeme);
+        if (keyword == nullptr || !is_keyword_here(*keyword)) return;
+        const Token token = keyword->token;
+        const bool is_outer = token == Token::Cycle || token == Token::Program ||
+                              token == Token::Test || token == Token::Property ||
+                              token == Token::Curve || token == Token::Struct ||
+                              token == Token::Enum || token == Token::Import;
+        if (is_outer && file_.lines.indent(lexeme.begin) <= brackets_.outermost().indent) {
+            brackets_.close_blocks(lexeme);
+            at_start_ = true;
+        }
+        return;
+    }
+    const Bracket& top = *brackets_.top();
+    const bool is_new_line = file_.crosses_line(out_.back().end, lexeme.begin);
+    bool is_over = false;
+    if (lexeme.token == Token::Semicolon) {
+        is_over = top.role != Bracket::Role::For || top.semicolons >= 2;
+    } else if (lexeme.token == Token::OpenBrace) {
+        const bool is_default = previous() == Token::Assign || previous() == Token::In;
+        is_over = (ends_value(previous()) && top.open.token != Token::OpenValue) ||
+                  (top.role == Bracket::Role::Parameters && !is_default);
+    } else if (is_word(lexeme.token) && next() != Token::Colon) {
+        is_over = ends_value(previous()) && (is_new_line || head_ == Head::Words);
+    } else if (lexeme.token == Token::Identifier && is_new_line) {
+        const Keyword* keyword = keyword_of(lexeme);
+        is_over = keyword != nullptr && keyword->place == Keyword::Place::Anywhere &&
+                  keyword->token != Token::True && keyword->token != Token::False;
+    }
+    if (is_over) brackets_.close_values(lexeme);
+}
+
+const char* Retyping::head_text() const {
+    return head_ == Head::Words                                      ? "this block"
+           : brackets_.is_file_level() || head_ == Head::Declaration ? "this declaration"
+                                                                     : "this statement";
+}
+
+/// A statement goes on with a name in the next line only if that line is indented deeper. Otherwise
+/// its `;` was forgotten, and two NC blocks would silently become one.
+void Retyping::end_forgotten_statement() {
+    const Lexeme& lexeme = in_[i_];
+    if (at_start_ || !brackets_.is_statement_level()) return;
+    if (!is_name(i_) || !file_.crosses_line(out_.back().end, lexeme.begin)) return;
+    if (file_.lines.indent(lexeme.begin) > file_.lines.line_indent(statement_begin_)) return;
+    const bool ends_word = ends_value(previous()) || previous() == Token::BareWord;
+    const bool is_header = head_ == Head::Header && previous() == Token::CloseParen;
+    const Bracket* top = brackets_.top();
+    const bool is_enum = top != nullptr && top->role == Bracket::Role::Enumerators;
+    const Keyword* keyword = keyword_of(lexeme);
+    const bool goes_on =
+        keyword != nullptr && is_keyword_here(*keyword) && keyword->place == Keyword::Place::Infix;
+    if (!ends_word || is_header || is_enum || goes_on) return;
+    Lexeme semicolon;
+    semicolon.token = Token::Semicolon;
+    semicolon.is_repair = true;
+    semicolon.begin = semicolon.end = out_.back().end;
+    // A statement at file level is a mistake as a whole, and behind a mended bracket one is told.
+    const Token first = out_[statement_first_].token;
+    const bool is_stray =
+        brackets_.is_file_level() && (first == Token::Identifier || is_word(first));
+    const bool is_told = is_stray || out_.back().is_repair;
+    if (!is_told) {
+        file_.sink.report(diag::SemicolonMissing, file_.range(semicolon))
+            .arg(head_text())
+            .fix(file_.range(semicolon), ";", "end it");
+    }
+    out_.push_back(semicolon);
+    at_start_ = true;
+    brackets_.reset_heads();
+}
+
+void Retyping::open_paren(Lexeme lexeme) {
+    Bracket::Role role = Bracket::Role::Plain;
+    switch (previous()) {
+        case Token::If:
+        case Token::While:
+        case Token::Switch: role = Bracket::Role::Control; break;
+        case Token::For: role = Bracket::Role::For; break;
+        default:
+            if (brackets_.is_file_level() && head_ == Head::Header && !has_assignment_) {
+                role = Bracket::Role::Parameters;
+            }
+    }
+    brackets_.open(lexeme, role);
+    push(lexeme, lexeme.token);
+}
+
+/// `{` opens statements, members, or a value.
+void Retyping::open_brace(Lexeme lexeme) {
+    const Bracket* top = brackets_.top();
+    bool is_value = false;
+    if (top != nullptr && !top->is_block()) {
+        is_value = true;
+    } else if (!at_start_) {
+        const Token before = previous();
+        const bool is_choice = before == Token::Colon && head_ != Head::Case;
+        is_value = head_ == Head::Words || before == Token::Return || before == Token::Question ||
+                   before == Token::Coalesce || is_choice ||
+                   (before == Token::Assign && head_ != Head::Contour);
+    }
+    if (is_value) {
+        lexeme.token = Token::OpenValue;
+        brackets_.open(lexeme, Bracket::Role::Plain);
+        return push(lexeme, Token::OpenValue);
+    }
+    brackets_.open(lexeme, head_ == Head::Struct ? Bracket::Role::Members
+                           : head_ == Head::Enum ? Bracket::Role::Enumerators
+                                                 : Bracket::Role::Block);
+    push(lexeme, Token::OpenBrace);
+    at_start_ = true;
+}
+
+const Keyword* Retyping::keyword_of(const Lexeme& lexeme) {
+    if (lexeme.token != Token::Identifier) return nullptr;
+    const auto known = known_.find(lexeme.text.index);
+    if (known != known_.end()) return known->second;
+    const std::string spelled(file_.texts.text(lexeme.text));
+    const Keyword* keyword = nullptr;
+    const auto found = keywords_.canonical.find(spelled);
+    if (found != keywords_.canonical.end()) {
+        keyword = find_keyword(found->second);
+    } else if (spelled == "language" || spelled == "dialect") {
+        // They must be readable before the keyword language is known.
+        keyword = find_keyword(spelled);
+    }
+    known_.emplace(lexeme.text.index, keyword);
+    return keyword;
+}
+
+void Retyping::name() {
+    const Lexeme& lexeme = in_[i_];
+    if (previous() == Token::Dot) return push(lexeme, Token::Identifier);
+    if (argument_name()) return;
+    if (previous() == Token::Assign && out_.size() > 1 &&
+        out_[out_.size() - 2].token == Token::Address && next() == Token::OpenParen &&
+        (file_.spelling(lexeme) == "AC" || file_.spelling(lexeme) == "IC")) {
+        return push(lexeme, Token::Mode);
+    }
+    const Keyword* keyword = keyword_of(lexeme);
+    if (keyword == nullptr && at_start_) keyword = foreign_keyword(lexeme);
+    if (keyword != nullptr && is_keyword_here(*keyword)) {
+        push(lexeme, keyword->token);
+        switch (keyword->token) {
+            case Token::If:
+            case Token::While:
+            case Token::For:
+            case Token::Switch: brackets_.add_head(); return;
+            case Token::Do:
+            case Token::Else:
+                brackets_.add_head();
+                at_start_ = true;
+                return;
+            case Token::With: head_ = Head::With; return;
+            case Token::Contour: head_ = Head::Contour; return;
+            case Token::Case:
+            case Token::Default: head_ = Head::Case; return;
+            case Token::Struct: head_ = Head::Struct; return;
+            case Token::Enum: head_ = Head::Enum; return;
+            case Token::Cycle:
+            case Token::Program:
+            case Token::Curve:
+            case Token::Property: head_ = Head::Header; return;
+            default: return;
+        }
+    }
+    if (is_generic_call()) return push(lexeme, Token::GenericName);
+    if (is_type_place() && is_type_at(i_)) {
+        Lexeme type = lexeme;
+        if (keyword != nullptr && keyword->place == Keyword::Place::Type) {
+            type.text = file_.texts.intern(keyword->name);
+        }
+        if (at_start_) head_ = brackets_.is_file_level() ? Head::Header : Head::Declaration;
+        return push(type, Token::TypeName);
+    }
+    // `целое(x)` calls the function of that name.
+    Lexeme plain = lexeme;
+    if (keyword != nullptr && keyword->place == Keyword::Place::Type &&
+        next() == Token::OpenParen) {
+        plain.text = file_.texts.intern(keyword->name);
+    }
+    push(plain, Token::Identifier);
+}
+
+/// `to` in `drill(to: 5mm)`. Any word can be one.
+bool Retyping::argument_name() {
+    const Bracket* top = brackets_.top();
+    const bool is_place = top != nullptr && top->role == Bracket::Role::Plain &&
+                          top->open.token == Token::OpenParen && top->questions == 0 &&
+                          (previous() == Token::OpenParen || previous() == Token::Comma);
+    if (!is_place || next() != Token::Colon) return false;
+    Lexeme lexeme = in_[i_];
+    lexeme.text = file_.texts.intern(file_.spelling(lexeme));
+    push(lexeme, Token::ArgumentName);
+    return true;
+}
+
+bool Retyping::is_keyword_here(const Keyword& keyword) const {
+    const Bracket* top = brackets_.top();
+    switch (keyword.place) {
+        case Keyword::Place::Anywhere: return true;
+        case Keyword::Place::Type:
+        case Keyword::Place::Operator: return false;
+        case Keyword::Place::Statement:
+            // At file level there are no expressions that could begin with a name.
+            return at_start_ && (brackets_.is_file_level() || follows(keyword.followers));
+        case Keyword::Place::Header:
+            return brackets_.is_file_level() && previous() == Token::CloseParen;
+        case Keyword::Place::Parameter:
+            return previous() == Token::Identifier && top != nullptr &&
+                   top->role == Bracket::Role::Parameters;
+        case Keyword::Place::Infix:
+            return ends_value(previous()) && !at_start_ && head_ != Head::Words;
+        case Keyword::Place::Prefix: return next() == Token::Identifier;
+        case Keyword::Place::Preserved:
+            return previous() == Token::Preserves || previous() == Token::Comma;
+    }
+    return false;
+}
+
+bool Retyping::follows(std::string_view followers) const {
+    for (const char follower : followers) {
+        switch (follower) {
+            case 'n':
+                if (is_name(i_ + 1)) return true;
+                break;
+            case 't':
+                if (next() == Token::Text || next() == Token::TextOpen) return true;
+                break;
+            case '(':
+                if (next() == Token::OpenParen) return true;
+                break;
+            case '{':
+                if (next() == Token::RawText) return true;
+                break;
+            case ';':
+                if (next() == Token::Semicolon) return true;
+                break;
+            default: break;
+        }
+    }
+    return false;
+}
+
+/// Whether a declaration can begin here.
+bool Retyping::is_type_place() const {
+    const Bracket* top = brackets_.top();
+    if (top != nullptr && top->role == Bracket::Role::Enumerators) return false;
+    if (at_start_ || previous() == Token::Const || previous() == Token::Over) return true;
+    if (previous() == Token::Less && out_.size() > 1 &&
+        out_[out_.size() - 2].token == Token::GenericName) {
+        return true;
+    }
+    if (brackets_.is_statement_level()) return false;
+    if (top->role == Bracket::Role::For) return previous() == Token::OpenParen;
+    return top->role == Bracket::Role::Parameters &&
+           (previous() == Token::OpenParen || previous() == Token::Comma);
+}
+
+/// A type in front of a name: `length r`, `length[] r`, `hole[8] h`, `length? r`, `point& p`.
+bool Retyping::is_type_at(std::size_t i) const {
+    if (previous() == Token::Less) return true;  // `table<hole>`
+    ++i;
+    if (at(i).token == Token::OpenBracket) {
+        int depth = 0;
+        do {
+            if (at(i).token == Token::OpenBracket) ++depth;
+            if (at(i).token == Token::CloseBracket) --depth;
+            if (at(i).token == Token::Semicolon || at(i).token == Token::EndOfFile) return false;
+            ++i;
+        } while (depth > 0);
+    }
+    const bool is_optional = at(i).token == Token::Question;
+    if (is_optional) ++i;
+    if (at(i).token == Token::And) ++i;
+    if (!is_name(i)) return false;
+    // `then M8;` declares nothing, `length D;` means to.
+    if (is_word(at(i).token) && at(i + 1).token != Token::Assign) {
+        const auto known = keywords_.canonical.find(std::string(file_.texts.text(in_[i_].text)));
+        const Keyword* keyword =
+            known == keywords_.canonical.end() ? nullptr : find_keyword(known->second);
+        if (keyword == nullptr || keyword->place != Keyword::Place::Type) return false;
+    }
+    if (!is_optional) return true;
+    const Token after = at(i + 1).token;
+    return after == Token::Comma || after == Token::CloseParen || after == Token::Semicolon ||
+           after == Token::Assign;
+}
+
+/// `table<hole>(`: never a comparison, a truth value is not compared with a number.
+bool Retyping::is_generic_call() const {
+    return next() == Token::Less && at(i_ + 2).token == Token::Identifier &&
+           at(i_ + 3).token == Token::Greater && at(i_ + 4).token == Token::OpenParen;
+}
+
+/// `for` in a file whose keyword language says `для`.
+const Keyword* Retyping::foreign_keyword(const Lexeme& lexeme) {
+    const Keyword* english = find_keyword(file_.texts.text(lexeme.text));
+    if (english == nullptr || english->place != Keyword::Place::Anywhere) return nullptr;
+    for (const auto& [lexeme_here, name] : keywords_.canonical) {
+        if (name != english->name) continue;
+        file_.sink.report(diag::ForeignKeyword, file_.range(lexeme))
+            .arg(english->name)
+            .arg(lexeme_here)
+            .arg(keywords_.name)
+            .fix(file_.range(lexeme), lexeme_here, "use the word of the keyword language");
+        return english;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+std::optional<Prepared> retype(const SourceFile& file, std::vector<Lexeme> lexemes,
+                               const KeywordTable& keywords) {
+    return Retyping(file, std::move(lexemes), keywords).run();
+}
+
+}  // namespace kadr::syntax

@@ -1,0 +1,432 @@
+#include "syntax/words.h"
+
+#include <charconv>
+#include <cstdint>
+#include <unordered_map>
+
+#include "base/text.h"
+
+namespace kadr::syntax {
+
+namespace {
+
+struct UnitRow {
+    std::string_view name;
+    std::string_view per;
+    Unit unit;
+};
+
+constexpr UnitRow kUnits[] = {
+    {"mm", "", Unit::Mm},
+    {"cm", "", Unit::Cm},
+    {"m", "", Unit::M},
+    {"um", "", Unit::Um},
+    {"µm", "", Unit::Um},
+    {"μm", "", Unit::Um},
+    {"in", "", Unit::Inch},
+    {"deg", "", Unit::Deg},
+    {"rad", "", Unit::Rad},
+    {"s", "", Unit::S},
+    {"ms", "", Unit::Ms},
+    {"min", "", Unit::Min},
+    {"rpm", "", Unit::Rpm},
+    {"mm", "min", Unit::MmPerMin},
+    {"m", "min", Unit::MPerMin},
+    {"in", "min", Unit::InchPerMin},
+    {"mm", "s", Unit::MmPerS},
+    {"mm", "rev", Unit::MmPerRev},
+    {"in", "rev", Unit::InchPerRev},
+};
+
+bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// An identifier as address, digits and the rest: `X`, `10`, `mm`.
+struct Spelling {
+    std::string_view address;
+    std::string_view digits;
+    std::string_view rest;
+};
+
+Spelling take_apart(std::string_view identifier) {
+    std::size_t i = 0;
+    while (i < identifier.size() && is_upper(identifier[i])) ++i;
+    std::size_t j = i;
+    while (j < identifier.size() && is_digit(identifier[j])) ++j;
+    return {identifier.substr(0, i), identifier.substr(i, j - i), identifier.substr(j)};
+}
+
+/// The Latin capital that a Cyrillic one is easily taken for.
+char latin_lookalike(std::string_view letter) {
+    constexpr std::pair<std::string_view, char> kPairs[] = {
+        {"А", 'A'}, {"В", 'B'}, {"Е", 'E'}, {"К", 'K'}, {"М", 'M'},
+        {"Н", 'H'}, {"О", 'O'}, {"Р", 'P'}, {"С", 'C'}, {"Т", 'T'},
+        {"Х", 'X'}, {"У", 'Y'}, {"І", 'I'}, {"Ј", 'J'}, {"Ѕ", 'S'},
+    };
+    for (const auto& [cyrillic, latin] : kPairs) {
+        if (cyrillic == letter) return latin;
+    }
+    return '\0';
+}
+
+class Merging {
+  public:
+    Merging(const SourceFile& file, const std::vector<Lexeme>& in, const WordKindOf& kind_of)
+        : file_(file), in_(in), kind_of_(kind_of) {}
+
+    std::vector<Lexeme> run();
+
+  private:
+    void number();
+    void identifier();
+    bool compact_words(std::string_view identifier);
+    void word(Lexeme word, std::string_view number, std::string_view rest);
+    bool lookalike(const Lexeme& identifier);
+    bool lowercase_word(const Lexeme& identifier);
+    bool is_lowercase_word(std::size_t i);
+    void finish_word(Lexeme made, const Spelling& spelling);
+    bool take_unit(Lexeme& number, std::string_view name, std::uint32_t end);
+    bool take_sign_and_number(Lexeme& word, std::string& number);
+    void take_fraction(Lexeme& word, std::string& number);
+    double value_of(std::string_view spelled, const SourceRange& range);
+    nc::WordKind kind_of(std::string_view name);
+    bool is_word(std::string_view identifier);
+
+    const Lexeme& at(std::size_t i) const { return in_[i < in_.size() ? i : in_.size() - 1]; }
+    bool adjoins(std::size_t i, std::uint32_t end) const { return at(i).begin == end; }
+    bool is_start() const {
+        if (out_.empty()) return true;
+        const Token token = out_.back().token;
+        return token == Token::Semicolon || token == Token::OpenBrace || token == Token::CloseBrace;
+    }
+    bool is_in_block() const {
+        return !out_.empty() &&
+               (out_.back().token == Token::LiteralWord || out_.back().token == Token::BareWord);
+    }
+
+    const SourceFile& file_;
+    const std::vector<Lexeme>& in_;
+    const WordKindOf& kind_of_;
+    std::vector<Lexeme> out_;
+    bool is_lowercase_block_ = false;
+    std::size_t i_ = 0;  // the next lexeme to look at
+    std::unordered_map<std::string, nc::WordKind> kinds_;
+};
+
+std::vector<Lexeme> Merging::run() {
+    out_.reserve(in_.size());
+    while (i_ < in_.size()) {
+        const Lexeme& lexeme = in_[i_];
+        if (lexeme.token == Token::Number) {
+            number();
+        } else if (lexeme.token == Token::Identifier) {
+            identifier();
+        } else {
+            if (lexeme.token == Token::Semicolon) is_lowercase_block_ = false;
+            out_.push_back(lexeme);
+            ++i_;
+        }
+    }
+    return std::move(out_);
+}
+
+double Merging::value_of(std::string_view spelled, const SourceRange& range) {
+    if (!spelled.empty() && spelled.front() == '+') spelled.remove_prefix(1);
+    double value = 0;
+    std::int64_t whole = 0;
+    const char* end = spelled.data() + spelled.size();
+    const bool is_whole = spelled.find_first_of(".eE") == std::string_view::npos;
+    const bool fits = std::from_chars(spelled.data(), end, value).ec == std::errc() &&
+                      (!is_whole || std::from_chars(spelled.data(), end, whole).ec == std::errc());
+    if (!fits) {
+        file_.sink.report(diag::NumberRange, range).arg(spelled);
+        return 0;
+    }
+    return value;
+}
+
+/// `10`, `10.`, `2.5in`, `200mm/min`, `50%`.
+void Merging::number() {
+    Lexeme lexeme = in_[i_++];
+    std::string spelled(file_.spelling(lexeme));
+    if (spelled.find_first_of(".eE") == std::string::npos) take_fraction(lexeme, spelled);
+    if (at(i_).token == Token::Number && adjoins(i_, lexeme.end)) {
+        lexeme.end = at(i_++).end;
+        lexeme.is_repair = true;
+        file_.sink.report(diag::NumberShape, file_.range(lexeme)).arg(file_.spelling(lexeme));
+    } else {
+        lexeme.number = value_of(spelled, file_.range(lexeme));
+    }
+    const Lexeme& next = at(i_);
+    if (next.token == Token::Identifier && adjoins(i_, lexeme.end)) {
+        const std::string_view name = file_.spelling(next);
+        ++i_;
+        if (take_unit(lexeme, name, next.end)) {
+        } else if (is_word(name)) {
+            --i_;  // `X=5Y10`: the next word
+        } else {
+            lexeme.end = next.end;
+            lexeme.is_repair = true;
+            file_.sink.report(diag::UnknownUnit, file_.range(next)).arg(name);
+        }
+    } else if (next.token == Token::Percent && adjoins(i_, lexeme.end)) {
+        const Token after = at(i_ + 1).token;
+        if (after == Token::CloseParen || after == Token::Comma || after == Token::Semicolon ||
+            after == Token::CloseBracket || after == Token::CloseBrace) {
+            lexeme.unit = Unit::Percent;
+            lexeme.end = next.end;
+            ++i_;
+        }
+    }
+    out_.push_back(lexeme);
+}
+
+/// A point behind a whole number, and digits behind it: `X10` `.5`, `10` `.`.
+void Merging::take_fraction(Lexeme& lexeme, std::string& number) {
+    const Lexeme& next = at(i_);
+    if (!adjoins(i_, lexeme.end)) return;
+    const bool is_fraction = next.token == Token::Number && file_.spelling(next).front() == '.';
+    if (!is_fraction && next.token != Token::Dot) return;
+    number += file_.spelling(next);
+    lexeme.end = next.end;
+    ++i_;
+}
+
+/// The unit `name`, with what stands behind a `/` right after it. True if it is one.
+bool Merging::take_unit(Lexeme& number, std::string_view name, std::uint32_t end) {
+    const bool has_per = at(i_).token == Token::Slash && adjoins(i_, end) &&
+                         at(i_ + 1).token == Token::Identifier && adjoins(i_ + 1, end + 1) &&
+                         at(i_ + 2).token != Token::OpenParen;
+    if (has_per) {
+        const Lexeme& per = at(i_ + 1);
+        const Unit unit = find_unit(name, file_.spelling(per));
+        if (unit != Unit::None) {
+            number.unit = unit;
+            number.end = per.end;
+            i_ += 2;
+            return true;
+        }
+    }
+    const Unit unit = find_unit(name, "");
+    if (unit == Unit::None) return false;
+    number.unit = unit;
+    number.end = end;
+    return true;
+}
+
+nc::WordKind Merging::kind_of(std::string_view name) {
+    if (name.empty() || !is_upper(name.front())) return nc::WordKind::None;
+    const auto found = kinds_.find(std::string(name));
+    if (found != kinds_.end()) return found->second;
+    const nc::WordKind kind = kind_of_(name);
+    kinds_.emplace(name, kind);
+    return kind;
+}
+
+bool Merging::is_word(std::string_view identifier) {
+    if (kind_of(identifier) != nc::WordKind::None) return true;
+    const Spelling s = take_apart(identifier);
+    return !s.digits.empty() && kind_of(s.address) == nc::WordKind::Address &&
+           (s.rest.empty() || is_upper(s.rest.front()) || find_unit(s.rest, "") != Unit::None);
+}
+
+void Merging::identifier() {
+    const Lexeme lexeme = in_[i_++];
+    const std::string_view name = file_.spelling(lexeme);
+    const bool is_member = !out_.empty() && out_.back().token == Token::Dot;
+    if (is_member || lookalike(lexeme) || lowercase_word(lexeme)) {
+        if (is_member) out_.push_back(lexeme);
+        return;
+    }
+    const Token next = at(i_).token;
+    const nc::WordKind kind = kind_of(name);
+    Lexeme made = lexeme;
+    if (kind == nc::WordKind::Word && next != Token::OpenParen) {
+        made.token = Token::BareWord;
+        out_.push_back(made);
+        return;
+    }
+    if (kind == nc::WordKind::Address) {
+        made.token = Token::Address;
+        std::string number;
+        if (take_sign_and_number(made, number)) return word(made, number, "");
+        out_.push_back(made);
+        return;
+    }
+    const Spelling s = take_apart(name);
+    if (!s.digits.empty() && kind_of(s.address) == nc::WordKind::Address) {
+        if (s.rest.empty() || find_unit(s.rest, "") != Unit::None) {
+            made.text = file_.texts.intern(s.address);
+            return word(made, s.digits, s.rest);
+        }
+        if (compact_words(name)) return;
+    }
+    out_.push_back(lexeme);
+}
+
+/// `X` with a number behind it: `X-5.25`, `X+30`, `X.5`, `X -5`.
+bool Merging::take_sign_and_number(Lexeme& word, std::string& number) {
+    std::size_t i = i_;
+    const bool has_sign = at(i).token == Token::Minus || at(i).token == Token::Plus;
+    if (has_sign) ++i;
+    if (at(i).token != Token::Number || file_.crosses_line(word.end, at(i).begin)) return false;
+    if (has_sign && at(i).begin != at(i - 1).end) return false;
+    number = has_sign ? std::string(file_.spelling(at(i - 1))) : "";
+    number += file_.spelling(at(i));
+    word.end = at(i).end;
+    i_ = i + 1;
+    return true;
+}
+
+/// Completes a literal word whose number begins with `number`; `rest` are letters behind it that
+/// belong to the same identifier.
+void Merging::word(Lexeme word, std::string_view number, std::string_view rest) {
+    word.token = Token::LiteralWord;
+    std::string spelled(number);
+    std::string_view unit = rest;
+    std::uint32_t end = word.end;
+    if (unit.empty()) {
+        if (spelled.find('.') == std::string::npos) take_fraction(word, spelled);
+        if (at(i_).token == Token::Number && adjoins(i_, word.end)) {
+            word.end = at(i_++).end;
+            file_.sink.report(diag::NumberShape, file_.range(word)).arg(file_.spelling(word));
+        }
+        end = word.end;
+        if (at(i_).token == Token::Identifier && adjoins(i_, end) &&
+            !is_word(file_.spelling(at(i_)))) {
+            unit = file_.spelling(at(i_));
+            end = at(i_++).end;
+        }
+    }
+    word.number = value_of(spelled, file_.range(word));
+    if (!unit.empty() && !take_unit(word, unit, end)) {
+        word.end = end;
+        file_.sink
+            .report(diag::UnknownUnit,
+                    file_.range(end - static_cast<std::uint32_t>(unit.size()), end))
+            .arg(unit);
+    }
+    out_.push_back(word);
+}
+
+/// `G0X10Y20`: one-letter addresses with their digits, without blanks. The last one may still wait
+/// for its number: `G1X` `-5`.
+bool Merging::compact_words(std::string_view identifier) {
+    std::vector<std::string_view> pieces;
+    for (std::string_view left = identifier; !left.empty();) {
+        const Spelling s = take_apart(left);
+        const bool is_last = s.address.size() + s.digits.size() == left.size();
+        if (s.address.size() != 1 || kind_of(s.address) != nc::WordKind::Address ||
+            (s.digits.empty() && !is_last)) {
+            return false;
+        }
+        pieces.push_back(left.substr(0, s.address.size() + s.digits.size()));
+        left = s.rest;
+    }
+    const Lexeme whole = in_[i_ - 1];
+    std::uint32_t begin = whole.begin;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        Lexeme made = whole;
+        const std::string_view piece = pieces[i];
+        made.begin = begin;
+        made.end = begin + static_cast<std::uint32_t>(piece.size());
+        begin = made.end;
+        if (i + 1 < pieces.size()) {
+            made.token = Token::LiteralWord;
+            made.text = file_.texts.intern(piece.substr(0, 1));
+            made.number = value_of(piece.substr(1), file_.range(made));
+            out_.push_back(made);
+        } else {
+            finish_word(made, take_apart(piece));
+        }
+    }
+    return true;
+}
+
+/// `М3` with a Cyrillic letter. Only where a word must stand: elsewhere it is a good name.
+bool Merging::lookalike(const Lexeme& identifier) {
+    const std::string_view name = file_.spelling(identifier);
+    std::string latin;
+    for (std::size_t i = 0; i < name.size();) {
+        if ((name[i] & 0x80) == 0) {
+            latin += name[i++];
+            continue;
+        }
+        const char letter = latin_lookalike(name.substr(i, 2));
+        if (letter == '\0') return false;
+        latin += letter;
+        i += 2;
+    }
+    if (latin.size() == name.size()) return false;
+    const Spelling s = take_apart(latin);
+    if (kind_of(s.address) != nc::WordKind::Address || !s.rest.empty()) return false;
+    const Token next = at(i_).token;
+    const bool ends =
+        next == Token::Semicolon || next == Token::Identifier || next == Token::Number;
+    const bool fits = s.digits.empty()
+                          ? is_in_block() && (next == Token::Assign || next == Token::Minus)
+                          : ends && (is_start() || is_in_block());
+    if (!fits) return false;
+    file_.sink.report(diag::LookalikeLetter, file_.range(identifier))
+        .arg(name)
+        .arg(latin)
+        .fix(file_.range(identifier), latin, "use Latin letters");
+    finish_word(identifier, s);
+    return true;
+}
+
+/// The word that an identifier would be if it were spelled as `spelling`.
+void Merging::finish_word(Lexeme made, const Spelling& spelling) {
+    made.text = file_.texts.intern(spelling.address);
+    std::string number(spelling.digits);
+    if (!number.empty() || take_sign_and_number(made, number)) return word(made, number, "");
+    made.token = Token::Address;
+    out_.push_back(made);
+}
+
+/// Whether an identifier is a letter and digits that would be a word in upper case.
+bool Merging::is_lowercase_word(std::size_t i) {
+    if (at(i).token != Token::Identifier) return false;
+    const std::string_view name = file_.spelling(at(i));
+    if (name.size() < 2 || name[0] < 'a' || name[0] > 'z') return false;
+    const bool has_digits = name.find_first_not_of("0123456789", 1) == std::string_view::npos;
+    return has_digits && kind_of(upper_ascii(name.substr(0, 1))) == nc::WordKind::Address;
+}
+
+/// `g1 x10;` at the start of a statement: nobody means a variable `x10` of type `g1`.
+bool Merging::lowercase_word(const Lexeme& identifier) {
+    const std::size_t own = i_ - 1;
+    const std::string upper = upper_ascii(file_.spelling(identifier));
+    if (!is_lowercase_block_) {
+        const bool fits = is_start() && is_lowercase_word(own) &&
+                          (at(i_).token == Token::Semicolon || is_lowercase_word(i_));
+        if (!fits) return false;
+        is_lowercase_block_ = true;
+        file_.sink.report(diag::LowercaseWord, file_.range(identifier))
+            .arg(upper)
+            .fix(file_.range(identifier), upper, "write it in upper case");
+    } else {
+        const Token next = at(i_).token;
+        const bool is_address = upper.size() == 1 && kind_of(upper) == nc::WordKind::Address &&
+                                (next == Token::Assign || next == Token::Minus);
+        if (!is_lowercase_word(own) && !is_address) return false;
+    }
+    finish_word(identifier, take_apart(upper));
+    return true;
+}
+
+}  // namespace
+
+std::vector<Lexeme> merge_words(const SourceFile& file, const std::vector<Lexeme>& lexemes,
+                                const WordKindOf& kind_of) {
+    return Merging(file, lexemes, kind_of).run();
+}
+
+Unit find_unit(std::string_view name, std::string_view per) {
+    for (const UnitRow& row : kUnits) {
+        if (row.name == name && row.per == per) return row.unit;
+    }
+    return Unit::None;
+}
+
+}  // namespace kadr::syntax
