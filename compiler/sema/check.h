@@ -19,8 +19,8 @@ namespace kadr::sema {
 class ModuleLoader {
   public:
     struct Module {
-        const syntax::Ast* ast = nullptr;           // lives as long as the loader
-        const nc::Dialect* dialect = nullptr;       // input dialect of the file
+        const syntax::Ast* ast = nullptr;      // lives as long as the loader
+        const nc::Dialect* dialect = nullptr;  // input dialect of the file
     };
     virtual ~ModuleLoader() = default;
     /// `cycles.drilling` (or a file name, if is_file) as seen from the file `from`. Null ast: not

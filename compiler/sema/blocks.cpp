@@ -1,0 +1,415 @@
+// blocks.cpp — NC blocks in the source: words become a plan with values to fill in.
+#include <algorithm>
+
+#include "base/numbers.h"
+#include "sema/checker.h"
+
+namespace kadr::sema {
+
+using syntax::Expr;
+using syntax::ExprId;
+using syntax::ExprKind;
+using syntax::Stmt;
+using syntax::Word;
+
+std::string Checker::word_text(const Word& word) const {
+    std::string all(ast().text(word.address));
+    if (word.form == Word::Form::Literal) append_shortest(all, word.number);
+    else if (word.form == Word::Form::Assigned) all += '=';
+    else if (word.form == Word::Form::Increment) all += "+=";
+    return all;
+}
+
+std::optional<nc::BlockPlan> Checker::plan_words(std::span<const Word> words) {
+    std::vector<nc::SourceWord> source;
+    source.reserve(words.size());
+    for (const Word& word : words) {
+        nc::SourceWord entry;
+        entry.address = text(word.address);
+        entry.value = word.form == Word::Form::Bare      ? nc::SourceWord::Value::None
+                      : word.form == Word::Form::Literal ? nc::SourceWord::Value::Literal
+                                                         : nc::SourceWord::Value::Computed;
+        entry.number = word.number;
+        entry.mode = static_cast<nc::SourceWord::Mode>(word.mode);
+        if (word.form == Word::Form::Increment) entry.mode = nc::SourceWord::Mode::Incremental;
+        entry.range = word.range;
+        source.push_back(entry);
+    }
+    return nc::plan_block(*modules_[module_].dialect, source, sink_);
+}
+
+void Checker::check_units_function(nc::Function function, const SourceRange& range) {
+    const bool is_inch = function == nc::Function::Inch;
+    if (is_inch == (units_ == Units::Inch)) return;
+    report(diag::UnitsWord, range)
+        .arg(is_inch ? "inches" : "millimetres")
+        .arg(is_inch ? "mm" : "inch");
+}
+
+void Checker::check_units_words(const nc::BlockPlan& plan, std::span<const Word> words) {
+    for (std::size_t i = 0; i < plan.block.function_count; ++i) {
+        const nc::Function function = plan.block.functions[i].function;
+        if (function != nc::Function::Inch && function != nc::Function::Metric) continue;
+        SourceRange range = words[0].range;
+        for (const Word& word : words) {
+            const bool is_units =
+                text(word.address) == "G" &&
+                (word.number == 20 || word.number == 21 || word.number == 70 || word.number == 71);
+            if (is_units) range = word.range;
+        }
+        check_units_function(function, range);
+    }
+}
+
+/// Whole numbers that the planner has put into the block itself: `T1.5` is no tool.
+void Checker::check_counts(const nc::BlockPlan& plan, std::span<const Word> words) {
+    for (std::size_t f = 0; f < plan.block.function_count; ++f) {
+        const nc::Invocation& invocation = plan.block.functions[f];
+        const auto parameters = nc::info(invocation.function).parameters;
+        for (std::size_t i = 0; i < parameters.size(); ++i) {
+            if ((invocation.given >> i & 1u) == 0 ||
+                parameters[i].dimension != nc::Dimension::Count)
+                continue;
+            const double value = plan.block.argument(invocation, i);
+            if (value == std::trunc(value)) continue;
+            for (const Word& word : words) {
+                if (word.form != Word::Form::Literal || word.number == std::trunc(word.number))
+                    continue;
+                report(diag::WordNotWhole, word.range).arg(word_text(word));
+                break;
+            }
+        }
+    }
+}
+
+// ---------------------------------------------------------------- values
+
+Filling Checker::fill_feed(const Value& value, const Word& word, Reg reg) {
+    Filling filling;
+    const TypeInfo info = type_info(value.type);
+    filling.factor = units_ == Units::Inch ? 25.4 : 1.0;
+    Value out = value;
+    if (info.kind == Kind::Int || (info.kind == Kind::Real && info.quantity.is_number())) {
+        filling.form = Filling::Form::FeedBare;
+        out = to_real(value);
+    } else if (info.kind == Kind::Feed && info.quantity.is_number()) {
+        filling.form = Filling::Form::Feed;
+    } else if (info.kind == Kind::Real && info.quantity == kFeedPerTime) {
+        filling.form = Filling::Form::FeedPerTime;
+    } else if (info.kind == Kind::Real &&
+               (info.quantity == kFeedPerTurn || info.quantity == kLength)) {
+        filling.form = Filling::Form::FeedPerTurn;
+    } else if (info.kind == Kind::Real && info.quantity == kPerTime) {
+        filling.form = Filling::Form::FeedInverse;
+    } else {
+        out = convert(value, types::kFeed, word.range, text(word.address));
+        filling.form = Filling::Form::Feed;
+    }
+    if (!is_error(out)) copy_value(out, reg);
+    return filling;
+}
+
+Filling Checker::fill_speed(const Value& value, const Word& word, Reg reg) {
+    Filling filling;
+    const TypeInfo info = type_info(value.type);
+    // Cutting speed is m/min, in an inch file ft/min.
+    filling.factor = units_ == Units::Inch ? 0.3048 : 1.0;
+    Value out = value;
+    if (info.kind == Kind::Int || (info.kind == Kind::Real && info.quantity.is_number())) {
+        filling.form = Filling::Form::SpeedBare;
+        out = to_real(value);
+    } else if (info.kind == Kind::Speed && info.quantity.is_number()) {
+        filling.form = Filling::Form::Speed;
+    } else if (info.kind == Kind::Real &&
+               (info.quantity == kSpindleSpeed || info.quantity == kPerTime)) {
+        filling.form = Filling::Form::SpeedPerTime;
+    } else if (info.kind == Kind::Real && info.quantity == kFeedPerTime) {
+        filling.form = Filling::Form::SpeedCutting;
+    } else if (info.kind == Kind::Feed && info.quantity.is_number()) {
+        filling.form = Filling::Form::SpeedCutting;
+        out = plain_form(value, 0);
+    } else {
+        out = convert(value, types::kSpeed, word.range, text(word.address));
+        filling.form = Filling::Form::Speed;
+    }
+    if (!is_error(out)) copy_value(out, reg);
+    return filling;
+}
+
+/// A value for a parameter or a slot whose unit in the block is fixed: mm, degrees, s, rpm.
+Filling Checker::fill_value(Value value, nc::Dimension dimension, const SourceRange& range,
+                            std::string_view what, Reg reg) {
+    Filling filling;
+    if (is_error(value)) return filling;
+    if (dimension == nc::Dimension::Count) {
+        filling.form = Filling::Form::Count;
+        const Value out = convert(value, types::kInt, range, what);
+        if (!is_error(out)) copy_value(out, reg);
+        return filling;
+    }
+    if (kind(value.type) == Kind::Bool) value.type = types::kInt;  // `mirror(x: true)`
+    Type type = types_.real(quantity_of(dimension));
+    if (dimension == nc::Dimension::Speed) type = types::kSpeed;
+    if (dimension == nc::Dimension::Feed) type = types::kFeed;
+    Value out = convert(value, type, range, what);
+    if (is_error(out)) return filling;
+    if (dimension == nc::Dimension::Speed || dimension == nc::Dimension::Feed) {
+        out = convert(out, types_.real(quantity_of(dimension)), range, what);
+        const double per_minute = 60;
+        if (out.is_constant()) {
+            out.constant.number *= per_minute;
+        } else if (!is_error(out)) {
+            const Reg scaled = emit_.take(1);
+            emit_.emit_number(Op::MulFK, scaled, out.reg, per_minute);
+            out.reg = scaled;
+        }
+    }
+    if (!is_error(out)) copy_value(out, reg);
+    return filling;
+}
+
+Filling Checker::fill_literal(const Word& word, const nc::Hole& hole, Reg reg) {
+    Filling filling;
+    const UnitInfo unit = unit_info(word.unit);
+    const bool has_unit = word.unit != syntax::Unit::None;
+    const bool is_slot = !hole.is_argument;
+    if (has_unit || (is_slot && (hole.place == static_cast<std::uint8_t>(nc::Slot::Feed) ||
+                                 hole.place == static_cast<std::uint8_t>(nc::Slot::Speed)))) {
+        const Value value =
+            has_unit ? constant_number(word.number * unit.factor, types_.real(unit.quantity))
+                     : constant_number(word.number, types::kReal);
+        return fill_computed(value, word, hole, has_unit, reg);
+    }
+    if (hole.dimension == nc::Dimension::Count) {
+        if (word.number != std::trunc(word.number))
+            report(diag::WordNotWhole, word.range).arg(word_text(word));
+        filling.form = Filling::Form::Count;
+        emit_.emit_integer(Op::LoadI, reg, 0,
+                           static_cast<std::int64_t>(word.number * hole.factor + hole.offset));
+        return filling;
+    }
+    const double units =
+        hole.dimension == nc::Dimension::Length && units_ == Units::Inch ? 25.4 : 1.0;
+    emit_.emit_number(Op::LoadF, reg, 0, (word.number * hole.factor + hole.offset) * units);
+    return filling;
+}
+
+/// A value that the program computes, or one that carries a unit.
+Filling Checker::fill_computed(const Value& source, const Word& word, const nc::Hole& hole,
+                               bool has_unit, Reg reg) {
+    Filling filling;
+    const SourceRange value_range = word.value.is_valid() ? ast()[word.value].range : word.range;
+    const Value value = require_given(source, value_range, {});
+    if (is_error(value)) return filling;
+    const std::string_view what = text(word.address);
+    if (!hole.is_argument && hole.place == static_cast<std::uint8_t>(nc::Slot::Feed)) {
+        return fill_feed(value, word, reg);
+    }
+    if (!hole.is_argument && hole.place == static_cast<std::uint8_t>(nc::Slot::Speed)) {
+        return fill_speed(value, word, reg);
+    }
+    const TypeInfo info = type_info(value.type);
+    const bool is_bare = !has_unit && (info.kind == Kind::Int ||
+                                       (info.kind == Kind::Real && info.quantity.is_number()));
+    filling = fill_value(value, hole.dimension, word.range, what, reg);
+    const double factor = is_bare ? hole.factor : 1.0;
+    const double units =
+        hole.dimension == nc::Dimension::Length && units_ == Units::Inch ? 25.4 : 1.0;
+    const double offset = hole.offset * (is_bare ? units : 1.0);
+    if (filling.form == Filling::Form::Count) {
+        if (offset != 0) emit_.emit_integer(Op::AddIK, reg, reg, static_cast<std::int64_t>(offset));
+        return filling;
+    }
+    if (factor != 1) emit_.emit_number(Op::MulFK, reg, reg, factor);
+    if (offset != 0) emit_.emit_number(Op::AddFK, reg, reg, offset);
+    return filling;
+}
+
+Filling Checker::fill_word(const Word& word, const nc::Hole& hole, Reg reg) {
+    Filling filling;
+    if (word.form == Word::Form::Literal) {
+        filling = fill_literal(word, hole, reg);
+    } else {
+        const Reg mark = emit_.mark();
+        // A number with a dimension of its own can be computed where it belongs.
+        const Value value = expression(word.value, types::kError, reg);
+        filling = fill_computed(value, word, hole, false, reg);
+        emit_.release_to(mark);
+    }
+    filling.is_argument = hole.is_argument;
+    filling.place = hole.place;
+    filling.invocation = hole.invocation;
+    filling.parameter = hole.parameter;
+    return filling;
+}
+
+// ---------------------------------------------------------------- plans
+
+namespace {
+
+void append_key(std::string& key, std::int64_t value) {
+    key += std::to_string(value);
+    key += ',';
+}
+
+/// Two plans with the same key are the same plan.
+std::string key_of(const Plan& plan) {
+    std::string key;
+    for (const std::int64_t part :
+         {std::int64_t(plan.motion), std::int64_t(plan.given), std::int64_t(plan.incremental),
+          std::int64_t(plan.absolute), std::int64_t(plan.argument_count), std::int64_t(plan.skip),
+          std::int64_t(plan.cycle), std::int64_t(plan.number)}) {
+        append_key(key, part);
+    }
+    for (const nc::Invocation& invocation : plan.functions) {
+        append_key(key, static_cast<std::int64_t>(invocation.function));
+        append_key(key, invocation.first);
+        append_key(key, invocation.given);
+    }
+    key += 'a';
+    for (const auto& [place, value] : plan.arguments) {
+        append_key(key, place);
+        append_shortest(key, value);
+    }
+    key += 'v';
+    for (const auto& [place, value] : plan.values) {
+        append_key(key, place);
+        append_shortest(key, value);
+    }
+    key += 'f';
+    for (const Filling& filling : plan.fillings) {
+        append_key(key, static_cast<std::int64_t>(filling.form));
+        append_key(key, filling.is_argument);
+        append_key(key, filling.place);
+        append_key(key, filling.invocation);
+        append_key(key, filling.parameter);
+        append_shortest(key, filling.factor);
+    }
+    return key;
+}
+
+Plan compact(const nc::BlockPlan& source) {
+    const nc::Block& block = source.block;
+    Plan plan;
+    plan.motion = block.motion;
+    plan.given = block.given;
+    plan.incremental = block.incremental;
+    plan.absolute = block.absolute;
+    plan.argument_count = block.argument_count;
+    plan.skip = block.skip;
+    plan.cycle = block.cycle;
+    plan.number = block.number;
+    plan.functions.assign(block.functions.begin(), block.functions.begin() + block.function_count);
+    nc::SlotMask holes = 0;
+    for (const nc::Hole& hole : source.holes) {
+        if (!hole.is_argument) holes |= nc::SlotMask{1} << hole.place;
+    }
+    for (const nc::Invocation& invocation : plan.functions) {
+        for (unsigned i = 0; i < 32; ++i) {
+            if ((invocation.given >> i & 1u) == 0) continue;
+            const auto place = static_cast<std::uint8_t>(invocation.first + i);
+            plan.arguments.emplace_back(place, block.arguments[place]);
+        }
+    }
+    for (unsigned slot = 0; slot < nc::kSlots; ++slot) {
+        const nc::SlotMask mask = nc::SlotMask{1} << slot;
+        if ((block.given & mask) != 0 && (holes & mask) == 0) {
+            plan.values.emplace_back(static_cast<std::uint8_t>(slot), block.values[slot]);
+        }
+    }
+    return plan;
+}
+
+bool is_stop(nc::Function function) {
+    return function == nc::Function::SpindleStop || function == nc::Function::CoolantOff;
+}
+
+/// Takes M5 and M9 out of a block that moves. Controls differ in whether these act before the
+/// motion or after it; in the language they act after it, so they get a block of their own behind
+/// it.
+Plan take_stops(Plan& plan) {
+    Plan stops;
+    stops.skip = plan.skip;
+    for (std::size_t i = 0; i < plan.functions.size();) {
+        if (!is_stop(plan.functions[i].function)) {
+            ++i;
+            continue;
+        }
+        stops.functions.push_back(plan.functions[i]);
+        plan.functions.erase(plan.functions.begin() + static_cast<std::ptrdiff_t>(i));
+        for (Filling& filling : plan.fillings) {
+            if (filling.is_argument && filling.invocation > i) --filling.invocation;
+        }
+    }
+    return stops;
+}
+
+}  // namespace
+
+std::uint32_t Checker::plan_constant(Plan plan) {
+    const auto [found, is_new] =
+        plan_index_.try_emplace(key_of(plan), static_cast<std::uint32_t>(code_->plans.size()));
+    if (is_new) code_->plans.push_back(std::move(plan));
+    return found->second;
+}
+
+void Checker::emit_plan(Plan plan, Reg first, unsigned point, const SourceRange& range) {
+    const std::uint32_t index = plan_constant(std::move(plan));
+    emit_.emit_pair(Op::Emit, first, point, static_cast<unsigned>(loop_depth_), index,
+                    statement_id(range));
+}
+
+bool Checker::emit_words(std::span<const Word> words, ExprId point, const SourceRange& range) {
+    const Reg mark = emit_.mark();
+    std::optional<nc::BlockPlan> planned;
+    Plan plan;
+    if (!words.empty()) {
+        planned = plan_words(words);
+        if (!planned) {
+            for (const Word& word : words) {
+                if (word.value.is_valid()) expression(word.value);
+            }
+            emit_.release_to(mark);
+            return false;
+        }
+        check_units_words(*planned, words);
+        check_counts(*planned, words);
+        plan = compact(*planned);
+    }
+    const std::size_t holes = planned ? planned->holes.size() : 0;
+    const Reg first = emit_.take(std::max<unsigned>(1, static_cast<unsigned>(holes)));
+    for (std::size_t i = 0; i < holes; ++i) {
+        const nc::Hole& hole = planned->holes[i];
+        const Word& word = words[hole.word];
+        emit_.set_place(word.range);
+        plan.fillings.push_back(fill_word(word, hole, static_cast<Reg>(first + i)));
+    }
+    unsigned point_register = 0;
+    if (point.is_valid()) {
+        const SourceRange point_range = ast()[point].range;
+        const Value value =
+            convert(expression(point, types::kPoint), types::kPoint, point_range, "the target");
+        if (!is_error(value)) {
+            point_register = in_register(value) + 1u;
+            const auto is_linear = [](const Filling& f) { return !f.is_argument && f.place <= 2; };
+            if (std::any_of(plan.fillings.begin(), plan.fillings.end(), is_linear)) {
+                report(diag::TargetTwice, point_range);
+            }
+        }
+    }
+    emit_.set_place(range);
+    const auto is_target = [](const Filling& f) { return !f.is_argument && f.place < kAxes; };
+    const bool moves = point_register != 0 || (plan.given & nc::kTargetSlots) != 0 ||
+                       std::any_of(plan.fillings.begin(), plan.fillings.end(), is_target);
+    Plan stops = moves ? take_stops(plan) : Plan{};
+    emit_plan(std::move(plan), first, point_register, range);
+    if (!stops.functions.empty()) emit_plan(std::move(stops), first, 0, range);
+    emit_.release_to(mark);
+    return true;
+}
+
+void Checker::words_statement(const Stmt& stmt) {
+    emit_words(ast().word_run(stmt.words), stmt.expression[0], stmt.range);
+}
+
+}  // namespace kadr::sema

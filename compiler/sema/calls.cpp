@@ -1,0 +1,414 @@
+// calls.cpp — calls: functions and cycles of the program, functions of the vocabulary, methods of
+// arrays, tables.
+#include <algorithm>
+
+#include "base/text.h"
+#include "sema/checker.h"
+#include "sema/csv.h"
+
+namespace kadr::sema {
+
+using syntax::Expr;
+using syntax::ExprId;
+using syntax::ExprKind;
+
+Value Checker::call(ExprId id, Reg hint) {
+    const Expr& expr = ast()[id];
+    const Expr& callee = ast()[expr.child[0]];
+    if (callee.kind == ExprKind::Member) return call_method(id, callee, hint);
+    if (callee.kind != ExprKind::Name) {
+        if (callee.kind != ExprKind::Invalid)
+            report(diag::NotAFunction, callee.range).arg(sources_.text(callee.range));
+        return error_value();
+    }
+    const std::string_view name = text(callee.text);
+    if (name.empty()) return error_value();
+    const Found found = find(name);
+    if (found.symbol < 0 && found.name != nullptr && found.name->what == Name::What::Function) {
+        return call_function(found.name->index, expr);
+    }
+    if (found.symbol < 0 && found.name != nullptr && found.name->what == Name::What::Unsupported) {
+        return error_value();
+    }
+    if (const std::optional<Value> value = builtin(name, expr, hint)) return *value;
+    if (const std::optional<nc::Function> function = nc::find_function(name);
+        function && *function != nc::Function::None && *function != nc::Function::Cycle) {
+        return call_vocabulary(nc::info(*function), expr);
+    }
+    if (found.symbol >= 0 || found.name != nullptr) {
+        report(diag::NotAFunction, callee.range).arg(name);
+        return error_value();
+    }
+    auto builder = report(diag::UnknownFunction, callee.range);
+    builder.arg(name);
+    const std::vector<std::string_view> names = known_names(true);
+    if (const auto near = nearest_name(name, names.data(), names.size())) {
+        builder.fix(callee.range, std::string(*near), "did you mean " + quoted(*near) + "?");
+    }
+    return error_value();
+}
+
+std::optional<std::vector<ExprId>> Checker::bind_arguments(const Expr& expr, std::string_view name,
+                                                           std::span<const std::string_view> names,
+                                                           const SourceRange& declared) {
+    std::vector<ExprId> bound(names.size());
+    std::size_t next = 0;
+    bool named_before = false;
+    bool is_good = true;
+    for (const ExprId item : ast().exprs(expr.list)) {
+        const Expr& argument = ast()[item];
+        const bool is_named = argument.kind == ExprKind::Argument && !argument.text.is_empty();
+        const ExprId value = argument.kind == ExprKind::Argument ? argument.child[0] : item;
+        std::size_t at = next;
+        if (is_named) {
+            named_before = true;
+            const auto found = std::find(names.begin(), names.end(), text(argument.text));
+            if (found == names.end()) {
+                auto builder = report(diag::UnknownArgument, argument.range);
+                builder.arg(name).arg(text(argument.text));
+                if (declared.file.is_valid()) builder.note(declared, "it is declared here");
+                if (const auto near =
+                        nearest_name(text(argument.text), names.data(), names.size())) {
+                    builder.fix("did you mean " + quoted(*near) + "?");
+                }
+                is_good = false;
+                continue;
+            }
+            at = static_cast<std::size_t>(found - names.begin());
+        } else if (named_before) {
+            report(diag::PositionalAfterNamed, argument.range).arg(name);
+            is_good = false;
+            continue;
+        } else if (at >= names.size()) {
+            auto builder = report(diag::TooManyArguments, argument.range);
+            builder.arg(name).arg(names.size());
+            if (declared.file.is_valid()) builder.note(declared, "it is declared here");
+            is_good = false;
+            break;
+        }
+        if (bound[at].is_valid()) {
+            report(diag::ArgumentTwice, argument.range).arg(name).arg(names[at]);
+            is_good = false;
+            continue;
+        }
+        bound[at] = value;
+        next = at + 1;
+    }
+    if (!is_good) {
+        return std::nullopt;
+    }
+    return bound;
+}
+
+void Checker::pass_argument(const ParameterDecl& parameter, ExprId argument, Reg first) {
+    const auto target = static_cast<Reg>(first + parameter.reg);
+    if (!parameter.is_reference) {
+        expression_in(argument, parameter.type, target, parameter.name);
+        return;
+    }
+    const SourceRange range = ast()[argument].range;
+    const Expr& expr = ast()[argument];
+    const bool is_path = expr.kind == ExprKind::Name || expr.kind == ExprKind::Index ||
+                         expr.kind == ExprKind::Member;
+    if (!is_path) {
+        report(diag::ReferenceArgument, range).arg(parameter.name);
+        return;
+    }
+    const Reg mark = emit_.mark();
+    const std::optional<Place> found = place(argument);
+    if (!found) return;
+    if (found->is_temporary) {
+        report(diag::ReferenceArgument, range).arg(parameter.name);
+    } else if (check_assignable(*found, range)) {
+        if (found->type != parameter.type) {
+            check_places(found->type, parameter.type, range, parameter.name);
+        } else {
+            emit_.emit(Op::Move, target, reference_to(*found));
+            note_assignment(*found);
+        }
+    }
+    emit_.release_to(mark);
+}
+
+Value Checker::call_function(std::uint32_t index, const Expr& expr) {
+    FunctionDecl& wanted = functions_[index];
+    if (!wanted.is_wanted) {
+        wanted.is_wanted = true;
+        wanted_.push_back(index);
+    }
+    const FunctionDecl function = functions_[index];
+    if (function.kind == syntax::DeclKind::Program) {
+        report(diag::ProgramCalled, expr.range).arg(function.name);
+        return error_value();
+    }
+    std::vector<std::string_view> names;
+    for (const ParameterDecl& parameter : function.parameters) names.push_back(parameter.name);
+    const auto bound = bind_arguments(expr, function.name, names, function.range);
+    if (!bound)
+        return function.result == types::kVoid ? in_registers(types::kVoid, 0) : error_value();
+
+    const unsigned result_slots = type_info(function.result).slots;
+    const Reg first = emit_.take(std::max({1u, result_slots, unsigned{function.parameter_slots}}));
+    std::uint32_t given = 0;
+    for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+        const ParameterDecl& parameter = function.parameters[i];
+        if ((*bound)[i].is_valid()) {
+            pass_argument(parameter, (*bound)[i], first);
+            given |= 1u << i;
+        } else if (parameter.is_required) {
+            report(diag::ArgumentMissing, expr.range)
+                .arg(function.name)
+                .arg(parameter.name)
+                .note(parameter.range, "it is declared here");
+        }
+    }
+    emit_.set_place(expr.range);
+    emit_.emit_pair(Op::Call, first, index + 1, static_cast<unsigned>(loop_depth_),
+                    statement_id(expr.range), static_cast<std::int32_t>(given));
+    Value value = in_registers(function.result, first);
+    value.is_fresh = true;
+    return value;
+}
+
+// ---------------------------------------------------------------- vocabulary
+
+Value Checker::call_vocabulary(const nc::FunctionInfo& info, const Expr& expr) {
+    std::vector<std::string_view> names;
+    for (const nc::Parameter& parameter : info.parameters) names.push_back(parameter.name);
+    const auto bound = bind_arguments(expr, info.name, names, {});
+    if (!bound) return in_registers(types::kVoid, 0);
+    const Reg mark = emit_.mark();
+    Plan plan;
+    nc::Invocation invocation;
+    invocation.function = info.function;
+    invocation.first = 0;
+    plan.argument_count = static_cast<std::uint8_t>(names.size());
+    const Reg first = emit_.take(std::max<unsigned>(1, static_cast<unsigned>(names.size())));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const nc::Parameter& parameter = info.parameters[i];
+        if (!(*bound)[i].is_valid()) {
+            if (!parameter.is_optional)
+                report(diag::ArgumentMissing, expr.range).arg(info.name).arg(parameter.name);
+            continue;
+        }
+        const SourceRange range = ast()[(*bound)[i]].range;
+        const auto reg = static_cast<Reg>(first + plan.fillings.size());
+        Filling filling;
+        if (parameter.dimension == nc::Dimension::Text) {
+            expression_in((*bound)[i], types::kString, reg, parameter.name);
+            filling.form = Filling::Form::Text;
+        } else {
+            const Reg inner = emit_.mark();
+            filling = fill_value(expression((*bound)[i]), parameter.dimension, range,
+                                 parameter.name, reg);
+            emit_.release_to(inner);
+        }
+        filling.is_argument = true;
+        filling.place = static_cast<std::uint8_t>(i);
+        filling.invocation = 0;
+        filling.parameter = static_cast<std::uint8_t>(i);
+        plan.fillings.push_back(filling);
+    }
+    if (info.group == nc::Group::Motion) plan.motion = info.function;
+    else plan.functions.push_back(invocation);
+    if (info.function == nc::Function::Inch || info.function == nc::Function::Metric) {
+        check_units_function(info.function, expr.range);
+    }
+    emit_.set_place(expr.range);
+    emit_plan(std::move(plan), first, 0, expr.range);
+    emit_.release_to(mark);
+    return in_registers(types::kVoid, 0);
+}
+
+// ---------------------------------------------------------------- methods
+
+std::optional<Value> Checker::property_value(const Place& whole, const Expr& expr) {
+    const Kind k = kind(whole.type);
+    const std::string_view name = text(expr.text);
+    if (k != Kind::Array && k != Kind::String) return std::nullopt;
+    if (name != "count" && name != "length") {
+        report(diag::UnknownMember, expr.range).arg(type_name(whole.type)).arg(name);
+        return error_value();
+    }
+    const TypeInfo& info = type_info(whole.type);
+    if (k == Kind::Array && info.count >= 0) return constant_integer(info.count, types::kInt);
+    const Value value = require_given(load(whole, expr.range, true, kNoReg), expr.range, {});
+    if (is_error(value)) return value;
+    const Reg reg = emit_.take(1);
+    emit_.emit(k == Kind::Array ? Op::CountArray : Op::CountText, reg, value.reg);
+    return in_registers(types::kInt, reg);
+}
+
+Value Checker::call_method(ExprId id, const Expr& callee, Reg hint) {
+    const Expr& expr = ast()[id];
+    (void)hint;
+    const std::optional<Place> owner = owner_place(callee.child[0]);
+    if (!owner) return error_value();
+    if (kind(owner->type) == Kind::Array) return array_method(*owner, callee, expr);
+    report(diag::UnknownMethod, callee.range).arg(type_name(owner->type)).arg(text(callee.text));
+    return error_value();
+}
+
+Value Checker::array_method(const Place& array, const Expr& callee, const Expr& expr) {
+    const std::string_view name = text(callee.text);
+    const TypeInfo info = type_info(array.type);
+    const Type element = info.element;
+    const std::uint16_t slots = type_info(element).slots;
+    const bool adds = name == "append" || name == "add";
+    const bool inserts = name == "insert";
+    const bool removes = name == "remove";
+    const bool pops = name == "pop";
+    const bool clears = name == "clear";
+    if (name == "count") {
+        if (!count_arguments(expr, name, 0, 0)) return error_value();
+        const std::optional<Value> count = property_value(array, callee);
+        return count ? *count : error_value();
+    }
+    if (!adds && !inserts && !removes && !pops && !clears) {
+        auto builder = report(diag::UnknownMethod, callee.range);
+        builder.arg(type_name(array.type)).arg(name);
+        static constexpr std::string_view kMethods[] = {"append", "insert", "remove",
+                                                        "pop",    "clear",  "count"};
+        if (const auto near = nearest_name(name, kMethods, std::size(kMethods))) {
+            builder.fix("did you mean " + quoted(*near) + "?");
+        }
+        return error_value();
+    }
+    if (!check_assignable(array, callee.range)) return error_value();
+    if (info.count >= 0) {
+        report(diag::FixedArrayGrows, callee.range).arg(type_name(array.type)).arg(name);
+        return error_value();
+    }
+    if (!count_arguments(expr, name,
+                         inserts           ? 2
+                         : adds || removes ? 1
+                                           : 0,
+                         inserts           ? 2
+                         : adds || removes ? 1
+                                           : 0)) {
+        return error_value();
+    }
+    const auto arguments = ast().exprs(expr.list);
+    const auto value_of = [&](std::size_t i) {
+        const Expr& item = ast()[arguments[i]];
+        return item.kind == ExprKind::Argument ? item.child[0] : arguments[i];
+    };
+    const Value handle = load(array, callee.range, false, kNoReg);
+    if (adds || inserts) {
+        Reg at = 0;
+        if (inserts) at = expression_in(value_of(0), types::kInt, kNoReg, "the index");
+        const Reg reg = emit_.take(slots);
+        expression_in(value_of(inserts ? 1 : 0), element, reg, "the element");
+        emit_.set_place(expr.range);
+        if (inserts) emit_.emit(Op::InsertAt, handle.reg, reg, at);
+        else emit_.emit(Op::Append, handle.reg, reg);
+        return in_registers(types::kVoid, 0);
+    }
+    if (clears) {
+        emit_.emit(Op::ClearArray, handle.reg);
+        return in_registers(types::kVoid, 0);
+    }
+    Reg at = 0;
+    if (removes) {
+        at = expression_in(value_of(0), types::kInt, kNoReg, "the index");
+    } else {
+        at = emit_.take(1);
+        emit_.emit(Op::CountArray, at, handle.reg);
+        emit_.emit_integer(Op::AddIK, at, at, -1);
+    }
+    emit_.set_place(expr.range);
+    const Reg result = emit_.take(slots);
+    if (slots == 1) emit_.emit(Op::LoadElement, result, handle.reg, at);
+    else emit_.emit_pair(Op::LoadElementN, result, handle.reg, at, 0, slots);
+    emit_.emit(Op::RemoveAt, handle.reg, at);
+    Value value = in_registers(element, result);
+    value.is_fresh = true;
+    return value;
+}
+
+// ---------------------------------------------------------------- tables
+
+void Checker::add_columns(TableSchema& schema, Type type, const std::string& prefix,
+                          std::uint16_t slot) {
+    const StructInfo& info = types_.struct_of(type);
+    for (const Member& member : info.members) {
+        const auto at = static_cast<std::uint16_t>(slot + member.offset);
+        const TypeInfo& member_type = type_info(member.type);
+        if (member_type.kind == Kind::Struct) {
+            add_columns(schema, member.type, prefix + member.name + '.', at);
+            continue;
+        }
+        Column column;
+        column.name = prefix + member.name;
+        column.slot = at;
+        column.quantity = member_type.quantity;
+        column.is_optional = member_type.is_optional;
+        using K = Column::Kind;
+        switch (member_type.kind) {
+            case Kind::Bool: column.kind = K::Bool; break;
+            case Kind::Int: column.kind = K::Integer; break;
+            case Kind::Real: column.kind = K::Number; break;
+            case Kind::Feed: column.kind = K::Feed; break;
+            case Kind::Speed: column.kind = K::Speed; break;
+            case Kind::String: column.kind = K::Text; break;
+            case Kind::Enum:
+                column.kind = K::Enum;
+                column.enumeration = member_type.definition;
+                break;
+            default: continue;
+        }
+        schema.columns.push_back(std::move(column));
+    }
+}
+
+Value Checker::table(const Expr& expr) {
+    if (text(expr.text) != "table") {
+        report(diag::UnknownFunction, expr.range).arg(text(expr.text)).fix("did you mean `table`?");
+        return error_value();
+    }
+    const Type row = resolve_type(expr.type);
+    if (!count_arguments(expr, "table", 1, 1)) return error_value();
+    const ExprId item = ast().exprs(expr.list)[0];
+    const ExprId argument = ast()[item].kind == ExprKind::Argument ? ast()[item].child[0] : item;
+    if (kind(row) == Kind::Error) return error_value();
+    if (kind(row) != Kind::Struct || types_.holds_array(row)) {
+        report(diag::TableType, expr.range).arg(type_name(row));
+        return error_value();
+    }
+    TableSchema schema;
+    schema.type_name = type_name(row);
+    add_columns(schema, row, "", 0);
+    schema.layout = layout_constant(row);
+    schema.slots = type_info(row).slots;
+    schema.units = units_;
+    const std::string_view file = sources_.name(ast().file);
+    const std::size_t slash = file.find_last_of("/\\");
+    schema.folder = slash == std::string_view::npos ? "" : std::string(file.substr(0, slash + 1));
+    // Enums must be known where the table is read, which may be before the check is over.
+    std::vector<EnumNames> enums;
+    for (std::size_t i = 0; i < types_.enum_count(); ++i) {
+        enums.push_back({types_.enum_at(i).name, types_.enum_at(i).members});
+    }
+    const Value path =
+        convert(expression(argument, types::kString), types::kString, ast()[argument].range, {});
+    if (is_error(path)) return path;
+    const auto index = static_cast<std::uint32_t>(code_->schemas.size());
+    code_->schemas.push_back(schema);
+    const Reg reg = emit_.take(1);
+    if (path.is_constant()) {
+        const std::string name = code_->texts[static_cast<std::size_t>(path.constant.integer)];
+        std::optional<TableRows> rows =
+            read_table(schema, enums, name, ast()[argument].range, sink_);
+        if (!rows) return error_value();
+        emit_.emit_pair(Op::LoadTable, reg, 0, 0, static_cast<std::int64_t>(code_->tables.size()));
+        code_->tables.push_back({index, std::move(*rows)});
+    } else {
+        const Reg name = in_register(path);
+        emit_.emit_pair(Op::ReadTable, reg, name, 0, index);
+    }
+    Value value = in_registers(types_.array(row, -1), reg);
+    value.is_fresh = true;
+    return value;
+}
+
+}  // namespace kadr::sema

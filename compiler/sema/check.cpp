@@ -1,0 +1,148 @@
+// check.cpp — the road through a program: names of all files, types, signatures, globals, bodies.
+#include "sema/check.h"
+
+#include <algorithm>
+
+#include "sema/checker.h"
+
+namespace kadr::sema {
+
+using syntax::DeclKind;
+
+Checker::Checker(ModuleLoader& modules, const Sources& sources, DiagnosticSink& sink)
+    : loader_(modules),
+      sources_(sources),
+      sink_(sink),
+      code_(std::make_unique<Code>()),
+      emit_(*code_) {}
+
+/// `units inch;` as the first statement of a program holds for all of it, its parameters too.
+Units Checker::units_of(const FunctionDecl& function) const {
+    const syntax::Ast& tree = *modules_[function.module].ast;
+    const syntax::Decl& decl = tree[function.decl];
+    if (!decl.body.is_valid()) return modules_[function.module].units;
+    for (const syntax::StmtId id : tree.stmts(tree[decl.body].statements)) {
+        const syntax::Stmt& stmt = tree[id];
+        if (stmt.kind == syntax::StmtKind::Empty) continue;
+        if (stmt.kind != syntax::StmtKind::Units) break;
+        return tree.text(stmt.text) == "mm" ? Units::Metric : Units::Inch;
+    }
+    return modules_[function.module].units;
+}
+
+std::optional<nc::CycleId> Checker::native_cycle(const FunctionDecl& function) const {
+    if (function.kind != DeclKind::Cycle) return std::nullopt;
+    // Only the cycles of the standard library are the controls' own: a user's cycle of the same
+    // name does what the user wrote.
+    const std::string_view file = sources_.name(modules_[function.module].ast->file);
+    if (file.find("stdlib") == std::string_view::npos) return std::nullopt;
+    const nc::Dialect& dialect = *modules_[0].dialect;
+    const std::optional<nc::CycleId> id = dialect.find_cycle(function.name);
+    if (!id) return std::nullopt;
+    const std::vector<nc::Parameter>& parameters = dialect.cycles()[*id].parameters;
+    const bool same =
+        std::equal(parameters.begin(), parameters.end(), function.parameters.begin(),
+                   function.parameters.end(),
+                   [](const nc::Parameter& a, const ParameterDecl& b) { return a.name == b.name; });
+    return same ? id : std::nullopt;
+}
+
+void Checker::emit_native_cycle() {
+    if (!native_pending_) return;
+    native_pending_ = false;
+    emit_.emit_pair(Op::NativeCycle, 0, 0, 0, *current_native_);
+}
+
+bool Checker::only_checks(const FunctionDecl& function) const {
+    const syntax::Ast& tree = *modules_[function.module].ast;
+    const syntax::Decl& decl = tree[function.decl];
+    if (!decl.body.is_valid()) return false;
+    const auto statements = tree.stmts(tree[decl.body].statements);
+    return std::all_of(statements.begin(), statements.end(), [&](syntax::StmtId id) {
+        return tree[id].kind == syntax::StmtKind::Require ||
+               tree[id].kind == syntax::StmtKind::Assert;
+    });
+}
+
+/// The contract of a cycle holds for a native one too, so it is checked before.
+bool Checker::is_check(syntax::StmtId id) const {
+    const syntax::Stmt& stmt = ast()[id];
+    switch (stmt.kind) {
+        case syntax::StmtKind::Empty:
+        case syntax::StmtKind::Require:
+        case syntax::StmtKind::Assert: return true;
+        case syntax::StmtKind::Expression: {
+            const syntax::Expr& expr = ast()[stmt.expression[0]];
+            if (expr.kind != syntax::ExprKind::Call ||
+                ast()[expr.child[0]].kind != syntax::ExprKind::Name)
+                return false;
+            const Name* found = find_global(module_, text(ast()[expr.child[0]].text));
+            return found != nullptr && found->what == Name::What::Function &&
+                   only_checks(functions_[found->index]);
+        }
+        default: return false;
+    }
+}
+
+std::unique_ptr<Code> Checker::run(const syntax::Ast& main, const nc::Dialect& dialect) {
+    load_module(main, dialect);
+    const auto modules = static_cast<std::uint32_t>(modules_.size());
+    for (std::uint32_t i = 0; i < modules; ++i) declare_names(i);
+    code_->functions.resize(functions_.size() + 1);
+
+    FunctionCode& startup = code_->functions[0];
+    startup.name = "globals";
+    startup.kind = FunctionKind::Startup;
+    is_startup_ = true;
+    emit_.begin_function();
+    for (std::uint32_t i = 0; i < modules; ++i) define_types(i);
+    for (std::uint32_t i = 0; i < functions_.size(); ++i) define_signature(i);
+    code_->functions[0].entry = code_->functions[0].body = emit_.here();
+    // Imported files come behind the file that imports them; their variables are needed first.
+    for (std::uint32_t i = modules; i-- > 0;) {
+        for (std::uint32_t g = 0; g < globals_.size(); ++g) {
+            if (globals_[g].module == i) check_global(g, false);
+        }
+    }
+    emit_.emit(Op::Return, 0, 0, 0);
+    code_->functions[0].end = emit_.here();
+    code_->functions[0].registers = emit_.registers_used();
+    is_startup_ = false;
+
+    for (std::uint32_t i = 0; i < functions_.size(); ++i) {
+        if (functions_[i].module != 0) continue;
+        functions_[i].is_wanted = true;
+        wanted_.push_back(i);
+    }
+    // Calls add to the list: functions of other files are checked as soon as somebody wants them.
+    for (std::size_t i = 0; i < wanted_.size(); ++i) check_function(wanted_[i]);
+    finish();
+    if (sink_.errors > 0) return nullptr;
+    return std::move(code_);
+}
+
+void Checker::finish() {
+    for (std::uint32_t i = 0; i < functions_.size(); ++i) {
+        const FunctionDecl& function = functions_[i];
+        FunctionCode& entry = code_->functions[i + 1];
+        entry.name = function.name;
+        entry.kind = function.kind == DeclKind::Program ? FunctionKind::Program
+                     : function.kind == DeclKind::Cycle ? FunctionKind::Cycle
+                                                        : FunctionKind::Plain;
+        entry.result_slots = type_info(function.result).slots;
+        entry.units = units_of(function);
+        entry.range = function.range;
+        entry.is_main_file = function.module == 0;
+        for (const ParameterDecl& parameter : function.parameters) {
+            entry.parameters.push_back(describe_parameter(parameter));
+        }
+    }
+    export_enums();
+}
+
+std::unique_ptr<Code> check(const syntax::Ast& main, const nc::Dialect& dialect,
+                            ModuleLoader& modules, const Sources& sources, DiagnosticSink& sink) {
+    return Checker(modules, sources, sink).run(main, dialect);
+}
+
+}  // namespace kadr::sema

@@ -1,0 +1,370 @@
+// checker.h — the checker at work: one pass over each function that checks and emits code.
+//
+// The chapters: check.cpp (the road through a program), declarations.cpp (files, types, functions),
+// scope.cpp (names), expressions.cpp, values.cpp, convert.cpp (units and dimensions),
+// optionals.cpp, composites.cpp (points, structs, arrays), operators.cpp, conditions.cpp,
+// places.cpp (what can be assigned), calls.cpp, builtins.cpp, text.cpp (strings), statements.cpp,
+// loops.cpp, blocks.cpp (NC blocks), with.cpp, preserves.cpp. For the room sema only.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "sema/check.h"
+#include "sema/code.h"
+#include "sema/emitter.h"
+#include "sema/names.h"
+#include "sema/types.h"
+
+namespace kadr::sema {
+
+/// Something that can be read, assigned, referred to: a variable, a member, an element.
+struct Place {
+    enum class Storage : std::uint8_t { Local, Global, Reference, Element };
+    Storage storage = Storage::Local;
+    Type type;
+    Reg reg = 0;               // Local; Reference: the register that refers; Element: the array
+    Reg index = 0;             // Element
+    std::uint32_t offset = 0;  // Global: its register; Reference, Element: slots further
+    std::uint16_t stride = 1;  // Element: slots of a whole element
+    bool is_const = false;
+    bool is_loop_variable = false;
+    bool is_temporary = false;  // part of a value that nobody else sees
+    bool may_be_unset = false;
+    std::int32_t symbol = -1;  // local symbol, if this is a whole local variable
+    std::string_view root;     // name of the variable, for messages
+    SourceRange root_range;    // where it was declared
+};
+
+struct LoopScope {
+    Label* on_break = nullptr;
+    Label* on_continue = nullptr;  // null: a switch
+    std::size_t with_depth = 0;
+};
+
+class Checker {
+  public:
+    Checker(ModuleLoader& modules, const Sources& sources, DiagnosticSink& sink);
+    std::unique_ptr<Code> run(const syntax::Ast& main, const nc::Dialect& dialect);
+
+  private:
+    // declarations.cpp
+    std::uint32_t load_module(const syntax::Ast& ast, const nc::Dialect& dialect);
+    void import(std::uint32_t module, const syntax::Decl& decl);
+    void declare_names(std::uint32_t module);
+    void declare(std::uint32_t module, std::string_view name, Name entry);
+    void declare_enum(std::uint32_t module, const syntax::Decl& decl);
+    void declare_units(std::uint32_t module);
+    void define_types(std::uint32_t module);
+    void define_struct(std::uint32_t module, Type type, const syntax::Decl& decl);
+    void define_enum_values(std::uint32_t module, const syntax::Decl& decl);
+    bool struct_contains(Type inner, Type outer) const;
+    void define_signature(std::uint32_t function);
+    Type resolve_type(syntax::TypeId id);
+    std::optional<Type> builtin_type(std::string_view name) const;
+    void check_global(std::uint32_t global, bool on_demand);
+    void check_function(std::uint32_t function);
+    void check_defaults(const FunctionDecl& function);
+    void bind_parameters(const FunctionDecl& function);
+    ParameterInfo describe_parameter(const ParameterDecl& parameter);
+    void report_unused_parameters();
+    void export_enums();
+    void finish();
+    Units units_of(const FunctionDecl& function) const;
+    /// The common cycle that this function is the body of.
+    std::optional<nc::CycleId> native_cycle(const FunctionDecl& function) const;
+    void emit_native_cycle();
+    bool is_check(syntax::StmtId id) const;
+    bool only_checks(const FunctionDecl& function) const;
+    void emit_unset(Type type, Reg reg);
+
+    // scope.cpp
+    struct Found {
+        std::int32_t symbol = -1;    // local
+        const Name* name = nullptr;  // top-level
+    };
+    Found find(std::string_view name);
+    const Name* find_global(std::uint32_t module, std::string_view name) const;
+    Symbol& add_symbol(Symbol symbol);
+    void check_new_name(std::string_view name, const SourceRange& range);
+    void report_unknown(std::string_view name, const SourceRange& range);
+    std::vector<std::string_view> known_names(bool functions) const;
+    void leave_scope(std::size_t symbols);
+    std::vector<Givenness> remember_givenness() const;
+    void merge_givenness(const std::vector<Givenness>& other);
+    void set_givenness(const std::vector<Givenness>& other);
+    void forget_givenness();
+
+    // expressions.cpp
+    Value expression(syntax::ExprId id, Type expected = {}, Reg hint = kNoReg);
+    Value expression_kind(syntax::ExprId id, Type expected, Reg hint);
+    Value number_literal(const syntax::Expr& expr);
+    Value name_value(syntax::ExprId id, Reg hint);
+    Value symbol_value(std::int32_t index, const SourceRange& range, bool checked);
+    Value conditional(syntax::ExprId id, Type expected, Reg hint);
+    Value assign(syntax::ExprId id, bool is_value);
+    Value step(syntax::ExprId id, bool is_value);
+    Value braces(syntax::ExprId id, Type expected, Reg hint);
+    Value brace_array(syntax::ExprId id, Type type, Reg hint);
+    Value brace_struct(syntax::ExprId id, Type type, Reg hint);
+    void fill_members(syntax::ExprId id, Type type, Reg reg);
+    Value member(syntax::ExprId id);
+    Value position_member(const syntax::Expr& expr, bool is_position);
+    Value given(const syntax::Expr& expr);
+    Value is_given(const Value& value);
+    Value coalesce(syntax::ExprId id, Type expected);
+    /// The value, converted to `target`; `what` names the place in messages.
+    Value convert(const Value& value, Type target, const SourceRange& range, std::string_view what);
+    Value adapt_number(const Value& value, Type target);
+    void check_places(Type from, Type to, const SourceRange& range, std::string_view what);
+    /// An expression in a place of a type: converted and in registers `reg` (taken if none).
+    Reg expression_in(syntax::ExprId id, Type type, Reg reg, std::string_view what);
+    Reg in_register(const Value& value, Reg hint = kNoReg);
+    void copy_value(const Value& value, Reg target);
+    /// Reads an optional as if it were given: reports or emits the check.
+    Value require_given(const Value& value, const SourceRange& range, std::string_view name);
+    bool is_plain_number(const Value& value) const;
+    std::string quantity_name(Type type) const;
+    static Value retyped(Value value, Type type);
+    Value whole_number(const Value& value, Type target, const SourceRange& range,
+                       std::string_view what);
+    std::optional<Value> same_quantity(const Value& value, Type target);
+    Value family_value(const Value& value, Type target, bool second);
+    void check_unset(const Value& value, std::string_view name, const SourceRange& range);
+    /// The value of a name, member or element without the check that it is given; sets
+    /// last_unset_ if the variable may be without a value.
+    Value unchecked(syntax::ExprId id);
+    Type type_of(syntax::ExprId id);
+    /// What a condition says about optionals: inside `if (given b)`, b is given.
+    void assume_given(syntax::ExprId condition, bool sense);
+    /// `list.count` and the like; nothing if it is a member of a struct.
+    std::optional<Value> property_value(const Place& whole, const syntax::Expr& expr);
+    Value constant_number(double value, Type type) const;
+    Value constant_integer(std::int64_t value, Type type) const;
+    Value constant_text(std::string_view text);
+    Value in_registers(Type type, Reg reg) const;
+    Value error_value() const;
+    std::optional<double> number_of(const Value& constant) const;
+    bool writes(syntax::ExprId id);
+    bool reports_finite(double value, const SourceRange& range);
+
+    // operators.cpp
+    Value unary(syntax::ExprId id, Type expected, Reg hint);
+    Value binary(syntax::ExprId id, Type expected, Reg hint);
+    Value binary_values(syntax::Operator op, Value left, Value right, const syntax::Expr& expr,
+                        Reg hint);
+    Value arithmetic(syntax::Operator op, Value left, Value right, const syntax::Expr& expr,
+                     Reg hint);
+    Value families(syntax::Operator op, const Value& left, const Value& right,
+                   const syntax::Expr& expr, Reg hint);
+    /// Whether an instruction does nothing but set its first register.
+    static bool is_pure(Op op);
+    Value fold_integers(syntax::Operator op, std::int64_t a, std::int64_t b,
+                        const SourceRange& range);
+    Value emit_integers(syntax::Operator op, const Value& a, const Value& b, Reg hint);
+    Value emit_reals(syntax::Operator op, const Value& a, const Value& b, Type type, Reg hint,
+                     const SourceRange& range);
+    Value vectors(syntax::Operator op, const Value& left, const Value& right,
+                  const syntax::Expr& expr);
+    Value bits(syntax::Operator op, const Value& left, const Value& right, const syntax::Expr& expr,
+               Reg hint);
+    Value truth(syntax::ExprId id, Reg hint);
+    Value contains(const syntax::Expr& expr, Reg hint);
+    struct Comparison;
+    std::optional<Comparison> comparison(const syntax::Expr& expr);
+    /// Makes two numbers comparable and addable: the same quantity; false: reported.
+    bool match_quantities(Value& left, Value& right, const syntax::Expr& expr);
+    Value to_real(const Value& value);
+    Value plain_form(const Value& value, int form);
+    /// Jumps to the label if the condition has this truth. `depth` ≥ 0: a loop's backward jump.
+    void jump_if(syntax::ExprId id, bool sense, Label& label, int depth = -1);
+    void jump_compare(const Comparison& comparison, bool sense, Label& label, int depth);
+    void check_condition(const Value& value, const SourceRange& range);
+
+    // places.cpp
+    std::optional<Place> place(syntax::ExprId id);
+    std::optional<Place> name_place(syntax::ExprId id);
+    std::optional<Place> member_place(syntax::ExprId id);
+    std::optional<Place> element_place(syntax::ExprId id);
+    /// A place, or the temporary that an expression leaves.
+    std::optional<Place> owner_place(syntax::ExprId id);
+    /// The member `expr.text` of a struct that stands somewhere.
+    std::optional<Place> part_place(const Place& whole, const syntax::Expr& expr);
+    void note_assignment(const Place& place);
+    Value load(const Place& place, const SourceRange& range, bool checked, Reg hint);
+    void store(const Place& place, const Value& value, const SourceRange& range);
+    Reg reference_to(const Place& place);
+    bool check_assignable(const Place& place, const SourceRange& range);
+
+    // calls.cpp
+    Value call(syntax::ExprId id, Reg hint);
+    Value call_function(std::uint32_t function, const syntax::Expr& expr);
+    void pass_argument(const ParameterDecl& parameter, syntax::ExprId argument, Reg first);
+    Value call_vocabulary(const nc::FunctionInfo& info, const syntax::Expr& expr);
+    Value call_method(syntax::ExprId id, const syntax::Expr& callee, Reg hint);
+    Value array_method(const Place& array, const syntax::Expr& callee, const syntax::Expr& expr);
+    Value table(const syntax::Expr& expr);
+    void add_columns(TableSchema& schema, Type type, const std::string& prefix, std::uint16_t slot);
+    std::optional<std::vector<syntax::ExprId>> bind_arguments(
+        const syntax::Expr& expr, std::string_view name, std::span<const std::string_view> names,
+        const SourceRange& declared);
+
+    // builtins.cpp
+    std::optional<Value> builtin(std::string_view name, const syntax::Expr& expr, Reg hint);
+    Value math_call(Math function, const syntax::Expr& expr, std::string_view name, Reg hint);
+    Value round_call(Rounding rounding, const syntax::Expr& expr, std::string_view name);
+    Value extreme(Math function, const syntax::Expr& expr, std::string_view name);
+    Value square_root(const syntax::Expr& expr);
+    Value power_call(const syntax::Expr& expr);
+    Value trigonometric(Op op, const syntax::Expr& expr, std::string_view name, Reg hint);
+    Value distance_call(const syntax::Expr& expr);
+    Value mod_call(const syntax::Expr& expr);
+    bool count_arguments(const syntax::Expr& expr, std::string_view name, std::size_t least,
+                         std::size_t most);
+    std::optional<Value> numeric_argument(syntax::ExprId argument, std::string_view name);
+    Value math_value(Math function, const Value& a, Type type, const SourceRange& range, Reg hint);
+    Value math_value(Math function, const Value& a, const Value& b, Type type,
+                     const SourceRange& range, Reg hint);
+
+    // text.cpp
+    Value string(syntax::ExprId id, Reg hint);
+    bool format_piece(const Value& value, std::string_view format, const SourceRange& range,
+                      FormatPiece& piece);
+    Value text_of(const Value& value, const SourceRange& range);
+    std::uint32_t text_constant(std::string_view text);
+    std::uint32_t layout_constant(Type type);
+
+    // statements.cpp: true if the statement can end normally
+    bool statement(syntax::StmtId id);
+    bool block(syntax::List statements);
+    void variable(const syntax::Decl& decl);
+    bool if_statement(const syntax::Stmt& stmt);
+    bool switch_statement(const syntax::Stmt& stmt);
+    bool is_own_local(syntax::ExprId id);
+    void return_statement(const syntax::Stmt& stmt);
+    void leave_function(const SourceRange& range);
+    void check_statement(const syntax::Stmt& stmt, bool is_require);
+    void text_statement(const syntax::Stmt& stmt, Op op, unsigned kind);
+    void expression_statement(const syntax::Stmt& stmt);
+    void not_supported(std::string_view what, const SourceRange& range);
+    std::uint32_t statement_id(const SourceRange& range);
+
+    // loops.cpp
+    bool while_statement(const syntax::Stmt& stmt);
+    bool do_statement(const syntax::Stmt& stmt);
+    bool for_statement(const syntax::Stmt& stmt);
+    bool counting_loop(const syntax::Stmt& stmt, Label& top, int depth);
+    bool for_each(const syntax::Stmt& stmt);
+    bool for_range(const syntax::Stmt& stmt, const syntax::Decl& decl);
+    void jump_if_quietly(syntax::ExprId condition, Label& top, int depth);
+    bool is_plain_constant(syntax::ExprId id);
+    void jump_out(bool is_break, const SourceRange& range);
+
+    // blocks.cpp
+    void words_statement(const syntax::Stmt& stmt);
+    bool emit_words(std::span<const syntax::Word> words, syntax::ExprId point,
+                    const SourceRange& range);
+    std::optional<nc::BlockPlan> plan_words(std::span<const syntax::Word> words);
+    void check_units_function(nc::Function function, const SourceRange& range);
+    void check_units_words(const nc::BlockPlan& plan, std::span<const syntax::Word> words);
+    void check_counts(const nc::BlockPlan& plan, std::span<const syntax::Word> words);
+    Filling fill_word(const syntax::Word& word, const nc::Hole& hole, Reg reg);
+    Filling fill_literal(const syntax::Word& word, const nc::Hole& hole, Reg reg);
+    Filling fill_computed(const Value& source, const syntax::Word& word, const nc::Hole& hole,
+                          bool has_unit, Reg reg);
+    Filling fill_feed(const Value& value, const syntax::Word& word, Reg reg);
+    Filling fill_speed(const Value& value, const syntax::Word& word, Reg reg);
+    Filling fill_value(Value value, nc::Dimension dimension, const SourceRange& range,
+                       std::string_view what, Reg reg);
+    std::uint32_t plan_constant(Plan plan);
+    void emit_plan(Plan plan, Reg first, unsigned point, const SourceRange& range);
+    bool with_statement(const syntax::Stmt& stmt);
+    ModalMask modal_mask(const nc::BlockPlan& plan, bool& is_modal) const;
+    ModalMask words_mask(std::span<const syntax::Word> words, bool is_preserves);
+    void frame_call(syntax::ExprId id);
+    std::string word_text(const syntax::Word& word) const;
+
+    // preserves.cpp
+    /// The members of modal groups that the declaration promises to preserve, and so needs.
+    std::vector<nc::Function> preserved_members(const syntax::Decl& decl);
+    void check_preserves(const FunctionDecl& function, const syntax::Decl& decl);
+    friend class PreservesCheck;
+
+    const syntax::Ast& ast() const { return *modules_[module_].ast; }
+    std::string_view text(syntax::TextId id) const { return ast().text(id); }
+    Units units() const { return units_; }
+    DiagnosticBuilder report(const DiagnosticRow& row, const SourceRange& range) {
+        return sink_.report(row, range);
+    }
+    std::string type_name(Type type) const { return types_.name(type); }
+    const TypeInfo& type_info(Type type) const { return types_[type]; }
+    Kind kind(Type type) const { return types_[type].kind; }
+    bool is_error(const Value& value) const { return kind(value.type) == Kind::Error; }
+
+    /// Counts errors on their way to the caller's sink.
+    class CountingSink final : public DiagnosticSink {
+      public:
+        explicit CountingSink(DiagnosticSink& next) : next_(next) {}
+        void take(Diagnostic diagnostic) override {
+            if (is_quiet) return;
+            if (diagnostic.severity != Severity::Warning) ++errors;
+            next_.take(std::move(diagnostic));
+        }
+        std::size_t errors = 0;
+        bool is_quiet = false;
+
+      private:
+        DiagnosticSink& next_;
+    };
+
+    ModuleLoader& loader_;
+    const Sources& sources_;
+    CountingSink sink_;
+    std::unique_ptr<Code> code_;
+    Emitter emit_;
+    TypeTable types_;
+    std::vector<ModuleScope> modules_;
+    std::vector<FunctionDecl> functions_;
+    std::vector<GlobalVariable> globals_;
+    std::vector<std::uint32_t> wanted_;  // functions whose bodies are to be checked
+    std::uint32_t prelude_ = 0xffffffffu;
+
+    // Where the checker is.
+    std::uint32_t module_ = 0;
+    Units units_ = Units::Metric;
+    std::vector<Symbol> symbols_;  // visible local names, innermost last
+    std::unordered_map<std::string_view, std::vector<std::int32_t>>
+        visible_;                  // by name, innermost last
+    std::size_t scope_begin_ = 0;  // first symbol of the innermost scope
+    std::vector<LoopScope> loops_;
+    std::size_t with_depth_ = 0;
+    int loop_depth_ = 0;
+    const FunctionDecl* function_ = nullptr;
+    bool has_preserves_ = false;
+    bool is_startup_ = false;
+    std::optional<nc::CycleId> current_native_;
+    Reg for_limit_ = kNoReg;  // register of the constant that ends a `for`
+    bool last_unset_ = false;
+    bool native_pending_ = false;  // the body's checks are still being emitted
+    std::vector<Type> open_structs_;
+    std::uint32_t statement_ = 0;  // SourceId of the statement
+
+    std::unordered_map<std::uint64_t, Type> known_types_;  // of expressions, by file and index
+    std::unordered_map<std::string, std::uint32_t> text_index_;
+    std::unordered_map<std::string, std::uint32_t> plan_index_;
+    std::unordered_map<std::uint16_t, std::uint32_t> layout_index_;  // by type
+};
+
+/// In backticks, as code stands in messages.
+std::string quoted(std::string_view text);
+/// An operator as it is written, without the `=` of a compound assignment.
+std::string_view spelling(syntax::Operator op);
+
+}  // namespace kadr::sema

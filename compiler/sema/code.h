@@ -1,0 +1,248 @@
+// code.h — a checked program, ready to be evaluated.
+//
+// Instructions over typed registers of eight bytes: names are resolved, dimensions gone, every
+// unit converted. A function's registers are its parameters, its variables and intermediate
+// values; texts and arrays are handles. Nothing here is looked up by name while it runs.
+// `print` shows it, one instruction a line.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/source.h"
+#include "nc/block.h"
+#include "sema/quantity.h"
+
+namespace kadr::sema {
+
+enum class Op : std::uint16_t {
+#define KADR_OP(name, operands) name,
+#include "sema/opcodes.def"
+#undef KADR_OP
+};
+
+/// A register, or one piece of an array's element. What it holds is the checker's knowledge.
+union Slot {
+    std::int64_t integer;
+    double number;
+};
+static_assert(sizeof(Slot) == 8);
+
+enum class SlotKind : std::uint8_t { Integer, Number, Text, Array };
+
+/// "Not given" for whole numbers, truth values and handles. A real number that is not given is a
+/// NaN: no calculation of the language yields one.
+inline constexpr std::int64_t kNotGivenInteger = std::numeric_limits<std::int64_t>::min();
+inline constexpr double kNotGivenNumber = std::numeric_limits<double>::quiet_NaN();
+
+/// A feed or speed can be of two forms: per time or per revolution, of the spindle or of cutting.
+/// Which one is known only when the program runs: the second form is stored multiplied by this, a
+/// power of two far beyond any real value, so the two are told apart by size and nothing is lost.
+inline constexpr double kSecondForm = 0x1p600;
+inline bool is_second_form(double value) { return std::fabs(value) > 0x1p300; }
+
+struct Instruction {
+    struct Pair {
+        std::int32_t first;  // a jump target, a table index
+        std::int32_t second;
+    };
+    Op op = Op::Finish;
+    std::uint16_t a = 0;
+    std::uint16_t b = 0;
+    std::uint16_t c = 0;
+    union {
+        std::int64_t integer = 0;
+        double number;
+        Pair pair;
+    } immediate;
+};
+static_assert(sizeof(Instruction) == 16);
+
+enum class Rounding : std::uint8_t { Trunc, Floor, Ceil, Round };
+
+enum class Math : std::uint8_t {
+    Abs,
+    Sign,
+    TanDeg,
+    AsinDeg,
+    AcosDeg,
+    AtanDeg,
+    Exp,
+    Ln,
+    Log10,
+    Cbrt,  // of one number
+    Pow,
+    Atan2Deg,
+    Hypot,
+    Min,
+    Max,  // of two
+};
+
+/// What `state.…` reads.
+enum class StateValue : std::uint8_t { Feed, Speed, Tool };
+
+enum class FrameChange : std::uint8_t { Shift, Rotate, Mirror };
+
+/// Which modal state a `with` or `preserves` concerns: bit i is nc::Group i, then:
+using ModalMask = std::uint32_t;
+inline constexpr ModalMask kFrameBit = 1u << 24;
+inline constexpr ModalMask kFeedBit = 1u << 25;
+inline constexpr ModalMask kSpeedBit = 1u << 26;
+constexpr ModalMask group_bit(nc::Group group) { return 1u << static_cast<unsigned>(group); }
+
+/// One value of a block that is known only when the program runs, in the order of the registers.
+struct Filling {
+    enum class Form : std::uint8_t {
+        Plain,  // in the unit of the block
+        Count,  // a whole number in an integer register
+        Text,
+        FeedBare,      // F200: in the unit of the feed mode, lengths in the file's unit
+        Feed,          // mm/s, or mm/rev in the second form
+        FeedPerTime,   // mm/s
+        FeedPerTurn,   // mm/rev
+        FeedInverse,   // 1/s
+        SpeedBare,     // S2400
+        Speed,         // rev/s, or mm/s in the second form
+        SpeedPerTime,  // rev/s
+        SpeedCutting,  // mm/s
+    };
+    Form form = Form::Plain;
+    bool is_argument = false;  // `place`: index into Block::arguments; else a Slot
+    std::uint8_t place = 0;
+    std::uint8_t invocation = 0;
+    std::uint8_t parameter = 0;
+    double factor = 1;  // FeedBare: mm per length unit of the file
+
+    friend bool operator==(const Filling&, const Filling&) = default;
+};
+
+/// A block without its values: what the words say before the program runs.
+struct Plan {
+    nc::Function motion = nc::Function::None;
+    nc::SlotMask given = 0;
+    nc::SlotMask incremental = 0;
+    nc::SlotMask absolute = 0;
+    std::uint8_t argument_count = 0;
+    std::int8_t skip = -1;
+    nc::CycleId cycle = 0;
+    std::int32_t number = -1;
+    std::vector<nc::Invocation> functions;
+    std::vector<std::pair<std::uint8_t, double>> arguments;  // fixed by the dialect's words
+    std::vector<std::pair<std::uint8_t, double>> values;     // likewise
+    std::vector<Filling> fillings;
+};
+
+/// A text with holes: `"{x:.3} mm"`.
+struct FormatPiece {
+    enum class Kind : std::uint8_t { Literal, Integer, Number, Feed, Speed, Text, Bool, Enum };
+    Kind kind = Kind::Literal;
+    std::string text;   // of a Literal
+    double factor = 1;  // a Number is multiplied by it: mm → the file's units
+    std::int16_t decimals = -1;
+    std::int16_t width = 0;
+    bool zeros = false;  // filled with zeros instead of blanks
+    bool plus = false;
+    std::uint32_t enumeration = 0;
+};
+using FormatPattern = std::vector<FormatPiece>;
+
+/// What each register of an array's element holds; `nested` the layout of a register that is an
+/// array itself.
+struct Layout {
+    std::vector<SlotKind> slots;
+    std::vector<std::uint32_t> nested;
+    friend bool operator==(const Layout&, const Layout&) = default;
+};
+
+/// One column that a CSV file must have.
+struct Column {
+    enum class Kind : std::uint8_t { Bool, Integer, Number, Feed, Speed, Text, Enum };
+    std::string name;  // "d", "at.x"
+    Kind kind = Kind::Number;
+    Quantity quantity;
+    bool is_optional = false;  // an empty cell is "not given"; the column may be missing
+    std::uint32_t enumeration = 0;
+    std::uint16_t slot = 0;
+};
+struct TableSchema {
+    std::string type_name;
+    std::vector<Column> columns;
+    std::uint32_t layout = 0;
+    std::uint16_t slots = 0;
+    std::string folder;  // of the file that names the table
+    Units units = Units::Metric;
+};
+/// Rows of a CSV file; texts are indices into `texts`.
+struct TableRows {
+    std::vector<Slot> slots;
+    std::vector<std::string> texts;
+};
+struct LoadedTable {
+    std::uint32_t schema = 0;
+    TableRows rows;
+};
+
+struct EnumNames {
+    std::string name;
+    std::vector<std::pair<std::string, std::int64_t>> members;
+};
+
+/// A parameter as the outside needs it: -D on the command line, a cycle called by the interpreter.
+struct ParameterInfo {
+    std::string name;
+    std::string type_name;
+    enum class Kind : std::uint8_t { Bool, Integer, Number, Feed, Speed, Text, Enum, Other };
+    Kind kind = Kind::Other;
+    Quantity quantity;
+    bool is_optional = false;
+    bool has_default = false;
+    std::uint16_t slot = 0;  // its first register
+    std::uint16_t slots = 1;
+    std::uint32_t enumeration = 0;  // index into Code::enums
+    SourceRange range;
+};
+
+enum class FunctionKind : std::uint8_t { Plain, Cycle, Program, Startup };
+
+struct FunctionCode {
+    std::string name;
+    FunctionKind kind = FunctionKind::Plain;
+    std::uint32_t entry = 0;  // evaluates the defaults of what was not given
+    std::uint32_t body = 0;   // everything was given
+    std::uint32_t end = 0;
+    std::uint32_t registers = 0;
+    std::uint16_t result_slots = 0;
+    std::vector<ParameterInfo> parameters;
+    /// Members of modal groups that `preserves` names: they must be active when the call begins.
+    std::vector<nc::Function> needs;
+    Units units = Units::Metric;
+    SourceRange range;          // of the name
+    bool is_main_file = false;  // a program of the file that was asked for
+};
+
+struct Code {
+    std::vector<Instruction> instructions;
+    std::vector<SourceRange> places;      // of the instructions, for messages
+    std::vector<FunctionCode> functions;  // 0 sets the globals
+    std::uint32_t globals = 0;            // registers of file-level variables
+    std::vector<std::string> texts;
+    std::vector<FormatPattern> formats;
+    std::vector<Layout> layouts;
+    std::vector<Plan> plans;
+    std::vector<SourceRange> statements;  // by SourceId
+    std::vector<TableSchema> schemas;
+    std::vector<LoadedTable> tables;
+    std::vector<EnumNames> enums;
+};
+
+/// The instructions of one function or of all, one a line, for tests and for the curious.
+std::string print(const Code& code);
+std::string print(const Code& code, const FunctionCode& function);
+
+}  // namespace kadr::sema

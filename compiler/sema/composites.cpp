@@ -1,0 +1,178 @@
+// composites.cpp — points, structs and arrays in braces; members.
+#include <algorithm>
+
+#include "sema/checker.h"
+
+namespace kadr::sema {
+
+using syntax::Expr;
+using syntax::ExprId;
+using syntax::ExprKind;
+
+Value Checker::braces(ExprId id, Type expected, Reg hint) {
+    const Expr& expr = ast()[id];
+    const Type plain = types_.given(expected);
+    if (kind(plain) == Kind::Array) return brace_array(id, plain, hint);
+    if (kind(plain) == Kind::Struct) return brace_struct(id, plain, kNoReg);
+    if (kind(expected) != Kind::Error) {
+        report(diag::BracesPlace, expr.range).arg(type_name(expected));
+        return error_value();
+    }
+    // Without a type from outside, two or three values are a point.
+    if (expr.list.count >= 1 && expr.list.count <= 3) return brace_struct(id, types::kPoint, hint);
+    report(diag::BracesWithoutType, expr.range);
+    return error_value();
+}
+
+Value Checker::brace_array(ExprId id, Type type, Reg hint) {
+    const Expr& expr = ast()[id];
+    const TypeInfo info = type_info(type);
+    const Reg array = hint != kNoReg && false ? hint : emit_.take(1);
+    emit_.emit_pair(Op::NewArray, array, 0, 0, layout_constant(info.element));
+    if (info.count >= 0 && expr.list.count != static_cast<std::uint64_t>(info.count)) {
+        report(diag::ElementCount, expr.range).arg(info.count).arg(std::to_string(expr.list.count));
+    }
+    const Reg mark = emit_.mark();
+    const Reg element = emit_.take(type_info(info.element).slots);
+    for (const ExprId item :
+         std::vector<ExprId>(ast().exprs(expr.list).begin(), ast().exprs(expr.list).end())) {
+        expression_in(item, info.element, element, "the element");
+        emit_.set_place(ast()[item].range);
+        emit_.emit(Op::Append, array, element);
+    }
+    emit_.set_place(expr.range);
+    emit_.release_to(mark);
+    Value value = in_registers(type, array);
+    value.is_fresh = true;
+    return value;
+}
+
+Value Checker::brace_struct(ExprId id, Type type, Reg hint) {
+    const Reg reg = hint != kNoReg ? hint : emit_.take(type_info(type).slots);
+    fill_members(id, type, reg);
+    Value value = in_registers(type, reg);
+    value.is_fresh = true;
+    return value;
+}
+
+void Checker::fill_members(ExprId id, Type type, Reg reg) {
+    const Expr& expr = ast()[id];
+    const StructInfo info = types_.struct_of(type);
+    std::vector<ExprId> values(info.members.size());
+    std::size_t next = 0;
+    for (const ExprId item : ast().exprs(expr.list)) {
+        const Expr& argument = ast()[item];
+        std::size_t member = next;
+        ExprId value = item;
+        if (argument.kind == ExprKind::Argument) {
+            value = argument.child[0];
+            if (!argument.text.is_empty()) {
+                const auto found =
+                    std::find_if(info.members.begin(), info.members.end(),
+                                 [&](const Member& m) { return m.name == text(argument.text); });
+                if (found == info.members.end()) {
+                    report(diag::UnknownMember, argument.range)
+                        .arg(info.name)
+                        .arg(text(argument.text));
+                    continue;
+                }
+                member = static_cast<std::size_t>(found - info.members.begin());
+            }
+        }
+        if (member >= info.members.size()) {
+            report(diag::TooManyValues, argument.range).arg(info.name).arg(info.members.size());
+            break;
+        }
+        values[member] = value;
+        next = member + 1;
+    }
+    for (std::size_t i = 0; i < info.members.size(); ++i) {
+        const Member& member = info.members[i];
+        const auto target = static_cast<Reg>(reg + member.offset);
+        if (values[i].is_valid()) {
+            expression_in(values[i], member.type, target, member.name);
+        } else if (member.initial.is_valid()) {
+            const std::uint32_t here = std::exchange(module_, member.module);
+            const Units before = std::exchange(units_, modules_[member.module].units);
+            expression_in(member.initial, member.type, target, member.name);
+            module_ = here;
+            units_ = before;
+        } else {
+            if (!type_info(member.type).is_optional && kind(member.type) != Kind::Array &&
+                !(kind(member.type) == Kind::Struct)) {
+                report(diag::MemberMissing, expr.range).arg(info.name).arg(member.name);
+            }
+            emit_unset(member.type, target);
+        }
+    }
+}
+
+// ---------------------------------------------------------------- members
+
+Value Checker::member(ExprId id) {
+    const Expr& expr = ast()[id];
+    const Expr& owner = ast()[expr.child[0]];
+    if (owner.kind == ExprKind::Name) {
+        const std::string_view name = text(owner.text);
+        const Found found = find(name);
+        if (found.symbol < 0 && found.name == nullptr && (name == "position" || name == "state")) {
+            return position_member(expr, name == "position");
+        }
+        if (found.symbol < 0 && found.name != nullptr && found.name->what == Name::What::Type &&
+            kind(found.name->type) == Kind::Enum) {
+            for (const auto& [member, value] : types_.enum_of(found.name->type).members) {
+                if (member == text(expr.text)) return constant_integer(value, found.name->type);
+            }
+            report(diag::UnknownMember, expr.range).arg(name).arg(text(expr.text));
+            return error_value();
+        }
+    }
+    if (owner.kind == ExprKind::Given) {
+        // `given p.z` asks for the member: `given` binds looser than the point.
+        const Expr& asked = ast()[owner.child[0]];
+        const bool is_state = asked.kind == ExprKind::Name && find(text(asked.text)).symbol < 0 &&
+                              (text(asked.text) == "position" || text(asked.text) == "state");
+        if (is_state) return is_given(position_member(expr, text(asked.text) == "position"));
+        const std::optional<Place> whole = place(owner.child[0]);
+        const std::optional<Place> part = whole ? part_place(*whole, expr) : std::nullopt;
+        return part ? is_given(load(*part, expr.range, false, kNoReg)) : error_value();
+    }
+    const std::optional<Place> whole = owner_place(expr.child[0]);
+    if (!whole) return error_value();
+    if (const std::optional<Value> property = property_value(*whole, expr)) return *property;
+    const std::optional<Place> part = part_place(*whole, expr);
+    return part ? load(*part, expr.range, true, kNoReg) : error_value();
+}
+
+Value Checker::position_member(const Expr& expr, bool is_position) {
+    const std::string_view name = text(expr.text);
+    const Reg reg = emit_.take(1);
+    if (is_position) {
+        static constexpr std::string_view kAxisLetters = "xyzabcuvw";
+        const std::size_t axis =
+            name.size() == 1 ? kAxisLetters.find(name[0]) : std::string_view::npos;
+        if (axis == std::string_view::npos) {
+            report(diag::UnknownMember, expr.range).arg("position").arg(name);
+            return error_value();
+        }
+        emit_.emit(Op::Position, reg, 0, static_cast<unsigned>(axis));
+        const bool rotary = axis >= 3 && axis <= 5;
+        return in_registers(types_.optional(rotary ? types::kAngleType : types::kLengthType), reg);
+    }
+    if (name == "feed") {
+        emit_.emit(Op::State, reg, 0, static_cast<unsigned>(StateValue::Feed));
+        return in_registers(types_.optional(types::kFeed), reg);
+    }
+    if (name == "speed") {
+        emit_.emit(Op::State, reg, 0, static_cast<unsigned>(StateValue::Speed));
+        return in_registers(types_.optional(types::kSpeed), reg);
+    }
+    if (name == "tool") {
+        emit_.emit(Op::State, reg, 0, static_cast<unsigned>(StateValue::Tool));
+        return in_registers(types_.optional(types::kInt), reg);
+    }
+    report(diag::UnknownMember, expr.range).arg("state").arg(name);
+    return error_value();
+}
+
+}  // namespace kadr::sema

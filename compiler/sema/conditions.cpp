@@ -1,0 +1,355 @@
+// conditions.cpp — comparison and logic, as jumps where a statement asks and as values elsewhere.
+#include "sema/checker.h"
+
+namespace kadr::sema {
+
+using syntax::Expr;
+using syntax::ExprId;
+using syntax::ExprKind;
+using syntax::Operator;
+
+struct Checker::Comparison {
+    Operator op = Operator::Equal;
+    bool is_real = false;
+    Value left;
+    Value right;
+};
+
+std::optional<Checker::Comparison> Checker::comparison(const Expr& expr) {
+    Comparison result;
+    result.op = expr.op;
+    const SourceRange left_range = ast()[expr.child[0]].range;
+    const SourceRange right_range = ast()[expr.child[1]].range;
+    Value left = expression(expr.child[0]);
+    if (left.is_variable && writes(expr.child[1])) {
+        const Reg copy = emit_.take(type_info(left.type).slots);
+        left.is_fresh = true;
+        copy_value(left, copy);
+        left = in_registers(left.type, copy);
+    }
+    const bool is_braces = ast()[expr.child[1]].kind == ExprKind::Braces;
+    Value right = expression(expr.child[1], is_braces ? left.type : types::kError);
+    if (is_error(left) || is_error(right)) return std::nullopt;
+    left = require_given(left, left_range, {});
+    right = require_given(right, right_range, {});
+    if (is_error(left) || is_error(right)) return std::nullopt;
+    const bool is_equality = expr.op == Operator::Equal || expr.op == Operator::NotEqual;
+    const Kind a = kind(left.type);
+    const Kind b = kind(right.type);
+    if (types_.is_numeric(left.type) && types_.is_numeric(right.type)) {
+        if (a == Kind::Int && b == Kind::Int) {
+            result.left = left;
+            result.right = right;
+            return result;
+        }
+        if (!match_quantities(left, right, expr)) return std::nullopt;
+        const bool is_family = kind(left.type) == Kind::Feed || kind(left.type) == Kind::Speed;
+        result.is_real = true;
+        result.left = to_real(left);
+        result.right = to_real(right);
+        if (is_family && !(left.is_constant() && right.is_constant())) {
+            result.left = in_registers(left.type, in_register(result.left));
+            result.right = in_registers(right.type, in_register(result.right));
+            emit_.emit(Op::SameForm, result.left.reg, result.right.reg);
+        }
+        return result;
+    }
+    if (a == Kind::String && b == Kind::String) {
+        if (left.is_constant() && right.is_constant()) {
+            const int order = code_->texts[static_cast<std::size_t>(left.constant.integer)].compare(
+                code_->texts[static_cast<std::size_t>(right.constant.integer)]);
+            result.left = constant_integer(order, types::kInt);
+            result.right = constant_integer(0, types::kInt);
+            return result;
+        }
+        const Reg x = in_register(left);
+        const Reg y = in_register(right);
+        const Reg reg = emit_.take(1);
+        emit_.emit(Op::CompareText, reg, x, y);
+        result.left = in_registers(types::kInt, reg);
+        result.right = constant_integer(0, types::kInt);
+        return result;
+    }
+    if (is_equality && left.type == right.type && (a == Kind::Bool || a == Kind::Enum)) {
+        result.left = left;
+        result.right = right;
+        return result;
+    }
+    if (is_equality && left.type == right.type && a == Kind::Struct &&
+        !types_.holds_array(left.type)) {
+        // Equal if every part is; parts that are not given are equal to each other.
+        const std::vector<SlotKind> layout = types_.layout(left.type);
+        const Reg all = emit_.take(1);
+        const Reg part = emit_.take(1);
+        emit_.emit_integer(Op::LoadI, all, 0, 1);
+        for (std::size_t i = 0; i < layout.size(); ++i) {
+            emit_
+                .emit(Op::EqualPart, part, static_cast<unsigned>(left.reg + i),
+                      static_cast<unsigned>(right.reg + i))
+                .immediate.pair = {static_cast<std::int32_t>(layout[i]), 0};
+            emit_.emit(Op::AndI, all, all, part);
+        }
+        result.left = in_registers(types::kBool, all);
+        result.right = constant_integer(1, types::kBool);
+        return result;
+    }
+    report(diag::OperandPair, expr.range)
+        .arg(spelling(expr.op))
+        .arg(type_name(left.type))
+        .arg(type_name(right.type));
+    return std::nullopt;
+}
+
+void Checker::jump_compare(const Comparison& comparison, bool sense, Label& label, int depth) {
+    Operator op = comparison.op;
+    Value left = comparison.left;
+    Value right = comparison.right;
+    if (!sense) {
+        // Numbers that are not given never get here, so the opposite of < is >=.
+        switch (op) {
+            case Operator::Less: op = Operator::GreaterEqual; break;
+            case Operator::LessEqual: op = Operator::Greater; break;
+            case Operator::Greater: op = Operator::LessEqual; break;
+            case Operator::GreaterEqual: op = Operator::Less; break;
+            case Operator::Equal: op = Operator::NotEqual; break;
+            default: op = Operator::Equal; break;
+        }
+    }
+    const auto mirrored = [](Operator o) {
+        switch (o) {
+            case Operator::Less: return Operator::Greater;
+            case Operator::LessEqual: return Operator::GreaterEqual;
+            case Operator::Greater: return Operator::Less;
+            case Operator::GreaterEqual: return Operator::LessEqual;
+            default: return o;
+        }
+    };
+    const bool is_loop = depth >= 0;
+    const int second = is_loop ? depth : 0;
+    if (!comparison.is_real) {
+        if (left.is_constant() && !right.is_constant()) {
+            std::swap(left, right);
+            op = mirrored(op);
+        }
+        const bool small = right.is_constant() && right.constant.integer >= -32768 &&
+                           right.constant.integer <= 32767;
+        if (small && !left.is_constant()) {
+            const auto k =
+                static_cast<std::uint16_t>(static_cast<std::int16_t>(right.constant.integer));
+            Op code = Op::JumpEqIK;
+            switch (op) {
+                case Operator::Less: code = is_loop ? Op::LoopLtIK : Op::JumpLtIK; break;
+                case Operator::LessEqual: code = is_loop ? Op::LoopLeIK : Op::JumpLeIK; break;
+                case Operator::Greater: code = is_loop ? Op::LoopGtIK : Op::JumpGtIK; break;
+                case Operator::GreaterEqual: code = is_loop ? Op::LoopGeIK : Op::JumpGeIK; break;
+                case Operator::NotEqual: code = is_loop ? Op::LoopNeIK : Op::JumpNeIK; break;
+                default: break;
+            }
+            if (code != Op::JumpEqIK || !is_loop) {
+                emit_.jump(code, label, left.reg, 0, k, second);
+                return;
+            }
+        }
+    }
+    if (op == Operator::Greater || op == Operator::GreaterEqual) {
+        std::swap(left, right);
+        op = mirrored(op);
+    }
+    const Reg x = in_register(left);
+    const Reg y = in_register(right);
+    const bool real = comparison.is_real;
+    if (is_loop && (op == Operator::Equal || (real && op == Operator::NotEqual))) {
+        // Rare at the end of a loop: compare, then the general form.
+        const Reg answer = emit_.take(1);
+        const Op code = real ? (op == Operator::Equal ? Op::EqF : Op::NeF) : Op::EqI;
+        emit_.emit(code, answer, x, y);
+        emit_.jump(Op::LoopIf, label, answer, 0, 0, second);
+        return;
+    }
+    Op code = Op::JumpEqI;
+    switch (op) {
+        case Operator::Less:
+            code =
+                is_loop ? (real ? Op::LoopLtF : Op::LoopLtI) : (real ? Op::JumpLtF : Op::JumpLtI);
+            break;
+        case Operator::LessEqual:
+            code =
+                is_loop ? (real ? Op::LoopLeF : Op::LoopLeI) : (real ? Op::JumpLeF : Op::JumpLeI);
+            break;
+        case Operator::NotEqual:
+            code = is_loop ? Op::LoopNeI : (real ? Op::JumpNeF : Op::JumpNeI);
+            break;
+        default: code = real ? Op::JumpEqF : Op::JumpEqI; break;
+    }
+    emit_.jump(code, label, x, y, 0, second);
+}
+
+namespace {
+
+template <typename T>
+bool compare(Operator op, T a, T b) {
+    switch (op) {
+        case Operator::Less: return a < b;
+        case Operator::LessEqual: return a <= b;
+        case Operator::Greater: return a > b;
+        case Operator::GreaterEqual: return a >= b;
+        case Operator::Equal: return a == b;
+        default: return a != b;
+    }
+}
+
+bool is_comparison(Operator op) { return op >= Operator::Less && op <= Operator::NotEqual; }
+
+}  // namespace
+
+void Checker::check_condition(const Value& value, const SourceRange& range) {
+    if (is_error(value) || kind(value.type) == Kind::Bool) return;
+    report(diag::ConditionType, range).arg(type_name(value.type));
+}
+
+void Checker::jump_if(ExprId id, bool sense, Label& label, int depth) {
+    const Expr& expr = ast()[id];
+    const SourceRange before = emit_.place();
+    emit_.set_place(expr.range);
+    const Reg mark = emit_.mark();
+    const bool is_loop = depth >= 0;
+    const int second = is_loop ? depth : 0;
+    const auto jump_constant = [&](bool truth) {
+        if (truth == sense) emit_.jump(is_loop ? Op::Loop : Op::Jump, label, 0, 0, 0, second);
+    };
+    if (expr.kind == ExprKind::Unary && expr.op == Operator::Not) {
+        jump_if(expr.child[0], !sense, label, depth);
+    } else if (expr.kind == ExprKind::Binary &&
+               (expr.op == Operator::And || expr.op == Operator::Or)) {
+        const bool stops_early = (expr.op == Operator::And) != sense;
+        const std::vector<Givenness> states = remember_givenness();
+        if (stops_early) {
+            // `a && b` is false as soon as a is: both jump there.
+            jump_if(expr.child[0], sense, label, depth);
+            assume_given(expr.child[0], !sense);
+            jump_if(expr.child[1], sense, label, depth);
+        } else {
+            Label past;
+            jump_if(expr.child[0], !sense, past);
+            assume_given(expr.child[0], sense);
+            jump_if(expr.child[1], sense, label, depth);
+            emit_.bind(past);
+        }
+        set_givenness(states);
+    } else if (expr.kind == ExprKind::Binary && is_comparison(expr.op)) {
+        if (const std::optional<Comparison> found = comparison(expr)) {
+            if (found->left.is_constant() && found->right.is_constant()) {
+                jump_constant(found->is_real ? compare(expr.op, found->left.constant.number,
+                                                       found->right.constant.number)
+                                             : compare(expr.op, found->left.constant.integer,
+                                                       found->right.constant.integer));
+            } else if (kind(found->left.type) == Kind::Bool && !found->right.is_constant() &&
+                       expr.op != Operator::Equal && expr.op != Operator::NotEqual) {
+                check_condition(found->left, expr.range);
+            } else {
+                jump_compare(*found, sense, label, depth);
+            }
+        }
+    } else {
+        const Value value = require_given(expression(id), expr.range, {});
+        check_condition(value, expr.range);
+        if (value.is_constant()) {
+            if (!is_error(value)) jump_constant(value.constant.integer != 0);
+        } else {
+            const Op code = is_loop ? (sense ? Op::LoopIf : Op::LoopIfNot)
+                                    : (sense ? Op::JumpIf : Op::JumpIfNot);
+            emit_.jump(code, label, value.reg, 0, 0, second);
+        }
+    }
+    emit_.release_to(mark);
+    emit_.set_place(before);
+}
+
+/// A condition as a value: `bool b = x < y && z;`.
+Value Checker::truth(ExprId id, Reg hint) {
+    const Expr& expr = ast()[id];
+    if (expr.kind == ExprKind::Unary) {
+        const Value value = require_given(expression(expr.child[0]), expr.range, {});
+        check_condition(value, ast()[expr.child[0]].range);
+        if (is_error(value) || kind(value.type) != Kind::Bool) return error_value();
+        if (value.is_constant())
+            return constant_integer(value.constant.integer == 0 ? 1 : 0, types::kBool);
+        const Reg reg = hint != kNoReg ? hint : emit_.take(1);
+        emit_.emit(Op::Not, reg, value.reg);
+        return in_registers(types::kBool, reg);
+    }
+    if (is_comparison(expr.op)) {
+        const std::size_t errors = sink_.errors;
+        const std::optional<Comparison> found = comparison(expr);
+        if (!found) return errors == sink_.errors ? error_value() : error_value();
+        if (found->left.is_constant() && found->right.is_constant()) {
+            const bool answer =
+                found->is_real
+                    ? compare(expr.op, found->left.constant.number, found->right.constant.number)
+                    : compare(expr.op, found->left.constant.integer, found->right.constant.integer);
+            return constant_integer(answer ? 1 : 0, types::kBool);
+        }
+        Value left = found->left;
+        Value right = found->right;
+        Operator op = expr.op;
+        if (op == Operator::Greater || op == Operator::GreaterEqual) {
+            std::swap(left, right);
+            op = op == Operator::Greater ? Operator::Less : Operator::LessEqual;
+        }
+        const Reg x = in_register(left);
+        const Reg y = in_register(right);
+        const Reg reg = hint != kNoReg ? hint : emit_.take(1);
+        const bool real = found->is_real;
+        const Op code = op == Operator::Less        ? (real ? Op::LtF : Op::LtI)
+                        : op == Operator::LessEqual ? (real ? Op::LeF : Op::LeI)
+                        : op == Operator::Equal     ? (real ? Op::EqF : Op::EqI)
+                                                    : (real ? Op::NeF : Op::NeI);
+        emit_.emit(code, reg, x, y);
+        return in_registers(types::kBool, reg);
+    }
+    // && and ||: jumps, so that the right side runs only when it decides. The result gets a
+    // register of its own: the hint may be read by the condition itself.
+    const Reg reg = emit_.take(1);
+    Label no;
+    Label done;
+    jump_if(id, false, no);
+    emit_.emit_integer(Op::LoadI, reg, 0, 1);
+    emit_.jump(Op::Jump, done);
+    emit_.bind(no);
+    emit_.emit_integer(Op::LoadI, reg, 0, 0);
+    emit_.bind(done);
+    return in_registers(types::kBool, reg);
+}
+
+Value Checker::contains(const Expr& expr, Reg hint) {
+    const Value whole = require_given(expression(expr.child[0]), ast()[expr.child[0]].range, {});
+    const Type element =
+        kind(whole.type) == Kind::Array ? type_info(whole.type).element : whole.type;
+    Value part = expression(expr.child[1], element);
+    if (is_error(whole) || is_error(part)) return error_value();
+    const SourceRange range = ast()[expr.child[1]].range;
+    if (kind(whole.type) == Kind::String) {
+        part = convert(part, types::kString, range, {});
+        if (is_error(part)) return part;
+        const Reg x = in_register(whole);
+        const Reg y = in_register(part);
+        const Reg reg = hint != kNoReg ? hint : emit_.take(1);
+        emit_.emit(Op::ContainsText, reg, x, y);
+        return in_registers(types::kBool, reg);
+    }
+    if (kind(whole.type) == Kind::Array && type_info(element).slots == 1) {
+        part = convert(part, element, range, {});
+        if (is_error(part)) return part;
+        const Reg x = in_register(whole);
+        const Reg y = in_register(part);
+        const Reg reg = hint != kNoReg ? hint : emit_.take(1);
+        emit_.emit(Op::ContainsElement, reg, x, y);
+        return in_registers(types::kBool, reg);
+    }
+    report(diag::OperandType, ast()[expr.child[0]].range)
+        .arg("contains")
+        .arg(type_name(whole.type));
+    return error_value();
+}
+
+}  // namespace kadr::sema

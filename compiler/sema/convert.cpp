@@ -1,0 +1,180 @@
+// convert.cpp — a value in its place: bare numbers take the unit, quantities must fit.
+#include <cmath>
+
+#include "sema/checker.h"
+
+namespace kadr::sema {
+
+void Checker::check_places(Type from, Type to, const SourceRange& range, std::string_view what) {
+    report(diag::TypeMismatch, range)
+        .arg(what.empty() ? "the value" : quoted(what))
+        .arg(type_name(to))
+        .arg(type_name(from));
+}
+
+Value Checker::adapt_number(const Value& value, Type target) {
+    const TypeInfo& info = type_info(target);
+    const Quantity quantity = info.kind == Kind::Feed    ? kFeedPerTime
+                              : info.kind == Kind::Speed ? kSpindleSpeed
+                                                         : info.quantity;
+    const double factor = bare_factor(quantity, units_);
+    if (const std::optional<double> number = number_of(value)) {
+        return constant_number(*number * factor, target);
+    }
+    const Value real = to_real(value);
+    if (factor == 1.0) {
+        Value same = real;
+        same.type = target;
+        return same;
+    }
+    const Reg reg = emit_.take(1);
+    emit_.emit_number(Op::MulFK, reg, real.reg, factor);
+    return in_registers(target, reg);
+}
+
+Value Checker::convert(const Value& source, Type target, const SourceRange& range,
+                       std::string_view what) {
+    if (is_error(source) || kind(target) == Kind::Error) return error_value();
+    if (source.type == target) return source;
+    if (kind(source.type) == Kind::Void) {
+        report(diag::VoidValue, range);
+        return error_value();
+    }
+    if (type_info(target).is_optional) {
+        // Not given stays not given; a value is converted.
+        Value plain = source;
+        plain.type = types_.given(source.type);
+        Value converted = convert(plain, types_.given(target), range, what);
+        if (!is_error(converted)) converted.type = target;
+        return converted;
+    }
+    const Value value = require_given(source, range, {});
+    if (is_error(value) || value.type == target) return value;
+    if (is_plain_number(value)) {
+        if (kind(target) == Kind::Real && type_info(target).quantity.is_number())
+            return to_real(value);
+        if (kind(target) == Kind::Int) return whole_number(value, target, range, what);
+        if (types_.is_numeric(target)) return adapt_number(value, target);
+    } else if (types_.is_numeric(value.type) && types_.is_numeric(target)) {
+        if (const std::optional<Value> same = same_quantity(value, target)) return *same;
+        report(diag::DimensionMismatch, range)
+            .arg(what.empty() ? "the value" : quoted(what))
+            .arg(quantity_name(target))
+            .arg(quantity_name(value.type));
+        return error_value();
+    }
+    const TypeInfo from = type_info(value.type);
+    const TypeInfo to = type_info(target);
+    if (from.kind == Kind::Array && to.kind == Kind::Array && from.element == to.element) {
+        if (to.count < 0) return retyped(value, target);
+        report(diag::ElementCount, range)
+            .arg(to.count)
+            .arg(from.count < 0 ? std::string("any number of") : std::to_string(from.count));
+        return error_value();
+    }
+    check_places(value.type, target, range, what);
+    return error_value();
+}
+
+bool Checker::is_plain_number(const Value& value) const {
+    return kind(value.type) == Kind::Int ||
+           (kind(value.type) == Kind::Real && type_info(value.type).quantity.is_number());
+}
+
+std::string Checker::quantity_name(Type type) const {
+    switch (kind(type)) {
+        case Kind::Int: return "number";
+        case Kind::Real: return describe(type_info(type).quantity);
+        default: return type_name(type);
+    }
+}
+
+/// The same bits under another type.
+Value Checker::retyped(Value value, Type type) {
+    value.type = type;
+    return value;
+}
+
+Value Checker::whole_number(const Value& value, Type target, const SourceRange& range,
+                            std::string_view what) {
+    if (kind(value.type) == Kind::Int) return retyped(value, target);
+    const bool is_whole = value.is_constant() &&
+                          value.constant.number == std::trunc(value.constant.number) &&
+                          std::fabs(value.constant.number) < 9e18;
+    if (is_whole) return constant_integer(static_cast<std::int64_t>(value.constant.number), target);
+    report(diag::RealToInt, range)
+        .arg(what.empty() ? "the value" : quoted(what))
+        .fix("say how to round: `trunc(…)`, `round(…)`, `floor(…)` or `ceil(…)`");
+    return error_value();
+}
+
+/// Between quantities: the same one, or a feed or speed in one of its two forms. Revolutions may be
+/// left out, as in 28m/min/(pi*d), and a length is a feed per revolution, as the pitch of a thread.
+std::optional<Value> Checker::same_quantity(const Value& value, Type target) {
+    const TypeInfo from = type_info(value.type);
+    const TypeInfo to = type_info(target);
+    const auto is_family = [](Kind k) { return k == Kind::Feed || k == Kind::Speed; };
+    const auto form = [](Kind family, int which) {
+        if (family == Kind::Feed) return which == 0 ? kFeedPerTime : kFeedPerTurn;
+        return which == 0 ? kSpindleSpeed : kFeedPerTime;
+    };
+    if (from.kind == Kind::Real && to.kind == Kind::Real) {
+        const bool same = from.quantity == to.quantity ||
+                          (to.quantity == kSpindleSpeed && from.quantity == kPerTime);
+        return same ? std::optional(retyped(value, target)) : std::nullopt;
+    }
+    if (is_family(from.kind) && to.kind == Kind::Real) {
+        for (const int which : {0, 1}) {
+            if (form(from.kind, which) * from.quantity == to.quantity)
+                return retyped(plain_form(value, which), target);
+        }
+        return std::nullopt;
+    }
+    if (from.kind == Kind::Real && is_family(to.kind) && to.quantity.is_number()) {
+        const bool is_feed = to.kind == Kind::Feed;
+        if (from.quantity == form(to.kind, 0) || (!is_feed && from.quantity == kPerTime)) {
+            return family_value(value, target, false);
+        }
+        if (from.quantity == form(to.kind, 1) || (is_feed && from.quantity == kLength)) {
+            return family_value(value, target, true);
+        }
+    }
+    return std::nullopt;
+}
+
+Value Checker::family_value(const Value& value, Type target, bool second) {
+    // The second form is told from the first by its size; see kSecondForm.
+    const double factor = second ? kSecondForm : 1.0;
+    if (value.is_constant()) return constant_number(value.constant.number * factor, target);
+    Value result = value;
+    result.type = target;
+    if (!second) return result;
+    const Reg reg = emit_.take(1);
+    emit_.emit_number(Op::MulFK, reg, value.reg, factor);
+    return in_registers(target, reg);
+}
+
+Value Checker::plain_form(const Value& value, int form) {
+    const Quantity first = kind(value.type) == Kind::Feed ? kFeedPerTime : kSpindleSpeed;
+    const Quantity second = kind(value.type) == Kind::Feed ? kFeedPerTurn : kFeedPerTime;
+    const Type type = types_.real((form == 0 ? first : second) * type_info(value.type).quantity);
+    const Reg from = in_register(value);
+    const Reg reg = emit_.take(1);
+    emit_.emit(Op::FeedForm, reg, from, static_cast<unsigned>(form));
+    return in_registers(type, reg);
+}
+
+Value Checker::to_real(const Value& value) {
+    if (kind(value.type) != Kind::Int) {
+        if (value.is_constant()) return value;
+        return value;
+    }
+    if (value.is_constant()) {
+        return constant_number(static_cast<double>(value.constant.integer), types::kReal);
+    }
+    const Reg reg = emit_.take(1);
+    emit_.emit(Op::IntToReal, reg, value.reg);
+    return in_registers(types::kReal, reg);
+}
+
+}  // namespace kadr::sema

@@ -1,0 +1,313 @@
+#include "sema/csv.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "base/numbers.h"
+#include "base/text.h"
+
+namespace kadr::sema {
+
+namespace {
+
+std::string_view trim(std::string_view text) {
+    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+    while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r'))
+        text.remove_suffix(1);
+    return text;
+}
+
+struct Cell {
+    std::string text;
+    std::uint32_t column = 1;  // first character, from 1
+};
+
+/// One line into cells; `""` inside quotes is a quote. False: a quote is not closed.
+bool split(std::string_view line, char separator, std::vector<Cell>& cells) {
+    cells.clear();
+    std::size_t at = 0;
+    while (true) {
+        Cell cell;
+        cell.column = static_cast<std::uint32_t>(count_code_points(line.substr(0, at))) + 1;
+        std::size_t begin = at;
+        while (begin < line.size() && (line[begin] == ' ' || line[begin] == '\t')) ++begin;
+        if (begin < line.size() && line[begin] == '"') {
+            at = begin + 1;
+            while (true) {
+                if (at >= line.size()) return false;
+                if (line[at] == '"') {
+                    if (at + 1 < line.size() && line[at + 1] == '"') ++at;
+                    else break;
+                }
+                cell.text += line[at++];
+            }
+            at = std::min(line.find(separator, at), line.size());
+        } else {
+            const std::size_t end = std::min(line.find(separator, at), line.size());
+            cell.text = trim(line.substr(at, end - at));
+            at = end;
+        }
+        cells.push_back(std::move(cell));
+        if (at >= line.size()) return true;
+        ++at;
+    }
+}
+
+class TableReader {
+  public:
+    TableReader(const TableSchema& schema, std::span<const EnumNames> enums, DiagnosticSink& sink)
+        : schema_(schema), enums_(enums), sink_(sink) {}
+
+    std::optional<TableRows> read(const std::string& file, std::string_view text,
+                                  const SourceRange& place) {
+        file_ = file;
+        place_ = place;
+        if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+        bool has_header = false;
+        while (!text.empty()) {
+            const std::size_t end = std::min(text.find('\n'), text.size());
+            line_text_ = trim(text.substr(0, end));
+            text.remove_prefix(std::min(end + 1, text.size()));
+            ++line_;
+            if (line_text_.empty() || line_text_.front() == '#') continue;
+            if (!has_header) {
+                has_header = true;
+                // Some spreadsheets write semicolons, where the comma is the decimal sign.
+                separator_ = line_text_.find(';') != std::string_view::npos ? ';' : ',';
+                if (!header()) return std::nullopt;
+                continue;
+            }
+            row();
+        }
+        if (!has_header) {
+            report(diag::TableEmpty, 1, 1).arg(file_);
+            return std::nullopt;
+        }
+        if (failed_) return std::nullopt;
+        return std::move(rows_);
+    }
+
+  private:
+    DiagnosticBuilder report(const DiagnosticRow& row, std::uint32_t column, std::size_t length) {
+        failed_ = true;
+        LinePlace at;
+        at.file = file_;
+        at.line = std::max<std::uint32_t>(line_, 1);
+        at.column = column;
+        at.length = static_cast<std::uint32_t>(std::max<std::size_t>(1, length));
+        at.text = line_text_;
+        DiagnosticBuilder builder = sink_.report(row, std::move(at));
+        builder.note(place_, "the table is read here");
+        return builder;
+    }
+
+    struct Bound {
+        const Column* column = nullptr;  // null: not wanted
+        double factor = 1;
+    };
+
+    double factor_of(const Column& column) const {
+        const Quantity quantity = column.kind == Column::Kind::Feed    ? kFeedPerTime
+                                  : column.kind == Column::Kind::Speed ? kSpindleSpeed
+                                                                       : column.quantity;
+        return bare_factor(quantity, schema_.units);
+    }
+
+    bool unit_fits(const Column& column, const UnitInfo& unit, double& factor) const {
+        factor = unit.factor;
+        if (column.kind == Column::Kind::Number) return unit.quantity == column.quantity;
+        const bool is_feed = column.kind == Column::Kind::Feed;
+        if (!is_feed && column.kind != Column::Kind::Speed) return false;
+        if (unit.quantity == (is_feed ? kFeedPerTime : kSpindleSpeed)) return true;
+        factor *= kSecondForm;
+        return unit.quantity == (is_feed ? kFeedPerTurn : kFeedPerTime);
+    }
+
+    bool header() {
+        std::vector<Cell> cells;
+        if (!split(line_text_, separator_, cells)) {
+            report(diag::TableQuote, 1, line_text_.size());
+            return false;
+        }
+        for (const Cell& cell : cells) {
+            std::string_view name = cell.text;
+            std::string_view unit;
+            if (const std::size_t open = name.find('[');
+                open != std::string_view::npos && name.back() == ']') {
+                unit = trim(name.substr(open + 1, name.size() - open - 2));
+                name = trim(name.substr(0, open));
+            }
+            const auto found =
+                std::find_if(schema_.columns.begin(), schema_.columns.end(),
+                             [&](const Column& column) { return column.name == name; });
+            Bound bound;
+            if (found == schema_.columns.end()) {
+                std::vector<std::string_view> names;
+                for (const Column& column : schema_.columns) names.push_back(column.name);
+                DiagnosticBuilder builder =
+                    report(diag::TableColumnUnknown, cell.column, cell.text.size());
+                builder.arg(name).arg(schema_.type_name);
+                if (const auto near = nearest_name(name, names.data(), names.size())) {
+                    builder.fix("did you mean `" + std::string(*near) + "`?");
+                }
+                columns_.push_back(bound);
+                continue;
+            }
+            for (const Bound& other : columns_) {
+                if (other.column == &*found)
+                    report(diag::TableColumnTwice, cell.column, cell.text.size()).arg(name);
+            }
+            bound.column = &*found;
+            bound.factor = factor_of(*found);
+            if (!unit.empty()) {
+                const std::optional<UnitInfo> info = find_unit(unit);
+                if (!info || !unit_fits(*found, *info, bound.factor)) {
+                    report(diag::TableUnit, cell.column, cell.text.size()).arg(unit).arg(name);
+                }
+            }
+            columns_.push_back(bound);
+        }
+        for (const Column& column : schema_.columns) {
+            const bool is_there = std::any_of(columns_.begin(), columns_.end(),
+                                              [&](const Bound& b) { return b.column == &column; });
+            if (!is_there && !column.is_optional) {
+                report(diag::TableColumnMissing, 1, line_text_.size())
+                    .arg(column.name)
+                    .arg(schema_.type_name);
+            }
+        }
+        return !failed_;
+    }
+
+    void row() {
+        std::vector<Cell> cells;
+        if (!split(line_text_, separator_, cells)) {
+            report(diag::TableQuote, 1, line_text_.size());
+            return;
+        }
+        if (cells.size() != columns_.size()) {
+            report(diag::TableRowCells, 1, line_text_.size())
+                .arg(cells.size())
+                .arg(columns_.size());
+            return;
+        }
+        const std::size_t first = rows_.slots.size();
+        Slot empty{};
+        empty.number = kNotGivenNumber;
+        rows_.slots.resize(first + schema_.slots, empty);
+        for (const Column& column : schema_.columns) {
+            const bool is_integer = column.kind != Column::Kind::Number &&
+                                    column.kind != Column::Kind::Feed &&
+                                    column.kind != Column::Kind::Speed;
+            if (is_integer) rows_.slots[first + column.slot].integer = kNotGivenInteger;
+        }
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            if (columns_[i].column != nullptr)
+                cell(columns_[i], cells[i], rows_.slots[first + columns_[i].column->slot]);
+        }
+    }
+
+    void cell(const Bound& bound, const Cell& cell, Slot& slot) {
+        const Column& column = *bound.column;
+        const auto wrong = [&] {
+            report(diag::TableCell, cell.column, cell.text.size())
+                .arg(cell.text)
+                .arg(column.name)
+                .arg(word_for(column));
+        };
+        if (cell.text.empty() && column.kind != Column::Kind::Text) {
+            if (!column.is_optional) report(diag::TableCellEmpty, cell.column, 1).arg(column.name);
+            return;
+        }
+        switch (column.kind) {
+            case Column::Kind::Text:
+                slot.integer = static_cast<std::int64_t>(rows_.texts.size());
+                rows_.texts.push_back(cell.text);
+                return;
+            case Column::Kind::Bool:
+                if (cell.text == "true" || cell.text == "yes" || cell.text == "1") slot.integer = 1;
+                else if (cell.text == "false" || cell.text == "no" || cell.text == "0")
+                    slot.integer = 0;
+                else wrong();
+                return;
+            case Column::Kind::Enum:
+                for (const auto& [name, value] : enums_[column.enumeration].members) {
+                    if (name == cell.text) {
+                        slot.integer = value;
+                        return;
+                    }
+                }
+                wrong();
+                return;
+            case Column::Kind::Integer: {
+                const char* end = cell.text.data() + cell.text.size();
+                const auto read = std::from_chars(cell.text.data(), end, slot.integer);
+                if (read.ec != std::errc() || read.ptr != end) wrong();
+                return;
+            }
+            case Column::Kind::Number:
+            case Column::Kind::Feed:
+            case Column::Kind::Speed: break;
+        }
+        std::string text = cell.text;
+        if (separator_ == ';') std::replace(text.begin(), text.end(), ',', '.');
+        const char* end = text.data() + text.size();
+        const Decimal number = parse_decimal(text.data(), end);
+        double factor = bound.factor;
+        const std::string_view rest =
+            trim({number.end, static_cast<std::size_t>(end - number.end)});
+        bool fits = number.end != text.data();
+        if (fits && !rest.empty()) {
+            const std::optional<UnitInfo> unit = find_unit(rest);
+            fits = unit && unit_fits(column, *unit, factor);
+        }
+        if (!fits) {
+            wrong();
+            return;
+        }
+        slot.number = number.value * factor;
+    }
+
+    std::string word_for(const Column& column) const {
+        switch (column.kind) {
+            case Column::Kind::Bool: return "true or false";
+            case Column::Kind::Integer: return "a whole number";
+            case Column::Kind::Enum: return "one of " + enums_[column.enumeration].name;
+            case Column::Kind::Text: return "a text";
+            case Column::Kind::Number: return describe(column.quantity);
+            case Column::Kind::Feed: return "feed";
+            case Column::Kind::Speed: return "speed";
+        }
+        return "";
+    }
+
+    const TableSchema& schema_;
+    std::span<const EnumNames> enums_;
+    DiagnosticSink& sink_;
+    std::string file_;
+    SourceRange place_;
+    std::string_view line_text_;
+    std::uint32_t line_ = 0;
+    char separator_ = ',';
+    std::vector<Bound> columns_;
+    TableRows rows_;
+    bool failed_ = false;
+};
+
+}  // namespace
+
+std::optional<TableRows> read_table(const TableSchema& schema, std::span<const EnumNames> enums,
+                                    const std::string& path, const SourceRange& place,
+                                    DiagnosticSink& sink) {
+    const bool is_absolute = !path.empty() && (path[0] == '/' || path[0] == '\\');
+    const std::string file = is_absolute ? path : schema.folder + path;
+    const std::optional<std::string> text = read_file(file);
+    if (!text) {
+        sink.report(diag::TableUnreadable, place).arg(file);
+        return std::nullopt;
+    }
+    return TableReader(schema, enums, sink).read(file, *text, place);
+}
+
+}  // namespace kadr::sema

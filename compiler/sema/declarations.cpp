@@ -1,0 +1,602 @@
+// declarations.cpp — files and what they declare: imports, types, functions, global variables.
+#include <algorithm>
+
+#include "base/assert.h"
+#include "base/text.h"
+#include "sema/checker.h"
+
+namespace kadr::sema {
+
+using syntax::Decl;
+using syntax::DeclKind;
+
+std::uint32_t Checker::load_module(const syntax::Ast& ast, const nc::Dialect& dialect) {
+    for (std::uint32_t i = 0; i < modules_.size(); ++i) {
+        if (modules_[i].ast == &ast) return i;
+    }
+    const auto module = static_cast<std::uint32_t>(modules_.size());
+    ModuleScope scope;
+    scope.ast = &ast;
+    scope.dialect = &dialect;
+    modules_.push_back(std::move(scope));
+    declare_units(module);
+    for (const syntax::DeclId id : ast.top) {
+        if (ast[id].kind == DeclKind::Import) import(module, ast[id]);
+    }
+    if (prelude_ == 0xffffffffu) {
+        // The first file asks for the prelude before anything else needs it; the prelude itself
+        // finds the mark below and does not import itself.
+        prelude_ = 0xfffffffeu;
+        const ModuleLoader::Module prelude =
+            loader_.load("prelude", false, ast.file, {ast.file, 0, 0});
+        if (prelude.ast != nullptr) {
+            prelude_ =
+                load_module(*prelude.ast, prelude.dialect != nullptr ? *prelude.dialect : dialect);
+        }
+    }
+    return module;
+}
+
+void Checker::import(std::uint32_t module, const Decl& decl) {
+    const syntax::Ast& from = *modules_[module].ast;
+    const nc::Dialect& dialect = *modules_[module].dialect;
+    const ModuleLoader::Module found =
+        loader_.load(from.text(decl.name), decl.is_file, from.file, decl.range);
+    if (found.ast == nullptr) {
+        ++sink_.errors;  // the loader has said why
+        return;
+    }
+    const std::uint32_t imported =
+        load_module(*found.ast, found.dialect != nullptr ? *found.dialect : dialect);
+    std::vector<std::uint32_t>& imports = modules_[module].imports;
+    if (std::find(imports.begin(), imports.end(), imported) == imports.end()) {
+        imports.push_back(imported);
+    }
+}
+
+void Checker::declare_units(std::uint32_t module) {
+    const syntax::Ast& ast = *modules_[module].ast;
+    for (const syntax::DeclId id : ast.top) {
+        const Decl& decl = ast[id];
+        if (decl.kind != DeclKind::Units) continue;
+        modules_[module].units = ast.text(decl.name) == "mm" ? Units::Metric : Units::Inch;
+    }
+}
+
+void Checker::declare(std::uint32_t module, std::string_view name, Name entry) {
+    if (name.empty()) return;
+    entry.module = module;
+    const auto [found, is_new] = modules_[module].names.try_emplace(name, entry);
+    if (is_new) return;
+    report(diag::DuplicateName, entry.range)
+        .arg(name)
+        .note(found->second.range, "it is declared here");
+}
+
+void Checker::declare_enum(std::uint32_t module, const Decl& decl) {
+    const syntax::Ast& ast = *modules_[module].ast;
+    EnumInfo info;
+    info.name = ast.text(decl.name);
+    info.range = decl.name_range;
+    std::int64_t next = 0;
+    for (const syntax::DeclId id : ast.decls(decl.members)) {
+        info.members.emplace_back(ast.text(ast[id].name), next++);
+    }
+    const Type type = types_.add_enum(info);
+    declare(module, ast.text(decl.name), {Name::What::Type, module, 0, type, 0, decl.name_range});
+    next = 0;
+    for (const syntax::DeclId id : ast.decls(decl.members)) {
+        declare(module, ast.text(ast[id].name),
+                {Name::What::EnumMember, module, 0, type, next++, ast[id].name_range});
+    }
+}
+
+void Checker::declare_names(std::uint32_t module) {
+    const syntax::Ast& ast = *modules_[module].ast;
+    module_ = module;
+    for (const syntax::DeclId id : ast.top) {
+        const Decl& decl = ast[id];
+        const std::string_view name = ast.text(decl.name);
+        switch (decl.kind) {
+            case DeclKind::Function:
+            case DeclKind::Cycle:
+            case DeclKind::Program: {
+                FunctionDecl function;
+                function.module = module;
+                function.decl = id;
+                function.name = name;
+                function.kind = decl.kind;
+                function.range = decl.name_range;
+                const auto index = static_cast<std::uint32_t>(functions_.size());
+                functions_.push_back(std::move(function));
+                declare(module, name,
+                        {Name::What::Function, module, index, {}, 0, decl.name_range});
+                break;
+            }
+            case DeclKind::Variable: {
+                const auto index = static_cast<std::uint32_t>(globals_.size());
+                globals_.push_back({GlobalVariable::State::Unchecked, module, id, {}});
+                declare(module, name,
+                        {Name::What::Variable, module, index, {}, 0, decl.name_range});
+                break;
+            }
+            case DeclKind::Struct: {
+                StructInfo info;
+                info.name = name;
+                info.range = decl.name_range;
+                const Type type = types_.add_struct(std::move(info));
+                declare(module, name, {Name::What::Type, module, 0, type, 0, decl.name_range});
+                break;
+            }
+            case DeclKind::Enum: declare_enum(module, decl); break;
+            case DeclKind::Contour:
+            case DeclKind::Curve:
+                not_supported(decl.kind == DeclKind::Curve ? "a `curve`" : "a `contour`",
+                              decl.name_range);
+                declare(module, name, {Name::What::Unsupported, module, 0, {}, 0, decl.name_range});
+                break;
+            case DeclKind::Test:
+            case DeclKind::Property:
+                report(diag::TestNotRun,
+                       decl.name_range.file.is_valid() ? decl.name_range : decl.range)
+                    .arg(decl.kind == DeclKind::Test ? "a `test`" : "a `property`");
+                break;
+            case DeclKind::Parameter:
+            case DeclKind::Import:
+            case DeclKind::Units:
+            case DeclKind::Dialect:
+            case DeclKind::Language:
+            case DeclKind::Invalid: break;
+        }
+    }
+}
+
+std::optional<Type> Checker::builtin_type(std::string_view name) const {
+    struct Row {
+        std::string_view name;
+        Type type;
+    };
+    static constexpr Row kRows[] = {
+        {"void", types::kVoid},     {"bool", types::kBool},         {"int", types::kInt},
+        {"real", types::kReal},     {"length", types::kLengthType}, {"angle", types::kAngleType},
+        {"time", types::kTimeType}, {"feed", types::kFeed},         {"speed", types::kSpeed},
+        {"string", types::kString}, {"point", types::kPoint},       {"vector", types::kVector},
+    };
+    for (const Row& row : kRows) {
+        if (row.name == name) return row.type;
+    }
+    return std::nullopt;
+}
+
+Type Checker::resolve_type(syntax::TypeId id) {
+    if (!id.is_valid()) return types::kError;
+    const syntax::TypeRef ref = ast()[id];
+    const std::string_view name = text(ref.name);
+    Type type = types::kError;
+    if (const std::optional<Type> builtin = builtin_type(name)) {
+        type = *builtin;
+    } else if (const Name* found = find_global(module_, name);
+               found != nullptr && found->what == Name::What::Type) {
+        type = found->type;
+    } else if (!name.empty()) {
+        auto builder = report(diag::UnknownType, ref.range);
+        builder.arg(name);
+        std::vector<std::string_view> known = {"bool", "int",   "real",   "length", "angle", "time",
+                                               "feed", "speed", "string", "point",  "vector"};
+        for (const auto& [other, entry] : modules_[module_].names) {
+            if (entry.what == Name::What::Type) known.push_back(other);
+        }
+        if (const auto near = nearest_name(name, known.data(), known.size())) {
+            builder.fix(ref.range, std::string(*near),
+                        "did you mean `" + std::string(*near) + "`?");
+        }
+        return types::kError;
+    }
+    if (ref.is_optional && ref.array == syntax::TypeRef::Array::None) type = types_.optional(type);
+    if (ref.array == syntax::TypeRef::Array::None) return type;
+    if (type == types::kVoid) {
+        report(diag::VoidValue, ref.range);
+        return types::kError;
+    }
+    std::int64_t count = -1;
+    if (ref.array == syntax::TypeRef::Array::Fixed) {
+        const Value size = expression(ref.size, types::kInt);
+        if (is_error(size)) return types::kError;
+        if (!size.is_constant() || kind(size.type) != Kind::Int || size.constant.integer < 1 ||
+            size.constant.integer > 1'000'000) {
+            report(diag::ArraySize, ast()[ref.size].range);
+            return types::kError;
+        }
+        count = size.constant.integer;
+    }
+    const Type array = types_.array(type, count);
+    return ref.is_optional ? types_.optional(array) : array;
+}
+
+bool Checker::struct_contains(Type outer, Type inner) const {
+    if (outer == inner) return true;
+    if (kind(outer) != Kind::Struct) return false;
+    const StructInfo& info = types_.struct_of(outer);
+    return std::any_of(info.members.begin(), info.members.end(),
+                       [&](const Member& member) { return struct_contains(member.type, inner); });
+}
+
+void Checker::define_struct(std::uint32_t module, Type type, const Decl& decl) {
+    const syntax::Ast& tree = *modules_[module].ast;
+    if (types_.struct_of(type).slots != 0) return;
+    std::vector<Member> members;
+    for (const syntax::DeclId id : tree.decls(decl.members)) {
+        const Decl& field = tree[id];
+        const std::string_view name = tree.text(field.name);
+        const auto same = std::find_if(members.begin(), members.end(),
+                                       [&](const Member& m) { return m.name == name; });
+        if (same != members.end()) {
+            report(diag::DuplicateName, field.name_range).arg(name);
+            continue;
+        }
+        // A struct that this one holds must be complete first.
+        if (field.type.is_valid() && tree[field.type].array == syntax::TypeRef::Array::None) {
+            const Name* found = find_global(module, tree.text(tree[field.type].name));
+            if (found != nullptr && found->what == Name::What::Type &&
+                kind(found->type) == Kind::Struct && types_.struct_of(found->type).slots == 0) {
+                const Decl* inner = nullptr;
+                const syntax::Ast& owner = *modules_[found->module].ast;
+                for (const syntax::DeclId top : owner.top) {
+                    if (owner[top].kind == DeclKind::Struct &&
+                        owner[top].name_range == found->range) {
+                        inner = &owner[top];
+                    }
+                }
+                const bool is_open = std::find(open_structs_.begin(), open_structs_.end(),
+                                               found->type) != open_structs_.end();
+                if (found->type == type || is_open) {
+                    report(diag::RecursiveStruct, field.range).arg(types_.struct_of(type).name);
+                    members.push_back({std::string(name), types::kError, 0, module, {}});
+                    continue;
+                }
+                if (inner != nullptr) {
+                    open_structs_.push_back(type);
+                    define_struct(found->module, found->type, *inner);
+                    open_structs_.pop_back();
+                    module_ = module;
+                }
+            }
+        }
+        module_ = module;
+        Type member_type = resolve_type(field.type);
+        if (member_type == types::kVoid) {
+            report(diag::VoidValue, field.range);
+            member_type = types::kError;
+        }
+        if (field.type.is_valid() && tree[field.type].is_reference) {
+            report(diag::ReferencePlace, field.range);
+        }
+        members.push_back({std::string(name), member_type, 0, module, field.value});
+    }
+    if (members.empty()) {
+        report(diag::EmptyStruct, decl.name_range).arg(types_.struct_of(type).name);
+        members.push_back({"", types::kError, 0, module, {}});
+    }
+    types_.complete_struct(type, std::move(members));
+}
+
+void Checker::define_enum_values(std::uint32_t module, const Decl& decl) {
+    const syntax::Ast& tree = *modules_[module].ast;
+    const Name* entry = find_global(module, tree.text(decl.name));
+    if (entry == nullptr || entry->what != Name::What::Type) return;
+    std::int64_t next = 0;
+    std::vector<std::int64_t> values;
+    for (const syntax::DeclId id : tree.decls(decl.members)) {
+        const Decl& member = tree[id];
+        if (member.value.is_valid()) {
+            const Value value = expression(member.value, types::kInt);
+            if (value.is_constant() && kind(value.type) == Kind::Int) {
+                next = value.constant.integer;
+            } else if (!is_error(value)) {
+                report(diag::NotConstant, tree[member.value].range)
+                    .arg("the value of an enum member");
+            }
+        }
+        values.push_back(next);
+        const auto found = modules_[module].names.find(tree.text(member.name));
+        if (found != modules_[module].names.end() && found->second.range == member.name_range) {
+            found->second.member = next;
+        }
+        ++next;
+    }
+    types_.set_enum_values(entry->type, values);
+}
+
+void Checker::define_types(std::uint32_t module) {
+    const syntax::Ast& tree = *modules_[module].ast;
+    module_ = module;
+    units_ = modules_[module].units;
+    for (const syntax::DeclId id : tree.top) {
+        const Decl& decl = tree[id];
+        if (decl.kind == DeclKind::Enum) define_enum_values(module, decl);
+        if (decl.kind != DeclKind::Struct) continue;
+        const Name* found = find_global(module, tree.text(decl.name));
+        if (found != nullptr && found->what == Name::What::Type &&
+            found->range == decl.name_range) {
+            define_struct(module, found->type, decl);
+        }
+        module_ = module;
+    }
+}
+
+void Checker::define_signature(std::uint32_t index) {
+    module_ = functions_[index].module;
+    units_ = units_of(functions_[index]);
+    const Decl decl = ast()[functions_[index].decl];
+    FunctionDecl& function = functions_[index];
+    function.result = decl.kind == DeclKind::Function && decl.type.is_valid()
+                          ? resolve_type(decl.type)
+                          : types::kVoid;
+    if (decl.type.is_valid() && ast()[decl.type].is_reference) {
+        report(diag::ReferencePlace, ast()[decl.type].range);
+    }
+    Reg next = 0;
+    for (const syntax::DeclId id : ast().decls(decl.parameters)) {
+        const Decl& parameter = ast()[id];
+        ParameterDecl entry;
+        entry.name = text(parameter.name);
+        entry.range = parameter.name_range;
+        entry.type = resolve_type(parameter.type);
+        if (entry.type == types::kVoid) {
+            report(diag::VoidValue, parameter.range);
+            entry.type = types::kError;
+        }
+        entry.is_reference = parameter.type.is_valid() && ast()[parameter.type].is_reference;
+        entry.initial = parameter.value;
+        if (entry.is_reference && parameter.value.is_valid()) {
+            report(diag::ReferenceDefault, parameter.range).arg(entry.name);
+            entry.initial = {};
+        }
+        if (entry.is_reference && decl.kind == DeclKind::Program) {
+            report(diag::ProgramParameter, parameter.range).arg(entry.name);
+        }
+        entry.may_be_unset = parameter.type.is_valid() && ast()[parameter.type].is_optional &&
+                             kind(entry.type) == Kind::Struct;
+        entry.is_required =
+            !entry.initial.is_valid() && !type_info(entry.type).is_optional && !entry.may_be_unset;
+        entry.slots = entry.is_reference ? 1 : type_info(entry.type).slots;
+        entry.reg = next;
+        next = static_cast<Reg>(next + entry.slots);
+        function.parameters.push_back(entry);
+    }
+    if (function.parameters.size() > 32) {
+        report(diag::TooManyParameters, decl.name_range).arg(function.name);
+        function.parameters.resize(32);
+    }
+    function.parameter_slots = next;
+}
+
+void Checker::check_global(std::uint32_t index, bool on_demand) {
+    GlobalVariable& global = globals_[index];
+    if (global.state == GlobalVariable::State::Done) return;
+    const syntax::Ast& tree = *modules_[global.module].ast;
+    const Decl& decl = tree[global.decl];
+    if (global.state == GlobalVariable::State::Checking) {
+        report(diag::CircularConstant, decl.name_range).arg(tree.text(decl.name));
+        global.state = GlobalVariable::State::Done;  // said once
+        return;
+    }
+    global.state = GlobalVariable::State::Checking;
+    const std::uint32_t module = std::exchange(module_, global.module);
+    const Units units = std::exchange(units_, modules_[global.module].units);
+    const SourceRange place = emit_.place();
+    emit_.set_place(decl.range);
+
+    Symbol symbol;
+    symbol.name = tree.text(decl.name);
+    symbol.range = decl.name_range;
+    symbol.is_const = decl.is_const;
+    symbol.type = decl.type.is_valid() ? resolve_type(decl.type) : types::kError;
+    if (decl.is_const && !decl.value.is_valid())
+        report(diag::ConstWithoutValue, decl.name_range).arg(symbol.name);
+    const Reg mark = emit_.mark();
+    Value value = error_value();
+    if (decl.value.is_valid()) {
+        value = expression(decl.value, symbol.type);
+        if (decl.type.is_valid()) {
+            value = convert(value, symbol.type, tree[decl.value].range, symbol.name);
+        } else {
+            symbol.type = value.type;
+            if (symbol.type == types::kVoid) {
+                report(diag::VoidValue, tree[decl.value].range);
+                symbol.type = types::kError;
+            }
+        }
+    }
+    if (decl.is_const && value.is_constant()) {
+        symbol.storage = Symbol::Storage::Constant;
+        symbol.constant = value;
+    } else {
+        if (on_demand && !is_error(value)) {
+            report(diag::UsedBeforeDefinition, decl.name_range).arg(symbol.name);
+        }
+        symbol.storage = Symbol::Storage::Global;
+        symbol.global = code_->globals;
+        const std::uint16_t slots = type_info(symbol.type).slots;
+        code_->globals += slots;
+        symbol.may_be_unset = !decl.value.is_valid();
+        Reg reg = 0;
+        if (decl.value.is_valid()) {
+            reg = in_register(value);
+            if (value.is_variable && types_.holds_array(symbol.type)) {
+                const Reg copy = emit_.take(slots);
+                copy_value(value, copy);
+                reg = copy;
+            }
+        } else {
+            reg = emit_.take(slots);
+            emit_unset(symbol.type, reg);
+        }
+        if (slots > 0) emit_.emit_pair(Op::StoreGlobal, reg, 0, slots, symbol.global);
+    }
+    emit_.release_to(mark);
+    emit_.set_place(place);
+    module_ = module;
+    units_ = units;
+    globals_[index].symbol = symbol;
+    globals_[index].state = GlobalVariable::State::Done;
+}
+
+void Checker::bind_parameters(const FunctionDecl& function) {
+    for (const ParameterDecl& parameter : function.parameters) {
+        Symbol symbol;
+        symbol.name = parameter.name;
+        symbol.type = parameter.type;
+        symbol.storage =
+            parameter.is_reference ? Symbol::Storage::Reference : Symbol::Storage::Local;
+        symbol.reg = parameter.reg;
+        symbol.range = parameter.range;
+        symbol.is_parameter = true;
+        symbol.may_be_unset = parameter.may_be_unset;
+        if (parameter.may_be_unset) symbol.givenness = Givenness::Perhaps;
+        if (type_info(parameter.type).is_optional) symbol.givenness = Givenness::Perhaps;
+        const Found same = find(parameter.name);
+        if (same.symbol >= 0)
+            symbols_[static_cast<std::size_t>(same.symbol)].is_read = true;  // said once
+        add_symbol(symbol);
+    }
+}
+
+/// The prologue: each default is evaluated if its argument was not given. A default may use the
+/// parameters before it.
+void Checker::check_defaults(const FunctionDecl& function) {
+    for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+        const ParameterDecl parameter = function.parameters[i];
+        if (parameter.is_required) continue;
+        Label skip;
+        emit_.set_place(parameter.range);
+        emit_.jump(Op::SkipIfGiven, skip, 0, 0, static_cast<unsigned>(i));
+        const Reg mark = emit_.mark();
+        if (!parameter.initial.is_valid()) {
+            emit_unset(parameter.type, parameter.reg);
+        } else {
+            emit_.set_place(ast()[parameter.initial].range);
+            Value value = expression(parameter.initial, parameter.type);
+            // `length initial = position.z`: a default that is not given itself leaves the
+            // parameter not given; reading it is the mistake.
+            if (type_info(value.type).is_optional && !type_info(parameter.type).is_optional &&
+                type_info(parameter.type).kind == type_info(value.type).kind) {
+                symbols_[i].may_be_unset = true;
+                symbols_[i].givenness = Givenness::Perhaps;
+                symbols_[i].unset_name = sources_.text(ast()[parameter.initial].range);
+                value.type = types_.given(value.type);
+            }
+            value = convert(value, parameter.type, ast()[parameter.initial].range, parameter.name);
+            if (!is_error(value)) copy_value(value, parameter.reg);
+        }
+        emit_.release_to(mark);
+        emit_.bind(skip);
+    }
+}
+
+void Checker::check_function(std::uint32_t index) {
+    const FunctionDecl function = functions_[index];
+    module_ = function.module;
+    units_ = units_of(function);
+    const Decl decl = ast()[function.decl];
+    function_ = &function;
+    emit_.begin_function();
+    leave_scope(0);
+    loops_.clear();
+    scope_begin_ = 0;
+    with_depth_ = 0;
+    loop_depth_ = 0;
+    current_native_ = native_cycle(function);
+
+    FunctionCode& entry = code_->functions[index + 1];
+    entry.entry = emit_.here();
+    emit_.take(std::max<unsigned>(function.parameter_slots, type_info(function.result).slots));
+    emit_.release_to(function.parameter_slots);
+    bind_parameters(function);
+    check_defaults(function);
+    code_->functions[index + 1].body = emit_.here();
+    native_pending_ = current_native_.has_value();
+    has_preserves_ = decl.preserves.count > 0;
+    if (has_preserves_) {
+        emit_.set_place(decl.range);
+        ModalMask mask = words_mask(ast().word_run(decl.preserves), true);
+        emit_.emit_pair(Op::EnterPreserves, 0, 0, 0, mask);
+        code_->functions[index + 1].needs = preserved_members(decl);
+    }
+    bool falls_through = true;
+    if (decl.body.is_valid()) {
+        const syntax::Stmt body = ast()[decl.body];
+        falls_through =
+            body.kind == syntax::StmtKind::Block ? block(body.statements) : statement(decl.body);
+    }
+    emit_native_cycle();
+    const SourceRange end{decl.range.file, decl.range.end > 0 ? decl.range.end - 1 : 0,
+                          decl.range.end};
+    emit_.set_place(end);
+    if (falls_through) {
+        if (function.result != types::kVoid && kind(function.result) != Kind::Error) {
+            report(diag::MissingReturn, function.range)
+                .arg(function.name)
+                .arg(type_name(function.result))
+                .note(end, "the end is reached here without a `return`");
+        }
+        leave_function(end);
+        emit_.emit(Op::Return, 0, 0, 0);
+    }
+    if (has_preserves_) check_preserves(function, decl);
+    report_unused_parameters();
+
+    FunctionCode& done = code_->functions[index + 1];
+    done.end = emit_.here();
+    done.registers = emit_.registers_used();
+    if (emit_.overflowed()) report(diag::FunctionTooLarge, function.range).arg(function.name);
+    function_ = nullptr;
+}
+
+void Checker::report_unused_parameters() {
+    if (function_->module != 0) return;  // a library's own matter
+    for (const Symbol& symbol : symbols_) {
+        if (!symbol.is_parameter || symbol.is_read || symbol.name.empty()) continue;
+        report(diag::UnusedParameter, symbol.range).arg(symbol.name);
+    }
+}
+
+ParameterInfo Checker::describe_parameter(const ParameterDecl& parameter) {
+    ParameterInfo info;
+    info.name = parameter.name;
+    info.type_name = type_name(parameter.type);
+    const TypeInfo& type = type_info(parameter.type);
+    using K = ParameterInfo::Kind;
+    switch (type.kind) {
+        case Kind::Bool: info.kind = K::Bool; break;
+        case Kind::Int: info.kind = K::Integer; break;
+        case Kind::Real: info.kind = K::Number; break;
+        case Kind::Feed: info.kind = K::Feed; break;
+        case Kind::Speed: info.kind = K::Speed; break;
+        case Kind::String: info.kind = K::Text; break;
+        case Kind::Enum: info.kind = K::Enum; break;
+        case Kind::Struct:
+        case Kind::Array:
+        case Kind::Range:
+        case Kind::Void:
+        case Kind::Error: info.kind = K::Other; break;
+    }
+    if (parameter.is_reference) info.kind = K::Other;
+    info.quantity = type.quantity;
+    info.is_optional = type.is_optional;
+    info.has_default = !parameter.is_required;
+    info.slot = parameter.reg;
+    info.slots = parameter.slots;
+    info.enumeration = type.kind == Kind::Enum ? type.definition : 0;
+    info.range = parameter.range;
+    return info;
+}
+
+void Checker::export_enums() {
+    for (std::uint32_t i = 0; i < types_.enum_count(); ++i) {
+        const EnumInfo& info = types_.enum_at(i);
+        code_->enums.push_back({info.name, info.members});
+    }
+}
+
+}  // namespace kadr::sema

@@ -1,0 +1,67 @@
+#include "sema/emitter.h"
+
+#include <algorithm>
+
+namespace kadr::sema {
+
+namespace {
+// Calls and points need some room above a function's own registers.
+constexpr unsigned kMostRegisters = 60000;
+}  // namespace
+
+Instruction& Emitter::emit(Op op, unsigned a, unsigned b, unsigned c) {
+    Instruction instruction;
+    instruction.op = op;
+    instruction.a = static_cast<std::uint16_t>(a);
+    instruction.b = static_cast<std::uint16_t>(b);
+    instruction.c = static_cast<std::uint16_t>(c);
+    code_.instructions.push_back(instruction);
+    code_.places.push_back(place_);
+    return code_.instructions.back();
+}
+
+void Emitter::emit_integer(Op op, unsigned a, unsigned b, std::int64_t value) {
+    emit(op, a, b).immediate.integer = value;
+}
+
+void Emitter::emit_number(Op op, unsigned a, unsigned b, double value, unsigned c) {
+    emit(op, a, b, c).immediate.number = value;
+}
+
+void Emitter::emit_pair(Op op, unsigned a, unsigned b, unsigned c, std::int64_t first,
+                        std::int64_t second) {
+    emit(op, a, b, c).immediate.pair = {static_cast<std::int32_t>(first),
+                                        static_cast<std::int32_t>(second)};
+}
+
+void Emitter::jump(Op op, Label& label, unsigned a, unsigned b, unsigned c, int second) {
+    if (label.target < 0) label.pending.push_back(here());
+    emit_pair(op, a, b, c, label.target, second);
+}
+
+void Emitter::bind(Label& label) {
+    label.target = here();
+    for (const std::uint32_t at : label.pending) {
+        code_.instructions[at].immediate.pair.first = static_cast<std::int32_t>(label.target);
+    }
+    label.pending.clear();
+}
+
+Reg Emitter::take(unsigned slots) {
+    if (next_ + slots > kMostRegisters) {
+        overflowed_ = true;
+        return next_;
+    }
+    const Reg first = next_;
+    next_ = static_cast<Reg>(next_ + slots);
+    most_ = std::max<std::uint32_t>(most_, next_);
+    return first;
+}
+
+void Emitter::begin_function() {
+    next_ = 0;
+    most_ = 0;
+    overflowed_ = false;
+}
+
+}  // namespace kadr::sema

@@ -1,0 +1,106 @@
+// names.h — who is called what: files, their top-level names, functions, local variables.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "nc/dialect.h"
+#include "sema/code.h"
+#include "sema/types.h"
+#include "syntax/ast.h"
+
+namespace kadr::sema {
+
+using Reg = std::uint16_t;
+inline constexpr Reg kNoReg = 0xffff;
+
+/// What an expression came to: a constant, or the registers that hold it.
+struct Value {
+    enum class Form : std::uint8_t { None, Constant, InRegister };
+    Form form = Form::None;
+    Type type;
+    Slot constant{};  // of a String: index into Code::texts
+    Reg reg = 0;
+    bool is_variable = false;  // the registers belong to a variable: copy before changing
+    bool is_fresh = false;     // an array that nobody else holds
+
+    bool is_constant() const { return form == Form::Constant; }
+};
+
+/// What is known about a variable at one point of the program.
+enum class Givenness : std::uint8_t { Given, Perhaps, NotGiven };
+
+struct Symbol {
+    enum class Storage : std::uint8_t { Local, Global, Reference, Constant };
+    std::string_view name;
+    Type type;
+    Storage storage = Storage::Local;
+    Reg reg = 0;  // of Local; of Reference: the register that refers
+    std::uint32_t global = 0;
+    Value constant;
+    bool is_const = false;
+    bool is_loop_variable = false;
+    bool may_be_unset = false;    // declared without a value: reads are checked
+    std::string_view unset_name;  // what is not given then, if it is not the variable itself
+    Givenness givenness = Givenness::Given;
+    bool is_parameter = false;
+    bool is_read = false;
+    SourceRange range;
+};
+
+struct ParameterDecl {
+    std::string_view name;
+    Type type;
+    bool is_reference = false;
+    bool is_required = true;    // no default and not optional
+    bool may_be_unset = false;  // an optional struct
+    syntax::ExprId initial;
+    Reg reg = 0;
+    std::uint16_t slots = 1;
+    SourceRange range;
+};
+
+struct FunctionDecl {
+    std::uint32_t module = 0;
+    syntax::DeclId decl;
+    std::string_view name;
+    syntax::DeclKind kind = syntax::DeclKind::Function;
+    Type result;
+    std::vector<ParameterDecl> parameters;
+    std::uint16_t parameter_slots = 0;
+    bool is_wanted = false;  // its body is or will be checked
+    SourceRange range;
+};
+
+/// A top-level name of a file.
+struct Name {
+    enum class What : std::uint8_t { Function, Variable, Type, EnumMember, Unsupported };
+    What what = What::Function;
+    std::uint32_t module = 0;
+    std::uint32_t index = 0;  // Function: functions; Variable: globals
+    Type type;                // Type, EnumMember
+    std::int64_t member = 0;
+    SourceRange range;
+};
+
+struct GlobalVariable {
+    enum class State : std::uint8_t { Unchecked, Checking, Done };
+    State state = State::Unchecked;
+    std::uint32_t module = 0;
+    syntax::DeclId decl;
+    Symbol symbol;
+};
+
+struct ModuleScope {
+    const syntax::Ast* ast = nullptr;
+    const nc::Dialect* dialect = nullptr;
+    Units units = Units::Metric;
+    std::unordered_map<std::string_view, Name> names;
+    std::vector<std::uint32_t> imports;  // direct ones, the prelude last
+};
+
+}  // namespace kadr::sema

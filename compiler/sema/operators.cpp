@@ -1,0 +1,486 @@
+// operators.cpp — arithmetic: what fits together, and what it becomes.
+#include <cmath>
+
+#include "sema/arithmetic.h"
+#include "sema/checker.h"
+
+namespace kadr::sema {
+
+using syntax::Expr;
+using syntax::ExprId;
+using syntax::ExprKind;
+using syntax::Operator;
+
+std::string_view spelling(Operator op) {
+    switch (op) {
+        case Operator::Plus:
+        case Operator::Add:
+        case Operator::AddAssign: return "+";
+        case Operator::Minus:
+        case Operator::Subtract:
+        case Operator::SubtractAssign: return "-";
+        case Operator::Multiply:
+        case Operator::MultiplyAssign: return "*";
+        case Operator::Divide:
+        case Operator::DivideAssign: return "/";
+        case Operator::Modulo:
+        case Operator::ModuloAssign: return "%";
+        case Operator::Less: return "<";
+        case Operator::LessEqual: return "<=";
+        case Operator::Greater: return ">";
+        case Operator::GreaterEqual: return ">=";
+        case Operator::Equal: return "==";
+        case Operator::NotEqual: return "!=";
+        case Operator::BitAnd: return "&";
+        case Operator::BitOr: return "|";
+        case Operator::BitXor: return "^";
+        case Operator::BitNot: return "~";
+        case Operator::ShiftLeft: return "<<";
+        case Operator::ShiftRight: return ">>";
+        case Operator::And: return "&&";
+        case Operator::Or: return "||";
+        case Operator::Not: return "!";
+        case Operator::Contains: return "contains";
+        case Operator::Coalesce: return "??";
+        default: return "=";
+    }
+}
+
+// ---------------------------------------------------------------- unary
+
+Value Checker::unary(ExprId id, Type expected, Reg hint) {
+    const Expr& expr = ast()[id];
+    if (expr.op == Operator::Not) return truth(id, hint);
+    const SourceRange range = ast()[expr.child[0]].range;
+    Value value = require_given(expression(expr.child[0], expected), range, {});
+    if (is_error(value)) return value;
+    const Kind k = kind(value.type);
+    if (expr.op == Operator::BitNot) {
+        if (k != Kind::Int) {
+            report(diag::OperandType, range).arg("~").arg(type_name(value.type));
+            return error_value();
+        }
+        if (value.is_constant()) return constant_integer(~value.constant.integer, types::kInt);
+        const Reg reg = hint != kNoReg ? hint : emit_.take(1);
+        emit_.emit(Op::NotI, reg, value.reg);
+        return in_registers(types::kInt, reg);
+    }
+    if (k == Kind::Struct && (value.type == types::kPoint || value.type == types::kVector)) {
+        if (expr.op == Operator::Plus) return value;
+        const Reg reg = emit_.take(3);
+        for (unsigned i = 0; i < 3; ++i) emit_.emit(Op::NegF, reg + i, value.reg + i);
+        return in_registers(value.type, reg);
+    }
+    if (k != Kind::Int && k != Kind::Real) {
+        report(diag::OperandType, range).arg(spelling(expr.op)).arg(type_name(value.type));
+        return error_value();
+    }
+    if (expr.op == Operator::Plus) return value;
+    if (value.is_constant()) {
+        if (k == Kind::Real) return constant_number(-value.constant.number, value.type);
+        return constant_integer(-value.constant.integer, value.type);
+    }
+    const Reg reg = hint != kNoReg ? hint : emit_.take(1);
+    emit_.emit(k == Kind::Int ? Op::NegI : Op::NegF, reg, value.reg);
+    return in_registers(value.type, reg);
+}
+
+// ---------------------------------------------------------------- binary
+
+Value Checker::binary(ExprId id, Type expected, Reg hint) {
+    const Expr& expr = ast()[id];
+    switch (expr.op) {
+        case Operator::Coalesce: return coalesce(id, expected);
+        case Operator::And:
+        case Operator::Or:
+        case Operator::Less:
+        case Operator::LessEqual:
+        case Operator::Greater:
+        case Operator::GreaterEqual:
+        case Operator::Equal:
+        case Operator::NotEqual: return truth(id, hint);
+        case Operator::Contains: return contains(expr, hint);
+        default: break;
+    }
+    // `+` and `-` hand the expected type down, so that braces know what they are.
+    const bool same_type = expr.op == Operator::Add || expr.op == Operator::Subtract;
+    const bool is_braces = ast()[expr.child[0]].kind == ExprKind::Braces ||
+                           ast()[expr.child[1]].kind == ExprKind::Braces;
+    const Type hint_type = same_type && is_braces ? types::kPoint : types::kError;
+    const Reg mark = emit_.mark();
+    Value left = expression(expr.child[0], hint_type);
+    if (left.is_variable && writes(expr.child[1])) {
+        // `i + i++`: what stands left is read first.
+        const Reg copy = emit_.take(type_info(left.type).slots);
+        left.is_fresh = true;
+        copy_value(left, copy);
+        left = in_registers(left.type, copy);
+    }
+    const Value right = expression(expr.child[1], hint_type);
+    if (is_error(left) || is_error(right)) return error_value();
+    Value result = binary_values(expr.op, left, right, expr, hint);
+    if (result.form == Value::Form::InRegister && type_info(result.type).slots == 1 &&
+        !result.is_variable && result.reg != hint && result.reg > mark) {
+        // The operands' registers are free again; the result moves down. The last instruction is
+        // the one that made it, so its target can be changed instead of copying.
+        Instruction& last = code_->instructions.back();
+        if (last.a == result.reg && is_pure(last.op)) {
+            emit_.release_to(mark);
+            last.a = emit_.take(1);
+            result.reg = last.a;
+        }
+    }
+    return result;
+}
+
+bool Checker::is_pure(Op op) {
+    return (op >= Op::AddI && op <= Op::MathI) || op == Op::Concat || op == Op::Format;
+}
+
+Value Checker::binary_values(Operator op, Value left, Value right, const Expr& expr, Reg hint) {
+    left = require_given(left, ast()[expr.child[0]].range, {});
+    right = require_given(right, ast()[expr.child[1]].range, {});
+    if (is_error(left) || is_error(right)) return error_value();
+    const Kind a = kind(left.type);
+    const Kind b = kind(right.type);
+    if (op == Operator::Add && (a == Kind::String || b == Kind::String)) {
+        left = text_of(left, ast()[expr.child[0]].range);
+        right = text_of(right, ast()[expr.child[1]].range);
+        if (is_error(left) || is_error(right)) return error_value();
+        if (left.is_constant() && right.is_constant()) {
+            return constant_text(code_->texts[static_cast<std::size_t>(left.constant.integer)] +
+                                 code_->texts[static_cast<std::size_t>(right.constant.integer)]);
+        }
+        const Reg x = in_register(left);
+        const Reg y = in_register(right);
+        const Reg reg = hint != kNoReg ? hint : emit_.take(1);
+        emit_.emit(Op::Concat, reg, x, y);
+        return in_registers(types::kString, reg);
+    }
+    switch (op) {
+        case Operator::BitAnd:
+        case Operator::BitOr:
+        case Operator::BitXor:
+        case Operator::ShiftLeft:
+        case Operator::ShiftRight: return bits(op, left, right, expr, hint);
+        default: break;
+    }
+    if (a == Kind::Struct || b == Kind::Struct) return vectors(op, left, right, expr);
+    if (!types_.is_numeric(left.type) || !types_.is_numeric(right.type)) {
+        const bool is_left = !types_.is_numeric(left.type);
+        const Value& wrong = is_left ? left : right;
+        report(diag::OperandType, ast()[expr.child[is_left ? 0 : 1]].range)
+            .arg(spelling(op))
+            .arg(type_name(wrong.type));
+        return error_value();
+    }
+    return arithmetic(op, left, right, expr, hint);
+}
+
+Value Checker::bits(Operator op, const Value& left, const Value& right, const Expr& expr,
+                    Reg hint) {
+    const bool both_bool = kind(left.type) == Kind::Bool && kind(right.type) == Kind::Bool &&
+                           op != Operator::ShiftLeft && op != Operator::ShiftRight;
+    if (!both_bool && (kind(left.type) != Kind::Int || kind(right.type) != Kind::Int)) {
+        const bool is_left = kind(left.type) != Kind::Int;
+        report(diag::OperandType, ast()[expr.child[is_left ? 0 : 1]].range)
+            .arg(spelling(op))
+            .arg(type_name(is_left ? left.type : right.type));
+        return error_value();
+    }
+    const bool is_shift = op == Operator::ShiftLeft || op == Operator::ShiftRight;
+    if (is_shift && right.is_constant() &&
+        (right.constant.integer < 0 || right.constant.integer > 62)) {
+        report(diag::ShiftRange, ast()[expr.child[1]].range).arg(right.constant.integer);
+        return error_value();
+    }
+    if (left.is_constant() && right.is_constant() && op != Operator::ShiftLeft) {
+        const std::int64_t x = left.constant.integer;
+        const std::int64_t y = right.constant.integer;
+        const std::int64_t value = op == Operator::BitAnd   ? (x & y)
+                                   : op == Operator::BitOr  ? (x | y)
+                                   : op == Operator::BitXor ? (x ^ y)
+                                                            : (x >> y);
+        return constant_integer(value, left.type);
+    }
+    const Op code = op == Operator::BitAnd      ? Op::AndI
+                    : op == Operator::BitOr     ? Op::OrI
+                    : op == Operator::BitXor    ? Op::XorI
+                    : op == Operator::ShiftLeft ? Op::ShlI
+                                                : Op::ShrI;
+    const Reg x = in_register(left);
+    const Reg y = in_register(right);
+    const Reg reg = hint != kNoReg ? hint : emit_.take(1);
+    emit_.emit(code, reg, x, y);
+    return in_registers(left.type, reg);
+}
+
+Value Checker::vectors(Operator op, const Value& left, const Value& right, const Expr& expr) {
+    const auto is_vector = [&](const Value& v) {
+        return v.type == types::kPoint || v.type == types::kVector;
+    };
+    const bool is_sum = op == Operator::Add || op == Operator::Subtract;
+    if (is_sum && is_vector(left) && left.type == right.type) {
+        const Reg reg = emit_.take(3);
+        for (unsigned i = 0; i < 3; ++i) {
+            emit_.emit(op == Operator::Add ? Op::AddF : Op::SubF, reg + i, left.reg + i,
+                       right.reg + i);
+        }
+        return in_registers(left.type, reg);
+    }
+    const bool is_product = op == Operator::Multiply && (is_vector(left) != is_vector(right));
+    if (is_product || (op == Operator::Divide && is_vector(left) && !is_vector(right))) {
+        const Value& vector = is_vector(left) ? left : right;
+        Value scale = is_vector(left) ? right : left;
+        const bool is_number =
+            kind(scale.type) == Kind::Int ||
+            (kind(scale.type) == Kind::Real && type_info(scale.type).quantity.is_number());
+        // A direction times a length is a point: `{0.6, 0.8} * 10mm`.
+        const bool makes_point = op == Operator::Multiply && vector.type == types::kVector &&
+                                 kind(scale.type) == Kind::Real &&
+                                 type_info(scale.type).quantity == kLength;
+        if (is_number || makes_point) {
+            const Reg factor = in_register(to_real(scale));
+            const Reg reg = emit_.take(3);
+            for (unsigned i = 0; i < 3; ++i) {
+                emit_.emit(op == Operator::Multiply ? Op::MulF : Op::DivF, reg + i, vector.reg + i,
+                           factor);
+            }
+            return in_registers(makes_point ? types::kPoint : vector.type, reg);
+        }
+    }
+    report(diag::OperandPair, expr.range)
+        .arg(spelling(op))
+        .arg(type_name(left.type))
+        .arg(type_name(right.type));
+    return error_value();
+}
+
+bool Checker::match_quantities(Value& left, Value& right, const Expr& expr) {
+    const auto bare = [&](const Value& v) {
+        return v.is_constant() && (kind(v.type) == Kind::Int || v.type == types::kReal);
+    };
+    const auto is_family = [&](const Value& v) {
+        return kind(v.type) == Kind::Feed || kind(v.type) == Kind::Speed;
+    };
+    // A family keeps its form as long as both sides agree; against a plain feed it must have that
+    // form.
+    if (is_family(left) && is_family(right) && left.type == right.type) return true;
+    if (is_family(left) != is_family(right)) {
+        Value& family = is_family(left) ? left : right;
+        Value& other = is_family(left) ? right : left;
+        if (bare(other)) {
+            other = adapt_number(other, family.type);
+            return true;
+        }
+        if (kind(other.type) == Kind::Real) {
+            const Quantity first =
+                (kind(family.type) == Kind::Feed ? kFeedPerTime : kSpindleSpeed) *
+                type_info(family.type).quantity;
+            const Quantity second =
+                (kind(family.type) == Kind::Feed ? kFeedPerTurn : kFeedPerTime) *
+                type_info(family.type).quantity;
+            const Quantity q = type_info(other.type).quantity;
+            if (q == first || q == second) {
+                family = plain_form(family, q == first ? 0 : 1);
+                return true;
+            }
+        }
+    } else if (!is_family(left)) {
+        const Quantity a = type_info(left.type).quantity;
+        const Quantity b = type_info(right.type).quantity;
+        if (a == b) return true;
+        if (bare(right)) {
+            right = adapt_number(right, left.type);
+            return true;
+        }
+        if (bare(left)) {
+            left = adapt_number(left, right.type);
+            return true;
+        }
+    }
+    const auto words = [&](const Value& v) {
+        return is_family(v) ? type_name(v.type) : describe(type_info(v.type).quantity);
+    };
+    const bool is_call = expr.kind == ExprKind::Call;
+    report(diag::MixedDimensions, expr.range)
+        .arg(is_call ? sources_.text(ast()[expr.child[0]].range) : spelling(expr.op))
+        .arg(words(left))
+        .arg(words(right));
+    return false;
+}
+
+bool Checker::reports_finite(double value, const SourceRange& range) {
+    if (std::isfinite(value)) return true;
+    report(diag::ConstantFault, range).arg("a number too large");
+    return false;
+}
+
+Value Checker::fold_integers(Operator op, std::int64_t a, std::int64_t b,
+                             const SourceRange& range) {
+    std::int64_t result = 0;
+    bool overflow = false;
+    switch (op) {
+        case Operator::Add: overflow = __builtin_add_overflow(a, b, &result); break;
+        case Operator::Subtract: overflow = __builtin_sub_overflow(a, b, &result); break;
+        case Operator::Multiply: overflow = __builtin_mul_overflow(a, b, &result); break;
+        default:
+            if (b == 0) {
+                report(diag::ConstantFault, range).arg(describe(MathFault::DivisionByZero));
+                return error_value();
+            }
+            result = remainder(a, b);
+            break;
+    }
+    if (overflow) {
+        report(diag::ConstantFault, range).arg("a whole number beyond 64 bits");
+        return error_value();
+    }
+    return constant_integer(result, types::kInt);
+}
+
+Value Checker::emit_integers(Operator op, const Value& a, const Value& b, Reg hint) {
+    const auto target = [&] { return hint != kNoReg ? hint : emit_.take(1); };
+    // A constant operand goes into the instruction.
+    if (op == Operator::Add || op == Operator::Multiply) {
+        const Op code = op == Operator::Add ? Op::AddIK : Op::MulIK;
+        if (b.is_constant()) {
+            const Reg reg = target();
+            emit_.emit_integer(code, reg, a.reg, b.constant.integer);
+            return in_registers(types::kInt, reg);
+        }
+        if (a.is_constant()) {
+            const Reg reg = target();
+            emit_.emit_integer(code, reg, b.reg, a.constant.integer);
+            return in_registers(types::kInt, reg);
+        }
+    }
+    if (op == Operator::Subtract && b.is_constant() && b.constant.integer != kNotGivenInteger) {
+        const Reg reg = target();
+        emit_.emit_integer(Op::AddIK, reg, a.reg, -b.constant.integer);
+        return in_registers(types::kInt, reg);
+    }
+    const Reg x = in_register(a);
+    const Reg y = in_register(b);
+    const Reg reg = target();
+    emit_.emit(op == Operator::Add        ? Op::AddI
+               : op == Operator::Subtract ? Op::SubI
+               : op == Operator::Multiply ? Op::MulI
+                                          : Op::ModI,
+               reg, x, y);
+    return in_registers(types::kInt, reg);
+}
+
+Value Checker::emit_reals(Operator op, const Value& a, const Value& b, Type type, Reg hint,
+                          const SourceRange& range) {
+    if (a.is_constant() && b.is_constant()) {
+        const double x = a.constant.number;
+        const double y = b.constant.number;
+        if ((op == Operator::Divide || op == Operator::Modulo) && y == 0) {
+            report(diag::ConstantFault, range).arg(describe(MathFault::DivisionByZero));
+            return error_value();
+        }
+        const double value = op == Operator::Add        ? x + y
+                             : op == Operator::Subtract ? x - y
+                             : op == Operator::Multiply ? x * y
+                             : op == Operator::Divide   ? x / y
+                                                        : std::fmod(x, y);
+        if (!reports_finite(value, range)) return error_value();
+        return constant_number(value, type);
+    }
+    const auto target = [&] { return hint != kNoReg ? hint : emit_.take(1); };
+    if (b.is_constant() && op != Operator::Modulo) {
+        const double k = b.constant.number;
+        if (op == Operator::Divide && k == 0) {
+            report(diag::ConstantFault, range).arg(describe(MathFault::DivisionByZero));
+            return error_value();
+        }
+        const Reg reg = target();
+        if (op == Operator::Add) emit_.emit_number(Op::AddFK, reg, a.reg, k);
+        else if (op == Operator::Subtract) emit_.emit_number(Op::AddFK, reg, a.reg, -k);
+        else if (op == Operator::Multiply) emit_.emit_number(Op::MulFK, reg, a.reg, k);
+        else emit_.emit_number(Op::DivFK, reg, a.reg, k);
+        return in_registers(type, reg);
+    }
+    if (a.is_constant() && op != Operator::Modulo) {
+        const double k = a.constant.number;
+        const Reg reg = target();
+        if (op == Operator::Add) emit_.emit_number(Op::AddFK, reg, b.reg, k);
+        else if (op == Operator::Subtract) emit_.emit_number(Op::SubKF, reg, b.reg, k);
+        else if (op == Operator::Multiply) emit_.emit_number(Op::MulFK, reg, b.reg, k);
+        else emit_.emit_number(Op::DivKF, reg, b.reg, k);
+        return in_registers(type, reg);
+    }
+    const Reg x = in_register(a);
+    const Reg y = in_register(b);
+    const Reg reg = target();
+    emit_.emit(op == Operator::Add        ? Op::AddF
+               : op == Operator::Subtract ? Op::SubF
+               : op == Operator::Multiply ? Op::MulF
+               : op == Operator::Divide   ? Op::DivF
+                                          : Op::ModF,
+               reg, x, y);
+    return in_registers(type, reg);
+}
+
+/// Numbers: whole ones stay whole except in a division, because `X=5/2` means 2.5 on a drawing.
+Value Checker::arithmetic(Operator op, Value left, Value right, const Expr& expr, Reg hint) {
+    const bool both_int = kind(left.type) == Kind::Int && kind(right.type) == Kind::Int;
+    if (both_int && op != Operator::Divide) {
+        if (left.is_constant() && right.is_constant()) {
+            return fold_integers(op, left.constant.integer, right.constant.integer, expr.range);
+        }
+        return emit_integers(op, left, right, hint);
+    }
+    const bool is_sum = op == Operator::Add || op == Operator::Subtract || op == Operator::Modulo;
+    const auto is_family = [&](const Value& v) {
+        return kind(v.type) == Kind::Feed || kind(v.type) == Kind::Speed;
+    };
+    if (is_sum) {
+        if (!match_quantities(left, right, expr)) return error_value();
+        if (is_family(left)) return families(op, left, right, expr, hint);
+        left = to_real(left);
+        right = to_real(right);
+        return emit_reals(op, left, right, left.type == types::kInt ? types::kReal : left.type,
+                          hint, expr.range);
+    }
+    if (is_family(left) && is_family(right)) {
+        if (op == Operator::Divide && left.type == right.type)
+            return families(op, left, right, expr, hint);
+        left = plain_form(left, 0);
+        right = plain_form(right, 0);
+    }
+    left = to_real(left);
+    right = to_real(right);
+    const Quantity a = type_info(left.type).quantity;
+    const Quantity b = type_info(right.type).quantity;
+    if (is_family(left) || (is_family(right) && op == Operator::Multiply)) {
+        const Kind family = is_family(left) ? kind(left.type) : kind(right.type);
+        const Type type = types_.family(family, op == Operator::Multiply ? a * b : a / b);
+        return emit_reals(op, left, right, type, hint, expr.range);
+    }
+    if (is_family(right)) {
+        right = plain_form(right, 0);
+        return emit_reals(op, left, right, types_.real(a / type_info(right.type).quantity), hint,
+                          expr.range);
+    }
+    return emit_reals(op, left, right, types_.real(op == Operator::Multiply ? a * b : a / b), hint,
+                      expr.range);
+}
+
+/// Two feeds or two speeds of which only the running program knows the form.
+Value Checker::families(Operator op, const Value& left, const Value& right, const Expr& expr,
+                        Reg hint) {
+    if (!left.is_constant() || !right.is_constant()) {
+        const Reg a = in_register(left);
+        const Reg b = in_register(right);
+        emit_.emit(Op::SameForm, a, b);
+        const Type type = op == Operator::Divide ? types::kReal : left.type;
+        return emit_reals(op, in_registers(left.type, a), in_registers(right.type, b), type, hint,
+                          expr.range);
+    }
+    return emit_reals(op, left, right, op == Operator::Divide ? types::kReal : left.type, hint,
+                      expr.range);
+}
+
+}  // namespace kadr::sema

@@ -1,0 +1,389 @@
+// places.cpp — what can be assigned and referred to: variables, members, elements; and assignment.
+#include <algorithm>
+
+#include "base/text.h"
+#include "sema/checker.h"
+
+namespace kadr::sema {
+
+using syntax::Expr;
+using syntax::ExprId;
+using syntax::ExprKind;
+using syntax::Operator;
+
+std::optional<Place> Checker::place(ExprId id) {
+    const Expr& expr = ast()[id];
+    switch (expr.kind) {
+        case ExprKind::Name: return name_place(id);
+        case ExprKind::Member: return member_place(id);
+        case ExprKind::Index: return element_place(id);
+        case ExprKind::Invalid: return std::nullopt;
+        default: report(diag::NotAPlace, expr.range); return std::nullopt;
+    }
+}
+
+std::optional<Place> Checker::name_place(ExprId id) {
+    const Expr& expr = ast()[id];
+    const std::string_view name = text(expr.text);
+    if (name.empty()) return std::nullopt;
+    const Found found = find(name);
+    Place place;
+    place.root = name;
+    const Symbol* symbol = nullptr;
+    if (found.symbol >= 0) {
+        Symbol& local = symbols_[static_cast<std::size_t>(found.symbol)];
+        local.is_read = true;
+        symbol = &local;
+        place.symbol = found.symbol;
+        place.storage = local.storage == Symbol::Storage::Reference ? Place::Storage::Reference
+                                                                    : Place::Storage::Local;
+        place.reg = local.reg;
+    } else if (found.name != nullptr && found.name->what == Name::What::Variable) {
+        check_global(found.name->index, is_startup_);
+        symbol = &globals_[found.name->index].symbol;
+        place.storage = Place::Storage::Global;
+        place.offset = symbol->global;
+    } else if (found.name != nullptr) {
+        if (found.name->what != Name::What::Unsupported) report(diag::NotAPlace, expr.range);
+        return std::nullopt;
+    } else {
+        if (name == "pi" || name == "position" || name == "state")
+            report(diag::NotAPlace, expr.range);
+        else report_unknown(name, expr.range);
+        return std::nullopt;
+    }
+    if (kind(symbol->type) == Kind::Error) return std::nullopt;
+    place.type = symbol->type;
+    place.is_const = symbol->is_const;
+    place.is_loop_variable = symbol->is_loop_variable;
+    place.may_be_unset = symbol->may_be_unset && symbol->givenness != Givenness::Given;
+    if (found.symbol < 0) place.may_be_unset = symbol->may_be_unset;
+    place.root_range = symbol->range;
+    if (symbol->storage == Symbol::Storage::Constant) {
+        // A folded constant has no registers; give it some for what reads parts of it.
+        place.storage = Place::Storage::Local;
+        place.reg = in_register(symbol->constant);
+        place.symbol = -1;
+        place.is_const = true;
+    }
+    return place;
+}
+
+std::optional<Place> Checker::owner_place(ExprId id) {
+    const Expr& expr = ast()[id];
+    const bool is_path = expr.kind == ExprKind::Name || expr.kind == ExprKind::Index ||
+                         expr.kind == ExprKind::Member;
+    if (is_path) return place(id);
+    const Value value = expression(id);
+    if (is_error(value)) return std::nullopt;
+    if (kind(value.type) == Kind::Void) {
+        report(diag::VoidValue, expr.range);
+        return std::nullopt;
+    }
+    Place place;
+    place.type = value.type;
+    place.reg = in_register(value);
+    place.is_temporary = true;
+    return place;
+}
+
+std::optional<Place> Checker::part_place(const Place& whole, const Expr& expr) {
+    const std::string_view name = text(expr.text);
+    if (name.empty()) return std::nullopt;
+    if (kind(whole.type) != Kind::Struct) {
+        if (kind(whole.type) != Kind::Error) {
+            report(diag::UnknownMember, expr.range).arg(type_name(whole.type)).arg(name);
+        }
+        return std::nullopt;
+    }
+    const StructInfo& info = types_.struct_of(whole.type);
+    const auto found = std::find_if(info.members.begin(), info.members.end(),
+                                    [&](const Member& m) { return m.name == name; });
+    if (found == info.members.end()) {
+        auto builder = report(diag::UnknownMember, expr.range);
+        builder.arg(info.name).arg(name);
+        std::vector<std::string_view> names;
+        for (const Member& member : info.members) names.push_back(member.name);
+        if (const auto near = nearest_name(name, names.data(), names.size())) {
+            builder.fix("did you mean " + quoted(*near) + "?");
+        }
+        return std::nullopt;
+    }
+    Place part = whole;
+    part.symbol = -1;
+    part.type = found->type;
+    if (whole.storage == Place::Storage::Local)
+        part.reg = static_cast<Reg>(whole.reg + found->offset);
+    else part.offset += found->offset;
+    if (kind(part.type) == Kind::Error) return std::nullopt;
+    return part;
+}
+
+std::optional<Place> Checker::member_place(ExprId id) {
+    const Expr& expr = ast()[id];
+    const Expr& owner = ast()[expr.child[0]];
+    if (owner.kind == ExprKind::Name && find(text(owner.text)).symbol < 0 &&
+        find(text(owner.text)).name == nullptr &&
+        (text(owner.text) == "position" || text(owner.text) == "state")) {
+        const Value value = member(id);
+        if (is_error(value)) return std::nullopt;
+        Place place;
+        place.type = value.type;
+        place.reg = value.reg;
+        place.is_temporary = true;
+        return place;
+    }
+    const std::optional<Place> whole = owner_place(expr.child[0]);
+    if (!whole) return std::nullopt;
+    if (const std::optional<Value> property = property_value(*whole, expr)) {
+        if (is_error(*property)) return std::nullopt;
+        Place place;
+        place.type = property->type;
+        place.reg = in_register(*property);
+        place.is_temporary = true;
+        return place;
+    }
+    return part_place(*whole, expr);
+}
+
+std::optional<Place> Checker::element_place(ExprId id) {
+    const Expr& expr = ast()[id];
+    const std::optional<Place> array = owner_place(expr.child[0]);
+    if (!array) {
+        expression(expr.child[1], types::kInt);
+        return std::nullopt;
+    }
+    if (kind(array->type) != Kind::Array) {
+        if (kind(array->type) != Kind::Error) {
+            report(diag::NotAnArray, ast()[expr.child[0]].range).arg(type_name(array->type));
+        }
+        return std::nullopt;
+    }
+    Value handle = load(*array, ast()[expr.child[0]].range, true, kNoReg);
+    handle = require_given(handle, ast()[expr.child[0]].range, {});
+    const TypeInfo info = type_info(types_.given(array->type));
+    const SourceRange index_range = ast()[expr.child[1]].range;
+    Value index = expression(expr.child[1], types::kInt);
+    index = convert(index, types::kInt, index_range, "the index");
+    if (is_error(handle) || is_error(index)) return std::nullopt;
+    if (index.is_constant()) {
+        const std::int64_t at = index.constant.integer;
+        if (at < 0 || (info.count >= 0 && at >= info.count)) {
+            report(diag::IndexRange, index_range)
+                .arg(at)
+                .arg(info.count >= 0 ? "0 to " + std::to_string(info.count - 1)
+                                     : std::string("0 and more"));
+            return std::nullopt;
+        }
+    }
+    Place place;
+    place.storage = Place::Storage::Element;
+    place.type = info.element;
+    place.reg = handle.reg;
+    place.index = in_register(index);
+    place.stride = type_info(info.element).slots;
+    place.is_const = array->is_const;
+    place.is_temporary = array->is_temporary;
+    place.may_be_unset = info.count >= 0;
+    place.root = array->root;
+    place.root_range = array->root_range;
+    if (kind(place.type) == Kind::Error) return std::nullopt;
+    return place;
+}
+
+Value Checker::load(const Place& place, const SourceRange& range, bool checked, Reg hint) {
+    if (place.symbol >= 0 && place.storage == Place::Storage::Local) {
+        return symbol_value(place.symbol, range, checked);
+    }
+    const std::uint16_t slots = type_info(place.type).slots;
+    Value value = in_registers(place.type, place.reg);
+    const auto target = [&] { return hint != kNoReg && slots == 1 ? hint : emit_.take(slots); };
+    switch (place.storage) {
+        case Place::Storage::Local: break;
+        case Place::Storage::Global:
+            value.reg = target();
+            emit_.emit_pair(Op::LoadGlobal, value.reg, 0, slots, place.offset);
+            break;
+        case Place::Storage::Reference:
+            value.reg = target();
+            emit_.emit_pair(Op::LoadRef, value.reg, place.reg, slots, place.offset);
+            break;
+        case Place::Storage::Element:
+            value.reg = target();
+            if (place.stride == 1) emit_.emit(Op::LoadElement, value.reg, place.reg, place.index);
+            else
+                emit_.emit_pair(Op::LoadElementN, value.reg, place.reg, place.index, place.offset,
+                                slots);
+            break;
+    }
+    value.is_variable = !place.is_temporary;
+    value.is_fresh = place.is_temporary;
+    if (checked && place.may_be_unset) check_unset(value, sources_.text(range), range);
+    return value;
+}
+
+bool Checker::check_assignable(const Place& place, const SourceRange& range) {
+    if (place.is_temporary) {
+        report(diag::NotAPlace, range);
+        return false;
+    }
+    if (place.is_const) {
+        report(diag::ConstAssigned, range)
+            .arg(place.root)
+            .note(place.root_range, "it is declared `const` here");
+        return false;
+    }
+    return true;
+}
+
+void Checker::note_assignment(const Place& place) {
+    if (place.symbol < 0) return;
+    symbols_[static_cast<std::size_t>(place.symbol)].givenness = Givenness::Given;
+}
+
+void Checker::store(const Place& place, const Value& value, const SourceRange& range) {
+    if (!check_assignable(place, range)) return;
+    const std::uint16_t slots = type_info(place.type).slots;
+    if (place.storage == Place::Storage::Local) {
+        copy_value(value, place.reg);
+        return;
+    }
+    Reg reg = 0;
+    if (value.form == Value::Form::InRegister &&
+        !(value.is_variable && types_.holds_array(value.type))) {
+        reg = value.reg;
+    } else {
+        reg = emit_.take(slots);
+        copy_value(value, reg);
+    }
+    switch (place.storage) {
+        case Place::Storage::Local: break;
+        case Place::Storage::Global:
+            emit_.emit_pair(Op::StoreGlobal, reg, 0, slots, place.offset);
+            break;
+        case Place::Storage::Reference:
+            emit_.emit_pair(Op::StoreRef, reg, place.reg, slots, place.offset);
+            break;
+        case Place::Storage::Element:
+            if (place.stride == 1) emit_.emit(Op::StoreElement, reg, place.reg, place.index);
+            else
+                emit_.emit_pair(Op::StoreElementN, reg, place.reg, place.index, place.offset,
+                                slots);
+            break;
+    }
+}
+
+Reg Checker::reference_to(const Place& place) {
+    const Reg reg = emit_.take(1);
+    switch (place.storage) {
+        case Place::Storage::Local: emit_.emit(Op::RefLocal, reg, place.reg); break;
+        case Place::Storage::Global: emit_.emit_pair(Op::RefGlobal, reg, 0, 0, place.offset); break;
+        case Place::Storage::Reference:
+            emit_.emit_pair(Op::RefOffset, reg, place.reg, 0, place.offset);
+            break;
+        case Place::Storage::Element:
+            emit_.emit_pair(Op::RefElement, reg, place.reg, place.index, place.offset);
+            break;
+    }
+    return reg;
+}
+
+// ---------------------------------------------------------------- assignment
+
+Value Checker::assign(ExprId id, bool is_value) {
+    const Expr& expr = ast()[id];
+    const SourceRange target_range = ast()[expr.child[0]].range;
+    const SourceRange value_range = ast()[expr.child[1]].range;
+    const std::optional<Place> target = place(expr.child[0]);
+    if (!target) {
+        expression(expr.child[1]);
+        return error_value();
+    }
+    if (!check_assignable(*target, target_range)) return error_value();
+    const bool is_local = target->storage == Place::Storage::Local;
+    const std::uint16_t slots = type_info(target->type).slots;
+    const std::string_view what =
+        target->symbol >= 0 || target->root.empty() ? target->root : sources_.text(target_range);
+    if (expr.op == Operator::Assign) {
+        const Kind value_kind = ast()[expr.child[1]].kind == ExprKind::Binary ||
+                                        ast()[expr.child[1]].kind == ExprKind::Unary ||
+                                        ast()[expr.child[1]].kind == ExprKind::Call
+                                    ? kind(target->type)
+                                    : Kind::Error;
+        // The value of an operator can be computed right where it belongs.
+        const bool direct = is_local && slots == 1 && value_kind != Kind::Error &&
+                            value_kind != Kind::Array && value_kind != Kind::String;
+        Value value = expression(expr.child[1], target->type, direct ? target->reg : kNoReg);
+        const bool stays_open = type_info(value.type).is_optional;
+        value = convert(value, target->type, value_range, what);
+        if (is_error(value)) {
+            note_assignment(*target);
+            return value;
+        }
+        store(*target, value, target_range);
+        note_assignment(*target);
+        if (target->symbol >= 0 && type_info(target->type).is_optional) {
+            // An optional assigned to an optional may carry "not given" over.
+            if (stays_open)
+                symbols_[static_cast<std::size_t>(target->symbol)].givenness = Givenness::Perhaps;
+        }
+        if (!is_value) return in_registers(types::kVoid, 0);
+        return is_local ? load(*target, target_range, false, kNoReg) : value;
+    }
+    Operator op = Operator::Add;
+    switch (expr.op) {
+        case Operator::SubtractAssign: op = Operator::Subtract; break;
+        case Operator::MultiplyAssign: op = Operator::Multiply; break;
+        case Operator::DivideAssign: op = Operator::Divide; break;
+        case Operator::ModuloAssign: op = Operator::Modulo; break;
+        default: break;
+    }
+    const Value old = load(*target, target_range, true, kNoReg);
+    const bool is_sum = op == Operator::Add || op == Operator::Subtract;
+    Value right = expression(expr.child[1], is_sum ? target->type : types::kError);
+    if (is_error(old) || is_error(right)) return error_value();
+    const bool direct = is_local && slots == 1 && kind(target->type) != Kind::String;
+    Expr operation = expr;
+    operation.op = op;
+    Value result = binary_values(op, old, right, operation, direct ? target->reg : kNoReg);
+    result = convert(result, target->type, expr.range, what);
+    if (is_error(result)) return result;
+    store(*target, result, target_range);
+    note_assignment(*target);
+    return is_value ? result : in_registers(types::kVoid, 0);
+}
+
+Value Checker::step(ExprId id, bool is_value) {
+    const Expr& expr = ast()[id];
+    const SourceRange range = ast()[expr.child[0]].range;
+    const std::optional<Place> target = place(expr.child[0]);
+    if (!target || !check_assignable(*target, range)) return error_value();
+    const Value old = require_given(load(*target, range, true, kNoReg), range, {});
+    if (is_error(old)) return old;
+    const bool is_int = kind(old.type) == Kind::Int;
+    if (!is_int && old.type != types::kReal) {
+        report(diag::OperandType, range)
+            .arg(expr.op == Operator::PreIncrement || expr.op == Operator::PostIncrement ? "++"
+                                                                                         : "--")
+            .arg(type_name(old.type));
+        return error_value();
+    }
+    const bool up = expr.op == Operator::PreIncrement || expr.op == Operator::PostIncrement;
+    const bool before = expr.op == Operator::PreIncrement || expr.op == Operator::PreDecrement;
+    Reg kept = old.reg;
+    if (is_value && !before) {
+        kept = emit_.take(1);
+        emit_.emit(Op::Move, kept, old.reg);
+    }
+    const bool is_local = target->storage == Place::Storage::Local;
+    const Reg reg = is_local ? target->reg : emit_.take(1);
+    if (is_int) emit_.emit_integer(Op::AddIK, reg, old.reg, up ? 1 : -1);
+    else emit_.emit_number(Op::AddFK, reg, old.reg, up ? 1 : -1);
+    if (!is_local) store(*target, in_registers(old.type, reg), range);
+    if (!is_value) return in_registers(types::kVoid, 0);
+    Value value = in_registers(old.type, before ? reg : kept);
+    value.is_variable = before && is_local;
+    return value;
+}
+
+}  // namespace kadr::sema

@@ -1,0 +1,154 @@
+#include "sema/quantity.h"
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "base/units.h"
+
+namespace kadr::sema {
+
+namespace {
+
+constexpr double kDegPerRad = 180.0 / 3.14159265358979323846;
+
+struct Spelling {
+    syntax::Unit unit;
+    std::string_view text;
+    UnitInfo info;
+};
+
+// One row a unit; the lexer knows the same spellings.
+constexpr std::array kUnits = {
+    Spelling{syntax::Unit::Mm, "mm", {kLength, 1.0}},
+    Spelling{syntax::Unit::Cm, "cm", {kLength, 10.0}},
+    Spelling{syntax::Unit::M, "m", {kLength, 1000.0}},
+    Spelling{syntax::Unit::Um, "um", {kLength, 0.001}},
+    Spelling{syntax::Unit::Inch, "in", {kLength, kMmPerInch}},
+    Spelling{syntax::Unit::Inch, "inch", {kLength, kMmPerInch}},
+    Spelling{syntax::Unit::Deg, "deg", {kAngle, 1.0}},
+    Spelling{syntax::Unit::Rad, "rad", {kAngle, kDegPerRad}},
+    Spelling{syntax::Unit::S, "s", {kTime, 1.0}},
+    Spelling{syntax::Unit::Ms, "ms", {kTime, 0.001}},
+    Spelling{syntax::Unit::Min, "min", {kTime, 60.0}},
+    Spelling{syntax::Unit::MmPerMin, "mm/min", {kFeedPerTime, 1.0 / 60.0}},
+    Spelling{syntax::Unit::MPerMin, "m/min", {kFeedPerTime, 1000.0 / 60.0}},
+    Spelling{syntax::Unit::InchPerMin, "in/min", {kFeedPerTime, kMmPerInch / 60.0}},
+    Spelling{syntax::Unit::InchPerMin, "inch/min", {kFeedPerTime, kMmPerInch / 60.0}},
+    Spelling{syntax::Unit::MmPerS, "mm/s", {kFeedPerTime, 1.0}},
+    Spelling{syntax::Unit::MmPerRev, "mm/rev", {kFeedPerTurn, 1.0}},
+    Spelling{syntax::Unit::InchPerRev, "in/rev", {kFeedPerTurn, kMmPerInch}},
+    Spelling{syntax::Unit::InchPerRev, "inch/rev", {kFeedPerTurn, kMmPerInch}},
+    Spelling{syntax::Unit::Rpm, "rpm", {kSpindleSpeed, 1.0 / 60.0}},
+    Spelling{syntax::Unit::Percent, "%", {kNumber, 0.01}},
+};
+
+std::int8_t narrow(int value) { return static_cast<std::int8_t>(value); }
+
+}  // namespace
+
+Quantity operator*(Quantity a, Quantity b) {
+    return {narrow(a.length + b.length), narrow(a.time + b.time), narrow(a.angle + b.angle),
+            narrow(a.turns + b.turns)};
+}
+
+Quantity operator/(Quantity a, Quantity b) {
+    return {narrow(a.length - b.length), narrow(a.time - b.time), narrow(a.angle - b.angle),
+            narrow(a.turns - b.turns)};
+}
+
+Quantity power(Quantity a, int exponent) {
+    return {narrow(a.length * exponent), narrow(a.time * exponent), narrow(a.angle * exponent),
+            narrow(a.turns * exponent)};
+}
+
+std::optional<Quantity> root(Quantity a) {
+    if (a.length % 2 != 0 || a.time % 2 != 0 || a.angle % 2 != 0 || a.turns % 2 != 0) {
+        return std::nullopt;
+    }
+    return Quantity{narrow(a.length / 2), narrow(a.time / 2), narrow(a.angle / 2),
+                    narrow(a.turns / 2)};
+}
+
+std::string describe(Quantity q) {
+    struct Known {
+        Quantity quantity;
+        std::string_view name;
+    };
+    constexpr std::array kKnown = {
+        Known{kNumber, "number"},
+        Known{kLength, "length"},
+        Known{kAngle, "angle"},
+        Known{kTime, "time"},
+        Known{kFeedPerTime, "feed (length per time)"},
+        Known{kFeedPerTurn, "feed per revolution"},
+        Known{kSpindleSpeed, "speed"},
+        Known{kPerTime, "number per time"},
+        Known{{2, 0, 0, 0}, "area"},
+        Known{{3, 0, 0, 0}, "volume"},
+        Known{{0, 0, 0, 1}, "revolutions"},
+        Known{{1, -2, 0, 0}, "acceleration"},
+        Known{{0, -1, 1, 0}, "angle per time"},
+    };
+    for (const Known& known : kKnown) {
+        if (known.quantity == q) return std::string(known.name);
+    }
+    std::string above;
+    std::string below;
+    const auto factor = [&](int exponent, std::string_view name) {
+        if (exponent == 0) return;
+        std::string& side = exponent > 0 ? above : below;
+        if (!side.empty()) side += '*';
+        side += name;
+        if (std::abs(exponent) == 1) return;
+        side += '^';
+        side += std::to_string(std::abs(exponent));
+    };
+    factor(q.length, "length");
+    factor(q.time, "time");
+    factor(q.angle, "angle");
+    factor(q.turns, "revolutions");
+    if (above.empty()) above += '1';
+    if (!below.empty()) {
+        above += '/';
+        above += below;
+    }
+    return above;
+}
+
+double bare_factor(Quantity q, Units units) {
+    double factor = units == Units::Inch ? std::pow(kMmPerInch, q.length) : 1.0;
+    // F is per minute, S is rpm: nobody writes them per second.
+    if (q == kFeedPerTime || q == kSpindleSpeed || q == kPerTime) factor /= 60.0;
+    return factor;
+}
+
+UnitInfo unit_info(syntax::Unit unit) {
+    for (const Spelling& row : kUnits) {
+        if (row.unit == unit) return row.info;
+    }
+    return {kNumber, 1.0};
+}
+
+std::optional<UnitInfo> find_unit(std::string_view text) {
+    for (const Spelling& row : kUnits) {
+        if (row.text == text) return row.info;
+    }
+    return std::nullopt;
+}
+
+Quantity quantity_of(nc::Dimension dimension) {
+    switch (dimension) {
+        case nc::Dimension::Length: return kLength;
+        case nc::Dimension::Angle: return kAngle;
+        case nc::Dimension::Time: return kTime;
+        case nc::Dimension::Feed: return kFeedPerTime;
+        case nc::Dimension::Speed: return kSpindleSpeed;
+        case nc::Dimension::Number:
+        case nc::Dimension::Count:
+        case nc::Dimension::Text: return kNumber;
+    }
+    return kNumber;
+}
+
+}  // namespace kadr::sema

@@ -1,0 +1,131 @@
+// scope.cpp — names: where they are looked for, what is known about a variable at each point.
+#include <algorithm>
+
+#include "base/text.h"
+#include "sema/builtins.h"
+#include "sema/checker.h"
+
+namespace kadr::sema {
+
+std::string quoted(std::string_view text) {
+    std::string all = "`";
+    all += text;
+    all += '`';
+    return all;
+}
+
+const Name* Checker::find_global(std::uint32_t module, std::string_view name) const {
+    const ModuleScope& scope = modules_[module];
+    if (const auto own = scope.names.find(name); own != scope.names.end()) return &own->second;
+    for (const std::uint32_t import : scope.imports) {
+        const auto found = modules_[import].names.find(name);
+        if (found != modules_[import].names.end()) return &found->second;
+    }
+    if (prelude_ < modules_.size()) {
+        const auto found = modules_[prelude_].names.find(name);
+        if (found != modules_[prelude_].names.end()) return &found->second;
+    }
+    return nullptr;
+}
+
+Checker::Found Checker::find(std::string_view name) {
+    const auto local = visible_.find(name);
+    if (local != visible_.end() && !local->second.empty()) return {local->second.back(), nullptr};
+    return {-1, find_global(module_, name)};
+}
+
+void Checker::check_new_name(std::string_view name, const SourceRange& range) {
+    if (name.empty()) return;
+    const auto local = visible_.find(name);
+    if (local != visible_.end() && !local->second.empty()) {
+        const auto i = static_cast<std::size_t>(local->second.back());
+        const bool same_scope = i >= scope_begin_;
+        report(same_scope ? diag::DuplicateName : diag::ShadowedName, range)
+            .arg(name)
+            .note(symbols_[i].range,
+                  same_scope ? "it is declared here" : "the outer one is declared here");
+        return;
+    }
+    const auto own = modules_[module_].names.find(name);
+    if (own != modules_[module_].names.end() && own->second.what == Name::What::Variable) {
+        report(diag::ShadowedName, range)
+            .arg(name)
+            .note(own->second.range, "the outer one is declared here");
+    }
+}
+
+Symbol& Checker::add_symbol(Symbol symbol) {
+    check_new_name(symbol.name, symbol.range);
+    visible_[symbol.name].push_back(static_cast<std::int32_t>(symbols_.size()));
+    symbols_.push_back(std::move(symbol));
+    return symbols_.back();
+}
+
+void Checker::leave_scope(std::size_t symbols) {
+    while (symbols_.size() > symbols) {
+        visible_[symbols_.back().name].pop_back();
+        symbols_.pop_back();
+    }
+}
+
+std::vector<std::string_view> Checker::known_names(bool functions) const {
+    std::vector<std::string_view> names;
+    const auto add_module = [&](std::uint32_t module) {
+        for (const auto& [name, entry] : modules_[module].names) {
+            if ((entry.what == Name::What::Function) == functions) names.push_back(name);
+        }
+    };
+    add_module(module_);
+    for (const std::uint32_t import : modules_[module_].imports) add_module(import);
+    if (prelude_ < modules_.size()) add_module(prelude_);
+    if (functions) {
+        const auto builtins = builtin_names();
+        names.insert(names.end(), builtins.begin(), builtins.end());
+        for (const nc::FunctionInfo& info : nc::all_functions()) {
+            if (!info.name.empty()) names.push_back(info.name);
+        }
+    } else {
+        for (const Symbol& symbol : symbols_) names.push_back(symbol.name);
+    }
+    // Hash tables have no order of their own; messages must be the same everywhere.
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+void Checker::report_unknown(std::string_view name, const SourceRange& range) {
+    auto builder = report(diag::UnknownName, range);
+    builder.arg(name);
+    const std::vector<std::string_view> names = known_names(false);
+    if (const auto near = nearest_name(name, names.data(), names.size())) {
+        builder.fix(range, std::string(*near), "did you mean " + quoted(*near) + "?");
+    }
+}
+
+std::vector<Givenness> Checker::remember_givenness() const {
+    std::vector<Givenness> states;
+    states.reserve(symbols_.size());
+    for (const Symbol& symbol : symbols_) states.push_back(symbol.givenness);
+    return states;
+}
+
+void Checker::set_givenness(const std::vector<Givenness>& other) {
+    for (std::size_t i = 0; i < symbols_.size() && i < other.size(); ++i) {
+        symbols_[i].givenness = other[i];
+    }
+}
+
+void Checker::merge_givenness(const std::vector<Givenness>& other) {
+    for (std::size_t i = 0; i < symbols_.size() && i < other.size(); ++i) {
+        if (symbols_[i].givenness != other[i]) symbols_[i].givenness = Givenness::Perhaps;
+    }
+}
+
+void Checker::forget_givenness() {
+    // A loop's body may run again after what stands below has been assigned.
+    for (Symbol& symbol : symbols_) {
+        const bool varies = symbol.may_be_unset || type_info(symbol.type).is_optional;
+        if (varies) symbol.givenness = Givenness::Perhaps;
+    }
+}
+
+}  // namespace kadr::sema

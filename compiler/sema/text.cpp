@@ -1,0 +1,173 @@
+// text.cpp — strings with values in them, and the tables of constants.
+#include <charconv>
+
+#include "sema/checker.h"
+
+namespace kadr::sema {
+
+using syntax::Expr;
+using syntax::ExprId;
+using syntax::ExprKind;
+
+std::uint32_t Checker::text_constant(std::string_view text) {
+    const auto [found, is_new] =
+        text_index_.try_emplace(std::string(text), static_cast<std::uint32_t>(code_->texts.size()));
+    if (is_new) code_->texts.emplace_back(text);
+    return found->second;
+}
+
+std::uint32_t Checker::layout_constant(Type type) {
+    Layout layout;
+    layout.slots = types_.layout(type);
+    layout.nested.resize(layout.slots.size(), 0);
+    const auto fill = [&](auto&& self, Type inner, std::size_t at) -> void {
+        const TypeInfo info = type_info(inner);
+        if (info.kind == Kind::Array) {
+            // A struct that holds an array of itself has one layout, known by its type.
+            layout.nested[at] = layout_constant(info.element);
+        } else if (info.kind == Kind::Struct) {
+            for (const Member& member : types_.struct_of(inner).members) {
+                self(self, member.type, at + member.offset);
+            }
+        }
+    };
+    const auto known = layout_index_.find(type.index);
+    if (known != layout_index_.end()) return known->second;
+    const auto index = static_cast<std::uint32_t>(code_->layouts.size());
+    layout_index_[type.index] = index;
+    code_->layouts.emplace_back();
+    fill(fill, type, 0);
+    code_->layouts[index] = std::move(layout);
+    return index;
+}
+
+bool Checker::format_piece(const Value& value, std::string_view format, const SourceRange& range,
+                           FormatPiece& piece) {
+    const TypeInfo info = type_info(types_.given(value.type));
+    using K = FormatPiece::Kind;
+    switch (info.kind) {
+        case Kind::Bool: piece.kind = K::Bool; break;
+        case Kind::Int: piece.kind = K::Integer; break;
+        case Kind::Real:
+            piece.kind = K::Number;
+            piece.factor = 1.0 / bare_factor(info.quantity, units_);
+            break;
+        case Kind::Feed:
+            piece.kind = K::Feed;
+            piece.factor = 1.0 / bare_factor(kFeedPerTime, units_);
+            break;
+        case Kind::Speed:
+            piece.kind = K::Speed;
+            piece.factor = 1.0 / bare_factor(kSpindleSpeed, units_);
+            break;
+        case Kind::String: piece.kind = K::Text; break;
+        case Kind::Enum:
+            piece.kind = K::Enum;
+            piece.enumeration = info.definition;
+            break;
+        case Kind::Error: return false;
+        case Kind::Void:
+        case Kind::Struct:
+        case Kind::Array:
+        case Kind::Range:
+            report(diag::NotPrintable, range).arg(type_name(value.type));
+            return false;
+    }
+    // [+][0][width][.decimals]
+    const char* at = format.data();
+    const char* end = at + format.size();
+    bool is_good = true;
+    if (at != end && *at == '+') {
+        piece.plus = true;
+        ++at;
+    }
+    if (at != end && *at == '0') {
+        piece.zeros = true;
+        ++at;
+    }
+    if (at != end && *at >= '0' && *at <= '9') {
+        const auto read = std::from_chars(at, end, piece.width);
+        is_good = read.ec == std::errc() && piece.width <= 64;
+        at = read.ptr;
+    }
+    if (is_good && at != end && *at == '.') {
+        const auto read = std::from_chars(at + 1, end, piece.decimals);
+        is_good = read.ec == std::errc() && piece.decimals >= 0 && piece.decimals <= 9 &&
+                  read.ptr != at + 1;
+        at = read.ptr;
+    }
+    const bool is_number = piece.kind == K::Integer || piece.kind == K::Number ||
+                           piece.kind == K::Feed || piece.kind == K::Speed;
+    if (!is_good || at != end ||
+        (!is_number && (piece.decimals >= 0 || piece.zeros || piece.plus))) {
+        report(diag::BadFormat, range).arg(format).arg(type_name(value.type));
+        return false;
+    }
+    return true;
+}
+
+Value Checker::string(ExprId id, Reg hint) {
+    const Expr& expr = ast()[id];
+    const auto parts = ast().exprs(expr.list);
+    if (parts.empty()) return constant_text(text(expr.text));
+    FormatPattern pattern;
+    const Reg mark = emit_.mark();
+    std::vector<Value> values;
+    // The values come to stand one behind the other.
+    std::size_t holes = 0;
+    for (const ExprId part : parts) {
+        if (ast()[part].kind != ExprKind::String || ast()[part].list.count > 0) ++holes;
+    }
+    if (holes == 0) {
+        std::string all;
+        for (const ExprId part : parts) all += text(ast()[part].text);
+        return constant_text(all);
+    }
+    const Reg target = emit_.take(1);
+    const Reg first = emit_.take(static_cast<unsigned>(holes));
+    Reg next = first;
+    bool is_good = true;
+    for (const ExprId part : parts) {
+        const Expr& piece_expr = ast()[part];
+        FormatPiece piece;
+        if (piece_expr.kind == ExprKind::String && piece_expr.list.count == 0) {
+            piece.text = text(piece_expr.text);
+            pattern.push_back(std::move(piece));
+            continue;
+        }
+        const bool is_format = piece_expr.kind == ExprKind::Format;
+        const ExprId inner = is_format ? piece_expr.child[0] : part;
+        const Reg above = emit_.mark();
+        Value value = require_given(expression(inner), ast()[inner].range, {});
+        const std::string_view format = is_format ? text(piece_expr.text) : std::string_view();
+        if (is_error(value) || !format_piece(value, format, piece_expr.range, piece)) {
+            is_good = false;
+        } else {
+            copy_value(value, next);
+            pattern.push_back(std::move(piece));
+        }
+        emit_.release_to(above);
+        ++next;
+    }
+    if (!is_good) return error_value();
+    emit_.set_place(expr.range);
+    emit_.release_to(static_cast<Reg>(target + 1));
+    const Reg reg = hint != kNoReg ? hint : target;
+    if (hint != kNoReg) emit_.release_to(mark);
+    emit_.emit_pair(Op::Format, reg, first, 0, static_cast<std::int64_t>(code_->formats.size()));
+    code_->formats.push_back(std::move(pattern));
+    return in_registers(types::kString, reg);
+}
+
+Value Checker::text_of(const Value& value, const SourceRange& range) {
+    if (is_error(value) || kind(value.type) == Kind::String) return value;
+    FormatPiece piece;
+    if (!format_piece(value, {}, range, piece)) return error_value();
+    const Reg from = in_register(value);
+    const Reg reg = emit_.take(1);
+    emit_.emit_pair(Op::Format, reg, from, 0, static_cast<std::int64_t>(code_->formats.size()));
+    code_->formats.push_back({std::move(piece)});
+    return in_registers(types::kString, reg);
+}
+
+}  // namespace kadr::sema

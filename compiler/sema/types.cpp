@@ -1,0 +1,195 @@
+#include "sema/types.h"
+
+#include <algorithm>
+
+#include "base/assert.h"
+
+namespace kadr::sema {
+
+TypeTable::TypeTable() {
+    const auto add = [&](Kind kind, std::uint16_t slots) {
+        TypeInfo info;
+        info.kind = kind;
+        info.slots = slots;
+        types_.push_back(info);
+    };
+    const auto add_real = [&](Quantity quantity, bool is_optional) {
+        TypeInfo info;
+        info.kind = Kind::Real;
+        info.quantity = quantity;
+        info.is_optional = is_optional;
+        types_.push_back(info);
+    };
+    add(Kind::Error, 1);
+    add(Kind::Void, 0);
+    add(Kind::Bool, 1);
+    add(Kind::Int, 1);
+    add_real(kNumber, false);
+    add_real(kLength, false);
+    add_real(kAngle, false);
+    add_real(kTime, false);
+    add(Kind::Feed, 1);
+    add(Kind::Speed, 1);
+    add(Kind::String, 1);
+    add_real(kLength, true);
+    add_real(kNumber, true);
+    const auto triple = [](std::string name, Type type) {
+        StructInfo info;
+        info.name = std::move(name);
+        for (std::uint16_t i = 0; i < 3; ++i) {
+            info.members.push_back({std::string(1, "xyz"[i]), type, i, 0, {}});
+        }
+        info.slots = 3;
+        return info;
+    };
+    const Type point = add_struct(triple("point", types::kOptionalLength));
+    const Type vector = add_struct(triple("vector", types::kOptionalReal));
+    KADR_ASSERT(point == types::kPoint && vector == types::kVector, "built-in types moved");
+    add(Kind::Range, 2);
+}
+
+Type TypeTable::intern(const TypeInfo& info) {
+    const auto found = std::find(types_.begin(), types_.end(), info);
+    if (found != types_.end()) return {static_cast<std::uint16_t>(found - types_.begin())};
+    types_.push_back(info);
+    return {static_cast<std::uint16_t>(types_.size() - 1)};
+}
+
+Type TypeTable::real(Quantity quantity) {
+    TypeInfo info;
+    info.kind = Kind::Real;
+    info.quantity = quantity;
+    return intern(info);
+}
+
+Type TypeTable::family(Kind kind, Quantity extra) {
+    TypeInfo info;
+    info.kind = kind;
+    info.quantity = extra;
+    return intern(info);
+}
+
+void TypeTable::set_enum_values(Type type, const std::vector<std::int64_t>& values) {
+    EnumInfo& info = enums_[(*this)[type].definition];
+    for (std::size_t i = 0; i < info.members.size() && i < values.size(); ++i) {
+        info.members[i].second = values[i];
+    }
+}
+
+Type TypeTable::optional(Type type) {
+    TypeInfo info = (*this)[type];
+    // A point is not given when none of its components is.
+    if (info.kind == Kind::Error || info.kind == Kind::Struct) return type;
+    info.is_optional = true;
+    return intern(info);
+}
+
+Type TypeTable::given(Type type) {
+    TypeInfo info = (*this)[type];
+    if (!info.is_optional) return type;
+    info.is_optional = false;
+    return intern(info);
+}
+
+Type TypeTable::array(Type element, std::int64_t count) {
+    TypeInfo info;
+    info.kind = Kind::Array;
+    info.element = element;
+    info.count = count;
+    return intern(info);
+}
+
+Type TypeTable::add_struct(StructInfo info) {
+    TypeInfo type;
+    type.kind = Kind::Struct;
+    type.definition = static_cast<std::uint32_t>(structs_.size());
+    type.slots = info.slots;
+    structs_.push_back(std::move(info));
+    types_.push_back(type);
+    return {static_cast<std::uint16_t>(types_.size() - 1)};
+}
+
+Type TypeTable::add_enum(EnumInfo info) {
+    TypeInfo type;
+    type.kind = Kind::Enum;
+    type.definition = static_cast<std::uint32_t>(enums_.size());
+    enums_.push_back(std::move(info));
+    types_.push_back(type);
+    return {static_cast<std::uint16_t>(types_.size() - 1)};
+}
+
+void TypeTable::complete_struct(Type type, std::vector<Member> members) {
+    std::uint16_t offset = 0;
+    for (Member& member : members) {
+        member.offset = offset;
+        offset = static_cast<std::uint16_t>(offset + (*this)[member.type].slots);
+    }
+    types_[type.index].slots = offset;
+    StructInfo& info = structs_[types_[type.index].definition];
+    info.members = std::move(members);
+    info.slots = offset;
+}
+
+std::string TypeTable::name(Type type) const {
+    const TypeInfo& info = (*this)[type];
+    std::string text;
+    switch (info.kind) {
+        case Kind::Error: text += "?"; break;
+        case Kind::Void: text += "void"; break;
+        case Kind::Bool: text += "bool"; break;
+        case Kind::Int: text += "int"; break;
+        case Kind::Real:
+            text += info.quantity.is_number() ? "real" : describe(info.quantity);
+            break;
+        case Kind::Feed: text += "feed"; break;
+        case Kind::Speed: text += "speed"; break;
+        case Kind::String: text += "string"; break;
+        case Kind::Enum: text += enums_[info.definition].name; break;
+        case Kind::Struct: text += structs_[info.definition].name; break;
+        case Kind::Array:
+            text += name(info.element);
+            text += '[';
+            if (info.count >= 0) text += std::to_string(info.count);
+            text += ']';
+            break;
+        case Kind::Range: text += "range"; break;
+    }
+    if (info.is_optional) text += '?';
+    return text;
+}
+
+std::vector<SlotKind> TypeTable::layout(Type type) const {
+    const TypeInfo& info = (*this)[type];
+    switch (info.kind) {
+        case Kind::Void: return {};
+        case Kind::Bool:
+        case Kind::Int:
+        case Kind::Enum: return {SlotKind::Integer};
+        case Kind::Error:
+        case Kind::Real:
+        case Kind::Feed:
+        case Kind::Speed: return {SlotKind::Number};
+        case Kind::String: return {SlotKind::Text};
+        case Kind::Array: return {SlotKind::Array};
+        case Kind::Range: return {SlotKind::Integer, SlotKind::Integer};
+        case Kind::Struct: break;
+    }
+    std::vector<SlotKind> slots;
+    for (const Member& member : structs_[info.definition].members) {
+        const std::vector<SlotKind> inner = layout(member.type);
+        slots.insert(slots.end(), inner.begin(), inner.end());
+    }
+    return slots;
+}
+
+bool TypeTable::holds_array(Type type) const {
+    const std::vector<SlotKind> slots = layout(type);
+    return std::find(slots.begin(), slots.end(), SlotKind::Array) != slots.end();
+}
+
+bool TypeTable::is_numeric(Type type) const {
+    const Kind kind = (*this)[type].kind;
+    return kind == Kind::Int || kind == Kind::Real || kind == Kind::Feed || kind == Kind::Speed;
+}
+
+}  // namespace kadr::sema

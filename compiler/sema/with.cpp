@@ -1,0 +1,133 @@
+// with.cpp — modal words and frames that a brace ends; what `preserves` names.
+#include "sema/checker.h"
+
+namespace kadr::sema {
+
+using syntax::Expr;
+using syntax::ExprId;
+using syntax::ExprKind;
+using syntax::Stmt;
+using syntax::Word;
+
+/// What a planned block sets for good; `is_modal` becomes false if it also does something once.
+ModalMask Checker::modal_mask(const nc::BlockPlan& plan, bool& is_modal) const {
+    const nc::Block& block = plan.block;
+    ModalMask mask = block.motion != nc::Function::None ? group_bit(nc::Group::Motion) : 0;
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        const nc::Group group = nc::info(block.functions[i].function).group;
+        if (group == nc::Group::Once) is_modal = false;
+        else mask |= group_bit(group);
+    }
+    const auto add_slot = [&](std::size_t slot) {
+        if (slot == static_cast<std::size_t>(nc::Slot::Feed)) mask |= kFeedBit;
+        else if (slot == static_cast<std::size_t>(nc::Slot::Speed)) mask |= kSpeedBit;
+        else is_modal = false;
+    };
+    for (std::size_t slot = 0; slot < nc::kSlots; ++slot) {
+        if ((block.given >> slot & 1u) != 0) add_slot(slot);
+    }
+    for (const nc::Hole& hole : plan.holes) {
+        if (!hole.is_argument) add_slot(hole.place);
+    }
+    return mask;
+}
+
+ModalMask Checker::words_mask(std::span<const Word> words, bool is_preserves) {
+    const std::string_view keyword = is_preserves ? "preserves" : "with";
+    ModalMask mask = 0;
+    if (!is_preserves && !words.empty()) {
+        // Words of one block belong together: `with G43 H3`.
+        const std::optional<nc::BlockPlan> plan = plan_words(words);
+        bool is_modal = true;
+        if (plan) mask = modal_mask(*plan, is_modal);
+        if (is_modal) return mask;
+    }
+    for (const Word& word : words) {
+        if (text(word.address) == "FRAMES" || text(word.address) == "frames") {
+            mask |= kFrameBit;
+            continue;
+        }
+        const std::optional<nc::BlockPlan> plan = plan_words({&word, 1});
+        if (!plan) continue;
+        bool is_modal = true;
+        mask |= modal_mask(*plan, is_modal);
+        if (!is_modal) report(diag::NotModal, word.range).arg(word_text(word)).arg(keyword);
+    }
+    return mask;
+}
+
+void Checker::frame_call(ExprId id) {
+    const Expr& expr = ast()[id];
+    if (expr.kind == ExprKind::Invalid) return;
+    const Expr& callee = ast()[expr.kind == ExprKind::Call ? expr.child[0] : id];
+    const std::string_view name =
+        callee.kind == ExprKind::Name ? text(callee.text) : std::string_view();
+    if (expr.kind != ExprKind::Call || (name != "shift" && name != "rotate" && name != "mirror")) {
+        report(diag::WithCall, expr.range).arg(sources_.text(callee.range));
+        return;
+    }
+    const nc::FunctionInfo& info = nc::info(name == "shift"    ? nc::Function::Shift
+                                            : name == "rotate" ? nc::Function::Rotate
+                                                               : nc::Function::Mirror);
+    std::vector<std::string_view> names;
+    for (const nc::Parameter& parameter : info.parameters) names.push_back(parameter.name);
+    const auto bound = bind_arguments(expr, name, names, {});
+    if (!bound) return;
+    const Reg first = emit_.take(3);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto reg = static_cast<Reg>(first + i);
+        if (!(*bound)[i].is_valid()) {
+            if (!info.parameters[i].is_optional) {
+                report(diag::ArgumentMissing, expr.range).arg(name).arg(names[i]);
+            }
+            emit_.emit_number(Op::LoadF, reg, 0, kNotGivenNumber);
+            continue;
+        }
+        const SourceRange range = ast()[(*bound)[i]].range;
+        const Reg mark = emit_.mark();
+        const Value value = expression((*bound)[i]);
+        const bool is_no =
+            value.is_constant() && kind(value.type) == Kind::Bool && value.constant.integer == 0;
+        if (is_no) emit_.emit_number(Op::LoadF, reg, 0, kNotGivenNumber);
+        else fill_value(value, info.parameters[i].dimension, range, names[i], reg);
+        emit_.release_to(mark);
+    }
+    const FrameChange change = name == "shift"    ? FrameChange::Shift
+                               : name == "rotate" ? FrameChange::Rotate
+                                                  : FrameChange::Mirror;
+    emit_.set_place(expr.range);
+    emit_.emit_pair(Op::ChangeFrame, first, static_cast<unsigned>(change),
+                    static_cast<unsigned>(loop_depth_), 0, statement_id(expr.range));
+}
+
+bool Checker::with_statement(const Stmt& stmt) {
+    const auto words = ast().word_run(stmt.words);
+    const std::size_t errors = sink_.errors;
+    ModalMask mask = words_mask(words, false);
+    if (stmt.expressions.count > 0) mask |= kFrameBit;
+    // The source of the block is the head of the statement, not its whole body.
+    SourceRange head = stmt.range;
+    if (stmt.statement[0].is_valid() && ast()[stmt.statement[0]].range.begin > head.begin) {
+        head.end = ast()[stmt.statement[0]].range.begin;
+    }
+    emit_.set_place(head);
+    emit_.emit_pair(Op::EnterWith, 0, 0, 0, mask, statement_id(head));
+    ++with_depth_;
+    if (!words.empty() && errors == sink_.errors) emit_words(words, {}, head);
+    for (const ExprId id : ast().exprs(stmt.expressions)) {
+        const Reg mark = emit_.mark();
+        frame_call(id);
+        emit_.release_to(mark);
+    }
+    const bool ends = statement(stmt.statement[0]);
+    if (ends) {
+        const SourceRange end{stmt.range.file, stmt.range.end > 0 ? stmt.range.end - 1 : 0,
+                              stmt.range.end};
+        emit_.set_place(end);
+        emit_.emit_pair(Op::LeaveWith, 0, 0, 1, 0, statement_id(end));
+    }
+    --with_depth_;
+    return ends;
+}
+
+}  // namespace kadr::sema

@@ -1,0 +1,53 @@
+// Every row of the diagnostics K2xxx and K3xxx explains itself by a wrong and a right example: the
+// wrong one must cause it, the right one must cause nothing.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "tests/sema/running.h"
+
+namespace kadr::testing {
+namespace {
+
+/// Examples that are command lines, pieces of tables or shortened with an ellipsis have their own
+/// tests: parameters_test.cpp, tables_test.cpp, limits_test.cpp.
+bool is_program(std::string_view example) {
+    const bool is_table = example.find("program") == std::string_view::npos &&
+                          example.find('{') == std::string_view::npos;
+    return !is_table && !example.starts_with("kadr ") && !example.starts_with("(") &&
+           example.find("…") == std::string_view::npos;
+}
+
+RunOptions small_limits() {
+    RunOptions options;
+    options.with_stdlib = true;
+    options.file = KADR_ROOT "/tests/sema/tables/test.kadr";
+    options.expand.limits.loop_turns = 100000;
+    options.expand.limits.blocks = 1000;
+    options.expand.limits.array_elements = 10000;
+    return options;
+}
+
+bool has_code(const Outcome& outcome, std::string_view code) {
+    return std::any_of(outcome.messages.begin(), outcome.messages.end(),
+                       [&](const std::string& message) { return message.ends_with(code); });
+}
+
+TEST(Examples, WrongOnesCauseTheMessageAndRightOnesNone) {
+    for (const DiagnosticRow* row : all_diagnostics()) {
+        const bool is_ours = row->code.starts_with("K2") || row->code.starts_with("K3");
+        if (!is_ours || !is_program(row->wrong)) continue;
+        SCOPED_TRACE(std::string(row->code) + ' ' + std::string(row->name));
+        const Outcome wrong = run(std::string(row->wrong), small_limits());
+        EXPECT_TRUE(has_code(wrong, row->code))
+            << row->wrong << "\ngives: " << wrong.all_messages();
+        // One mistake, one message.
+        EXPECT_EQ(wrong.messages.size(), 1u) << row->wrong << "\ngives: " << wrong.all_messages();
+        if (!is_program(row->right)) continue;
+        const Outcome right = run(std::string(row->right), small_limits());
+        EXPECT_EQ(right.all_messages(), "") << row->right;
+    }
+}
+
+}  // namespace
+}  // namespace kadr::testing

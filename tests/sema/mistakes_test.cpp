@@ -1,0 +1,192 @@
+// Mistakes that the checker finds: where it points, and what it proposes. That each row has a
+// wrong and a right example that work is examples_test.cpp's matter.
+#include <gtest/gtest.h>
+
+#include "tests/sema/running.h"
+
+namespace kadr::testing {
+namespace {
+
+struct Row {
+    const char* source;
+    const char* messages;
+};
+
+void expect_rows(std::initializer_list<Row> rows) {
+    for (const Row& row : rows) {
+        SCOPED_TRACE(row.source);
+        EXPECT_EQ(check(row.source).all_messages(), row.messages);
+    }
+}
+
+TEST(Mistakes, Names) {
+    expect_rows({
+        {"program p() { X=radios; }", "1:17 K2001 `radios` is not declared"},
+        {"program p() { { int a = 1; X=a; } X=a; }", "1:37 K2001 `a` is not declared"},
+        {"program p() { for (int i = 0; i < 2; i++) X=i; X=i; }", "1:50 K2001 `i` is not declared"},
+        {"program p() { drll(1mm); }", "1:15 K2002 there is no function, cycle or command `drll`"},
+        {"void f() { X1; }\nvoid f() { X2; }\nprogram p() { f(); }",
+         "2:6 K2004 `f` is declared twice"},
+        {"void f(int a, int a) { X=a; }\nprogram p() { f(1, 2); }",
+         "1:19 K2004 `a` is declared twice"},
+        {"enum e { a, a }\nprogram p() { }", "1:13 K2004 `a` is declared twice"},
+        {"struct s { int a; int a; }\nprogram p() { }", "1:23 K2004 `a` is declared twice"},
+        {"int n = 1;\nprogram p() { int n = 2; X=n; }",
+         "2:19 K2005 `n` hides a variable of the same name"},
+        {"void f(int n) { int n = 2; X=n; }\nprogram p() { f(1); }",
+         "1:21 K2005 `n` hides a variable of the same name\n1:12 K2014 the parameter `n` is never "
+         "used"},
+    });
+    // The nearest name is proposed.
+    const Checked checked = check_program("program p() { length radius = 5mm; X=radios; }");
+    EXPECT_EQ(checked.messages->all().at(0).fixes.at(0).replacement, "radius");
+}
+
+TEST(Mistakes, OneMistakeIsOneMessage) {
+    expect_rows({
+        {"program p() { int n = wrong + 1; X=n*2; if (n > wrong) X=n; }",
+         "1:23 K2001 `wrong` is not declared\n1:49 K2001 `wrong` is not declared"},
+        {"program p() { lenght x = 5mm; X=x; Y=x + 1deg; }",
+         "1:15 K2003 there is no type `lenght`"},
+        {"program p() { auto a = wrong(); X=a; a.append(1); X=a[0]; }",
+         "1:24 K2002 there is no function, cycle or command `wrong`"},
+        {"program p() { for (point q : wrong) G1 q; }", "1:30 K2001 `wrong` is not declared"},
+        {"program p() { switch (wrong) { case 1: X1; } }", "1:23 K2001 `wrong` is not declared"},
+    });
+}
+
+TEST(Mistakes, Dimensions) {
+    expect_rows({
+        {"program p() { X=10mm + 5deg; }", "1:17 K2103 `+` between length and angle"},
+        {"program p() { if (1s > 1mm) X1; }", "1:19 K2103 `>` between time and length"},
+        {"program p() { real r = 2; length d = 1mm; d = d + r; X=d; }",
+         "1:47 K2103 `+` between length and number"},
+        {"program p() { length a = 2mm*3mm; }", "1:26 K2102 `a` must be length, not area"},
+        {"program p() { real a = 2mm; }", "1:24 K2102 `a` must be number, not length"},
+        {"program p() { X=5deg; }", "1:15 K2102 `X` must be length, not angle"},
+        {"program p() { X5deg; }", "1:15 K2102 `X` must be length, not angle"},
+        {"program p() { F=5deg; }", "1:15 K2102 `F` must be feed, not angle"},
+        {"program p() { S=5mm; }", "1:15 K2102 `S` must be speed, not length"},
+        {"program p() { dwell(5mm); }", "1:21 K2102 `time` must be time, not length"},
+        {"program p() { X=sin(5mm); }", "1:21 K2102 `sin` must be angle, not length"},
+        {"program p() { auto a = exp(5mm); }", "1:28 K2102 `exp` must be number, not length"},
+        {"program p() { X=atan2(1mm, 1s)/1deg; }", "1:17 K2103 `atan2` between length and time"},
+        {"program p() { length[] a = {1, 2deg}; }",
+         "1:32 K2102 `the element` must be length, not angle"},
+        {"void f(angle a) { X=sin(a); }\nprogram p() { f(3mm); }",
+         "2:17 K2102 `a` must be angle, not length"},
+        {"length f() { return 3s; }\nprogram p() { X=f(); }",
+         "1:21 K2102 `the result` must be length, not time"},
+        {"program p() { auto a = 1mm; a = 2mm*3mm*4mm; }",
+         "1:33 K2102 `a` must be length, not volume"},
+        {"program p() { auto a = 1mm/1s/1s/1s; a = 1; length b = a; }",
+         "1:56 K2102 `b` must be length, not length/time^3"},
+    });
+}
+
+TEST(Mistakes, Types) {
+    expect_rows({
+        {"program p() { int a = 2.5; }", "1:23 K2104 `a` must be a whole number; this one is real"},
+        {"program p() { int[] a = {1}; X=a[1.5]; }",
+         "1:34 K2104 `the index` must be a whole number; this one is real"},
+        {"program p() { bool a = 1; }", "1:24 K2101 `a` must be `bool`, not `int`"},
+        {"program p() { string a = 1; }", "1:26 K2101 `a` must be `string`, not `int`"},
+        {"enum e { one }\nenum f { two }\nprogram p() { e a = two; }",
+         "3:21 K2101 `a` must be `e`, not `f`"},
+        {"enum e { one }\nenum f { two }\nprogram p() { bool a = one == two; }",
+         "3:24 K2106 `==` cannot be applied to `e` and `f`"},
+        {"program p() { bool b = true; b++; }", "1:30 K2105 `++` cannot be applied to `bool`"},
+        {"program p() { X=-true; }", "1:18 K2105 `-` cannot be applied to `bool`"},
+        {"program p() { bool b = 1 && 2; }",
+         "1:24 K2107 a condition must be `bool`, not `int`\n"
+         "1:29 K2107 a condition must be `bool`, not `int`"},
+        {"program p() { int[2] a = {1, 2}; int[] b = a; int[3] c = b; }",
+         "1:58 K2118 3 elements are needed, not any number of"},
+        {"program p() { X=1 ? 2 : 3; }", "1:17 K2107 a condition must be `bool`, not `int`"},
+        {"program p() { length a = true ? 5mm : 5deg; }",
+         "1:39 K2102 the value must be length, not angle"},
+        {"program p(int n = 1) { length a = n > 0 ? 5mm : 5deg; }",
+         "1:49 K2102 the value must be length, not angle"},
+        {"program p() { int[] a = {1, 2}; int[] b = {1}; if (a == b) X1; }",
+         "1:52 K2106 `==` cannot be applied to `int[]` and `int[]`"},
+        {"program p() { G1 5; }", "1:18 K1114 unexpected `5` behind `G1`"},
+        {"program p() { int n = 1; G1 n; }", "1:29 K2101 `the target` must be `point`, not `int`"},
+    });
+}
+
+TEST(Mistakes, ConstantsAreComputedBefore) {
+    expect_rows({
+        {"program p() { X=1/0; }", "1:17 K2109 this is division by zero"},
+        {"program p() { X=5 % 0; }", "1:17 K2109 this is division by zero"},
+        {"program p() { X=sqrt(1 - 2); }",
+         "1:17 K2109 this is the square root of a negative number"},
+        {"program p() { X=asin(2)/1deg; }", "1:17 K2109 this is an argument outside of -1 to 1"},
+        {"program p() { X=tan(90); }", "1:17 K2109 this is the tangent of a right angle"},
+        {"program p() { int n = 9000000000000000000 * 2; }",
+         "1:23 K2109 this is a whole number beyond 64 bits"},
+        {"const real k = 0;\nprogram p() { X=1/k; }", "2:17 K2109 this is division by zero"},
+    });
+}
+
+TEST(Mistakes, NotGivenIsNotZero) {
+    expect_rows({
+        {"program p() { length x; X=x; }", "1:27 K2113 `x` is not given here"},
+        {"program p() { length? x; X=x; }", "1:28 K2113 `x` is not given here"},
+        {"program p(length? x) { if (!given x) X=x; }", "1:40 K2113 `x` is not given here"},
+        {"program p(length? x) { if (given x) X=x; else X=x; }",
+         "1:49 K2113 `x` is not given here"},
+        // On some way it has a value: that is seen while it runs.
+        {"program p(int n = 1) { length x; if (n > 0) x = 1; X=x; }", ""},
+        {"program p(int n = 1) { length x; if (n > 0) x = 1; else x = 2; X=x; }", ""},
+        {"program p(int n = 1) { length x; while (n > 0) { if (n == 1) X=x; x = 1; n--; } }", ""},
+        {"program p(length? x) { require(given x, \"x\"); X=x; }", ""},
+    });
+}
+
+TEST(Mistakes, CallsAndFlow) {
+    expect_rows({
+        {"int f(int n) { while (true) { if (n > 0) return 1; n++; } }\nprogram p() { X=f(1); }",
+         ""},
+        {"int f(int n) { if (n > 0) return 1; else return 2; }\nprogram p() { X=f(1); }", ""},
+        {"int f(int n) { switch (n) { case 1: return 1; default: return 2; } }\nprogram p() { "
+         "X=f(1); }",
+         ""},
+        {"int f(int n) { if (n > 0) return 1; error(\"no\"); }\nprogram p() { X=f(1); }", ""},
+        {"int f(int n) { while (n > 0) return 1; }\nprogram p() { X=f(1); }",
+         "1:5 K2214 `f` must return `int` on every way out"},
+        {"void f() { return 1; }\nprogram p() { f(); }", "1:19 K2216 `f` has no result to return"},
+        {"program p() { X=sqrt(); }", "1:17 K2212 `sqrt` takes 1 arguments, not 0"},
+        {"program p() { X=sqrt(x: 4); }", "1:22 K2208 `sqrt` has no parameter `x`"},
+        {"program p() { dwell(tme: 1s); }", "1:21 K2208 `dwell` has no parameter `tme`"},
+        {"program p() { tool(); }", "1:15 K2207 `tool` needs `tool`"},
+        {"program p() { continue; }", "1:15 K2217 `continue` stands outside of a loop"},
+        {"program p() { switch (1) { case 1: continue; } }",
+         "1:36 K2217 `continue` stands outside of a loop"},
+        {"program p() { while (true) { break; X1; } }", "1:37 K2218 this is never reached"},
+        {"struct a { b x; }\nstruct b { a y; }\nprogram p() { }",
+         "2:12 K2015 the struct `b` contains itself"},
+    });
+    // More parameters than a call can count.
+    std::string many = "void f(int a0";
+    for (int i = 1; i < 33; ++i) many += ", int a" + std::to_string(i);
+    many += ") { X=a0; }\nprogram p() { }";
+    EXPECT_EQ(check(many).messages.at(0), "1:6 K2213");
+    std::string large = "program p() {";
+    for (int i = 0; i < 60001; ++i) large += "real v" + std::to_string(i) + "=1;";
+    EXPECT_EQ(check(large + "}").messages, std::vector<std::string>{"1:9 K2220"});
+}
+
+TEST(Mistakes, WhatComesLaterIsSaid) {
+    expect_rows({
+        {"test \"one\" { expect(true); }\nprogram p() { X1; }",
+         "1:6 K2222 a `test` is not run by this version"},
+        {"program p() { contour c = { G1 X0 Y0; X60; close; }; }",
+         "1:15 K2221 a `contour` is not yet part of this version"},
+        {"curve e(length a) over angle t = 0deg .. 360deg { x = a*cos(t); y = a*sin(t); }\nprogram "
+         "p() { }",
+         "1:7 K2221 a `curve` is not yet part of this version"},
+    });
+}
+
+}  // namespace
+}  // namespace kadr::testing

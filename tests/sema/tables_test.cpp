@@ -1,0 +1,81 @@
+// CSV tables: mistakes are named with file, row and column.
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "tests/sema/running.h"
+
+namespace kadr::testing {
+namespace {
+
+class Tables : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        folder_ =
+            std::filesystem::temp_directory_path() / ("kadr_tables_" + std::to_string(::getpid()));
+        std::filesystem::create_directories(folder_);
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    Outcome read(const std::string& csv, const std::string& file = "t.csv") {
+        std::ofstream(folder_ / "t.csv", std::ios::binary) << csv;
+        RunOptions options;
+        options.file = (folder_ / "test.kadr").string();
+        return run(
+            "struct row { length d; angle? a; int n = 1; string s; }\n"
+            "program p() { for (row r : table<row>(\"" +
+                file + "\")) note \"{r.d} {r.n} {r.s} {r.a ?? 0deg}\"; }",
+            options);
+    }
+
+    std::filesystem::path folder_;
+};
+
+TEST_F(Tables, AreReadWithUnitsAndQuotes) {
+    const Outcome plain = read(
+        "\xEF\xBB\xBF"
+        "d [in], a, n, s\r\n1,30,2,\"a \"\"b\"\", c\"\r\n\r\n# comment\n2mm,,3,x\n");
+    EXPECT_EQ(plain.all_messages(), "");
+    EXPECT_EQ(plain.all_blocks(), "comment \"25.4 2 a \"b\", c 30\"\ncomment \"2 3 x 0\"");
+    // As spreadsheets write it where the comma is the decimal sign; an optional column may be
+    // missing.
+    const Outcome semicolons = read("s;d;n\nx;1,5;2\n");
+    EXPECT_EQ(semicolons.all_messages(), "");
+    EXPECT_EQ(semicolons.all_blocks(), "comment \"1.5 2 x 0\"");
+}
+
+TEST_F(Tables, MistakesHaveRowAndColumn) {
+    struct Row {
+        const char* csv;
+        const char* messages;
+    };
+    const Row rows[] = {
+        {"", "1:1 K2403"},
+        {"d,n,s,x\n1,1,a,2\n", "1:7 K2404"},
+        {"d,n,s,d\n1,1,a,2\n", "1:7 K2405"},
+        {"d,s\n1,a\n", "1:1 K2406"},
+        {"d [deg],n,s\n1,1,a\n", "1:1 K2407"},
+        {"d [foo],n,s\n1,1,a\n", "1:1 K2407"},
+        {"d,n,s\n1,1\n", "2:1 K2408"},
+        {"d,n,s\n1,1,a\nbig,1,a\n", "3:1 K2409"},
+        {"d,n,s\n1,1.5,a\n", "2:3 K2409"},
+        {"d,n,s\n5deg,1,a\n", "2:1 K2409"},
+        {"d,n,s\n1,,a\n", "2:3 K2410"},
+        {"d,n,s\n1,1,\"a\n", "2:1 K2411"},
+        {"d,n,s\n\"1,1,a\n", "2:1 K2411"},
+    };
+    for (const Row& row : rows) {
+        SCOPED_TRACE(row.csv);
+        const Outcome outcome = read(row.csv);
+        ASSERT_EQ(outcome.messages, std::vector<std::string>{row.messages});
+        EXPECT_EQ(outcome.notes, std::vector<std::string>{"2:39 the table is read here"});
+    }
+    EXPECT_EQ(read("d,n,s\n", "none.csv").messages, std::vector<std::string>{"2:39 K2402"});
+    EXPECT_EQ(read("d,n,s\nx,y,a\n").messages,
+              (std::vector<std::string>{"2:1 K2409", "2:3 K2409"}));
+}
+
+}  // namespace
+}  // namespace kadr::testing
