@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/axes.h"
@@ -17,28 +19,28 @@ namespace kadr::expand {
 
 struct Limits {
     std::uint32_t call_depth = 1000;
-    std::uint64_t loop_turns = 1'000'000'000;   // of all loops together
+    std::uint64_t loop_turns = 1'000'000'000;  // of all loops together
     std::uint64_t blocks = 100'000'000;
     std::uint64_t array_elements = 50'000'000;
 };
 
 /// One frame of the call stack behind a block, for messages and the source map.
 struct CallSite {
-    SourceRange range;           // of the call
-    std::string_view function;   // called
+    SourceRange range;          // of the call
+    std::string_view function;  // called
 };
 
 /// How the block that was yielded last came to be.
 struct Trace {
     SourceRange statement;
-    std::vector<CallSite> calls;               // outermost first
-    std::vector<std::uint64_t> loop_counts;    // of the loops around the statement, outermost first
+    std::vector<CallSite> calls;             // outermost first
+    std::vector<std::uint64_t> loop_counts;  // of the loops around the statement, outermost first
 };
 
 struct ExpandOptions {
     Limits limits;
-    bool native_cycles = true;    // a call of a mapped cycle stays one block
-    bool trace = false;           // keep a Trace for every block of the batch
+    bool native_cycles = true;  // a call of a mapped cycle stays one block
+    bool trace = false;         // keep a Trace for every block of the batch
 };
 
 /// Evaluates a program, batch by batch. Errors while it runs are reported with the call stack and
@@ -54,8 +56,9 @@ class Expander final : public Stream<nc::Block> {
     bool start(std::string_view program, const std::vector<sema::Define>& defines);
     /// Starts a cycle by name with arguments as the interpreter has them (mm, deg, s) and the
     /// position at which it begins. False: reported or unknown.
+    /// `feed` and `speed` are those of the surroundings as in a Block (mm/min, rpm); 0: none set.
     bool start_cycle(std::string_view cycle, std::span<const double> arguments, std::uint32_t given,
-                     const AxisValues& position, double feed);
+                     const AxisValues& position, double feed, double speed = 0);
 
     std::size_t pull(std::span<nc::Block> out) override;
     bool failed() const;

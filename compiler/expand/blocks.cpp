@@ -1,0 +1,472 @@
+// blocks.cpp — blocks: plans filled with values; texts; frames; what `with` sets back.
+#include <algorithm>
+#include <cmath>
+
+#include "base/assert.h"
+#include "expand/state.h"
+
+namespace kadr::expand {
+
+using nc::Block;
+using nc::Function;
+using nc::Group;
+using sema::Filling;
+
+namespace {
+
+constexpr double kMinute = 60;
+constexpr double kMmPerMeter = 1000;
+
+/// Anything a control could be told; beyond it the calculation has run away.
+bool is_sane(double value) { return std::fabs(value) < 1e15; }
+
+/// 240 m/min is 240·1000/60 mm/s and comes back as 240.00000000000003: what was a short decimal
+/// number before the units changed is one again.
+double neat(double value) {
+    const double rounded = std::nearbyint(value * 1e6) / 1e6;
+    return std::fabs(rounded - value) <= 1e-15 * std::fabs(value) ? rounded : value;
+}
+
+std::string_view feed_word(Function mode) {
+    switch (mode) {
+        case Function::FeedPerRevolution: return "feed per revolution";
+        case Function::FeedInverseTime: return "inverse time feed";
+        default: return "feed per minute";
+    }
+}
+
+}  // namespace
+
+bool Expander::State::is_block_limit(std::uint32_t at) {
+    if (blocks_left > 0) {
+        --blocks_left;
+        return false;
+    }
+    fault(diag::BlockLimit, at).arg(static_cast<std::int64_t>(options.limits.blocks));
+    return true;
+}
+
+Block& Expander::State::next_block(SourceId source) {
+    Block* block = nullptr;
+    if (batch_count < batch_size && waiting.empty()) {
+        block = &batch[batch_count++];
+    } else {
+        waiting.emplace_back();
+        block = &waiting.back();
+    }
+    block->reset();
+    block->source = source;
+    return *block;
+}
+
+bool Expander::State::emit(const Instruction& instruction, const sema::Slot* registers,
+                           std::uint32_t at) {
+    if (is_block_limit(at)) return false;
+    const std::size_t in_batch = batch_count;
+    if (fill_plan(instruction, registers, at)) return true;
+    // A block that could not be finished is not delivered.
+    if (batch_count > in_batch) batch_count = in_batch;
+    else waiting.pop_back();
+    return false;
+}
+
+bool Expander::State::fill_plan(const Instruction& instruction, const sema::Slot* registers,
+                                std::uint32_t at) {
+    const sema::Plan& plan = code.plans[static_cast<std::size_t>(instruction.immediate.pair.first)];
+    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    Block& block = next_block(source);
+    block.motion = plan.motion;
+    block.given = plan.given;
+    block.incremental = plan.incremental;
+    block.absolute = plan.absolute;
+    block.argument_count = plan.argument_count;
+    block.skip = plan.skip;
+    block.cycle = plan.cycle;
+    block.number = plan.number;
+    block.function_count = static_cast<std::uint8_t>(plan.functions.size());
+    for (std::size_t i = 0; i < plan.functions.size(); ++i) block.functions[i] = plan.functions[i];
+    for (const auto& [place, value] : plan.arguments) block.arguments[place] = value;
+    for (const auto& [place, value] : plan.values) block.values[place] = value;
+    // Values of functions before those of F and S: the feed mode decides what F means.
+    const sema::Slot* values = registers + instruction.a;
+    const bool has_functions = block.function_count > 0 || block.motion != Function::None;
+    if (has_functions) {
+        for (std::size_t i = 0; i < plan.fillings.size(); ++i) {
+            if (plan.fillings[i].is_argument && !fill(block, plan.fillings[i], values[i], at))
+                return false;
+        }
+        modal.take_functions(block);
+    }
+    for (std::size_t i = 0; i < plan.fillings.size(); ++i) {
+        if (!plan.fillings[i].is_argument && !fill(block, plan.fillings[i], values[i], at))
+            return false;
+    }
+    if (instruction.b != 0) {
+        const sema::Slot* point = registers + (instruction.b - 1);
+        for (unsigned i = 0; i < 3; ++i) {
+            if (point[i].number != point[i].number) continue;
+            if (!is_sane(point[i].number)) {
+                math_fault(sema::MathFault::Overflow, at);
+                return false;
+            }
+            block.set(static_cast<nc::Slot>(i), point[i].number);
+        }
+    }
+    if (modal.restate_motion && block.motion == Function::None &&
+        (block.given & nc::kTargetSlots) != 0) {
+        block.motion = modal[Group::Motion];
+        modal.restate_motion = false;
+    }
+    modal.take_words(block);
+    if (options.trace) keep_trace(at, instruction.c, source);
+    return true;
+}
+
+bool Expander::State::fill(Block& block, const Filling& filling, sema::Slot value,
+                           std::uint32_t at) {
+    double number = value.number;
+    switch (filling.form) {
+        case Filling::Form::Text:
+            block.text = heap.text(value.integer);
+            block.functions[filling.invocation].given |= 1u << filling.parameter;
+            return true;
+        case Filling::Form::Count:
+            if (value.integer == sema::kNotGivenInteger) {
+                not_given({}, at);
+                return false;
+            }
+            number = static_cast<double>(value.integer);
+            break;
+        case Filling::Form::FeedBare:
+        case Filling::Form::Feed:
+        case Filling::Form::FeedPerTime:
+        case Filling::Form::FeedPerTurn:
+        case Filling::Form::FeedInverse: return fill_feed(block, filling, number, at);
+        case Filling::Form::SpeedBare:
+        case Filling::Form::Speed:
+        case Filling::Form::SpeedPerTime:
+        case Filling::Form::SpeedCutting: return fill_speed(block, filling, number, at);
+        case Filling::Form::Plain: break;
+    }
+    if (!is_sane(number)) {
+        if (number != number) not_given({}, at);
+        else math_fault(sema::MathFault::Overflow, at);
+        return false;
+    }
+    if (filling.is_argument) {
+        block.arguments[filling.place] = number;
+        block.functions[filling.invocation].given |= 1u << filling.parameter;
+    } else {
+        block.set(static_cast<nc::Slot>(filling.place), number);
+    }
+    return true;
+}
+
+bool Expander::State::fill_feed(Block& block, const Filling& filling, double value,
+                                std::uint32_t at) {
+    if (value != value) {
+        not_given("F", at);
+        return false;
+    }
+    const Function mode = modal[Group::FeedMode];
+    Filling::Form form = filling.form;
+    if (form == Filling::Form::Feed) {
+        const bool second = sema::is_second_form(value);
+        if (second) value /= sema::kSecondForm;
+        form = second ? Filling::Form::FeedPerTurn : Filling::Form::FeedPerTime;
+    }
+    Function needed = mode;
+    switch (form) {
+        case Filling::Form::FeedPerTime:
+            needed = Function::FeedPerMinute;
+            value *= kMinute;
+            break;
+        case Filling::Form::FeedPerTurn: needed = Function::FeedPerRevolution; break;
+        case Filling::Form::FeedInverse:
+            needed = Function::FeedInverseTime;
+            value *= kMinute;
+            break;
+        default:
+            if (mode != Function::FeedInverseTime) value *= filling.factor;
+            break;
+    }
+    if (needed != mode) {
+        fault(diag::FeedMode, at).arg(feed_word(needed)).arg(feed_word(mode));
+        return false;
+    }
+    if (!is_sane(value)) {
+        math_fault(sema::MathFault::Overflow, at);
+        return false;
+    }
+    block.set(nc::Slot::Feed, neat(value));
+    return true;
+}
+
+bool Expander::State::fill_speed(Block& block, const Filling& filling, double value,
+                                 std::uint32_t at) {
+    if (value != value) {
+        not_given("S", at);
+        return false;
+    }
+    const bool is_cutting = modal[Group::SpeedMode] == Function::CuttingSpeedOn;
+    Filling::Form form = filling.form;
+    if (form == Filling::Form::Speed) {
+        const bool second = sema::is_second_form(value);
+        if (second) value /= sema::kSecondForm;
+        form = second ? Filling::Form::SpeedCutting : Filling::Form::SpeedPerTime;
+    }
+    if (form == Filling::Form::SpeedBare) {
+        if (is_cutting) value *= filling.factor;
+    } else if (is_cutting != (form == Filling::Form::SpeedCutting)) {
+        fault(diag::SpeedMode, at)
+            .arg(is_cutting ? "a spindle speed" : "a cutting speed")
+            .arg(is_cutting ? "on" : "off");
+        return false;
+    } else {
+        value *= is_cutting ? kMinute / kMmPerMeter : kMinute;
+    }
+    if (!is_sane(value)) {
+        math_fault(sema::MathFault::Overflow, at);
+        return false;
+    }
+    block.set(nc::Slot::Speed, neat(value));
+    return true;
+}
+
+double Expander::State::state_value(sema::StateValue which) const {
+    if (which == sema::StateValue::Feed) {
+        if (!modal.has_feed) return sema::kNotGivenNumber;
+        switch (modal[Group::FeedMode]) {
+            case Function::FeedPerRevolution: return modal.feed * sema::kSecondForm;
+            case Function::FeedPerMinute: return modal.feed / kMinute;
+            default: return sema::kNotGivenNumber;
+        }
+    }
+    if (!modal.has_speed) return sema::kNotGivenNumber;
+    if (modal[Group::SpeedMode] == Function::CuttingSpeedOn) {
+        return modal.speed * kMmPerMeter / kMinute * sema::kSecondForm;
+    }
+    return modal.speed / kMinute;
+}
+
+bool Expander::State::emit_text(const Instruction& instruction, const sema::Slot* registers,
+                                std::uint32_t at) {
+    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    // A copy: making blocks does not move texts, but nothing should depend on that.
+    const std::string text = heap.text(registers[instruction.a].integer);
+    const bool is_raw = instruction.b == 1;
+    std::string_view rest = text;
+    do {
+        if (is_block_limit(at)) return false;
+        const std::size_t end = std::min(rest.find('\n'), rest.size());
+        std::string_view line = rest.substr(0, end);
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+        if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+        Block& block = next_block(source);
+        block.kind = is_raw ? Block::Kind::Raw : Block::Kind::Comment;
+        if (is_raw) block.text = line;
+        else block.comment = line;
+        if (options.trace) keep_trace(at, instruction.c, source);
+    } while (!rest.empty());
+    if (is_raw) modal.forget();
+    return true;
+}
+
+bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers) {
+    if (!options.native_cycles) return false;
+    const CallFrame& frame = frames.back();
+    const std::vector<sema::ParameterInfo>& parameters = frame.function->parameters;
+    std::uint32_t given = 0;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const sema::Slot slot = registers[parameters[i].slot];
+        const bool is_number = parameters[i].kind == sema::ParameterInfo::Kind::Number;
+        const bool is_given =
+            is_number ? slot.number == slot.number : slot.integer != sema::kNotGivenInteger;
+        if (is_given) given |= 1u << i;
+    }
+    if (!target.has_native_cycle(cycle, given)) return false;
+    const std::uint32_t at = frame.return_to > 0 ? frame.return_to - 1 : 0;
+    if (is_block_limit(at)) return true;
+    const Instruction& call = code.instructions[at];
+    const SourceId source{static_cast<std::uint32_t>(call.immediate.pair.first)};
+    Block& block = next_block(source);
+    nc::Invocation* invocation = block.add(Function::Cycle, parameters.size());
+    KADR_ASSERT(invocation != nullptr, "a cycle has more parameters than a block holds");
+    block.cycle = cycle;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if ((given >> i & 1u) == 0) continue;
+        const sema::Slot slot = registers[parameters[i].slot];
+        const bool is_number = parameters[i].kind == sema::ParameterInfo::Kind::Number;
+        block.set_argument(*invocation, i,
+                           is_number ? slot.number : static_cast<double>(slot.integer));
+    }
+    // The contract of a cycle: it ends where it began, after a move at rapid.
+    modal.active[static_cast<std::size_t>(Group::Motion)] = Function::Rapid;
+    modal.changed_by[static_cast<std::size_t>(Group::Motion)] = source;
+    modal.restate_motion = true;
+    if (options.trace) {
+        // As if the block stood at the call.
+        const CallFrame callee = frames.back();
+        frames.pop();
+        keep_trace(at, call.c, source);
+        frames.push() = callee;
+    }
+    return true;
+}
+
+// ---------------------------------------------------------------- frames
+
+bool Expander::State::change_frame(const Instruction& instruction, const sema::Slot* registers,
+                                   std::uint32_t at) {
+    const sema::Slot* values = registers + instruction.a;
+    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    std::array<double, 3> numbers{};
+    std::array<bool, 3> given{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        given[i] = values[i].number == values[i].number;
+        numbers[i] = given[i] ? values[i].number : 0;
+        if (!is_sane(numbers[i])) {
+            math_fault(sema::MathFault::Overflow, at);
+            return false;
+        }
+    }
+    ProgramFrame next = modal.frame;
+    switch (static_cast<sema::FrameChange>(instruction.b)) {
+        case sema::FrameChange::Shift: next.add_shift(numbers, given); break;
+        case sema::FrameChange::Rotate:
+            if (!next.add_rotation(numbers[0], modal[Group::Plane])) {
+                fault(diag::FramePlanes, at);
+                return false;
+            }
+            break;
+        case sema::FrameChange::Mirror: next.add_mirror(given); break;
+    }
+    write_frame(next, source, at, instruction.c);
+    return !has_failed;
+}
+
+/// Says the way from the present frame to another one in functions that every control has: the
+/// whole shift, which deletes the rotation and the mirrors, then the rotation and the mirrors anew.
+void Expander::State::write_frame(const ProgramFrame& next, SourceId source, std::uint32_t at,
+                                  unsigned depth) {
+    const ProgramFrame from = modal.frame;
+    if (from == next) return;
+    const auto add = [&](Function function, const std::array<double, 3>& values,
+                         const std::array<bool, 3>& given, std::size_t count) {
+        if (has_failed || is_block_limit(at)) return;
+        Block& block = next_block(source);
+        nc::Invocation* invocation = block.add(function, count);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (given[i]) block.set_argument(*invocation, i, values[i]);
+        }
+        if (options.trace) keep_trace(at, depth, source);
+    };
+    const std::array<bool, 3> none{};
+    const bool is_plain = from.angle_deg == 0 && !from.has_mirror();
+    if (!is_plain || from.shift != next.shift || from.is_shifted != next.is_shifted) {
+        std::array<bool, 3> given = next.is_shifted;
+        const bool is_zero = next.shift == std::array<double, 3>{};
+        if (is_zero) given = none;
+        // A component that was shifted before must be named to go back.
+        else
+            for (std::size_t i = 0; i < 3; ++i) given[i] = given[i] || from.is_shifted[i];
+        add(Function::Shift, next.shift, given, 3);
+    }
+    if (next.angle_deg != 0) add(Function::Rotate, {next.angle_deg, 0, 0}, {true, false, false}, 1);
+    if (next.has_mirror()) add(Function::Mirror, {}, next.is_mirrored, 3);
+    modal.set_frame(next, source);
+}
+
+// ---------------------------------------------------------------- with, preserves
+
+bool Expander::State::leave_with(SourceId source, std::uint32_t at, unsigned depth) {
+    const OpenWith scope = withs.back();
+    withs.pop_back();
+    const ModalState& before = scope.before;
+    if ((scope.mask & sema::kFrameBit) != 0) {
+        write_frame(before.frame, source, at, depth);
+        if (has_failed) return false;
+    }
+    // Another feed mode forgets F, so F goes back with it.
+    sema::ModalMask mask = scope.mask;
+    if ((mask & sema::group_bit(Group::FeedMode)) != 0) mask |= sema::kFeedBit;
+    if ((mask & sema::group_bit(Group::SpeedMode)) != 0) mask |= sema::kSpeedBit;
+    const sema::ModalMask changed = difference(before, modal, mask) & ~sema::kFrameBit;
+    if (changed == 0) return true;
+    for (std::size_t i = 0; i < nc::kGroups; ++i) {
+        if ((changed >> i & 1u) == 0 || before.active[i] != Function::None) continue;
+        fault(diag::StateUnknown, at).arg(nc::group_name(static_cast<Group>(i)));
+        return false;
+    }
+    const bool feed = (changed & sema::kFeedBit) != 0 && before.has_feed;
+    const bool speed = (changed & sema::kSpeedBit) != 0 && before.has_speed;
+    const bool groups = (changed & ~(sema::kFeedBit | sema::kSpeedBit)) != 0;
+    if (!groups && !feed && !speed) return true;
+    if (is_block_limit(at)) return false;
+    Block& block = next_block(source);
+    for (std::size_t i = 0; i < nc::kGroups; ++i) {
+        if ((changed >> i & 1u) == 0) continue;
+        const Function member = before.active[i];
+        if (static_cast<Group>(i) == Group::Motion) {
+            block.motion = member;
+            continue;
+        }
+        const std::size_t parameters = nc::info(member).parameters.size();
+        nc::Invocation* invocation = block.add(member, parameters);
+        if (member == Function::WorkOffset) block.set_argument(*invocation, 0, before.work_offset);
+        if (member == Function::LengthCompOn && before.has_length_offset) {
+            block.set_argument(*invocation, 0, before.length_offset);
+        }
+    }
+    if (feed) block.set(nc::Slot::Feed, before.feed);
+    if (speed) block.set(nc::Slot::Speed, before.speed);
+    modal.take_functions(block);
+    modal.take_words(block);
+    if (options.trace) keep_trace(at, depth, source);
+    return true;
+}
+
+/// What a cycle preserves it also relies on: `preserves G90` called under G91 would work with
+/// distances where its author wrote coordinates.
+bool Expander::State::check_needs(std::uint32_t at) {
+    const CallFrame& frame = frames.back();
+    for (const Function needed : frame.function->needs) {
+        const Function active = modal[nc::info(needed).group];
+        if (active == needed || active == Function::None) continue;
+        const bool is_called = frames.size() > 1 && frame.return_to > 0;
+        DiagnosticBuilder builder = is_called
+                                        ? fault_in(diag::StateNeeded, frame.return_to - 1, frames.size() - 1)
+                                        : fault(diag::StateNeeded, at);
+        builder.arg(frame.function->name).arg(nc::info(needed).name).arg(nc::info(active).name);
+        const SourceId by = modal.changed_by[static_cast<std::size_t>(nc::info(needed).group)];
+        if (by.is_valid() && by.index < code.statements.size()) {
+            builder.note(code.statements[by.index], "it was changed here last");
+        }
+        return false;
+    }
+    return true;
+}
+
+bool Expander::State::check_preserves(std::uint32_t at) {
+    const OpenWith& promise = promises.back();
+    const sema::ModalMask broken = difference(promise.before, modal, promise.mask);
+    if (broken == 0) return true;
+    const auto report = [&](std::string_view what, SourceId by) {
+        DiagnosticBuilder builder = fault(diag::PromiseBroken, at);
+        builder.arg(frames.back().function->name).arg(what);
+        if (by.is_valid() && by.index < code.statements.size()) {
+            builder.note(code.statements[by.index], "it was changed here last");
+        }
+    };
+    for (std::size_t i = 0; i < nc::kGroups; ++i) {
+        if ((broken >> i & 1u) == 0) continue;
+        report(nc::group_name(static_cast<Group>(i)), modal.changed_by[i]);
+        return false;
+    }
+    if ((broken & sema::kFrameBit) != 0) report("the frames", modal.frame_by);
+    else if ((broken & sema::kFeedBit) != 0) report("F", modal.feed_by);
+    else report("S", modal.speed_by);
+    return false;
+}
+
+}  // namespace kadr::expand

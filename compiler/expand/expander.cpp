@@ -1,0 +1,33 @@
+#include "expand/expander.h"
+
+#include "base/assert.h"
+#include "expand/state.h"
+
+namespace kadr::expand {
+
+Expander::Expander(const sema::Code& code, const nc::Dialect& target, const ExpandOptions& options,
+                   DiagnosticSink& sink)
+    : state_(std::make_unique<State>(code, target, options, sink)) {}
+
+Expander::~Expander() = default;
+
+bool Expander::start(std::string_view program, const std::vector<sema::Define>& defines) {
+    return state_->start(program, defines);
+}
+
+bool Expander::start_cycle(std::string_view cycle, std::span<const double> arguments,
+                           std::uint32_t given, const AxisValues& position, double feed,
+                           double speed) {
+    return state_->start_cycle(cycle, arguments, given, position, feed, speed);
+}
+
+std::size_t Expander::pull(std::span<nc::Block> out) { return state_->pull(out); }
+
+bool Expander::failed() const { return state_->has_failed; }
+
+const Trace& Expander::trace(std::size_t i) const {
+    KADR_ASSERT(i < state_->traces.size(), "a trace was asked for without ExpandOptions::trace");
+    return state_->traces[i];
+}
+
+}  // namespace kadr::expand

@@ -1,0 +1,196 @@
+#include "expand/modal.h"
+
+namespace kadr::expand {
+
+using nc::Function;
+using nc::Group;
+
+ModalState ModalState::at_start(sema::Units units) {
+    ModalState state;
+    const auto set = [&](Group group, Function function) {
+        state.active[static_cast<std::size_t>(group)] = function;
+    };
+    set(Group::Motion, Function::Rapid);
+    set(Group::Plane, Function::PlaneXy);
+    set(Group::Units, units == sema::Units::Inch ? Function::Inch : Function::Metric);
+    set(Group::Distance, Function::Absolute);
+    set(Group::FeedMode, Function::FeedPerMinute);
+    set(Group::SpeedMode, Function::CuttingSpeedOff);
+    set(Group::RadiusComp, Function::RadiusCompOff);
+    set(Group::LengthComp, Function::LengthCompOff);
+    set(Group::Spindle, Function::SpindleStop);
+    set(Group::Coolant, Function::CoolantOff);
+    set(Group::CycleMode, Function::CycleOff);
+    set(Group::CycleReturn, Function::CycleReturnInitial);
+    // Path mode and work offset are whatever the control has: a program that needs one says so.
+    return state;
+}
+
+void ModalState::set_frame(const ProgramFrame& next, SourceId source) {
+    KnownPoint point;
+    for (std::size_t i = 0; i < 3; ++i) {
+        point.value[i] = position[i];
+        point.is_known[i] = (known >> i & 1u) != 0;
+    }
+    const KnownPoint moved = change_frame(point, frame, next);
+    for (std::size_t i = 0; i < 3; ++i) {
+        position[i] = moved.value[i];
+        const auto bit = static_cast<AxisMask>(1u << i);
+        known = static_cast<AxisMask>(moved.is_known[i] ? known | bit : known & ~bit);
+    }
+    frame = next;
+    frame_by = source;
+}
+
+void ModalState::set_position(const nc::Block& block, const nc::Invocation& invocation) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        if ((invocation.given >> i & 1u) == 0) continue;
+        position[i] = block.argument(invocation, i);
+        known = static_cast<AxisMask>(known | 1u << i);
+    }
+}
+
+void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) {
+    const auto vector = [&](std::array<double, 3>& values, std::array<bool, 3>& given) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            given[i] = (invocation.given >> i & 1u) != 0;
+            values[i] = block.argument(invocation, i);
+        }
+    };
+    std::array<double, 3> values{};
+    std::array<bool, 3> given{};
+    ProgramFrame next = frame;
+    switch (invocation.function) {
+        case Function::Shift:
+            vector(values, given);
+            next = {};
+            next.add_shift(values, given);
+            set_frame(next, block.source);
+            return;
+        case Function::ShiftAdd:
+            vector(values, given);
+            next.add_shift(values, given);
+            set_frame(next, block.source);
+            return;
+        case Function::Rotate:
+            if (!next.add_rotation(block.argument(invocation, 0), (*this)[Group::Plane]))
+                known &= ~kLinearXYZ;
+            set_frame(next, block.source);
+            return;
+        case Function::RotateOff:
+            next.angle_deg = 0;
+            set_frame(next, block.source);
+            return;
+        case Function::Mirror:
+            vector(values, given);
+            next.add_mirror(given);
+            set_frame(next, block.source);
+            return;
+        case Function::MirrorOff:
+            next.is_mirrored = {};
+            set_frame(next, block.source);
+            return;
+        case Function::SetPosition: set_position(block, invocation); return;
+        case Function::WorkOffset:
+            if ((*this)[Group::WorkOffsets] != Function::WorkOffset ||
+                work_offset != block.argument(invocation, 0)) {
+                known = 0;
+            }
+            work_offset = block.argument(invocation, 0);
+            break;
+        case Function::LengthCompOn:
+            has_length_offset = (invocation.given & 1u) != 0;
+            length_offset = block.argument(invocation, 0);
+            break;
+        case Function::Tool:
+            has_tool = true;
+            tool = block.argument(invocation, 0);
+            known = 0;  // the changer stands somewhere else
+            return;
+        case Function::ToolSelect:
+            has_tool = true;
+            tool = block.argument(invocation, 0);
+            return;
+        case Function::ToolChange: known = 0; return;
+        default: break;
+    }
+    const Group group = nc::info(invocation.function).group;
+    if (group == Group::Once) return;
+    Function& member = active[static_cast<std::size_t>(group)];
+    if (group == Group::FeedMode && member != invocation.function) has_feed = false;
+    if (group == Group::SpeedMode && member != invocation.function) has_speed = false;
+    member = invocation.function;
+    changed_by[static_cast<std::size_t>(group)] = block.source;
+}
+
+void ModalState::take_functions(const nc::Block& block) {
+    if (block.motion != Function::None) {
+        active[static_cast<std::size_t>(Group::Motion)] = block.motion;
+        changed_by[static_cast<std::size_t>(Group::Motion)] = block.source;
+        restate_motion = false;
+    }
+    for (std::size_t i = 0; i < block.function_count; ++i) take(block, block.functions[i]);
+}
+
+void ModalState::take_words(const nc::Block& block) {
+    if (block.has(nc::Slot::Feed)) {
+        feed = block.at(nc::Slot::Feed);
+        has_feed = true;
+        feed_by = block.source;
+    }
+    if (block.has(nc::Slot::Speed)) {
+        speed = block.at(nc::Slot::Speed);
+        has_speed = true;
+        speed_by = block.source;
+    }
+    nc::SlotMask targets = block.given & nc::kTargetSlots;
+    if (targets == 0) return;
+    const bool modal_incremental = (*this)[Group::Distance] == Function::Incremental;
+    const bool is_machine =
+        block.function_count > 0 && block.find(Function::MachineCoordinates) != nullptr;
+    for (std::size_t i = 0; targets != 0; ++i, targets >>= 1) {
+        if ((targets & 1u) == 0) continue;
+        const nc::SlotMask bit = nc::SlotMask{1} << i;
+        if (is_machine) {
+            known = static_cast<AxisMask>(known & ~bit);
+            continue;
+        }
+        const bool is_incremental =
+            (block.incremental & bit) != 0 || (modal_incremental && (block.absolute & bit) == 0);
+        if (is_incremental) {
+            position[i] += block.values[i];
+        } else {
+            position[i] = block.values[i];
+            known = static_cast<AxisMask>(known | bit);
+        }
+    }
+}
+
+void ModalState::forget() {
+    known = 0;
+    has_feed = has_speed = false;
+}
+
+sema::ModalMask difference(const ModalState& a, const ModalState& b, sema::ModalMask mask) {
+    sema::ModalMask result = 0;
+    for (std::size_t i = 0; i < nc::kGroups; ++i) {
+        const sema::ModalMask bit = sema::ModalMask{1} << i;
+        if ((mask & bit) == 0) continue;
+        bool differs = a.active[i] != b.active[i];
+        if (a.active[i] == Function::WorkOffset)
+            differs = differs || a.work_offset != b.work_offset;
+        if (a.active[i] == Function::LengthCompOn) {
+            differs = differs || a.has_length_offset != b.has_length_offset ||
+                      a.length_offset != b.length_offset;
+        }
+        if (differs) result |= bit;
+    }
+    if ((mask & sema::kFrameBit) != 0 && !(a.frame == b.frame)) result |= sema::kFrameBit;
+    if ((mask & sema::kFeedBit) != 0 && (a.has_feed != b.has_feed || a.feed != b.feed))
+        result |= sema::kFeedBit;
+    if ((mask & sema::kSpeedBit) != 0 && (a.has_speed != b.has_speed || a.speed != b.speed))
+        result |= sema::kSpeedBit;
+    return result;
+}
+
+}  // namespace kadr::expand

@@ -1,0 +1,58 @@
+// modal.h — what the expander knows of the control's state behind the blocks that it has made.
+//
+// Only what the language needs: members of the modal groups for `with` and `preserves`, F and S,
+// the programmed position for `position.x`, the programmable frame.
+#pragma once
+
+#include <array>
+
+#include "base/axes.h"
+#include "expand/frame.h"
+#include "nc/block.h"
+#include "sema/code.h"
+
+namespace kadr::expand {
+
+struct ModalState {
+    std::array<nc::Function, nc::kGroups> active{};  // None: not known
+    std::array<SourceId, nc::kGroups> changed_by{};  // statement behind the present member
+    double work_offset = 0;                          // parameter of WorkOffset
+    double length_offset = 0;                        // of LengthCompOn
+    bool has_length_offset = false;
+    bool has_feed = false;
+    bool has_speed = false;
+    double feed = 0;  // as in Block
+    double speed = 0;
+    bool has_tool = false;
+    double tool = 0;
+    AxisValues position{};  // in the programmable frame, mm, degrees
+    AxisMask known = 0;     // which of them are known
+    ProgramFrame frame;
+    SourceId frame_by;
+    SourceId feed_by;
+    SourceId speed_by;
+    bool restate_motion = false;  // after a native cycle
+
+    nc::Function operator[](nc::Group group) const {
+        return active[static_cast<std::size_t>(group)];
+    }
+
+    /// The state in which every Kadr program begins.
+    static ModalState at_start(sema::Units units);
+    /// What the functions of a block do.
+    void take_functions(const nc::Block& block);
+    /// … and then its words.
+    void take_words(const nc::Block& block);
+    /// Text of unknown meaning: where the tool stands is no longer known.
+    void forget();
+    void set_frame(const ProgramFrame& frame, SourceId source);
+
+  private:
+    void take(const nc::Block& block, const nc::Invocation& invocation);
+    void set_position(const nc::Block& block, const nc::Invocation& invocation);
+};
+
+/// Groups of the mask whose state differs, F and S and frames included.
+sema::ModalMask difference(const ModalState& a, const ModalState& b, sema::ModalMask mask);
+
+}  // namespace kadr::expand

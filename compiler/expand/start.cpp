@@ -1,0 +1,270 @@
+// start.cpp — which program runs, and with which parameters.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "base/numbers.h"
+#include "base/text.h"
+#include "expand/state.h"
+
+namespace kadr::expand {
+
+using sema::FunctionCode;
+using sema::FunctionKind;
+using sema::ParameterInfo;
+
+namespace {
+
+constexpr std::size_t kFirstStack = 16384;
+
+std::string_view trim(std::string_view text) {
+    while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+    while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+    return text;
+}
+
+/// A number with or without a unit, as a parameter of this kind takes it.
+std::optional<double> read_quantity(const ParameterInfo& parameter, sema::Units units,
+                                    std::string_view text) {
+    const char* end = text.data() + text.size();
+    const Decimal number = parse_decimal(text.data(), end);
+    if (number.end == text.data()) return std::nullopt;
+    const std::string_view rest = trim({number.end, static_cast<std::size_t>(end - number.end)});
+    const bool is_feed = parameter.kind == ParameterInfo::Kind::Feed;
+    const bool is_speed = parameter.kind == ParameterInfo::Kind::Speed;
+    const sema::Quantity first = is_feed    ? sema::kFeedPerTime
+                                 : is_speed ? sema::kSpindleSpeed
+                                            : parameter.quantity;
+    if (rest.empty()) return number.value * sema::bare_factor(first, units);
+    const std::optional<sema::UnitInfo> unit = sema::find_unit(rest);
+    if (!unit) return std::nullopt;
+    const double inverse = std::nearbyint(1 / unit->factor);
+    const bool divides = unit->factor < 1 && std::fabs(1 / unit->factor - inverse) < 1e-9;
+    const double value = divides ? number.value / inverse : number.value * unit->factor;
+    if (unit->quantity == first) return value;
+    const bool second = (is_feed && unit->quantity == sema::kFeedPerTurn) ||
+                        (is_speed && unit->quantity == sema::kFeedPerTime);
+    if (second) return value * sema::kSecondForm;
+    return std::nullopt;
+}
+
+}  // namespace
+
+Expander::State::State(const sema::Code& program, const nc::Dialect& dialect,
+                       const ExpandOptions& wanted, DiagnosticSink& messages)
+    : code(program), target(dialect), options(wanted), sink(messages), heap(program) {
+    // The counter is taken down before it is compared: one more than is allowed.
+    turns_left = std::max<std::uint64_t>(options.limits.loop_turns, 1) + 1;
+    blocks_left = options.limits.blocks;
+    all_given.reserve(code.functions.size());
+    for (const FunctionCode& function : code.functions) {
+        const std::size_t count = function.parameters.size();
+        all_given.push_back(count >= 32 ? ~0u : (1u << count) - 1u);
+    }
+}
+
+const FunctionCode* Expander::State::find_program(std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const FunctionCode& function : code.functions) {
+        if (function.kind != FunctionKind::Program || !function.is_main_file) continue;
+        if (name.empty() || function.name == name) return &function;
+        names.push_back(function.name);
+    }
+    if (names.empty()) {
+        sink.report(diag::NoProgram);
+        return nullptr;
+    }
+    DiagnosticBuilder builder = sink.report(diag::UnknownProgram);
+    builder.arg(name);
+    std::string all;
+    for (const std::string_view other : names) {
+        if (!all.empty()) all += ", ";
+        all += other;
+    }
+    builder.note("the file has: " + all);
+    return nullptr;
+}
+
+void Expander::State::enter(const FunctionCode& function, std::uint32_t given) {
+    const std::size_t number = static_cast<std::size_t>(&function - code.functions.data());
+    CallFrame& program = frames.push();
+    program = {};
+    program.function = &function;
+    program.base = code.globals;
+    program.given = given;
+    // The globals get their values first; their return goes on at the program's entry.
+    const FunctionCode& startup = code.functions[0];
+    CallFrame& first = frames.push();
+    first = {};
+    first.function = &startup;
+    first.base = code.globals + function.registers;
+    first.return_to = given == all_given[number] ? function.body : function.entry;
+    pc = startup.entry;
+    is_running = true;
+}
+
+bool Expander::State::set_parameter(const FunctionCode& function, const ParameterInfo& parameter,
+                                    const std::string& text, Slot& slot) {
+    const std::string_view value = trim(text);
+    const auto wrong = [&](const std::string& wanted) {
+        sink.report(diag::DefineValue)
+            .arg(parameter.name)
+            .arg(wanted)
+            .arg(value)
+            .note(parameter.range, "it is declared here");
+        return false;
+    };
+    switch (parameter.kind) {
+        case ParameterInfo::Kind::Bool:
+            if (value == "true" || value == "yes" || value == "1") slot.integer = 1;
+            else if (value == "false" || value == "no" || value == "0") slot.integer = 0;
+            else return wrong("true or false");
+            return true;
+        case ParameterInfo::Kind::Integer: {
+            const auto read =
+                std::from_chars(value.data(), value.data() + value.size(), slot.integer);
+            if (read.ec != std::errc() || read.ptr != value.data() + value.size())
+                return wrong("a whole number");
+            return true;
+        }
+        case ParameterInfo::Kind::Number:
+        case ParameterInfo::Kind::Feed:
+        case ParameterInfo::Kind::Speed: {
+            const std::optional<double> number = read_quantity(parameter, function.units, value);
+            if (!number) {
+                return wrong(parameter.type_name == "real"
+                                 ? "a number"
+                                 : "a number with a unit of " + parameter.type_name);
+            }
+            slot.number = *number;
+            return true;
+        }
+        case ParameterInfo::Kind::Text: slot.integer = heap.new_text(text); return true;
+        case ParameterInfo::Kind::Enum: {
+            std::string all;
+            for (const auto& [name, member] : code.enums[parameter.enumeration].members) {
+                if (name == value) {
+                    slot.integer = member;
+                    return true;
+                }
+                if (!all.empty()) all += ", ";
+                all += name;
+            }
+            return wrong("one of " + all);
+        }
+        case ParameterInfo::Kind::Other: break;
+    }
+    sink.report(diag::DefineType)
+        .arg(parameter.name)
+        .arg(parameter.type_name)
+        .note(parameter.range, "it is declared here");
+    return false;
+}
+
+bool Expander::State::start(std::string_view name, const std::vector<sema::Define>& defines) {
+    has_failed = true;
+    const FunctionCode* function = find_program(name);
+    if (function == nullptr) return false;
+    reserve_stack(std::max(kFirstStack, std::size_t{code.globals} + function->registers +
+                                            code.functions[0].registers + 16));
+    modal = ModalState::at_start(function->units);
+    bool is_good = true;
+    std::uint32_t given = 0;
+    for (const sema::Define& define : defines) {
+        const auto found =
+            std::find_if(function->parameters.begin(), function->parameters.end(),
+                         [&](const ParameterInfo& p) { return p.name == define.name; });
+        if (found == function->parameters.end()) {
+            DiagnosticBuilder builder = sink.report(diag::DefineUnknown);
+            builder.arg(function->name).arg(define.name);
+            std::vector<std::string_view> names;
+            for (const ParameterInfo& parameter : function->parameters)
+                names.push_back(parameter.name);
+            if (const auto near = nearest_name(define.name, names.data(), names.size())) {
+                builder.fix("did you mean `" + std::string(*near) + "`?");
+            }
+            builder.note(function->range, "the program is declared here");
+            is_good = false;
+            continue;
+        }
+        const auto index = static_cast<unsigned>(found - function->parameters.begin());
+        if ((given >> index & 1u) != 0) {
+            sink.report(diag::DefineTwice).arg(define.name);
+            is_good = false;
+        }
+        given |= 1u << index;
+        if (!set_parameter(*function, *found, define.value, stack[code.globals + found->slot]))
+            is_good = false;
+    }
+    for (std::size_t i = 0; i < function->parameters.size(); ++i) {
+        const ParameterInfo& parameter = function->parameters[i];
+        if (parameter.has_default || (given >> i & 1u) != 0) continue;
+        sink.report(diag::DefineMissing, parameter.range)
+            .arg(function->name)
+            .arg(parameter.name)
+            .fix("give it on the command line: `-D " + parameter.name + "=…`");
+        is_good = false;
+    }
+    if (!is_good) return false;
+    has_failed = false;
+    enter(*function, given);
+    return true;
+}
+
+bool Expander::State::start_cycle(std::string_view name, std::span<const double> arguments,
+                                  std::uint32_t given, const AxisValues& position, double feed,
+                                  double speed) {
+    has_failed = true;
+    const auto found =
+        std::find_if(code.functions.begin(), code.functions.end(), [&](const FunctionCode& f) {
+            return f.kind == FunctionKind::Cycle && f.name == name && f.end > f.entry;
+        });
+    if (found == code.functions.end()) {
+        sink.report(diag::UnknownCycle).arg(name);
+        return false;
+    }
+    const FunctionCode& function = *found;
+    reserve_stack(std::max(kFirstStack, std::size_t{code.globals} + function.registers +
+                                            code.functions[0].registers + 16));
+    options.native_cycles = false;  // this is the body of a native one
+    modal = ModalState::at_start(function.units);
+    modal.position = position;
+    modal.known = static_cast<AxisMask>((1u << kAxes) - 1u);
+    modal.has_feed = feed > 0;
+    modal.feed = feed;
+    modal.has_speed = speed > 0;
+    modal.speed = speed;
+    std::uint32_t set = 0;
+    for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+        const ParameterInfo& parameter = function.parameters[i];
+        const bool is_given = i < arguments.size() && (given >> i & 1u) != 0;
+        if (!is_given) {
+            if (parameter.has_default) continue;
+            sink.report(diag::DefineMissing, parameter.range)
+                .arg(function.name)
+                .arg(parameter.name);
+            return false;
+        }
+        Slot& slot = stack[code.globals + parameter.slot];
+        switch (parameter.kind) {
+            case ParameterInfo::Kind::Number: slot.number = arguments[i]; break;
+            case ParameterInfo::Kind::Feed:
+            case ParameterInfo::Kind::Speed: slot.number = arguments[i] / 60; break;
+            case ParameterInfo::Kind::Bool:
+            case ParameterInfo::Kind::Integer:
+            case ParameterInfo::Kind::Enum:
+                slot.integer = static_cast<std::int64_t>(std::llround(arguments[i]));
+                break;
+            case ParameterInfo::Kind::Text:
+            case ParameterInfo::Kind::Other:
+                sink.report(diag::DefineType).arg(parameter.name).arg(parameter.type_name);
+                return false;
+        }
+        set |= 1u << i;
+    }
+    has_failed = false;
+    enter(function, set);
+    return true;
+}
+
+}  // namespace kadr::expand

@@ -1,0 +1,142 @@
+// state.h — a running program: registers, calls, modal state, the batch that is being filled.
+//
+// The chapters: vm.cpp (the instructions), blocks.cpp (blocks, frames, `with`), faults.cpp (errors
+// with the call stack), start.cpp (programs, parameters), text_format.cpp. For the room expand
+// only.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "expand/expander.h"
+#include "expand/heap.h"
+#include "expand/modal.h"
+#include "sema/arithmetic.h"
+
+namespace kadr::expand {
+
+using sema::Instruction;
+using sema::Op;
+
+/// A call that has not returned yet.
+struct CallFrame {
+    const sema::FunctionCode* function = nullptr;
+    std::uint32_t return_to = 0;  // instruction behind the call
+    std::uint32_t base = 0;       // of its registers in the stack
+    std::uint32_t given = 0;      // bit i: argument i was given
+    std::uint32_t promises = 0;   // `preserves` open when it began
+    std::uint32_t loops = 0;      // loop counters of its callers
+};
+
+/// The calls that have not returned, outermost first. A vector that never shrinks: a call writes
+/// its frame into memory that is there.
+class CallStack {
+  public:
+    CallFrame& push() {
+        if (size_ == frames_.size()) [[unlikely]]
+            frames_.resize(2 * size_ + 64);
+        return frames_[size_++];
+    }
+    void pop() { --size_; }
+    CallFrame& back() { return frames_[size_ - 1]; }
+    const CallFrame& back() const { return frames_[size_ - 1]; }
+    const CallFrame& operator[](std::size_t i) const { return frames_[i]; }
+    std::size_t size() const { return size_; }
+
+  private:
+    std::vector<CallFrame> frames_;
+    std::size_t size_ = 0;
+};
+
+struct Expander::State {
+    State(const sema::Code& program, const nc::Dialect& dialect, const ExpandOptions& wanted,
+          DiagnosticSink& messages);
+
+    // ---- start.cpp
+    bool start(std::string_view program, const std::vector<sema::Define>& defines);
+    bool start_cycle(std::string_view name, std::span<const double> arguments, std::uint32_t given,
+                     const AxisValues& position, double feed, double speed);
+    const sema::FunctionCode* find_program(std::string_view name);
+    bool set_parameter(const sema::FunctionCode& function, const sema::ParameterInfo& parameter,
+                       const std::string& text, Slot& slot);
+    void enter(const sema::FunctionCode& function, std::uint32_t given);
+
+    // ---- vm.cpp
+    std::size_t pull(std::span<nc::Block> out);
+    template <bool kTrace>
+    void run();
+    void reserve_stack(std::size_t slots);
+    std::int64_t make_fixed(std::uint32_t layout, std::int64_t count);
+    bool read_table(const sema::TableSchema& schema, Slot path, std::uint32_t at, Slot& table);
+    std::int64_t make_table(const sema::TableSchema& schema, const sema::TableRows& rows);
+    void collect_garbage(const Slot* registers);
+
+    // ---- blocks.cpp
+    /// A block to fill: of the batch while there is room, else one that waits for the next batch.
+    nc::Block& next_block(SourceId source);
+    bool emit(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    bool fill_plan(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    bool fill(nc::Block& block, const sema::Filling& filling, Slot value, std::uint32_t at);
+    bool fill_feed(nc::Block& block, const sema::Filling& filling, double value, std::uint32_t at);
+    bool fill_speed(nc::Block& block, const sema::Filling& filling, double value, std::uint32_t at);
+    bool emit_text(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    /// True if the control has the cycle and a block stands for it now.
+    bool emit_cycle(nc::CycleId cycle, const Slot* registers);
+    bool change_frame(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    void write_frame(const ProgramFrame& next, SourceId source, std::uint32_t at, unsigned depth);
+    bool leave_with(SourceId source, std::uint32_t at, unsigned depth);
+    bool check_needs(std::uint32_t at);
+    bool check_preserves(std::uint32_t at);
+    bool is_block_limit(std::uint32_t at);
+    double state_value(sema::StateValue which) const;
+
+    // ---- faults.cpp: report with the call stack, end the program
+    DiagnosticBuilder fault(const DiagnosticRow& row, std::uint32_t at);
+    DiagnosticBuilder fault_in(const DiagnosticRow& row, std::uint32_t at, std::size_t frames);
+    void fault_note(const DiagnosticRow& row, std::uint32_t at, const std::string& text);
+    void math_fault(sema::MathFault why, std::uint32_t at);
+    void not_given(std::string_view name, std::uint32_t at);
+    void index_fault(std::int64_t index, std::int64_t count, std::uint32_t at);
+    void contract_failed(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    void keep_trace(std::uint32_t at, unsigned depth, SourceId source);
+
+    // ---- text_format.cpp
+    std::string format(const sema::FormatPattern& pattern, const Slot* values) const;
+
+    const sema::Code& code;
+    const nc::Dialect& target;
+    ExpandOptions options;
+    DiagnosticSink& sink;
+
+    Heap heap;
+    std::vector<Slot> stack;
+    CallStack frames;
+    std::vector<std::uint32_t> all_given;  // by function: the mask of a call with every argument
+    std::uint32_t pc = 0;
+    std::uint64_t turns_left = 0;
+    std::uint64_t blocks_left = 0;
+    bool is_running = false;
+    bool has_failed = false;
+
+    ModalState modal;
+    struct OpenWith {
+        sema::ModalMask mask = 0;
+        ModalState before;
+    };
+    std::vector<OpenWith> withs;
+    std::vector<OpenWith> promises;  // of `preserves`
+
+    nc::Block* batch = nullptr;
+    std::size_t batch_size = 0;
+    std::size_t batch_count = 0;
+    std::deque<nc::Block> waiting;  // made by one instruction beyond the end of a batch
+
+    std::vector<std::uint64_t> loop_counts;  // only with a trace
+    std::deque<Trace> traces;                // of the batch and of what waits
+    std::size_t delivered = 0;               // traces of the batch before
+};
+
+}  // namespace kadr::expand

@@ -1,0 +1,95 @@
+// text_format.cpp — values into texts: `"{x:.3}"`, `"{i:03}"`.
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "base/numbers.h"
+#include "expand/state.h"
+
+namespace kadr::expand {
+
+using sema::FormatPiece;
+
+namespace {
+
+/// Twelve digits: what was meant, without the noise of the last binary digit.
+std::string shown(double value) {
+    std::array<char, 40> text{};
+    if (value == 0) value = 0;  // no minus before zero
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                   std::chars_format::general, 12);
+    return {text.data(), end.ptr};
+}
+
+std::string number(double value, const FormatPiece& piece) {
+    if (value != value) return "?";
+    if (piece.decimals < 0) return shown(value);
+    if (!(std::abs(value) < 1e300)) return shown(value);
+    std::array<char, kMaxFixedLength> text{};
+    return {text.data(), format_fixed(text.data(), value, piece.decimals)};
+}
+
+void pad(std::string text, const FormatPiece& piece, std::string& out) {
+    if (piece.plus && !text.empty() && text[0] != '-') text.insert(0, 1, '+');
+    const auto width = static_cast<std::size_t>(std::max<int>(0, piece.width));
+    if (text.size() < width) {
+        const std::size_t missing = width - text.size();
+        const bool has_sign = !text.empty() && (text[0] == '-' || text[0] == '+');
+        if (piece.zeros) text.insert(has_sign ? 1 : 0, missing, '0');
+        else text.insert(0, missing, ' ');
+    }
+    out += text;
+}
+
+}  // namespace
+
+std::string Expander::State::format(const sema::FormatPattern& pattern, const Slot* values) const {
+    std::string out;
+    for (const FormatPiece& piece : pattern) {
+        if (piece.kind == FormatPiece::Kind::Literal) {
+            out += piece.text;
+            continue;
+        }
+        const Slot value = *values++;
+        switch (piece.kind) {
+            case FormatPiece::Kind::Literal: break;
+            case FormatPiece::Kind::Integer:
+                if (piece.decimals >= 0)
+                    pad(number(static_cast<double>(value.integer), piece), piece, out);
+                else pad(std::to_string(value.integer), piece, out);
+                break;
+            case FormatPiece::Kind::Number:
+                pad(number(value.number * piece.factor, piece), piece, out);
+                break;
+            case FormatPiece::Kind::Feed:
+            case FormatPiece::Kind::Speed: {
+                // Per revolution: mm; cutting speed: m/min.
+                const bool second = sema::is_second_form(value.number);
+                const bool is_feed = piece.kind == FormatPiece::Kind::Feed;
+                double shown_value = value.number * piece.factor;
+                if (second) {
+                    const double plain = value.number / sema::kSecondForm;
+                    shown_value = is_feed ? plain * piece.factor / 60 : plain * 0.06;
+                }
+                pad(number(shown_value, piece), piece, out);
+                break;
+            }
+            case FormatPiece::Kind::Text: pad(heap.text(value.integer), piece, out); break;
+            case FormatPiece::Kind::Bool:
+                pad(value.integer != 0 ? "true" : "false", piece, out);
+                break;
+            case FormatPiece::Kind::Enum: {
+                std::string name = std::to_string(value.integer);
+                for (const auto& [member, number_of] : code.enums[piece.enumeration].members) {
+                    if (number_of == value.integer) name = member;
+                }
+                pad(std::move(name), piece, out);
+                break;
+            }
+        }
+    }
+    return out;
+}
+
+}  // namespace kadr::expand

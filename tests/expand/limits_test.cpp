@@ -1,0 +1,68 @@
+// Limits: a program that would not end says so.
+#include <gtest/gtest.h>
+
+#include "tests/sema/running.h"
+
+namespace kadr::testing {
+namespace {
+
+RunOptions with_limits(expand::Limits limits) {
+    RunOptions options;
+    options.expand.limits = limits;
+    return options;
+}
+
+TEST(Limits, CallDepth) {
+    const Outcome outcome = run("void f(int n) { f(n + 1); }\nprogram p() { f(0); }");
+    EXPECT_EQ(outcome.all_messages(), "1:17 K3401 calls are nested deeper than 1000");
+    // Both ends of the call stack are shown.
+    EXPECT_EQ(outcome.notes.size(), 17u);
+    EXPECT_EQ(outcome.notes.back(), "2:15 `f` was called here");
+    EXPECT_EQ(run("int f(int n) { return n == 0 ? 0 : f(n - 1) + 1; }\nprogram p() { X=f(998); }")
+                  .all_blocks(),
+              "X998");
+}
+
+TEST(Limits, LoopTurns) {
+    expand::Limits limits;
+    limits.loop_turns = 100;
+    EXPECT_EQ(run("program p() { int i = 0; while (true) i = 1 - i; }", with_limits(limits))
+                  .all_messages(),
+              "1:33 K3402 the loops of the program have made 100 turns");
+    EXPECT_EQ(run("program p() { int n = 0; for (int i = 0; i < 100; i++) n++; X=n; }",
+                  with_limits(limits))
+                  .all_blocks(),
+              "X100");
+    EXPECT_EQ(run("program p() { for (int i = 0; i < 9; i++) for (int k = 0; k < 20; k++) { } }",
+                  with_limits(limits))
+                  .messages.size(),
+              1u);
+}
+
+TEST(Limits, Blocks) {
+    expand::Limits limits;
+    limits.blocks = 10;
+    const Outcome outcome = run("program p() {\n    while (true) X1;\n}", with_limits(limits));
+    EXPECT_EQ(outcome.all_messages(), "2:18 K3403 the program has made 10 blocks");
+    EXPECT_EQ(outcome.blocks.size(), 10u);
+}
+
+TEST(Limits, Elements) {
+    expand::Limits limits;
+    limits.array_elements = 100;
+    EXPECT_EQ(run("program p() { int[] a; while (true) a.append(1); }", with_limits(limits))
+                  .all_messages(),
+              "1:37 K3404 arrays and texts have grown beyond 100 elements");
+    EXPECT_EQ(run("program p() { string s = \"a\"; while (true) s = s + s; }", with_limits(limits))
+                  .all_messages(),
+              "1:48 K3404 arrays and texts have grown beyond 100 elements");
+    // What is no longer used does not count.
+    EXPECT_EQ(run("program p() { for (int i = 0; i < 1000; i++) { int[] a = {1, 2, 3}; if (i == "
+                  "999) X=a.count; } }",
+                  with_limits(limits))
+                  .all_blocks(),
+              "X3");
+}
+
+}  // namespace
+}  // namespace kadr::testing
