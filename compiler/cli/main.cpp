@@ -1,0 +1,74 @@
+// main.cpp — the program `kadr`: arguments in, exit status out. Everything between is the driver's.
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include <unistd.h>
+
+#include "cli/options.h"
+#include "cli/progress.h"
+#include "driver/check.h"
+#include "driver/expand.h"
+#include "driver/run.h"
+#include "driver/session.h"
+#include "driver/tables.h"
+
+namespace {
+
+using namespace kadr;
+using driver::Status;
+
+void print(std::FILE* out, std::string_view text) { std::fwrite(text.data(), 1, text.size(), out); }
+
+Status show(const driver::Reply& reply) {
+    print(stdout, reply.text);
+    return std::fflush(stdout) == 0 ? reply.status : Status::Usage;
+}
+
+Status perform(driver::Session& session, const cli::CommandLine& line) {
+    switch (line.verb) {
+        case cli::Verb::Expand: return driver::expand(session, line.expand);
+        case cli::Verb::Run: return driver::run(session, line.run);
+        case cli::Verb::Check: return driver::check(session, line.sources);
+        case cli::Verb::Explain: return show(driver::explain_message(session, line.word));
+        case cli::Verb::DialectList: return show(driver::list_dialects(session));
+        case cli::Verb::DialectCheck: return show(driver::check_dialect(session, line.file));
+        case cli::Verb::DialectExplain:
+            return show(driver::explain_word(session, line.file, line.word));
+        case cli::Verb::MachineList: return show(driver::list_machines(session));
+        case cli::Verb::MachineCheck: return show(driver::check_machine(session, line.file));
+    }
+    return Status::Usage;
+}
+
+Status perform(const cli::CommandLine& line) {
+    const bool is_terminal = ::isatty(STDERR_FILENO) != 0;
+    cli::ProgressLine progress(is_terminal);
+    Sources sources;
+    driver::MessageOptions options;
+    options.format = line.messages;
+    options.color = is_terminal && std::getenv("NO_COLOR") == nullptr;
+    driver::Messages messages(sources, options, [&](std::string_view text) {
+        progress.clear();
+        print(stderr, text);
+    });
+    driver::Session session(line.options, driver::find_share(), sources, messages);
+    if (is_terminal) session.set_progress([&](const driver::Progress& at) { progress.show(at); });
+    const Status status = perform(session, line);
+    progress.clear();
+    messages.finish();
+    return status;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    const auto parsed = cli::parse_command_line(count, arguments);
+    if (const auto* answer = std::get_if<cli::Answer>(&parsed)) {
+        print(answer->status == Status::Done ? stdout : stderr, answer->text);
+        return static_cast<int>(answer->status);
+    }
+    return static_cast<int>(perform(std::get<cli::CommandLine>(parsed)));
+}

@@ -1,0 +1,268 @@
+#include "cli/options.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+
+#include "base/numbers.h"
+
+namespace kadr::cli {
+
+namespace {
+
+constexpr const char* kAbout =
+    "Kadr: parametric NC programs in a C-like language, written as ISO-7bit text for a control,\n"
+    "executed and timed before a machine is.";
+constexpr const char* kEpilogue =
+    "SRC is a Kadr program (.kadr) or ISO-7bit text (anything else); - is standard input.\n"
+    "Exit status: 0 done, 1 the program has errors, 2 wrong usage or unreadable file,\n"
+    "3 an alarm while running. `man kadr` says more.";
+
+/// Commands of the stable interface that this version does not have.
+constexpr std::array<std::string_view, 3> kLater = {"fmt", "test", "repl"};
+
+/// Seconds of `1ms`, `0.002s`, `500us`; a bare number is seconds. Throws what CLI11 expects.
+double parse_time(const std::string& text) {
+    const Decimal number = parse_decimal(text.data(), text.data() + text.size());
+    const std::string_view unit(number.end, text.data() + text.size());
+    const double factor = unit == "s" || unit.empty() ? 1.0
+                          : unit == "ms"              ? 1e-3
+                          : unit == "us"              ? 1e-6
+                                                      : 0.0;
+    if (number.end == text.data() || factor == 0 || number.value <= 0) {
+        throw CLI::ValidationError("--tick",
+                                   "`" + text + "` is not a time; write `1ms` or `0.002s`");
+    }
+    return number.value * factor;
+}
+
+sema::Define parse_define(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == 0 || equals == std::string::npos) {
+        throw CLI::ValidationError("-D", "`" + text + "` is not of the form name=value");
+    }
+    return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+/// The values are in the name of the option's argument already.
+CLI::Validator one_of(std::vector<std::string> values) {
+    return CLI::IsMember(std::move(values)).description("");
+}
+
+/// Everything that CLI11 writes into, and what becomes of it.
+class Parser {
+  public:
+    Parser();
+    CommandLine parse(int count, const char* const* arguments);
+    std::string message(const CLI::ParseError& error, int& status) const;
+    std::string commands_message() const;
+
+  private:
+    CLI::App* add(CLI::App& parent, const char* name, const char* text, Verb verb);
+    void add_dialect(CLI::App& command);
+    void add_program(CLI::App& command);
+    void add_expansion(CLI::App& command);
+    void add_expand();
+    void add_run();
+    void add_check();
+    void add_tables();
+
+    CLI::App app_{kAbout, "kadr"};
+    CommandLine line_;
+    std::string source_;
+    std::string cycles_ = "native";
+    std::string summary_;
+    std::string plot_color_ = "feed";
+    std::string messages_ = "text";
+    std::string tick_;
+    std::string map_;
+    std::vector<std::string> defines_;
+    std::vector<int> skips_;
+};
+
+Parser::Parser() {
+    app_.set_version_flag("--version", "kadr " KADR_VERSION);
+    app_.set_help_flag("-h,--help", "show this help");
+    app_.require_subcommand(1);
+    app_.footer(kEpilogue);
+    add_expand();
+    add_run();
+    add_check();
+    add_tables();
+}
+
+CLI::App* Parser::add(CLI::App& parent, const char* name, const char* text, Verb verb) {
+    CLI::App* command = parent.add_subcommand(name, text);
+    command->callback([this, verb] { line_.verb = verb; });
+    command->add_option("--diagnostics", messages_, "messages as text or as one JSON object a line")
+        ->check(one_of({"text", "json"}))
+        ->type_name("text|json");
+    return command;
+}
+
+void Parser::add_dialect(CLI::App& command) {
+    command.add_option("-d,--dialect", line_.options.dialect, "control: a name or an XML file")
+        ->type_name("DIALECT");
+}
+
+void Parser::add_program(CLI::App& command) {
+    command.add_option("-D,--define", defines_, "value of a parameter of the program")
+        ->type_name("name=value")
+        ->allow_extra_args(false);
+    command
+        .add_option("-I,--include", line_.options.folders, "folder in which imports are looked for")
+        ->type_name("DIR")
+        ->allow_extra_args(false);
+    command.add_option("--program", line_.options.program, "which program of the file")
+        ->type_name("NAME");
+}
+
+void Parser::add_expansion(CLI::App& command) {
+    command.add_option("--cycles", cycles_, "the control's own cycles, or single moves")
+        ->check(one_of({"native", "moves"}))
+        ->type_name("native|moves");
+    command.add_flag("--verbose-modal", line_.options.verbose_modal, "repeat modal words");
+    command.add_option("--map", map_, "source map, JSON Lines")->type_name("OUT.json");
+}
+
+void Parser::add_expand() {
+    CLI::App* command = add(app_, "expand", "write a Kadr program as ISO-7bit text", Verb::Expand);
+    command->add_option("SRC", source_, "Kadr program")->required();
+    add_dialect(*command);
+    command->add_option("-o,--output", line_.expand.output, "file for the text")->type_name("OUT");
+    add_program(*command);
+    add_expansion(*command);
+}
+
+void Parser::add_run() {
+    CLI::App* command = add(app_, "run", "execute a program and report its motion", Verb::Run);
+    driver::RunJob& job = line_.run;
+    driver::Options& options = line_.options;
+    command->add_option("SRC", source_, "Kadr program or ISO-7bit text")->required();
+    add_dialect(*command);
+    command->add_option("-m,--machine", options.machine, "machine: a name or an XML file")
+        ->type_name("MACHINE");
+    add_program(*command);
+    add_expansion(*command);
+    command->add_option("--commands", job.commands, "what is executed, JSON Lines")
+        ->type_name("OUT.jsonl");
+    command->add_option("--setpoints", job.setpoints, "position of every axis at every tick, CSV")
+        ->type_name("OUT.csv");
+    command->add_option("--plot", job.plot, "the path as a drawing")->type_name("OUT.svg");
+    command->add_option("--plot-color", plot_color_, "what colours of the drawing stand for")
+        ->check(one_of({"feed", "line"}))
+        ->type_name("feed|line");
+    command->add_option("--summary", summary_, "times, lengths, travel, limits")
+        ->check(one_of({"text", "json"}))
+        ->type_name("text|json");
+    command->add_option("--variables", job.variables, "the control's variables at the end, JSON")
+        ->type_name("OUT.json");
+    command->add_option("--tick", tick_, "time between setpoints")->type_name("TIME");
+    command->add_option("--max-blocks", options.max_blocks, "cut the run after so many blocks")
+        ->type_name("N");
+    command->add_option("--skip", skips_, "leave out blocks of this skip level")
+        ->check(CLI::Range(0, 9).description(""))
+        ->type_name("LEVEL")
+        ->allow_extra_args(false);
+    command->add_flag("--optional-stop", options.optional_stop, "M1 stops");
+}
+
+void Parser::add_check() {
+    CLI::App* command = add(app_, "check", "find mistakes, write nothing", Verb::Check);
+    command->add_option("SRC", line_.sources, "Kadr programs or ISO-7bit texts")->required();
+    add_dialect(*command);
+    command->add_option("-m,--machine", line_.options.machine, "machine: a name or an XML file")
+        ->type_name("MACHINE");
+    command
+        ->add_option("-I,--include", line_.options.folders,
+                     "folder in which imports are looked for")
+        ->type_name("DIR")
+        ->allow_extra_args(false);
+}
+
+void Parser::add_tables() {
+    CLI::App* explain = add(app_, "explain", "what a message means, with examples", Verb::Explain);
+    explain->add_option("CODE", line_.word, "its number, K1001; without one all are listed");
+
+    CLI::App* dialect = app_.add_subcommand("dialect", "the descriptions of controls");
+    dialect->require_subcommand(1);
+    add(*dialect, "list", "which dialects there are", Verb::DialectList);
+    add(*dialect, "check", "find mistakes in a dialect file", Verb::DialectCheck)
+        ->add_option("FILE", line_.file, "dialect file or name")
+        ->required();
+    CLI::App* word =
+        add(*dialect, "explain", "what a word means on a control", Verb::DialectExplain);
+    word->add_option("FILE", line_.file, "dialect file or name")->required();
+    word->add_option("WORD", line_.word, "as it stands in a program: G83, CR, M3")->required();
+
+    CLI::App* machine = app_.add_subcommand("machine", "the descriptions of machines");
+    machine->require_subcommand(1);
+    add(*machine, "list", "which machines there are", Verb::MachineList);
+    add(*machine, "check", "find mistakes in a machine file", Verb::MachineCheck)
+        ->add_option("FILE", line_.file, "machine file or name")
+        ->required();
+}
+
+CommandLine Parser::parse(int count, const char* const* arguments) {
+    app_.parse(count, arguments);
+    driver::Options& options = line_.options;
+    for (const std::string& define : defines_) options.defines.push_back(parse_define(define));
+    for (const int level : skips_) options.skip_levels |= static_cast<std::uint16_t>(1u << level);
+    if (!tick_.empty()) options.tick = parse_time(tick_);
+    options.native_cycles = cycles_ == "native";
+    line_.expand.source = line_.run.source = source_;
+    line_.expand.map = line_.run.map = map_;
+    line_.run.summary = summary_ == "json"   ? driver::SummaryFormat::Json
+                        : summary_ == "text" ? driver::SummaryFormat::Text
+                                             : driver::SummaryFormat::None;
+    line_.run.plot_color =
+        plot_color_ == "line" ? driver::PlotColor::Line : driver::PlotColor::Feed;
+    line_.messages =
+        messages_ == "json" ? driver::MessageFormat::Json : driver::MessageFormat::Text;
+    return line_;
+}
+
+std::string Parser::commands_message() const {
+    const std::vector<std::string> rest = app_.remaining();
+    std::string text = rest.empty() ? "a command is missing" : "there is no command `" + rest.front() + "`";
+    text += "; there are";
+    for (const CLI::App* command : app_.get_subcommands([](const CLI::App*) { return true; })) {
+        text += ' ' + command->get_name();
+    }
+    return text + "\nRun with --help for more information.\n";
+}
+
+std::string Parser::message(const CLI::ParseError& error, int& status) const {
+    std::ostringstream out;
+    std::ostringstream wrong;
+    status = app_.exit(error, out, wrong);
+    if (status == 0) return out.str();
+    // "A subcommand is required" says neither what stood there nor what there is.
+    if (app_.get_subcommands().empty()) return "kadr: " + commands_message();
+    return "kadr: " + wrong.str();
+}
+
+}  // namespace
+
+std::variant<CommandLine, Answer> parse_command_line(int count, const char* const* arguments) {
+    if (count > 1 && std::find(kLater.begin(), kLater.end(), arguments[1]) != kLater.end()) {
+        return Answer{driver::Status::Usage, "kadr: this version has no command `" +
+                                                 std::string(arguments[1]) +
+                                                 "`; `kadr --help` lists what it has\n"};
+    }
+    Parser parser;
+    try {
+        return parser.parse(count, arguments);
+    } catch (const CLI::ParseError& error) {
+        int status = 0;
+        std::string text = parser.message(error, status);
+        return Answer{status == 0 ? driver::Status::Done : driver::Status::Usage, std::move(text)};
+    }
+}
+
+}  // namespace kadr::cli

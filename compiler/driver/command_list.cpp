@@ -1,0 +1,31 @@
+#include "driver/command_list.h"
+
+#include "base/render.h"
+
+namespace kadr::driver {
+
+CommandList::CommandList(const Execution& execution, const Session& session, Output& out)
+    : execution_(execution), session_(session), out_(out), listing_(execution.machine()) {}
+
+const std::string& CommandList::source_of(const path::Command& command) {
+    static const std::string nothing;
+    const SourceRange range = execution_.statement(command.source);
+    if (!range.file.is_valid()) return nothing;
+    // A statement in a loop is named many times and located once.
+    if (names_.size() <= command.source.index) names_.resize(command.source.index + 1);
+    std::string& name = names_[command.source.index];
+    if (name.empty()) name = session_.source_name(range);
+    return name;
+}
+
+void CommandList::write(const path::Command& command) {
+    line_.clear();
+    listing_.append(command, source_of(command), line_);
+    out_.write(line_);
+}
+
+void CommandList::write_alarm(std::string_view text) {
+    out_.write("{\"op\":\"alarm\",\"text\":" + json_string(text) + "}\n");
+}
+
+}  // namespace kadr::driver

@@ -1,0 +1,86 @@
+#include "driver/cycles.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "expand/expander.h"
+
+namespace kadr::driver {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Blocks of one cycle call; each bears the source of the call.
+class CycleBlocks final : public Stream<nc::Block> {
+  public:
+    CycleBlocks(const Program& library, const nc::Dialect& dialect, SourceId source,
+                DiagnosticSink& sink)
+        // Only moves: the control's own cycle is what is being executed.
+        : expander_(*library.code, dialect, {.limits = {}, .native_cycles = false, .trace = false},
+                    sink),
+          source_(source) {}
+
+    bool start(const interp::CycleCall& call) {
+        return expander_.start_cycle(call.name, call.arguments, call.given, call.position,
+                                     call.feed, call.speed);
+    }
+
+    std::size_t pull(std::span<nc::Block> out) override {
+        const std::size_t count = expander_.pull(out);
+        for (nc::Block& block : out.first(count)) block.source = source_;
+        return count;
+    }
+
+  private:
+    expand::Expander expander_;
+    SourceId source_;
+};
+
+/// The files of the library's cycles, in a fixed order.
+std::vector<std::string> cycle_files(const std::string& library) {
+    std::vector<std::string> files;
+    std::error_code error;
+    for (fs::directory_iterator entry(fs::path(library) / "cycles", error), end;
+         !error && entry != end; entry.increment(error)) {
+        if (entry->path().extension() == ".kadr") files.push_back(entry->path().string());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+bool has_cycle(const Program& program, std::string_view name) {
+    const auto& functions = program.code->functions;
+    return std::any_of(functions.begin(), functions.end(), [name](const auto& function) {
+        return function.kind == sema::FunctionKind::Cycle && function.is_main_file &&
+               function.name == name;
+    });
+}
+
+}  // namespace
+
+const Program* LibraryCycles::find(std::string_view cycle) {
+    if (!files_) files_ = cycle_files(session_.share().library);
+    for (std::size_t i = 0; i < files_->size(); ++i) {
+        if (i == programs_.size()) programs_.push_back(load_program(session_, (*files_)[i]));
+        if (programs_[i] && has_cycle(*programs_[i], cycle)) return &*programs_[i];
+    }
+    return nullptr;
+}
+
+std::unique_ptr<Stream<nc::Block>> LibraryCycles::expand(const interp::CycleCall& call) {
+    const Program* library = find(call.name);
+    if (library == nullptr) {
+        session_.messages().report(diag::CycleUnknown).arg(call.name);
+        return nullptr;
+    }
+    auto blocks =
+        std::make_unique<CycleBlocks>(*library, dialect_, call.source, session_.messages());
+    if (!blocks->start(call)) return nullptr;
+    return blocks;
+}
+
+}  // namespace kadr::driver

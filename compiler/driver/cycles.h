@@ -1,0 +1,35 @@
+// cycles.h — machining cycles for the interpreter, executed by the standard library's definitions.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "driver/program.h"
+#include "driver/session.h"
+#include "interp/interpreter.h"
+
+namespace kadr::driver {
+
+/// Runs `stdlib/cycles` for cycle calls that the interpreter meets. A file of the library is read
+/// and checked when a call asks for a cycle that none before it has.
+class LibraryCycles final : public interp::CycleExpander {
+  public:
+    /// References outlive the expander.
+    LibraryCycles(Session& session, const nc::Dialect& dialect)
+        : session_(session), dialect_(dialect) {}
+
+    std::unique_ptr<Stream<nc::Block>> expand(const interp::CycleCall& call) override;
+
+  private:
+    const Program* find(std::string_view cycle);
+
+    Session& session_;
+    const nc::Dialect& dialect_;
+    std::optional<std::vector<std::string>> files_;  // of the library; nothing: not looked up yet
+    std::vector<std::optional<Program>> programs_;   // of the first files
+};
+
+}  // namespace kadr::driver

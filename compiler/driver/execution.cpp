@@ -1,0 +1,207 @@
+#include "driver/execution.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "base/text.h"
+
+namespace kadr::driver {
+
+namespace {
+
+constexpr const char* kDefaultDialect = "iso";
+
+/// Whether a dialect's list of suffixes, "mpf spf", has this one; case does not count.
+bool has_suffix(std::string_view list, std::string_view suffix) {
+    const std::string all = ' ' + upper_ascii(list) + ' ';
+    return all.find(' ' + upper_ascii(suffix) + ' ') != std::string::npos;
+}
+
+/// The dialect whose files end as this one does, else the common core. Where several do, one that
+/// extends the core itself stands before those that vary another control.
+std::string dialect_by_suffix(const Session& session, const std::string& source) {
+    std::string suffix = std::filesystem::path(source).extension().string();
+    if (suffix.size() < 2) return kDefaultDialect;
+    suffix.erase(0, 1);
+    std::string variant;
+    for (const nc::DialectSummary& summary : nc::list_dialects(session.share().dialects)) {
+        if (!has_suffix(summary.suffix, suffix)) continue;
+        if (summary.extends == kDefaultDialect) return summary.name;
+        if (variant.empty()) variant = summary.name;
+    }
+    return variant.empty() ? kDefaultDialect : variant;
+}
+
+/// The name of the text that a program would be written to: "part.mpf".
+std::string generated_name(std::string_view source, const nc::Dialect& dialect) {
+    const std::string stem = std::filesystem::path(source).stem().string();
+    const std::string_view suffixes = dialect.suffix();
+    const std::string suffix(suffixes.substr(0, suffixes.find(' ')));
+    return (stem.starts_with('<') ? "program" : stem) + '.' + (suffix.empty() ? "iso" : suffix);
+}
+
+std::string shown_name(const std::string& source) { return source == "-" ? "<stdin>" : source; }
+
+}  // namespace
+
+/// Keeps what the reader says until the blocks before are executed: it reads ahead, and a control
+/// that stops, or comes to its end, does not complain of what stands behind.
+class Execution::HeldMessages final : public DiagnosticSink {
+  public:
+    explicit HeldMessages(DiagnosticSink& next) : next_(next) {}
+
+    void take(Diagnostic diagnostic) override { held_.push_back(std::move(diagnostic)); }
+    void release() {
+        for (Diagnostic& diagnostic : held_) next_.take(std::move(diagnostic));
+        held_.clear();
+    }
+
+  private:
+    DiagnosticSink& next_;
+    std::vector<Diagnostic> held_;
+};
+
+/// Gives the blocks that were read the statements that had written them.
+class Execution::Tagger final : public Stream<nc::Block> {
+  public:
+    Tagger(Stream<nc::Block>& blocks, HeldMessages& held, const LineMap* lines)
+        : blocks_(blocks), held_(held), lines_(lines) {}
+
+    std::size_t pull(std::span<nc::Block> out) override {
+        held_.release();
+        const std::size_t count = blocks_.pull(out);
+        if (lines_ != nullptr) {
+            for (nc::Block& block : out.first(count)) block.source = lines_->find(block.line);
+        }
+        return count;
+    }
+
+  private:
+    Stream<nc::Block>& blocks_;
+    HeldMessages& held_;
+    const LineMap* lines_;
+};
+
+/// Adds to a message about generated text the statement that wrote the line.
+class Execution::StatementNotes final : public DiagnosticSink {
+  public:
+    StatementNotes(const Execution& execution, DiagnosticSink& next)
+        : execution_(execution), next_(next) {}
+
+    void take(Diagnostic diagnostic) override {
+        if (execution_.generated_ && diagnostic.line &&
+            diagnostic.line->file == execution_.text_name_) {
+            const SourceId source = execution_.generated_->lines().find(diagnostic.line->line);
+            const SourceRange range = execution_.statement(source);
+            if (range.file.is_valid()) {
+                diagnostic.notes.push_back(
+                    {range, std::nullopt, "the line was written by this statement"});
+            }
+        }
+        next_.take(std::move(diagnostic));
+    }
+
+  private:
+    const Execution& execution_;
+    DiagnosticSink& next_;
+};
+
+Execution::Execution(Session& session) : session_(session) {}
+Execution::~Execution() = default;
+
+std::unique_ptr<FileText> open_source(Session& session, const std::string& source) {
+    auto text = FileText::open(source);
+    if (!text) {
+        session.messages().report(diag::FileUnreadable).arg(source);
+        session.mark_usage();
+    }
+    return text;
+}
+
+bool is_kadr_source(const std::string& source, const FileText& text) {
+    return is_kadr_name(source) || (source == "-" && looks_like_kadr(text.peek()));
+}
+
+FileId keep_source(Session& session, const std::string& source, FileText& text) {
+    return session.sources().add(shown_name(source), text.read_all());
+}
+
+std::unique_ptr<Execution> Execution::open(Session& session, const std::string& source,
+                                           std::unique_ptr<FileText> text, Output* map) {
+    std::unique_ptr<Execution> execution(new Execution(session));
+    execution->machine_ = session.machine();
+    if (execution->machine_ == nullptr) return nullptr;
+    const bool is_open = is_kadr_source(source, *text)
+                             ? execution->open_program(keep_source(session, source, *text), map)
+                             : execution->open_text(source, std::move(text));
+    if (!is_open) return nullptr;
+    execution->connect();
+    return execution;
+}
+
+bool Execution::open_text(const std::string& source, std::unique_ptr<FileText> text) {
+    const bool is_named = !session_.options().dialect.empty();
+    dialect_ = session_.chosen_dialect(is_named ? "" : dialect_by_suffix(session_, source));
+    text_name_ = shown_name(source);
+    file_ = std::move(text);
+    return dialect_ != nullptr;
+}
+
+bool Execution::open_program(FileId file, Output* map) {
+    dialect_ = session_.chosen_dialect(kDefaultDialect);
+    if (dialect_ == nullptr) return false;
+    program_ = load_program(session_, file);
+    if (!program_) return false;
+    text_name_ = generated_name(session_.sources().name(file), *dialect_);
+    generated_ = std::make_unique<GeneratedText>(session_, *program_, *dialect_, map);
+    return generated_->start();
+}
+
+void Execution::connect() {
+    const Options& options = session_.options();
+    sink_ = std::make_unique<StatementNotes>(*this, session_.messages());
+    nc::TextSource& text = generated_ ? static_cast<nc::TextSource&>(*generated_) : *file_;
+    held_ = std::make_unique<HeldMessages>(*sink_);
+    reader_ = std::make_unique<nc::Reader>(*dialect_, text, text_name_, *held_);
+    tagged_ =
+        std::make_unique<Tagger>(*reader_, *held_, generated_ ? &generated_->lines() : nullptr);
+    cycles_ = std::make_unique<LibraryCycles>(session_, *dialect_);
+    const interp::InterpreterOptions interpreter_options{.max_blocks = options.max_blocks,
+                                                         .skip_levels = options.skip_levels,
+                                                         .optional_stop = options.optional_stop};
+    interpreter_ = std::make_unique<interp::Interpreter>(
+        *dialect_, *machine_, *tagged_, reader_.get(), cycles_.get(), interpreter_options, *sink_);
+}
+
+std::size_t Execution::pull(std::span<path::Command> out) {
+    const std::size_t alarms = session_.messages().alarms();
+    const std::size_t count = interpreter_->pull(out);
+    has_stopped_ = has_stopped_ || session_.messages().alarms() > alarms;
+    // Stopped without a word of its own: the reader knows why.
+    if (count == 0 && interpreter_->alarmed() && !has_stopped_) held_->release();
+    return count;
+}
+
+void Execution::read_rest() {
+    std::vector<nc::Block> batch(kBatch);
+    while (tagged_->pull(batch) > 0) continue;
+}
+
+bool Execution::failed() const { return reader_->failed() || (generated_ && generated_->failed()); }
+
+SourceRange Execution::statement(SourceId source) const {
+    if (!program_ || !source.is_valid() || source.index >= program_->code->statements.size())
+        return {};
+    return program_->code->statements[source.index];
+}
+
+LinePlace Execution::place_of(std::uint32_t line) const {
+    LinePlace place;
+    place.file = text_name_;
+    place.line = line;
+    return place;
+}
+
+}  // namespace kadr::driver

@@ -1,0 +1,84 @@
+// execution.h — a source, Kadr program or ISO-7bit text, as a stream of commands.
+//
+// The middle of the road: read → interpret. A Kadr program is evaluated and written on the way, so
+// that what is executed is what would go to the machine.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "driver/cycles.h"
+#include "driver/file_text.h"
+#include "driver/generated_text.h"
+#include "driver/program.h"
+#include "driver/session.h"
+#include "interp/interpreter.h"
+
+namespace kadr::driver {
+
+/// Opens a source, `-` for standard input. Null: it cannot be read, which is reported as wrong
+/// usage.
+std::unique_ptr<FileText> open_source(Session& session, const std::string& source);
+
+/// Whether a source is a Kadr program: by its name, standard input by its looks.
+bool is_kadr_source(const std::string& source, const FileText& text);
+
+/// Takes a Kadr program among the sources of the session.
+FileId keep_source(Session& session, const std::string& source, FileText& text);
+
+class Execution final : public Stream<path::Command> {
+  public:
+    /// Loads dialect and machine, checks a Kadr program. Null: reported, the status of the session
+    /// says what it was. `map` gets the source map of a Kadr program; null: none is made.
+    static std::unique_ptr<Execution> open(Session& session, const std::string& source,
+                                           std::unique_ptr<FileText> text, Output* map);
+    ~Execution() override;
+
+    std::size_t pull(std::span<path::Command> out) override;
+    /// Reads the text to its end without executing it, for the sake of its mistakes.
+    void read_rest();
+
+    bool alarmed() const { return interpreter_->alarmed(); }
+    /// Evaluating, writing or reading came to an error.
+    bool failed() const;
+    std::uint64_t blocks() const { return interpreter_->blocks(); }
+
+    const nc::Dialect& dialect() const { return *dialect_; }
+    const machine::Machine& machine() const { return *machine_; }
+    /// The name of the ISO-7bit text: of the file, or of the one that would be written.
+    const std::string& text_name() const { return text_name_; }
+    /// The statement behind a command, invalid for ISO-7bit text.
+    SourceRange statement(SourceId source) const;
+    /// A line of the text for messages of the motion.
+    LinePlace place_of(std::uint32_t line) const;
+    /// Where messages about the text go: it adds the statement of the Kadr program.
+    DiagnosticSink& sink() { return *sink_; }
+
+  private:
+    class HeldMessages;
+    class Tagger;
+    class StatementNotes;
+    explicit Execution(Session& session);
+
+    bool open_text(const std::string& source, std::unique_ptr<FileText> text);
+    bool open_program(FileId file, Output* map);
+    void connect();
+
+    Session& session_;
+    std::string text_name_;
+    const nc::Dialect* dialect_ = nullptr;
+    const machine::Machine* machine_ = nullptr;
+    std::optional<Program> program_;
+    std::unique_ptr<GeneratedText> generated_;
+    std::unique_ptr<FileText> file_;
+    std::unique_ptr<DiagnosticSink> sink_;
+    std::unique_ptr<HeldMessages> held_;
+    std::unique_ptr<nc::Reader> reader_;
+    std::unique_ptr<Stream<nc::Block>> tagged_;
+    std::unique_ptr<LibraryCycles> cycles_;
+    std::unique_ptr<interp::Interpreter> interpreter_;
+    bool has_stopped_ = false;  // by an alarm of the interpreter's own
+};
+
+}  // namespace kadr::driver

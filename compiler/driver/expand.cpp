@@ -1,0 +1,57 @@
+#include "driver/expand.h"
+
+#include <array>
+#include <memory>
+
+#include "driver/execution.h"
+#include "driver/file_text.h"
+#include "driver/generated_text.h"
+#include "driver/output.h"
+#include "driver/places.h"
+
+namespace kadr::driver {
+
+namespace {
+
+constexpr const char* kDefaultTarget = "iso";
+
+Status refused(Session& session) {
+    session.mark_usage();
+    return session.status();
+}
+
+}  // namespace
+
+Status expand(Session& session, const ExpandJob& job) {
+    Messages& messages = session.messages();
+    const auto source = open_source(session, job.source);
+    if (!source) return session.status();
+    if (job.source != "-" && !is_kadr_name(job.source)) {
+        messages.report(diag::NotAKadrProgram).arg(job.source);
+        return refused(session);
+    }
+    const std::array<std::string, 2> outputs = {job.output, job.map};
+    if (!are_outputs_apart(job.source, outputs, messages)) return refused(session);
+    const nc::Dialect* target = session.chosen_dialect(kDefaultTarget);
+    if (target == nullptr) return session.status();
+    const std::optional<Program> program =
+        load_program(session, keep_source(session, job.source, *source));
+    if (!program) return session.status();
+
+    const auto text_output = Output::open(job.output, messages);
+    const auto map_output = job.map.empty() ? nullptr : Output::open(job.map, messages);
+    if (!text_output || (!map_output && !job.map.empty())) return refused(session);
+
+    GeneratedText text(session, *program, *target, map_output.get());
+    if (!text.start()) return session.status();
+    for (std::string_view piece = text.next(); !piece.empty(); piece = text.next()) {
+        text_output->write(piece);
+        session.tell({.blocks = text.blocks(), .setpoints = 0, .time = 0});
+    }
+    if (text.failed() || session.status() != Status::Done) return session.status();
+    const bool is_written =
+        text_output->commit(messages) && (!map_output || map_output->commit(messages));
+    return is_written ? session.status() : refused(session);
+}
+
+}  // namespace kadr::driver

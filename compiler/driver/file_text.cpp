@@ -1,0 +1,66 @@
+#include "driver/file_text.h"
+
+#include <filesystem>
+#include <system_error>
+
+#include "base/text.h"
+
+namespace kadr::driver {
+
+namespace {
+
+constexpr std::size_t kPiece = std::size_t{1} << 16;  // bytes read at a time
+
+}  // namespace
+
+FileText::FileText(std::FILE* file) : file_(file), piece_(kPiece) { filled_ = fill(); }
+
+FileText::~FileText() {
+    if (file_ != stdin) std::fclose(file_);
+}
+
+std::unique_ptr<FileText> FileText::open(const std::string& path) {
+    std::error_code error;
+    if (path != "-" && std::filesystem::is_directory(path, error)) return nullptr;
+    std::FILE* file = path == "-" ? stdin : std::fopen(path.c_str(), "rb");
+    if (file == nullptr) return nullptr;
+    return std::unique_ptr<FileText>(new FileText(file));
+}
+
+std::size_t FileText::fill() { return std::fread(piece_.data(), 1, piece_.size(), file_); }
+
+std::string_view FileText::next() {
+    if (!was_peeked_) filled_ = fill();
+    was_peeked_ = false;
+    return {piece_.data(), filled_};
+}
+
+std::string FileText::read_all() {
+    std::string text;
+    for (std::string_view piece = next(); !piece.empty(); piece = next()) text += piece;
+    return text;
+}
+
+bool looks_like_kadr(std::string_view text) {
+    // ISO-7bit text has comments in parentheses or behind `;`, texts in quotes, and never braces.
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        const char close = c == '(' ? ')' : c == '"' ? '"' : c == ';' ? '\n' : '\0';
+        if (c == '{') return true;
+        if (close == '\0') continue;
+        const std::size_t end = text.find_first_of(close == '\n'  ? "\n"
+                                                   : close == ')' ? ")\n"
+                                                                  : "\"\n",
+                                                   i + 1);
+        if (end == std::string_view::npos) return false;
+        i = end;
+    }
+    return false;
+}
+
+bool is_kadr_name(std::string_view path) {
+    constexpr std::string_view kSuffix = ".KADR";
+    return upper_ascii(path).ends_with(kSuffix);
+}
+
+}  // namespace kadr::driver

@@ -1,0 +1,47 @@
+// file_text.h — ISO-7bit text from a file or from standard input, piece by piece.
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "nc/reader.h"
+
+namespace kadr::driver {
+
+/// A file that was opened and whose first piece has been looked at.
+class FileText final : public nc::TextSource {
+  public:
+    /// `-` is standard input. Null if it cannot be read.
+    static std::unique_ptr<FileText> open(const std::string& path);
+    ~FileText() override;
+    FileText(const FileText&) = delete;
+    FileText& operator=(const FileText&) = delete;
+
+    std::string_view next() override;
+
+    /// The first piece, without taking it.
+    std::string_view peek() const { return {piece_.data(), filled_}; }
+    /// Everything, for a source that turns out to be a Kadr program.
+    std::string read_all();
+
+  private:
+    explicit FileText(std::FILE* file);
+    std::size_t fill();
+
+    std::FILE* file_;
+    std::vector<char> piece_;
+    std::size_t filled_ = 0;
+    bool was_peeked_ = true;
+};
+
+/// Whether a text is a Kadr program rather than ISO-7bit text: it has braces outside of what are
+/// comments and texts there.
+bool looks_like_kadr(std::string_view text);
+
+/// Whether a name says that a file is a Kadr program.
+bool is_kadr_name(std::string_view path);
+
+}  // namespace kadr::driver

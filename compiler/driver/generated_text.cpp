@@ -1,0 +1,90 @@
+#include "driver/generated_text.h"
+
+#include <algorithm>
+
+#include "driver/source_map.h"
+
+namespace kadr::driver {
+
+namespace {
+
+// Blocks evaluated at a time: few enough to stay in the cache.
+constexpr std::size_t kPiece = 64;
+constexpr std::size_t kPieceBytes = std::size_t{1} << 13;  // text handed on at a time
+
+expand::ExpandOptions expand_options(const Options& options, bool has_map) {
+    return {.limits = {}, .native_cycles = options.native_cycles, .trace = has_map};
+}
+
+nc::WriteOptions write_options(const Options& options) {
+    return {.verbose_modal = options.verbose_modal,
+            .number_blocks = true,
+            .native_cycles = options.native_cycles};
+}
+
+}  // namespace
+
+const sema::FunctionCode* chosen_program(const sema::Code& code, std::string_view name) {
+    const auto is_chosen = [name](const sema::FunctionCode& function) {
+        return function.kind == sema::FunctionKind::Program && function.is_main_file &&
+               (name.empty() || function.name == name);
+    };
+    const auto found = std::find_if(code.functions.begin(), code.functions.end(), is_chosen);
+    return found == code.functions.end() ? nullptr : &*found;
+}
+
+GeneratedText::GeneratedText(Session& session, const Program& program, const nc::Dialect& target,
+                             Output* map)
+    : session_(session),
+      program_(program),
+      expander_(*program.code, target, expand_options(session.options(), map != nullptr),
+                session.messages()),
+      writer_(target, write_options(session.options()), session.messages()),
+      map_(map),
+      line_map_(std::make_unique<LineMap>()),
+      batch_(kPiece) {}
+
+GeneratedText::~GeneratedText() = default;
+
+bool GeneratedText::start() {
+    const Options& options = session_.options();
+    if (!expander_.start(options.program, options.defines)) return false;
+    writer_.set_statements(program_.code->statements);
+    nc::ProgramInfo info;
+    if (const sema::FunctionCode* chosen = chosen_program(*program_.code, options.program)) {
+        info.name = chosen->name;
+        info.is_inch = chosen->units == sema::Units::Inch;
+    }
+    writer_.begin(info, text_);
+    return true;
+}
+
+std::string_view GeneratedText::next() {
+    // The text of `start` is part of the first piece.
+    if (blocks_ > 0 || is_at_end_) text_.clear();
+    while (!is_at_end_ && text_.size() < kPieceBytes) write_batch();
+    return text_;
+}
+
+void GeneratedText::write_batch() {
+    const std::size_t count = expander_.pull(batch_);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t first = writer_.write(batch_[i], text_);
+        line_map_->add(first, writer_.lines(), batch_[i].source);
+        if (map_ != nullptr) map_block(i, first);
+    }
+    blocks_ += count;
+    is_at_end_ = count == 0 || failed();
+    if (is_at_end_) writer_.end(text_);
+}
+
+void GeneratedText::map_block(std::size_t index, std::uint32_t line) {
+    if (writer_.lines() < line) return;  // nothing was written: what it says was modal already
+    entry_.clear();
+    append_map_entry(entry_, {line, writer_.lines() + 1 - line}, expander_.trace(index), session_);
+    map_->write(entry_);
+}
+
+bool GeneratedText::failed() const { return expander_.failed() || writer_.failed(); }
+
+}  // namespace kadr::driver

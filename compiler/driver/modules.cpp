@@ -1,0 +1,133 @@
+#include "driver/modules.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "base/text.h"
+
+namespace kadr::driver {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kDefaultLanguage = "en";
+constexpr const char* kDefaultDialect = "iso";
+constexpr const char* kPrelude = "prelude";
+constexpr const char* kSuffix = ".kadr";
+
+/// `cycles.drilling` → `cycles/drilling.kadr`.
+std::string relative_path(std::string_view import, bool is_file) {
+    std::string path(import);
+    if (is_file) return path;
+    std::replace(path.begin(), path.end(), '.', '/');
+    return path + kSuffix;
+}
+
+std::optional<std::string> find_in(const std::vector<std::string>& folders,
+                                   const std::string& relative) {
+    std::error_code error;
+    for (const std::string& folder : folders) {
+        const fs::path candidate = (fs::path(folder) / relative).lexically_normal();
+        if (fs::is_regular_file(candidate, error)) return candidate.string();
+    }
+    return std::nullopt;
+}
+
+/// One text for one file, however it is reached.
+std::string identity(const std::string& path) {
+    std::error_code error;
+    const fs::path real = fs::canonical(path, error);
+    return error ? path : real.string();
+}
+
+/// Names of the modules below these folders, as an import would write them.
+std::vector<std::string> module_names(const std::vector<std::string>& folders) {
+    std::vector<std::string> names;
+    std::error_code error;
+    for (const std::string& folder : folders) {
+        const fs::path root = folder.empty() ? fs::path(".") : fs::path(folder);
+        for (fs::directory_iterator entry(root, error), end; !error && entry != end;
+             entry.increment(error)) {
+            std::error_code ignored;
+            const std::string stem = entry->path().stem().string();
+            if (entry->path().extension() == kSuffix) names.push_back(stem);
+            if (!entry->is_directory(ignored)) continue;
+            for (fs::directory_iterator below(entry->path(), ignored); !ignored && below != end;
+                 below.increment(ignored)) {
+                if (below->path().extension() != kSuffix) continue;
+                names.push_back(stem + '.' + below->path().stem().string());
+            }
+        }
+    }
+    return names;
+}
+
+}  // namespace
+
+std::vector<std::string> Modules::folders_for(FileId from) const {
+    const fs::path importer{std::string(session_.sources().name(from))};
+    std::vector<std::string> folders = {importer.parent_path().string()};
+    const auto& chosen = session_.options().folders;
+    folders.insert(folders.end(), chosen.begin(), chosen.end());
+    folders.push_back(session_.share().library);
+    return folders;
+}
+
+void Modules::report_missing(std::string_view import, const std::string& relative, FileId from,
+                             const SourceRange& place) {
+    const std::vector<std::string> folders = folders_for(from);
+    auto report = std::move(session_.messages().report(diag::ModuleMissing, place).arg(import));
+    std::string looked;
+    for (const std::string& folder : folders) {
+        looked +=
+            (looked.empty() ? "`" : ", `") + (folder.empty() ? std::string(".") : folder) + '`';
+    }
+    report.note("`" + relative + "` was looked for in " + looked);
+    const std::vector<std::string> names = module_names(folders);
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    if (const auto near = nearest_name(import, views.data(), views.size())) {
+        report.fix("there is a module `" + std::string(*near) + "`");
+    }
+}
+
+Modules::Module Modules::load(std::string_view import, bool is_file, FileId from,
+                              const SourceRange& place) {
+    const std::string relative = relative_path(import, is_file);
+    // The prelude is part of the language, whatever lies beside a program.
+    const bool is_prelude = import == kPrelude && !is_file;
+    const std::vector<std::string> library = {session_.share().library};
+    const std::optional<std::string> path =
+        find_in(is_prelude ? library : folders_for(from), relative);
+    if (!path) {
+        report_missing(import, relative, from, place);
+        return {};
+    }
+    const std::string key = identity(*path);
+    if (const auto known = by_path_.find(key); known != by_path_.end())
+        return known->second.module();
+    const std::optional<FileId> file = session_.sources().read(*path);
+    if (file) return parse(*file);
+    session_.messages().report(diag::FileUnreadable, place).arg(*path);
+    by_path_.emplace(key, Parsed{});
+    return {};
+}
+
+Modules::Module Modules::parse(FileId file) {
+    Parsed& parsed = by_path_[identity(std::string(session_.sources().name(file)))];
+    const syntax::SourceHeader header = syntax::scan_header(session_.sources().text(file));
+    const auto* keywords =
+        session_.keywords(header.language.empty() ? kDefaultLanguage : header.language);
+    const auto* dialect =
+        session_.dialect(header.dialect.empty() ? kDefaultDialect : header.dialect);
+    if (keywords == nullptr || dialect == nullptr) return {};
+    parsed.dialect = dialect;
+    parsed.ast = std::make_unique<syntax::Ast>(
+        syntax::parse(session_.sources(), file, *keywords, *dialect, session_.messages()));
+    return parsed.module();
+}
+
+}  // namespace kadr::driver

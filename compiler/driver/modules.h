@@ -1,0 +1,42 @@
+// modules.h — finds, reads and parses the files of a program, each once.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "driver/session.h"
+#include "sema/check.h"
+
+namespace kadr::driver {
+
+/// `cycles.drilling` is looked for as `cycles/drilling.kadr`, a file in quotes as it stands: beside
+/// the importing file, in the folders of the options, in the standard library.
+class Modules final : public sema::ModuleLoader {
+  public:
+    explicit Modules(Session& session) : session_(session) {}
+
+    Module load(std::string_view import, bool is_file, FileId from,
+                const SourceRange& place) override;
+
+    /// Parses a text that is already among the sources, as the main file.
+    Module parse(FileId file);
+
+  private:
+    struct Parsed {
+        std::unique_ptr<syntax::Ast> ast;  // null: could not be read or parsed
+        const nc::Dialect* dialect = nullptr;
+        Module module() const { return {ast.get(), dialect}; }
+    };
+
+    std::vector<std::string> folders_for(FileId from) const;
+    void report_missing(std::string_view import, const std::string& relative, FileId from,
+                        const SourceRange& place);
+
+    Session& session_;
+    std::map<std::string, Parsed> by_path_;
+};
+
+}  // namespace kadr::driver

@@ -1,0 +1,61 @@
+// options.h — what a user can ask of a session, as plain values.
+//
+// The command line fills these; so will the prompt and the language server. Parsing of arguments
+// is theirs, meaning is here.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sema/check.h"
+
+namespace kadr::driver {
+
+/// How a command ended; the exit status of the program.
+enum class Status : std::uint8_t {
+    Done = 0,
+    Failed = 1,  // the program has errors
+    Usage = 2,   // wrong usage, or a file that cannot be read or written
+    Alarm = 3,   // the control would have stopped while it ran
+};
+
+/// What holds for everything that a session does.
+struct Options {
+    std::string dialect;                // name or file; empty: as the source suggests
+    std::string machine;                // name or file; empty: the stock mill
+    std::string program;                // which program of the file; empty: the only one
+    std::vector<sema::Define> defines;  // values of the program's parameters
+    std::vector<std::string> folders;   // searched for imports before the standard library
+    bool native_cycles = true;          // cycles as the control's own where it has them
+    bool verbose_modal = false;         // repeat modal words in the text
+    std::uint64_t max_blocks = 0;       // executed blocks after which a run is cut; 0: no limit
+    std::uint16_t skip_levels = 0;      // bit n: blocks with skip level n are left out
+    bool optional_stop = false;         // M1 stops
+    std::optional<double> tick;         // s; nothing: as the machine says
+};
+
+/// Where the results of an expansion go; `-` is standard output.
+struct ExpandJob {
+    std::string source;
+    std::string output = "-";
+    std::string map;  // source map; empty: none
+};
+
+enum class SummaryFormat : std::uint8_t { None, Text, Json };
+enum class PlotColor : std::uint8_t { Feed, Line };
+
+/// Where the results of a run go; an empty name means that nobody asked.
+struct RunJob {
+    std::string source;
+    std::string commands;
+    std::string setpoints;
+    std::string plot;
+    std::string variables;
+    std::string map;
+    SummaryFormat summary = SummaryFormat::None;
+    PlotColor plot_color = PlotColor::Feed;
+};
+
+}  // namespace kadr::driver

@@ -1,0 +1,141 @@
+#include "driver/output.h"
+
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace kadr::driver {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kBuffer = std::size_t{1} << 16;       // bytes between two writes to a file
+constexpr std::size_t kSpoolBuffer = std::size_t{1} << 20;  // … before a spool goes to disk
+
+/// The file behind symbolic links, so that a rename replaces the file and not the link.
+std::string behind_links(const std::string& path) {
+    std::error_code error;
+    if (!fs::is_symlink(path, error)) return path;
+    const fs::path real = fs::canonical(path, error);
+    return error ? path : real.string();
+}
+
+/// Whether something stands there that must not be replaced: a device, a pipe.
+bool is_special(const std::string& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+/// Whether the place is free or holds a file of ours to write. A rename would also replace a file
+/// that is write-protected; that is not what its owner wanted.
+bool may_replace(const std::string& path) {
+    std::error_code error;
+    if (fs::is_directory(path, error)) return false;
+    return ::access(path.c_str(), W_OK) == 0 || errno == ENOENT;
+}
+
+/// A replaced file keeps its permissions.
+void copy_permissions(const std::string& from, std::FILE* to) {
+    struct stat existing {};
+    if (::stat(from.c_str(), &existing) == 0) {
+        [[maybe_unused]] const int ignored = ::fchmod(::fileno(to), existing.st_mode & 07777);
+    }
+}
+
+/// A file without a name in the folder of `path`: it vanishes by itself if we are killed. Null
+/// where the file system has no such files.
+std::FILE* open_nameless(const std::string& path) {
+    const fs::path folder = fs::path(path).parent_path();
+    const int file =
+        ::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+    return file < 0 ? nullptr : ::fdopen(file, "wb");
+}
+
+/// Gives a nameless file its name.
+bool give_name(std::FILE* file, const std::string& name) {
+    const std::string handle = "/proc/self/fd/" + std::to_string(::fileno(file));
+    return ::linkat(AT_FDCWD, handle.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+}
+
+}  // namespace
+
+std::unique_ptr<Output> Output::open(const std::string& path, DiagnosticSink& sink) {
+    const std::string target = path == "-" ? path : behind_links(path);
+    const bool is_spool = path == "-" || is_special(target);
+    std::unique_ptr<Output> output(new Output(path, is_spool ? Kind::Spool : Kind::File));
+    if (is_spool) {
+        output->destination_ = path == "-" ? stdout : std::fopen(target.c_str(), "wb");
+        if (output->destination_ != nullptr) return output;
+    } else if (may_replace(target)) {
+        output->final_path_ = target;
+        output->draft_ = target + ".kadr-" + std::to_string(::getpid()) + "~";
+        output->stream_ = open_nameless(target);
+        output->is_nameless_ = output->stream_ != nullptr;
+        if (!output->is_nameless_) output->stream_ = std::fopen(output->draft_.c_str(), "wb");
+        if (output->stream_ != nullptr) {
+            copy_permissions(target, output->stream_);
+            return output;
+        }
+    }
+    sink.report(diag::FileUnwritable).arg(path);
+    return nullptr;
+}
+
+Output::~Output() {
+    if (stream_ != nullptr) {
+        std::fclose(stream_);
+        if (kind_ == Kind::File && !is_nameless_) std::remove(draft_.c_str());
+    }
+    if (destination_ != nullptr && destination_ != stdout) std::fclose(destination_);
+}
+
+void Output::write(std::string_view text) {
+    buffer_ += text;
+    if (buffer_.size() >= (kind_ == Kind::File ? kBuffer : kSpoolBuffer)) flush();
+}
+
+void Output::flush() {
+    if (kind_ == Kind::Spool && stream_ == nullptr) stream_ = std::tmpfile();
+    failed_ = failed_ || stream_ == nullptr ||
+              std::fwrite(buffer_.data(), 1, buffer_.size(), stream_) != buffer_.size();
+    buffer_.clear();
+}
+
+bool Output::copy_spool() {
+    if (stream_ != nullptr) {
+        std::rewind(stream_);
+        std::vector<char> piece(kBuffer);
+        while (const std::size_t got = std::fread(piece.data(), 1, piece.size(), stream_)) {
+            if (std::fwrite(piece.data(), 1, got, destination_) != got) return false;
+        }
+        if (std::ferror(stream_) != 0) return false;
+    }
+    return std::fwrite(buffer_.data(), 1, buffer_.size(), destination_) == buffer_.size() &&
+           std::fflush(destination_) == 0;
+}
+
+bool Output::move_draft() {
+    flush();
+    failed_ = failed_ || std::fflush(stream_) != 0 || (is_nameless_ && !give_name(stream_, draft_));
+    const bool is_closed = std::fclose(stream_) == 0;
+    stream_ = nullptr;
+    if (!failed_ && is_closed && std::rename(draft_.c_str(), final_path_.c_str()) == 0) return true;
+    std::remove(draft_.c_str());
+    return false;
+}
+
+bool Output::commit(DiagnosticSink& sink) {
+    const bool is_done = kind_ == Kind::File ? move_draft() : !failed_ && copy_spool();
+    buffer_.clear();
+    if (!is_done) sink.report(diag::FileUnwritable).arg(name_);
+    return is_done;
+}
+
+}  // namespace kadr::driver

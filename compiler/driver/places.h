@@ -1,0 +1,17 @@
+// places.h — holds the names of outputs against each other and against the source.
+#pragma once
+
+#include <initializer_list>
+#include <span>
+#include <string>
+
+#include "base/diagnostic.h"
+
+namespace kadr::driver {
+
+/// Whether no output is the source and no two are the same file; empty names are nobody's. What is
+/// wrong is reported.
+bool are_outputs_apart(const std::string& source, std::span<const std::string> outputs,
+                       DiagnosticSink& sink);
+
+}  // namespace kadr::driver

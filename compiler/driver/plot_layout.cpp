@@ -1,0 +1,140 @@
+#include "driver/plot_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kadr::driver {
+
+namespace {
+
+using path::Vec3;
+
+// Paper, pixels: what the views have together, and what stands around them.
+constexpr double kAcross = 1060;
+constexpr double kDown = 760;
+constexpr double kLeft = 92;  // labels and the dimension of the plan view
+constexpr double kTop = 106;  // title
+constexpr double kGap = 74;   // between views: labels of the next one
+constexpr double kRight = 44;
+constexpr double kBottom = 66;
+constexpr double kLegendWidth = 190;
+constexpr double kLegendHeight = 210;
+constexpr double kThinnest = 46;    // of a side view
+constexpr double kGridPixels = 52;  // labelled lines are at least this far apart
+constexpr double kNarrowest = 620;  // paper: room for the title
+
+constexpr double kMargin = 0.06;      // around the part, share of its largest side
+constexpr double kRapidReach = 0.35;  // rapids count up to this share outside of the part
+
+/// The next of 1, 2, 5, 10, 20 … at or above the value.
+double round_step(double value) {
+    const double decade = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double step : {1.0, 2.0, 5.0}) {
+        if (step * decade >= value * (1 - 1e-9)) return step * decade;
+    }
+    return 10 * decade;
+}
+
+Box shown_box(const PlotScene& scene) {
+    Box box = scene.feed_box().is_empty() ? scene.rapid_box() : scene.feed_box();
+    if (box.is_empty()) {
+        box.add(Vec3(-10, -10, -10));
+        box.add(Vec3(10, 10, 10));
+    }
+    const double side = std::max(box.largest_side(), 1e-3);
+    if (!scene.rapid_box().is_empty()) {
+        const Vec3 reach = Vec3::Constant(kRapidReach * side);
+        Box near;
+        near.add(box.lower - reach);
+        near.add(box.upper + reach);
+        Box rapids;
+        rapids.add(scene.rapid_box().lower.cwiseMax(near.lower).cwiseMin(near.upper));
+        rapids.add(scene.rapid_box().upper.cwiseMin(near.upper).cwiseMax(near.lower));
+        box.add(rapids);
+    }
+    const double margin = kMargin * box.largest_side() + 1e-3;
+    box.lower -= Vec3::Constant(margin);
+    box.upper += Vec3::Constant(margin);
+    return box;
+}
+
+}  // namespace
+
+Vec3 View::towards_eye() const {
+    Vec3 right = Vec3::Zero();
+    Vec3 upwards = Vec3::Zero();
+    right[across] = 1;
+    upwards[up] = 1;
+    return Vec3(right.y() * upwards.z() - right.z() * upwards.y(),
+                right.z() * upwards.x() - right.x() * upwards.z(),
+                right.x() * upwards.y() - right.y() * upwards.x());
+}
+
+namespace {
+
+/// A view that would be a mere line gets some air, at the same scale.
+void widen(Box& shown, int axis, double least) {
+    const double missing = least - (shown.upper[axis] - shown.lower[axis]);
+    if (missing <= 0) return;
+    shown.lower[axis] -= missing / 2;
+    shown.upper[axis] += missing / 2;
+}
+
+void place_turning(Layout& layout) {
+    constexpr double kMost = 860;  // pixels along Z: the legend stands beside the view
+    const auto scale_now = [&] {
+        const Vec3 size = layout.shown.upper - layout.shown.lower;
+        return std::min(kMost / size.z(), kDown / size.x());
+    };
+    widen(layout.shown, 0, kThinnest / scale_now());
+    widen(layout.shown, 2, kThinnest / scale_now());
+    const double scale = scale_now();
+    const Vec3& low = layout.shown.lower;
+    const Vec3 pixels = (layout.shown.upper - low) * scale;
+    const Frame frame{kLeft, kTop, pixels.z(), pixels.x()};
+    layout.grid = round_step(kGridPixels / scale);
+    layout.views.push_back({frame, 2, 0, low.z(), low.x(), scale, "Z-X"});
+    layout.legend = {frame.right() + kGap, kTop, kLegendWidth, kLegendHeight};
+    layout.width = std::max(layout.legend.right() + kRight, kNarrowest);
+    layout.height = std::max(frame.bottom(), layout.legend.bottom()) + kBottom;
+}
+
+void place_three_views(Layout& layout) {
+    const auto scale_now = [&] {
+        const Vec3 size = layout.shown.upper - layout.shown.lower;
+        return std::min((kAcross - kGap) / (size.x() + size.z()),
+                        (kDown - kGap) / (size.y() + size.z()));
+    };
+    const double first_scale = scale_now();
+    for (int axis = 0; axis < 3; ++axis) widen(layout.shown, axis, kThinnest / first_scale);
+    const double scale = scale_now();
+    layout.grid = round_step(kGridPixels / scale);
+
+    const Vec3& low = layout.shown.lower;
+    const Vec3 pixels = (layout.shown.upper - low) * scale;
+    const Frame plan{kLeft, kTop, pixels.x(), pixels.y()};
+    const Frame front{kLeft, plan.bottom() + kGap, pixels.x(), pixels.z()};
+    const Frame side{plan.right() + kGap, kTop, pixels.z(), pixels.y()};
+    layout.views = {{plan, 0, 1, low.x(), low.y(), scale, "X-Y"},
+                    {front, 0, 2, low.x(), low.z(), scale, "X-Z"},
+                    {side, 2, 1, low.z(), low.y(), scale, "Z-Y"}};
+    // The legend has the corner that the views leave free.
+    layout.legend = {side.left, front.top, std::max(side.width, kLegendWidth), kLegendHeight};
+    layout.width = std::max(layout.legend.right() + kRight, kNarrowest);
+    layout.height = std::max(front.bottom(), layout.legend.bottom()) + kBottom;
+}
+
+}  // namespace
+
+Layout lay_out(const PlotScene& scene) {
+    Layout layout;
+    layout.shown = shown_box(scene);
+    const Box& cut = scene.feed_box();
+    const bool is_turning = !cut.is_empty() && cut.lower.y() == cut.upper.y() &&
+                            cut.lower.x() < cut.upper.x() && cut.lower.z() < cut.upper.z();
+    if (is_turning) place_turning(layout);
+    else place_three_views(layout);
+    return layout;
+}
+
+}  // namespace kadr::driver

@@ -1,0 +1,52 @@
+// plot_layout.h — where things stand on the paper: views, scale, grid.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "driver/plot_scene.h"
+
+namespace kadr::driver {
+
+/// A rectangle on paper, pixels, y downwards.
+struct Frame {
+    double left = 0;
+    double top = 0;
+    double width = 0;
+    double height = 0;
+    double right() const { return left + width; }
+    double bottom() const { return top + height; }
+};
+
+/// One view: two axes of the part on a frame of the paper.
+struct View {
+    Frame frame;
+    int across = 0;           // axis to the right: 0 X, 1 Y, 2 Z
+    int up = 1;               // axis upwards
+    double lower_across = 0;  // mm at the left edge
+    double lower_up = 0;      // mm at the bottom edge
+    double scale = 1;         // pixels a mm
+    std::string name;
+
+    double x(double mm) const { return frame.left + (mm - lower_across) * scale; }
+    double y(double mm) const { return frame.bottom() - (mm - lower_up) * scale; }
+    double x(const path::Vec3& point) const { return x(point[across]); }
+    double y(const path::Vec3& point) const { return y(point[up]); }
+    /// The direction out of the paper.
+    path::Vec3 towards_eye() const;
+};
+
+struct Layout {
+    double width = 0;
+    double height = 0;
+    Box shown;                // what the views show, mm
+    double grid = 10;         // mm between labelled lines
+    std::vector<View> views;  // the plan view; then front and side view, if there is depth
+    Frame legend;
+};
+
+/// Chooses one scale at which all views fit the paper. A path without Y is a turned part: it has
+/// one view, Z to the right and X upwards, as it lies in the chuck.
+Layout lay_out(const PlotScene& scene);
+
+}  // namespace kadr::driver

@@ -1,0 +1,31 @@
+#include "driver/program.h"
+
+#include <utility>
+
+#include "sema/check.h"
+
+namespace kadr::driver {
+
+std::optional<Program> load_program(Session& session, const std::string& path) {
+    const std::optional<FileId> file = session.sources().read(path);
+    if (!file) {
+        session.messages().report(diag::FileUnreadable).arg(path);
+        return std::nullopt;
+    }
+    return load_program(session, *file);
+}
+
+std::optional<Program> load_program(Session& session, FileId file) {
+    const std::size_t errors_before = session.messages().errors();
+    Program program;
+    program.file = file;
+    program.modules = std::make_unique<Modules>(session);
+    const auto [ast, dialect] = program.modules->parse(file);
+    if (ast == nullptr) return std::nullopt;
+    program.code =
+        sema::check(*ast, *dialect, *program.modules, session.sources(), session.messages());
+    if (program.code == nullptr || session.messages().errors() > errors_before) return std::nullopt;
+    return program;
+}
+
+}  // namespace kadr::driver

@@ -1,0 +1,239 @@
+#include "driver/run.h"
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "base/numbers.h"
+#include "base/units.h"
+#include "driver/command_list.h"
+#include "driver/command_tap.h"
+#include "driver/execution.h"
+#include "driver/output.h"
+#include "driver/places.h"
+#include "driver/plot_svg.h"
+#include "driver/setpoints.h"
+#include "driver/summary.h"
+#include "motion/pipeline.h"
+
+namespace kadr::driver {
+
+namespace {
+
+/// The outputs of a run, all open before it begins; null: nobody asked.
+struct Outputs {
+    std::unique_ptr<Output> commands;
+    std::unique_ptr<Output> setpoints;
+    std::unique_ptr<Output> plot;
+    std::unique_ptr<Output> variables;
+    std::unique_ptr<Output> map;
+    std::unique_ptr<Output> summary;
+
+    std::array<Output*, 6> all() const {
+        return {commands.get(),  setpoints.get(), plot.get(),
+                variables.get(), map.get(),       summary.get()};
+    }
+};
+
+bool asks_for_nothing(const RunJob& job) {
+    return job.summary == SummaryFormat::None && job.commands.empty() && job.setpoints.empty() &&
+           job.plot.empty() && job.variables.empty() && job.map.empty();
+}
+
+/// Opens an output if it has a name. False: reported.
+bool open_if_named(std::unique_ptr<Output>& output, const std::string& name, DiagnosticSink& sink) {
+    if (name.empty()) return true;
+    output = Output::open(name, sink);
+    return output != nullptr;
+}
+
+/// Looks at planned motion on its way to the sampler.
+class SegmentTap final : public Stream<motion::Segment> {
+  public:
+    using Look = std::function<void(const motion::Segment&)>;
+    SegmentTap(Stream<motion::Segment>& segments, Look look)
+        : segments_(segments), look_(std::move(look)) {}
+
+    std::size_t pull(std::span<motion::Segment> out) override {
+        const std::size_t count = segments_.pull(out);
+        for (const motion::Segment& segment : out.first(count)) look_(segment);
+        return count;
+    }
+
+  private:
+    Stream<motion::Segment>& segments_;
+    Look look_;
+};
+
+class Run {
+  public:
+    Run(Session& session, const RunJob& job) : session_(session), job_(job) {}
+    Status perform();
+
+  private:
+    bool open_outputs(bool is_kadr);
+    void execute();
+    void draw(const motion::Segment& segment);
+    RunFigures figures(const motion::Totals& totals) const;
+    void finish(const RunFigures& figures);
+    void write_plot(const RunFigures& figures);
+    Status commit();
+    Status refused() {
+        session_.mark_usage();
+        return session_.status();
+    }
+
+    Session& session_;
+    const RunJob& job_;
+    Outputs outputs_;
+    std::unique_ptr<Execution> execution_;
+    std::unique_ptr<CommandList> list_;
+    PlotScene scene_;
+    std::uint64_t setpoints_ = 0;
+    std::uint64_t commands_ = 0;
+};
+
+bool Run::open_outputs(bool is_kadr) {
+    Messages& messages = session_.messages();
+    const bool has_summary = job_.summary != SummaryFormat::None || asks_for_nothing(job_);
+    const std::array<std::string, 6> names = {
+        job_.commands, job_.setpoints, job_.plot, job_.variables, job_.map, has_summary ? "-" : ""};
+    if (!are_outputs_apart(job_.source, names, messages)) return false;
+    if (!job_.map.empty() && !is_kadr) {
+        messages.report(diag::NoSourceMap).arg(job_.source);
+        return false;
+    }
+    return open_if_named(outputs_.commands, names[0], messages) &&
+           open_if_named(outputs_.setpoints, names[1], messages) &&
+           open_if_named(outputs_.plot, names[2], messages) &&
+           open_if_named(outputs_.variables, names[3], messages) &&
+           open_if_named(outputs_.map, names[4], messages) &&
+           open_if_named(outputs_.summary, names[5], messages);
+}
+
+void Run::draw(const motion::Segment& segment) {
+    double shade = round_to(mm_min_from_feed(segment.feed), 3);
+    if (job_.plot_color == PlotColor::Line) {
+        const SourceRange range = execution_->statement(segment.source);
+        shade = range.file.is_valid() ? session_.sources().locate(range.file, range.begin).line
+                                      : segment.line;
+    }
+    scene_.add(segment, shade);
+}
+
+void Run::execute() {
+    const machine::Machine& machine = execution_->machine();
+    if (outputs_.commands) {
+        list_ = std::make_unique<CommandList>(*execution_, session_, *outputs_.commands);
+    }
+    CommandTap tap(*execution_, [this](const path::Command& command) {
+        ++commands_;
+        if (list_) list_->write(command);
+    });
+    motion::PlannerOptions options;
+    options.tick = session_.options().tick.value_or(0);
+    options.place_of = [this](std::uint32_t line, SourceId) { return execution_->place_of(line); };
+    motion::Planner planner(tap, machine, options, execution_->sink());
+
+    SegmentTap segments(planner, [this](const motion::Segment& segment) {
+        if (outputs_.plot) draw(segment);
+    });
+    const auto tell = [&] {
+        session_.tell({execution_->blocks(), setpoints_, planner.totals().time});
+    };
+    if (outputs_.setpoints) {
+        SetpointTable table(machine, *outputs_.setpoints);
+        motion::Sampler sampler(segments, machine, options.tick);
+        std::vector<motion::Setpoint> batch(kBatch);
+        while (const std::size_t count = sampler.pull(batch)) {
+            table.write(std::span(batch).first(count));
+            setpoints_ += count;
+            tell();
+        }
+    } else {
+        std::vector<motion::Segment> batch(kBatch);
+        while (segments.pull(batch) > 0) tell();
+    }
+    // The command that the motion refused was read last.
+    const std::uint64_t read = planner.totals().commands;
+    tap.pass_until(planner.alarmed() ? read - 1 : read);
+    finish(figures(planner.totals()));
+}
+
+RunFigures Run::figures(const motion::Totals& totals) const {
+    const Messages& messages = session_.messages();
+    RunFigures figures;
+    figures.source =
+        job_.source == "-" ? "<stdin>" : std::filesystem::path(job_.source).filename().string();
+    figures.dialect = execution_->dialect().title();
+    figures.blocks = execution_->blocks();
+    figures.commands = commands_;
+    figures.setpoints = setpoints_;
+    figures.errors = messages.errors();
+    figures.alarms = messages.alarms();
+    figures.warnings = messages.warnings();
+    figures.alarm = messages.first_alarm();
+    figures.totals = totals;
+    return figures;
+}
+
+/// Writes what is known only at the end, and into each output that it is not complete.
+void Run::finish(const RunFigures& figures) {
+    const machine::Machine& machine = execution_->machine();
+    if (list_ && !figures.alarm.empty()) list_->write_alarm(figures.alarm);
+    if (outputs_.setpoints && !figures.alarm.empty()) {
+        outputs_.setpoints->write("# not complete, ended by " + figures.alarm + '\n');
+    }
+    if (outputs_.plot) write_plot(figures);
+    // Statements that set a variable of the control are alarms so far, so that none is ever set.
+    if (outputs_.variables) outputs_.variables->write("{}\n");
+    if (outputs_.summary) {
+        const bool is_json = job_.summary == SummaryFormat::Json;
+        outputs_.summary->write(is_json ? summary_json(figures, machine)
+                                        : summary_text(figures, machine));
+    }
+}
+
+void Run::write_plot(const RunFigures& figures) {
+    const machine::Machine& machine = execution_->machine();
+    PlotText text;
+    text.title = figures.source;
+    text.subtitle = figures.dialect + " · " +
+                    (machine.title.empty() ? machine.name : machine.title) + " · " +
+                    duration_text(figures.totals.time);
+    if (!figures.alarm.empty()) text.warning = "not complete, ended by " + figures.alarm;
+    outputs_.plot->write(plot_svg(scene_, text, job_.plot_color));
+}
+
+Status Run::commit() {
+    Messages& messages = session_.messages();
+    const Status status = session_.status();
+    if (status != Status::Done && status != Status::Alarm) return status;
+    for (Output* output : outputs_.all()) {
+        if (output == nullptr) continue;
+        if (!output->commit(messages)) return refused();
+        if (status == Status::Alarm && !output->is_standard_output()) {
+            messages.report(diag::EndedByAlarm).arg(output->name());
+        }
+    }
+    return status;
+}
+
+Status Run::perform() {
+    auto text = open_source(session_, job_.source);
+    if (!text) return session_.status();
+    if (!open_outputs(is_kadr_source(job_.source, *text))) return refused();
+    execution_ = Execution::open(session_, job_.source, std::move(text), outputs_.map.get());
+    if (!execution_) return session_.status();
+    execute();
+    return commit();
+}
+
+}  // namespace
+
+Status run(Session& session, const RunJob& job) { return Run(session, job).perform(); }
+
+}  // namespace kadr::driver

@@ -1,0 +1,84 @@
+// session.h — what everything that is done in one go shares: options, sources, dialects, machine,
+// sink.
+//
+// The command line makes one for a command; the prompt and the language server keep one. Nothing
+// here prints: messages go to the sink, results to outputs.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "base/diagnostic.h"
+#include "base/source.h"
+#include "driver/messages.h"
+#include "driver/options.h"
+#include "driver/share.h"
+#include "machine/machine.h"
+#include "nc/dialect.h"
+#include "syntax/parse.h"
+
+namespace kadr::driver {
+
+/// How far a long command has come; told every few thousand blocks.
+struct Progress {
+    std::uint64_t blocks = 0;
+    std::uint64_t setpoints = 0;
+    double time = 0;  // s of machine time
+};
+
+class Session {
+  public:
+    /// `sources` and `messages` outlive the session.
+    Session(Options options, Share share, Sources& sources, Messages& messages);
+
+    const Options& options() const { return options_; }
+    const Share& share() const { return share_; }
+    Sources& sources() { return sources_; }
+    const Sources& sources() const { return sources_; }
+    Messages& messages() { return messages_; }
+
+    /// The name of a file in outputs: as the user wrote it; below the standard library it begins
+    /// with `stdlib/`, so that outputs are the same on every computer.
+    std::string output_name(FileId file) const;
+    /// A statement in outputs: "part.kadr:34"; empty for an invalid range.
+    std::string source_name(const SourceRange& range) const;
+
+    /// A dialect by name or file; each is loaded once. Null, with messages, if it has mistakes.
+    const nc::Dialect* dialect(const std::string& name_or_file);
+    /// A keyword language by name or file, likewise.
+    const syntax::KeywordTable* keywords(const std::string& name_or_file);
+    /// The dialect of the options or, if they name none, `otherwise`. A failure is wrong usage.
+    const nc::Dialect* chosen_dialect(const std::string& otherwise);
+    /// The machine of the options, or the stock mill; null, with messages, if it has mistakes.
+    const machine::Machine* machine();
+
+    /// Called now and then while a long command works.
+    void set_progress(std::function<void(const Progress&)> progress) {
+        progress_ = std::move(progress);
+    }
+    void tell(const Progress& progress) const {
+        if (progress_) progress_(progress);
+    }
+
+    /// Notes that the user asked for something that is not there: a file that cannot be read or
+    /// written, an unknown control. It has been reported.
+    void mark_usage() { is_usage_ = true; }
+    /// How what was done so far ended, by the messages that came.
+    Status status() const;
+
+  private:
+    Options options_;
+    Share share_;
+    Sources& sources_;
+    Messages& messages_;
+    std::map<std::string, std::unique_ptr<nc::Dialect>> dialects_;
+    std::map<std::string, std::unique_ptr<syntax::KeywordTable>> keywords_;
+    std::unique_ptr<machine::Machine> machine_;
+    bool machine_was_loaded_ = false;
+    bool is_usage_ = false;
+    std::function<void(const Progress&)> progress_;
+};
+
+}  // namespace kadr::driver

@@ -1,0 +1,24 @@
+// share.h — where Kadr's own files are: dialects, keyword languages, machines, standard library.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace kadr::driver {
+
+/// Folders by what is looked for in them, first match wins.
+struct Share {
+    std::vector<std::string> dialects;
+    std::vector<std::string> languages;
+    std::vector<std::string> machines;
+    std::string library;  // the standard library
+};
+
+/// Finds the shared files: the folder that the environment's KADR_SHARE names, else the one that
+/// was installed beside the program, else the tree that the program was built from.
+Share find_share();
+
+/// The layout below one root, installed (`machines`) or a source tree (`runtime/machines`).
+Share share_below(const std::string& root);
+
+}  // namespace kadr::driver

@@ -1,0 +1,26 @@
+// source_map.h — the source map: which statement, calls and loop turns made a line of the text.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "driver/session.h"
+#include "expand/expander.h"
+
+namespace kadr::driver {
+
+/// Lines of ISO-7bit text that one block became, counted from 1.
+struct LineSpan {
+    std::uint32_t first = 0;
+    std::uint32_t count = 1;
+};
+
+/// Appends one object and a line end:
+/// `{"iso":12,"lines":1,"file":"a.kadr","line":34,"column":5,"end_line":34,"end_column":20,
+///   "calls":[{"function":"f","file":"a.kadr","line":50,"column":3}],"loops":[2]}`.
+/// `calls` begins with the outermost; `loops` counts the turns of the loops around the statement,
+/// the outermost first.
+void append_map_entry(std::string& out, LineSpan lines, const expand::Trace& trace,
+                      const Session& session);
+
+}  // namespace kadr::driver

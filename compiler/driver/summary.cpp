@@ -1,0 +1,162 @@
+#include "driver/summary.h"
+
+#include <cmath>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/numbers.h"
+#include "base/render.h"
+#include "base/units.h"
+
+namespace kadr::driver {
+
+namespace {
+
+template <typename... Arguments>
+void put(std::string& out, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    fmt::format_to(std::back_inserter(out), format, std::forward<Arguments>(arguments)...);
+}
+
+/// A value of an axis as people and files have it: mm or degrees (per s, s², s³).
+double shown(const machine::MachineAxis& axis, double value) {
+    return axis.is_rotary ? deg_from_rad(value) : value;
+}
+
+std::string json_number(double value) {
+    return std::isfinite(value) ? format_shortest(round_to(value, 9)) : "null";
+}
+
+void put_member(std::string& out, std::string_view name, double value) {
+    out += ",\"" + std::string(name) + "\":" + json_number(value);
+}
+
+using AxisFigures = std::array<double, kAxes>;
+
+void put_axes(std::string& out, std::string_view name, const machine::Machine& machine,
+              const AxisFigures& values) {
+    out += ",\"" + std::string(name) + "\":{";
+    for (std::size_t i = 0; i < machine.axes.size(); ++i) {
+        if (i > 0) out += ',';
+        out += json_string(machine.axes[i].name) + ':' +
+               json_number(shown(machine.axes[i], values[i]));
+    }
+    out += '}';
+}
+
+void put_travel(std::string& out, const machine::Machine& machine, const motion::Totals& totals) {
+    out += ",\"travel\":{";
+    for (std::size_t i = 0; i < machine.axes.size(); ++i) {
+        const machine::MachineAxis& axis = machine.axes[i];
+        if (i > 0) out += ',';
+        out += json_string(axis.name) +
+               ":{\"min\":" + json_number(shown(axis, totals.travel_min[i])) +
+               ",\"max\":" + json_number(shown(axis, totals.travel_max[i])) + '}';
+    }
+    out += '}';
+}
+
+/// `label   value`, the values in one column.
+void put_row(std::string& out, std::string_view label, std::string_view value) {
+    put(out, "  {:<14}{}\n", label, value);
+}
+
+void put_times(std::string& out, const motion::Totals& totals) {
+    put_row(out, "time", duration_text(totals.time));
+    const auto share = [&](std::string_view name, double time) {
+        if (time <= 0) return;
+        put_row(out, fmt::format("  {}", name),
+                fmt::format("{:<16}{:4.0f} %", duration_text(time), 100 * time / totals.time));
+    };
+    share("cutting", totals.cutting_time);
+    share("rapid", totals.rapid_time);
+    share("dwell", totals.dwell_time);
+    share("tool change", totals.tool_change_time);
+}
+
+std::string counted(std::size_t number, std::string_view noun) {
+    return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
+}
+
+std::string limit_text(double value) {
+    return std::isfinite(value) ? fmt::format("{:.1f}", value) : std::string("-");
+}
+
+void put_axis_table(std::string& out, const machine::Machine& machine,
+                    const motion::Totals& totals) {
+    put(out, "  {:<5}{:>12}{:>12}{:>12}{:>14}{:>14}{:>14}\n", "axis", "from", "to", "travel",
+        "max velocity", "acceleration", "jerk");
+    for (std::size_t i = 0; i < machine.axes.size(); ++i) {
+        const machine::MachineAxis& axis = machine.axes[i];
+        const double from = shown(axis, totals.travel_min[i]);
+        const double to = shown(axis, totals.travel_max[i]);
+        put(out, "  {:<5}{:>12.3f}{:>12.3f}{:>12.3f}{:>14.1f}{:>14}{:>14}  {}\n", axis.name, from,
+            to, to - from, shown(axis, totals.max_velocity[i]) * 60,
+            limit_text(shown(axis, totals.max_acceleration[i])),
+            limit_text(shown(axis, totals.max_jerk[i])), axis.is_rotary ? "deg" : "mm");
+    }
+    put(out, "  {:<41}{:>14}{:>14}{:>14}\n", "", "per min", "per s2", "per s3");
+}
+
+}  // namespace
+
+std::string duration_text(double seconds) {
+    if (seconds < 60) return fmt::format("{:.3g} s", seconds);
+    const auto whole = static_cast<long long>(std::llround(seconds));
+    const long long hours = whole / 3600;
+    const long long minutes = whole / 60 % 60;
+    if (hours == 0) return fmt::format("{} min {:02} s", minutes, whole % 60);
+    return fmt::format("{} h {:02} min {:02} s", hours, minutes, whole % 60);
+}
+
+std::string summary_text(const RunFigures& figures, const machine::Machine& machine) {
+    const motion::Totals& totals = figures.totals;
+    std::string out = figures.source + '\n';
+    put_row(out, "control", figures.dialect);
+    put_row(out, "machine", machine.title.empty() ? machine.name : machine.title);
+    put_row(out, "blocks",
+            fmt::format("{} executed, {} commands", figures.blocks, figures.commands));
+    put_times(out, totals);
+    put_row(
+        out, "path",
+        fmt::format("{:.1f} mm, {:.1f} mm of it at feed", totals.length, totals.cutting_length));
+    if (figures.setpoints > 0) put_row(out, "setpoints", fmt::format("{}", figures.setpoints));
+    out += '\n';
+    put_axis_table(out, machine, totals);
+    if (figures.warnings + figures.errors + figures.alarms > 0) {
+        put(out, "\n  {}, {}, {}\n", counted(figures.warnings, "warning"),
+            counted(figures.errors, "error"), counted(figures.alarms, "alarm"));
+    }
+    if (!figures.alarm.empty()) put(out, "  not complete, ended by {}\n", figures.alarm);
+    return out;
+}
+
+std::string summary_json(const RunFigures& figures, const machine::Machine& machine) {
+    const motion::Totals& totals = figures.totals;
+    std::string out = "{\"source\":" + json_string(figures.source);
+    out += ",\"dialect\":" + json_string(figures.dialect);
+    out += ",\"machine\":" + json_string(machine.name);
+    out += ",\"blocks\":" + std::to_string(figures.blocks);
+    out += ",\"commands\":" + std::to_string(figures.commands);
+    if (figures.setpoints > 0) out += ",\"setpoints\":" + std::to_string(figures.setpoints);
+    put_member(out, "time_s", totals.time);
+    put_member(out, "cutting_s", totals.cutting_time);
+    put_member(out, "rapid_s", totals.rapid_time);
+    put_member(out, "dwell_s", totals.dwell_time);
+    put_member(out, "tool_change_s", totals.tool_change_time);
+    put_member(out, "length_mm", totals.length);
+    put_member(out, "cutting_length_mm", totals.cutting_length);
+    put_travel(out, machine, totals);
+    put_axes(out, "max_velocity", machine, totals.max_velocity);
+    put_axes(out, "max_acceleration", machine, totals.max_acceleration);
+    put_axes(out, "max_jerk", machine, totals.max_jerk);
+    out += ",\"alarms\":" + std::to_string(figures.alarms);
+    out += ",\"errors\":" + std::to_string(figures.errors);
+    out += ",\"warnings\":" + std::to_string(figures.warnings);
+    if (!figures.alarm.empty()) out += ",\"ended_by\":" + json_string(figures.alarm);
+    return out + "}\n";
+}
+
+}  // namespace kadr::driver

@@ -1,0 +1,159 @@
+#include "driver/tables.h"
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/diagnostic.h"
+#include "base/text.h"
+#include "machine/machine.h"
+
+namespace kadr::driver {
+
+namespace {
+
+constexpr std::size_t kLineWidth = 88;  // of an explanation
+
+std::string_view severity_word(Severity severity) {
+    switch (severity) {
+        case Severity::Warning: return "warning";
+        case Severity::Error: return "error";
+        case Severity::Alarm: return "alarm";
+    }
+    return "error";
+}
+
+/// Breaks a paragraph at blanks.
+std::string wrapped(std::string_view text) {
+    std::string out;
+    while (text.size() > kLineWidth) {
+        std::size_t end = text.rfind(' ', kLineWidth);
+        if (end == std::string_view::npos) end = std::min(text.find(' '), text.size());
+        out += text.substr(0, end);
+        out += '\n';
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return out + std::string(text) + '\n';
+}
+
+std::string indented(std::string_view text) {
+    std::string out = "    ";
+    for (const char c : text) {
+        out += c;
+        if (c == '\n') out += "    ";
+    }
+    return out + '\n';
+}
+
+/// The wording as a person reads it: `{0}` is an ellipsis.
+std::string wording(const DiagnosticRow& row) {
+    const std::vector<std::string> ellipses(10, "…");
+    return format_message(row.message, ellipses);
+}
+
+std::string all_messages() {
+    std::string out;
+    for (const DiagnosticRow* row : all_diagnostics()) {
+        fmt::format_to(std::back_inserter(out), "{}  {:<8} {}\n", row->code,
+                       severity_word(row->severity), wording(*row));
+    }
+    return out;
+}
+
+std::size_t widest(const std::vector<std::string>& names) {
+    std::size_t width = 0;
+    for (const std::string& name : names) width = std::max(width, name.size());
+    return width;
+}
+
+/// Whether a name is a file that cannot even be read; then it is wrong usage, not a mistake in it.
+bool is_missing_file(Session& session, const std::string& name_or_file) {
+    const bool is_file =
+        name_or_file.find('/') != std::string::npos || name_or_file.ends_with(".xml");
+    if (!is_file || read_file(name_or_file)) return false;
+    session.messages().report(diag::FileUnreadable).arg(name_or_file);
+    session.mark_usage();
+    return true;
+}
+
+}  // namespace
+
+Reply explain_message(Session& session, std::string_view code) {
+    if (code.empty()) return {Status::Done, all_messages()};
+    const std::string upper = upper_ascii(code);
+    const DiagnosticRow* row = find_diagnostic(upper);
+    if (row == nullptr) row = find_diagnostic(code);
+    if (row == nullptr) {
+        session.messages().report(diag::NoDiagnostic).arg(code);
+        session.mark_usage();
+        return {session.status(), {}};
+    }
+    std::string out =
+        fmt::format("{}[{}]: {}\n\n", severity_word(row->severity), row->code, wording(*row));
+    out += wrapped(row->explanation);
+    if (!row->wrong.empty()) out += "\nwrong:\n" + indented(row->wrong);
+    if (!row->right.empty()) out += "\nright:\n" + indented(row->right);
+    return {Status::Done, std::move(out)};
+}
+
+Reply list_dialects(Session& session) {
+    const auto summaries = nc::list_dialects(session.share().dialects);
+    std::vector<std::string> names;
+    for (const auto& summary : summaries) names.push_back(summary.name);
+    const std::size_t width = widest(names);
+    std::string out;
+    for (const auto& summary : summaries) {
+        fmt::format_to(std::back_inserter(out), "{:<{}}  {:<4} {}{}\n", summary.name, width,
+                       summary.suffix.empty() ? "-" : summary.suffix, summary.title,
+                       summary.is_valid ? "" : ", has mistakes");
+    }
+    return {Status::Done, std::move(out)};
+}
+
+Reply check_dialect(Session& session, const std::string& name_or_file) {
+    if (is_missing_file(session, name_or_file)) return {session.status(), {}};
+    const nc::Dialect* dialect = session.dialect(name_or_file);
+    if (dialect == nullptr) return {session.status(), {}};
+    return {session.status(),
+            fmt::format("{}: {}, no mistakes\n", dialect->name(), dialect->title())};
+}
+
+Reply explain_word(Session& session, const std::string& name_or_file, const std::string& word) {
+    if (is_missing_file(session, name_or_file)) return {session.status(), {}};
+    const nc::Dialect* dialect = session.dialect(name_or_file);
+    if (dialect == nullptr) {
+        session.mark_usage();
+        return {session.status(), {}};
+    }
+    std::string out;
+    for (const std::string& line : nc::explain(*dialect, word)) out += line + '\n';
+    if (!out.empty()) return {Status::Done, std::move(out)};
+    session.messages().report(diag::WordUnknown).arg(dialect->name()).arg(word);
+    return {session.status(), {}};
+}
+
+Reply list_machines(Session& session) {
+    const auto summaries = machine::list(session.share().machines);
+    std::vector<std::string> names;
+    for (const auto& summary : summaries) names.push_back(summary.name);
+    const std::size_t width = widest(names);
+    std::string out;
+    for (const auto& summary : summaries) {
+        fmt::format_to(std::back_inserter(out), "{:<{}}  {} ({})\n", summary.name, width,
+                       summary.title, summary.axes.empty() ? "has mistakes" : summary.axes);
+    }
+    return {Status::Done, std::move(out)};
+}
+
+Reply check_machine(Session& session, const std::string& name_or_file) {
+    if (is_missing_file(session, name_or_file)) return {session.status(), {}};
+    const auto machine = machine::load_machine(name_or_file, session.share().machines,
+                                               session.sources(), session.messages());
+    if (!machine) return {session.status(), {}};
+    return {session.status(), fmt::format("{}: {}, {} axes, no mistakes\n", machine->name,
+                                          machine->title, machine->axes.size())};
+}
+
+}  // namespace kadr::driver

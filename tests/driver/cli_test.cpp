@@ -1,0 +1,263 @@
+// The program as its user runs it: exit status, what goes where, and files left as they were.
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "tests/common/process.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using kadr::read_file;
+
+constexpr const char* kSquare =
+    "program square(length side = 20mm) {\n"
+    "    G0 X0 Y0 Z5;\n"
+    "    F200 S1000 M3;\n"
+    "    G1 Z-1;\n"
+    "    X=side; Y=side; X0; Y0;\n"
+    "    G0 Z5;\n"
+    "    M30;\n"
+    "}\n";
+constexpr const char* kWrong = "program wrong() {\n    G1 X=nothing;\n}\n";
+constexpr const char* kFailing = "program failing() {\n    G0 X1;\n    error(\"too deep\");\n}\n";
+
+class CommandLine : public testing::Test {
+  protected:
+    void SetUp() override {
+        folder_ = fs::temp_directory_path() / ("kadr-cli-" + std::to_string(::getpid()));
+        fs::create_directories(folder_);
+        save("square.kadr", kSquare);
+        save("wrong.kadr", kWrong);
+        save("failing.kadr", kFailing);
+        save("flat.nc", "G0 X0 Y0 Z5 S1000 M3\nG1 Z-1 F200\nG1 X10\nM30\n");
+        save("old.txt", "old");
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::string file(const std::string& name) const { return (folder_ / name).string(); }
+    void save(const std::string& name, const std::string& text) const {
+        ASSERT_TRUE(kadr::write_file_whole(file(name), text));
+    }
+    static ProcessResult kadr(std::vector<std::string> arguments, const std::string& input = "") {
+        arguments.insert(arguments.begin(), KADR_BINARY);
+        return run_process(arguments, input);
+    }
+    static std::size_t lines(const std::string& text) {
+        return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(CommandLine, ExitStatusSaysHowItEnded) {
+    struct Row {
+        const char* name;
+        std::vector<std::string> arguments;
+        int status;
+    };
+    for (const Row& row : {
+             Row{"expand", {"expand", file("square.kadr")}, 0},
+             Row{"help", {"--help"}, 0},
+             Row{"help of a command", {"run", "--help"}, 0},
+             Row{"version", {"--version"}, 0},
+             Row{"check", {"check", file("square.kadr"), file("flat.nc")}, 0},
+             Row{"wrong program", {"expand", file("wrong.kadr")}, 1},
+             Row{"wrong program, checked", {"check", file("square.kadr"), file("wrong.kadr")}, 1},
+             Row{"error while it runs", {"expand", file("failing.kadr")}, 1},
+             Row{"no command", {}, 2},
+             Row{"unknown command", {"expnad"}, 2},
+             Row{"unknown option", {"expand", "--fast", file("square.kadr")}, 2},
+             Row{"no source", {"expand"}, 2},
+             Row{"missing source", {"expand", file("missing.kadr")}, 2},
+             Row{"missing text", {"run", file("missing.nc")}, 2},
+             Row{"missing source, checked", {"check", file("missing.kadr")}, 2},
+             Row{"folder as source", {"check", folder_.string()}, 2},
+             Row{"ISO text to expand", {"expand", file("flat.nc")}, 2},  // K9006
+             Row{"unknown control", {"expand", file("square.kadr"), "-d", "nosuch"}, 2},
+             Row{"unknown machine", {"run", file("square.kadr"), "-m", "nosuch"}, 2},
+             Row{"not a time", {"run", file("square.kadr"), "--tick", "1mm"}, 2},
+             Row{"not a definition", {"run", file("square.kadr"), "-D", "side"}, 2},
+             Row{"later command", {"fmt", file("square.kadr")}, 2},
+             Row{"map of ISO text", {"run", file("flat.nc"), "--map", file("map")}, 2},  // K9011
+             Row{"two results to standard output",
+                 {"run", file("flat.nc"), "--commands", "-", "--summary", "json"},
+                 2},
+         }) {
+        SCOPED_TRACE(row.name);
+        const ProcessResult result = kadr(row.arguments);
+        EXPECT_EQ(result.status, row.status) << result.err;
+        EXPECT_EQ(result.err.empty(), row.status == 0) << result.err;
+    }
+}
+
+TEST_F(CommandLine, ExpandsToStandardOutputOrFile) {
+    const ProcessResult shown = kadr({"expand", file("square.kadr"), "-D", "side=30mm"});
+    EXPECT_NE(shown.out.find("X30"), std::string::npos) << shown.out << shown.err;
+    const ProcessResult saved =
+        kadr({"expand", file("square.kadr"), "-D", "side=30mm", "-o", file("a.nc")});
+    EXPECT_EQ(saved.out, "");
+    EXPECT_EQ(read_file(file("a.nc")), shown.out);
+}
+
+TEST_F(CommandLine, ReadsStandardInput) {
+    EXPECT_EQ(kadr({"expand", "-"}, kSquare).out, kadr({"expand", file("square.kadr")}).out);
+    const std::string flat = read_file(file("flat.nc")).value();
+    const ProcessResult text = kadr({"run", "-", "-d", "iso", "--summary", "json"}, flat);
+    EXPECT_EQ(text.status, 0) << text.err;
+    EXPECT_EQ(nlohmann::json::parse(text.out)["alarms"], 0);
+    EXPECT_EQ(kadr({"run", "-"}, kSquare).status, 0);  // told by its looks
+    EXPECT_EQ(kadr({"check", "-"}, kWrong).status, 1);
+}
+
+TEST_F(CommandLine, ErrorsLeaveOutputsAsTheyWere) {
+    for (const char* source : {"wrong.kadr", "failing.kadr"}) {
+        SCOPED_TRACE(source);
+        EXPECT_EQ(kadr({"expand", file(source), "-o", file("old.txt")}).status, 1);
+        EXPECT_EQ(read_file(file("old.txt")), "old");
+        EXPECT_EQ(
+            kadr({"run", file(source), "--commands", file("old.txt"), "--plot", file("new.svg")})
+                .status,
+            1);
+        EXPECT_EQ(read_file(file("old.txt")), "old");
+        EXPECT_FALSE(fs::exists(file("new.svg")));
+        EXPECT_EQ(kadr({"expand", file(source)}).out, "");
+    }
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 5);
+}
+
+TEST_F(CommandLine, UnwritableOutputsAreRefused) {
+    const ProcessResult result = kadr({"expand", file("square.kadr"), "-o", file("missing/a.nc")});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.err.find("error[K9002]"), std::string::npos) << result.err;
+    EXPECT_EQ(kadr({"expand", file("square.kadr"), "-o", file("square.kadr")}).status, 2);  // K9004
+    EXPECT_EQ(read_file(file("square.kadr")), kSquare);
+}
+
+TEST_F(CommandLine, AlarmsEndWithThreeAndKeepWhatCameBefore) {
+    save("alarm.nc", "G0 X0 Y0 Z5\nG0 X10\nG1 X20\nG0 X30\nM30\n");  // no feed: the third block
+    const ProcessResult result =
+        kadr({"run", file("alarm.nc"), "-d", "iso", "--commands", file("old.txt"), "--setpoints",
+              file("a.csv"), "--plot", file("a.svg")});
+    EXPECT_EQ(result.status, 3) << result.err;
+    EXPECT_NE(result.err.find("alarm.nc:3:"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("K9007"), std::string::npos) << result.err;
+    const std::string commands = read_file(file("old.txt")).value();
+    EXPECT_EQ(lines(commands), 3u) << commands;
+    EXPECT_NE(commands.find("\"op\":\"alarm\""), std::string::npos);
+    EXPECT_NE(read_file(file("a.csv")).value().find("# not complete"), std::string::npos);
+    EXPECT_NE(read_file(file("a.svg")).value().find("not complete"), std::string::npos);
+    EXPECT_EQ(kadr({"check", file("alarm.nc"), "-d", "iso"}).status, 1);
+}
+
+TEST_F(CommandLine, OnlyWhatIsReachedIsComplainedOf) {
+    // The reader is ahead of the execution: it must not speak first, nor of what stands behind the
+    // end.
+    save("early.nc", "G0 X0 Y0 Z5\nG1 X20\n?!\nM30\n");
+    const ProcessResult early =
+        kadr({"run", file("early.nc"), "-d", "iso", "--commands", file("a.jsonl")});
+    EXPECT_EQ(early.status, 3);
+    EXPECT_NE(early.err.find("early.nc:2:"), std::string::npos) << early.err;
+    EXPECT_EQ(early.err.find("early.nc:3:"), std::string::npos) << early.err;
+    save("behind.nc", "G0 X0 Y0 Z5\nM30\n?!\n");
+    EXPECT_EQ(kadr({"run", file("behind.nc"), "-d", "iso"}).status, 0);
+    // A check wants to know everything.
+    const ProcessResult checked = kadr({"check", file("early.nc"), "-d", "iso"});
+    EXPECT_NE(checked.err.find("early.nc:2:"), std::string::npos) << checked.err;
+    EXPECT_NE(checked.err.find("early.nc:3:"), std::string::npos) << checked.err;
+}
+
+TEST_F(CommandLine, VariablesAreAnObject) {
+    EXPECT_EQ(kadr({"run", file("flat.nc"), "-d", "iso", "--variables", "-"}).out, "{}\n");
+}
+
+TEST_F(CommandLine, AlarmInGeneratedTextNamesTheStatement) {
+    save("nofeed.kadr", "program nofeed() {\n    G0 X0;\n    raw \"G1 X20\";\n    G0 X30;\n}\n");
+    const ProcessResult result =
+        kadr({"run", file("nofeed.kadr"), "-d", "iso", "--commands", file("old.txt")});
+    EXPECT_EQ(result.status, 3) << result.err;
+    EXPECT_NE(result.err.find("nofeed.kadr:3:5: note: "), std::string::npos) << result.err;
+}
+
+TEST_F(CommandLine, JsonDiagnosticsAreOneObjectALine) {
+    const ProcessResult result = kadr({"check", file("wrong.kadr"), "--diagnostics", "json"});
+    EXPECT_EQ(result.status, 1);
+    ASSERT_GE(lines(result.err), 1u);
+    const nlohmann::json message =
+        nlohmann::json::parse(result.err.substr(0, result.err.find('\n')));
+    EXPECT_EQ(message["severity"], "error");
+    EXPECT_EQ(message["line"], 2);
+    EXPECT_EQ(message["column"], 10);
+}
+
+TEST_F(CommandLine, RunWritesEveryOutput) {
+    const ProcessResult result = kadr(
+        {"run", file("square.kadr"), "--commands", file("a.jsonl"), "--setpoints", file("a.csv"),
+         "--plot", file("a.svg"), "--map", file("a.map"), "--summary", "json", "--tick", "10ms"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const nlohmann::json summary = nlohmann::json::parse(result.out);
+    EXPECT_GT(summary["time_s"], 20.0);  // 4 · 20 mm at 200 mm/min are 24 s
+    EXPECT_EQ(summary["travel"]["X"]["max"], 20);
+
+    const std::string commands = read_file(file("a.jsonl")).value();
+    EXPECT_EQ(lines(commands), summary["commands"]);
+    EXPECT_NE(commands.find("square.kadr:5\""), std::string::npos) << commands;
+
+    const std::string setpoints = read_file(file("a.csv")).value();
+    EXPECT_TRUE(setpoints.starts_with("t,X,Y,Z")) << setpoints.substr(0, 80);
+    EXPECT_NE(setpoints.find("\n0.01,"), std::string::npos);
+    EXPECT_EQ(setpoints.find("\n0.001,"), std::string::npos);
+
+    const std::string map = read_file(file("a.map")).value();
+    const nlohmann::json entry = nlohmann::json::parse(map.substr(0, map.find('\n')));
+    EXPECT_EQ(entry["line"], 2);
+    EXPECT_EQ(entry["file"], file("square.kadr"));
+}
+
+TEST_F(CommandLine, RunWithoutOutputsTellsAPerson) {
+    const ProcessResult result = kadr({"run", file("square.kadr")});
+    EXPECT_TRUE(result.out.starts_with("square.kadr\n")) << result.out << result.err;
+    EXPECT_EQ(kadr({"run", file("square.kadr"), "--plot", file("a.svg")}).out, "");
+}
+
+TEST_F(CommandLine, MissingModuleProposesOne) {
+    save("import.kadr", "import cycles.driling;\nprogram p() { G0 X1; }\n");
+    const ProcessResult result = kadr({"check", file("import.kadr")});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_NE(result.err.find("import.kadr:1:"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("K9003"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("`cycles.drilling`"), std::string::npos) << result.err;
+}
+
+TEST_F(CommandLine, ExplainsItsMessages) {
+    const ProcessResult one = kadr({"explain", "K9001"});
+    EXPECT_TRUE(one.out.starts_with("error[K9001]: cannot read")) << one.out;
+    EXPECT_NE(one.out.find("wrong:"), std::string::npos);
+    const ProcessResult all = kadr({"explain"});
+    EXPECT_NE(all.out.find("\nK9001"), std::string::npos);
+    EXPECT_EQ(kadr({"explain", "K0000"}).status, 2);  // K9010
+}
+
+TEST_F(CommandLine, TablesOfControlsAndMachines) {
+    EXPECT_NE(kadr({"dialect", "list"}).out.find("iso"), std::string::npos);
+    EXPECT_EQ(kadr({"dialect", "check", "iso"}).status, 0);
+    EXPECT_EQ(kadr({"dialect", "check", file("missing.xml")}).status, 2);
+    EXPECT_NE(kadr({"dialect", "explain", "iso", "G1"}).out.find("line"), std::string::npos);
+    EXPECT_EQ(kadr({"dialect", "explain", "iso", "G777"}).status, 1);  // K9012
+    EXPECT_NE(kadr({"machine", "list"}).out.find("mill"), std::string::npos);
+    EXPECT_EQ(kadr({"machine", "check", "mill"}).status, 0);
+}
+
+TEST_F(CommandLine, MessagesGoToStandardErrorOnly) {
+    const ProcessResult result = kadr({"expand", file("wrong.kadr")});
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err.find('\033'), std::string::npos);  // no colour beside a terminal
+}
+
+}  // namespace
