@@ -1,0 +1,53 @@
+// parts.h — the whole parts that are expanded and executed for every control.
+#pragma once
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/text.h"
+
+namespace golden {
+
+namespace fs = std::filesystem;
+
+inline const std::vector<std::string> kDialects = {"sinumerik", "fanuc", "axioma"};
+
+/// A Kadr program and the machine that it is made for.
+struct Part {
+    fs::path source;
+    std::string machine;
+    std::string name() const { return source.stem().string(); }
+};
+
+/// Programs of a folder. A lathe part says `-m lathe` in its head comment.
+inline std::vector<Part> parts_of(const fs::path& folder) {
+    std::vector<Part> parts;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        if (entry.path().extension() != ".kadr") continue;
+        const std::string text = kadr::read_file(entry.path()).value_or("");
+        const bool is_lathe = text.find("-m lathe") != std::string::npos;
+        parts.push_back({entry.path(), is_lathe ? "lathe" : "mill"});
+    }
+    std::sort(parts.begin(), parts.end(),
+              [](const Part& a, const Part& b) { return a.source < b.source; });
+    return parts;
+}
+
+inline std::vector<Part> all_parts() {
+    std::vector<Part> parts = parts_of(fs::path(KADR_ROOT) / "examples");
+    const std::vector<Part> cycles = parts_of(fs::path(KADR_ROOT) / "tests/golden/cycles");
+    parts.insert(parts.end(), cycles.begin(), cycles.end());
+    return parts;
+}
+
+template <typename Info>
+std::string name_of(const Info& info) {
+    std::string name = info.param.source.parent_path().filename().string() + "_" + info.param.name();
+    std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+    return name;
+}
+
+}  // namespace golden

@@ -1,0 +1,97 @@
+// One source, every control, the same motion: what differs is only what the number formats round.
+// Native cycles and cycles written out as moves give the same motion too.
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/common/process.h"
+#include "tests/golden/parts.h"
+
+namespace {
+
+using golden::Part;
+using nlohmann::json;
+
+// Half an increment of each of two texts with three decimals, and the correction of arc centres.
+constexpr double kRounding = 0.0021;
+
+/// A rapid or a line to where the tool is: a control may name the place once more.
+bool stands_still(const json& command, const std::vector<json>& before) {
+    if (command["op"] != "rapid" && command["op"] != "line") return false;
+    const auto last = std::find_if(before.rbegin(), before.rend(),
+                                   [](const json& earlier) { return earlier.contains("to"); });
+    return last != before.rend() && (*last)["to"] == command["to"];
+}
+
+std::vector<json> commands_of(const Part& part, const std::string& dialect, const std::string& cycles) {
+    const ProcessResult result =
+        run_process({KADR_BINARY, "run", part.source.string(), "-d", dialect, "-m", part.machine,
+                     "--cycles", cycles, "--commands", "-"});
+    EXPECT_EQ(result.status, 0) << dialect << "\n" << result.err;
+    std::vector<json> commands;
+    std::istringstream lines(result.out);
+    for (std::string line; std::getline(lines, line);) {
+        json command = json::parse(line, nullptr, false);
+        if (!command.is_object()) continue;
+        command.erase("iso");  // another text has other line numbers
+        command.erase("text"); // a control may know capital letters only
+        command.erase("src");  // of a cycle: its call, or its own statements
+        if (stands_still(command, commands)) continue;
+        commands.push_back(std::move(command));
+    }
+    return commands;
+}
+
+/// Equal but for rounding; tells the first difference.
+std::string difference(const json& a, const json& b, const std::string& where = "") {
+    if (a.is_number() && b.is_number()) {
+        const double x = a.get<double>(), y = b.get<double>();
+        if (std::fabs(x - y) <= kRounding) return "";
+        return where + ": " + a.dump() + " and " + b.dump();
+    }
+    if (a.type() != b.type()) return where + ": " + a.dump() + " and " + b.dump();
+    if (a.is_object()) {
+        if (a.size() != b.size()) return where + ": " + a.dump() + " and " + b.dump();
+        for (const auto& [key, value] : a.items()) {
+            if (!b.contains(key)) return where + ": " + key + " is missing in " + b.dump();
+            if (const std::string d = difference(value, b.at(key), where + "/" + key); !d.empty()) return d;
+        }
+        return "";
+    }
+    if (a.is_array()) {
+        if (a.size() != b.size()) return where + ": " + a.dump() + " and " + b.dump();
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            if (const std::string d = difference(a[i], b[i], where); !d.empty()) return d;
+        }
+        return "";
+    }
+    return a == b ? "" : where + ": " + a.dump() + " and " + b.dump();
+}
+
+void expect_same(const std::vector<json>& a, const std::vector<json>& b, const std::string& what) {
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+        const std::string d = difference(a[i], b[i]);
+        ASSERT_EQ(d, "") << what << ", command " << i << "\n" << a[i] << "\n" << b[i];
+    }
+    ASSERT_EQ(a.size(), b.size()) << what;
+}
+
+class SameMotion : public testing::TestWithParam<Part> {};
+
+TEST_P(SameMotion, OnEveryControl) {
+    const std::vector<json> reference = commands_of(GetParam(), "sinumerik", "moves");
+    ASSERT_GT(reference.size(), 3u);
+    for (const std::string& dialect : golden::kDialects) {
+        for (const char* cycles : {"native", "moves"}) {
+            expect_same(reference, commands_of(GetParam(), dialect, cycles), dialect + ", cycles " + cycles);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, SameMotion, testing::ValuesIn(golden::all_parts()),
+                         [](const auto& part) { return golden::name_of(part); });
+
+}  // namespace
