@@ -1,0 +1,276 @@
+// Wrong input of every kind: the right message at the right place, the exit status that DESIGN
+// promises, and an existing output file left as it was.
+//
+// A case is a file below cases/. Its comments say what is expected, in the order of the messages:
+//   expect: 4:7 K2003 unknown name        line:column, code (or the control's alarm), words
+//   exit: 3                                exit status; 1 if it is not given
+//   args: run -d fanuc {file} -o {out}     what to run; the folder gives the default
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/common/process.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kCases = fs::path(KADR_ROOT) / "tests/bad/cases";
+
+std::string content_of(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// What the folders run, unless a case says otherwise.
+const std::map<std::string, std::string> kDefaultArguments = {
+    {"source", "expand {file} -d sinumerik -o {out}"},
+    {"sinumerik", "run {file} -d sinumerik --commands {out}"},
+    {"fanuc", "run {file} -d fanuc --commands {out}"},
+    {"iso", "run {file} -d iso --commands {out}"},
+    {"dialects", "dialect check {file}"},
+    {"machines", "machine check {file}"},
+    {"languages", "check {file}"},
+};
+
+struct Expectation {
+    std::string place, code, words;
+};
+
+struct Case {
+    std::vector<Expectation> expected;
+    std::string arguments;
+    int status = 1;
+};
+
+std::string trimmed(std::string text) {
+    for (const char* end : {"-->", ")", "*/"}) {
+        const std::string tail = end;
+        if (text.ends_with(tail)) text.erase(text.size() - tail.size());
+    }
+    text.erase(text.find_last_not_of(" \t\r") + 1);
+    text.erase(0, text.find_first_not_of(" \t"));
+    return text;
+}
+
+Case parse_case(const fs::path& file) {
+    Case result;
+    result.arguments = kDefaultArguments.at(file.parent_path().filename());
+    std::istringstream text(content_of(file));
+    for (std::string line; std::getline(text, line);) {
+        const auto value_of = [&line](const std::string& key) -> std::string {
+            const std::size_t at = line.find(key);
+            return at == std::string::npos ? "" : trimmed(line.substr(at + key.size()));
+        };
+        if (const std::string value = value_of("expect: "); !value.empty()) {
+            Expectation expectation;
+            std::istringstream parts(value);
+            parts >> expectation.place >> expectation.code;
+            std::getline(parts, expectation.words);
+            expectation.words = trimmed(expectation.words);
+            result.expected.push_back(expectation);
+        } else if (const std::string status = value_of("exit: "); !status.empty()) {
+            result.status = std::stoi(status);
+        } else if (const std::string arguments = value_of("args: "); !arguments.empty()) {
+            result.arguments = arguments;
+        }
+    }
+    return result;
+}
+
+std::vector<std::string> command_line(const std::string& arguments, const fs::path& file,
+                                      const fs::path& out) {
+    std::vector<std::string> words = {KADR_BINARY};
+    std::istringstream text(arguments);
+    for (std::string word; text >> word;) {
+        const auto replace = [&word](const std::string& from, const std::string& to) {
+            const std::size_t at = word.find(from);
+            if (at != std::string::npos) word.replace(at, from.size(), to);
+        };
+        replace("{file}", file.string());
+        replace("{out}", out.string());
+        replace("{dir}", file.parent_path().string());
+        words.push_back(word);
+    }
+    words.insert(words.end(), {"--diagnostics", "json"});
+    return words;
+}
+
+/// The messages of a run that are not warnings, as "line:column code message".
+std::vector<Expectation> messages_of(const std::string& err) {
+    std::vector<Expectation> messages;
+    std::istringstream lines(err);
+    for (std::string line; std::getline(lines, line);) {
+        const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
+        if (!json.is_object() || json.value("severity", "") == "warning") continue;
+        std::string text = json.value("message", "");
+        if (json.contains("alarm_text")) text = json.value("alarm_text", "") + ": " + text;
+        messages.push_back({std::to_string(json.value("line", 0)) + ":" + std::to_string(json.value("column", 0)),
+                            json.value("alarm", json.value("code", "")), text});
+    }
+    return messages;
+}
+
+class BadInput : public testing::TestWithParam<fs::path> {};
+
+TEST_P(BadInput, GivesTheRightMessage) {
+    const fs::path file = GetParam();
+    const Case wanted = parse_case(file);
+    ASSERT_FALSE(wanted.expected.empty()) << file << " says no `expect:`";
+    const fs::path out = fs::path(testing::TempDir()) / (file.stem().string() + ".out");
+    const std::string before = "an existing file\n";
+    std::ofstream(out, std::ios::binary) << before;
+
+    const ProcessResult result = run_process(command_line(wanted.arguments, file, out));
+    EXPECT_EQ(result.status, wanted.status) << result.err;
+    const std::vector<Expectation> messages = messages_of(result.err);
+    ASSERT_EQ(messages.size(), wanted.expected.size()) << result.err;
+    for (std::size_t i = 0; i < messages.size(); ++i) {
+        const Expectation& expected = wanted.expected[i];
+        EXPECT_EQ(messages[i].place, expected.place) << result.err;
+        EXPECT_EQ(messages[i].code, expected.code) << result.err;
+        EXPECT_NE(messages[i].words.find(expected.words), std::string::npos) << result.err;
+    }
+    // An alarm stops a run, and what was executed before it is delivered; an error delivers nothing.
+    if (wanted.status != 3) {
+        EXPECT_EQ(content_of(out), before);
+    }
+    fs::remove(out);
+}
+
+std::vector<fs::path> all_cases() {
+    std::vector<fs::path> cases;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kCases)) {
+        if (!entry.is_regular_file()) continue;
+        const std::string text = content_of(entry.path());
+        if (text.find("expect: ") != std::string::npos) cases.push_back(entry.path());
+    }
+    std::sort(cases.begin(), cases.end());
+    return cases;
+}
+
+std::string name_of(const testing::TestParamInfo<fs::path>& info) {
+    std::string name = info.param.parent_path().filename().string() + "_" + info.param.stem().string();
+    std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, BadInput, testing::ValuesIn(all_cases()), name_of);
+
+// ------------------------------------------------------------------ input that is made here
+
+struct Rubbish {
+    const char* name;
+    const char* arguments;
+    const char* suffix;
+    std::string text;
+    int status;
+};
+
+std::string repeated(const std::string& text, std::size_t count) {
+    std::string all;
+    all.reserve(text.size() * count);
+    for (std::size_t i = 0; i < count; ++i) all += text;
+    return all;
+}
+
+std::string noise(std::size_t size) {
+    std::string text(size, '\0');
+    std::uint32_t state = 12345;
+    for (char& c : text) {
+        state = state * 1664525u + 1013904223u;
+        c = static_cast<char>(state >> 24);
+    }
+    return text;
+}
+
+std::vector<Rubbish> rubbish() {
+    const std::size_t mega = 1000000;
+    return {
+        {"BinaryAsSource", "expand {file}", ".kadr", noise(200000), 1},
+        {"BinaryAsIso", "run {file} -d sinumerik", ".mpf", noise(200000), 3},
+        {"BinaryAsFanuc", "run {file} -d fanuc", ".nc", noise(200000), 3},
+        {"BinaryAsDialect", "dialect check {file}", ".xml", noise(200000), 1},
+        {"BinaryAsMachine", "machine check {file}", ".xml", noise(200000), 1},
+        {"HundredMegabyteSourceLine", "expand {file}", ".kadr", "program p() { G1 X" + repeated("1", 100 * mega), 1},
+        {"HundredMegabyteIsoLine", "run {file} -d sinumerik", ".mpf", "N10 G1 X" + repeated("1", 100 * mega), 3},
+        {"HundredMegabyteFanucLine", "run {file} -d fanuc", ".nc", "%\nO0001\nX" + repeated("1", 100 * mega), 3},
+        {"DeepBrackets", "expand {file}", ".kadr", "program p() { G1 X=" + repeated("(", 100000) + "1", 1},
+        {"DeepBraces", "expand {file}", ".kadr", "program p() " + repeated("{", 100000), 1},
+        {"DeepUnary", "expand {file}", ".kadr", "program p() { real a = " + repeated("- ", 100000) + "1; }", 1},
+        {"DeepIfs", "expand {file}", ".kadr", "program p() { " + repeated("if (true) ", 100000) + "; }", 1},
+        {"LongSum", "expand {file}", ".kadr", "program p() { real a = 1" + repeated(" + 1", 200000) + "; }", 1},
+        {"DeepXml", "dialect check {file}", ".xml", repeated("<dialect>", 100000), 1},
+        {"EmptySource", "expand {file}", ".kadr", "", 1},
+        {"EmptyXml", "machine check {file}", ".xml", "", 1},
+        {"NulInSource", "expand {file}", ".kadr", std::string("program p() { G0\0 X1; }", 23), 1},
+    };
+}
+
+class MadeInput : public testing::TestWithParam<Rubbish> {};
+
+TEST_P(MadeInput, EndsWithAMessage) {
+    const Rubbish& wrong = GetParam();
+    const fs::path file = fs::path(testing::TempDir()) / (std::string(wrong.name) + wrong.suffix);
+    std::ofstream(file, std::ios::binary) << wrong.text;
+    const ProcessResult result = run_process(command_line(wrong.arguments, file, {}));
+    EXPECT_EQ(result.status, wrong.status) << result.err.substr(0, 2000);
+    EXPECT_FALSE(messages_of(result.err).empty()) << result.err.substr(0, 2000);
+    EXPECT_LT(result.err.size(), 200000u) << "a flood of messages";
+    fs::remove(file);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rubbish, MadeInput, testing::ValuesIn(rubbish()),
+                         [](const auto& made) { return std::string(made.param.name); });
+
+struct Call {
+    const char* name;
+    std::vector<std::string> arguments;
+    int status;
+    const char* words;
+};
+
+class WrongCall : public testing::TestWithParam<Call> {};
+
+TEST_P(WrongCall, SaysSo) {
+    std::vector<std::string> words = {KADR_BINARY};
+    words.insert(words.end(), GetParam().arguments.begin(), GetParam().arguments.end());
+    const ProcessResult result = run_process(words);
+    EXPECT_EQ(result.status, GetParam().status) << result.err;
+    EXPECT_NE(result.err.find(GetParam().words), std::string::npos) << result.err;
+}
+
+const std::string kExample = std::string(KADR_ROOT) + "/examples/bracket.kadr";
+
+INSTANTIATE_TEST_SUITE_P(
+    Calls, WrongCall,
+    testing::Values(
+        Call{"NothingToDo", {}, 2, "expand"},
+        Call{"UnknownCommand", {"explode"}, 2, "explode"},
+        Call{"UnknownOption", {"expand", kExample, "--fast"}, 2, "--fast"},
+        Call{"NoSource", {"expand"}, 2, "SRC"},
+        Call{"MissingFile", {"expand", "no-such-file.kadr"}, 2, "K9001"},
+        Call{"FolderAsFile", {"run", KADR_ROOT}, 2, "K9001"},
+        Call{"UnknownDialect", {"expand", kExample, "-d", "heidenhain"}, 2, "heidenhain"},
+        Call{"MissingDialectFile", {"expand", kExample, "-d", "./none.xml"}, 2, "none.xml"},
+        Call{"UnknownMachine", {"run", kExample, "-m", "robot"}, 2, "robot"},
+        Call{"UnwritableOutput", {"expand", kExample, "-o", "/no/such/folder/a.nc"}, 2, "K9002"},
+        Call{"UnwritablePlot", {"run", kExample, "--plot", "/no/such/folder/a.svg"}, 2, "K9002"},
+        Call{"UnknownParameter", {"expand", kExample, "-D", "widht=1mm"}, 1, "width"},
+        Call{"WrongUnit", {"expand", kExample, "-D", "width=10deg"}, 1, "width"},
+        Call{"NotANumber", {"expand", kExample, "-D", "width=wide"}, 1, "width"},
+        Call{"DefineWithoutValue", {"expand", kExample, "-D", "width"}, 2, "width"},
+        Call{"BadTick", {"run", kExample, "--tick", "0s"}, 2, "--tick"},
+        Call{"UnknownCode", {"explain", "K0000"}, 2, "K0000"},
+        Call{"UnknownWord", {"dialect", "explain", "fanuc", "G999"}, 1, "G999"}),
+    [](const auto& made) { return std::string(made.param.name); });
+
+}  // namespace
