@@ -224,6 +224,13 @@ bool BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
     const SlotMask in_plane = bit(static_cast<Slot>(axes[0])) | bit(static_cast<Slot>(axes[1]));
     const bool is_comparable = (start.known & in_plane) == in_plane ||
                                modal_.meant_of(Group::Distance) == Function::Incremental;
+    if (is_comparable && !exact && !reached) {
+        failed_ = true;
+        sink_.report(diag::ArcRadiusImpossible, place(block))
+            .arg(round_to(radius, 6))
+            .arg(round_to(std::hypot(to[0] - from[0], to[1] - from[1]), 6));
+        return true;
+    }
     if (has_word && (fits || !exact || !has_center || !is_comparable)) {
         targets.written |= bit(Slot::Radius);
         targets.number[static_cast<std::size_t>(Slot::Radius)] = radius;
