@@ -229,7 +229,8 @@ CommandLine Parser::parse(int count, const char* const* arguments) {
 
 std::string Parser::commands_message() const {
     const std::vector<std::string> rest = app_.remaining();
-    std::string text = rest.empty() ? "a command is missing" : "there is no command `" + rest.front() + "`";
+    std::string text =
+        rest.empty() ? "a command is missing" : "there is no command `" + rest.front() + "`";
     text += "; there are";
     for (const CLI::App* command : app_.get_subcommands([](const CLI::App*) { return true; })) {
         text += ' ' + command->get_name();

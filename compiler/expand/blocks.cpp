@@ -434,9 +434,9 @@ bool Expander::State::check_needs(std::uint32_t at) {
         const Function active = modal[nc::info(needed).group];
         if (active == needed || active == Function::None) continue;
         const bool is_called = frames.size() > 1 && frame.return_to > 0;
-        DiagnosticBuilder builder = is_called
-                                        ? fault_in(diag::StateNeeded, frame.return_to - 1, frames.size() - 1)
-                                        : fault(diag::StateNeeded, at);
+        DiagnosticBuilder builder =
+            is_called ? fault_in(diag::StateNeeded, frame.return_to - 1, frames.size() - 1)
+                      : fault(diag::StateNeeded, at);
         builder.arg(frame.function->name).arg(nc::info(needed).name).arg(nc::info(active).name);
         const SourceId by = modal.changed_by[static_cast<std::size_t>(nc::info(needed).group)];
         if (by.is_valid() && by.index < code.statements.size()) {

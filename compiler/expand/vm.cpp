@@ -177,7 +177,7 @@ op_LoadGlobal:
 op_StoreGlobal:
     std::memcpy(stack.data() + ip->immediate.pair.first, &A, ip->c * sizeof(Slot));
     KADR_NEXT;
-op_LoadRef: {
+op_LoadRef : {
     const std::int64_t reference = B.integer;
     const auto offset = ip->immediate.pair.first;
     const Slot* from = reference >= 0 ? stack.data() + reference + offset
@@ -187,7 +187,7 @@ op_LoadRef: {
     std::memmove(&A, from, ip->c * sizeof(Slot));
     KADR_NEXT;
 }
-op_StoreRef: {
+op_StoreRef : {
     const std::int64_t reference = B.integer;
     const auto offset = ip->immediate.pair.first;
     Slot* to = reference >= 0 ? stack.data() + reference + offset
@@ -203,7 +203,7 @@ op_RefLocal:
 op_RefGlobal:
     A.integer = ip->immediate.pair.first;
     KADR_NEXT;
-op_RefElement: {
+op_RefElement : {
     const Heap::ArrayView array = heap.array(B.integer);
     const std::int64_t index = C.integer;
     if (index < 0 || index >= array.count) [[unlikely]] {
@@ -262,7 +262,7 @@ op_XorI:
 op_NotI:
     A.integer = ~B.integer;
     KADR_NEXT;
-op_ShlI: {
+op_ShlI : {
     const std::int64_t value = B.integer;
     const std::int64_t by = C.integer;
     if (by < 0 || by > 62) [[unlikely]]
@@ -273,7 +273,7 @@ op_ShlI: {
     A.integer = shifted;
     KADR_NEXT;
 }
-op_ShrI: {
+op_ShrI : {
     const std::int64_t by = C.integer;
     if (by < 0 || by > 62) [[unlikely]]
         goto bad_shift;
@@ -324,7 +324,7 @@ op_NegF:
 op_IntToReal:
     A.number = static_cast<double>(B.integer);
     KADR_NEXT;
-op_ToInt: {
+op_ToInt : {
     const std::optional<std::int64_t> whole =
         sema::to_integer(B.number, static_cast<Rounding>(ip->c));
     if (!whole) [[unlikely]]
@@ -348,7 +348,7 @@ op_SinDeg:
 op_CosDeg:
     A.number = sema::cos_deg(B.number);
     KADR_NEXT;
-op_Math1: {
+op_Math1 : {
     const sema::MathResult result = sema::evaluate(static_cast<Math>(ip->c), B.number);
     if (!result) [[unlikely]] {
         why = result.error();
@@ -357,7 +357,7 @@ op_Math1: {
     A.number = *result;
     KADR_NEXT;
 }
-op_Math2: {
+op_Math2 : {
     const sema::MathResult result =
         sema::evaluate(static_cast<Math>(ip->immediate.pair.first), B.number, C.number);
     if (!result) [[unlikely]] {
@@ -399,12 +399,12 @@ op_NeF:
 op_Not:
     A.integer = B.integer == 0;
     KADR_NEXT;
-op_CompareText: {
+op_CompareText : {
     const int order = heap.text(B.integer).compare(heap.text(C.integer));
     A.integer = (order > 0) - (order < 0);
     KADR_NEXT;
 }
-op_EqualPart: {
+op_EqualPart : {
     const auto kind = static_cast<unsigned>(ip->immediate.pair.first);
     const bool both = is_given(B, kind) && is_given(C, kind);
     if (!both) A.integer = is_given(B, kind) == is_given(C, kind);
@@ -541,7 +541,7 @@ op_ForGeI:
     KADR_LOOP_IF(A.integer >= B.integer);
 
     // ---------------------------------------------------------------- functions
-op_Call: {
+op_Call : {
     if (frames.size() > options.limits.call_depth) [[unlikely]] {
         fault(diag::CallDepthLimit, AT).arg(static_cast<std::int64_t>(options.limits.call_depth));
         goto stop;
@@ -586,14 +586,14 @@ op_Finish:
     goto stop;
 
     // ---------------------------------------------------------------- texts
-op_Format: {
+op_Format : {
     if (heap.is_full()) [[unlikely]]
         collect_garbage(r);
     A.integer =
         heap.new_text(format(code.formats[static_cast<std::size_t>(ip->immediate.pair.first)], &B));
     KADR_NEXT;
 }
-op_Concat: {
+op_Concat : {
     if (heap.is_full()) [[unlikely]]
         collect_garbage(r);
     const std::string& left = heap.text(B.integer);
@@ -631,7 +631,7 @@ op_Append:
         if (heap.elements() > options.limits.array_elements) goto too_many_elements;
     }
     KADR_NEXT;
-op_InsertAt: {
+op_InsertAt : {
     const std::int64_t count = heap.array(A.integer).count;
     if (C.integer < 0 || C.integer > count) [[unlikely]] {
         index_fault(C.integer, count + 1, AT);
@@ -642,7 +642,7 @@ op_InsertAt: {
         goto too_many_elements;
     KADR_NEXT;
 }
-op_RemoveAt: {
+op_RemoveAt : {
     const std::int64_t count = heap.array(A.integer).count;
     if (B.integer < 0 || B.integer >= count) [[unlikely]] {
         index_fault(B.integer, count, AT);
@@ -657,7 +657,7 @@ op_ClearArray:
 op_CountArray:
     A.integer = heap.array(B.integer).count;
     KADR_NEXT;
-op_LoadElement: {
+op_LoadElement : {
     const Heap::ArrayView array = heap.array(B.integer);
     const std::int64_t index = C.integer;
     if (static_cast<std::uint64_t>(index) >= static_cast<std::uint64_t>(array.count)) [[unlikely]] {
@@ -667,7 +667,7 @@ op_LoadElement: {
     A = array.slots[index];
     KADR_NEXT;
 }
-op_StoreElement: {
+op_StoreElement : {
     const Heap::ArrayView array = heap.array(B.integer);
     const std::int64_t index = C.integer;
     if (static_cast<std::uint64_t>(index) >= static_cast<std::uint64_t>(array.count)) [[unlikely]] {
@@ -677,7 +677,7 @@ op_StoreElement: {
     array.slots[index] = A;
     KADR_NEXT;
 }
-op_LoadElementN: {
+op_LoadElementN : {
     const Heap::ArrayView array = heap.array(B.integer);
     const std::int64_t index = C.integer;
     if (static_cast<std::uint64_t>(index) >= static_cast<std::uint64_t>(array.count)) [[unlikely]] {
@@ -688,7 +688,7 @@ op_LoadElementN: {
     std::memmove(&A, from, static_cast<std::size_t>(ip->immediate.pair.second) * sizeof(Slot));
     KADR_NEXT;
 }
-op_StoreElementN: {
+op_StoreElementN : {
     const Heap::ArrayView array = heap.array(B.integer);
     const std::int64_t index = C.integer;
     if (static_cast<std::uint64_t>(index) >= static_cast<std::uint64_t>(array.count)) [[unlikely]] {
@@ -713,7 +713,7 @@ op_CopyParts:
     if (heap.elements() > options.limits.array_elements) [[unlikely]]
         goto too_many_elements;
     KADR_NEXT;
-op_ContainsElement: {
+op_ContainsElement : {
     const Heap::ArrayView array = heap.array(B.integer);
     const SlotKind kind = heap.layout(B.integer).slots[0];
     const Slot wanted = C;
@@ -727,7 +727,7 @@ op_ContainsElement: {
     A.integer = found;
     KADR_NEXT;
 }
-op_LoadTable: {
+op_LoadTable : {
     if (heap.is_full()) [[unlikely]]
         collect_garbage(r);
     const sema::LoadedTable& table =

@@ -18,7 +18,7 @@ namespace kadr::machine {
 /// Below, every question about an attribute answers nothing when the attribute is missing or wrong;
 /// what is wrong has then been reported, what is missing only by `require`.
 class ElementReader {
- public:
+  public:
     ElementReader(const XmlElement& element, DiagnosticSink& sink)
         : element_(element), sink_(sink) {}
 
@@ -45,7 +45,7 @@ class ElementReader {
     /// The place of the attribute's value; of the element if there is none.
     SourceRange place(std::string_view attribute) const;
 
- private:
+  private:
     void report_quantity(const XmlAttribute& attribute, const QuantityError& error,
                          Dimension dimension, bool is_range) const;
 

@@ -55,7 +55,7 @@ std::string shown_position(const MachineAxis& axis, double position) {
 /// Builds one Machine from its element; mistakes go to the sink and loading goes on, so that one
 /// look at the file finds them all.
 class MachineBuilder {
- public:
+  public:
     MachineBuilder(const XmlElement& root, DiagnosticSink& sink) : root_(root), sink_(sink) {}
 
     Machine build() {
@@ -68,7 +68,7 @@ class MachineBuilder {
         return std::move(machine_);
     }
 
- private:
+  private:
     void read_machine() {
         const ElementReader reader(root_, sink_);
         reader.check_attributes(kMachineAttributes);
@@ -208,7 +208,7 @@ class MachineBuilder {
 
 /// Counts the errors that pass on their way to the real sink.
 class CountingSink final : public DiagnosticSink {
- public:
+  public:
     explicit CountingSink(DiagnosticSink& sink) : sink_(sink) {}
     void take(Diagnostic diagnostic) override {
         if (diagnostic.severity != Severity::Warning) ++errors_;
@@ -216,7 +216,7 @@ class CountingSink final : public DiagnosticSink {
     }
     bool has_errors() const { return errors_ > 0; }
 
- private:
+  private:
     DiagnosticSink& sink_;
     std::size_t errors_ = 0;
 };

@@ -19,7 +19,7 @@ namespace kadr::motion {
 LinePlace place_of(const path::Command& command, const PlannerOptions& options);
 
 class AxisCheck {
- public:
+  public:
     /// References outlive the check.
     AxisCheck(const machine::Machine& machine, const AxisTable& axes, const PlannerOptions& options,
               DiagnosticSink& sink);
@@ -37,7 +37,7 @@ class AxisCheck {
     /// Least and greatest position of every axis so far, start included.
     const AxisTable::Travel& travel() const { return travel_; }
 
- private:
+  private:
     bool has_all_axes(const path::Command& command, const Segment& piece, double length);
     bool keeps_limits(const path::Command& command, const AxisTable::Travel& reached);
 

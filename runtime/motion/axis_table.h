@@ -22,7 +22,7 @@ struct PathLimits {
 };
 
 class AxisTable {
- public:
+  public:
     explicit AxisTable(const machine::Machine& machine);
 
     std::size_t size() const { return axes_.size(); }
@@ -58,7 +58,7 @@ class AxisTable {
     };
     Travel travel(const Segment& piece, double length) const;
 
- private:
+  private:
     struct Entry {
         std::size_t coordinate;  // logical index: 0…2 of the tip, 3… a follower
         double velocity;

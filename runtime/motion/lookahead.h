@@ -29,7 +29,7 @@ struct JunctionSpeeds {
 };
 
 class LookAhead {
- public:
+  public:
     /// `depth` ≥ 1: so many pieces are known at least, the current one included, when its exit
     /// speed is fixed. Up to `depth`/32 more are known.
     explicit LookAhead(std::size_t depth);
@@ -47,7 +47,7 @@ class LookAhead {
     /// Speeds of the oldest piece, which is then forgotten. Only if `is_ready`.
     JunctionSpeeds take();
 
- private:
+  private:
     // All speeds are squared: the passes need no root.
     struct Node {
         double gain = 0;      // 2·acceleration·length

@@ -76,7 +76,7 @@ struct PlannerOptions {
 /// Plans commands into segments with look-ahead. Memory is bounded by the look-ahead, whatever the
 /// program's length.
 class Planner final : public Stream<Segment> {
- public:
+  public:
     /// All references outlive the planner.
     Planner(Stream<path::Command>& commands, const machine::Machine& machine,
             const PlannerOptions& options, DiagnosticSink& sink);
@@ -90,7 +90,7 @@ class Planner final : public Stream<Segment> {
     /// that caused it.
     bool alarmed() const;
 
- private:
+  private:
     struct State;
     std::unique_ptr<State> state_;
 };
@@ -99,14 +99,14 @@ class Planner final : public Stream<Segment> {
 /// boundary of pieces is filled from the next piece, and the last one stands at the first tick at
 /// or after the end, in the end position.
 class Sampler final : public Stream<Setpoint> {
- public:
+  public:
     /// `tick` in s; 0: the machine's. References outlive the sampler.
     Sampler(Stream<Segment>& segments, const machine::Machine& machine, double tick = 0);
     ~Sampler() override;
 
     std::size_t pull(std::span<Setpoint> out) override;
 
- private:
+  private:
     struct State;
     std::unique_ptr<State> state_;
 };

@@ -15,7 +15,7 @@ namespace {
 
 /// Pieces between preparation and delivery: a ring that grows to the length of the look-ahead.
 class PieceRing {
- public:
+  public:
     Piece& push_back() {
         if (count_ == pieces_.size()) grow();
         return pieces_[(first_ + count_++) & (pieces_.size() - 1)];
@@ -27,7 +27,7 @@ class PieceRing {
         --count_;
     }
 
- private:
+  private:
     void grow() {
         std::vector<Piece> larger(2 * pieces_.size());
         for (std::size_t i = 0; i < count_; ++i) {

@@ -23,7 +23,7 @@ struct Piece {
 };
 
 class Preparer {
- public:
+  public:
     Preparer(Stream<path::Command>& commands, const machine::Machine& machine,
              const AxisTable& axes, const PlannerOptions& options, DiagnosticSink& sink);
     ~Preparer();
@@ -36,7 +36,7 @@ class Preparer {
     /// Least and greatest position of every axis so far, start included.
     const AxisTable::Travel& travel() const;
 
- private:
+  private:
     struct State;
     std::unique_ptr<State> state_;
 };

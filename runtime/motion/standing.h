@@ -17,7 +17,7 @@ namespace kadr::motion {
 inline constexpr double kStill = 1e-9;
 
 class Standing {
- public:
+  public:
     /// At the reference points of the axes, without tool.
     explicit Standing(const machine::Machine& machine);
 
@@ -42,7 +42,7 @@ class Standing {
 
     const path::Vec3& tip() const { return tip_; }
 
- private:
+  private:
     void lay_followers(const Target& target, double& length, Segment& segment) const;
 
     path::Vec3 tip_ = path::Vec3::Zero();

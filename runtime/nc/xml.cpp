@@ -74,7 +74,9 @@ std::optional<XmlElement> parse_xml(FileId file, const Sources& sources, Diagnos
         // What holds no element at all is wrong from its first byte, not from its last.
         const bool is_no_xml = result.status == pugi::status_no_document_element;
         const auto at = static_cast<std::uint32_t>(
-            is_no_xml ? 0 : std::min<std::size_t>(static_cast<std::size_t>(result.offset), text.size()));
+            is_no_xml
+                ? 0
+                : std::min<std::size_t>(static_cast<std::size_t>(result.offset), text.size()));
         sink.report(diag::DialectMalformed, SourceRange{file, at, at}).arg(result.description());
         return std::nullopt;
     }

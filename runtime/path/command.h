@@ -1,8 +1,8 @@
 // command.h — what the interpreter tells the motion side.
 //
 // Resolved: frames, units, plane, modal state and offsets are worked in; nobody behind this point
-// knows a G-code. Positions are of the tool tip in the base coordinate system, mm and degrees; X of a
-// lathe is a radius.
+// knows a G-code. Positions are of the tool tip in the base coordinate system, mm and degrees; X of
+// a lathe is a radius.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,19 @@
 namespace kadr::path {
 
 enum class Op : std::uint8_t {
-    Rapid, Line, Arc, Dwell, Spindle, SpeedLimit, Tool, ToolLength, Coolant, Stop, OptionalStop,
-    Message, End,
+    Rapid,
+    Line,
+    Arc,
+    Dwell,
+    Spindle,
+    SpeedLimit,
+    Tool,
+    ToolLength,
+    Coolant,
+    Stop,
+    OptionalStop,
+    Message,
+    End,
 };
 
 enum class FeedMode : std::uint8_t { PerMinute, PerRevolution, InverseTime };
@@ -30,30 +41,30 @@ struct Command {
     Plane plane = Plane::Xy;
     SpindleMode spindle = SpindleMode::Stop;
     CoolantMode coolant = CoolantMode::Off;
-    bool exact_stop = false;         // the motion ends at rest
-    bool machine_coordinates = false;// `to` is in machine coordinates, tool length not counted
-    bool cutting_speed = false;      // Spindle: `speed` is m/min (constant cutting speed)
-    AxisMask moved = 0;              // axes that the block programmed
+    bool exact_stop = false;           // the motion ends at rest
+    bool machine_coordinates = false;  // `to` is in machine coordinates, tool length not counted
+    bool cutting_speed = false;        // Spindle: `speed` is m/min (constant cutting speed)
+    AxisMask moved = 0;                // axes that the block programmed
     SourceId source;
-    std::uint32_t line = 0;          // of the ISO-7bit text
+    std::uint32_t line = 0;  // of the ISO-7bit text
 
-    AxisValues to{};                 // end position of every axis, mm and deg
+    AxisValues to{};  // end position of every axis, mm and deg
     // Arc: runs counter-clockwise about `normal` by `sweep` while the height along it grows evenly.
     // The radius goes linearly from the start's to the end's (within the control's tolerance).
     Vec3 center = Vec3::Zero();
     Vec3 normal = Vec3::UnitZ();
-    double sweep = 0;                // rad, > 0, additional turns included
-    bool is_clockwise = false;       // in `plane` of the base system, mirrors worked in; for listings
-    double turns = 0;                // additional full turns, as programmed
+    double sweep = 0;           // rad, > 0, additional turns included
+    bool is_clockwise = false;  // in `plane` of the base system, mirrors worked in; for listings
+    double turns = 0;           // additional full turns, as programmed
 
-    double feed = 0;                 // mm/min, mm/rev or 1/min, as feed_mode says
-    double speed = 0;                // Spindle: rpm or m/min; SpeedLimit: rpm
-    double angle_deg = 0;            // Spindle orient
-    double time = 0;                 // Dwell, s; 0 if revolutions
-    double revolutions = 0;          // Dwell
-    std::int64_t tool = 0;           // Tool, ToolLength: the tool or offset number
-    double length = 0;               // ToolLength: what is added along the normal of `plane`, mm
-    std::string text;                // Message
+    double feed = 0;         // mm/min, mm/rev or 1/min, as feed_mode says
+    double speed = 0;        // Spindle: rpm or m/min; SpeedLimit: rpm
+    double angle_deg = 0;    // Spindle orient
+    double time = 0;         // Dwell, s; 0 if revolutions
+    double revolutions = 0;  // Dwell
+    std::int64_t tool = 0;   // Tool, ToolLength: the tool or offset number
+    double length = 0;       // ToolLength: what is added along the normal of `plane`, mm
+    std::string text;        // Message
 };
 
 }  // namespace kadr::path

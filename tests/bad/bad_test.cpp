@@ -113,8 +113,9 @@ std::vector<Expectation> messages_of(const std::string& err) {
         if (!json.is_object() || json.value("severity", "") == "warning") continue;
         std::string text = json.value("message", "");
         if (json.contains("alarm_text")) text = json.value("alarm_text", "") + ": " + text;
-        messages.push_back({std::to_string(json.value("line", 0)) + ":" + std::to_string(json.value("column", 0)),
-                            json.value("alarm", json.value("code", "")), text});
+        messages.push_back(
+            {std::to_string(json.value("line", 0)) + ":" + std::to_string(json.value("column", 0)),
+             json.value("alarm", json.value("code", "")), text});
     }
     return messages;
 }
@@ -139,7 +140,8 @@ TEST_P(BadInput, GivesTheRightMessage) {
         EXPECT_EQ(messages[i].code, expected.code) << result.err;
         EXPECT_NE(messages[i].words.find(expected.words), std::string::npos) << result.err;
     }
-    // An alarm stops a run, and what was executed before it is delivered; an error delivers nothing.
+    // An alarm stops a run, and what was executed before it is delivered; an error delivers
+    // nothing.
     if (wanted.status != 3) {
         EXPECT_EQ(content_of(out), before);
     }
@@ -158,8 +160,11 @@ std::vector<fs::path> all_cases() {
 }
 
 std::string name_of(const testing::TestParamInfo<fs::path>& info) {
-    std::string name = info.param.parent_path().filename().string() + "_" + info.param.stem().string();
-    std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+    std::string name =
+        info.param.parent_path().filename().string() + "_" + info.param.stem().string();
+    std::replace_if(
+        name.begin(), name.end(),
+        [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
     return name;
 }
 
@@ -200,14 +205,21 @@ std::vector<Rubbish> rubbish() {
         {"BinaryAsFanuc", "run {file} -d fanuc", ".nc", noise(200000), 3},
         {"BinaryAsDialect", "dialect check {file}", ".xml", noise(200000), 1},
         {"BinaryAsMachine", "machine check {file}", ".xml", noise(200000), 1},
-        {"HundredMegabyteSourceLine", "expand {file}", ".kadr", "program p() { G1 X" + repeated("1", 100 * mega), 1},
-        {"HundredMegabyteIsoLine", "run {file} -d sinumerik", ".mpf", "N10 G1 X" + repeated("1", 100 * mega), 3},
-        {"HundredMegabyteFanucLine", "run {file} -d fanuc", ".nc", "%\nO0001\nX" + repeated("1", 100 * mega), 3},
-        {"DeepBrackets", "expand {file}", ".kadr", "program p() { G1 X=" + repeated("(", 100000) + "1", 1},
+        {"HundredMegabyteSourceLine", "expand {file}", ".kadr",
+         "program p() { G1 X" + repeated("1", 100 * mega), 1},
+        {"HundredMegabyteIsoLine", "run {file} -d sinumerik", ".mpf",
+         "N10 G1 X" + repeated("1", 100 * mega), 3},
+        {"HundredMegabyteFanucLine", "run {file} -d fanuc", ".nc",
+         "%\nO0001\nX" + repeated("1", 100 * mega), 3},
+        {"DeepBrackets", "expand {file}", ".kadr",
+         "program p() { G1 X=" + repeated("(", 100000) + "1", 1},
         {"DeepBraces", "expand {file}", ".kadr", "program p() " + repeated("{", 100000), 1},
-        {"DeepUnary", "expand {file}", ".kadr", "program p() { real a = " + repeated("- ", 100000) + "1; }", 1},
-        {"DeepIfs", "expand {file}", ".kadr", "program p() { " + repeated("if (true) ", 100000) + "; }", 1},
-        {"LongSum", "expand {file}", ".kadr", "program p() { real a = 1" + repeated(" + 1", 200000) + "; }", 1},
+        {"DeepUnary", "expand {file}", ".kadr",
+         "program p() { real a = " + repeated("- ", 100000) + "1; }", 1},
+        {"DeepIfs", "expand {file}", ".kadr",
+         "program p() { " + repeated("if (true) ", 100000) + "; }", 1},
+        {"LongSum", "expand {file}", ".kadr",
+         "program p() { real a = 1" + repeated(" + 1", 200000) + "; }", 1},
         {"DeepXml", "dialect check {file}", ".xml", repeated("<dialect>", 100000), 1},
         {"EmptySource", "expand {file}", ".kadr", "", 1},
         {"EmptyXml", "machine check {file}", ".xml", "", 1},
@@ -253,8 +265,7 @@ const std::string kExample = std::string(KADR_ROOT) + "/examples/bracket.kadr";
 INSTANTIATE_TEST_SUITE_P(
     Calls, WrongCall,
     testing::Values(
-        Call{"NothingToDo", {}, 2, "expand"},
-        Call{"UnknownCommand", {"explode"}, 2, "explode"},
+        Call{"NothingToDo", {}, 2, "expand"}, Call{"UnknownCommand", {"explode"}, 2, "explode"},
         Call{"UnknownOption", {"expand", kExample, "--fast"}, 2, "--fast"},
         Call{"NoSource", {"expand"}, 2, "SRC"},
         Call{"MissingFile", {"expand", "no-such-file.kadr"}, 2, "K9001"},

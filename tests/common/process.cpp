@@ -61,7 +61,8 @@ ProcessResult run_process(const std::vector<std::string>& arguments, const std::
         redirect(err.path(), O_WRONLY, 2);
         ::alarm(static_cast<unsigned>(limit_seconds));
         std::vector<char*> argv;
-        for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+        for (const std::string& argument : arguments)
+            argv.push_back(const_cast<char*>(argument.c_str()));
         argv.push_back(nullptr);
         ::execv(argv[0], argv.data());
         ::_exit(127);
@@ -71,7 +72,8 @@ ProcessResult run_process(const std::vector<std::string>& arguments, const std::
     rusage usage{};
     ::wait4(child, &status, 0, &usage);
     result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     result.max_rss_kib = usage.ru_maxrss;
     result.out = out.content();
     result.err = err.content();

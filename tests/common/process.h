@@ -5,11 +5,11 @@
 #include <vector>
 
 struct ProcessResult {
-    int status = -1;      // exit status; 128 + signal if it was killed
+    int status = -1;  // exit status; 128 + signal if it was killed
     std::string out;
     std::string err;
-    double seconds = 0;   // wall time
-    long max_rss_kib = 0; // of the child
+    double seconds = 0;    // wall time
+    long max_rss_kib = 0;  // of the child
 };
 
 /// Runs a program to its end. `input` becomes its standard input. Killed after `limit_seconds`.

@@ -105,7 +105,8 @@ TEST(Modal, PreservesIsHeldToItsPromise) {
         // Who called it had another plane: seen only while it runs.
         {"cycle c() preserves G54 { G55; }\nprogram p() { G54; c(); }", "1:32 K3205"},
         {"cycle c() preserves G17 { G18; G17; }\nprogram p() { G19; c(); }", "2:20 K3206"},
-        {"cycle c() preserves G90, G17 { G0 X1; }\nprogram p() { with G91 { c(); } }", "2:26 K3206"},
+        {"cycle c() preserves G90, G17 { G0 X1; }\nprogram p() { with G91 { c(); } }",
+         "2:26 K3206"},
     };
     for (const Wrong& row : rows) {
         SCOPED_TRACE(row.source);

@@ -16,7 +16,8 @@ struct World {
     DiagnosticList messages;
     std::vector<nc::Dialect> dialects;
     machine::Machine mill;
-    World() : mill(*machine::load_machine("mill", {KADR_ROOT "/runtime/machines"}, sources, messages)) {
+    World()
+        : mill(*machine::load_machine("mill", {KADR_ROOT "/runtime/machines"}, sources, messages)) {
         for (const char* name : {"iso", "sinumerik", "fanuc", "axioma"}) {
             dialects.push_back(*nc::load_dialect(name, {KADR_ROOT "/dialects"}, sources, messages));
         }
@@ -42,11 +43,13 @@ void execute(const World& world, const nc::Dialect& dialect, std::string_view te
     nc::Reader reader(dialect, pieces, "fuzz", messages);
     interp::InterpreterOptions options;
     options.max_blocks = 200;
-    interp::Interpreter interpreter(dialect, world.mill, reader, &reader, nullptr, options, messages);
+    interp::Interpreter interpreter(dialect, world.mill, reader, &reader, nullptr, options,
+                                    messages);
     motion::Planner planner(interpreter, world.mill, {}, messages);
     motion::Sampler sampler(planner, world.mill, 0.01);
     std::vector<motion::Setpoint> setpoints(256);
-    for (int i = 0; i < 8 && sampler.pull(setpoints) != 0; ++i) {}
+    for (int i = 0; i < 8 && sampler.pull(setpoints) != 0; ++i) {
+    }
 }
 
 void rewrite(const nc::Dialect& dialect, std::string_view text) {

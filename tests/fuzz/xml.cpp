@@ -13,9 +13,7 @@ namespace {
 using namespace kadr;
 
 /// The loaders take files; this one lives in memory where the system has such a place.
-std::string scratch_file() {
-    return "/dev/shm/kadr-fuzz-" + std::to_string(::getpid()) + ".xml";
-}
+std::string scratch_file() { return "/dev/shm/kadr-fuzz-" + std::to_string(::getpid()) + ".xml"; }
 
 }  // namespace
 

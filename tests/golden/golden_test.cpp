@@ -21,7 +21,8 @@ TEST_P(Golden, TextPerControl) {
         const ProcessResult result =
             run_process({KADR_BINARY, "expand", GetParam().source.string(), "-d", dialect});
         EXPECT_EQ(result.status, 0) << result.err;
-        const fs::path file = fs::path(KADR_ROOT) / "tests/golden/texts" / (GetParam().name() + "." + dialect + ".txt");
+        const fs::path file = fs::path(KADR_ROOT) / "tests/golden/texts" /
+                              (GetParam().name() + "." + dialect + ".txt");
         if (std::getenv("KADR_UPDATE") != nullptr) {
             fs::create_directories(file.parent_path());
             ASSERT_TRUE(kadr::write_file_whole(file.string(), result.out));

@@ -45,8 +45,11 @@ inline std::vector<Part> all_parts() {
 
 template <typename Info>
 std::string name_of(const Info& info) {
-    std::string name = info.param.source.parent_path().filename().string() + "_" + info.param.name();
-    std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+    std::string name =
+        info.param.source.parent_path().filename().string() + "_" + info.param.name();
+    std::replace_if(
+        name.begin(), name.end(),
+        [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
     return name;
 }
 

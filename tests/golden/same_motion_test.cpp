@@ -26,7 +26,8 @@ bool stands_still(const json& command, const std::vector<json>& before) {
     return last != before.rend() && (*last)["to"] == command["to"];
 }
 
-std::vector<json> commands_of(const Part& part, const std::string& dialect, const std::string& cycles) {
+std::vector<json> commands_of(const Part& part, const std::string& dialect,
+                              const std::string& cycles) {
     const ProcessResult result =
         run_process({KADR_BINARY, "run", part.source.string(), "-d", dialect, "-m", part.machine,
                      "--cycles", cycles, "--commands", "-"});
@@ -36,9 +37,9 @@ std::vector<json> commands_of(const Part& part, const std::string& dialect, cons
     for (std::string line; std::getline(lines, line);) {
         json command = json::parse(line, nullptr, false);
         if (!command.is_object()) continue;
-        command.erase("iso");  // another text has other line numbers
-        command.erase("text"); // a control may know capital letters only
-        command.erase("src");  // of a cycle: its call, or its own statements
+        command.erase("iso");   // another text has other line numbers
+        command.erase("text");  // a control may know capital letters only
+        command.erase("src");   // of a cycle: its call, or its own statements
         if (stands_still(command, commands)) continue;
         commands.push_back(std::move(command));
     }
@@ -57,7 +58,8 @@ std::string difference(const json& a, const json& b, const std::string& where = 
         if (a.size() != b.size()) return where + ": " + a.dump() + " and " + b.dump();
         for (const auto& [key, value] : a.items()) {
             if (!b.contains(key)) return where + ": " + key + " is missing in " + b.dump();
-            if (const std::string d = difference(value, b.at(key), where + "/" + key); !d.empty()) return d;
+            if (const std::string d = difference(value, b.at(key), where + "/" + key); !d.empty())
+                return d;
         }
         return "";
     }
@@ -86,7 +88,8 @@ TEST_P(SameMotion, OnEveryControl) {
     ASSERT_GT(reference.size(), 3u);
     for (const std::string& dialect : golden::kDialects) {
         for (const char* cycles : {"native", "moves"}) {
-            expect_same(reference, commands_of(GetParam(), dialect, cycles), dialect + ", cycles " + cycles);
+            expect_same(reference, commands_of(GetParam(), dialect, cycles),
+                        dialect + ", cycles " + cycles);
         }
     }
 }

@@ -68,7 +68,8 @@ TEST(House, RoomsIncludeOnlyLowerFloors) {
     for (const Include& include : includes_of_all_rooms()) {
         const std::string target = include.target.substr(0, include.target.find('/'));
         if (!kFloors.contains(target) || target == include.room) continue;
-        ASSERT_TRUE(kFloors.contains(include.room)) << include.room << " is not on the list of floors";
+        ASSERT_TRUE(kFloors.contains(include.room))
+            << include.room << " is not on the list of floors";
         EXPECT_TRUE(kFloors.at(include.room).contains(target))
             << include.file << " includes " << include.target;
     }
@@ -78,7 +79,8 @@ TEST(House, LibrariesStayBehindTheirDoors) {
     for (const Include& include : includes_of_all_rooms()) {
         for (const auto& [library, rooms] : kDoors) {
             if (!include.target.starts_with(library)) continue;
-            EXPECT_TRUE(rooms.contains(include.room)) << include.file << " includes " << include.target;
+            EXPECT_TRUE(rooms.contains(include.room))
+                << include.file << " includes " << include.target;
         }
     }
 }

@@ -18,7 +18,8 @@ TEST(DiagnosticTable, CodesAndNamesAreUnique) {
     for (const kadr::DiagnosticRow* row : kadr::all_diagnostics()) {
         const auto [other, is_new] = codes.emplace(row->code, row->name);
         EXPECT_TRUE(is_new) << row->code << ": " << row->name << " and " << other->second;
-        EXPECT_TRUE(std::regex_match(std::string(row->code), std::regex("K[1-9][0-9]{3}"))) << row->code;
+        EXPECT_TRUE(std::regex_match(std::string(row->code), std::regex("K[1-9][0-9]{3}")))
+            << row->code;
     }
 }
 
@@ -38,10 +39,12 @@ TEST(DiagnosticTable, EveryRowExplainsItself) {
 /// Everything below tests/ as one text; a row counts as shown if its code or name stands there.
 std::string all_tests() {
     std::string all;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(fs::path(KADR_ROOT) / "tests")) {
+    for (const fs::directory_entry& entry :
+         fs::recursive_directory_iterator(fs::path(KADR_ROOT) / "tests")) {
         if (!entry.is_regular_file()) continue;
         const std::string extension = entry.path().extension();
-        if (extension == ".cpp" || extension == ".kadr" || extension == ".txt" || extension == ".tsv") {
+        if (extension == ".cpp" || extension == ".kadr" || extension == ".txt" ||
+            extension == ".tsv") {
             all += kadr::read_file(entry.path()).value_or("");
         }
     }
@@ -52,7 +55,8 @@ std::string all_tests() {
 std::multimap<std::string, std::string> alarm_numbers() {
     static const std::regex pattern("<alarm for=\"(\\w+)\" number=\"(\\w+)\"");
     std::multimap<std::string, std::string> numbers;
-    for (const fs::directory_entry& entry : fs::directory_iterator(fs::path(KADR_ROOT) / "dialects")) {
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(fs::path(KADR_ROOT) / "dialects")) {
         if (entry.path().extension() != ".xml") continue;
         const std::string text = kadr::read_file(entry.path()).value_or("");
         for (std::sregex_iterator at(text.begin(), text.end(), pattern), end; at != end; ++at) {
@@ -71,7 +75,8 @@ TEST(DiagnosticTable, EveryRowIsShownByATest) {
         bool is_shown = tests.find(row->code) != std::string::npos ||
                         tests.find("diag::" + std::string(row->name)) != std::string::npos;
         const auto [first, last] = numbers.equal_range(std::string(row->name));
-        for (auto at = first; at != last; ++at) is_shown |= tests.find(at->second) != std::string::npos;
+        for (auto at = first; at != last; ++at)
+            is_shown |= tests.find(at->second) != std::string::npos;
         EXPECT_TRUE(is_shown) << row->code << " " << row->name << " is shown by no test";
     }
 }

@@ -17,7 +17,7 @@ const std::string kStock = std::string(KADR_ROOT) + "/runtime/machines";
 
 /// A machine file that lives as long as the test.
 class TemporaryFile {
- public:
+  public:
     explicit TemporaryFile(const std::string& text)
         : path_(
               (std::filesystem::temp_directory_path() /
@@ -30,7 +30,7 @@ class TemporaryFile {
     TemporaryFile& operator=(const TemporaryFile&) = delete;
     const std::string& path() const { return path_; }
 
- private:
+  private:
     std::string path_;
 };
 

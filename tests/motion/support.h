@@ -81,7 +81,7 @@ inline Command simple(Op op) {
 
 /// A list of commands as a stream.
 class CommandList final : public Stream<Command> {
- public:
+  public:
     explicit CommandList(std::vector<Command> commands) : commands_(std::move(commands)) {
         std::uint32_t line = 0;
         for (Command& command : commands_) {
@@ -95,7 +95,7 @@ class CommandList final : public Stream<Command> {
         return n;
     }
 
- private:
+  private:
     std::vector<Command> commands_;
     std::size_t at_ = 0;
 };
