@@ -210,4 +210,96 @@ TEST(Milling, TrochoidalSlot) {
     }
 }
 
+/// A spigot is milled as a whole, and roughed and finished.
+void expect_spigot(const std::string& call, const Shape& shape, const Shape& blank, double tool_d,
+                   double floor, double step, double allowance) {
+    SCOPED_TRACE(call);
+    Stock whole(40, kCell, 0, blank);
+    whole.cut(commands_of("spigots", call + ")"), tool_d);
+    expect_clean(whole);
+    EXPECT_EQ(whole.spigot_difference(shape, floor, kMargin, kEdge), "");
+
+    Stock rough(40, kCell, 0, blank);
+    rough.cut(commands_of("spigots", call + ", make: roughing)"), tool_d);
+    expect_clean(rough);
+    const Shape larger = [&](double x, double y) { return shape(x, y) - allowance; };
+    EXPECT_EQ(rough.spigot_difference(larger, floor, kMargin, kEdge), "") << "roughing";
+    EXPECT_LE(rough.deepest_cut(), step + 1e-3);
+    if (allowance == 0) return;
+    rough.cut(commands_of("spigots", call + ", make: finishing)"), tool_d);
+    expect_clean(rough);
+    EXPECT_EQ(rough.spigot_difference(shape, floor, kMargin, kEdge), "") << "finishing";
+}
+
+TEST(Milling, RoundSpigot) {
+    Dice dice(7);
+    for (int i = 0; i < kSets / 2; ++i) {
+        const double tool_d = dice.length(3, 16), blank = dice.length(20, 70);
+        const double d = dice.length(5, blank - 1), allowance = dice.coin() ? 0 : 0.3;
+        const double floor = -dice.length(0.5, 8), step = dice.length(0.5, 4);
+        expect_spigot("spigot_circle(d: " + mm(d) + ", blank_d: " + mm(blank) +
+                          ", to: " + mm(floor) + ", tool_d: " + mm(tool_d) + ", step: " + mm(step) +
+                          ", allowance: " + mm(allowance),
+                      disc(d), disc(blank), tool_d, floor, step, allowance);
+    }
+}
+
+TEST(Milling, RectangularSpigot) {
+    Dice dice(8);
+    for (int i = 0; i < kSets; ++i) {
+        const double tool_d = dice.length(3, 16);
+        const double blank_w = dice.length(20, 70), blank_h = dice.length(20, 70);
+        const double w = dice.length(5, blank_w), h = dice.length(5, blank_h - 1);
+        const double corner = dice.coin() ? 0 : dice.length(0.1, std::min(w, h) / 2 - 0.1);
+        const double allowance = dice.coin() ? 0 : 0.2;
+        const double floor = -dice.length(0.5, 8), step = dice.length(0.5, 4);
+        expect_spigot("spigot_rect(w: " + mm(w) + ", h: " + mm(h) + ", blank_w: " + mm(blank_w) +
+                          ", blank_h: " + mm(blank_h) + ", corner: " + mm(corner) +
+                          ", to: " + mm(floor) + ", tool_d: " + mm(tool_d) + ", step: " + mm(step) +
+                          ", allowance: " + mm(allowance),
+                      rectangle(w, h, corner), rectangle(blank_w, blank_h, 0), tool_d, floor, step,
+                      allowance);
+    }
+}
+
+TEST(Milling, Chamfers) {
+    // Where the flat of the chamfer is met by X+: its height rises from -size/tan(tip/2) at the
+    // wall to 0 at `size` from it.
+    struct Row {
+        const char* call;
+        Shape wall;  // positive where the material is gone before
+        bool is_inner;
+        double wall_x, size, tip_d, tip_deg;
+    };
+    const auto inside_out = [](Shape shape) -> Shape {
+        return [shape](double x, double y) { return -shape(x, y); };
+    };
+    const Row rows[] = {
+        {"chamfer_circle(d: 40mm, size: 2mm, tip_d: 3mm)", disc(40), false, 20, 2, 3, 90},
+        {"chamfer_circle(d: 40mm, size: 1mm, tip: 60deg, below: 1mm)", disc(40), false, 20, 1, 0,
+         60},
+        {"chamfer_circle(d: 40mm, size: 2mm, tip_d: 3mm, where: inner)", inside_out(disc(40)), true,
+         20, 2, 3, 90},
+        {"chamfer_rect(w: 50mm, h: 30mm, size: 2mm, tip_d: 3mm)", rectangle(50, 30, 0), false, 25,
+         2, 3, 90},
+        {"chamfer_rect(w: 50mm, h: 30mm, size: 1.5mm, corner: 5mm, tip: 120deg, tip_d: 1mm, where: "
+         "inner)",
+         inside_out(rectangle(50, 30, 5)), true, 25, 1.5, 1, 120},
+    };
+    for (const Row& row : rows) {
+        SCOPED_TRACE(row.call);
+        Stock stock = plate();
+        stock.lower_outside(row.wall, -10);
+        stock.cut(commands_of("spigots", row.call), row.tip_d, row.tip_deg);
+        expect_clean(stock);
+        const double slope = 1 / std::tan(row.tip_deg / 2 * 3.14159265358979 / 180);
+        const double outwards = row.is_inner ? 1 : -1;  // from the wall into the material
+        for (double into : {0.125, 0.625, row.size - 0.375, row.size + 0.125, row.size + 1.125}) {
+            const double expected = std::min(0.0, (into - row.size) * slope);
+            EXPECT_NEAR(stock.height_at(row.wall_x + outwards * into, 0.125), expected, 0.02)
+                << into;
+        }
+    }
+}
+
 }  // namespace

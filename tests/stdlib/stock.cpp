@@ -10,8 +10,9 @@ namespace {
 
 using nlohmann::json;
 constexpr double kPi = std::numbers::pi;
-constexpr double kEmpty = -1e9;  // no material here from the beginning
-constexpr double kTouch = 1e-4;  // mm: what rounding of the text may do
+constexpr double kEmpty = -1e9;   // no material here from the beginning
+constexpr double kConeWidth = 6;  // mm
+constexpr double kTouch = 1e-4;   // mm: what rounding of the text may do
 
 Place place_of(const json& command) {
     const json& to = command.at("to");
@@ -63,8 +64,26 @@ Stock::Stock(double half, double cell, double top, const Shape& blank)
     }
 }
 
-void Stock::cut(const std::vector<json>& commands, double tool_d) {
-    radius_ = tool_d / 2;
+void Stock::lower_outside(const Shape& shape, double to) {
+    for (int j = 0; j < n_; ++j) {
+        for (int i = 0; i < n_; ++i) {
+            double& height = height_[static_cast<std::size_t>(j * n_ + i)];
+            if (shape(center(i), center(j)) > 0) height = std::min(height, to);
+        }
+    }
+}
+
+double Stock::height_at(double x, double y) const {
+    const int i = static_cast<int>(std::floor((x + half_) / cell_));
+    const int j = static_cast<int>(std::floor((y + half_) / cell_));
+    return height_[static_cast<std::size_t>(j * n_ + i)];
+}
+
+void Stock::cut(const std::vector<json>& commands, double tool_d, double tip_deg) {
+    const bool is_cone = tip_deg < 180;
+    tip_radius_ = tool_d / 2;
+    radius_ = tip_radius_ + (is_cone ? kConeWidth : 0);
+    rise_ = is_cone ? 1 / std::tan(tip_deg / 2 * kPi / 180) : 0;
     for (const json& command : commands) {
         const std::string op = command.at("op");
         if (op != "rapid" && op != "line" && op != "arc") continue;
@@ -127,13 +146,15 @@ void Stock::press(const Place& at, bool is_rapid, bool is_plunge, const json& co
             const double dx = center(i) - at.x, dy = center(j) - at.y;
             if (dx * dx + dy * dy > radius_ * radius_) continue;
             double& height = height_[static_cast<std::size_t>(j * n_ + i)];
-            if (height <= at.z + kTouch) continue;
+            const double over = std::sqrt(dx * dx + dy * dy) - tip_radius_;
+            const double edge = at.z + std::max(over, 0.0) * rise_;
+            if (height <= edge + kTouch) continue;
             if ((is_rapid || is_plunge) &&
                 (faults_.empty() || faults_.back().command != command.dump())) {
                 faults_.push_back({is_rapid ? "rapid into material" : "straight down into material",
                                    command.dump()});
             }
-            height = at.z;
+            height = edge;
         }
     }
 }

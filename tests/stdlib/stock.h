@@ -40,8 +40,13 @@ class Stock {
     /// where `blank` is negative, mm.
     Stock(double half, double cell, double top, const Shape& blank);
 
-    /// Cuts by all commands, in mm.
-    void cut(const std::vector<nlohmann::json>& commands, double tool_d);
+    /// Lowers the material where the shape is positive, before anything is cut.
+    void lower_outside(const Shape& shape, double to);
+    /// Cuts by all commands, in mm. A chamfering cutter has a flat tip of the diameter tool_d and
+    /// above it a cone 6 mm wide all around; 180 degrees is an end mill.
+    void cut(const std::vector<nlohmann::json>& commands, double tool_d, double tip_deg = 180);
+    /// Height of the material in the cell at a place.
+    double height_at(double x, double y) const;
 
     /// Rapid into material, straight down into material at feed.
     const std::vector<Fault>& faults() const { return faults_; }
@@ -67,7 +72,8 @@ class Stock {
     int n_;
     Shape blank_;
     std::vector<double> height_;
-    double radius_ = 0;
+    double radius_ = 0, tip_radius_ = 0;
+    double rise_ = 0;  // of the cone per mm of its radius
     Place position_;
     bool has_position_ = false;
     double deepest_ = 0, command_deepest_ = 0;
