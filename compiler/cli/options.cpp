@@ -24,7 +24,7 @@ constexpr const char* kEpilogue =
     "3 an alarm while running. `man kadr` says more.";
 
 /// Commands of the stable interface that this version does not have.
-constexpr std::array<std::string_view, 2> kLater = {"test", "repl"};
+constexpr std::array<std::string_view, 1> kLater = {"test"};
 
 /// Seconds of `1ms`, `0.002s`, `500us`; a bare number is seconds. Throws what CLI11 expects.
 double parse_time(const std::string& text) {
@@ -71,6 +71,7 @@ class Parser {
     void add_run();
     void add_check();
     void add_format();
+    void add_repl();
     void add_tables();
 
     CLI::App app_{kAbout, "kadr"};
@@ -96,6 +97,7 @@ Parser::Parser() {
     add_run();
     add_check();
     add_format();
+    add_repl();
     add_tables();
 }
 
@@ -192,6 +194,19 @@ void Parser::add_format() {
     CLI::App* command = add(app_, "fmt", "lay out Kadr programs", Verb::Format);
     command->add_option("SRC", line_.sources, "Kadr programs")->required();
     command->add_flag("--check", is_check_, "write nothing, report files that would change");
+}
+
+void Parser::add_repl() {
+    CLI::App* command =
+        add(app_, "repl", "try statements, blocks and calls at a prompt", Verb::Repl);
+    add_dialect(*command);
+    command->add_option("-m,--machine", line_.options.machine, "machine: a name or an XML file")
+        ->type_name("MACHINE");
+    command
+        ->add_option("-I,--include", line_.options.folders,
+                     "folder in which imports are looked for")
+        ->type_name("DIR")
+        ->allow_extra_args(false);
 }
 
 void Parser::add_tables() {

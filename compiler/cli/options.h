@@ -17,6 +17,7 @@ enum class Verb : std::uint8_t {
     Run,
     Check,
     Format,
+    Repl,
     Explain,
     DialectList,
     DialectCheck,

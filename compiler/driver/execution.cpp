@@ -149,13 +149,24 @@ bool Execution::open_text(const std::string& source, std::unique_ptr<FileText> t
     return dialect_ != nullptr;
 }
 
-bool Execution::open_program(FileId file, Output* map) {
+std::unique_ptr<Execution> Execution::open(Session& session, FileId program,
+                                           GeneratedText::Tap tap) {
+    std::unique_ptr<Execution> execution(new Execution(session));
+    execution->machine_ = session.machine();
+    if (execution->machine_ == nullptr) return nullptr;
+    if (!execution->open_program(program, nullptr, std::move(tap))) return nullptr;
+    execution->connect();
+    return execution;
+}
+
+bool Execution::open_program(FileId file, Output* map, GeneratedText::Tap tap) {
     dialect_ = session_.chosen_dialect(kDefaultDialect);
     if (dialect_ == nullptr) return false;
     program_ = load_program(session_, file);
     if (!program_) return false;
     text_name_ = generated_name(session_.sources().name(file), *dialect_);
     generated_ = std::make_unique<GeneratedText>(session_, *program_, *dialect_, map);
+    generated_->set_tap(std::move(tap));
     return generated_->start();
 }
 

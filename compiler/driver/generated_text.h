@@ -4,6 +4,7 @@
 // file, `kadr run` feeds them to the reader.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -29,6 +30,13 @@ class GeneratedText final : public nc::TextSource {
 
     std::string_view next() override;
 
+    /// Gets every piece of the text as it is made. To be set before `start`.
+    using Tap = std::function<void(std::string_view)>;
+    void set_tap(Tap tap) { tap_ = std::move(tap); }
+    /// Lines up to the program's last block: what follows is the frame's end (`%`). Complete when
+    /// the text is.
+    std::uint32_t body_lines() const { return body_lines_; }
+
     /// Whether evaluating or writing came to an error.
     bool failed() const;
     const LineMap& lines() const { return *line_map_; }
@@ -49,6 +57,8 @@ class GeneratedText final : public nc::TextSource {
     std::string entry_;
     std::uint64_t blocks_ = 0;
     bool is_at_end_ = false;
+    Tap tap_;
+    std::uint32_t body_lines_ = 0;
 };
 
 /// The program of the file that is run: the one with this name, or the first if none is asked for.

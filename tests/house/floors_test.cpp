@@ -28,7 +28,8 @@ const std::map<std::string, std::set<std::string>> kFloors = {
     {"sema", {"base", "nc", "syntax"}},
     {"expand", {"base", "nc", "syntax", "sema"}},
     {"driver", {"base", "nc", "path", "machine", "interp", "motion", "syntax", "sema", "expand"}},
-    {"cli", {"base", "nc", "machine", "driver"}},
+    {"repl", {"base", "nc", "path", "machine", "interp", "motion", "syntax", "sema", "driver"}},
+    {"cli", {"base", "nc", "machine", "driver", "repl"}},
 };
 
 /// Libraries that only the named files may see.
@@ -38,6 +39,7 @@ const std::map<std::string, std::set<std::string>> kDoors = {
     {"KadrParser", {"syntax"}},
     {"pugixml", {"nc", "machine", "syntax"}},
     {"CLI/", {"cli"}},
+    {"histedit", {"repl"}},
     {"nlohmann", {"driver", "cli"}},
 };
 
