@@ -5,6 +5,7 @@
 #include <charconv>
 #include <set>
 
+#include "base/assert.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "nc/form.h"
@@ -41,7 +42,6 @@ class FileLoader {
     FileLoader(DialectTables& tables, DiagnosticSink& sink) : tables_(tables), sink_(sink) {}
 
     bool load(const XmlElement& root) {
-        if (!check_shape(root, sink_)) return false;
         tables_.examples.clear();  // those of the files it extends are run with them
         // What patterns build upon comes first, wherever it stands in the file.
         for (const XmlElement& e : root.children) {
@@ -69,17 +69,20 @@ class FileLoader {
   private:
     // ------------------------------------------------------------ attributes
 
-    std::string_view required(const XmlElement& e, std::string_view name) {
+    /// An attribute that the shape of the file demands.
+    static const XmlAttribute& needed(const XmlElement& e, std::string_view name) {
         const XmlAttribute* attribute = e.find(name);
-        if (attribute != nullptr) return attribute->value;
-        failed_ = true;
-        sink_.report(diag::DialectMissingAttribute, e.range).arg(e.name).arg(name);
-        return {};
+        KADR_ASSERT(attribute != nullptr, "the shape of the file was checked");
+        return *attribute;
+    }
+
+    static std::string_view required(const XmlElement& e, std::string_view name) {
+        return needed(e, name).value;
     }
 
     void bad_value(const XmlAttribute& attribute, std::string_view why) {
         failed_ = true;
-        sink_.report(diag::DialectBadValue, attribute.range)
+        sink_.report(diag::DialectBadValue, attribute.value_range)
             .arg(attribute.value)
             .arg(attribute.name)
             .arg(why);
@@ -88,7 +91,7 @@ class FileLoader {
     void bad_name(const XmlAttribute& attribute, std::string_view value, const Names& names,
                   std::string_view why) {
         failed_ = true;
-        auto report = std::move(sink_.report(diag::DialectBadValue, attribute.range)
+        auto report = std::move(sink_.report(diag::DialectBadValue, attribute.value_range)
                                     .arg(value)
                                     .arg(attribute.name)
                                     .arg(why));
@@ -136,7 +139,7 @@ class FileLoader {
         for (const FunctionInfo& row : all_functions()) names.push_back(row.name);
         failed_ = true;
         auto report =
-            std::move(sink_.report(diag::DialectUnknownFunction, attribute.range).arg(name));
+            std::move(sink_.report(diag::DialectUnknownFunction, attribute.value_range).arg(name));
         if (const auto near = nearest_name(name, names.data(), names.size())) {
             report.fix("is `" + std::string(*near) + "` meant?");
         }

@@ -55,22 +55,22 @@ TEST(Load, MistakesHaveTheirPlace) {
         unsigned line, column;
     };
     for (const Row& row : {
-             Row{"<group name=\"g\"><code text=\"G7\" function=\"plane_xy\"></group>", "K4002", 2,
+             Row{"<group name=\"g\"><code text=\"G7\" function=\"plane_xy\"></group>", "K9101", 2,
                  55},
-             {"<gruop name=\"x\"/>", "K4003", 2, 2},
-             {"<group name=\"x\"><command/></group>", "K4003", 2, 18},
-             {"<number addresses=\"X\" decimal=\"3\"/>", "K4004", 2, 23},
-             {"<alarm for=\"IsoUnknownCode\"/>", "K4005", 2, 2},
-             {"<number addresses=\"X\" point=\"sometimes\"/>", "K4006", 2, 23},
-             {"<number addresses=\"X\" decimals=\"many\"/>", "K4006", 2, 23},
-             {"<number addresses=\"X\" decimals=\"12\"/>", "K4006", 2, 9},
-             {"<number addresses=\"QQ\"/>", "K4006", 2, 9},
-             {"<address name=\"X\" slot=\"left\"/>", "K4006", 2, 19},
-             {"<alarm for=\"NoSuchRow\" number=\"1\"/>", "K4006", 2, 8},
-             {"<cycle name=\"drill_pek\"><form>G83 Z{to}</form></cycle>", "K4006", 2, 8},
-             {"<cycle name=\"mine\" parameters=\"to:length\"/>", "K4006", 2, 20},
-             {"<group name=\"g\"><code text=\"G7\" function=\"fast\"/></group>", "K4008", 2, 33},
-             {"<group name=\"g\" default=\"fast\"/>", "K4008", 2, 17},
+             {"<gruop name=\"x\"/>", "K9103", 2, 2},
+             {"<group name=\"x\"><command/></group>", "K9103", 2, 18},
+             {"<number addresses=\"X\" decimal=\"3\"/>", "K9104", 2, 23},
+             {"<alarm for=\"IsoUnknownCode\"/>", "K9105", 2, 2},
+             {"<number addresses=\"X\" point=\"sometimes\"/>", "K4006", 2, 30},
+             {"<number addresses=\"X\" decimals=\"many\"/>", "K4006", 2, 33},
+             {"<number addresses=\"X\" decimals=\"12\"/>", "K4006", 2, 20},
+             {"<number addresses=\"QQ\"/>", "K4006", 2, 20},
+             {"<address name=\"X\" slot=\"left\"/>", "K4006", 2, 25},
+             {"<alarm for=\"NoSuchRow\" number=\"1\"/>", "K4006", 2, 13},
+             {"<cycle name=\"drill_pek\"><form>G83 Z{to}</form></cycle>", "K4006", 2, 14},
+             {"<cycle name=\"mine\" parameters=\"to:length\"/>", "K4006", 2, 32},
+             {"<group name=\"g\"><code text=\"G7\" function=\"fast\"/></group>", "K4008", 2, 43},
+             {"<group name=\"g\" default=\"fast\"/>", "K4008", 2, 26},
              {"<command name=\"dwell\"><form>G4 P{seconds}</form></command>", "K4009", 2, 24},
              {"<command name=\"dwell\"><form>G4 P{time:hours}</form></command>", "K4009", 2, 24},
              {"<command name=\"dwell\"><form>G4 P{time</form></command>", "K4009", 2, 24},
@@ -84,7 +84,7 @@ TEST(Load, MistakesHaveTheirPlace) {
              {"<group name=\"g\"><code text=\"G123456789\" function=\"line\"/></group>", "K4009", 2,
               18},
              {"<command name=\"work_offset\"><form when=\"number one\">G54</form></command>",
-              "K4006", 2, 35},
+              "K4006", 2, 41},
              {"<group name=\"g\"><code text=\"G0\" function=\"line\"/></group>", "K4010", 2, 18},
              {"<command name=\"tool_select\"><form>T1</form></command>", "K4011", 2, 30},
              {"<command name=\"dwell\"><form>G4 Q{time}</form></command>", "K4013", 2, 24},
@@ -114,13 +114,13 @@ TEST(Load, FilesThatAreNotThere) {
     EXPECT_EQ(codes(loaded.messages), "K4001");
     Loaded empty;
     load(empty, "");
-    EXPECT_EQ(codes(empty.messages), "K4002");
+    EXPECT_EQ(codes(empty.messages), "K9101");
     Loaded other;
     load(other, "<machine/>");
-    EXPECT_EQ(codes(other.messages), "K4003");
+    EXPECT_EQ(codes(other.messages), "K9102");
     Loaded nameless;
-    load(nameless, "<dialect name=\"m\" extends=\"iso\"/>");
-    EXPECT_EQ(codes(nameless.messages), "K4005");
+    load(nameless, "<dialect name=\"m\" extends=\"iso\" suffix=\"nc\"/>");
+    EXPECT_EQ(codes(nameless.messages), "K9105");
 }
 
 TEST(Load, ExtendingInACircle) {
