@@ -45,7 +45,7 @@ void FormLoader::load_group(const XmlElement& element) {
 }
 
 void FormLoader::load_code(const XmlElement& element, int group) {
-    const XmlAttribute& name = needed(element, "function");
+    const XmlAttribute& name = needed(element, "command");
     const XmlAttribute& text = needed(element, "text");
     const auto function = attributes_.function_named({name.value, name.value_range});
     if (!function) return;
@@ -262,7 +262,7 @@ void FormLoader::load_deferred(const XmlElement& element) {
     if (const auto axis = attributes_.choice(element, "axis", axes)) {
         deferred.axis = static_cast<int>(*axis);
     }
-    attributes_.read_functions(element, "functions", deferred.functions);
+    attributes_.read_functions(element, "commands", deferred.functions);
     const SourceRange place = element.text.empty() ? element.range : element.text_range;
     if (!parse_form_line(element.text, info(Function::Tool).parameters, tables_, place,
                          deferred.words, attributes_.sink())) {

@@ -55,7 +55,7 @@ TEST(Load, MistakesHaveTheirPlace) {
         unsigned line, column;
     };
     for (const Row& row : {
-             Row{"<group name=\"g\"><code text=\"G7\" function=\"plane_xy\"></group>", "K9101", 2,
+             Row{"<group name=\"g\"><code text=\"G7\" command=\"plane_xy\"></group>", "K9101", 2,
                  55},
              {"<gruop name=\"x\"/>", "K9103", 2, 2},
              {"<group name=\"x\"><command/></group>", "K9103", 2, 18},
@@ -69,7 +69,7 @@ TEST(Load, MistakesHaveTheirPlace) {
              {"<alarm for=\"NoSuchRow\" number=\"1\"/>", "K4006", 2, 13},
              {"<cycle name=\"drill_pek\"><form>G83 Z{to}</form></cycle>", "K4006", 2, 14},
              {"<cycle name=\"mine\" parameters=\"to:length\"/>", "K4006", 2, 32},
-             {"<group name=\"g\"><code text=\"G7\" function=\"fast\"/></group>", "K4008", 2, 43},
+             {"<group name=\"g\"><code text=\"G7\" command=\"fast\"/></group>", "K4008", 2, 42},
              {"<group name=\"g\" default=\"fast\"/>", "K4008", 2, 26},
              {"<command name=\"dwell\"><form>G4 P{seconds}</form></command>", "K4009", 2, 29},
              {"<command name=\"dwell\"><form>G4 P{time:hours}</form></command>", "K4009", 2, 29},
@@ -81,11 +81,11 @@ TEST(Load, MistakesHaveTheirPlace) {
              {"<command name=\"work_offset\"><form when=\"number "
               "1..99999\">G{number}</form></command>",
               "K4009", 2, 58},
-             {"<group name=\"g\"><code text=\"G123456789\" function=\"line\"/></group>", "K4009", 2,
+             {"<group name=\"g\"><code text=\"G123456789\" command=\"line\"/></group>", "K4009", 2,
               29},
              {"<command name=\"work_offset\"><form when=\"number one\">G54</form></command>",
               "K4006", 2, 48},
-             {"<group name=\"g\"><code text=\"G0\" function=\"line\"/></group>", "K4010", 2, 29},
+             {"<group name=\"g\"><code text=\"G0\" command=\"line\"/></group>", "K4010", 2, 29},
              {"<command name=\"tool_select\"><form>T1</form></command>", "K4011", 2, 35},
              {"<command name=\"dwell\"><form>G4 Q{time}</form></command>", "K4013", 2, 29},
          }) {
@@ -135,8 +135,8 @@ TEST(Load, ExtendingInACircle) {
 
 TEST(Load, WhatAFileSaysReplacesWhatItExtends) {
     Loaded loaded;
-    load(loaded, with("<group name=\"motion\"><code text=\"G1\" function=\"rapid\"/><code "
-                      "text=\"G0\" function=\"line\"/></group>\n"
+    load(loaded, with("<group name=\"motion\"><code text=\"G1\" command=\"rapid\"/><code "
+                      "text=\"G0\" command=\"line\"/></group>\n"
                       "<number addresses=\"X\" decimals=\"1\"/>\n<remove commands=\"dwell\"/>\n"
                       "<rule name=\"arc_tolerance\" value=\"0.5\"/>"));
     ASSERT_TRUE(loaded.dialect) << testing::rendered(loaded.messages, loaded.sources);
