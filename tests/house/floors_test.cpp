@@ -37,7 +37,7 @@ const std::map<std::string, std::set<std::string>> kDoors = {
     {"antlr4-runtime", {"syntax"}},
     {"KadrLexer", {"syntax"}},
     {"KadrParser", {"syntax"}},
-    {"pugixml", {"nc", "machine", "syntax"}},
+    {"pugixml", {"base"}},
     {"CLI/", {"cli"}},
     {"histedit", {"repl"}},
     {"nlohmann", {"driver", "cli"}},

@@ -55,39 +55,39 @@ TEST(Load, MistakesHaveTheirPlace) {
         unsigned line, column;
     };
     for (const Row& row : {
-             Row{"<group name=\"g\"><code text=\"G7\" function=\"plane_xy\"></group>", "K4002", 2,
+             Row{"<group name=\"g\"><code text=\"G7\" command=\"plane_xy\"></group>", "K9101", 2,
                  55},
-             {"<gruop name=\"x\"/>", "K4003", 2, 2},
-             {"<group name=\"x\"><command/></group>", "K4003", 2, 18},
-             {"<number addresses=\"X\" decimal=\"3\"/>", "K4004", 2, 23},
-             {"<alarm for=\"IsoUnknownCode\"/>", "K4005", 2, 2},
-             {"<number addresses=\"X\" point=\"sometimes\"/>", "K4006", 2, 23},
-             {"<number addresses=\"X\" decimals=\"many\"/>", "K4006", 2, 23},
-             {"<number addresses=\"X\" decimals=\"12\"/>", "K4006", 2, 9},
-             {"<number addresses=\"QQ\"/>", "K4006", 2, 9},
-             {"<address name=\"X\" slot=\"left\"/>", "K4006", 2, 19},
-             {"<alarm for=\"NoSuchRow\" number=\"1\"/>", "K4006", 2, 8},
-             {"<cycle name=\"drill_pek\"><form>G83 Z{to}</form></cycle>", "K4006", 2, 8},
-             {"<cycle name=\"mine\" parameters=\"to:length\"/>", "K4006", 2, 20},
-             {"<group name=\"g\"><code text=\"G7\" function=\"fast\"/></group>", "K4008", 2, 33},
-             {"<group name=\"g\" default=\"fast\"/>", "K4008", 2, 17},
-             {"<command name=\"dwell\"><form>G4 P{seconds}</form></command>", "K4009", 2, 24},
-             {"<command name=\"dwell\"><form>G4 P{time:hours}</form></command>", "K4009", 2, 24},
-             {"<command name=\"dwell\"><form>G4 P{time</form></command>", "K4009", 2, 24},
+             {"<gruop name=\"x\"/>", "K9103", 2, 2},
+             {"<group name=\"x\"><command/></group>", "K9103", 2, 18},
+             {"<number addresses=\"X\" decimal=\"3\"/>", "K9104", 2, 23},
+             {"<alarm for=\"IsoUnknownCode\"/>", "K9105", 2, 2},
+             {"<number addresses=\"X\" point=\"sometimes\"/>", "K4006", 2, 30},
+             {"<number addresses=\"X\" decimals=\"many\"/>", "K4006", 2, 33},
+             {"<number addresses=\"X\" decimals=\"12\"/>", "K4006", 2, 33},
+             {"<number addresses=\"QQ\"/>", "K4006", 2, 20},
+             {"<address name=\"X\" slot=\"left\"/>", "K4006", 2, 25},
+             {"<alarm for=\"NoSuchRow\" number=\"1\"/>", "K4006", 2, 13},
+             {"<cycle name=\"drill_pek\"><form>G83 Z{to}</form></cycle>", "K4006", 2, 14},
+             {"<cycle name=\"mine\" parameters=\"to:length\"/>", "K4006", 2, 32},
+             {"<group name=\"g\"><code text=\"G7\" command=\"fast\"/></group>", "K4008", 2, 42},
+             {"<group name=\"g\" default=\"fast\"/>", "K4008", 2, 26},
+             {"<command name=\"dwell\"><form>G4 P{seconds}</form></command>", "K4009", 2, 29},
+             {"<command name=\"dwell\"><form>G4 P{time:hours}</form></command>", "K4009", 2, 29},
+             {"<command name=\"dwell\"><form>G4 P{time</form></command>", "K4009", 2, 29},
              {"<command name=\"dwell\"><form></form></command>", "K4009", 2, 24},
-             {"<command name=\"dwell\"><form>WAIT({time}</form></command>", "K4009", 2, 24},
-             {"<command name=\"tool_select\"><form>T{tool?}</form></command>", "K4009", 2, 30},
-             {"<command name=\"work_offset\"><form>G{number+53}</form></command>", "K4009", 2, 30},
+             {"<command name=\"dwell\"><form>WAIT({time}</form></command>", "K4009", 2, 29},
+             {"<command name=\"tool_select\"><form>T{tool?}</form></command>", "K4009", 2, 35},
+             {"<command name=\"work_offset\"><form>G{number+53}</form></command>", "K4009", 2, 35},
              {"<command name=\"work_offset\"><form when=\"number "
               "1..99999\">G{number}</form></command>",
-              "K4009", 2, 30},
-             {"<group name=\"g\"><code text=\"G123456789\" function=\"line\"/></group>", "K4009", 2,
-              18},
+              "K4009", 2, 58},
+             {"<group name=\"g\"><code text=\"G123456789\" command=\"line\"/></group>", "K4009", 2,
+              29},
              {"<command name=\"work_offset\"><form when=\"number one\">G54</form></command>",
-              "K4006", 2, 35},
-             {"<group name=\"g\"><code text=\"G0\" function=\"line\"/></group>", "K4010", 2, 18},
-             {"<command name=\"tool_select\"><form>T1</form></command>", "K4011", 2, 30},
-             {"<command name=\"dwell\"><form>G4 Q{time}</form></command>", "K4013", 2, 24},
+              "K4006", 2, 48},
+             {"<group name=\"g\"><code text=\"G0\" command=\"line\"/></group>", "K4010", 2, 29},
+             {"<command name=\"tool_select\"><form>T1</form></command>", "K4011", 2, 35},
+             {"<command name=\"dwell\"><form>G4 Q{time}</form></command>", "K4013", 2, 29},
          }) {
         SCOPED_TRACE(row.body);
         Loaded loaded;
@@ -114,13 +114,13 @@ TEST(Load, FilesThatAreNotThere) {
     EXPECT_EQ(codes(loaded.messages), "K4001");
     Loaded empty;
     load(empty, "");
-    EXPECT_EQ(codes(empty.messages), "K4002");
+    EXPECT_EQ(codes(empty.messages), "K9101");
     Loaded other;
     load(other, "<machine/>");
-    EXPECT_EQ(codes(other.messages), "K4003");
+    EXPECT_EQ(codes(other.messages), "K9102");
     Loaded nameless;
-    load(nameless, "<dialect name=\"m\" extends=\"iso\"/>");
-    EXPECT_EQ(codes(nameless.messages), "K4005");
+    load(nameless, "<dialect name=\"m\" extends=\"iso\" suffix=\"nc\"/>");
+    EXPECT_EQ(codes(nameless.messages), "K9105");
 }
 
 TEST(Load, ExtendingInACircle) {
@@ -135,8 +135,8 @@ TEST(Load, ExtendingInACircle) {
 
 TEST(Load, WhatAFileSaysReplacesWhatItExtends) {
     Loaded loaded;
-    load(loaded, with("<group name=\"motion\"><code text=\"G1\" function=\"rapid\"/><code "
-                      "text=\"G0\" function=\"line\"/></group>\n"
+    load(loaded, with("<group name=\"motion\"><code text=\"G1\" command=\"rapid\"/><code "
+                      "text=\"G0\" command=\"line\"/></group>\n"
                       "<number addresses=\"X\" decimals=\"1\"/>\n<remove commands=\"dwell\"/>\n"
                       "<rule name=\"arc_tolerance\" value=\"0.5\"/>"));
     ASSERT_TRUE(loaded.dialect) << testing::rendered(loaded.messages, loaded.sources);
