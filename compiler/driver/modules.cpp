@@ -119,10 +119,17 @@ Modules::Module Modules::load(std::string_view import, bool is_file, FileId from
 Modules::Module Modules::parse(FileId file) {
     Parsed& parsed = by_path_[identity(std::string(session_.sources().name(file)))];
     const syntax::SourceHeader header = syntax::scan_header(session_.sources().text(file));
+    const auto place = [file](const std::string& name, std::uint32_t at) {
+        return SourceRange{file, at, at + static_cast<std::uint32_t>(name.size())};
+    };
     const auto* keywords =
-        session_.keywords(header.language.empty() ? kDefaultLanguage : header.language);
+        header.language.empty()
+            ? session_.keywords(kDefaultLanguage, {})
+            : session_.keywords(header.language, place(header.language, header.language_at));
     const auto* dialect =
-        session_.dialect(header.dialect.empty() ? kDefaultDialect : header.dialect);
+        header.dialect.empty()
+            ? session_.dialect(kDefaultDialect, {})
+            : session_.dialect(header.dialect, place(header.dialect, header.dialect_at));
     if (keywords == nullptr || dialect == nullptr) return {};
     parsed.dialect = dialect;
     parsed.ast = std::make_unique<syntax::Ast>(
