@@ -79,6 +79,7 @@ struct Expander::State {
     nc::Block& next_block(SourceId source);
     bool emit(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     bool fill_plan(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    std::uint32_t word_of(const sema::Filling& filling, std::uint32_t at) const;
     bool fill(nc::Block& block, const sema::Filling& filling, Slot value, std::uint32_t at);
     bool fill_feed(nc::Block& block, const sema::Filling& filling, double value, std::uint32_t at);
     bool fill_speed(nc::Block& block, const sema::Filling& filling, double value, std::uint32_t at);

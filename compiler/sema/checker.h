@@ -95,6 +95,8 @@ class Checker {
     Symbol& add_symbol(Symbol symbol);
     void check_new_name(std::string_view name, const SourceRange& range);
     void report_unknown(std::string_view name, const SourceRange& range);
+    /// Whether a mistake that is told already has taken this name away.
+    bool is_lost(std::string_view name);
     std::vector<std::string_view> known_names(bool functions) const;
     void leave_scope(std::size_t symbols);
     std::vector<Givenness> remember_givenness() const;

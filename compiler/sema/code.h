@@ -239,6 +239,7 @@ struct Code {
     std::vector<TableSchema> schemas;
     std::vector<LoadedTable> tables;
     std::vector<EnumNames> enums;
+    FileId main_file;  // the file that was asked for
 };
 
 /// The instructions of one function or of all, one a line, for tests and for the curious.

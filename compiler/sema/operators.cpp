@@ -312,7 +312,7 @@ bool Checker::match_quantities(Value& left, Value& right, const Expr& expr) {
 
 bool Checker::reports_finite(double value, const SourceRange& range) {
     if (std::isfinite(value)) return true;
-    report(diag::ConstantFault, range).arg("a number too large");
+    report(diag::ConstantFault, range).arg("the result is too large for a number");
     return false;
 }
 
@@ -333,7 +333,7 @@ Value Checker::fold_integers(Operator op, std::int64_t a, std::int64_t b,
             break;
     }
     if (overflow) {
-        report(diag::ConstantFault, range).arg("a whole number beyond 64 bits");
+        report(diag::ConstantFault, range).arg("the whole number leaves 64 bits");
         return error_value();
     }
     return constant_integer(result, types::kInt);

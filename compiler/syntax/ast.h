@@ -271,6 +271,9 @@ struct Ast {
     std::vector<std::string> texts = {""};
     std::vector<DeclId> top;  // in source order
     std::vector<Comment> comments;
+    /// Names of what stood where it cannot be declared; whoever uses them makes no second mistake.
+    std::vector<std::string> lost_names;
+    bool has_errors = false;  // of the syntax; the tree has holes
 
     const Expr& operator[](ExprId id) const { return expressions[id.index]; }
     const Stmt& operator[](StmtId id) const { return statements[id.index]; }

@@ -120,7 +120,20 @@ std::optional<KeywordTable> load_keywords(const std::string& name_or_file,
         const std::optional<FileId> file = sources.read(candidate);
         if (file) return Loader(sources, *file, sink).load();
     }
-    sink.report(diag::LanguageUnknown).arg(name_or_file);
+    auto message = sink.report(diag::LanguageUnknown);
+    message.arg(name_or_file);
+    std::vector<std::string> known;
+    for (const std::string& folder : folders) {
+        std::error_code error;
+        for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+             entry.increment(error)) {
+            if (entry->path().extension() == ".xml") known.push_back(entry->path().stem().string());
+        }
+    }
+    std::sort(known.begin(), known.end());
+    std::string names;
+    for (const std::string& name : known) names += (names.empty() ? "`" : ", `") + name + '`';
+    if (!known.empty()) message.note("known are " + names);
     return std::nullopt;
 }
 
