@@ -71,7 +71,7 @@ std::vector<std::string> Prompt::completions(std::string_view line) const {
             for (const std::string& name : parameters->second) candidates.push_back(name + ':');
         }
         candidates.insert(candidates.end(), now_.names.begin(), now_.names.end());
-        if (const auto* keywords = session.keywords("en")) {
+        if (const auto* keywords = session.keywords("en", {})) {
             for (const auto& [lexeme, canonical] : keywords->canonical) {
                 candidates.push_back(lexeme);
             }
