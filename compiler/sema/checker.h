@@ -160,6 +160,9 @@ class Checker {
     // operators.cpp
     Value unary(syntax::ExprId id, Type expected, Reg hint);
     Value binary(syntax::ExprId id, Type expected, Reg hint);
+    Type operand_type(const syntax::Expr& expr);
+    Value with_literals(const Value& start, std::vector<syntax::ExprId>& links);
+    Value chain_link(const syntax::Expr& expr, Value left, Reg mark, Reg hint);
     Value binary_values(syntax::Operator op, Value left, Value right, const syntax::Expr& expr,
                         Reg hint);
     Value arithmetic(syntax::Operator op, Value left, Value right, const syntax::Expr& expr,

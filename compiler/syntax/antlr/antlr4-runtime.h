@@ -1,8 +1,8 @@
-// antlr4-runtime.h — the parts of ANTLR's runtime that Kadr and its generated parser use.
+// antlr4-runtime.h — the parts of ANTLR's runtime that Kadr, its tests and its generated parser use.
 //
 // The generated files include a header of this name, and this folder is searched before ANTLR's
 // own: that one brings in everything, among it misc/InterpreterDataReader.h, which is no valid C++
-// for Clang (it constructs a class by a deleted constructor). A third less to compile, too.
+// for Clang (it constructs a class by a deleted constructor).
 #pragma once
 
 // This one first: the others take their forward declarations from it.
@@ -10,6 +10,7 @@
 // The parts.
 #include "ANTLRInputStream.h"
 #include "BailErrorStrategy.h"
+#include "BaseErrorListener.h"
 #include "DefaultErrorStrategy.h"
 #include "FailedPredicateException.h"
 #include "InputMismatchException.h"
