@@ -28,6 +28,8 @@ std::optional<CycleId> Dialect::find_cycle(std::string_view name) const {
 
 std::span<const RuleSetting> Dialect::rules() const { return tables_->rule_settings; }
 
+std::span<const Example> Dialect::examples() const { return tables_->examples; }
+
 namespace {
 
 void collect_parameters(const std::vector<FormWord>& words, std::uint32_t& said) {

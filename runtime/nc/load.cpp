@@ -22,6 +22,8 @@ void load_ground(const XmlElement& e, DialectTables& tables, Attributes& attribu
 bool apply_dialect(const XmlElement& root, DialectTables& tables, DiagnosticSink& sink) {
     Attributes attributes(sink);
     FormLoader forms(tables, attributes);
+    tables.root = root.range;
+    tables.program.is_inherited = true;
     tables.examples.clear();  // those of the files it extends are run with them
     // The ground comes first, wherever it stands in the file.
     for (const XmlElement& e : root.children) load_ground(e, tables, attributes);

@@ -3,6 +3,55 @@
 
 namespace kadr::nc {
 
+namespace {
+
+/// Whether a template's `{word}` is one that the writer fills: its Template says what they mean.
+bool is_template_word(std::string_view word) {
+    if (word == "name" || word == "NAME" || word == "title" || word == "units") return true;
+    return word == "number" ||
+           (word.size() == 9 && word.starts_with("number:0") && word[8] >= '1' && word[8] <= '9');
+}
+
+/// Why a line of the frame cannot be filled; empty if it can.
+std::string fault_of_template(std::string_view line) {
+    bool is_inside = false;  // `[…]`
+    for (std::size_t at = 0; at < line.size(); ++at) {
+        if (line[at] == '[' || line[at] == ']') {
+            if (is_inside != (line[at] == ']')) return "`[` and `]` do not pair";
+            is_inside = !is_inside;
+        }
+        if (line[at] == '}') return "`}` closes nothing";
+        if (line[at] != '{') continue;
+        const std::size_t close = line.find('}', at);
+        if (close == std::string_view::npos) return "`{` is not closed";
+        const std::string_view word = line.substr(at + 1, close - at - 1);
+        if (!is_template_word(word)) {
+            return "there is no `{" + std::string(word) +
+                   "}`; known are {name}, {NAME}, {title}, {units}, {number} and {number:04}";
+        }
+        at = close;
+    }
+    return is_inside ? "`[` and `]` do not pair" : "";
+}
+
+void check_line(const XmlElement& line, Attributes& attributes) {
+    const bool is_filled = line.name == "header" || line.name == "start";
+    const bool is_plain = line.name == "finish" || line.name == "end";
+    std::string fault;
+    if (is_filled) fault = fault_of_template(line.text);
+    if (is_plain && line.text.find('{') != std::string::npos) {
+        fault = "only `header` and `start` are filled";
+    }
+    if (fault.empty()) return;
+    attributes.fail();
+    attributes.sink()
+        .report(diag::DialectBadForm, line.text_range)
+        .arg(shown_value(line.text))
+        .arg(fault);
+}
+
+}  // namespace
+
 void load_program(const XmlElement& element, ProgramFrame& frame, Attributes& attributes) {
     frame.header.clear();
     frame.start.clear();
@@ -15,7 +64,10 @@ void load_program(const XmlElement& element, ProgramFrame& frame, Attributes& at
     if (const auto letters = attributes.choice(element, "name_letters", {"any", "two"})) {
         frame.name_needs_two_letters = *letters == 1;
     }
+    frame.range = element.range;
+    frame.is_inherited = false;
     for (const XmlElement& line : element.children) {
+        check_line(line, attributes);
         if (line.name == "header") frame.header.push_back(line.text);
         if (line.name == "start") frame.start.push_back(line.text);
         if (line.name == "finish") frame.finish.push_back(line.text);

@@ -27,16 +27,22 @@ void load_rule(const XmlElement& element, DialectTables& tables) {
     const XmlAttribute& value = needed(element, "value");
     std::erase_if(tables.rule_settings,
                   [&](const RuleSetting& rule) { return rule.name == name.value; });
-    tables.rule_settings.push_back({name.value, value.value, element.range});
+    tables.rule_settings.push_back({name.value, value.value, name.value_range, value.value_range});
 }
 
 void load_example(const XmlElement& element, DialectTables& tables) {
+    const auto place = [&](std::string_view name) {
+        const XmlAttribute* attribute = element.find(name);
+        return attribute == nullptr ? element.range : attribute->value_range;
+    };
     Example example;
-    example.range = element.range;
     Attributes::read_text(element, "source", example.source);
     Attributes::read_text(element, "block", example.block);
     Attributes::read_text(element, "meaning", example.meaning);
     example.text = needed(element, "text").value;
+    example.source_range = place("source");
+    example.text_range = place("text");
+    example.block_range = place("block");
     tables.examples.push_back(std::move(example));
 }
 

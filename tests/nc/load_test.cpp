@@ -1,7 +1,12 @@
 // Dialect files: inheritance, and every mistake with its line and column.
+#include "nc/load.h"
+
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -56,7 +61,7 @@ TEST(Load, MistakesHaveTheirPlace) {
     };
     for (const Row& row : {
              Row{"<group name=\"g\"><code text=\"G7\" command=\"plane_xy\"></group>", "K9101", 2,
-                 55},
+                 54},
              {"<gruop name=\"x\"/>", "K9103", 2, 2},
              {"<group name=\"x\"><command/></group>", "K9103", 2, 18},
              {"<number addresses=\"X\" decimal=\"3\"/>", "K9104", 2, 23},
@@ -200,6 +205,89 @@ TEST(Load, Explanations) {
     EXPECT_NE(text("sinumerik", "trans").find("shift"), std::string::npos);
     EXPECT_NE(text("sinumerik", "set_position").find("no spelling"), std::string::npos);
     EXPECT_EQ(text("fanuc", "KNIT"), "");
+}
+
+// ---------------------------------------------------------------- schema and loader
+
+/// What dialect.xsd says of one element, in the words of the loader's table.
+class Schema {
+  public:
+    explicit Schema(const XmlElement& root) : root_(root) {}
+
+    /// Compares the element and everything below it with the table.
+    void compare(const std::string& name, const XmlElement& element) {
+        if (!seen_.insert(name).second) return;
+        SCOPED_TRACE("<" + name + ">");
+        const XmlShape& shape = dialect_shape();
+        const auto rule = std::ranges::find(shape.rules, name, &XmlRule::element);
+        ASSERT_NE(rule, shape.rules.end());
+        const XmlElement* type = type_of(element);
+        std::set<std::string> attributes;
+        std::map<std::string, const XmlElement*> children;
+        if (type != nullptr) {
+            for (const XmlElement& part : type->children) {
+                if (part.name == "xs:attribute") attributes.insert(described(part));
+                if (part.name == "xs:choice" || part.name == "xs:sequence") {
+                    for (const XmlElement& child : part.children) {
+                        children.emplace(child.find("name")->value, &child);
+                    }
+                }
+            }
+        }
+        const bool is_mixed = type != nullptr && type->find("mixed") != nullptr;
+        EXPECT_EQ(rule->text == XmlRule::Text::Allowed, type == nullptr || is_mixed);
+        std::set<std::string> expected_attributes;
+        for (const XmlAttributeRule& attribute : rule->attributes) {
+            const bool is_needed = attribute.use != XmlAttributeRule::Use::Optional;
+            expected_attributes.insert(std::string(attribute.name) + (is_needed ? "!" : ""));
+        }
+        EXPECT_EQ(expected_attributes, attributes);
+        std::set<std::string> names;
+        for (const auto& [child, definition] : children) names.insert(child);
+        EXPECT_EQ(std::set<std::string>(rule->children.begin(), rule->children.end()), names);
+        for (const auto& [child, definition] : children) compare(child, *definition);
+    }
+
+    std::size_t compared() const { return seen_.size(); }
+
+  private:
+    static std::string described(const XmlElement& attribute) {
+        const XmlAttribute* use = attribute.find("use");
+        const bool is_needed = use != nullptr && use->value == "required";
+        return attribute.find("name")->value + (is_needed ? "!" : "");
+    }
+
+    /// The complex type of an element; nullptr if it holds text only.
+    const XmlElement* type_of(const XmlElement& element) const {
+        for (const XmlElement& child : element.children) {
+            if (child.name == "xs:complexType") return &child;
+        }
+        const XmlAttribute* type = element.find("type");
+        for (const XmlElement& child : root_.children) {
+            if (type == nullptr || child.name != "xs:complexType") continue;
+            if (child.find("name")->value == type->value) return &child;
+        }
+        return nullptr;
+    }
+
+    const XmlElement& root_;
+    std::set<std::string> seen_;
+};
+
+// Editors read the schema, the loader its table: what one allows the other must.
+TEST(Load, SchemaAndLoaderAgree) {
+    static const std::vector<XmlRule> rules = {{"xs:schema", {}, {}}};
+    Sources sources;
+    DiagnosticList messages;
+    const auto file = sources.read(KADR_ROOT "/dialects/dialect.xsd");
+    ASSERT_TRUE(file);
+    const auto root = parse_xml(*file, sources, {"a schema", rules}, messages);
+    ASSERT_TRUE(root) << testing::rendered(messages, sources);
+    Schema schema(*root);
+    for (const XmlElement& element : root->children) {
+        if (element.name == "xs:element") schema.compare("dialect", element);
+    }
+    EXPECT_EQ(schema.compared(), dialect_shape().rules.size());
 }
 
 }  // namespace
