@@ -24,7 +24,7 @@ constexpr const char* kEpilogue =
     "3 an alarm while running. `man kadr` says more.";
 
 /// Commands of the stable interface that this version does not have.
-constexpr std::array<std::string_view, 3> kLater = {"fmt", "test", "repl"};
+constexpr std::array<std::string_view, 2> kLater = {"fmt", "repl"};
 
 /// Seconds of `1ms`, `0.002s`, `500us`; a bare number is seconds. Throws what CLI11 expects.
 double parse_time(const std::string& text) {
@@ -70,6 +70,7 @@ class Parser {
     void add_expand();
     void add_run();
     void add_check();
+    void add_test();
     void add_tables();
 
     CLI::App app_{kAbout, "kadr"};
@@ -93,6 +94,7 @@ Parser::Parser() {
     add_expand();
     add_run();
     add_check();
+    add_test();
     add_tables();
 }
 
@@ -183,6 +185,31 @@ void Parser::add_check() {
                      "folder in which imports are looked for")
         ->type_name("DIR")
         ->allow_extra_args(false);
+}
+
+void Parser::add_test() {
+    CLI::App* command = add(app_, "test", "run the tests and properties of programs", Verb::Test);
+    command->add_option("SRC", line_.test.sources, "Kadr programs")->required();
+    add_dialect(*command);
+    command->add_option("-m,--machine", line_.options.machine, "machine: a name or an XML file")
+        ->type_name("MACHINE");
+    command->add_option("--filter", line_.test.filter, "only tests with this in their name")
+        ->type_name("TEXT");
+    command->add_option("--runs", line_.test.runs, "sets of values of each property")
+        ->check(CLI::Range(1, 1000000).description(""))
+        ->type_name("N");
+    command->add_option("--seed", line_.test.seed, "of the values")->type_name("N");
+    command->add_option("-D,--define", defines_, "value of a parameter: one run of a property")
+        ->type_name("name=value")
+        ->allow_extra_args(false);
+    command
+        ->add_option("-I,--include", line_.options.folders,
+                     "folder in which imports are looked for")
+        ->type_name("DIR")
+        ->allow_extra_args(false);
+    command->add_option("--cycles", cycles_, "the control's own cycles, or single moves")
+        ->check(one_of({"native", "moves"}))
+        ->type_name("native|moves");
 }
 
 void Parser::add_tables() {

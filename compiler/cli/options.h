@@ -15,6 +15,7 @@ enum class Verb : std::uint8_t {
     Expand,
     Run,
     Check,
+    Test,
     Explain,
     DialectList,
     DialectCheck,
@@ -28,6 +29,7 @@ struct CommandLine {
     driver::Options options;
     driver::ExpandJob expand;
     driver::RunJob run;
+    driver::TestJob test;
     std::vector<std::string> sources;  // check
     std::string file;                  // dialect and machine: a name or a file
     std::string word;                  // dialect explain: a word; explain: a message
