@@ -11,6 +11,7 @@
 #include "cli/progress.h"
 #include "driver/check.h"
 #include "driver/expand.h"
+#include "driver/format.h"
 #include "driver/run.h"
 #include "driver/session.h"
 #include "driver/tables.h"
@@ -34,6 +35,7 @@ Status perform(driver::Session& session, const cli::CommandLine& line) {
         case cli::Verb::Run: return driver::run(session, line.run);
         case cli::Verb::Check: return driver::check(session, line.sources);
         case cli::Verb::Test: return driver::test(session, line.test);
+        case cli::Verb::Format: return driver::format(session, line.sources, line.format);
         case cli::Verb::Explain: return show(driver::explain_message(session, line.word));
         case cli::Verb::DialectList: return show(driver::list_dialects(session));
         case cli::Verb::DialectCheck: return show(driver::check_dialect(session, line.file));

@@ -24,7 +24,7 @@ constexpr const char* kEpilogue =
     "3 an alarm while running. `man kadr` says more.";
 
 /// Commands of the stable interface that this version does not have.
-constexpr std::array<std::string_view, 2> kLater = {"fmt", "repl"};
+constexpr std::array<std::string_view, 1> kLater = {"repl"};
 
 /// Seconds of `1ms`, `0.002s`, `500us`; a bare number is seconds. Throws what CLI11 expects.
 double parse_time(const std::string& text) {
@@ -71,6 +71,7 @@ class Parser {
     void add_run();
     void add_check();
     void add_test();
+    void add_format();
     void add_tables();
 
     CLI::App app_{kAbout, "kadr"};
@@ -84,6 +85,7 @@ class Parser {
     std::string map_;
     std::vector<std::string> defines_;
     std::vector<int> skips_;
+    bool is_check_ = false;
 };
 
 Parser::Parser() {
@@ -95,6 +97,7 @@ Parser::Parser() {
     add_run();
     add_check();
     add_test();
+    add_format();
     add_tables();
 }
 
@@ -212,6 +215,12 @@ void Parser::add_test() {
         ->type_name("native|moves");
 }
 
+void Parser::add_format() {
+    CLI::App* command = add(app_, "fmt", "lay out Kadr programs", Verb::Format);
+    command->add_option("SRC", line_.sources, "Kadr programs")->required();
+    command->add_flag("--check", is_check_, "write nothing, report files that would change");
+}
+
 void Parser::add_tables() {
     CLI::App* explain = add(app_, "explain", "what a message means, with examples", Verb::Explain);
     explain->add_option("CODE", line_.word, "its number, K1001; without one all are listed");
@@ -249,6 +258,7 @@ CommandLine Parser::parse(int count, const char* const* arguments) {
                                              : driver::SummaryFormat::None;
     line_.run.plot_color =
         plot_color_ == "line" ? driver::PlotColor::Line : driver::PlotColor::Feed;
+    line_.format = is_check_ ? driver::FormatMode::Check : driver::FormatMode::Write;
     line_.messages =
         messages_ == "json" ? driver::MessageFormat::Json : driver::MessageFormat::Text;
     return line_;

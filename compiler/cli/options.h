@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "driver/format.h"
 #include "driver/messages.h"
 #include "driver/options.h"
 
@@ -16,6 +17,7 @@ enum class Verb : std::uint8_t {
     Run,
     Check,
     Test,
+    Format,
     Explain,
     DialectList,
     DialectCheck,
@@ -30,9 +32,10 @@ struct CommandLine {
     driver::ExpandJob expand;
     driver::RunJob run;
     driver::TestJob test;
-    std::vector<std::string> sources;  // check
-    std::string file;                  // dialect and machine: a name or a file
-    std::string word;                  // dialect explain: a word; explain: a message
+    std::vector<std::string> sources;  // check, fmt
+    driver::FormatMode format = driver::FormatMode::Write;
+    std::string file;  // dialect and machine: a name or a file
+    std::string word;  // dialect explain: a word; explain: a message
     driver::MessageFormat messages = driver::MessageFormat::Text;
 };
 

@@ -2,9 +2,8 @@
 
 #include "syntax/brackets.h"
 #include "syntax/lex.h"
-#include "syntax/retype.h"
+#include "syntax/prepare.h"
 #include "syntax/tree.h"
-#include "syntax/words.h"
 
 namespace kadr::syntax {
 
@@ -50,12 +49,7 @@ void parse_into(Ast& ast, std::string_view source, const KeywordTable& keywords,
     Interner texts(ast.texts);
     const Lines lines(*clean);
     const SourceFile file{ast.file, *clean, limit, texts, lines};
-    const auto raw = lex(file, keywords, limit, ast.comments);
-    if (!raw) return;
-    const WordKindOf kind_of = [&dialect](std::string_view identifier) {
-        return nc::word_kind(dialect, identifier);
-    };
-    const auto prepared = retype(file, merge_words(file, *raw, kind_of), keywords);
+    const auto prepared = prepare(file, keywords, dialect, limit, ast.comments);
     if (prepared && !limit.is_full()) build_tree(file, *prepared, limit, ast);
 }
 
