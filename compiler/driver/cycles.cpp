@@ -73,11 +73,10 @@ const Program* LibraryCycles::find(std::string_view cycle) {
 std::unique_ptr<Stream<nc::Block>> LibraryCycles::expand(const interp::CycleCall& call) {
     const Program* library = find(call.name);
     if (library == nullptr) {
-        session_.messages().report(diag::CycleUnknown).arg(call.name);
+        sink_->report(diag::CycleUnknown).arg(call.name);
         return nullptr;
     }
-    auto blocks =
-        std::make_unique<CycleBlocks>(*library, dialect_, call.source, session_.messages());
+    auto blocks = std::make_unique<CycleBlocks>(*library, dialect_, call.source, *sink_);
     if (!blocks->start(call)) return nullptr;
     return blocks;
 }

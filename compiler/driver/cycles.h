@@ -22,7 +22,10 @@ class LibraryCycles final : public interp::CycleExpander {
   public:
     /// References outlive the expander.
     LibraryCycles(Session& session, const nc::Dialect& dialect)
-        : session_(session), dialect_(dialect) {}
+        : session_(session), dialect_(dialect), sink_(&session.messages()) {}
+
+    /// Where the messages of the cycles go from now on; it outlives their blocks.
+    void report_to(DiagnosticSink& sink) { sink_ = &sink; }
 
     std::unique_ptr<Stream<nc::Block>> expand(const interp::CycleCall& call) override;
 
@@ -31,6 +34,7 @@ class LibraryCycles final : public interp::CycleExpander {
 
     Session& session_;
     const nc::Dialect& dialect_;
+    DiagnosticSink* sink_;
     std::optional<std::vector<std::string>> files_;  // of the library; nothing: not looked up yet
     std::vector<std::optional<Program>> programs_;   // of the first files
 };

@@ -60,4 +60,13 @@ struct RunJob {
     PlotColor plot_color = PlotColor::Feed;
 };
 
+/// Which tests are run, and how hard the properties are tried.
+struct TestJob {
+    std::vector<std::string> sources;
+    std::string filter;        // part of the name; empty: all
+    std::uint64_t seed = 1;    // of the random values
+    std::uint64_t runs = 100;  // sets of values of each property
+    std::string output = "-";  // for the list of the tests
+};
+
 }  // namespace kadr::driver

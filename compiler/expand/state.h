@@ -1,8 +1,8 @@
 // state.h — a running program: registers, calls, modal state, the batch that is being filled.
 //
 // The chapters: vm.cpp (the instructions), blocks.cpp (blocks, frames, `with`), faults.cpp (errors
-// with the call stack), start.cpp (programs, parameters), text_format.cpp. For the room expand
-// only.
+// with the call stack), start.cpp (programs, parameters), tests.cpp, text_format.cpp. For the room
+// expand only.
 #pragma once
 
 #include <deque>
@@ -63,6 +63,19 @@ struct Expander::State {
     bool set_parameter(const sema::FunctionCode& function, const sema::ParameterInfo& parameter,
                        const std::string& text, Slot& slot);
     void enter(const sema::FunctionCode& function, std::uint32_t given);
+
+    // ---- tests.cpp
+    bool start_test(std::uint32_t index, std::span<const Slot> values, TestBench& asked);
+    std::optional<std::vector<Slot>> read_values(std::uint32_t index,
+                                                 const std::vector<sema::Define>& defines);
+    bool test_call(const Instruction& instruction, Slot* registers, std::uint32_t at);
+    void ask_figure(const Instruction& instruction, Slot* registers);
+    void list_dialects(const Instruction& instruction, Slot* registers);
+    bool expectation_failed(const Instruction& instruction, const Slot* registers,
+                            std::uint32_t at);
+    bool stops_at_failure();
+    bool start_call(const CallUnderTest& call);
+    void set_up(const CallUnderTest& call);
 
     // ---- vm.cpp
     std::size_t pull(std::span<nc::Block> out);
@@ -125,6 +138,12 @@ struct Expander::State {
     std::uint64_t blocks_left = 0;
     bool is_running = false;
     bool has_failed = false;
+
+    TestBench* bench = nullptr;            // only of a test
+    bool is_rejected = false;              // an assumption of a property does not hold
+    std::vector<std::uint32_t> failed_at;  // expectations that have been reported
+    std::string reason;                    // of the figure asked last
+    SourceId reason_at;
 
     ModalState modal;
     struct OpenWith {

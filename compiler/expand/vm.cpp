@@ -830,6 +830,26 @@ op_UserWarning:
     fault_note(diag::ProgramWarning, AT, heap.text(A.integer));
     KADR_NEXT;
 
+    // ---------------------------------------------------------------- tests
+op_TestCall:
+    if (!test_call(*ip, r, AT)) [[unlikely]]
+        goto stop;
+    ++ip;  // the Finish is for the call
+    KADR_NEXT;
+op_Figure:
+    ask_figure(*ip, r);
+    KADR_NEXT;
+op_TestDialects:
+    list_dialects(*ip, r);
+    KADR_NEXT;
+op_ExpectFailed:
+    if (!expectation_failed(*ip, r, AT)) goto stop;
+    KADR_NEXT;
+op_AssumeFailed:
+    is_rejected = true;
+    is_running = false;
+    goto stop;
+
     // ---------------------------------------------------------------- ways out
 batch_or_next:
     if (batch_count == batch_size) {
