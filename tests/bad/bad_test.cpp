@@ -253,7 +253,7 @@ std::vector<Rubbish> rubbish() {
         {"DeepIfs", "expand {file}", ".kadr",
          "program p() { " + repeated("if (true) ", 100000) + "; }", 1},
         {"LongSum", "expand {file}", ".kadr",
-         "program p() { real a = 1" + repeated(" + 1", 200000) + "; }", 1},
+         "program p() { real a = 1" + repeated(" + 1", 600000) + "; }", 1},
         {"DeepXml", "dialect check {file}", ".xml", repeated("<dialect>", 100000), 1},
         {"EmptySource", "expand {file}", ".kadr", "", 1},
         {"EmptyXml", "machine check {file}", ".xml", "", 1},

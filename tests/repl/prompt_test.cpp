@@ -51,7 +51,7 @@ bool has(const std::string& text, std::string_view part) {
 TEST(Prompt, ABlockShowsItsTextAndWhatItChanged) {
     Conversation talk("fanuc");
     const std::string first = talk.say("G0 X10 Y20");
-    EXPECT_TRUE(first.starts_with("X10. Y20.\n") || has(first, "G00 X10. Y20.\n")) << first;
+    EXPECT_TRUE(has(first, "\nX10. Y20.\n")) << first;
     EXPECT_TRUE(has(first, "at X10.000 Y20.000")) << first;
     const std::string second = talk.say("G1 X0 F200 S1000 M3;");
     EXPECT_TRUE(has(second, "G01 X0. F200. S1000 M03\n")) << second;
@@ -148,6 +148,7 @@ TEST(Prompt, CommandsAnswer) {
 TEST(Prompt, StepShowsWhatEachBlockDoes) {
     int waits = 0;
     Conversation talk("iso", [&waits] { return ++waits < 2; });
+    talk.say("G0 X0");
     talk.say(":step on");
     const std::string answer = talk.say("for (int i = 1; i < 9; i++) G0 X=i;");
     EXPECT_TRUE(has(answer, "rapid to X1.000\n")) << answer;
@@ -157,6 +158,7 @@ TEST(Prompt, StepShowsWhatEachBlockDoes) {
 
 TEST(Prompt, ManyLinesAreShortened) {
     Conversation talk;
+    talk.say("G0 X0");
     const std::string answer = talk.say("for (int i = 1; i <= 1000; i++) G0 X=i;");
     EXPECT_TRUE(has(answer, "X18\n")) << answer;
     EXPECT_FALSE(has(answer, "X19\n")) << answer;
@@ -180,7 +182,7 @@ TEST(Prompt, FilesAreLoadedAndSaved) {
     EXPECT_EQ(read_file(saved),
               "import \"" + library + "\";\n\nprogram prompt() {\n    hop(to: 7mm);\n}\n");
     EXPECT_TRUE(has(talk.say(":load " + (folder / "none.kadr").string()), "K9003"));
-    EXPECT_TRUE(has(talk.say(":plot " + (folder / "a.svg").string()), "mm"));
+    EXPECT_EQ(talk.say(":plot " + (folder / "a.svg").string()), "nothing has moved\n");
     EXPECT_TRUE(fs::exists(folder / "a.svg"));
     fs::remove_all(folder);
 }

@@ -90,7 +90,7 @@ TEST_F(TerminalTest, LinesHistoryAndTheEnd) {
         Terminal terminal(state_);
         terminal.expect("kadr> ");
         terminal.type("G0 X12\n");
-        terminal.expect("\nX12");
+        terminal.expect("\nG0 X12");
         terminal.expect("kadr> ");
         terminal.type("\x04");  // Ctrl-D
         EXPECT_EQ(terminal.status(), 0);
@@ -100,7 +100,7 @@ TEST_F(TerminalTest, LinesHistoryAndTheEnd) {
     Terminal terminal(state_);
     terminal.expect("kadr> ");
     terminal.type("\x1b[A\n");  // the line of the conversation before
-    terminal.expect("\nX12");
+    terminal.expect("\nG0 X12");
 }
 
 TEST_F(TerminalTest, CompletionAndSeveralLines) {
@@ -136,7 +136,7 @@ TEST_F(TerminalTest, CtrlCEndsALineAndALoop) {
 TEST_F(TerminalTest, UndoAndPlot) {
     Terminal terminal(state_);
     terminal.expect("kadr> ");
-    terminal.type("G0 X10 Y10\n");
+    terminal.type("G1 X10 Y10 F500\n");
     terminal.expect("kadr> ");
     terminal.type("G0 X20\n");
     terminal.expect("kadr> ");
