@@ -96,6 +96,28 @@ TEST_F(Docs, PiecesOfTheLibrarysManualHaveNoMistake) {
     }
 }
 
+/// Every program of the library's texts has its picture in the manual, and it is today's.
+TEST_F(Docs, PicturesAreWhatIsDrawnToday) {
+    const std::string manual = kadr::read_file(KADR_ROOT "/docs/stdlib.md").value_or("");
+    int pictures = 0;
+    for (const auto& entry : fs::directory_iterator(KADR_ROOT "/tests/golden/cycles")) {
+        if (entry.path().extension() != ".kadr") continue;
+        ++pictures;
+        const std::string name = entry.path().stem();
+        const std::string program = kadr::read_file(entry.path()).value_or("");
+        const bool is_lathe = program.find("-m lathe") != std::string::npos;
+        const ProcessResult result =
+            run_process({KADR_BINARY, "run", entry.path(), "-m", is_lathe ? "lathe" : "mill",
+                         "--cycles", "moves", "--plot", "now.svg"});
+        EXPECT_EQ(result.status, 0) << name << '\n' << result.err;
+        EXPECT_TRUE(kadr::read_file("now.svg") ==
+                    kadr::read_file(KADR_ROOT "/docs/pictures/" + name + ".svg"))
+            << name << ": run scripts/pictures and look at it";
+        EXPECT_NE(manual.find("(pictures/" + name + ".svg)"), std::string::npos) << name;
+    }
+    EXPECT_GT(pictures, 30);
+}
+
 /// Words of a command line up to a comment.
 std::vector<std::string> words_of(const std::string& line) {
     std::istringstream in(line.substr(0, line.find('#')));
