@@ -16,6 +16,7 @@
 #include "driver/session.h"
 #include "driver/tables.h"
 #include "driver/test.h"
+#include "repl/terminal.h"
 
 namespace {
 
@@ -36,6 +37,7 @@ Status perform(driver::Session& session, const cli::CommandLine& line) {
         case cli::Verb::Check: return driver::check(session, line.sources);
         case cli::Verb::Test: return driver::test(session, line.test);
         case cli::Verb::Format: return driver::format(session, line.sources, line.format);
+        case cli::Verb::Repl: return repl::converse(line.options, session.share());
         case cli::Verb::Explain: return show(driver::explain_message(session, line.word));
         case cli::Verb::DialectList: return show(driver::list_dialects(session));
         case cli::Verb::DialectCheck: return show(driver::check_dialect(session, line.file));

@@ -23,9 +23,6 @@ constexpr const char* kEpilogue =
     "Exit status: 0 done, 1 the program has errors, 2 wrong usage or unreadable file,\n"
     "3 an alarm while running. `man kadr` says more.";
 
-/// Commands of the stable interface that this version does not have.
-constexpr std::array<std::string_view, 1> kLater = {"repl"};
-
 /// Seconds of `1ms`, `0.002s`, `500us`; a bare number is seconds. Throws what CLI11 expects.
 double parse_time(const std::string& text) {
     const Decimal number = parse_decimal(text.data(), text.data() + text.size());
@@ -72,6 +69,7 @@ class Parser {
     void add_check();
     void add_test();
     void add_format();
+    void add_repl();
     void add_tables();
 
     CLI::App app_{kAbout, "kadr"};
@@ -98,6 +96,7 @@ Parser::Parser() {
     add_check();
     add_test();
     add_format();
+    add_repl();
     add_tables();
 }
 
@@ -221,6 +220,19 @@ void Parser::add_format() {
     command->add_flag("--check", is_check_, "write nothing, report files that would change");
 }
 
+void Parser::add_repl() {
+    CLI::App* command =
+        add(app_, "repl", "try statements, blocks and calls at a prompt", Verb::Repl);
+    add_dialect(*command);
+    command->add_option("-m,--machine", line_.options.machine, "machine: a name or an XML file")
+        ->type_name("MACHINE");
+    command
+        ->add_option("-I,--include", line_.options.folders,
+                     "folder in which imports are looked for")
+        ->type_name("DIR")
+        ->allow_extra_args(false);
+}
+
 void Parser::add_tables() {
     CLI::App* explain = add(app_, "explain", "what a message means, with examples", Verb::Explain);
     explain->add_option("CODE", line_.word, "its number, K1001; without one all are listed");
@@ -288,11 +300,6 @@ std::string Parser::message(const CLI::ParseError& error, int& status) const {
 }  // namespace
 
 std::variant<CommandLine, Answer> parse_command_line(int count, const char* const* arguments) {
-    if (count > 1 && std::find(kLater.begin(), kLater.end(), arguments[1]) != kLater.end()) {
-        return Answer{driver::Status::Usage, "kadr: this version has no command `" +
-                                                 std::string(arguments[1]) +
-                                                 "`; `kadr --help` lists what it has\n"};
-    }
     Parser parser;
     try {
         return parser.parse(count, arguments);

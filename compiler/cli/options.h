@@ -18,6 +18,7 @@ enum class Verb : std::uint8_t {
     Check,
     Test,
     Format,
+    Repl,
     Explain,
     DialectList,
     DialectCheck,

@@ -28,7 +28,7 @@ const nc::Dialect* Bench::wanted_dialect(const CallUnderTest& call, const std::s
                                       [&](const auto& summary) { return summary.name == name; });
     std::error_code error;
     if (is_known || std::filesystem::is_regular_file(name, error)) {
-        if (const nc::Dialect* loaded = session_.dialect(name)) return loaded;
+        if (const nc::Dialect* loaded = session_.dialect(name, {})) return loaded;
     }
     auto builder = sink_->report(diag::ControlUnknown, call.range);
     builder.arg(name);

@@ -13,6 +13,9 @@
 
 namespace kadr::driver {
 
+/// The files of the library's cycles, in a fixed order.
+std::vector<std::string> cycle_files(const std::string& library);
+
 /// Runs `stdlib/cycles` for cycle calls that the interpreter meets. A file of the library is read
 /// and checked when a call asks for a cycle that none before it has.
 class LibraryCycles final : public interp::CycleExpander {

@@ -141,9 +141,7 @@ std::unique_ptr<Execution> Execution::open(Session& session, const std::string& 
                              ? execution->open_program(keep_source(session, source, *text), map)
                              : execution->open_text(source, std::move(text));
     if (!is_open) return nullptr;
-    execution->own_cycles_ = std::make_unique<LibraryCycles>(session, *execution->dialect_);
-    execution->cycles_ = execution->own_cycles_.get();
-    execution->connect(session.messages());
+    execution->connect_with_library();
     return execution;
 }
 
@@ -156,7 +154,10 @@ std::unique_ptr<Execution> Execution::open(Session& session, const Subject& subj
     execution->text_name_ = generated_name(subject.entry.name, subject.dialect);
     execution->generated_ =
         std::make_unique<GeneratedText>(session, subject.program, subject.dialect, subject.sink);
-    execution->generated_->keep_in(subject.text);
+    if (subject.text != nullptr) {
+        execution->generated_->set_tap(
+            [text = subject.text](std::string_view piece) { *text += piece; });
+    }
     if (!execution->generated_->start(subject.entry)) return nullptr;
     execution->cycles_ = &subject.cycles;
     subject.cycles.report_to(subject.sink);
@@ -172,7 +173,17 @@ bool Execution::open_text(const std::string& source, std::unique_ptr<FileText> t
     return dialect_ != nullptr;
 }
 
-bool Execution::open_program(FileId file, Output* map) {
+std::unique_ptr<Execution> Execution::open(Session& session, FileId program,
+                                           GeneratedText::Tap tap) {
+    std::unique_ptr<Execution> execution(new Execution(session));
+    execution->machine_ = session.machine();
+    if (execution->machine_ == nullptr) return nullptr;
+    if (!execution->open_program(program, nullptr, std::move(tap))) return nullptr;
+    execution->connect_with_library();
+    return execution;
+}
+
+bool Execution::open_program(FileId file, Output* map, GeneratedText::Tap tap) {
     dialect_ = session_.chosen_dialect(kDefaultDialect);
     if (dialect_ == nullptr) return false;
     own_program_ = load_program(session_, file);
@@ -180,7 +191,15 @@ bool Execution::open_program(FileId file, Output* map) {
     program_ = &*own_program_;
     text_name_ = generated_name(session_.sources().name(file), *dialect_);
     generated_ = std::make_unique<GeneratedText>(session_, *program_, *dialect_, map);
+    generated_->set_tap(std::move(tap));
     return generated_->start();
+}
+
+/// With the library's cycles for this execution alone.
+void Execution::connect_with_library() {
+    own_cycles_ = std::make_unique<LibraryCycles>(session_, *dialect_);
+    cycles_ = own_cycles_.get();
+    connect(session_.messages());
 }
 
 void Execution::connect(DiagnosticSink& sink) {

@@ -43,6 +43,10 @@ class Execution final : public Stream<path::Command> {
     /// says what it was. `map` gets the source map of a Kadr program; null: none is made.
     static std::unique_ptr<Execution> open(Session& session, const std::string& source,
                                            std::unique_ptr<FileText> text, Output* map);
+    /// The same for a program among the sources of the session. `tap` sees the text that is
+    /// executed.
+    static std::unique_ptr<Execution> open(Session& session, FileId program,
+                                           GeneratedText::Tap tap);
     /// The same for a part of a program that is checked already; what it refers to outlives the
     /// execution. Null: the sink has got the reason.
     static std::unique_ptr<Execution> open(Session& session, const Subject& subject);
@@ -56,6 +60,13 @@ class Execution final : public Stream<path::Command> {
     /// Evaluating, writing or reading came to an error.
     bool failed() const;
     std::uint64_t blocks() const { return interpreter_->blocks(); }
+
+    /// The checked program; null for ISO-7bit text.
+    const Program* program() const { return program_; }
+    /// The generated text; null for ISO-7bit text.
+    const GeneratedText* generated() const { return generated_.get(); }
+    /// The modal state and the position behind what was pulled so far.
+    const interp::Interpreter& interpreter() const { return *interpreter_; }
 
     const nc::Dialect& dialect() const { return *dialect_; }
     const machine::Machine& machine() const { return *machine_; }
@@ -77,7 +88,8 @@ class Execution final : public Stream<path::Command> {
     explicit Execution(Session& session);
 
     bool open_text(const std::string& source, std::unique_ptr<FileText> text);
-    bool open_program(FileId file, Output* map);
+    bool open_program(FileId file, Output* map, GeneratedText::Tap tap = {});
+    void connect_with_library();
     void connect(DiagnosticSink& sink);
 
     Session& session_;

@@ -13,7 +13,10 @@ constexpr std::size_t kPiece = 64;
 constexpr std::size_t kPieceBytes = std::size_t{1} << 13;  // text handed on at a time
 
 expand::ExpandOptions expand_options(const Options& options, bool has_map) {
-    return {.limits = {}, .native_cycles = options.native_cycles, .trace = has_map};
+    return {.limits = {},
+            .native_cycles = options.native_cycles,
+            .trace = has_map,
+            .stop = options.stop};
 }
 
 nc::WriteOptions write_options(const Options& options) {
@@ -80,7 +83,7 @@ std::string_view GeneratedText::next() {
     // The text of `start` is part of the first piece.
     if (blocks_ > 0 || is_at_end_) text_.clear();
     while (!is_at_end_ && text_.size() < kPieceBytes) write_batch();
-    if (kept_ != nullptr) *kept_ += text_;
+    if (tap_) tap_(text_);
     return text_;
 }
 
@@ -94,7 +97,9 @@ void GeneratedText::write_batch() {
     }
     blocks_ += count;
     is_at_end_ = count == 0 || failed();
-    if (is_at_end_) writer_.end(text_);
+    if (!is_at_end_) return;
+    body_lines_ = writer_.lines();
+    writer_.end(text_);
 }
 
 void GeneratedText::map_block(std::size_t index, std::uint32_t line) {

@@ -41,14 +41,19 @@ class GeneratedText final : public nc::TextSource {
 
     std::string_view next() override;
 
+    /// Gets every piece of the text as it is made. To be set before `start`.
+    using Tap = std::function<void(std::string_view)>;
+    void set_tap(Tap tap) { tap_ = std::move(tap); }
+    /// Lines up to the program's last block: what follows is the frame's end (`%`). Complete when
+    /// the text is.
+    std::uint32_t body_lines() const { return body_lines_; }
+
     /// Whether evaluating or writing came to an error.
     bool failed() const;
     const LineMap& lines() const { return *line_map_; }
     std::uint64_t blocks() const { return blocks_; }
     /// Lines so far that a statement of the program made.
     std::uint64_t statement_lines() const { return statement_lines_; }
-    /// Keeps all that is written, too.
-    void keep_in(std::string* text) { kept_ = text; }
 
   private:
     GeneratedText(Session& session, const Program& program, const nc::Dialect& target, Output* map,
@@ -67,8 +72,9 @@ class GeneratedText final : public nc::TextSource {
     std::string entry_;
     std::uint64_t blocks_ = 0;
     std::uint64_t statement_lines_ = 0;
-    std::string* kept_ = nullptr;
     bool is_at_end_ = false;
+    Tap tap_;
+    std::uint32_t body_lines_ = 0;
 };
 
 /// The program of the file that is run: the one with this name, or the first if none is asked for.

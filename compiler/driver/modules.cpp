@@ -70,8 +70,14 @@ std::vector<std::string> module_names(const std::vector<std::string>& folders) {
 
 SourceWords words_of(Session& session, FileId file) {
     const syntax::SourceHeader header = syntax::scan_header(session.sources().text(file));
-    return {session.keywords(header.language.empty() ? kDefaultLanguage : header.language),
-            session.dialect(header.dialect.empty() ? kDefaultDialect : header.dialect)};
+    const auto place = [file](const std::string& name, std::uint32_t at) {
+        if (name.empty()) return SourceRange{};
+        return SourceRange{file, at, at + static_cast<std::uint32_t>(name.size())};
+    };
+    return {session.keywords(header.language.empty() ? kDefaultLanguage : header.language,
+                             place(header.language, header.language_at)),
+            session.dialect(header.dialect.empty() ? kDefaultDialect : header.dialect,
+                            place(header.dialect, header.dialect_at))};
 }
 
 std::vector<std::string> Modules::folders_for(FileId from) const {

@@ -4,6 +4,7 @@
 // is theirs, meaning is here.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -34,6 +35,7 @@ struct Options {
     std::uint16_t skip_levels = 0;      // bit n: blocks with skip level n are left out
     bool optional_stop = false;         // M1 stops
     std::optional<double> tick;         // s; nothing: as the machine says
+    const std::atomic<bool>* stop = nullptr;  // set from outside: what runs ends with an error
 };
 
 /// Where the results of an expansion go; `-` is standard output.

@@ -101,7 +101,7 @@ bool TestRun::is_chosen(const FunctionCode& function) const {
 
 Outcome TestRun::run_once(std::uint32_t index, const std::vector<sema::Slot>& values,
                           const std::string& dialect, DiagnosticList& said) {
-    const nc::Dialect* target = session_.dialect(dialect);
+    const nc::Dialect* target = session_.dialect(dialect, {});
     if (target == nullptr) return Outcome::Fails;
     bench_->begin(dialect, said);
     const sema::Code& code = *program_->code;
@@ -201,7 +201,7 @@ bool TestRun::are_defines_known(const FunctionCode& property) {
 
 /// One set of values, from the command line.
 void TestRun::run_given(std::uint32_t index, const std::string& dialect, DiagnosticList& said) {
-    const nc::Dialect* target = session_.dialect(dialect);
+    const nc::Dialect* target = session_.dialect(dialect, {});
     if (target == nullptr) return;
     expand::Expander reader(*program_->code, *target, {}, said);
     const auto values = reader.read_values(index, session_.options().defines);
@@ -305,7 +305,7 @@ Status TestRun::perform() {
     if (asked.empty()) dialects_.assign(kControls.begin(), kControls.end());
     else dialects_ = {asked};
     for (const std::string& name : dialects_) {
-        if (session_.dialect(name) == nullptr) session_.mark_usage();
+        if (session_.dialect(name, {}) == nullptr) session_.mark_usage();
     }
     if (session_.machine() == nullptr || session_.status() != Status::Done)
         return session_.status();

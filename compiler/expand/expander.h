@@ -1,6 +1,7 @@
 // expander.h — runs Code and yields Blocks.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -21,7 +22,7 @@ namespace kadr::expand {
 
 struct Limits {
     std::uint32_t call_depth = 1000;
-    std::uint64_t loop_turns = 1'000'000'000;  // of all loops together
+    std::uint64_t loop_turns = 1'000'000'000;  // of all loops together, calls counted like turns
     std::uint64_t blocks = 100'000'000;
     std::uint64_t array_elements = 50'000'000;
 };
@@ -41,8 +42,9 @@ struct Trace {
 
 struct ExpandOptions {
     Limits limits;
-    bool native_cycles = true;  // a call of a mapped cycle stays one block
-    bool trace = false;         // keep a Trace for every block of the batch
+    bool native_cycles = true;                // a call of a mapped cycle stays one block
+    bool trace = false;                       // keep a Trace for every block of the batch
+    const std::atomic<bool>* stop = nullptr;  // set from outside: the evaluation ends with an error
 };
 
 /// Evaluates a program, batch by batch. Errors while it runs are reported with the call stack and

@@ -92,6 +92,7 @@ struct Expander::State {
     nc::Block& next_block(SourceId source);
     bool emit(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     bool fill_plan(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    std::uint32_t word_of(const sema::Filling& filling, std::uint32_t at) const;
     bool fill(nc::Block& block, const sema::Filling& filling, Slot value, std::uint32_t at);
     bool fill_feed(nc::Block& block, const sema::Filling& filling, double value, std::uint32_t at);
     bool fill_speed(nc::Block& block, const sema::Filling& filling, double value, std::uint32_t at);
@@ -116,6 +117,8 @@ struct Expander::State {
     void contract_failed(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     void keep_trace(std::uint32_t at, unsigned depth, SourceId source);
 
+    bool more_turns(std::uint64_t& turns);
+
     // ---- text_format.cpp
     std::string format(const sema::FormatPattern& pattern, const Slot* values) const;
 
@@ -129,7 +132,9 @@ struct Expander::State {
     CallStack frames;
     std::vector<std::uint32_t> all_given;  // by function: the mask of a call with every argument
     std::uint32_t pc = 0;
-    std::uint64_t turns_left = 0;
+    std::uint64_t turns_left = 1;     // of the present slice
+    std::uint64_t turns_reserve = 0;  // of the slices to come
+    bool was_stopped = false;         // from outside
     std::uint64_t blocks_left = 0;
     bool is_running = false;
     bool has_failed = false;

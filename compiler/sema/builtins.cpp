@@ -224,7 +224,7 @@ Value Checker::round_call(Rounding rounding, const Expr& expr, std::string_view 
                 const std::optional<std::int64_t> whole =
                     to_integer(argument->constant.number, rounding);
                 if (!whole) {
-                    report(diag::ConstantFault, expr.range).arg("a whole number beyond 64 bits");
+                    report(diag::ConstantFault, expr.range).arg("the whole number leaves 64 bits");
                     return error_value();
                 }
                 return constant_integer(*whole, types::kInt);

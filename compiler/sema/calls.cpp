@@ -39,6 +39,7 @@ Value Checker::call(ExprId id, Reg hint) {
         report(diag::NotAFunction, callee.range).arg(name);
         return error_value();
     }
+    if (is_lost(name)) return error_value();
     auto builder = report(diag::UnknownFunction, callee.range);
     builder.arg(name);
     const std::vector<std::string_view> names = known_names(true);

@@ -86,6 +86,7 @@ bool Checker::is_check(syntax::StmtId id) const {
 
 std::unique_ptr<Code> Checker::run(const syntax::Ast& main, const nc::Dialect& dialect) {
     load_module(main, dialect);
+    code_->main_file = main.file;
     const auto modules = static_cast<std::uint32_t>(modules_.size());
     for (std::uint32_t i = 0; i < modules; ++i) declare_names(i);
     code_->functions.resize(functions_.size() + 1);

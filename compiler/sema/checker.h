@@ -95,6 +95,8 @@ class Checker {
     Symbol& add_symbol(Symbol symbol);
     void check_new_name(std::string_view name, const SourceRange& range);
     void report_unknown(std::string_view name, const SourceRange& range);
+    /// Whether a mistake that is told already has taken this name away.
+    bool is_lost(std::string_view name);
     std::vector<std::string_view> known_names(bool functions) const;
     void leave_scope(std::size_t symbols);
     std::vector<Givenness> remember_givenness() const;
@@ -158,6 +160,9 @@ class Checker {
     // operators.cpp
     Value unary(syntax::ExprId id, Type expected, Reg hint);
     Value binary(syntax::ExprId id, Type expected, Reg hint);
+    Type operand_type(const syntax::Expr& expr);
+    Value with_literals(const Value& start, std::vector<syntax::ExprId>& links);
+    Value chain_link(const syntax::Expr& expr, Value left, Reg mark, Reg hint);
     Value binary_values(syntax::Operator op, Value left, Value right, const syntax::Expr& expr,
                         Reg hint);
     Value arithmetic(syntax::Operator op, Value left, Value right, const syntax::Expr& expr,

@@ -298,6 +298,7 @@ struct Code {
     std::vector<LoadedTable> tables;
     std::vector<EnumNames> enums;
     std::vector<TestCall> test_calls;
+    FileId main_file;  // the file that was asked for
 };
 
 /// The instructions of one function or of all, one a line, for tests and for the curious.

@@ -184,6 +184,7 @@ Type Checker::resolve_type(syntax::TypeId id) {
                found != nullptr && found->what == Name::What::Type) {
         type = found->type;
     } else if (!name.empty()) {
+        if (is_lost(name)) return types::kError;
         auto builder = report(diag::UnknownType, ref.range);
         builder.arg(name);
         std::vector<std::string_view> known = {"bool", "int",   "real",   "length", "angle", "time",
@@ -562,6 +563,7 @@ void Checker::check_function(std::uint32_t index) {
 
 void Checker::report_unused_parameters() {
     if (function_->module != 0) return;  // a library's own matter
+    if (ast().has_errors) return;        // what is missing may have used them
     for (const Symbol& symbol : symbols_) {
         if (!symbol.is_parameter || symbol.is_read || symbol.name.empty()) continue;
         report(diag::UnusedParameter, symbol.range).arg(symbol.name);

@@ -26,8 +26,8 @@ void build_tree(const SourceFile& file, const Prepared& prepared, const LimitedS
         stream.seek(0);
         parser.reset();
         interpreter->setPredictionMode(antlr4::atn::PredictionMode::LL);
-        parser.setErrorHandler(
-            std::make_shared<Complaints>(file, stream, limit, prepared.has_broken_blocks));
+        parser.setErrorHandler(std::make_shared<Complaints>(
+            file, stream, limit, prepared.has_broken_blocks, ast.lost_names));
         try {
             tree = parser.file();
         } catch (const antlr4::ParseCancellationException&) {
@@ -61,6 +61,7 @@ Ast parse(const Sources& sources, FileId file, const KeywordTable& keywords,
     ast.file = file;
     LimitedSink limit;
     parse_into(ast, sources.text(file), keywords, dialect, limit);
+    ast.has_errors = limit.has_errors();
     limit.deliver(sink);
     return ast;
 }
