@@ -152,31 +152,28 @@ void Recording::finish() {
 void Recording::find_holes() {
     std::map<std::pair<std::int64_t, std::int64_t>, std::size_t> known;
     bool is_open = false;
-    double entry = 0;
     Vec3 bottom = Vec3::Zero();
+    double height = 0;  // of the tool
+    const auto close = [&] {
+        if (!is_open || height <= bottom.z() + kSame) return;
+        const auto [hole, is_new] = known.try_emplace(cell(bottom), holes_.size());
+        if (is_new) holes_.push_back({bottom});
+        Vec3& deepest = holes_[hole->second].bottom;
+        if (bottom.z() < deepest.z()) deepest = bottom;
+    };
     for (const Move& move : moves_) {
         if (!move.is_known() || move.is_in_plane()) {
+            // Who goes on at feed mills; who is down there still, too.
+            if (move.is_rapid) close();
             is_open = false;
             continue;
         }
-        const Vec3 from = move.start();
-        const Vec3 to = move.end();
-        if (to.z() < from.z()) {
-            if (move.is_rapid) continue;
-            if (!is_open) {
-                entry = from.z();
-                bottom = to;
-            }
-            is_open = true;
-            if (to.z() < bottom.z()) bottom = to;
-        } else if (is_open && to.z() >= entry - kBeyond) {
-            is_open = false;
-            const auto [hole, is_new] = known.try_emplace(cell(bottom), holes_.size());
-            if (is_new) holes_.push_back({bottom});
-            Vec3& deepest = holes_[hole->second].bottom;
-            if (bottom.z() < deepest.z()) deepest = bottom;
-        }
+        height = move.end().z();
+        if (move.is_rapid || height >= move.start().z()) continue;
+        if (!is_open || height < bottom.z()) bottom = move.end();
+        is_open = true;
     }
+    close();
 }
 
 void Recording::find_levels() {
@@ -335,7 +332,9 @@ FigureAnswer Recording::ask(Figure figure, std::span<const sema::Slot> arguments
         case Figure::Hole: {
             const std::int64_t index = arguments[0].integer;
             if (index < 0 || index >= static_cast<std::int64_t>(holes_.size())) {
-                answer.reason = "there are " + std::to_string(holes_.size()) + " holes";
+                answer.reason = holes_.empty() ? "there is no hole"
+                                               : "holes are counted from 0 to " +
+                                                     std::to_string(holes_.size() - 1);
                 break;
             }
             const Vec3& bottom = holes_[static_cast<std::size_t>(index)].bottom;

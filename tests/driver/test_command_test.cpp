@@ -141,6 +141,26 @@ TEST_F(TestCommand, SeesWhatTheMotionDoes) {
     )");
 }
 
+TEST_F(TestCommand, AHoleIsAWayDownAndUpBeforeTheNextPlace) {
+    // Down from high up and not all the way back; twice at one place, the second time deeper; a
+    // plunge from where it mills on, and one where it lifts and mills on higher, are none.
+    expect_holds(R"(
+        cycle work() {
+            G0 X1; G1 Z-3; G0 Z5;
+            G0 X4; G0 Z1; G1 Z-2; G0 Z1; G0 X9; G0 X4; G1 Z-5; G1 Z-4; G1 Z-6; G0 Z1;
+            G0 X20; G1 Z-1; X30; G0 Z5;
+            G0 X40; G1 Z-1; G1 Z-0.5; X50; G0 Z5;
+            G0 X60; G1 Z-7; G0 Z50;
+        }
+        test "holes" {
+            auto run = execute(work());
+            expect(run.holes == 3);
+            expect(run.hole(0) == {1mm, 0mm, -3mm} && run.hole(1) == {4mm, 0mm, -6mm});
+            expect(run.hole(2) == {60mm, 0mm, -7mm});
+        }
+    )");
+}
+
 TEST_F(TestCommand, MovesWhoseStartIsUnknownCountFromTheirEnd) {
     // The program begins nobody knows where, and G53 leads somewhere else again.
     expect_holds(R"(
@@ -432,7 +452,9 @@ TEST_F(TestCommand, TriesAsOftenAsAskedAndBothEndsAlways) {
 }
 
 TEST_F(TestCommand, PropertyOfAMotion) {
-    expect_holds(R"(
+    driver::TestJob few;
+    few.runs = 20;
+    EXPECT_EQ(run(R"(
         import cycles.milling;
         property "a pocket never leaves its walls" (length w in 20mm..200mm, length r in 2mm..10mm) {
             assume(0.6*w > 2*r);
@@ -441,7 +463,10 @@ TEST_F(TestCommand, PropertyOfAMotion) {
             expect(run.inside({-w/2, -75mm}, {w/2, 75mm}, margin: r));
             expect(run.passes == 3 && run.deepest == -5mm);
         }
-    )");
+    )",
+                  {}, few)
+                  .lines,
+              "ok      a pocket never leaves its walls\n1 test, 0 failed\n");
     // The walls are missed by a hundredth of a millimetre; the smallest pocket shows it.
     expect_fails(R"(
         import cycles.milling;
@@ -460,11 +485,42 @@ TEST(FigureTable, IsInTheReference) {
         // `| `holes` | …` or `| `inside(from, to, …)` | …`: a row with its meaning.
         const std::string row =
             "| `" + std::string(figure.name) + (figure.parameters.empty() ? "`" : "(");
-        const std::size_t at = text.find(row);
+        const std::size_t at = text.find(row, text.find("Tests and properties\n\n"));
         ASSERT_NE(at, std::string::npos) << figure.name;
         const std::string line = text.substr(at, text.find('\n', at) - at);
         EXPECT_NE(line.find(figure.meaning), std::string::npos) << line;
     }
+}
+
+TEST_F(TestCommand, ExamplesOfTheReferenceHold) {
+    const std::string text = read_file(std::string(KADR_ROOT) + "/docs/language.md").value_or("");
+    const std::size_t section = text.find("Tests and properties\n\n");
+    ASSERT_NE(section, std::string::npos);
+    const std::size_t from = text.find("```c\n", section) + 5;
+    const std::string example = text.substr(from, text.find("```", from) - from);
+    ASSERT_NE(example.find("property"), std::string::npos) << example;
+    driver::TestJob job;
+    job.runs = 20;
+    const Outcome outcome = run(example, {}, job);
+    EXPECT_EQ(outcome.messages, "");
+    EXPECT_NE(outcome.lines.find("2 tests, 0 failed\n"), std::string::npos) << outcome.lines;
+}
+
+TEST_F(TestCommand, ExamplesHold) {
+    std::size_t files = 0;
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(fs::path(KADR_ROOT) / "examples")) {
+        const std::string text = read_file(entry.path()).value_or("");
+        if (entry.path().extension() != ".kadr" || text.find("\ntest \"") == std::string::npos)
+            continue;
+        ++files;
+        driver::TestJob job;
+        job.runs = 20;
+        const Outcome outcome = run(text, {}, job);
+        EXPECT_EQ(outcome.status, Status::Done) << entry.path();
+        EXPECT_EQ(outcome.messages, "") << entry.path();
+    }
+    EXPECT_GT(files, 0u);
 }
 
 TEST(TestProgram, ExitStatusAndList) {
