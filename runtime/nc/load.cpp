@@ -218,6 +218,7 @@ class FileLoader {
                     [&](std::size_t i) { rules.ignores_case = i == 1; });
         read_bool(e, "assignment", rules.has_assignment);
         read_bool(e, "modes", rules.has_modes);
+        read_bool(e, "number_first", rules.number_first);
         read_bool(e, "blanks_inside_words", rules.blanks_inside_words);
         read_number(e, "skip_levels", rules.skip_levels);
         read_number(e, "default_skip", rules.default_skip);
@@ -371,6 +372,7 @@ class FileLoader {
         read_functions(e, "sets", form.sets);
         read_functions(e, "needs", form.needs);
         read_functions(e, "before", form.before);
+        read_functions(e, "outside", form.outside);
         read_functions(e, "during", form.during);
         read_choice(e, "use", {"both", "write", "read"}, [&](std::size_t i) {
             form.is_read = i != 1;
