@@ -380,7 +380,8 @@ bool Expander::State::change_frame(const Instruction& instruction, const sema::S
 }
 
 /// Says the way from the present frame to another one in functions that every control has: the
-/// whole shift, which deletes the rotation and the mirrors, then the rotation and the mirrors anew.
+/// whole shift, which deletes the rotation and the mirrors, then the mirrors and the rotation anew:
+/// a FANUC takes a rotation inside a mirroring, and not the other way round.
 void Expander::State::write_frame(const ProgramFrame& next, SourceId source, std::uint32_t at,
                                   unsigned depth) {
     const ProgramFrame from = modal.frame;
@@ -396,8 +397,11 @@ void Expander::State::write_frame(const ProgramFrame& next, SourceId source, std
         if (options.trace) keep_trace(at, depth, source);
     };
     const std::array<bool, 3> none{};
-    const bool is_plain = from.angle_deg == 0 && !from.has_mirror();
-    if (!is_plain || from.shift != next.shift || from.is_shifted != next.is_shifted) {
+    // What is in force already need not be said anew, if nothing behind it has to go.
+    const bool keeps_shift = from.shift == next.shift && from.is_shifted == next.is_shifted;
+    const bool keeps_mirrors = !from.has_mirror() || from.is_mirrored == next.is_mirrored;
+    const bool adds_only = keeps_shift && keeps_mirrors && from.angle_deg == 0;
+    if (!adds_only) {
         std::array<bool, 3> given = next.is_shifted;
         const bool is_zero = next.shift == std::array<double, 3>{};
         if (is_zero) given = none;
@@ -406,8 +410,12 @@ void Expander::State::write_frame(const ProgramFrame& next, SourceId source, std
             for (std::size_t i = 0; i < 3; ++i) given[i] = given[i] || from.is_shifted[i];
         add(Function::Shift, next.shift, given, 3);
     }
-    if (next.angle_deg != 0) add(Function::Rotate, {next.angle_deg, 0, 0}, {true, false, false}, 1);
-    if (next.has_mirror()) add(Function::Mirror, {}, next.is_mirrored, 3);
+    if (next.has_mirror() && !(adds_only && from.has_mirror()))
+        add(Function::Mirror, {}, next.is_mirrored, 3);
+    if (next.angle_deg != 0) {
+        const double angle = next.angle_behind_mirrors_deg();
+        add(Function::Rotate, {angle, 0, 0}, {true, false, false}, 1);
+    }
     modal.set_frame(next, source);
 }
 

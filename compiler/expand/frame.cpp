@@ -55,11 +55,18 @@ void ProgramFrame::add_shift(const std::array<double, 3>& by, const std::array<b
 bool ProgramFrame::add_rotation(double by_deg, nc::Function in_plane) {
     if (angle_deg != 0 && plane != in_plane) return false;
     plane = in_plane;
-    // A mirror of one axis of the plane turns the sense of what follows.
-    const PlaneAxes axes = axes_of(plane);
-    const bool turns = is_mirrored[axes.first] != is_mirrored[axes.second];
-    angle_deg = std::fmod(angle_deg + (turns ? -by_deg : by_deg), 360.0);
+    angle_deg = std::fmod(angle_deg + (turns_sense() ? -by_deg : by_deg), 360.0);
     return true;
+}
+
+/// A mirror of one axis of the plane turns the sense of what follows.
+bool ProgramFrame::turns_sense() const {
+    const PlaneAxes axes = axes_of(plane);
+    return is_mirrored[axes.first] != is_mirrored[axes.second];
+}
+
+double ProgramFrame::angle_behind_mirrors_deg() const {
+    return turns_sense() ? -angle_deg : angle_deg;
 }
 
 bool ProgramFrame::add_mirror(const std::array<bool, 3>& axes) {

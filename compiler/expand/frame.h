@@ -20,6 +20,8 @@ struct ProgramFrame {
     friend bool operator==(const ProgramFrame&, const ProgramFrame&) = default;
     bool has_mirror() const { return is_mirrored[0] || is_mirrored[1] || is_mirrored[2]; }
     bool is_identity() const;
+    /// The angle of the rotation if it is said behind the mirrors.
+    double angle_behind_mirrors_deg() const;
 
     /// A shift in the system reached so far.
     void add_shift(const std::array<double, 3>& by, const std::array<bool, 3>& given);
@@ -27,6 +29,7 @@ struct ProgramFrame {
     bool add_rotation(double by_deg, nc::Function in_plane);
     /// Mirrors axes in the system reached so far; false: cannot be said as shift, rotate, mirror.
     bool add_mirror(const std::array<bool, 3>& axes);
+    bool turns_sense() const;
 };
 
 /// Positions in a frame of which some components may be unknown.

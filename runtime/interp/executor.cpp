@@ -189,7 +189,29 @@ Actions Executor::apply_functions(const Block& block) {
     return actions;
 }
 
+/// Whether the function would change, inside a rotation, what the control fixes before it.
+bool Executor::is_too_late(Function function) const {
+    if (!rules_.rotation_is_innermost || !frames_.is_rotated()) return false;
+    switch (function) {
+        case Function::WorkOffset:
+        case Function::Shift:
+        case Function::ShiftAdd:
+        case Function::Mirror:
+        case Function::MirrorOff:
+        case Function::SetPosition: return true;
+        case Function::PlaneXy: return modal_.plane != Plane::Xy;
+        case Function::PlaneZx: return modal_.plane != Plane::Zx;
+        case Function::PlaneYz: return modal_.plane != Plane::Yz;
+        default: return false;
+    }
+}
+
 void Executor::apply_function(const Block& block, const Invocation& invocation, Actions& actions) {
+    if (is_too_late(invocation.function)) {
+        report(diag::FrameInsideRotation, block, invocation.function)
+            .arg(nc::info(invocation.function).name);
+        return;
+    }
     switch (invocation.function) {
         case Function::None:
         case Function::Inch:  // lengths have become mm in the reader

@@ -104,6 +104,7 @@ class Executor {
     std::int64_t tool_number(const nc::Block& block, const nc::Invocation& invocation);
     void change_tool(const nc::Block& block);
     void select_work_offset(const nc::Block& block, std::int64_t number);
+    bool is_too_late(nc::Function function) const;
     void apply_frame(const nc::Block& block, const nc::Invocation& invocation);
 
     // motion.cpp

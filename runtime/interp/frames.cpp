@@ -86,6 +86,11 @@ void Frames::append(Step::Kind kind, const Frame& frame) {
     update();
 }
 
+bool Frames::is_rotated() const {
+    return std::ranges::any_of(steps_,
+                               [](const Step& step) { return step.kind == Step::Kind::Rotation; });
+}
+
 void Frames::erase(Step::Kind kind) {
     std::erase_if(steps_, [kind](const Step& step) { return step.kind == kind; });
 }

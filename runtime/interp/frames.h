@@ -37,6 +37,7 @@ class Frames {
 
     AxisValues to_base(const AxisValues& programmed) const;
     AxisValues from_base(const AxisValues& base) const;
+    bool is_rotated() const;
     /// Nothing but a shift: each axis can be worked out by itself.
     bool is_shift() const { return is_shift_; }
     const AxisValues& shift_values() const { return shift_values_; }

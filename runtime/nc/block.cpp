@@ -9,6 +9,12 @@ namespace {
 constexpr std::array<std::string_view, kSlots> kSlotNames = {
     "X", "Y", "Z", "A", "B", "C", "U", "V", "W", "I", "J", "K", "R", "TURN", "F", "S"};
 
+}  // namespace
+
+std::string_view slot_name(Slot slot) { return kSlotNames[static_cast<std::size_t>(slot)]; }
+
+namespace {
+
 bool same_invocation(const Block& a, const Invocation& fa, const Block& b, const Invocation& fb) {
     if (fa.function != fb.function || fa.given != fb.given) return false;
     for (std::size_t i = 0; fa.given >> i != 0; ++i) {
@@ -37,7 +43,7 @@ bool same_functions(const Block& a, const Block& b) {
 
 void describe_slot(const Block& block, Slot slot, std::string& out) {
     out += ' ';
-    out += kSlotNames[static_cast<std::size_t>(slot)];
+    out += slot_name(slot);
     const bool is_incremental = (block.incremental & bit(slot)) != 0;
     const bool is_absolute = (block.absolute & bit(slot)) != 0;
     if (is_incremental) out += "=IC(";

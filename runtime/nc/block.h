@@ -40,10 +40,13 @@ enum class Slot : std::uint8_t {
 inline constexpr std::size_t kSlots = 16;
 using SlotMask = std::uint32_t;
 constexpr SlotMask bit(Slot slot) { return SlotMask{1} << static_cast<unsigned>(slot); }
+/// As `describe` shows it: "X", "I", "TURN".
+std::string_view slot_name(Slot slot);
 constexpr Slot slot_of(Axis axis) { return static_cast<Slot>(index(axis)); }
 inline constexpr SlotMask kTargetSlots = (SlotMask{1} << kAxes) - 1;
 inline constexpr SlotMask kCenterSlots =
     bit(Slot::CenterX) | bit(Slot::CenterY) | bit(Slot::CenterZ);
+inline constexpr SlotMask kArcSlots = kCenterSlots | bit(Slot::Radius) | bit(Slot::Turns);
 
 /// A function of the vocabulary as it stands in a block, with its parameters.
 struct Invocation {

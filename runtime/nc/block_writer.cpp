@@ -57,7 +57,12 @@ void BlockWriter::begin(const ProgramInfo& program) {
     modal_.meant_of(Group::SpeedMode) = Function::CuttingSpeedOff;
     modal_.meant_of(Group::RadiusComp) = Function::RadiusCompOff;
     modal_.units.inch = modal_.units.inch_feed = program.is_inch;
-    for (Standing& s : modal_.shift) s = {true, 0};
+    // A shift that keeps its words may be left over from another program.
+    const auto& shifts = tables_.forms_of[static_cast<std::size_t>(Function::Shift)];
+    const bool is_kept =
+        std::ranges::any_of(shifts, [&](FormId id) { return tables_.forms[id].remembers; });
+    for (Standing& s : modal_.shift) s = {!is_kept, 0};
+    modal_.origin = modal_.shift;
     number_ = tables_.block_numbers.start;
     has_ended_ = false;
 }
@@ -66,7 +71,7 @@ std::uint32_t BlockWriter::write(const Block& block, std::string& out) {
     const std::uint32_t before = lines_;
     switch (block.kind) {
         case Block::Kind::Nc:
-            if (!write_fast(block, out)) write_block(block, out);
+            if (!write_fast(block, out)) write_long(block, out);
             break;
         case Block::Kind::Comment: write_comment(block, out); break;
         case Block::Kind::Raw: write_raw(block, out); break;
@@ -87,6 +92,70 @@ Function BlockWriter::effective_motion(const Block& block) const {
     return block.motion != Function::None ? block.motion : modal_.meant[index_of(Group::Motion)];
 }
 
+void BlockWriter::write_long(const Block& block, std::string& out) {
+    given_number_ = block.number;
+    check_front(block);
+    check_arc_words(block);
+    if (block.skip < 0) {
+        write_block(block, out);
+    } else {
+        // Nobody knows whether the operator lets the block run.
+        const WriterModal before = modal_;
+        write_block(block, out);
+        modal_.forget_differences(before);
+    }
+    if (given_number_ >= 0) {  // all that the block says holds already
+        open_line(block.skip, true, out);
+        close_line(out);
+    }
+}
+
+/// Block number and skip level that the control takes.
+void BlockWriter::check_front(const Block& block) {
+    if (block.number > tables_.block_numbers.most) {
+        number_fault(block, NumberFault::TooLarge, block.number, "N");
+    }
+    const bool is_level =
+        block.skip >= tables_.rules.default_skip && block.skip < tables_.rules.skip_levels;
+    if (block.skip >= 0 && !is_level) {
+        cannot_express(block, "the skip level " + std::to_string(block.skip));
+    }
+}
+
+/// Centre, radius and turns are for arcs, and an arc that moves has a centre or a radius.
+void BlockWriter::check_arc_words(const Block& block) {
+    constexpr SlotMask kArcMoves = kArcSlots | kTargetSlots;
+    if ((block.given & kArcMoves) == 0) return;
+    const Function motion =
+        block.find(Function::Cycle) != nullptr ? Function::Cycle : effective_motion(block);
+    const bool has_centre = (block.given & kCenterSlots) != 0;
+    if (motion == Function::None) {
+        // After raw text: the author knows.
+    } else if (!is_arc(motion)) {
+        for (std::size_t i = 0; i < kSlots; ++i) {
+            const auto slot = static_cast<Slot>(i);
+            if ((block.given & kArcSlots & bit(slot)) == 0) continue;
+            if (!is_new_message(block, slot_name(slot))) continue;
+            sink_.report(diag::ArcWordWithoutArc, place(block))
+                .arg(slot_name(slot))
+                .arg(info(motion).name);
+        }
+        return;
+    } else if (!has_centre && !block.has(Slot::Radius)) {
+        if (is_new_message(block, "no centre")) sink_.report(diag::ArcSaidNowhere, place(block));
+        return;
+    }
+    if (has_centre && block.has(Slot::Radius) && is_new_message(block, "centre and radius"))
+        sink_.report(diag::ArcSaidTwice, place(block));
+    if (!block.has(Slot::Turns)) return;
+    const double turns = block.at(Slot::Turns);
+    if (!(turns >= 0 && turns == std::nearbyint(turns))) {
+        number_fault(block, NumberFault::NotReadBack, turns, slot_name(Slot::Turns));
+    } else if (turns > kMostTurns) {
+        number_fault(block, NumberFault::TooLarge, turns, slot_name(Slot::Turns));
+    }
+}
+
 void BlockWriter::write_block(const Block& block, std::string& out) {
     if (split_turns(block, out)) return;
     done_ = 0;
@@ -104,6 +173,8 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
     if (is_arc(motion)) {
         place_arc(block, start, targets);
         place_arc_feed(block, start, targets);
+    } else if (motion == Function::None) {
+        place_arc_as_given(block, start, targets);
     } else if (block.function_count == 0 && !options_.verbose_modal) {
         drop_unchanged(block, start, targets);
     }
@@ -122,11 +193,12 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
     add_deferred(block, items);
     collect_slots(block, targets, items);
     if (items.count == 0 && block.comment.empty()) return;
-    if (items.count == 0) {
+    if (items.count == 0 && given_number_ < 0) {
         write_comment(block, out);
     } else {
         write_items(block, items, targets, out);
     }
+    for (Pending& pending : pending_) pending.tool = own_offset(pending, block);
     for (std::size_t i = 0; i < block.function_count; ++i)
         follow_function(block, block.functions[i]);
 }
@@ -145,7 +217,7 @@ void BlockWriter::write_comment(const Block& block, std::string& out) {
                 const std::size_t cut = text.rfind(' ', most);
                 length = cut == std::string::npos || cut == 0 ? most : cut;
             }
-            open_line(-1, -1, false, out);
+            open_line(-1, false, out);
             out += tables_.comment.open;
             out.append(text, 0, length);
             if (tables_.comment.close.empty()) {
@@ -162,7 +234,7 @@ void BlockWriter::write_raw(const Block& block, std::string& out) {
     std::string_view rest = block.text;
     while (!rest.empty()) {
         const std::size_t end = std::min(rest.find('\n'), rest.size());
-        open_line(-1, -1, false, out);
+        open_line(-1, false, out);
         out += rest.substr(0, end);
         close_line(out);
         rest.remove_prefix(std::min(end + 1, rest.size()));
@@ -217,6 +289,9 @@ bool BlockWriter::says(const Form& form, const Block& block, const Invocation& i
             self(self, word.arguments);
             if (word.parameter < 0) continue;
             said |= 1u << word.parameter;
+            // The word's presence is all that the control takes: another value would be lost.
+            if (word.is_named_only)
+                fits &= block.argument(invocation, static_cast<std::size_t>(word.parameter)) == 0;
             const bool is_given = (invocation.given >> word.parameter & 1u) != 0;
             const bool has_text = !block.text.empty() && (word.kind == FormWord::Kind::Text ||
                                                           word.kind == FormWord::Kind::Quoted);
@@ -274,6 +349,7 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
             const bool is_own = form.function == invocation.function;
             if (is_own && !says(form, block, invocation)) continue;
             if (form.replaces && modal_.rotation != Activity::No) continue;
+            if (is_own && !is_outside(form, block)) return kNoForm;
             if (holds(form, block, invocation.function, allow_unknown)) return id;
         }
     }
@@ -282,6 +358,25 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
     if (!candidates.empty()) what += " with these values or in this modal state";
     cannot_express(block, what);
     return kNoForm;
+}
+
+/// Whether nothing acts that the form must not stand inside of; says so if something does.
+bool BlockWriter::is_outside(const Form& form, const Block& block) {
+    for (const Function around : form.outside) {
+        const Activity activity = around == Function::Rotate   ? modal_.rotation
+                                  : around == Function::Mirror ? modal_.mirror
+                                                               : Activity::No;
+        if (activity == Activity::No) continue;
+        const std::string_view name = info(form.function).name;
+        if (is_new_message(block, name)) {
+            sink_.report(diag::WriterFrameOrder, place(block))
+                .arg(tables_.name)
+                .arg(name)
+                .arg(info(around).name);
+        }
+        return false;
+    }
+    return true;
 }
 
 /// Functions that cannot share a line with others, and what has to be written before them.
@@ -297,7 +392,7 @@ void BlockWriter::write_functions_alone(const Block& block, std::string& out) {
         if (is_only || !(form.owns_block || shares_address(form, block))) continue;
         Items items;
         for (const Function needed : form.needs) add_code(block, needed, items);
-        items.add({.order = form.order, .form = chosen_[i], .invocation = &invocation});
+        items.add(Item::of_form(form.order, chosen_[i], &invocation));
         Block alone;
         alone.skip = block.skip;
         alone.text = block.text;
@@ -375,21 +470,20 @@ void BlockWriter::collect_functions(const Block& block, Items& items) {
         for (const Function needed : form.needs) {
             if (!is_suppressed(needed)) add_code(block, needed, items);
         }
-        items.add({.order = form.order, .form = chosen_[i], .invocation = &block.functions[i]});
+        items.add(Item::of_form(form.order, chosen_[i], &block.functions[i]));
     }
 }
 
 /// The code of a modal function without parameters.
 void BlockWriter::add_code(const Block& block, Function function, Items& items) {
-    for (std::size_t i = 0; i < items.count; ++i) {
-        if (items.list[i].form != kNoForm && tables_.forms[items.list[i].form].function == function)
-            return;
+    for (const Item& item : items.all()) {
+        if (item.form != kNoForm && tables_.forms[item.form].function == function) return;
     }
-    const Block nothing{};
+    static const Block kNothing{};
     for (const FormId id : tables_.forms_of[static_cast<std::size_t>(function)]) {
         const Form& form = tables_.forms[id];
-        if (form.function != function || !holds(form, nothing, function, true)) continue;
-        items.add({.order = form.order - 1, .form = id});
+        if (form.function != function || !holds(form, kNothing, function, true)) continue;
+        items.add(Item::of_form(form.order - 1, id, nullptr));
         note_written(form);
         return;
     }
@@ -460,25 +554,32 @@ void BlockWriter::follow_functions(const Block& block) {
 /// What a function means for positions, frames and held-back words.
 void BlockWriter::follow_function(const Block& block, const Invocation& invocation) {
     switch (invocation.function) {
-        case Function::Shift:
-            modal_.rotation = modal_.mirror = Activity::No;
-            modal_.position.forget();
+        case Function::Shift: follow_shift(block, invocation); break;
+        case Function::ShiftAdd:
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                if (block.argument(invocation, axis) == 0) continue;
+                modal_.origin[axis].is_known = false;
+                modal_.position.known &= ~bit(static_cast<Slot>(axis));
+            }
             break;
         case Function::Rotate:
             modal_.rotation = Activity::Yes;
-            modal_.position.forget();
+            turn_axes(plane_axes()[0]);
+            turn_axes(plane_axes()[1]);
             break;
         case Function::RotateOff:
             modal_.rotation = Activity::No;
-            modal_.position.forget();
+            modal_.position.known &= ~modal_.turned;
             break;
         case Function::Mirror:
             modal_.mirror = Activity::Yes;
-            modal_.position.forget();
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                if ((invocation.given >> axis & 1u) != 0) turn_axes(axis);
+            }
             break;
         case Function::MirrorOff:
             modal_.mirror = Activity::No;
-            modal_.position.forget();
+            modal_.position.known &= ~modal_.turned;
             break;
         case Function::MachineCoordinates: modal_.position.known &= ~block.given; break;
         case Function::SetPosition:
@@ -493,24 +594,56 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
             }
             break;
         case Function::Tool:
+            forget_motion();
             for (const Deferred& deferred : tables_.deferred) {
                 std::erase_if(pending_, [&](const Pending& p) { return p.deferred == &deferred; });
                 pending_.push_back({&deferred, block.argument(invocation, 0)});
             }
             modal_.position.forget();
             break;
-        case Function::ShiftAdd:
         case Function::WorkOffset:
-        case Function::ToolSelect:
         case Function::ToolChange:
+            forget_motion();
+            modal_.position.forget();
+            break;
+        case Function::ToolSelect:
         case Function::ToolEdge:
         case Function::LengthCompOn:
         case Function::LengthCompOff:
         case Function::LengthOffset: modal_.position.forget(); break;
+        case Function::Cycle:
+        case Function::CycleOff: forget_motion(); break;
         case Function::End:
         case Function::EndRewind: has_ended_ = true; break;
         default: break;  // the others move nothing and end nothing
     }
+}
+
+/// Which motion is modal behind a cycle or a tool change is the control's or its builder's choice,
+/// and an operator who starts there wants to read it: the next motion says it again.
+void BlockWriter::forget_motion() { modal_.text_of(Group::Motion) = Function::None; }
+
+/// A rotation or mirroring acts on the axis; its coordinate is another one now.
+void BlockWriter::turn_axes(std::size_t axis) {
+    const SlotMask mask = bit(static_cast<Slot>(axis));
+    modal_.turned |= mask;
+    modal_.position.known &= ~mask;
+}
+
+/// A shift replaces all of the programmable frame. Axes whose share in it does not change stay
+/// where they are. Of the others the coordinate could be worked out, but an incremental word behind
+/// it counts from the old one on some controls; and X may be a diameter.
+void BlockWriter::follow_shift(const Block& block, const Invocation& invocation) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const SlotMask mask = bit(static_cast<Slot>(axis));
+        const double shift = block.argument(invocation, axis);
+        Standing& origin = modal_.origin[axis];
+        const bool stays = (modal_.turned & mask) == 0 && origin.is_known && origin.value == shift;
+        if (!stays) modal_.position.known &= ~mask;
+        origin = {true, shift};
+    }
+    modal_.rotation = modal_.mirror = Activity::No;
+    modal_.turned = 0;
 }
 
 // ---------------------------------------------------------------- messages
@@ -520,20 +653,27 @@ SourceRange BlockWriter::place(const Block& block) const {
                                                    : SourceRange{};
 }
 
-void BlockWriter::cannot_express(const Block& block, const std::string& what) {
+/// The writing failed; whether the statement has not said this yet: a loop reports once.
+bool BlockWriter::is_new_message(const Block& block, std::string_view what) {
     failed_ = true;
     const std::uint64_t key =
-        std::hash<std::string>()(what) ^ (std::uint64_t{block.source.index} << 32);
-    if (!reported_.insert(key).second) return;
+        std::hash<std::string_view>()(what) ^ (std::uint64_t{block.source.index} << 32);
+    return reported_.insert(key).second;
+}
+
+void BlockWriter::position_unknown(const Block& block, std::string_view name) {
+    if (!is_new_message(block, name)) return;
+    sink_.report(diag::WriterPositionUnknown, place(block)).arg(name);
+}
+
+void BlockWriter::cannot_express(const Block& block, const std::string& what) {
+    if (!is_new_message(block, what)) return;
     sink_.report(diag::CannotExpress, place(block)).arg(tables_.name).arg(what);
 }
 
 void BlockWriter::number_fault(const Block& block, NumberFault fault, double value,
                                std::string_view name) {
-    failed_ = true;
-    const std::uint64_t key =
-        std::hash<std::string_view>()(name) ^ (std::uint64_t{block.source.index} << 32);
-    if (!reported_.insert(key).second) return;
+    if (!is_new_message(block, name)) return;
     switch (fault) {
         case NumberFault::None: break;
         case NumberFault::NotFinite:

@@ -32,45 +32,69 @@ class BlockWriter {
     bool has_ended() const { return has_ended_; }
 
   private:
-    /// One piece of a line: a form with its parameters, or the word of a slot.
+    /// One piece of a line: a form with its parameters, deferred words, or the word of a slot.
     struct Item {
-        int order = 0;
-        FormId form = kNoForm;
-        const Invocation* invocation = nullptr;
-        const std::vector<FormWord>* words = nullptr;  // of deferred words
-        Slot slot = Slot::X;
-    };
-    static constexpr std::size_t kMaxItems = 48;
-    struct Items {
-        std::array<Item, kMaxItems> list;
-        std::size_t count = 0;
-        void add(const Item& item) {
-            if (count < kMaxItems) list[count++] = item;
+        int order;
+        FormId form;  // kNoForm: the words, or the slot
+        Slot slot;
+        const Invocation* invocation;
+        const std::vector<FormWord>* words;
+
+        static Item of_form(int order, FormId form, const Invocation* invocation) {
+            return {order, form, Slot::X, invocation, nullptr};
         }
+        static Item of_words(int order, const std::vector<FormWord>& words) {
+            return {order, kNoForm, Slot::X, nullptr, &words};
+        }
+        static Item of_slot(int order, Slot slot) {
+            return {order, kNoForm, slot, nullptr, nullptr};
+        }
+    };
+    /// The pieces of a line in their order; among equals the first comes first. Not initialised,
+    /// because every block that goes the long way has one.
+    struct Items {
+        static constexpr std::size_t kMost = 96;
+        std::array<Item, kMost> list;
+        std::size_t count = 0;
+        bool is_full = false;  // a piece found no place
+
+        void add(const Item& item) {
+            is_full |= count == kMost;
+            if (is_full) return;
+            std::size_t at = count++;
+            for (; at > 0 && list[at - 1].order > item.order; --at) list[at] = list[at - 1];
+            list[at] = item;
+        }
+        std::span<const Item> all() const { return {list.data(), count}; }
     };
     struct Pending {
         const Deferred* deferred = nullptr;
-        double tool = 0;
+        double tool = 0;  // and number of its offsets, until the program names another
     };
 
     void write_comment(const Block& block, std::string& out);
     void write_raw(const Block& block, std::string& out);
     void write_block(const Block& block, std::string& out);
+    void write_long(const Block& block, std::string& out);
+    void check_front(const Block& block);
+    void check_arc_words(const Block& block);
 
     // The fast way, for straight moves
     struct FastAxis {
         Slot slot = Slot::X;
         char letter = 'X';
         bool is_length = true;
-        bool has_point = false;               // of whole numbers, too
-        std::array<int, 2> decimals{};        // metric, inch
-        std::array<std::uint64_t, 2> most{};  // greatest number in increments
+        bool has_point = false;         // of whole numbers, too
+        std::array<int, 2> decimals{};  // metric, inch
+        std::uint64_t most = 0;         // greatest number in increments
     };
     void prepare_fast();
     bool is_fast(const Block& block) const;
+    /// Code of a straight motion; empty if it is no code by itself.
+    const std::string& fast_code(Function motion) const {
+        return motion == Function::Rapid ? fast_rapid_ : fast_line_;
+    }
     bool write_fast(const Block& block, std::string& out);
-    char* append_fast_number(char* out, const FastAxis& axis, std::uint64_t scaled, bool is_minus,
-                             int decimals) const;
 
     // Functions
     void write_functions_alone(const Block& block, std::string& out);
@@ -89,6 +113,10 @@ class BlockWriter {
                              std::string& out);
     void follow_functions(const Block& block);
     void follow_function(const Block& block, const Invocation& invocation);
+    bool is_outside(const Form& form, const Block& block);
+    void follow_shift(const Block& block, const Invocation& invocation);
+    void turn_axes(std::size_t axis);
+    void forget_motion();
     bool shares_address(const Form& form, const Block& block) const;
 
     // Positions
@@ -104,12 +132,17 @@ class BlockWriter {
     void place_target(const Block& block, std::size_t axis, Targets& targets);
     void place_arc(const Block& block, const WrittenPosition& start, Targets& targets);
     void place_center(const Block& block, const WrittenPosition& start, Targets& targets);
+    void place_arc_as_given(const Block& block, const WrittenPosition& start, Targets& targets);
+    void place_center_as_given(const Block& block, const WrittenPosition& start, Targets& targets);
     bool place_radius(const Block& block, const WrittenPosition& start, Targets& targets);
     void place_arc_feed(const Block& block, const WrittenPosition& start, Targets& targets);
     PlanePoint meant_center(const Block& block, const PlanePoint& start,
                             const PlanePoint& end) const;
     void drop_unchanged(const Block& block, const WrittenPosition& start, Targets& targets);
+    bool are_turns_known(const Block& block);
     bool split_turns(const Block& block, std::string& out);
+    bool is_distance(const Block& block, std::size_t axis) const;
+    bool is_chord_known(const Block& block, const WrittenPosition& start) const;
     bool is_known(std::size_t axis) const { return (modal_.position.known >> axis & 1u) != 0; }
     double to_text(Slot slot, double value) const;
     int decimals(Slot slot) const;
@@ -122,11 +155,19 @@ class BlockWriter {
     // Lines
     void collect_slots(const Block& block, const Targets& targets, Items& items);
     void add_deferred(const Block& block, Items& items);
+    void remove_said(const Deferred& deferred, Items& items) const;
+    double own_offset(const Pending& pending, const Block& block) const;
     void write_items(const Block& block, Items& items, const Targets& targets, std::string& out);
     void append_item(const Block& block, const Item& item, const Targets& targets,
                      std::string& out);
     void append_words(const Block& block, const std::vector<FormWord>& words,
                       const Invocation* invocation, bool remembers, std::string& out);
+    /// What a line has: words by address, groups of which it has a function.
+    struct LineRoom {
+        std::array<std::uint8_t, 256> words{};
+        std::uint64_t groups = 0;
+    };
+    bool has_room(const Block& block, const Item& item, LineRoom& room);
     void note_line(const std::vector<FormWord>& words);
     void append_word(const Block& block, const FormWord& word, const Invocation* invocation,
                      std::string& out);
@@ -136,7 +177,7 @@ class BlockWriter {
                           const NumberFormat& format, std::string_view name, std::string& out);
     void append_slot(const Block& block, Slot slot, const Targets& targets, std::string& out);
     void append_text(const Block& block, std::string& out);
-    void open_line(std::int32_t number, int skip, bool is_numbered, std::string& out);
+    void open_line(int skip, bool is_numbered, std::string& out);
     void close_line(std::string& out);
     void append_comment(const std::string& comment, std::string& out);
     static void blank(std::string& out) {
@@ -147,6 +188,8 @@ class BlockWriter {
     // Messages
     SourceRange place(const Block& block) const;
     void cannot_express(const Block& block, const std::string& what);
+    bool is_new_message(const Block& block, std::string_view what);
+    void position_unknown(const Block& block, std::string_view name);
     void number_fault(const Block& block, NumberFault fault, double value, std::string_view name);
 
     const Dialect& dialect_;
@@ -160,9 +203,11 @@ class BlockWriter {
         reported_;  // statement and message, so that loops report once
     std::uint32_t lines_ = 0;
     std::size_t line_start_ = 0;
-    std::int64_t number_ = 0;
+    std::int64_t number_ = 0;                       // of the next line
+    std::int32_t given_number_ = -1;                // that the block brings, for its first line
     std::vector<FastAxis> fast_axes_;               // in the order of their words
     SlotMask fast_slots_ = 0;                       // that the fast way can write
+    std::string fast_rapid_, fast_line_;            // codes, for the fast way
     std::array<FormId, kMaxInvocations> chosen_{};  // form of each function of the block
     std::uint32_t done_ = 0;                        // functions that need no word any more
     bool feed_every_block_ = false;                 // F is not modal in this feed mode

@@ -84,6 +84,7 @@ class Finisher {
             code.forms.push_back(static_cast<FormId>(i));
             if (is_simple(form) && code.simple == kNoForm) code.simple = static_cast<FormId>(i);
         }
+        for (Form& form : tables_.forms) form.excludes = groups_of(form);
         for (Code& code : tables_.codes) {
             if (code.forms.size() != 1 || code.simple == kNoForm) continue;
             const Form& form = tables_.forms[code.simple];
@@ -93,6 +94,21 @@ class Finisher {
                             !form.remembers && form.function != Function::Cycle &&
                             info(form.function).parameters.empty();
         }
+    }
+
+    /// The groups of which the form, or a code among its words, is a member. More than 64 groups
+    /// share bits: what is kept apart for nothing then stands in two lines.
+    std::uint64_t groups_of(const Form& form) const {
+        const auto bit_of = [](int group) {
+            return group < 0 ? 0 : std::uint64_t{1} << (static_cast<unsigned>(group) % 64);
+        };
+        std::uint64_t groups = bit_of(form.group);
+        for (const FormWord& word : form.words) {
+            if (word.kind != FormWord::Kind::Fixed) continue;
+            const Code* code = tables_.find_code(word.address, word.number);
+            if (code != nullptr) groups |= bit_of(tables_.forms[code->forms[0]].group);
+        }
+        return groups;
     }
 
     void index_slots() {

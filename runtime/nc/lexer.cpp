@@ -75,7 +75,7 @@ class Lexer {
             level = 0;
             while (is_digit(peek()) && level < 100) level = level * 10 + (line_[at_++] - '0');
         }
-        if (level >= rules_.skip_levels || level > 9) {
+        if (level < rules_.default_skip || level >= rules_.skip_levels || level > 9) {
             fail(diag::IsoSkipLevel, begin, at_, {std::to_string(level)});
             return;
         }
@@ -167,6 +167,7 @@ class Lexer {
     }
 
     void take_block_number(std::size_t begin) {
+        const bool is_first = out_.words.empty() && out_.number < 0;
         skip_inner_blanks();
         std::int64_t number = 0;
         const std::size_t first = at_;
@@ -175,7 +176,8 @@ class Lexer {
             skip_inner_blanks();
         }
         const std::string text(line_.substr(begin, at_ - begin));
-        if (at_ == first) return fail(diag::IsoNoValue, begin, at_, {text});
+        if (at_ == first) return fail(diag::IsoNoValue, begin, begin + 1, {text.substr(0, 1)});
+        if (!is_first && rules_.number_first) return fail(diag::IsoSyntax, begin, at_, {text});
         if (number > tables_.block_numbers.most)
             return fail(diag::IsoTooManyDigits, begin, at_, {text});
         out_.number = static_cast<std::int32_t>(number);
@@ -194,7 +196,9 @@ class Lexer {
             }
         }
         if (end == at_) {
-            end = at_ + (is_minus || peek() == '+' || peek() == '.' ? 1 : 0);
+            const bool has_sign = is_minus || peek() == '+' || peek() == '.';
+            end = has_sign ? at_ + 1 : at_;
+            while (end > begin + 1 && is_blank(line_[end - 1])) --end;
             fail(diag::IsoNoValue, begin, end, {std::string(line_.substr(begin, end - begin))});
             return false;
         }

@@ -111,6 +111,7 @@ void FormLoader::read_form_attributes(const XmlElement& element, Form& form) {
     attributes_.read_functions(element, "sets", form.sets);
     attributes_.read_functions(element, "needs", form.needs);
     attributes_.read_functions(element, "before", form.before);
+    attributes_.read_functions(element, "outside", form.outside);
     attributes_.read_functions(element, "during", form.during);
     if (const auto use = attributes_.choice(element, "use", {"both", "write", "read"})) {
         form.is_read = *use != 1;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "base/units.h"
 
@@ -63,9 +64,62 @@ double text_scale(Dimension dimension, const TextUnits& units, bool is_slot) {
     return 1;
 }
 
+char* write_scaled(char* out, std::uint64_t scaled, bool is_minus, int decimals, bool has_point) {
+    if (is_minus) *out++ = '-';
+    std::array<char, 32> digits;
+    char* const end = digits.data() + digits.size();
+    char* begin = write_digits_backwards(end, scaled);
+    while (end - begin <= decimals) *--begin = '0';
+    const char* const point = end - decimals;
+    const char* last = end;
+    while (last != point && last[-1] == '0') --last;
+    while (begin != point) *out++ = *begin++;
+    if (last != point || has_point) *out++ = '.';
+    while (begin != last) *out++ = *begin++;
+    return out;
+}
+
+std::uint64_t most_increments(const NumberFormat& format) {
+    constexpr auto kPowers = [] {
+        std::array<std::uint64_t, 19> powers{1};
+        for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = powers[i - 1] * 10;
+        return powers;
+    }();
+    const auto digits = static_cast<std::size_t>(format.max_digits);
+    const bool has_limit = digits != 0 && digits < kPowers.size();
+    return has_limit ? kPowers[digits] - 1 : std::numeric_limits<std::uint64_t>::max();
+}
+
+namespace {
+
+/// The usual number: its rounding is certain, the control takes it, and what stands there is what
+/// it means. False: it needs a second look, and nothing was written.
+bool append_plain(std::string& out, double number, const NumberFormat& format, Dimension dimension,
+                  const TextUnits& units) {
+    const bool has_point = format.point == PointRule::Always;
+    if (format.digits > 1 || (!has_point && increment_of(format, dimension, units) > 0))
+        return false;
+    const int decimals = text_decimals(format, dimension, units);
+    if (format.point == PointRule::Never && decimals != 0) return false;
+    std::uint64_t scaled = 0;
+    if (!scaled_magnitude(number, decimals, scaled) || scaled > most_increments(format))
+        return false;
+    const bool is_minus = number < 0 && scaled != 0;
+    if (is_minus && !format.allows_minus) return false;
+    if (dimension == Dimension::Count && number != std::nearbyint(number)) return false;
+    std::array<char, 32> text;
+    out.append(text.data(), write_scaled(text.data(), scaled, is_minus, decimals, has_point));
+    return true;
+}
+
+}  // namespace
+
 NumberFault append_number(std::string& out, double number, const NumberFormat& format,
                           Dimension dimension, const TextUnits& units) {
+    if (append_plain(out, number, format, dimension, units)) return NumberFault::None;
     if (!std::isfinite(number)) return NumberFault::NotFinite;
+    if (dimension == Dimension::Count && number != std::nearbyint(number))
+        return NumberFault::NotReadBack;
     const int decimals = text_decimals(format, dimension, units);
     std::array<char, kMaxFixedLength> text;
     char* end = format_fixed(text.data(), number, decimals);

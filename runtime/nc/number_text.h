@@ -33,6 +33,14 @@ inline int text_decimals(const NumberFormat& format, Dimension dimension, const 
 
 enum class NumberFault : std::uint8_t { None, NotFinite, TooLarge, NotReadBack, Negative, Point };
 
+/// Writes scaled·10^-decimals without zeros at its end, and past it; 24 bytes are enough. Its
+/// digits are those of a whole number, so it reads back as exactly what was rounded to get
+/// `scaled`. has_point   a whole number keeps its point: `10.`
+char* write_scaled(char* out, std::uint64_t scaled, bool is_minus, int decimals, bool has_point);
+
+/// The greatest number of increments that the format takes.
+std::uint64_t most_increments(const NumberFormat& format);
+
 /// Appends `number`, which is in the text's units, and checks that it reads back as it was meant.
 NumberFault append_number(std::string& out, double number, const NumberFormat& format,
                           Dimension dimension, const TextUnits& units);

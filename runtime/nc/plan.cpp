@@ -31,6 +31,7 @@ class Planner {
             return std::nullopt;
         }
         for (std::size_t i = 0; i < match.claim_count; ++i) add_hole(match.claims[i]);
+        if (!check_arc_words(std::span(match.claims).first(match.claim_count))) return std::nullopt;
         return std::move(plan_);
     }
 
@@ -106,12 +107,37 @@ class Planner {
         plan_.holes.push_back(hole);
     }
 
+    /// Words of arcs beside a motion that is none, as far as the block itself says its motion.
+    bool check_arc_words(std::span<const Claim> claims) {
+        const Function motion = plan_.block.motion;
+        const bool is_straight = motion == Function::Rapid || motion == Function::Line;
+        const auto slot_of = [](const Claim& claim) { return static_cast<Slot>(claim.place); };
+        const Claim* radius = nullptr;
+        const Claim* center = nullptr;
+        bool is_fine = true;
+        for (const Claim& claim : claims) {
+            if (claim.is_parameter || (bit(slot_of(claim)) & kArcSlots) == 0) continue;
+            if (slot_of(claim) == Slot::Radius) radius = &claim;
+            if ((bit(slot_of(claim)) & kCenterSlots) != 0) center = &claim;
+            if (!is_straight) continue;
+            const SourceWord& word = words_[source_[claim.word]];
+            sink_.report(diag::ArcWordWithoutArc, word.range)
+                .arg(text_of(word))
+                .arg(info(motion).name);
+            is_fine = false;
+        }
+        if (!is_fine || radius == nullptr || center == nullptr) return is_fine;
+        sink_.report(diag::ArcSaidTwice, words_[source_[radius->word]].range)
+            .note(words_[source_[center->word]].range, "the centre");
+        return false;
+    }
+
     void report(const MatchFault& fault) {
         using Kind = MatchFault::Kind;
         const SourceWord& word = words_[source_[fault.word]];
         const SourceWord& other = words_[source_[fault.other]];
         const std::string text = text_of(word);
-        const std::string form = fault.form == kNoForm ? "" : tables_.forms[fault.form].pattern;
+        const std::string form = fault.form == kNoForm ? "" : first_line(tables_.forms[fault.form]);
         switch (fault.kind) {
             case Kind::UnknownCode: report_code(word); break;
             case Kind::CodeComputed:

@@ -142,7 +142,9 @@ struct Reader::State {
     bool read_slow(std::string_view line, Block& block);
     bool apply(Block& block, std::string_view line);
     bool apply_claim(const Claim& claim, Block& block, std::string_view line);
-    bool is_skipped(std::string_view line);
+    /// What a line is before its words are looked at.
+    enum class LineKind : std::uint8_t { Nothing, Words, Misplaced };
+    LineKind kind_of(std::string_view line);
     void follow(const Block& block);
     void follow_units();
     void note_fault() {
@@ -158,16 +160,20 @@ struct Reader::State {
 
 // ---------------------------------------------------------------- lines
 
-bool Reader::State::is_skipped(std::string_view line) {
+Reader::State::LineKind Reader::State::kind_of(std::string_view line) {
     while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
     while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
-    if (line.empty()) return true;
-    for (const std::string& end : tables.program.end) {
-        if (has_content && line == end) has_ended = true;
-    }
-    return has_ended || std::ranges::any_of(tables.program.skipped, [&](const std::string& front) {
-               return line.starts_with(front);
-           });
+    if (line.empty()) return LineKind::Nothing;
+    const std::vector<std::string>& ends = tables.program.end;
+    if (has_content && std::ranges::find(ends, line) != ends.end()) has_ended = true;
+    if (has_ended) return LineKind::Nothing;
+    const bool is_header = std::ranges::any_of(
+        tables.program.skipped, [&](const std::string& front) { return line.starts_with(front); });
+    if (!is_header) return LineKind::Words;
+    if (!has_content) return LineKind::Nothing;
+    // Where a mark ends the text, another program may begin before it.
+    has_ended = !ends.empty();
+    return has_ended ? LineKind::Nothing : LineKind::Misplaced;
 }
 
 /// False: the line makes no block.
@@ -177,9 +183,16 @@ bool Reader::State::read(std::string_view line, Block& block) {
         return true;
     }
     block.reset();
-    if (is_skipped(line)) return false;
-    has_content = true;
+    const LineKind kind = kind_of(line);
+    if (kind == LineKind::Nothing) return false;
+    if (kind == LineKind::Misplaced) {
+        const std::size_t begin = line.find_first_not_of(" \t");
+        const auto at = static_cast<std::uint32_t>(begin);
+        report(line, LineFault{&diag::IsoSyntax, {at, at + 1}, {std::string(1, line[begin])}});
+        return false;
+    }
     if (read_slow(line, block)) {
+        has_content |= block.kind != Block::Kind::Comment;
         follow(block);
         return true;
     }
@@ -410,7 +423,7 @@ void Reader::State::report(std::string_view line, const MatchFault& fault) {
     }
     const std::string word = word_text(line, fault.word);
     const std::string other = word_text(line, fault.other);
-    const std::string form = fault.form == kNoForm ? "" : tables.forms[fault.form].pattern;
+    const std::string form = fault.form == kNoForm ? "" : first_line(tables.forms[fault.form]);
     out.span = lexed.spans[fault.word];
     switch (fault.kind) {
         case Kind::UnknownCode:
@@ -423,7 +436,11 @@ void Reader::State::report(std::string_view line, const MatchFault& fault) {
             break;
         case Kind::GroupTwice: out.row = &diag::IsoGroupTwice, out.arguments = {word, other}; break;
         case Kind::Missing: out.row = &diag::IsoWordsMissing, out.arguments = {word, form}; break;
-        case Kind::Value: out.row = &diag::IsoValueWrong, out.arguments = {word, form}; break;
+        case Kind::Value:
+            out.row = &diag::IsoValueWrong, out.arguments = {word, form};
+            if (fault.form != kNoForm && tables.forms[fault.form].function == Function::WorkOffset)
+                out.row = &diag::WorkOffsetUnknown, out.arguments = {other + ' ' + word};
+            break;
         case Kind::Conflict:
             out.row = &diag::IsoWordsConflict, out.arguments = {word, other};
             break;

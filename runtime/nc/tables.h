@@ -110,13 +110,15 @@ struct Form {
     std::vector<std::vector<FormWord>> extra;  // further lines, written behind it
     std::vector<Constraint> when;
     std::vector<std::pair<int, double>> fixed;  // parameters that the form says by itself
-    std::vector<int> implied;      // parameters that the control takes from its position
-    std::vector<Function> sets;    // further functions that it says
-    std::vector<Function> needs;   // modal functions that are written before it in the line
-    std::vector<Function> before;  // functions that are written on lines of their own before it
-    std::vector<Function> during;  // modal functions of which one must be active
-    int group = -1;                // modal group of the dialect; -1 none
-    int order = 0;                 // place in the block: the order of its first word
+    std::vector<int> implied;       // parameters that the control takes from its position
+    std::vector<Function> sets;     // further functions that it says
+    std::vector<Function> needs;    // modal functions that are written before it in the line
+    std::vector<Function> before;   // functions that are written on lines of their own before it
+    std::vector<Function> during;   // modal functions of which one must be active
+    std::vector<Function> outside;  // functions that must not act: a rotation
+    int group = -1;                 // modal group of the dialect; -1 none
+    std::uint64_t excludes = 0;     // groups of the form and of the codes in it, a bit each
+    int order = 0;                  // place in the block: the order of its first word
     bool is_written = true;
     bool is_read = true;
     bool owns_block = false;         // stands alone
@@ -130,6 +132,13 @@ struct Form {
     std::string note;
     SourceRange range;  // in the file
 };
+
+/// The pattern of the form's own line: what has to stand in one block.
+inline std::string first_line(const Form& form) {
+    std::string line = form.pattern.substr(0, form.pattern.find('\n'));
+    while (line.ends_with(' ') || line.ends_with('\t') || line.ends_with('\r')) line.pop_back();
+    return line;
+}
 
 struct DialectGroup {
     std::string name;
@@ -159,7 +168,7 @@ struct ProgramFrame {
     std::vector<std::string> start;    // templates, before the first block that does something
     std::vector<std::string> end;      // templates, at the very end
     std::vector<std::string> finish;   // before `end` if the program did not end itself
-    std::vector<std::string> skipped;  // beginnings of lines that a reader passes over
+    std::vector<std::string> skipped;  // beginnings of lines that stand before the first block
     std::size_t name_length = 24;
     bool name_needs_two_letters = false;
     std::int64_t least_number = 0;  // program numbers; 0 and 0: no numbers
@@ -175,9 +184,10 @@ struct Rules {
     bool ignores_case = false;         // of letters outside comments and texts
     bool has_assignment = true;        // `X=10`
     bool has_modes = true;             // `X=AC(10)`, `X=IC(5)`
+    bool number_first = true;          // N behind other words is an alarm
     bool blanks_inside_words = false;  // `X 10`, `G 0 1`
     int skip_levels = 10;              // `/0` … `/9`
-    int default_skip = 0;              // what `/` alone means
+    int default_skip = 0;              // what `/` alone means; the lowest level
     std::size_t max_line = 512;        // bytes, read
     std::size_t write_line = 512;      // bytes, written
     bool crlf = false;                 // written line ends

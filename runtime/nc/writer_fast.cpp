@@ -1,9 +1,9 @@
-// The fast way: a straight move in absolute coordinates, perhaps with a feed. Nearly all blocks of
-// a program are such, and formatting their numbers is what expansion costs. Whatever is unusual
-// about a block, or about one of its numbers, sends it the long way before anything is written.
+// The fast way: a straight move in absolute coordinates, perhaps with a feed, modal words repeated
+// or not. Nearly all blocks of a program are such, and formatting their numbers is what expansion
+// costs. Whatever is unusual about a block, or about one of its numbers, sends it the long way
+// before anything is written.
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "nc/block_writer.h"
 
@@ -17,6 +17,15 @@ constexpr double kSame = 1e-9;  // mm or deg, as in writer_positions.cpp
 }  // namespace
 
 void BlockWriter::prepare_fast() {
+    for (const Function motion : {Function::Rapid, Function::Line}) {
+        const auto& forms = tables_.forms_of[static_cast<std::size_t>(motion)];
+        if (forms.empty()) continue;
+        const Form& form = tables_.forms[forms[0]];
+        const bool is_code = form.function == motion && form.sets.empty() &&
+                             form.words.size() == 1 &&
+                             form.words[0].kind == FormWord::Kind::Fixed && form.extra.empty();
+        if (is_code) (motion == Function::Rapid ? fast_rapid_ : fast_line_) = form.words[0].text;
+    }
     for (const Slot slot : tables_.slot_order) {
         if ((bit(slot) & kTargetSlots) == 0) continue;
         const Address& address = address_of(slot);
@@ -33,13 +42,7 @@ void BlockWriter::prepare_fast() {
         axis.is_length = address.dimension == Dimension::Length;
         axis.has_point = format.point == PointRule::Always;
         axis.decimals = {format.decimals, axis.is_length ? format.inch_decimals : format.decimals};
-        std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
-        if (format.max_digits != 0 && format.max_digits < 19) {
-            most = 1;
-            for (int i = 0; i < format.max_digits; ++i) most *= 10;
-            --most;
-        }
-        axis.most = {most, most};
+        axis.most = most_increments(format);
         fast_axes_.push_back(axis);
         fast_slots_ |= bit(slot);
     }
@@ -52,12 +55,13 @@ bool BlockWriter::is_fast(const Block& block) const {
     const SlotMask targets = block.given & kTargetSlots;
     if (targets == 0 || (block.given & ~(fast_slots_ | bit(Slot::Feed))) != 0) return false;
     if (((block.incremental | block.absolute) & block.given) != 0) return false;
-    if (!block.comment.empty() || !pending_.empty() || options_.verbose_modal ||
-        modal_.units.inverse_time)
-        return false;
+    if (!block.comment.empty() || !pending_.empty() || modal_.units.inverse_time) return false;
     const Function motion = effective_motion(block);
     if (motion != Function::Rapid && motion != Function::Line) return false;
+    if (options_.verbose_modal && fast_code(motion).empty()) return false;
     const auto distance = static_cast<std::size_t>(Group::Distance);
+    const auto feed_mode = static_cast<std::size_t>(Group::FeedMode);
+    if (block.has(Slot::Feed) && modal_.text[feed_mode] != modal_.meant[feed_mode]) return false;
     return modal_.text[static_cast<std::size_t>(Group::Motion)] == motion &&
            modal_.text[distance] == Function::Absolute &&
            modal_.meant[distance] == Function::Absolute;
@@ -82,19 +86,23 @@ bool BlockWriter::write_fast(const Block& block, std::string& out) {
         const double scale = axis.is_length ? text_scale(Dimension::Length, modal_.units, true) : 1;
         const double number = block.at(axis.slot) * scale;
         std::uint64_t scaled = 0;
-        if (!scaled_magnitude(number, decimals, scaled) || scaled > axis.most[system]) return false;
+        if (!scaled_magnitude(number, decimals, scaled) || scaled > axis.most) return false;
         const bool is_minus = number < 0 && scaled != 0;
         const double rounded =
             static_cast<double>(scaled) / kPowersOfTen[static_cast<std::size_t>(decimals)];
         const double text = (is_minus ? -rounded : rounded) / scale;
         const auto place = static_cast<std::size_t>(axis.slot);
-        const bool is_same =
-            is_known(place) && std::fabs(text - modal_.position.text[place]) < kSame;
+        const bool is_same = !options_.verbose_modal && is_known(place) &&
+                             std::fabs(text - modal_.position.text[place]) < kSame;
         if (!is_same) changed |= bit(axis.slot);
         words[count++] = {&axis, scaled, text, is_minus, decimals};
     }
     modal_.meant[static_cast<std::size_t>(Group::Motion)] = effective_motion(block);
-    open_line(-1, -1, true, out);
+    open_line(-1, true, out);
+    if (options_.verbose_modal && block.motion != Function::None) {
+        blank(out);
+        out += fast_code(block.motion);
+    }
     std::array<char, 32 * kAxes> line;
     char* end = line.data();
     for (std::size_t i = 0; i < count; ++i) {
@@ -106,10 +114,11 @@ bool BlockWriter::write_fast(const Block& block, std::string& out) {
         if (changed != 0 && (changed & bit(word.axis->slot)) == 0) continue;
         if (end != line.data() || out.size() != line_start_) *end++ = ' ';
         *end++ = word.axis->letter;
-        end = append_fast_number(end, *word.axis, word.scaled, word.is_minus, word.decimals);
+        end = write_scaled(end, word.scaled, word.is_minus, word.decimals, word.axis->has_point);
     }
     out.append(line.data(), end);
-    if (block.has(Slot::Feed) && !is_standing(Slot::Feed, block.at(Slot::Feed), modal_.feed)) {
+    if (block.has(Slot::Feed) &&
+        (options_.verbose_modal || !is_standing(Slot::Feed, block.at(Slot::Feed), modal_.feed))) {
         append_slot(block, Slot::Feed, {}, out);
     }
     if (block.has(Slot::Feed)) {
@@ -118,24 +127,6 @@ bool BlockWriter::write_fast(const Block& block, std::string& out) {
     }
     close_line(out);
     return true;
-}
-
-/// The number `scaled`·10^-decimals without zeros at its end. Its digits are those of a whole
-/// number, so it reads back as exactly what was rounded, and that is within half an increment.
-char* BlockWriter::append_fast_number(char* out, const FastAxis& axis, std::uint64_t scaled,
-                                      bool is_minus, int decimals) const {
-    if (is_minus) *out++ = '-';
-    std::array<char, 32> digits;
-    char* const end = digits.data() + digits.size();
-    char* begin = write_digits_backwards(end, scaled);
-    while (end - begin <= decimals) *--begin = '0';
-    const char* const point = end - decimals;
-    const char* last = end;
-    while (last != point && last[-1] == '0') --last;
-    while (begin != point) *out++ = *begin++;
-    if (last != point || axis.has_point) *out++ = '.';
-    while (begin != last) *out++ = *begin++;
-    return out;
 }
 
 }  // namespace kadr::nc

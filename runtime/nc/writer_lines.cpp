@@ -1,6 +1,7 @@
 // Lines: words in their order, numbers, comments, block numbers, lengths.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/text.h"
 #include "nc/block_writer.h"
@@ -25,21 +26,20 @@ void BlockWriter::collect_slots(const Block& block, const Targets& targets, Item
                                 block.find(Function::SpindleCcw) != nullptr;
             if (!starts) continue;
         }
-        items.add({.order = address_of(slot).order, .slot = slot});
+        items.add(Item::of_slot(address_of(slot).order, slot));
     }
     for (std::size_t slot = 0; slot < kSlots; ++slot) {
         if (block.has(static_cast<Slot>(slot)) && tables_.slot_address[slot] == kNoAddress &&
             (scalars >> slot & 1u) != 0) {
-            cannot_express(block,
-                           slot == static_cast<std::size_t>(Slot::Feed) ? "a feed" : "a speed");
+            cannot_express(block, '`' + std::string(slot_name(static_cast<Slot>(slot))) + '`');
         }
     }
     // Where F is not modal, every block at feed repeats it.
     const Function motion = effective_motion(block);
     const bool is_cut = motion == Function::Line || is_arc(motion);
-    if (feed_every_block_ && is_cut && !block.has(Slot::Feed) && modal_.has_meant_feed &&
-        (block.given & (kTargetSlots | kCenterSlots)) != 0) {
-        items.add({.order = address_of(Slot::Feed).order, .slot = Slot::Feed});
+    if (feed_every_block_ && is_cut && has_address(Slot::Feed) && !block.has(Slot::Feed) &&
+        modal_.has_meant_feed && (block.given & (kTargetSlots | kCenterSlots)) != 0) {
+        items.add(Item::of_slot(address_of(Slot::Feed).order, Slot::Feed));
     }
 }
 
@@ -59,9 +59,10 @@ void BlockWriter::add_deferred(const Block& block, Items& items) {
             ++i;
             continue;
         }
-        deferred_tool_ = pending_[i].tool;
-        items.add({.order = tables_.addresses[deferred.words[0].address].order,
-                   .words = &deferred.words});
+        deferred_tool_ = own_offset(pending_[i], block);
+        remove_said(deferred, items);
+        items.add(
+            Item::of_words(tables_.addresses[deferred.words[0].address].order, deferred.words));
         // Functions may come again for the same tool; an axis word acts once.
         if (deferred.axis >= 0) {
             pending_.erase(pending_.begin() + static_cast<std::ptrdiff_t>(i));
@@ -71,38 +72,69 @@ void BlockWriter::add_deferred(const Block& block, Items& items) {
     }
 }
 
+/// Held-back words stand for the codes and offsets that the block has in words of its own.
+void BlockWriter::remove_said(const Deferred& deferred, Items& items) const {
+    const auto is_said = [&](const Item& item) {
+        if (item.form == kNoForm) return false;
+        const std::vector<FormWord>& own = tables_.forms[item.form].words;
+        return std::ranges::all_of(own, [&](const FormWord& word) {
+            return std::ranges::any_of(deferred.words, [&](const FormWord& other) {
+                return word.address == other.address && word.kind == other.kind &&
+                       word.number == other.number;
+            });
+        });
+    };
+    const auto end = std::remove_if(
+        items.list.begin(), items.list.begin() + static_cast<std::ptrdiff_t>(items.count), is_said);
+    items.count = static_cast<std::size_t>(end - items.list.begin());
+}
+
+/// The offset of held-back words: the tool's, unless the block has a word of its own for it, as
+/// `H5` is for `G43 H{tool}`.
+double BlockWriter::own_offset(const Pending& pending, const Block& block) const {
+    const AddressId offset = pending.deferred->words.back().address;
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        if (chosen_[i] == kNoForm) continue;
+        for (const FormWord& word : tables_.forms[chosen_[i]].words) {
+            if (word.parameter < 0 || word.address != offset) continue;
+            const auto parameter = static_cast<std::size_t>(word.parameter);
+            const Invocation& invocation = block.functions[i];
+            if ((invocation.given >> parameter & 1u) != 0)
+                return block.argument(invocation, parameter);
+        }
+    }
+    return pending.tool;
+}
+
 void BlockWriter::write_items(const Block& block, Items& items, const Targets& targets,
                               std::string& out) {
-    std::stable_sort(items.list.begin(),
-                     items.list.begin() + static_cast<std::ptrdiff_t>(items.count),
-                     [](const Item& a, const Item& b) { return a.order < b.order; });
+    if (items.is_full) cannot_express(block, "so many words in one block");
     // A comment that is too long to stand behind the block stands before it.
     const std::size_t most = tables_.comment.max_length;
     const bool fits = most == 0 || count_code_points(block.comment) <= most;
     if (!fits) write_comment(block, out);
     Items later;
-    std::array<std::uint8_t, 256> used{};
-    open_line(block.number, block.skip, true, out);
-    for (std::size_t i = 0; i < items.count; ++i) {
-        const Item& item = items.list[i];
-        if (item.form != kNoForm && !tables_.forms[item.form].is_comment) {
-            // A control that takes one M a block gets the others in lines of their own.
-            const AddressId head = tables_.forms[item.form].words[0].address;
-            if (used[head & 255u] >= tables_.addresses[head].write_max) {
-                later.add(item);
-                continue;
-            }
-            ++used[head & 255u];
+    LineRoom room;
+    open_line(block.skip, true, out);
+    for (const Item& item : items.all()) {
+        if (item.form == kNoForm && item.words == nullptr)
+            ++room.words[tables_.slot_address[static_cast<std::size_t>(item.slot)] %
+                         room.words.size()];
+    }
+    for (const Item& item : items.all()) {
+        if (has_room(block, item, room)) {
+            append_item(block, item, targets, out);
+        } else {
+            later.add(item);
         }
-        append_item(block, item, targets, out);
     }
     if (!block.comment.empty() && fits) append_comment(block.comment, out);
     close_line(out);
-    for (std::size_t i = 0; i < items.count; ++i) {
-        if (items.list[i].form == kNoForm) continue;
-        for (const std::vector<FormWord>& line : tables_.forms[items.list[i].form].extra) {
-            open_line(-1, block.skip, true, out);
-            append_words(block, line, items.list[i].invocation, false, out);
+    for (const Item& item : items.all()) {
+        if (item.form == kNoForm) continue;
+        for (const std::vector<FormWord>& line : tables_.forms[item.form].extra) {
+            open_line(block.skip, true, out);
+            append_words(block, line, item.invocation, false, out);
             close_line(out);
             note_line(line);
         }
@@ -114,6 +146,45 @@ void BlockWriter::write_items(const Block& block, Items& items, const Targets& t
     rest.text = block.text;
     rest.arguments = block.arguments;
     write_items(rest, later, {}, out);
+}
+
+/// Whether the line takes the item beside those that it has; counts its words if so. A control that
+/// takes one M a block gets the others in lines of their own. What else does not go together is an
+/// error: in one line the control would raise an alarm or drop the first, and a line further on it
+/// would act behind the motion.
+bool BlockWriter::has_room(const Block& block, const Item& item, LineRoom& room) {
+    if (item.form == kNoForm && item.words == nullptr) return true;
+    const Form* form = item.form == kNoForm ? nullptr : &tables_.forms[item.form];
+    if (form != nullptr && form->is_comment) return true;
+    const std::vector<FormWord>& words = form != nullptr ? form->words : *item.words;
+    const std::uint64_t groups = form != nullptr ? form->excludes : 0;
+    bool is_taken = (room.groups & groups) != 0;
+    bool may_wait = !is_taken;
+    const auto count_of = [&](const FormWord& word) -> std::uint8_t& {
+        return room.words[word.address % room.words.size()];
+    };
+    const auto is_written = [&](const FormWord& word) {
+        return word.address != kNoAddress &&
+               (word.parameter < 0 || word.has_default || item.invocation == nullptr ||
+                (item.invocation->given >> word.parameter & 1u) != 0);
+    };
+    for (const FormWord& word : words) {
+        const Address* address = is_written(word) ? &tables_.addresses[word.address] : nullptr;
+        if (address == nullptr || count_of(word) < std::max<int>(address->write_max, 1)) continue;
+        is_taken = true;
+        may_wait &= address->kind == Address::Kind::Code;
+    }
+    if (is_taken && may_wait) return false;
+    if (is_taken) {
+        const std::string what =
+            form != nullptr ? std::string(info(form->function).name) : "H or D";
+        cannot_express(block, '`' + what + "` and the rest of the block in one line");
+    }
+    room.groups |= groups;
+    for (const FormWord& word : words) {
+        if (is_written(word)) ++count_of(word);
+    }
+    return true;
 }
 
 /// Codes that stand in a form's further lines change the state of the text, too.
@@ -294,7 +365,7 @@ void BlockWriter::append_text(const Block& block, std::string& out) {
 
 // ---------------------------------------------------------------- lines
 
-void BlockWriter::open_line(std::int32_t number, int skip, bool is_numbered, std::string& out) {
+void BlockWriter::open_line(int skip, bool is_numbered, std::string& out) {
     line_start_ = out.size();
     if (skip >= 0) {
         out += '/';
@@ -302,11 +373,16 @@ void BlockWriter::open_line(std::int32_t number, int skip, bool is_numbered, std
         out += ' ';
     }
     const BlockNumbers& numbers = tables_.block_numbers;
-    std::int64_t n = number;
+    if (!is_numbered) return;
+    // A number of the program's own goes before the counted ones, which go on behind it.
+    std::int64_t n = std::exchange(given_number_, -1);
     if (numbers.is_on && options_.number_blocks) {
-        if (!is_numbered) return;
-        n = number_;
-        number_ += numbers.step;
+        if (n < 0) {
+            n = number_;
+            number_ += numbers.step;
+        } else {
+            number_ = (n / numbers.step + 1) * numbers.step;
+        }
         if (number_ > numbers.most) number_ = numbers.start;
     }
     if (n < 0) return;
@@ -343,7 +419,7 @@ void BlockWriter::append_comment(const std::string& comment, std::string& out) {
 }
 
 void BlockWriter::write_line(std::string_view line, bool is_numbered, std::string& out) {
-    open_line(-1, -1, is_numbered, out);
+    open_line(-1, is_numbered, out);
     if (is_numbered) blank(out);
     out += line;
     close_line(out);

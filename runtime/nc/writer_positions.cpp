@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "nc/arc_words.h"
 #include "nc/block_writer.h"
@@ -96,10 +97,7 @@ void BlockWriter::place_target(const Block& block, std::size_t axis, Targets& ta
         (is_distance ? targets.wrapped_incremental : targets.wrapped_absolute) |= mask;
     } else if (by_itself) {
         writes_distance = text_distance == Function::Incremental || targets.needs_incremental;
-        if (writes_distance != is_distance && !was_known) {
-            failed_ = true;
-            sink_.report(diag::WriterPositionUnknown, place(block)).arg(kAxisNames[axis]);
-        }
+        if (writes_distance != is_distance && !was_known) position_unknown(block, kAxisNames[axis]);
     }
     targets.number[axis] =
         (writes_distance ? position.text[axis] - old_text : position.text[axis]) * scale;
@@ -130,20 +128,65 @@ void BlockWriter::place_arc(const Block& block, const WrittenPosition& start, Ta
     if ((block.given & kCenterSlots) != 0) place_center(block, start, targets);
 }
 
+/// Whether the axis word is a distance; not where nobody knows what it is.
+bool BlockWriter::is_distance(const Block& block, std::size_t axis) const {
+    const SlotMask mask = bit(static_cast<Slot>(axis));
+    if (((block.incremental | block.absolute) & mask) != 0) return (block.incremental & mask) != 0;
+    return modal_.meant[static_cast<std::size_t>(Group::Distance)] == Function::Incremental;
+}
+
+/// Whether the way from the start of an arc to its end, in the plane, is known: from positions, or
+/// because the block says it. An axis without a word does not move.
+bool BlockWriter::is_chord_known(const Block& block, const WrittenPosition& start) const {
+    const std::array<std::size_t, 3> axes = plane_axes();
+    return std::ranges::all_of(std::span(axes).first<2>(), [&](std::size_t axis) {
+        return (start.known >> axis & 1u) != 0 || !block.has(static_cast<Slot>(axis)) ||
+               is_distance(block, axis);
+    });
+}
+
+/// The words of an arc whose points nobody knows: as the block has them, nothing corrected.
+void BlockWriter::place_arc_as_given(const Block& block, const WrittenPosition& start,
+                                     Targets& targets) {
+    if ((block.given & kCenterSlots) != 0) place_center_as_given(block, start, targets);
+    if (!block.has(Slot::Radius)) return;
+    if (!has_address(Slot::Radius)) return cannot_express(block, "an arc by its radius");
+    targets.written |= bit(Slot::Radius);
+    targets.number[static_cast<std::size_t>(Slot::Radius)] =
+        to_text(Slot::Radius, block.at(Slot::Radius));
+}
+
+void BlockWriter::place_center_as_given(const Block& block, const WrittenPosition& start,
+                                        Targets& targets) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Slot slot = center_slot(axis);
+        if (!block.has(slot)) continue;
+        if (!has_address(slot)) return cannot_express(block, "an arc centre");
+        double number = to_text(slot, block.at(slot));
+        if ((block.absolute & bit(slot)) != 0) {
+            // A coordinate, where the control takes distances only, needs the start.
+            const bool is_start_known = (start.known >> axis & 1u) != 0;
+            if (tables_.rules.has_modes) targets.wrapped_absolute |= bit(slot);
+            else if (is_start_known) number -= to_text(slot, start.text[axis]);
+            else position_unknown(block, address_of(slot).name);
+        }
+        targets.written |= bit(slot);
+        targets.number[static_cast<std::size_t>(slot)] = number;
+    }
+}
+
 void BlockWriter::place_center(const Block& block, const WrittenPosition& start, Targets& targets) {
     const std::array<std::size_t, 3> axes = plane_axes();
     const SlotMask in_plane = bit(center_slot(axes[0])) | bit(center_slot(axes[1]));
     const bool has_plane = modal_.meant_of(Group::Plane) != Function::None;
-    if (!has_plane || (block.given & kCenterSlots & ~in_plane) != 0) {
-        // The words do not fit the plane, or the plane is unknown: as they are, nothing corrected.
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const Slot slot = center_slot(axis);
-            if (!block.has(slot) || !has_address(slot)) continue;
-            targets.written |= bit(slot);
-            targets.number[static_cast<std::size_t>(slot)] = to_text(slot, block.at(slot));
-            if ((block.absolute & bit(slot)) != 0) targets.wrapped_absolute |= bit(slot);
-        }
-        return;
+    // A coordinate and a distance cannot be compared without the position.
+    const bool is_comparable = std::ranges::all_of(std::span(axes).first<2>(), [&](auto axis) {
+        return (start.known >> axis & 1u) != 0 ||
+               (block.absolute & block.given & bit(center_slot(axis))) == 0;
+    });
+    if (!has_plane || (block.given & kCenterSlots & ~in_plane) != 0 || !is_comparable ||
+        !is_chord_known(block, start)) {
+        return place_center_as_given(block, start, targets);
     }
     ArcPoints arc{};
     PlanePoint center{};
@@ -162,20 +205,8 @@ void BlockWriter::place_center(const Block& block, const WrittenPosition& start,
         fixed_zero[i] = !block.has(slot);
         center[i] = is_coordinate ? block.at(slot) * scale
                                   : arc.start[i] + (block.has(slot) ? block.at(slot) * scale : 0.0);
-        if (is_coordinate && (start.known >> axis & 1u) == 0) {
-            // A coordinate and a distance cannot be compared without the position.
-            if (!tables_.rules.has_modes) {
-                failed_ = true;
-                sink_.report(diag::WriterPositionUnknown, place(block)).arg(address_of(slot).name);
-                return;
-            }
-            targets.written |= bit(slot);
-            targets.wrapped_absolute |= bit(slot);
-            targets.number[static_cast<std::size_t>(slot)] = block.at(slot) * scale;
-        }
     }
     const SlotMask coordinates = block.absolute & block.given & in_plane;
-    if (is_absolute && ((start.known >> axes[0] & start.known >> axes[1]) & 1u) == 0) return;
     const bool writes_absolute = is_absolute && tables_.rules.has_modes;
     const int places = decimals(center_slot(axes[0]));
     const PlanePoint words = center_words(arc, center, places, fixed_zero, writes_absolute);
@@ -221,11 +252,9 @@ bool BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
         std::hypot(text_to[0] - text_from[0], text_to[1] - text_from[1]) <= 2 * std::fabs(rounded);
     const bool has_center = has_address(center_slot(axes[0])) && has_address(center_slot(axes[1]));
     // Without a position of start and end nothing can be converted; the control judges.
-    const SlotMask in_plane = bit(static_cast<Slot>(axes[0])) | bit(static_cast<Slot>(axes[1]));
-    const bool is_comparable = (start.known & in_plane) == in_plane ||
-                               modal_.meant_of(Group::Distance) == Function::Incremental;
+    const bool is_comparable = is_chord_known(block, start);
     if (is_comparable && !exact && !reached) {
-        failed_ = true;
+        if (!is_new_message(block, "an arc by its radius")) return true;
         sink_.report(diag::ArcRadiusImpossible, place(block))
             .arg(round_to(radius, 6))
             .arg(round_to(std::hypot(to[0] - from[0], to[1] - from[1]), 6));
@@ -270,40 +299,52 @@ void BlockWriter::place_arc_feed(const Block& block, const WrittenPosition& star
                                  Targets& targets) {
     if (!modal_.units.inverse_time || !inverse_arc_by_radius_) return;
     const std::array<std::size_t, 3> axes = plane_axes();
-    const SlotMask in_plane = bit(static_cast<Slot>(axes[0])) | bit(static_cast<Slot>(axes[1]));
-    const bool is_full = (block.given & in_plane) == 0;
-    const bool is_incremental = modal_.meant_of(Group::Distance) == Function::Incremental;
-    if (!is_full && !is_incremental && (start.known & in_plane) != in_plane) {
-        failed_ = true;
-        sink_.report(diag::WriterPositionUnknown, place(block)).arg("F");
-        return;
-    }
+    if (!is_chord_known(block, start)) return position_unknown(block, "F");
     const PlanePoint from = {start.meant[axes[0]], start.meant[axes[1]]};
     const PlanePoint to = {modal_.position.meant[axes[0]], modal_.position.meant[axes[1]]};
     const bool is_clockwise = effective_motion(block) == Function::ArcCw;
     targets.feed_factor = sweep_angle(from, to, meant_center(block, from, to), is_clockwise);
 }
 
+/// Whether the points of a helix are known so far that its turns can be shared out; says so if not.
+bool BlockWriter::are_turns_known(const Block& block) {
+    const std::array<std::size_t, 3> axes = plane_axes();
+    const WrittenPosition& start = modal_.position;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        const auto slot = static_cast<Slot>(axis);
+        const bool is_in_plane = axis == axes[0] || axis == axes[1];
+        const bool is_center_absolute =
+            is_in_plane && (block.absolute & block.given & bit(center_slot(axis))) != 0;
+        const bool is_coordinate = block.has(slot) && !is_distance(block, axis);
+        if ((start.known >> axis & 1u) != 0 || !(is_coordinate || is_center_absolute)) continue;
+        position_unknown(block, kAxisNames[axis]);
+        return false;
+    }
+    return true;
+}
+
 /// A helix of several turns on a control without a word for them: one block a turn.
 bool BlockWriter::split_turns(const Block& block, std::string& out) {
     if (!block.has(Slot::Turns) || has_address(Slot::Turns)) return false;
     const Function motion = effective_motion(block);
-    const auto turns = static_cast<int>(std::lround(block.at(Slot::Turns)));
+    const double asked = block.at(Slot::Turns);
     Block last = block;
     last.given &= ~bit(Slot::Turns);
-    if (turns <= 0 || !is_arc(motion)) {
+    // No further turns are what every arc has; what cannot be turned has its message.
+    const bool is_sane = asked > 0 && asked <= kMostTurns && is_arc(motion);
+    if (asked > 0 && motion == Function::None) cannot_express(block, "turns of an unknown motion");
+    if (!is_sane || !are_turns_known(block)) {
         write_block(last, out);
         return true;
     }
+    const auto turns = static_cast<int>(std::lround(asked));
     const std::array<std::size_t, 3> axes = plane_axes();
     const WrittenPosition& start = modal_.position;
     const bool is_incremental = modal_.meant_of(Group::Distance) == Function::Incremental;
     const auto end_of = [&](std::size_t axis) {
         const auto slot = static_cast<Slot>(axis);
         if (!block.has(slot)) return start.meant[axis];
-        const bool is_distance = (block.incremental & bit(slot)) != 0 ||
-                                 (is_incremental && (block.absolute & bit(slot)) == 0);
-        return is_distance ? start.meant[axis] + block.at(slot) : block.at(slot);
+        return is_distance(block, axis) ? start.meant[axis] + block.at(slot) : block.at(slot);
     };
     const PlanePoint from = {start.meant[axes[0]], start.meant[axes[1]]};
     const PlanePoint to = {end_of(axes[0]), end_of(axes[1])};
@@ -335,7 +376,10 @@ bool BlockWriter::split_turns(const Block& block, std::string& out) {
             const auto slot = static_cast<Slot>(axis);
             if (axis == axes[0] || axis == axes[1] || !block.has(slot)) continue;
             const double at = begin[axis] + (end[axis] - begin[axis]) * kTurn * turn / total;
-            circle.set(slot, is_incremental ? at - start.meant[axis] : at);
+            const bool as_distance = is_distance(block, axis);
+            circle.set(slot, as_distance ? at - start.meant[axis] : at);
+            if (as_distance && !is_incremental) circle.incremental |= bit(slot);
+            if (!as_distance && is_incremental) circle.absolute |= bit(slot);
         }
         write_block(circle, out);
     }

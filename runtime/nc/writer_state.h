@@ -28,6 +28,9 @@ struct Standing {
     double value = 0;
 };
 
+/// Additional turns of a helix, as the interpreter takes them.
+inline constexpr double kMostTurns = 999;
+
 struct WriterModal {
     ModalFunctions meant{};  // as the blocks say; None: not known
     ModalFunctions text{};   // as the control has it
@@ -39,10 +42,36 @@ struct WriterModal {
     WrittenPosition position;
     Activity rotation = Activity::No;
     Activity mirror = Activity::No;
-    std::array<Standing, 3> shift{};  // arguments of a function that remembers them
+    SlotMask turned = 0;               // axes on which a rotation or mirroring acts
+    std::array<Standing, 3> shift{};   // arguments of a function that remembers them
+    std::array<Standing, 3> origin{};  // programmable shift as the program means it, mm
 
     Function& text_of(Group group) { return text[static_cast<std::size_t>(group)]; }
     Function& meant_of(Group group) { return meant[static_cast<std::size_t>(group)]; }
+
+    /// After a block that may be skipped, only what it left as it was is known.
+    void forget_differences(const WriterModal& before) {
+        for (std::size_t i = 0; i < text.size(); ++i) {
+            if (text[i] != before.text[i]) text[i] = Function::None;
+        }
+        const auto forget_number = [](Standing& now, const Standing& then) {
+            now.is_known &= then.is_known && now.value == then.value;
+        };
+        forget_number(feed, before.feed);
+        forget_number(speed, before.speed);
+        for (std::size_t i = 0; i < shift.size(); ++i) {
+            forget_number(shift[i], before.shift[i]);
+            forget_number(origin[i], before.origin[i]);
+        }
+        turned |= before.turned;
+        position.known &= before.position.known;
+        for (std::size_t axis = 0; axis < kAxes; ++axis) {
+            if (position.text[axis] != before.position.text[axis])
+                position.known &= ~(SlotMask{1} << axis);
+        }
+        if (rotation != before.rotation) rotation = Activity::Unknown;
+        if (mirror != before.mirror) mirror = Activity::Unknown;
+    }
 
     /// After raw text nothing is known.
     void forget() {
@@ -51,7 +80,9 @@ struct WriterModal {
         feed.is_known = speed.is_known = has_meant_feed = false;
         position.forget();
         rotation = mirror = Activity::Unknown;
+        turned = kTargetSlots;
         for (Standing& s : shift) s.is_known = false;
+        for (Standing& s : origin) s.is_known = false;
     }
 };
 

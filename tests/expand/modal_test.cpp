@@ -58,6 +58,15 @@ TEST(Modal, FramesComposeAndEnd) {
          "rotate(angle=90)\nshift"},
         {"program p() { with mirror(x: 0) { with shift(x: 5) { X1; } } }",
          "mirror(x=0)\nshift(x=-5)\nmirror(x=0)\nX1\nshift\nmirror(x=0)\nshift"},
+        // Mirrors before rotations, as every control takes them; one axis of the plane mirrored
+        // turns the sense, two do not.
+        {"program p() { with rotate(30deg) mirror(x: 0) { X1; } }",
+         "rotate(angle=30)\nshift\nmirror(x=0)\nrotate(angle=-30)\nX1\nshift"},
+        {"program p() { with mirror(x: 0) rotate(30deg) { X1; } }",
+         "mirror(x=0)\nrotate(angle=30)\nX1\nshift"},
+        {"program p() { with rotate(30deg) { with mirror(x: 0, y: 0) { X1; } } }",
+         "rotate(angle=30)\nshift\nmirror(x=0, y=0)\nrotate(angle=30)\nX1\nshift\n"
+         "rotate(angle=30)\nshift"},
         {"program p() { with shift(x: 1) { with rotate(30deg) { with rotate(15deg) { X1; } } } }",
          "shift(x=1)\nrotate(angle=30)\nshift(x=1)\nrotate(angle=45)\nX1\nshift(x=1)\n"
          "rotate(angle=30)\nshift(x=1)\nshift"},

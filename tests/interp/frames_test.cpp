@@ -110,6 +110,30 @@ TEST(Frames, PointsInTheBaseSystem) {
     }
 }
 
+TEST(Frames, ARotationIsInnermost) {
+    // FANUC 3.7: mirror, scaling, rotation, cancelled the other way round; inside a rotation
+    // neither G52 to G59, G92 nor another plane.
+    constexpr std::string_view kInnermost = "<rule name=\"rotation_is_innermost\" value=\"yes\"/>";
+    const std::vector<Block> forbidden = {mirror_x(),
+                                          fn(Function::MirrorOff),
+                                          work_offset(2),
+                                          shift_x(5),
+                                          shift_add(1, 1),
+                                          fn(Function::PlaneZx),
+                                          fn(Function::SetPosition, {{0, 5}})};
+    for (const Block& block : forbidden) {
+        SCOPED_TRACE(describe(block));
+        const Ran inside = run({rotate(30), block}, {.rules = kInnermost});
+        EXPECT_EQ(inside.codes(), "K5234");
+        EXPECT_TRUE(inside.alarmed);
+        EXPECT_EQ(run({rotate(30), fn(Function::RotateOff), block}, {.rules = kInnermost}).codes(),
+                  "");
+        EXPECT_EQ(run({rotate(30), block}).codes(), "");
+    }
+    EXPECT_EQ(run({mirror_x(), rotate(30), fn(Function::PlaneXy)}, {.rules = kInnermost}).codes(),
+              "");
+}
+
 TEST(Frames, IncrementsAfterAChange) {
     struct Row {
         const char* name;

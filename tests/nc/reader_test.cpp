@@ -143,8 +143,26 @@ void expect_alarms(const char* dialect, std::initializer_list<WrongRow> rows) {
     }
 }
 
+TEST(Reader, BlockNumbersAndHeadersHaveTheirPlace) {
+    // Reference sinumerik.md 1.2: N begins a block; fanuc.md 1.3: it may stand behind other words.
+    expect_alarms("sinumerik", {
+                                   {"G1 X1 N10 F5", "12080", 1, 7},
+                                   {"N10 N20 X1", "12080", 1, 5},
+                                   {"%_N_A_MPF\nX1\n%_N_B_MPF", "12080", 3, 1},
+                               });
+    expect_blocks("sinumerik", {{"; REMARK\n%_N_A_MPF\n\nX1", "comment \"REMARK\"\nX1"}});
+    expect_blocks("fanuc", {
+                               {"G01 X1. N10 Y2.", "N10 line X1 Y2"},
+                               // Another program begins: the text of this one ends.
+                               {"%\nO0001\nX1.\nO0002\nX2.", "X1"},
+                           });
+}
+
 TEST(Reader, FanucAlarms) {
     expect_alarms("fanuc", {
+                               {"G54.1 P999", "PS0030", 1, 7},
+                               {"G54.1 P0", "PS0030", 1, 7},
+                               {"/0 X1.", "", 1, 1},
                                {"G01 X10. E5.", "PS0009", 1, 10},
                                {"G111 X10.", "PS0010", 1, 1},
                                {"G01 X Y5.", "PS0005", 1, 5},
@@ -157,7 +175,6 @@ TEST(Reader, FanucAlarms) {
                                {"G01 X1. P5", "PS0009", 1, 9},
                                {"G68 X10. Y5. R30.", "PS0010", 1, 5},
                                {"G04 X1. P500", "PS0010", 1, 5},
-                               {"G54.1 P99", "PS0010", 1, 7},
                                {"X1.\nX1. (ROUGH\nX2.", "PS0004", 2, 5},
                                {"G01 x5.", "PS0004", 1, 5},
                                {"N X5.", "PS0005", 1, 1},

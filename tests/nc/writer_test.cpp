@@ -147,6 +147,77 @@ TEST(Writer, ArcsFitTheRoundedPoints) {
                              });
 }
 
+TEST(Writer, ArcsFromUnknownPositionsKeepTheirWords) {
+    expect_text("sinumerik",
+                {
+                    {"G2 X=IC(5) Y0 I=AC(3) J0", "G2 X=IC(5) Y0 I=AC(3) J0\n"},
+                    {"tool(3)\nG3 X5 Y1.5 I=AC(1.23456) J2",
+                     "T=\"3\" D1\nM6\nG3 X5 Y1.5 I=AC(1.23456) J2\n"},
+                    // An axis without a word does not move: the chord is known.
+                    {"G3 X=IC(10) CR=5", "G3 X=IC(10) CR=5\n"},
+                    {"raw G02\nX5 Y1 I5 J0\nX9 Y1 CR=7", "G02\nX5 Y1 I5 J0\nX9 Y1 CR=7\n"},
+                });
+    expect_text("fanuc", {{"G2 X5 Y0 I1 J0", "G02 X5. Y0. I1. J0.\n"}});
+    EXPECT_EQ(write("fanuc", "G2 X5 Y0 I=AC(1) J0").codes, "K4204");
+    EXPECT_EQ(write("fanuc", "G3 X0 Y20 I-20 J0 Z-9 TURN=2").codes, "K4204");
+}
+
+TEST(Writer, ArcWordsWithoutAnArcAreAnError) {
+    for (const char* name : {"iso", "sinumerik", "fanuc"}) {
+        EXPECT_EQ(write(name, "G1 X1\nX3 I4").codes, "K4209") << name;
+        EXPECT_EQ(write(name, "X3 CR=4").codes, "K4209") << name;
+        EXPECT_EQ(write(name, "G1 X1\nX3 TURN=1").codes, "K4209") << name;
+        EXPECT_EQ(write(name, "G2 X3 I4\nX5").codes, "K4211") << name;
+        // Such a block comes from another control's text; the planner refuses it in a source.
+        Block block = testing::source_block(shipped("iso"), "G2 X3 CR=4");
+        block.set(Slot::CenterX, 1);
+        DiagnosticList sink;
+        Writer writer(shipped(name), {}, sink);
+        std::string text;
+        writer.write(block, text);
+        EXPECT_EQ(testing::codes(sink), "K4210") << name;
+    }
+}
+
+TEST(Writer, NumbersOfTheProgramStayWithTheirBlocks) {
+    expect_text("fanuc", {{"N100 G0 X1\nN110 G90\nX2\nN120 S100 M3 M8",
+                           "N100 X1.\nN110\nX2.\nN120 S100 M03\nM08\n"}});
+    DiagnosticList sink;
+    Writer writer(shipped("sinumerik"), {}, sink);
+    std::string text;
+    writer.begin({"part", 1, "", false}, text);
+    for (const char* statement : {"G0 X1", "N100 X2", "X3", "N105 shift", "X4"}) {
+        if (std::string_view(statement) == "N105 shift") {
+            Block block = testing::source_block(shipped("iso"), "TRANS X1");
+            block.number = 105;
+            writer.write(block, text);
+        } else {
+            writer.write(testing::source_block(shipped("iso"), statement), text);
+        }
+    }
+    EXPECT_EQ(text,
+              "%_N_PART_MPF\nN10 G17 G71 G40 G64 G90 G94\nN20 G0 X1\nN100 X2\nN110 X3\n"
+              "N105 TRANS X1\nN110 X4\n");
+}
+
+TEST(Writer, WhatAnOperatorMaySkipIsNotKnown) {
+    DiagnosticList sink;
+    Writer writer(shipped("fanuc"), {}, sink);
+    std::string text;
+    writer.begin({}, text);
+    text.clear();
+    for (const char* statement : {"G0 X1 Z5", "G1 X2 F100", "X3 Z5 F100"}) {
+        Block block = testing::source_block(shipped("iso"), statement);
+        if (block.motion == Function::Line) block.skip = 2;
+        writer.write(block, text);
+    }
+    EXPECT_EQ(text, "G00 G17 G21 G40 G49 G80 G90 G94\nX1. Z5.\n/2 G01 X2. F100.\nG01 X3. F100.\n");
+    Block block = testing::source_block(shipped("iso"), "G0 X1");
+    block.skip = 0;  // `/` is level 1 here, and there is none below
+    writer.write(block, text);
+    EXPECT_EQ(testing::codes(sink), "K4201");
+}
+
 TEST(Writer, RadiusThatNoLongerFitsBecomesACentre) {
     // Half a turn whose chord the rounding makes longer than twice the rounded radius.
     const Written written = write("fanuc", "G0 X0 Y0\nG2 X9.2007 Y0 CR=4.60035");
@@ -165,7 +236,11 @@ TEST(Writer, HelixTurnsBecomeBlocksWhereThereIsNoWord) {
 TEST(Writer, ToolsAndHeldBackWords) {
     expect_text("fanuc", {
                              {"tool(3)\nS2400 M3\nG0 X0 Y0\nG0 Z50\nG0 Z2",
-                              "T03 M06\nS2400 M03\nX0. Y0.\nG43 H03 Z50.\nZ2.\n"},
+                              "T03 M06\nS2400 M03\nG00 X0. Y0.\nG43 H03 Z50.\nZ2.\n"},
+                             // An offset of the program's own stands for the tool's.
+                             {"tool(3)\nG43 H5 Z50", "T03 M06\nG00 G43 H05 Z50.\n"},
+                             {"tool(3)\nH5\nZ50", "T03 M06\nH05\nG00 G43 H05 Z50.\n"},
+                             {"tool(3)\nG41 D8\nG1 X5 F100", "T03 M06\nG41 D08\nG01 X5. F100.\n"},
                              {"tool(3)\nG41\nG1 X5 F100\nG40\nG42",
                               "T03 M06\nG41 D03\nG01 X5. F100.\nG40\nG42 D03\n"},
                          });
@@ -180,15 +255,43 @@ TEST(Writer, OneMCodeABlock) {
 TEST(Writer, Frames) {
     expect_text("fanuc",
                 {
-                    {"shift(x: 60, y: 40)\nshift()", "G52 X60. Y40.\nG52 X0. Y0.\n"},
+                    // A shift of an earlier program may act: the first one names every axis.
+                    {"shift(x: 60, y: 40)\nshift()", "G52 X60. Y40. Z0.\nG52 X0. Y0.\n"},
                     {"shift(x: 60)\nrotate(30)\nshift(x: 10)",
-                     "G52 X60.\nG68 X0. Y0. R30.\nG69\nG52 X10.\n"},
+                     "G52 X60. Y0. Z0.\nG68 X0. Y0. R30.\nG69\nG52 X10.\n"},
+                    {"mirror(x: 0)\nrotate(30)\nshift()",
+                     "G51.1 X0.\nG68 X0. Y0. R30.\nG69\nG50.1 X0. Y0. Z0.\nG52 X0. Y0. Z0.\n"},
                     {"G18\nrotate(30)", "G18\nG68 Z0. X0. R30.\n"},
                     {"mirror(x: 0)\nshift()", "G51.1 X0.\nG50.1 X0. Y0. Z0.\nG52 X0. Y0. Z0.\n"},
                 });
     expect_text("sinumerik",
                 {{"shift(x: 60)\nrotate(30)\nshift()", "TRANS X60\nAROT RPL=30\nTRANS\n"}});
     EXPECT_EQ(write("fanuc", "rotate(30)\nrotate(10)").codes, "K4201");
+    for (const char* inside : {"mirror(x: 0)", "mirror_off()", "work_offset(2)", "G18"}) {
+        EXPECT_EQ(write("fanuc", std::string("rotate(30)\n") + inside).codes, "K4212") << inside;
+        EXPECT_EQ(write("fanuc", std::string("rotate(30)\nrotate_off()\n") + inside).codes, "");
+    }
+    EXPECT_EQ(write("fanuc", "raw G65 P1\nmirror(x: 0)").codes, "K4212");
+}
+
+TEST(Writer, FramesLeaveTheOtherAxesWhereTheyAre) {
+    expect_text(
+        "fanuc",
+        {
+            // What acts before the first shift is not known, so Z is said again behind it, once.
+            {"shift(x: 60)\nG0 X1 Z50\nrotate(30)\nX2 Z50\nshift(x: 60)\nX3 Z50",
+             "G52 X60. Y0. Z0.\nX1. Z50.\nG68 X0. Y0. R30.\nX2.\nG69\nG52 X60. Y0. Z0.\nX3.\n"},
+            {"shift()\nG0 X1 Z50\nshift(z: 5)\nX2 Z50",
+             "G52 X0. Y0. Z0.\nX1. Z50.\nG52 Z5.\nX2. Z50.\n"},
+            {"G0 X1 Z50\nmirror(z: 0)\nX1 Z50", "X1. Z50.\nG51.1 Z0.\nZ50.\n"},
+        });
+    expect_text("sinumerik", {
+                                 {"G0 X1 Z50\nshift(x: 60)\nX2 Z50", "G0 X1 Z50\nTRANS X60\nX2\n"},
+                                 {"G0 X1 Z50\nATRANS X5\nX2 Z50\nTRANS\nX2 Z50",
+                                  "G0 X1 Z50\nATRANS X5\nX2\nTRANS\nX2\n"},
+                                 {"raw TRANS Z5\nG0 X1 Z50\nTRANS X5\nX2 Z50",
+                                  "TRANS Z5\nG0 X1 Z50\nTRANS X5\nX2 Z50\n"},
+                             });
 }
 
 TEST(Writer, FeedAndSpeedModes) {
@@ -229,14 +332,14 @@ TEST(Writer, Cycles) {
         {
             {"G0 Z50\ndrill_peck(to: -12, peck: 3, retract: 2, initial: 50, dwell: 0)\nG0 X5\n"
              "drill(to: -5, retract: 2, initial: 50, dwell: 0.5)",
-             "Z50.\nG98 G83 Z-12. R2. Q3.\nG80\nX5.\nG82 Z-5. R2. P500\nG80\n"},
+             "Z50.\nG98 G83 Z-12. R2. Q3.\nG80\nG00 X5.\nG82 Z-5. R2. P500\nG80\n"},
             // The tool axis is somewhere else: it goes to the level first.
             {"G0 Z60\nG1 X5 F100\ndrill(to: -5, retract: 2, initial: 50, dwell: 0)\nX9",
              "Z60.\nG01 X5. F100.\nG00 Z50.\nG98 G81 Z-5. R2.\nG80\nG01 X9.\n"},
             {"G0 Z50\nG91\ndrill(to: -5, retract: 2, initial: 50, dwell: 0)\nX9",
-             "Z50.\nG91\nG90 G98 G81 Z-5. R2.\nG80\nG91 X9.\n"},
+             "Z50.\nG91\nG90 G98 G81 Z-5. R2.\nG80\nG91 G00 X9.\n"},
             {"tool(3)\ndrill(to: -5, retract: 2, initial: 50, dwell: 0)",
-             "T03 M06\nG43 H03 Z50.\nG98 G81 Z-5. R2.\nG80\n"},
+             "T03 M06\nG00 G43 H03 Z50.\nG98 G81 Z-5. R2.\nG80\n"},
         });
 }
 
@@ -294,6 +397,7 @@ TEST(Writer, WhatCannotBeSaidIsAnError) {
              Row{"sinumerik", "G92 X0", "K4201"},
              {"fanuc", "G0 X1234567", "K4202"},
              {"fanuc", "work_offset(0)", "K4201"},
+             {"fanuc", "mirror(x: 5)", "K4201"},  // G51.1 takes the axis, not the place
              {"fanuc", "G54.1 P100", "K4201"},
              {"fanuc", "ATRANS X5", "K4201"},
              {"fanuc", "SPOS=90", "K4201"},
