@@ -1,5 +1,6 @@
 #include "base/numbers.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -108,46 +109,44 @@ double round_to(double value, int decimals) {
 }
 
 Decimal parse_decimal(const char* begin, const char* end) {
-    Decimal result;
-    result.end = begin;
     const char* p = begin;
-    bool negative = false;
-    if (p != end && (*p == '-' || *p == '+')) negative = *p++ == '-';
+    const bool has_sign = p != end && (*p == '-' || *p == '+');
+    const bool is_negative = has_sign && *p == '-';
+    if (has_sign) ++p;
 
     std::uint64_t mantissa = 0;
-    const char* const first_digit = p;
-    bool any_digit = false;
     const auto take_digits = [&] {
-        const char* const start = p;
-        while (p != end && static_cast<unsigned char>(*p - '0') <= 9) {
-            // Beyond 19 digits the integer wraps; `digits` tells, and from_chars takes over.
+        // Beyond 19 digits the integer wraps; their number tells, and from_chars takes over.
+        for (; p != end && static_cast<unsigned char>(*p - '0') <= 9; ++p)
             mantissa = mantissa * 10 + static_cast<std::uint64_t>(*p - '0');
-            if (mantissa != 0 && result.digits != 0xffff) ++result.digits;
-            ++p;
-        }
-        any_digit |= p != start;
-        return p - start;
     };
+    const char* const first_digit = p;
     take_digits();
-    if (p != end && *p == '.') {
-        result.has_point = true;
+    const char* const point = p;
+    const bool has_point = p != end && *p == '.';
+    if (has_point) {
         ++p;
-        const std::ptrdiff_t count = take_digits();
-        result.decimals = static_cast<std::uint16_t>(count < 0xffff ? count : 0xffff);
+        take_digits();
     }
-    if (!any_digit) return Decimal{.end = begin};
-    result.end = p;
+    const std::ptrdiff_t decimals = has_point ? p - point - 1 : 0;
+    std::ptrdiff_t digits = (point - first_digit) + decimals;
+    if (digits == 0) return Decimal{.end = begin};
+    for (const char* zero = first_digit; zero != p && (*zero == '0' || *zero == '.'); ++zero)
+        digits -= *zero == '0' ? 1 : 0;
 
     // A mantissa below 2^53 and a power of ten up to 10^22 are exact; so is their quotient,
     // correctly rounded (Clinger 1990).
-    if (result.digits <= 15 && result.decimals <= 22) {
-        const auto exact = static_cast<double>(mantissa);
-        result.value = exact / kPowersOfTen[result.decimals];
+    double value = 0;
+    if (digits <= 15 && decimals <= 22) {
+        value = static_cast<double>(mantissa) / kPowersOfTen[static_cast<std::size_t>(decimals)];
     } else {
-        std::from_chars(first_digit, p, result.value, std::chars_format::fixed);
+        std::from_chars(first_digit, p, value, std::chars_format::fixed);
     }
-    if (negative) result.value = -result.value;
-    return result;
+    const auto count = [](std::ptrdiff_t n) {
+        return static_cast<std::uint16_t>(std::min<std::ptrdiff_t>(n, 0xffff));
+    };
+    // Made in one piece: written field by field and then copied, it would wait for itself.
+    return {is_negative ? -value : value, p, has_point, count(digits), count(decimals)};
 }
 
 void append_shortest(std::string& out, double value) {

@@ -9,8 +9,12 @@ namespace kadr::nc {
 
 namespace {
 
+/// Not hypot: positions of machines neither overflow nor vanish when they are squared, and every
+/// arc asks for thirty of these.
 double distance(const PlanePoint& a, const PlanePoint& b) {
-    return std::hypot(a[0] - b[0], a[1] - b[1]);
+    const double dx = a[0] - b[0];
+    const double dy = a[1] - b[1];
+    return std::sqrt(dx * dx + dy * dy);
 }
 
 /// The point of the perpendicular bisector of a and b that is nearest to p.
@@ -38,11 +42,14 @@ PlanePoint center_words(const ArcPoints& arc, const PlanePoint& center, int deci
     if (is_full || miss > 1.5 * increment) return {word(center, 0, 0), word(center, 1, 0)};
 
     const PlanePoint ideal = onto_bisector(center, arc.text_start, arc.text_end);
+    // The nine points of the grid around the ideal centre.
+    const std::array<double, 3> across = {word(ideal, 0, -1), word(ideal, 0, 0), word(ideal, 0, 1)};
+    const std::array<double, 3> along = {word(ideal, 1, -1), word(ideal, 1, 0), word(ideal, 1, 1)};
     PlanePoint best{};
     double best_cost = 1e300;
-    for (int i = -1; i <= 1; ++i) {
-        for (int j = -1; j <= 1; ++j) {
-            const PlanePoint words = {word(ideal, 0, i), word(ideal, 1, j)};
+    for (const double first : across) {
+        for (const double second : along) {
+            const PlanePoint words = {first, second};
             const PlanePoint c = {origin[0] + words[0], origin[1] + words[1]};
             const double misfit =
                 std::fabs(distance(arc.text_start, c) - distance(arc.text_end, c));
