@@ -38,6 +38,7 @@ class BlockWriter {
         FormId form = kNoForm;
         const Invocation* invocation = nullptr;
         const std::vector<FormWord>* words = nullptr;  // of deferred words
+        int edge = -1;                                 // a cutting edge that the writer sets itself
         Slot slot = Slot::X;
     };
     static constexpr std::size_t kMaxItems = 48;
@@ -85,6 +86,15 @@ class BlockWriter {
     void restore_modal(const Block& block, Items& items);
     void note_written(const Form& form);
     void write_before(const Form& form, const Block& block, std::string& out);
+    void write_lead(const Form& form, const Block& block, const Invocation& invocation,
+                    std::string& out);
+    void leave_cycle(const Block& block, std::string& out);
+    bool says_speed(const Block& block, const Invocation& invocation) const;
+    bool is_outside(const Form& form) const;
+    void defer_length(const Block& block, const Invocation& invocation);
+    void write_waiting_edge(const Block& block, std::string& out);
+    void add_edge(const Block& block, Items& items);
+    void append_edge(const Block& block, int edge, std::string& out);
     void write_initial_level(const Form& form, const Block& block, const Invocation& invocation,
                              std::string& out);
     void follow_functions(const Block& block);
@@ -134,6 +144,8 @@ class BlockWriter {
                      std::string& out);
     void append_parameter(const Block& block, const FormWord& word, const Invocation* invocation,
                           const NumberFormat& format, std::string_view name, std::string& out);
+    void append_factor(const Block& block, double number, bool in_thousandths,
+                       std::string_view name, std::string& out);
     void append_slot(const Block& block, Slot slot, const Targets& targets, std::string& out);
     void append_text(const Block& block, std::string& out);
     void open_line(std::int32_t number, int skip, bool is_numbered, std::string& out);

@@ -372,6 +372,8 @@ class FileLoader {
         read_functions(e, "needs", form.needs);
         read_functions(e, "before", form.before);
         read_functions(e, "during", form.during);
+        read_functions(e, "outside", form.outside);
+        read_functions(e, "first", form.first);
         read_choice(e, "use", {"both", "write", "read"}, [&](std::size_t i) {
             form.is_read = i != 1;
             form.is_written = i != 2;
@@ -384,8 +386,13 @@ class FileLoader {
                     });
         read_bool(e, "own_block", form.owns_block);
         read_bool(e, "remembers", form.remembers);
-        read_bool(e, "replaces", form.replaces);
+        read_bool(e, "keeps_length", form.keeps_length);
         read_text(e, "note", form.note);
+        if (const XmlAttribute* attribute = e.find("lead")) {
+            if (!parse_form_line(attribute->value, tables_.parameters(form), tables_,
+                                 attribute->range, form.lead, sink_))
+                failed_ = true;
+        }
         if (const XmlAttribute* attribute = e.find("implied")) read_implied(*attribute, form);
         if (const XmlAttribute* attribute = e.find("when")) read_constraints(*attribute, form);
     }

@@ -36,9 +36,15 @@ struct WriterModal {
     Standing speed;
     double meant_feed = 0;  // of the blocks; holds if has_meant_feed
     bool has_meant_feed = false;
+    double meant_speed = 0;  // holds if has_meant_speed
+    bool has_meant_speed = false;
+    Standing tool;            // the last one that was called
+    Standing edge;            // the cutting edge that the text has selected
+    double waiting_edge = 0;  // the one that a block without tool length has put aside; 0: none
     WrittenPosition position;
     Activity rotation = Activity::No;
     Activity mirror = Activity::No;
+    Activity scale = Activity::No;
     std::array<Standing, 3> shift{};  // arguments of a function that remembers them
 
     Function& text_of(Group group) { return text[static_cast<std::size_t>(group)]; }
@@ -48,9 +54,11 @@ struct WriterModal {
     void forget() {
         meant.fill(Function::None);
         text.fill(Function::None);
-        feed.is_known = speed.is_known = has_meant_feed = false;
+        feed.is_known = speed.is_known = has_meant_feed = has_meant_speed = false;
+        tool.is_known = edge.is_known = false;
+        waiting_edge = 0;
         position.forget();
-        rotation = mirror = Activity::Unknown;
+        rotation = mirror = scale = Activity::Unknown;
         for (Standing& s : shift) s.is_known = false;
     }
 };
