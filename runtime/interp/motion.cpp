@@ -158,6 +158,7 @@ void Executor::move_in_machine_coordinates(const Block& block) {
     // Without a tool length in force the tip and the machine have the same coordinates.
     command.machine_coordinates =
         !rules_.machine_coordinates_keep_length || length_shift_ == AxisValues{};
+    command.is_unshifted = true;
     command.exact_stop = true;
     command.feed = is_rapid ? 0 : modal_.feed;
     arrive(target);
@@ -173,6 +174,7 @@ void Executor::rapid_to_machine_position(const Block& block, const AxisValues& t
     command.to = to;
     command.moved = moved;
     command.machine_coordinates = true;
+    command.is_unshifted = true;
     command.exact_stop = true;
     command.feed = 0;
     arrive(target);
