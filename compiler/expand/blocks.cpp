@@ -1,6 +1,8 @@
 // blocks.cpp — blocks: plans filled with values; texts; frames; what `with` sets back.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "base/assert.h"
 #include "expand/state.h"
@@ -144,6 +146,12 @@ bool Expander::State::fill_plan(const Instruction& instruction, const sema::Slot
         (block.given & nc::kTargetSlots) != 0) {
         block.motion = modal[Group::Motion];
         modal.restate_motion = false;
+    }
+    if (modal.is_stretched && nc::is_arc(modal[Group::Motion]) &&
+        (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0 &&
+        modal.frame.is_stretched(modal[Group::Plane])) {
+        fault(diag::ArcUnderScale, at);
+        return false;
     }
     modal.take_words(block);
     if (options.trace) keep_trace(at, instruction.c, source);
@@ -310,13 +318,23 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
     if (!options.native_cycles) return false;
     const CallFrame& frame = frames.back();
     const std::vector<sema::ParameterInfo>& parameters = frame.function->parameters;
+    using Kind = sema::ParameterInfo::Kind;
     std::uint32_t given = 0;
+    std::array<double, nc::kMaxArguments> values{};
+    KADR_ASSERT(parameters.size() <= values.size(), "a cycle has more parameters than a block");
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         const sema::Slot slot = registers[parameters[i].slot];
-        const bool is_number = parameters[i].kind == sema::ParameterInfo::Kind::Number;
+        const Kind kind = parameters[i].kind;
+        const bool is_number = kind == Kind::Number || kind == Kind::Feed || kind == Kind::Speed;
         const bool is_given =
             is_number ? slot.number == slot.number : slot.integer != sema::kNotGivenInteger;
-        if (is_given) given |= 1u << i;
+        if (!is_given) continue;
+        given |= 1u << i;
+        values[i] = is_number ? slot.number : static_cast<double>(slot.integer);
+        if (kind != Kind::Feed && kind != Kind::Speed) continue;
+        // Cycles of controls know feeds per minute and speeds in turns only.
+        if (sema::is_second_form(values[i])) return false;
+        values[i] = neat(values[i] * kMinute);
     }
     if (!target.has_native_cycle(cycle, given)) return false;
     const std::uint32_t at = frame.return_to > 0 ? frame.return_to - 1 : 0;
@@ -328,16 +346,17 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
     KADR_ASSERT(invocation != nullptr, "a cycle has more parameters than a block holds");
     block.cycle = cycle;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
-        if ((given >> i & 1u) == 0) continue;
-        const sema::Slot slot = registers[parameters[i].slot];
-        const bool is_number = parameters[i].kind == sema::ParameterInfo::Kind::Number;
-        block.set_argument(*invocation, i,
-                           is_number ? slot.number : static_cast<double>(slot.integer));
+        if ((given >> i & 1u) != 0) block.set_argument(*invocation, i, values[i]);
     }
     // The contract of a cycle: it ends where it began, after a move at rapid.
     modal.active[static_cast<std::size_t>(Group::Motion)] = Function::Rapid;
     modal.changed_by[static_cast<std::size_t>(Group::Motion)] = source;
     modal.restate_motion = true;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if (parameters[i].name != "initial" || (given >> i & 1u) == 0) continue;
+        modal.position[2] = values[i];
+        modal.known = static_cast<AxisMask>(modal.known | bit(Axis::Z));
+    }
     if (options.trace) {
         // As if the block stood at the call.
         const CallFrame callee = frames.back();
@@ -354,25 +373,44 @@ bool Expander::State::change_frame(const Instruction& instruction, const sema::S
                                    std::uint32_t at) {
     const sema::Slot* values = registers + instruction.a;
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
-    std::array<double, 3> numbers{};
-    std::array<bool, 3> given{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        given[i] = values[i].number == values[i].number;
-        numbers[i] = given[i] ? values[i].number : 0;
+    const auto change = static_cast<sema::FrameChange>(instruction.b);
+    const std::size_t count = change == sema::FrameChange::Rotate  ? 4
+                              : change == sema::FrameChange::Scale ? 7
+                                                                   : 3;
+    std::array<double, 7> numbers{};
+    std::array<bool, 7> is_given{};
+    for (std::size_t i = 0; i < count; ++i) {
+        is_given[i] = values[i].number == values[i].number;
+        numbers[i] = is_given[i] ? values[i].number : 0;
         if (!is_sane(numbers[i])) {
             math_fault(sema::MathFault::Overflow, at);
             return false;
         }
     }
+    const auto three = [&](std::size_t first) {
+        return std::array<double, 3>{numbers[first], numbers[first + 1], numbers[first + 2]};
+    };
+    const std::array<bool, 3> given{is_given[0], is_given[1], is_given[2]};
     ProgramFrame next = modal.frame;
-    switch (static_cast<sema::FrameChange>(instruction.b)) {
-        case sema::FrameChange::Shift: next.add_shift(numbers, given); break;
-        case sema::FrameChange::Rotate:
-            if (!next.add_rotation(numbers[0], modal[Group::Plane])) {
-                fault(diag::FramePlanes, at);
+    switch (change) {
+        case sema::FrameChange::Shift: next.add_shift(three(0), given); break;
+        case sema::FrameChange::Rotate: {
+            const FrameFault why = next.add_rotation(numbers[0], modal[Group::Plane], three(1));
+            if (why == FrameFault::None) break;
+            fault(why == FrameFault::Planes ? diag::FramePlanes : diag::FrameStretched, at);
+            return false;
+        }
+        case sema::FrameChange::Scale: {
+            std::array<double, 3> factors{};
+            for (std::size_t i = 0; i < 3; ++i) {
+                factors[i] = is_given[4 + i] ? numbers[4 + i] : is_given[0] ? numbers[0] : 1;
+                if (factors[i] > 0) continue;
+                fault(diag::FrameScale, at).arg(factors[i]);
                 return false;
             }
+            next.add_scale(factors, three(1));
             break;
+        }
         case sema::FrameChange::Mirror: next.add_mirror(given); break;
     }
     write_frame(next, source, at, instruction.c);
@@ -380,18 +418,18 @@ bool Expander::State::change_frame(const Instruction& instruction, const sema::S
 }
 
 /// Says the way from the present frame to another one in functions that every control has: the
-/// whole shift, which deletes the rotation and the mirrors, then the mirrors and the rotation anew:
-/// a FANUC takes a rotation inside a mirroring, and not the other way round.
+/// whole shift, which deletes all else, then mirrors, scale and rotation anew, in the order in
+/// which FANUC takes them. An unequal scale stands inside the rotation.
 void Expander::State::write_frame(const ProgramFrame& next, SourceId source, std::uint32_t at,
                                   unsigned depth) {
     const ProgramFrame from = modal.frame;
     if (from == next) return;
-    const auto add = [&](Function function, const std::array<double, 3>& values,
-                         const std::array<bool, 3>& given, std::size_t count) {
+    const auto add = [&](Function function, std::span<const double> values,
+                         std::span<const bool> given) {
         if (has_failed || is_block_limit(at)) return;
         Block& block = next_block(source);
-        nc::Invocation* invocation = block.add(function, count);
-        for (std::size_t i = 0; i < count; ++i) {
+        nc::Invocation* invocation = block.add(function, values.size());
+        for (std::size_t i = 0; i < values.size(); ++i) {
             if (given[i]) block.set_argument(*invocation, i, values[i]);
         }
         if (options.trace) keep_trace(at, depth, source);
@@ -400,7 +438,8 @@ void Expander::State::write_frame(const ProgramFrame& next, SourceId source, std
     // What is in force already need not be said anew, if nothing behind it has to go.
     const bool keeps_shift = from.shift == next.shift && from.is_shifted == next.is_shifted;
     const bool keeps_mirrors = !from.has_mirror() || from.is_mirrored == next.is_mirrored;
-    const bool adds_only = keeps_shift && keeps_mirrors && from.angle_deg == 0;
+    const bool adds_only =
+        keeps_shift && keeps_mirrors && from.angle_deg == 0 && !from.has_scale();
     if (!adds_only) {
         std::array<bool, 3> given = next.is_shifted;
         const bool is_zero = next.shift == std::array<double, 3>{};
@@ -408,14 +447,29 @@ void Expander::State::write_frame(const ProgramFrame& next, SourceId source, std
         // A component that was shifted before must be named to go back.
         else
             for (std::size_t i = 0; i < 3; ++i) given[i] = given[i] || from.is_shifted[i];
-        add(Function::Shift, next.shift, given, 3);
+        add(Function::Shift, next.shift, given);
     }
+    const auto add_rotation = [&] {
+        if (next.angle_deg == 0) return;
+        const std::array<double, 3> center = next.inner_center();
+        const bool has_center = next.has_center();
+        const bool is_xy = next.plane == Function::PlaneXy;
+        const bool is_zx = next.plane == Function::PlaneZx;
+        add(Function::Rotate, std::array{next.inner_angle_deg(), center[0], center[1], center[2]},
+            std::array{true, has_center && (is_xy || is_zx), has_center && !is_zx,
+                       has_center && !is_xy});
+    };
     if (next.has_mirror() && !(adds_only && from.has_mirror()))
-        add(Function::Mirror, {}, next.is_mirrored, 3);
-    if (next.angle_deg != 0) {
-        const double angle = next.angle_behind_mirrors_deg();
-        add(Function::Rotate, {angle, 0, 0}, {true, false, false}, 1);
+        add(Function::Mirror, std::array<double, 3>{}, next.is_mirrored);
+    if (next.is_stretched(next.plane)) add_rotation();
+    if (next.has_scale()) {
+        const auto& [fx, fy, fz] = next.scale;
+        const bool is_equal = fx == fy && fy == fz;
+        add(Function::Scale, std::array<double, 7>{fx, 0, 0, 0, fx, fy, fz},
+            std::array{is_equal, false, false, false, !is_equal && fx != 1, !is_equal && fy != 1,
+                       !is_equal && fz != 1});
     }
+    if (!next.is_stretched(next.plane)) add_rotation();
     modal.set_frame(next, source);
 }
 

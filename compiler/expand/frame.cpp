@@ -38,35 +38,83 @@ std::array<double, 3> mirrored(std::array<double, 3> v, const std::array<bool, 3
     return v;
 }
 
+std::array<double, 3> scaled(std::array<double, 3> v, const std::array<double, 3>& by) {
+    for (std::size_t i = 0; i < 3; ++i) v[i] *= by[i];
+    return v;
+}
+
+std::array<double, 3> sum(std::array<double, 3> a, const std::array<double, 3>& b) {
+    for (std::size_t i = 0; i < 3; ++i) a[i] += b[i];
+    return a;
+}
+
+std::array<double, 3> difference(std::array<double, 3> a, const std::array<double, 3>& b) {
+    for (std::size_t i = 0; i < 3; ++i) a[i] -= b[i];
+    return a;
+}
+
 }  // namespace
 
 bool ProgramFrame::is_identity() const {
-    return shift == std::array<double, 3>{} && angle_deg == 0 && !has_mirror();
+    return shift == std::array<double, 3>{} && angle_deg == 0 && !has_scale() && !has_mirror();
 }
 
-void ProgramFrame::add_shift(const std::array<double, 3>& by, const std::array<bool, 3>& given) {
-    const std::array<double, 3> outer = rotated(mirrored(by, is_mirrored), angle_deg, plane);
+bool ProgramFrame::is_stretched(nc::Function in_plane) const {
+    const PlaneAxes axes = axes_of(in_plane);
+    return scale[axes.first] != scale[axes.second];
+}
+
+std::array<double, 3> ProgramFrame::inner_center() const {
+    std::array<double, 3> inner = mirrored(center, is_mirrored);
+    // Beside an unequal scale the rotation is said outside of it.
+    if (is_stretched(plane)) return inner;
+    for (std::size_t i = 0; i < 3; ++i) inner[i] /= scale[i];
+    return inner;
+}
+
+double ProgramFrame::inner_angle_deg() const {
+    const PlaneAxes axes = axes_of(plane);
+    return is_mirrored[axes.first] != is_mirrored[axes.second] ? -angle_deg : angle_deg;
+}
+
+void ProgramFrame::move_shift(const std::array<double, 3>& by) {
     for (std::size_t i = 0; i < 3; ++i) {
-        shift[i] += outer[i];
-        is_shifted[i] = is_shifted[i] || given[i] || outer[i] != 0;
+        shift[i] += by[i];
+        is_shifted[i] = is_shifted[i] || by[i] != 0;
     }
 }
 
-bool ProgramFrame::add_rotation(double by_deg, nc::Function in_plane) {
-    if (angle_deg != 0 && plane != in_plane) return false;
+void ProgramFrame::add_shift(const std::array<double, 3>& by, const std::array<bool, 3>& given) {
+    move_shift(rotated(scaled(mirrored(by, is_mirrored), scale), angle_deg, plane));
+    for (std::size_t i = 0; i < 3; ++i) is_shifted[i] = is_shifted[i] || given[i];
+}
+
+FrameFault ProgramFrame::add_rotation(double by_deg, nc::Function in_plane,
+                                      const std::array<double, 3>& about) {
+    if (angle_deg != 0 && plane != in_plane) return FrameFault::Planes;
+    if (is_stretched(in_plane)) return FrameFault::Stretched;
+    // The new center c turns with the old rotation R about C: it lies at C + R(c − C), and there it
+    // stays: shift' + c = shift + C + R(c − C).
+    std::array<double, 3> next = scaled(mirrored(about, is_mirrored), scale);
+    const PlaneAxes axes = axes_of(in_plane);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (i != axes.first && i != axes.second) next[i] = 0;
+    }
+    const std::array<double, 3> place =
+        sum(center, rotated(difference(next, center), angle_deg, plane));
+    move_shift(difference(place, next));
     plane = in_plane;
-    angle_deg = std::fmod(angle_deg + (turns_sense() ? -by_deg : by_deg), 360.0);
-    return true;
+    // A mirror of one axis of the plane turns the sense of what follows.
+    const bool turns = is_mirrored[axes.first] != is_mirrored[axes.second];
+    angle_deg = std::fmod(angle_deg + (turns ? -by_deg : by_deg), 360.0);
+    center = angle_deg == 0 ? std::array<double, 3>{} : next;
+    return FrameFault::None;
 }
 
-/// A mirror of one axis of the plane turns the sense of what follows.
-bool ProgramFrame::turns_sense() const {
-    const PlaneAxes axes = axes_of(plane);
-    return is_mirrored[axes.first] != is_mirrored[axes.second];
-}
-
-double ProgramFrame::angle_behind_mirrors_deg() const {
-    return turns_sense() ? -angle_deg : angle_deg;
+void ProgramFrame::add_scale(const std::array<double, 3>& by, const std::array<double, 3>& about) {
+    const std::array<double, 3> place = scaled(mirrored(about, is_mirrored), scale);
+    move_shift(rotated(difference(place, scaled(place, by)), angle_deg, plane));
+    scale = scaled(scale, by);
 }
 
 bool ProgramFrame::add_mirror(const std::array<bool, 3>& axes) {
@@ -77,10 +125,14 @@ bool ProgramFrame::add_mirror(const std::array<bool, 3>& axes) {
 KnownPoint change_frame(const KnownPoint& point, const ProgramFrame& from, const ProgramFrame& to) {
     if (from == to) return point;
     KnownPoint result = point;
-    std::array<double, 3> outer =
-        rotated(mirrored(point.value, from.is_mirrored), from.angle_deg, from.plane);
-    for (std::size_t i = 0; i < 3; ++i) outer[i] += from.shift[i] - to.shift[i];
-    result.value = mirrored(rotated(outer, -to.angle_deg, to.plane), to.is_mirrored);
+    const std::array<double, 3> inner =
+        difference(scaled(mirrored(point.value, from.is_mirrored), from.scale), from.center);
+    const std::array<double, 3> outer =
+        sum(sum(rotated(inner, from.angle_deg, from.plane), from.center),
+            difference(from.shift, to.shift));
+    result.value = sum(rotated(difference(outer, to.center), -to.angle_deg, to.plane), to.center);
+    for (std::size_t i = 0; i < 3; ++i) result.value[i] /= to.scale[i];
+    result.value = mirrored(result.value, to.is_mirrored);
     // A rotation mixes two axes: one of them alone says nothing.
     const auto mix = [&](const ProgramFrame& frame) {
         if (frame.angle_deg == 0) return;
@@ -88,7 +140,8 @@ KnownPoint change_frame(const KnownPoint& point, const ProgramFrame& from, const
         const bool both = result.is_known[axes.first] && result.is_known[axes.second];
         result.is_known[axes.first] = result.is_known[axes.second] = both;
     };
-    if (from.angle_deg != to.angle_deg || from.plane != to.plane || from.shift != to.shift) {
+    if (from.angle_deg != to.angle_deg || from.plane != to.plane || from.shift != to.shift ||
+        from.center != to.center) {
         mix(from);
         mix(to);
     }

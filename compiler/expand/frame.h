@@ -1,4 +1,5 @@
-// frame.h — the programmable frame as the expander follows it: shift, rotation in a plane, mirrors.
+// frame.h — the programmable frame as the expander follows it: shift, rotation in a plane, scale,
+// mirrors.
 #pragma once
 
 #include <array>
@@ -8,28 +9,48 @@
 
 namespace kadr::expand {
 
-/// point in the outer system = shift + rotation(angle) · mirror · point. In the canonical order of
-/// the vocabulary: shift, then rotate, then mirror.
+/// Why a frame cannot be said as one shift, one rotation, one scale and mirrors.
+enum class FrameFault : std::uint8_t {
+    None,
+    Planes,     // rotations in two planes
+    Stretched,  // a rotation inside a scale that makes an ellipse of a circle
+};
+
+/// point in the outer system = shift + center + rotation(angle) · (scale · mirror · point −
+/// center).
 struct ProgramFrame {
     std::array<double, 3> shift{};     // mm
     std::array<bool, 3> is_shifted{};  // component was named somewhere
     double angle_deg = 0;
     nc::Function plane = nc::Function::PlaneXy;  // of the rotation
+    std::array<double, 3> center{};              // of the rotation, mm; 0 across the plane
+    std::array<double, 3> scale{1, 1, 1};        // > 0
     std::array<bool, 3> is_mirrored{};
 
     friend bool operator==(const ProgramFrame&, const ProgramFrame&) = default;
     bool has_mirror() const { return is_mirrored[0] || is_mirrored[1] || is_mirrored[2]; }
+    bool has_scale() const { return scale != std::array<double, 3>{1, 1, 1}; }
+    bool has_center() const { return center != std::array<double, 3>{}; }
     bool is_identity() const;
-    /// The angle of the rotation if it is said behind the mirrors.
-    double angle_behind_mirrors_deg() const;
+    /// Whether circles of the plane become ellipses.
+    bool is_stretched(nc::Function in_plane) const;
+    /// The center as the innermost system of the control has it, scale and mirrors worked in.
+    std::array<double, 3> inner_center() const;
+    /// Angle of a rotation inside the mirrors that is the same as this one outside of them.
+    double inner_angle_deg() const;
 
     /// A shift in the system reached so far.
     void add_shift(const std::array<double, 3>& by, const std::array<bool, 3>& given);
-    /// A rotation in the system reached so far; false: a rotation in another plane is active.
-    bool add_rotation(double by_deg, nc::Function in_plane);
+    /// A rotation in the system reached so far, about a point of it.
+    FrameFault add_rotation(double by_deg, nc::Function in_plane,
+                            const std::array<double, 3>& about);
+    /// Factors > 0 in the system reached so far, about a point of it.
+    void add_scale(const std::array<double, 3>& by, const std::array<double, 3>& about);
     /// Mirrors axes in the system reached so far; false: cannot be said as shift, rotate, mirror.
     bool add_mirror(const std::array<bool, 3>& axes);
-    bool turns_sense() const;
+
+  private:
+    void move_shift(const std::array<double, 3>& by);
 };
 
 /// Positions in a frame of which some components may be unknown.

@@ -1,5 +1,7 @@
 #include "expand/modal.h"
 
+#include <algorithm>
+
 namespace kadr::expand {
 
 using nc::Function;
@@ -39,6 +41,7 @@ void ModalState::set_frame(const ProgramFrame& next, SourceId source) {
         known = static_cast<AxisMask>(moved.is_known[i] ? known | bit : known & ~bit);
     }
     frame = next;
+    is_stretched = next.scale[0] != next.scale[1] || next.scale[1] != next.scale[2];
     frame_by = source;
 }
 
@@ -73,12 +76,36 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
             set_frame(next, block.source);
             return;
         case Function::Rotate:
-            if (!next.add_rotation(block.argument(invocation, 0), (*this)[Group::Plane]))
+            for (std::size_t i = 0; i < 3; ++i) values[i] = block.argument(invocation, 1 + i);
+            if (next.add_rotation(block.argument(invocation, 0), (*this)[Group::Plane], values) !=
+                FrameFault::None)
                 known &= ~kLinearXYZ;
+            set_frame(next, block.source);
+            return;
+        case Function::Scale: {
+            std::array<double, 3> factors{};
+            const double all = block.argument(invocation, 0, 1);
+            for (std::size_t i = 0; i < 3; ++i) {
+                values[i] = block.argument(invocation, 1 + i);
+                factors[i] = block.argument(invocation, 4 + i, all);
+            }
+            if (std::ranges::any_of(factors, [](double factor) { return !(factor > 0); })) {
+                known &= ~kLinearXYZ;  // the control's alarm, or a mirror
+                return;
+            }
+            next.add_scale(factors, values);
+            set_frame(next, block.source);
+            return;
+        }
+        case Function::ScaleOff:
+            // Where its center was is forgotten.
+            if (next.has_scale()) known &= ~kLinearXYZ;
+            next.scale = {1, 1, 1};
             set_frame(next, block.source);
             return;
         case Function::RotateOff:
             next.angle_deg = 0;
+            next.center = {};
             set_frame(next, block.source);
             return;
         case Function::Mirror:
@@ -90,6 +117,8 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
             next.is_mirrored = {};
             set_frame(next, block.source);
             return;
+        case Function::ReferencePoint:
+        case Function::ReferenceReturn: known = 0; return;
         case Function::SetPosition: set_position(block, invocation); return;
         case Function::WorkOffset:
             if ((*this)[Group::WorkOffsets] != Function::WorkOffset ||
@@ -147,7 +176,8 @@ void ModalState::take_words(const nc::Block& block) {
     if (targets == 0) return;
     const bool modal_incremental = (*this)[Group::Distance] == Function::Incremental;
     const bool is_machine =
-        block.function_count > 0 && block.find(Function::MachineCoordinates) != nullptr;
+        block.function_count > 0 && (block.find(Function::MachineCoordinates) != nullptr ||
+                                     block.find(Function::ReferenceReturn) != nullptr);
     for (std::size_t i = 0; targets != 0; ++i, targets >>= 1) {
         if ((targets & 1u) == 0) continue;
         const nc::SlotMask bit = nc::SlotMask{1} << i;

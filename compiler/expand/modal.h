@@ -28,6 +28,7 @@ struct ModalState {
     AxisValues position{};  // in the programmable frame, mm, degrees
     AxisMask known = 0;     // which of them are known
     ProgramFrame frame;
+    bool is_stretched = false;  // the frame makes ellipses of the circles of some plane
     SourceId frame_by;
     SourceId feed_by;
     SourceId speed_by;

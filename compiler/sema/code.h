@@ -89,7 +89,8 @@ enum class Math : std::uint8_t {
 /// What `state.…` reads.
 enum class StateValue : std::uint8_t { Feed, Speed, Tool };
 
-enum class FrameChange : std::uint8_t { Shift, Rotate, Mirror };
+/// What a `with` adds to the frame; its values stand in the order of the vocabulary's parameters.
+enum class FrameChange : std::uint8_t { Shift, Rotate, Scale, Mirror };
 
 /// Which modal state a `with` or `preserves` concerns: bit i is nc::Group i, then:
 using ModalMask = std::uint32_t;

@@ -53,6 +53,8 @@ bool is_frame(nc::Function function) {
         case nc::Function::ShiftAdd:
         case nc::Function::Rotate:
         case nc::Function::RotateOff:
+        case nc::Function::Scale:
+        case nc::Function::ScaleOff:
         case nc::Function::Mirror:
         case nc::Function::MirrorOff: return true;
         default: return false;

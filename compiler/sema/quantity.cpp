@@ -146,6 +146,7 @@ Quantity quantity_of(nc::Dimension dimension) {
         case nc::Dimension::Speed: return kSpindleSpeed;
         case nc::Dimension::Number:
         case nc::Dimension::Count:
+        case nc::Dimension::Factor:
         case nc::Dimension::Text: return kNumber;
     }
     return kNumber;

@@ -56,24 +56,49 @@ ModalMask Checker::words_mask(std::span<const Word> words, bool is_preserves) {
     return mask;
 }
 
+namespace {
+
+/// The frames that `with` can undo.
+std::optional<std::pair<nc::Function, FrameChange>> frame_change(std::string_view name) {
+    if (name == "shift") return std::pair{nc::Function::Shift, FrameChange::Shift};
+    if (name == "rotate") return std::pair{nc::Function::Rotate, FrameChange::Rotate};
+    if (name == "scale") return std::pair{nc::Function::Scale, FrameChange::Scale};
+    if (name == "mirror") return std::pair{nc::Function::Mirror, FrameChange::Mirror};
+    return std::nullopt;
+}
+
+}  // namespace
+
+/// A scale says at least one factor.
+bool Checker::check_scale(const nc::FunctionInfo& info, std::span<const ExprId> bound,
+                          const Expr& expr) {
+    if (info.function != nc::Function::Scale) return true;
+    for (std::size_t i = 0; i < bound.size(); ++i) {
+        if (info.parameters[i].dimension == nc::Dimension::Factor && bound[i].is_valid())
+            return true;
+    }
+    report(diag::ArgumentMissing, expr.range).arg(info.name).arg(info.parameters[0].name);
+    return false;
+}
+
 void Checker::frame_call(ExprId id) {
     const Expr& expr = ast()[id];
     if (expr.kind == ExprKind::Invalid) return;
     const Expr& callee = ast()[expr.kind == ExprKind::Call ? expr.child[0] : id];
     const std::string_view name =
         callee.kind == ExprKind::Name ? text(callee.text) : std::string_view();
-    if (expr.kind != ExprKind::Call || (name != "shift" && name != "rotate" && name != "mirror")) {
+    const auto change = frame_change(name);
+    if (expr.kind != ExprKind::Call || !change) {
         report(diag::WithCall, expr.range).arg(sources_.text(callee.range));
         return;
     }
-    const nc::FunctionInfo& info = nc::info(name == "shift"    ? nc::Function::Shift
-                                            : name == "rotate" ? nc::Function::Rotate
-                                                               : nc::Function::Mirror);
+    const nc::FunctionInfo& info = nc::info(change->first);
     std::vector<std::string_view> names;
     for (const nc::Parameter& parameter : info.parameters) names.push_back(parameter.name);
     const auto bound = bind_arguments(expr, name, names, {});
     if (!bound) return;
-    const Reg first = emit_.take(3);
+    if (!check_scale(info, *bound, expr)) return;
+    const Reg first = emit_.take(static_cast<unsigned>(names.size()));
     for (std::size_t i = 0; i < names.size(); ++i) {
         const auto reg = static_cast<Reg>(first + i);
         if (!(*bound)[i].is_valid()) {
@@ -92,11 +117,8 @@ void Checker::frame_call(ExprId id) {
         else fill_value(value, info.parameters[i].dimension, range, names[i], reg);
         emit_.release_to(mark);
     }
-    const FrameChange change = name == "shift"    ? FrameChange::Shift
-                               : name == "rotate" ? FrameChange::Rotate
-                                                  : FrameChange::Mirror;
     emit_.set_place(expr.range);
-    emit_.emit_pair(Op::ChangeFrame, first, static_cast<unsigned>(change),
+    emit_.emit_pair(Op::ChangeFrame, first, static_cast<unsigned>(change->second),
                     static_cast<unsigned>(loop_depth_), 0, statement_id(expr.range));
 }
 

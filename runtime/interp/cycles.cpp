@@ -52,6 +52,7 @@ void Executor::call_cycle(const Block& block, const Invocation& invocation) {
     const Axis tool_axis = path::axes_of(cycle_plane()).normal;
     call.initial = modal_cycle_.is_active ? modal_cycle_.initial : position_.here[index(tool_axis)];
     call.is_active = rules_.modal_cycles;
+    if (taps_rigidly_) set_argument(call, find_parameter(info, "floating"), 0);
     modal_cycle_ = call;
     start_cycle(block, call);
 }
@@ -91,6 +92,8 @@ void Executor::start_cycle(const Block& block, ModalCycle call) {
         set_argument(call, initial, stays_low ? call.arguments[*retract] : call.initial);
     }
 
+    if (!complete_tap(block, call)) return;
+
     CycleCall request;
     request.cycle = call.cycle;
     request.name = info.name;
@@ -116,6 +119,24 @@ void Executor::start_cycle(const Block& block, ModalCycle call) {
     is_modal_behind_cycle_ = modal_cycle_.is_active;
     modal_cycle_.is_active = false;
     cycle_blocks_.emplace(*cycle_stream_, kCycleBatch);
+}
+
+/// A tapping cycle whose words do not say the pitch has it from the feed: F itself where it counts
+/// by the revolution, else F divided by the speed. False: there is none, and it was said.
+bool Executor::complete_tap(const Block& block, ModalCycle& call) {
+    const std::optional<std::size_t> pitch = find_parameter(dialect_.cycles()[call.cycle], "pitch");
+    if (!pitch || is_given(call, pitch)) return true;
+    if (!modal_.has_feed || !(modal_.feed > 0) || modal_.feed_mode == path::FeedMode::InverseTime) {
+        report(diag::TapPitchMissing, block, Function::Cycle);
+        return false;
+    }
+    if (spindle_.has_cutting_speed || !(spindle_.speed > 0)) {
+        report(diag::TapSpeedMissing, block, Function::Cycle);
+        return false;
+    }
+    const bool is_pitch = modal_.feed_mode == path::FeedMode::PerRevolution;
+    set_argument(call, pitch, is_pitch ? modal_.feed : modal_.feed / spindle_.speed);
+    return true;
 }
 
 void Executor::finish_cycle() {

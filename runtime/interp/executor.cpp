@@ -32,7 +32,9 @@ bool set_modal(Modal& modal, Function function) {
         case Function::Rapid:
         case Function::Line:
         case Function::ArcCw:
-        case Function::ArcCcw: modal.motion = function; return true;
+        case Function::ArcCcw:
+        case Function::TapIn:
+        case Function::TapOut: modal.motion = function; return true;
         case Function::PlaneXy: modal.plane = Plane::Xy; return true;
         case Function::PlaneZx: modal.plane = Plane::Zx; return true;
         case Function::PlaneYz: modal.plane = Plane::Yz; return true;
@@ -49,12 +51,14 @@ bool set_modal(Modal& modal, Function function) {
 
 bool is_running(SpindleMode mode) { return mode == SpindleMode::Cw || mode == SpindleMode::Ccw; }
 
-/// X, Y, Z of a frame function. `x_scale` is 0.5 where X is a diameter.
-FrameWords frame_words(const Block& block, const Invocation& invocation, double x_scale) {
+/// X, Y, Z of a frame function, from its parameter `first` on. `x_scale` is 0.5 where X is a
+/// diameter.
+FrameWords frame_words(const Block& block, const Invocation& invocation, std::size_t first,
+                       double x_scale) {
     FrameWords words;
-    for (std::size_t i = 0; i < 3; ++i) words.values[i] = block.argument(invocation, i);
+    for (std::size_t i = 0; i < 3; ++i) words.values[i] = block.argument(invocation, first + i);
     words.values[0] *= x_scale;
-    words.given = invocation.given & 0b111u;
+    words.given = invocation.given >> first & 0b111u;
     return words;
 }
 
@@ -89,6 +93,13 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
         lower_[index(axis.axis)] = degrees(axis.lower);
         upper_[index(axis.axis)] = degrees(axis.upper);
         position_.base[index(axis.axis)] = degrees(axis.home);
+        for (std::size_t point = 0; point < machine::kReferencePoints; ++point) {
+            const std::optional<double> place =
+                point == 0 ? axis.home : axis.further_homes[point - 1];
+            if (!place) continue;
+            reference_points_[point][index(axis.axis)] = degrees(*place);
+            has_reference_point_[point] |= bit(axis.axis);
+        }
     }
     for (const Group group :
          {Group::Motion, Group::Plane, Group::Distance, Group::FeedMode, Group::PathMode}) {
@@ -222,6 +233,8 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::Line:
         case Function::ArcCw:
         case Function::ArcCcw:
+        case Function::TapIn:
+        case Function::TapOut:
         case Function::PlaneXy:
         case Function::PlaneZx:
         case Function::PlaneYz:
@@ -246,6 +259,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             report(diag::RadiusCompUnsupported, block, invocation.function);
             break;
 
+        case Function::RadiusOffset: tool_.radius_offset = count_of(block, invocation); break;
         case Function::LengthCompOn:
             if ((invocation.given & 1u) != 0) tool_.offset = count_of(block, invocation);
             set_length_source(Tool::Source::Offset, actions);
@@ -275,11 +289,22 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
 
         case Function::ExactStopOnce: actions.exact_stop = true; break;
         case Function::MachineCoordinates: actions.machine_coordinates = true; break;
+        case Function::ReferencePoint:
+        case Function::ReferenceReturn: actions.reference = &invocation; break;
+        case Function::TapFloating: actions.taps = true; break;
+        case Function::TapRigid: taps_rigidly_ = true; break;
+        case Function::DiameterOn: word_scale_[index(Axis::X)] = 0.5; break;
+        case Function::DiameterOff: word_scale_[index(Axis::X)] = 1; break;
+        case Function::MachineFunction:
+            pass_machine_function(block, count_of(block, invocation));
+            break;
         case Function::WorkOffset: select_work_offset(block, count_of(block, invocation)); break;
         case Function::Shift:
         case Function::ShiftAdd:
         case Function::Rotate:
         case Function::RotateOff:
+        case Function::Scale:
+        case Function::ScaleOff:
         case Function::Mirror:
         case Function::MirrorOff:
         case Function::SetPosition: apply_frame(block, invocation); break;
@@ -299,7 +324,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::EndRewind: actions.end = invocation.function; break;
         case Function::Message: actions.message = &invocation; break;
 
-        case Function::CycleOff: modal_cycle_.is_active = false; break;
+        case Function::CycleOff: modal_cycle_.is_active = taps_rigidly_ = false; break;
         case Function::CycleReturnInitial: returns_to_retract_ = false; break;
         case Function::CycleReturnRetract: returns_to_retract_ = true; break;
         case Function::Cycle: actions.cycle = &invocation; break;
@@ -477,13 +502,16 @@ void Executor::select_work_offset(const Block& block, std::int64_t number) {
 void Executor::apply_frame(const Block& block, const Invocation& invocation) {
     const bool is_set = invocation.function == Function::SetPosition;
     const double x_scale = rules_.shift_in_diameter ? word_scale_[index(Axis::X)] : 1;
-    const FrameWords words = frame_words(block, invocation, x_scale);
+    const FrameWords words = frame_words(block, invocation, 0, x_scale);
     switch (invocation.function) {
         case Function::Shift: frames_.shift(words); break;
         case Function::ShiftAdd: frames_.shift_add(words); break;
         case Function::Rotate:
-            frames_.rotate(modal_.plane, rad_from_deg(block.argument(invocation, 0)));
+            frames_.rotate(modal_.plane, rad_from_deg(block.argument(invocation, 0)),
+                           center_of(block, invocation));
             break;
+        case Function::Scale: scale(block, invocation); break;
+        case Function::ScaleOff: frames_.scale_off(); break;
         case Function::RotateOff: frames_.rotate_off(); break;
         case Function::Mirror: frames_.mirror(static_cast<AxisMask>(words.given)); break;
         case Function::MirrorOff: frames_.mirror_off(); break;
@@ -496,6 +524,41 @@ void Executor::apply_frame(const Block& block, const Invocation& invocation) {
     for (std::size_t i = 0; is_set && i < 3; ++i) {
         if (words.has(i)) position_.programmed[i] = position_.here[i];
     }
+}
+
+/// Center of a rotation or a scaling; it stands behind their first parameter.
+FrameWords Executor::center_of(const Block& block, const Invocation& invocation) const {
+    constexpr std::size_t kFirst = 1;
+    const double x_scale = rules_.shift_in_diameter ? word_scale_[index(Axis::X)] : 1;
+    FrameWords center = frame_words(block, invocation, kFirst, x_scale);
+    for (std::size_t i = 0; rules_.frame_center_at_tool && i < 3; ++i) {
+        if (!center.has(i)) center.values[i] = position_.here[i];
+    }
+    return center;
+}
+
+/// One factor, or one for each axis; the axes that nothing is said of keep their size.
+void Executor::scale(const Block& block, const Invocation& invocation) {
+    constexpr std::size_t kFactors = 4;
+    const double all = block.argument(invocation, 0, 1);
+    path::Vec3 factors;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double factor = block.argument(invocation, kFactors + i, all);
+        if (factor == 0) {
+            report(diag::ScaleInvalid, block, Function::Scale).arg(factor);
+            return;
+        }
+        factors[static_cast<Eigen::Index>(i)] = factor;
+    }
+    frames_.scale(factors, center_of(block, invocation));
+}
+
+/// What it does is known to the machine builder alone; each is said once.
+void Executor::pass_machine_function(const Block& block, std::int64_t number) {
+    if (std::ranges::find(known_machine_functions_, number) != known_machine_functions_.end())
+        return;
+    known_machine_functions_.push_back(number);
+    report(diag::MachineFunctionPassed, block, Function::MachineFunction).arg(number);
 }
 
 /// No axis moves when a frame changes, but the tool has other coordinates now.

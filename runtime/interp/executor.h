@@ -23,6 +23,7 @@ namespace kadr::interp {
 /// What the functions of one block ask for besides changing the modal state.
 struct Actions {
     bool machine_coordinates = false;
+    bool taps = false;  // a line of floating tapping
     bool exact_stop = false;
     bool length_changed = false;
     bool tool_change = false;
@@ -37,6 +38,7 @@ struct Actions {
     const nc::Invocation* message = nullptr;
     const nc::Invocation* limit = nullptr;
     const nc::Invocation* cycle = nullptr;
+    const nc::Invocation* reference = nullptr;  // ReferencePoint or ReferenceReturn
 };
 
 /// End of a motion in the programmed system and in the base system.
@@ -106,6 +108,9 @@ class Executor {
     void select_work_offset(const nc::Block& block, std::int64_t number);
     bool is_too_late(nc::Function function) const;
     void apply_frame(const nc::Block& block, const nc::Invocation& invocation);
+    FrameWords center_of(const nc::Block& block, const nc::Invocation& invocation) const;
+    void scale(const nc::Block& block, const nc::Invocation& invocation);
+    void pass_machine_function(const nc::Block& block, std::int64_t number);
 
     // motion.cpp
     void move(const nc::Block& block, const Actions& actions);
@@ -113,6 +118,9 @@ class Executor {
     void arrive(const Target& target);
     void line(const nc::Block& block, const Target& target, path::Op op, bool exact_stop);
     void move_in_machine_coordinates(const nc::Block& block);
+    void rapid_to_machine_position(const nc::Block& block, const AxisValues& to, AxisMask moved);
+    void return_to_reference(const nc::Block& block, const nc::Invocation& invocation);
+    void tap(const nc::Block& block, const Target& target);
     Axis wanted_length_axis() const;
     double wanted_length(const nc::Block& block);
     void activate_length(const nc::Block& block, AxisMask moved);
@@ -133,6 +141,7 @@ class Executor {
     void call_cycle(const nc::Block& block, const nc::Invocation& invocation);
     void repeat_cycle(const nc::Block& block);
     void start_cycle(const nc::Block& block, ModalCycle call);
+    bool complete_tap(const nc::Block& block, ModalCycle& call);
     void finish_cycle();
     path::Plane cycle_plane() const;
     AxisValues position_in_cycle() const;
@@ -171,12 +180,16 @@ class Executor {
     Tool tool_;
     path::CoolantMode coolant_ = path::CoolantMode::Off;
     bool warned_spindle_stopped_ = false;
-    std::vector<std::int64_t> unknown_tools_;  // each is reported once
+    std::vector<std::int64_t> unknown_tools_;            // each is reported once
+    std::vector<std::int64_t> known_machine_functions_;  // so are these
+    bool taps_rigidly_ = false;                          // of the tapping cycles that follow
 
     // Of the machine, by logical axis; deg for rotary axes.
     AxisMask axes_ = 0;
     AxisValues lower_{};
     AxisValues upper_{};
+    std::array<AxisValues, machine::kReferencePoints> reference_points_{};
+    std::array<AxisMask, machine::kReferencePoints> has_reference_point_{};
     AxisValues word_scale_{};    // 0.5 for X of a lathe: a diameter is programmed
     AxisValues length_shift_{};  // machine position − base position: the tool length in force
 

@@ -1,6 +1,7 @@
 #include "interp/frames.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/assert.h"
 
@@ -20,6 +21,14 @@ Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}
 Vec3 vector_of(const FrameWords& words) {
     return {words.values[0], words.values[1], words.values[2]};
 }
+
+/// The same frame with `center` in the place of the origin.
+Frame about(const Vec3& center, const Frame& frame) {
+    return path::translation(center) * frame * path::translation(-center);
+}
+
+/// Two lengths or directions that frames have worked on count as the same.
+constexpr double kSameShape = 1e-9;
 
 }  // namespace
 
@@ -41,13 +50,33 @@ void Frames::shift_add(const FrameWords& words) {
     append(Step::Kind::Shift, path::translation(vector_of(words)));
 }
 
-void Frames::rotate(path::Plane plane, double angle) {
+void Frames::rotate(path::Plane plane, double angle, const FrameWords& center) {
     if (rules_->rotate_replaces) erase(Step::Kind::Rotation);
-    append(Step::Kind::Rotation, path::rotation_in_plane(plane, angle));
+    const Frame rotation = path::rotation_in_plane(plane, angle);
+    const auto scale = std::ranges::find(steps_, Step::Kind::Scale, &Step::kind);
+    if (!rules_->rotate_outside_scale || scale == steps_.end()) {
+        append(Step::Kind::Rotation, about(vector_of(center), rotation));
+        return;
+    }
+    // Points are scaled first, and so is the centre.
+    Frame scaled;
+    for (auto step = scale; step != steps_.end(); ++step) scaled = scaled * step->frame;
+    steps_.insert(scale, {Step::Kind::Rotation, about(scaled(vector_of(center)), rotation)});
+    update();
 }
 
 void Frames::rotate_off() {
     erase(Step::Kind::Rotation);
+    update();
+}
+
+void Frames::scale(const Vec3& factors, const FrameWords& center) {
+    if (rules_->scale_replaces) erase(Step::Kind::Scale);
+    append(Step::Kind::Scale, about(vector_of(center), path::scaling(factors)));
+}
+
+void Frames::scale_off() {
+    erase(Step::Kind::Scale);
     update();
 }
 
@@ -104,8 +133,18 @@ void Frames::update() {
             i < 3 ? total_.shift[static_cast<Eigen::Index>(i)] : work_offset_[i] + set_shift_[i];
     }
     const Result<Frame, path::FrameFault> back = path::inverse(total_);
-    KADR_ASSERT(back, "rotations, mirrors and shifts can be undone");
+    KADR_ASSERT(back, "rotations, mirrors, shifts and scales other than 0 can be undone");
     back_ = *back;
+}
+
+bool Frames::is_stretched(path::Plane plane) const {
+    if (is_shift_) return false;
+    const path::PlaneAxes axes = path::axes_of(plane);
+    const Vec3 first = total_.direction(path::unit(axes.first));
+    const Vec3 second = total_.direction(path::unit(axes.second));
+    const double size = first.squaredNorm();
+    return std::abs(size - second.squaredNorm()) > kSameShape * size ||
+           std::abs(first.dot(second)) > kSameShape * size;
 }
 
 AxisValues Frames::to_base(const AxisValues& programmed) const {

@@ -27,8 +27,13 @@ class Frames {
     void select_work_offset(const AxisValues& offset);
     void shift(const FrameWords& words);
     void shift_add(const FrameWords& words);
-    void rotate(path::Plane plane, double angle);  // rad
+    /// angle   rad
+    /// center  in the system reached so far; what is not given is its origin
+    void rotate(path::Plane plane, double angle, const FrameWords& center);
     void rotate_off();
+    /// factors  along X, Y, Z, none of them 0
+    void scale(const path::Vec3& factors, const FrameWords& center);
+    void scale_off();
     void mirror(AxisMask axes);
     void mirror_off();
     /// The tool stands at `base`; the words given are the coordinates that it gets, `here` the
@@ -38,6 +43,8 @@ class Frames {
     AxisValues to_base(const AxisValues& programmed) const;
     AxisValues from_base(const AxisValues& base) const;
     bool is_rotated() const;
+    /// Whether circles of the plane become ellipses.
+    bool is_stretched(path::Plane plane) const;
     /// Nothing but a shift: each axis can be worked out by itself.
     bool is_shift() const { return is_shift_; }
     const AxisValues& shift_values() const { return shift_values_; }
@@ -46,7 +53,7 @@ class Frames {
   private:
     /// A step of the programmable frame behind the shift; the kind tells what deletes it.
     struct Step {
-        enum class Kind : std::uint8_t { Shift, Rotation, Mirror };
+        enum class Kind : std::uint8_t { Shift, Rotation, Scale, Mirror };
         Kind kind;
         path::Frame frame;
     };

@@ -55,10 +55,11 @@ std::string_view slot_word(Slot slot) {
 void Executor::move(const Block& block, const Actions& actions) {
     if (block.motion != Function::None) {
         modal_.motion = block.motion;
-        modal_cycle_.is_active = false;  // a motion code ends a modal cycle
+        modal_cycle_.is_active = taps_rigidly_ = false;  // a motion code ends a modal cycle
     }
     const SlotMask targets = block.given & nc::kTargetSlots;
     const SlotMask arc_words = block.given & kArcSlots;
+    if (actions.reference != nullptr) return return_to_reference(block, *actions.reference);
     if (actions.cycle != nullptr) return call_cycle(block, *actions.cycle);
     if (modal_cycle_.is_active && (targets | arc_words) != 0) return repeat_cycle(block);
     if (targets == 0 && (arc_words == 0 || !is_arc(modal_.motion))) {
@@ -71,6 +72,8 @@ void Executor::move(const Block& block, const Actions& actions) {
 
     const Target target = target_of(block, targets);
     const bool exact_stop = modal_.has_exact_stop || actions.exact_stop;
+    if (actions.taps) return line(block, target, Op::Line, exact_stop);
+    if (is_tapping(modal_.motion)) return tap(block, target);
     if (is_arc(modal_.motion)) return arc(block, target, exact_stop);
     if (arc_words != 0) warn_arc_word(block, arc_words);
     line(block, target, modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, exact_stop);
@@ -152,11 +155,95 @@ void Executor::move_in_machine_coordinates(const Block& block) {
     Command& command = put(is_rapid ? Op::Rapid : Op::Line, block);
     command.to = to;
     command.moved = target.moved;
-    command.machine_coordinates = !rules_.machine_coordinates_keep_length;
+    // Without a tool length in force the tip and the machine have the same coordinates.
+    command.machine_coordinates =
+        !rules_.machine_coordinates_keep_length || length_shift_ == AxisValues{};
     command.is_unshifted = true;
     command.exact_stop = true;
     command.feed = is_rapid ? 0 : modal_.feed;
     arrive(target);
+}
+
+/// To a place in machine coordinates, `to` of all axes; `moved` are the ones that it names.
+void Executor::rapid_to_machine_position(const Block& block, const AxisValues& to, AxisMask moved) {
+    Target target{{}, to, moved};
+    for (std::size_t i = 0; i < kAxes; ++i) target.base[i] -= length_shift_[i];
+    target.here = frames_.from_base(target.base);
+    if (!check_limits(block, target.base, target.moved)) return;
+    Command& command = put(Op::Rapid, block);
+    command.to = to;
+    command.moved = moved;
+    command.machine_coordinates = true;
+    command.is_unshifted = true;
+    command.exact_stop = true;
+    command.feed = 0;
+    arrive(target);
+}
+
+/// Over the programmed place, if the block names one and the tool is not there, to the reference
+/// point of the axes that are named.
+void Executor::return_to_reference(const Block& block, const nc::Invocation& invocation) {
+    if (modal_cycle_.is_active) {
+        report(diag::ReferenceInCycle, block, invocation.function);
+        return;
+    }
+    const SlotMask targets = block.given & nc::kTargetSlots;
+    auto moved = static_cast<AxisMask>(targets);
+    if (invocation.function == Function::ReferencePoint) {
+        moved = static_cast<AxisMask>(invocation.given >> 1 & 0b111u);
+    } else if (!check_axes(block, targets)) {
+        return;
+    }
+    const double number = block.argument(invocation, 0, 1);
+    const auto point = static_cast<std::size_t>(number - 1);
+    if (!(number >= 1) || point >= machine::kReferencePoints ||
+        (moved & ~has_reference_point_[point]) != 0) {
+        report(diag::ReferenceUnknown, block, invocation.function).arg(number);
+        return;
+    }
+    if (targets != 0) {
+        const Target over = target_of(block, targets);
+        if (over.base != position_.base) line(block, over, Op::Rapid, true);
+        if (ended_) return;
+    }
+    AxisValues to = position_.base;
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        to[i] += length_shift_[i];
+        if ((moved >> i & 1u) != 0) to[i] = reference_points_[point][i];
+    }
+    if (moved != 0) rapid_to_machine_position(block, to, moved);
+}
+
+// ------------------------------------------------------------------------------ tapping
+
+/// A line with the spindle geared to it, in as out: the spindle turns as the sign of the pitch
+/// says, and stands at the end with the axis.
+void Executor::tap(const Block& block, const Target& target) {
+    const SlotMask words = block.given & nc::kCenterSlots;
+    const double pitch = words == 0 ? 0 : block.at(first_slot(words));
+    if (pitch == 0) {
+        (words == 0 ? report(diag::TapPitchMissing, block)
+                    : report(diag::TapPitchMissing, block, first_slot(words)));
+        return;
+    }
+    if (spindle_.has_cutting_speed || !(spindle_.speed > 0)) {
+        report(diag::TapSpeedMissing, block);
+        return;
+    }
+    if (tool_.has_changed) activate_length(block, target.moved);
+    if (!check_limits(block, target.base, target.moved)) return;
+    const bool is_cw = (pitch > 0) == (modal_.motion == Function::TapIn);
+    spindle_.mode = is_cw ? SpindleMode::Cw : SpindleMode::Ccw;
+    update_spindle(block);
+    Command& command = put(Op::Line, block);
+    command.to = target.base;
+    command.moved = target.moved;
+    command.feed_mode = FeedMode::PerRevolution;
+    command.feed = std::abs(pitch);
+    command.exact_stop = true;
+    arrive(target);
+    spindle_.mode = SpindleMode::Stop;
+    update_spindle(block);
 }
 
 // ------------------------------------------------------------------------------ tool length
@@ -216,6 +303,10 @@ void Executor::move_length_alone(const Block& block) {
 
 void Executor::arc(const Block& block, const Target& target, bool exact_stop) {
     if (!check_feed(block, "arc")) return;
+    if (frames_.is_stretched(modal_.plane)) {
+        report(diag::ArcStretched, block, modal_.motion);
+        return;
+    }
     const bool has_radius = block.has(Slot::Radius);
     const bool has_center = (block.given & nc::kCenterSlots) != 0;
     if (!has_radius && !has_center && rules_.arc_without_center == ArcWithoutCenter::Line) {

@@ -46,7 +46,10 @@ const XmlShape& machine_shape() {
           {"velocity", Filled},
           {"acceleration", Filled},
           "jerk",
-          "home"},
+          "home",
+          "home2",
+          "home3",
+          "home4"},
          {}},
         {"tool", {{"number", Filled}, "length", "radius", "name"}, {}},
         {"offset", {{"number", Filled}, "x", "y", "z", "a", "b", "c", "u", "v", "w"}, {}},
@@ -149,6 +152,9 @@ class MachineBuilder {
         axis.acceleration = reader.positive("acceleration", dimension.acceleration).value_or(1);
         axis.jerk = reader.positive("jerk", dimension.jerk).value_or(kInfinity);
         axis.home = reader.quantity("home", dimension.position).value_or(0);
+        axis.further_homes = {reader.quantity("home2", dimension.position),
+                              reader.quantity("home3", dimension.position),
+                              reader.quantity("home4", dimension.position)};
         read_limits(reader, axis, dimension.position);
         if (is_first("axis " + axis.name, reader.place("name"))) machine_.axes.push_back(axis);
     }
@@ -161,11 +167,21 @@ class MachineBuilder {
             sink_.report(diag::MachineLimitsReversed, reader.place("limits"))
                 .arg(shown_position(axis, axis.lower))
                 .arg(shown_position(axis, axis.upper));
-        } else if (axis.home < axis.lower || axis.home > axis.upper) {
-            sink_.report(diag::MachineHomeOutside, reader.place("home"))
-                .arg(axis.name)
-                .arg(shown_position(axis, axis.home));
+        } else {
+            check_home(reader, axis, "home", axis.home);
+            for (std::size_t i = 0; i < axis.further_homes.size(); ++i) {
+                if (!axis.further_homes[i]) continue;
+                check_home(reader, axis, "home" + std::to_string(i + 2), *axis.further_homes[i]);
+            }
         }
+    }
+
+    void check_home(const ElementReader& reader, const MachineAxis& axis, const std::string& name,
+                    double home) {
+        if (home >= axis.lower && home <= axis.upper) return;
+        sink_.report(diag::MachineHomeOutside, reader.place(name))
+            .arg(axis.name)
+            .arg(shown_position(axis, home));
     }
 
     void read_tool(const XmlElement& element) {

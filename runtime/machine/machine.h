@@ -12,6 +12,9 @@
 
 namespace kadr::machine {
 
+/// Reference points of an axis: the one where it is referenced, and three that the builder sets.
+inline constexpr std::size_t kReferencePoints = 4;
+
 /// One physical axis. Canonical units: mm or rad, and seconds.
 struct MachineAxis {
     std::string name;     // "X"
@@ -23,6 +26,8 @@ struct MachineAxis {
     double acceleration = 0;  // > 0
     double jerk = 0;          // > 0; infinite if not limited
     double home = 0;          // reference point, where the axis stands at program start
+    /// Reference points 2, 3 and 4, if the machine has them.
+    std::array<std::optional<double>, kReferencePoints - 1> further_homes{};
 };
 
 struct ToolData {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/assert.h"
 #include "nc/comment_text.h"
@@ -158,6 +159,7 @@ void BlockWriter::check_arc_words(const Block& block) {
 
 void BlockWriter::write_block(const Block& block, std::string& out) {
     if (split_turns(block, out)) return;
+    if (modal_.waiting_edge != 0) write_waiting_edge(block, out);
     done_ = 0;
     choose_forms(block);
     write_functions_alone(block, out);
@@ -175,6 +177,12 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
         place_arc_feed(block, start, targets);
     } else if (motion == Function::None) {
         place_arc_as_given(block, start, targets);
+    } else if (is_tapping(motion)) {
+        for (const Slot slot : {Slot::CenterX, Slot::CenterY, Slot::CenterZ}) {
+            if (!block.has(slot)) continue;
+            targets.written |= bit(slot);
+            targets.number[static_cast<std::size_t>(slot)] = to_text(slot, block.at(slot));
+        }
     } else if (block.function_count == 0 && !options_.verbose_modal) {
         drop_unchanged(block, start, targets);
     }
@@ -191,6 +199,7 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
         }
     }
     add_deferred(block, items);
+    add_edge(block, items);
     collect_slots(block, targets, items);
     if (items.count == 0 && block.comment.empty()) return;
     if (items.count == 0 && given_number_ < 0) {
@@ -199,8 +208,90 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
         write_items(block, items, targets, out);
     }
     for (Pending& pending : pending_) pending.tool = own_offset(pending, block);
+    if (block.find(Function::Cycle) != nullptr) leave_cycle(block, out);
     for (std::size_t i = 0; i < block.function_count; ++i)
         follow_function(block, block.functions[i]);
+}
+
+// ---------------------------------------------------------------- cutting edges, cycles
+
+/// The edge that a block in machine coordinates put aside acts again where the tool moves next.
+void BlockWriter::write_waiting_edge(const Block& block, std::string& out) {
+    const bool is_machine = block.find(Function::MachineCoordinates) != nullptr ||
+                            block.find(Function::ReferencePoint) != nullptr ||
+                            block.find(Function::ReferenceReturn) != nullptr;
+    const bool moves = (block.given & kTargetSlots) != 0 || block.find(Function::Cycle) != nullptr;
+    if (is_machine || !moves || block.find(Function::ToolEdge) != nullptr) return;
+    Block edge;
+    edge.source = block.source;
+    edge.skip = block.skip;
+    Invocation* invocation = edge.add(Function::ToolEdge, 1);
+    edge.set_argument(*invocation, 0, std::exchange(modal_.waiting_edge, 0));
+    const WrittenPosition position = modal_.position;
+    write_block(edge, out);
+    modal_.position = position;
+}
+
+/// Where the tool length would act in machine coordinates, edge 0 stands beside them.
+void BlockWriter::add_edge(const Block& block, Items& items) {
+    if (block.function_count == 0 || block.find(Function::ToolEdge) != nullptr) return;
+    for (std::size_t i = 0; i < items.count; ++i) {
+        const Item& item = items.list[i];
+        if (item.form == kNoForm || !tables_.forms[item.form].keeps_length) continue;
+        const Standing old = std::exchange(modal_.edge, Standing{true, 0});
+        if (old.is_known && old.value == 0) return;
+        const auto& edges = tables_.forms_of[static_cast<std::size_t>(Function::ToolEdge)];
+        if (edges.empty()) return;
+        modal_.waiting_edge = old.is_known ? old.value : 0;
+        items.add(Item::of_edge(tables_.forms[edges[0]].order, 0));
+        return;
+    }
+}
+
+/// Whether a cycle's block tells the control a spindle speed, in a word S or as an argument.
+bool BlockWriter::says_speed(const Block& block, const Invocation& invocation) const {
+    const std::vector<Parameter>& parameters = tables_.cycles[block.cycle].parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const bool is_given = (invocation.given >> i & 1u) != 0;
+        if (!is_given || parameters[i].dimension != Dimension::Speed) continue;
+        const double speed = block.argument(invocation, i);
+        if (speed != 0 && speed != modal_.meant_speed) return true;
+    }
+    return false;
+}
+
+/// A cycle of the control may bring a feed and a speed of its own; those of the program act behind
+/// it.
+void BlockWriter::leave_cycle(const Block& block, std::string& out) {
+    const Invocation* cycle = block.find(Function::Cycle);
+    const FormId id = chosen_[static_cast<std::size_t>(cycle - block.functions.data())];
+    if (id == kNoForm) return;
+    const Form& form = tables_.forms[id];
+    bool says_feed = false;
+    for (const std::vector<FormWord>* words : {&form.lead, &form.words}) {
+        for (const FormWord& word : *words) {
+            if (word.kind != FormWord::Kind::Value) continue;
+            const int slot = tables_.addresses[word.address].slot;
+            says_feed |= slot == static_cast<int>(Slot::Feed);
+        }
+    }
+    Block back;
+    back.source = block.source;
+    back.skip = block.skip;
+    const Function mode = modal_.meant_of(Group::FeedMode);
+    const bool changes_mode =
+        mode != Function::None && !form.needs.empty() && modal_.text_of(Group::FeedMode) != mode;
+    if (changes_mode) back.add(mode);
+    if (says_feed || changes_mode) {
+        modal_.feed.is_known = false;
+        if (modal_.has_meant_feed) back.set(Slot::Feed, modal_.meant_feed);
+    }
+    if (says_speed(block, *cycle)) {
+        modal_.speed.is_known = false;
+        if (modal_.has_meant_speed) back.set(Slot::Speed, modal_.meant_speed);
+    }
+    if (back.function_count == 0 && back.given == 0) return;
+    write_block(back, out);
 }
 
 void BlockWriter::write_comment(const Block& block, std::string& out) {
@@ -300,6 +391,7 @@ bool BlockWriter::says(const Form& form, const Block& block, const Invocation& i
     };
     look(look, form.words);
     for (const std::vector<FormWord>& line : form.extra) look(look, line);
+    look(look, form.lead);
     for (const int parameter : form.implied) said |= 1u << parameter;
     for (const auto& [parameter, value] : form.fixed) {
         said |= 1u << parameter;
@@ -314,8 +406,13 @@ bool BlockWriter::says(const Form& form, const Block& block, const Invocation& i
             block.argument(invocation, static_cast<std::size_t>(c.parameter), c.least);
         fits &= value >= c.least && value <= c.most;
     }
-    for (const Function needed : form.during)
-        fits &= modal_.text[index_of(info(needed).group)] == needed;
+    for (const Function needed : form.during) {
+        const Group group = info(needed).group;
+        // What the text does not agree upon with the program is said again in this block.
+        const bool is_restored = group == Group::Distance && (block.given & kTargetSlots) != 0 &&
+                                 modal_.meant[index_of(group)] == needed;
+        fits &= modal_.text[index_of(group)] == needed || is_restored;
+    }
     return fits && (invocation.given & ~said) == 0;
 }
 
@@ -342,41 +439,54 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
     const auto& candidates = is_cycle
                                  ? tables_.forms_of_cycle[block.cycle]
                                  : tables_.forms_of[static_cast<std::size_t>(invocation.function)];
+    Function blocking = Function::None;  // acts where it must not
     for (const bool allow_unknown : {false, true}) {
         for (const FormId id : candidates) {
             const Form& form = tables_.forms[id];
             // Parameters belong to the form's own function.
             const bool is_own = form.function == invocation.function;
             if (is_own && !says(form, block, invocation)) continue;
-            if (form.replaces && modal_.rotation != Activity::No) continue;
-            if (is_own && !is_outside(form, block)) return kNoForm;
-            if (holds(form, block, invocation.function, allow_unknown)) return id;
+            const Function around = acting_around(form);
+            if (around != Function::None) blocking = around;
+            else if (holds(form, block, invocation.function, allow_unknown)) return id;
         }
     }
-    std::string what = quoted(info(invocation.function).name);
+    const std::string_view name = info(invocation.function).name;
+    if (blocking != Function::None) {
+        if (is_new_message(block, name)) {
+            sink_.report(diag::WriterFrameOrder, place(block))
+                .arg(tables_.name)
+                .arg(name)
+                .arg(info(blocking).name);
+        }
+        return kNoForm;
+    }
+    std::string what = quoted(name);
     if (is_cycle) what = "the cycle " + quoted(tables_.cycles[block.cycle].name);
     if (!candidates.empty()) what += " with these values or in this modal state";
     cannot_express(block, what);
     return kNoForm;
 }
 
-/// Whether nothing acts that the form must not stand inside of; says so if something does.
-bool BlockWriter::is_outside(const Form& form, const Block& block) {
+/// The frame function that acts and that the form must not stand inside of; None: there is none.
+Function BlockWriter::acting_around(const Form& form) const {
     for (const Function around : form.outside) {
         const Activity activity = around == Function::Rotate   ? modal_.rotation
+                                  : around == Function::Scale  ? modal_.scale
                                   : around == Function::Mirror ? modal_.mirror
                                                                : Activity::No;
-        if (activity == Activity::No) continue;
-        const std::string_view name = info(form.function).name;
-        if (is_new_message(block, name)) {
-            sink_.report(diag::WriterFrameOrder, place(block))
-                .arg(tables_.name)
-                .arg(name)
-                .arg(info(around).name);
-        }
-        return false;
+        if (activity != Activity::No) return around;
     }
-    return true;
+    return Function::None;
+}
+
+/// The line that a form wants before its own: `M29 S800` before the tapping cycle.
+void BlockWriter::write_lead(const Form& form, const Block& block, const Invocation& invocation,
+                             std::string& out) {
+    open_line(block.skip, true, out);
+    append_words(block, form.lead, &invocation, false, out);
+    close_line(out);
+    note_line(form.lead);
 }
 
 /// Functions that cannot share a line with others, and what has to be written before them.
@@ -389,6 +499,7 @@ void BlockWriter::write_functions_alone(const Block& block, std::string& out) {
         const Invocation& invocation = block.functions[i];
         write_before(form, block, out);
         if (!form.implied.empty()) write_initial_level(form, block, invocation, out);
+        if (!form.lead.empty()) write_lead(form, block, invocation, out);
         if (is_only || !(form.owns_block || shares_address(form, block))) continue;
         Items items;
         for (const Function needed : form.needs) add_code(block, needed, items);
@@ -421,6 +532,7 @@ void BlockWriter::write_before(const Form& form, const Block& block, std::string
         const bool is_mirror = function == Function::MirrorOff;
         if (is_rotation && modal_.rotation == Activity::No) continue;
         if (is_mirror && modal_.mirror == Activity::No) continue;
+        if (function == Function::ScaleOff && modal_.scale == Activity::No) continue;
         const auto chosen = chosen_;
         const std::uint32_t done = done_;
         Block extra;
@@ -544,10 +656,31 @@ void BlockWriter::follow_functions(const Block& block) {
             function == Function::FeedInverseTime) {
             modal_.has_meant_feed = false;
         }
+        if (info(function).group == Group::SpeedMode) modal_.has_meant_speed = false;
+    }
+    if (block.has(Slot::Speed)) {
+        modal_.meant_speed = block.at(Slot::Speed);
+        modal_.has_meant_speed = true;
     }
     if (block.has(Slot::Feed)) {
         modal_.meant_feed = block.at(Slot::Feed);
         modal_.has_meant_feed = true;
+    }
+}
+
+/// Whether the tool length acts behind a reference return differs between series of a control: what
+/// a tool change holds back for its axis is said again.
+void BlockWriter::defer_length(const Block& block, const Invocation& invocation) {
+    constexpr std::uint32_t kFirstAxis = 1;  // behind the number of the point
+    for (const Deferred& deferred : tables_.deferred) {
+        if (deferred.axis < 0 || !modal_.tool.is_known) continue;
+        const auto axis = static_cast<std::uint32_t>(deferred.axis);
+        const bool is_named = invocation.function == Function::ReferencePoint
+                                  ? (invocation.given >> (kFirstAxis + axis) & 1u) != 0
+                                  : block.has(static_cast<Slot>(axis));
+        if (!is_named) continue;
+        std::erase_if(pending_, [&](const Pending& p) { return p.deferred == &deferred; });
+        pending_.push_back({&deferred, modal_.tool.value});
     }
 }
 
@@ -570,6 +703,15 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
         case Function::RotateOff:
             modal_.rotation = Activity::No;
             modal_.position.known &= ~modal_.turned;
+            break;
+        case Function::Scale:
+            modal_.scale = Activity::Yes;
+            modal_.turned = kTargetSlots;
+            modal_.position.forget();
+            break;
+        case Function::ScaleOff:
+            modal_.scale = Activity::No;
+            modal_.position.forget();
             break;
         case Function::Mirror:
             modal_.mirror = Activity::Yes;
@@ -599,15 +741,33 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
                 std::erase_if(pending_, [&](const Pending& p) { return p.deferred == &deferred; });
                 pending_.push_back({&deferred, block.argument(invocation, 0)});
             }
+            modal_.tool = {true, block.argument(invocation, 0)};
+            modal_.edge = {true, 1};
+            modal_.waiting_edge = 0;
+            modal_.position.forget();
+            break;
+        case Function::ToolChange:
+            forget_motion();
+            modal_.tool.is_known = false;
+            modal_.edge = {true, 1};
+            modal_.waiting_edge = 0;
+            modal_.position.forget();
+            break;
+        case Function::ToolEdge:
+            modal_.edge = {true, block.argument(invocation, 0)};
+            modal_.waiting_edge = 0;
+            modal_.position.forget();
+            break;
+        case Function::RadiusOffset:
+            std::erase_if(pending_, [](const Pending& p) { return p.deferred->axis < 0; });
+            break;
+        case Function::ReferencePoint:
+        case Function::ReferenceReturn:
+            defer_length(block, invocation);
             modal_.position.forget();
             break;
         case Function::WorkOffset:
-        case Function::ToolChange:
-            forget_motion();
-            modal_.position.forget();
-            break;
         case Function::ToolSelect:
-        case Function::ToolEdge:
         case Function::LengthCompOn:
         case Function::LengthCompOff:
         case Function::LengthOffset: modal_.position.forget(); break;
@@ -642,7 +802,7 @@ void BlockWriter::follow_shift(const Block& block, const Invocation& invocation)
         if (!stays) modal_.position.known &= ~mask;
         origin = {true, shift};
     }
-    modal_.rotation = modal_.mirror = Activity::No;
+    modal_.rotation = modal_.mirror = modal_.scale = Activity::No;
     modal_.turned = 0;
 }
 

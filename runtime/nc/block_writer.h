@@ -35,19 +35,23 @@ class BlockWriter {
     /// One piece of a line: a form with its parameters, deferred words, or the word of a slot.
     struct Item {
         int order;
-        FormId form;  // kNoForm: the words, or the slot
+        FormId form;  // kNoForm: the words, the edge, or the slot
         Slot slot;
         const Invocation* invocation;
         const std::vector<FormWord>* words;
+        int edge;  // a cutting edge that the writer sets itself; -1 none
 
         static Item of_form(int order, FormId form, const Invocation* invocation) {
-            return {order, form, Slot::X, invocation, nullptr};
+            return {order, form, Slot::X, invocation, nullptr, -1};
         }
         static Item of_words(int order, const std::vector<FormWord>& words) {
-            return {order, kNoForm, Slot::X, nullptr, &words};
+            return {order, kNoForm, Slot::X, nullptr, &words, -1};
         }
         static Item of_slot(int order, Slot slot) {
-            return {order, kNoForm, slot, nullptr, nullptr};
+            return {order, kNoForm, slot, nullptr, nullptr, -1};
+        }
+        static Item of_edge(int order, int edge) {
+            return {order, kNoForm, Slot::X, nullptr, nullptr, edge};
         }
     };
     /// The pieces of a line in their order; among equals the first comes first. Not initialised,
@@ -109,11 +113,19 @@ class BlockWriter {
     void restore_modal(const Block& block, Items& items);
     void note_written(const Form& form);
     void write_before(const Form& form, const Block& block, std::string& out);
+    void write_lead(const Form& form, const Block& block, const Invocation& invocation,
+                    std::string& out);
+    void leave_cycle(const Block& block, std::string& out);
+    bool says_speed(const Block& block, const Invocation& invocation) const;
+    Function acting_around(const Form& form) const;
+    void defer_length(const Block& block, const Invocation& invocation);
+    void write_waiting_edge(const Block& block, std::string& out);
+    void add_edge(const Block& block, Items& items);
+    void append_edge(const Block& block, int edge, std::string& out);
     void write_initial_level(const Form& form, const Block& block, const Invocation& invocation,
                              std::string& out);
     void follow_functions(const Block& block);
     void follow_function(const Block& block, const Invocation& invocation);
-    bool is_outside(const Form& form, const Block& block);
     void follow_shift(const Block& block, const Invocation& invocation);
     void turn_axes(std::size_t axis);
     void forget_motion();
@@ -175,6 +187,8 @@ class BlockWriter {
                      std::string& out);
     void append_parameter(const Block& block, const FormWord& word, const Invocation* invocation,
                           const NumberFormat& format, std::string_view name, std::string& out);
+    void append_factor(const Block& block, double number, bool in_thousandths,
+                       std::string_view name, std::string& out);
     void append_slot(const Block& block, Slot slot, const Targets& targets, std::string& out);
     void append_text(const Block& block, std::string& out);
     void open_line(int skip, bool is_numbered, std::string& out);

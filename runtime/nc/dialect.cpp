@@ -48,6 +48,7 @@ bool Dialect::has_native_cycle(CycleId cycle, std::uint32_t given) const {
         std::uint32_t said = 0;
         collect_parameters(form.words, said);
         for (const std::vector<FormWord>& line : form.extra) collect_parameters(line, said);
+        collect_parameters(form.lead, said);
         for (const int parameter : form.implied) said |= 1u << parameter;
         for (const auto& [parameter, value] : form.fixed) said |= 1u << parameter;
         return (given & ~said) == 0;

@@ -154,6 +154,7 @@ class Finisher {
         std::uint32_t said = 0;
         collect(form.words, said);
         for (const std::vector<FormWord>& line : form.extra) collect(line, said);
+        collect(form.lead, said);
         for (const auto& [parameter, value] : form.fixed) said |= 1u << parameter;
         for (std::size_t i = 0; i < parameters.size(); ++i) {
             if (parameters[i].is_optional || (said >> i & 1u) != 0) continue;
@@ -192,7 +193,8 @@ class Finisher {
         text += '(';
         for (const FormWord& argument : call.arguments) {
             if (argument.kind == FormWord::Kind::Fixed) append_shortest(text, argument.number);
-            if (argument.kind == FormWord::Kind::Value) text += '#';
+            // Two signs of one argument are two ranges of it.
+            if (argument.kind == FormWord::Kind::Value) text += argument.factor < 0 ? '-' : '#';
             if (argument.kind == FormWord::Kind::Text) text += '"';
             text += ',';
         }

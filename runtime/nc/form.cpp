@@ -28,8 +28,8 @@ struct Unit {
     std::string_view name;
     double factor;  // text = canonical · factor
 };
-constexpr std::array<Unit, 5> kUnits = {
-    {{"s", 1}, {"ms", 1000}, {"min", 1.0 / 60}, {"deg", 1}, {"mm", 1}}};
+constexpr std::array<Unit, 6> kUnits = {
+    {{"s", 1}, {"ms", 1000}, {"min", 1.0 / 60}, {"deg", 1}, {"mm", 1}, {"permille", 1000}}};
 
 /// Reads one line of a pattern.
 class LineParser {
@@ -83,6 +83,12 @@ class LineParser {
         if (at_ - begin >= 2) {
             while (behind < line_.size() && (is_letter(line_[behind]) || is_digit(line_[behind])))
                 ++behind;
+        }
+        // So may a letter with a number of its own: `X1={x}`.
+        if (at_ - begin == 1) {
+            std::size_t digits = at_;
+            while (digits < line_.size() && is_digit(line_[digits])) ++digits;
+            if (digits > at_ && digits < line_.size() && line_[digits] == '=') behind = digits;
         }
         const char next = behind < line_.size() ? line_[behind] : ' ';
         const bool extends = next == '(' || next == ' ' || next == '\t' || next == '=';
@@ -166,7 +172,7 @@ class LineParser {
         return true;
     }
 
-    /// `{time:ms}`, `{number-6}`, `{x=0}`, `{x?}`, `{+retract}`, `{x?:named}`
+    /// `{time:ms}`, `{number-6}`, `{x=0}`, `{x?}`, `{+retract}`, `{-pitch}`, `{x?:named}`
     bool parse_placeholder(FormWord& word) {
         if (!take('{')) return fail("`{` expected");
         const std::size_t close = line_.find('}', at_);
@@ -177,6 +183,8 @@ class LineParser {
             word.adds = true;
             inner.remove_prefix(1);
         }
+        const bool is_negated = !inner.empty() && inner.front() == '-';
+        if (is_negated) inner.remove_prefix(1);
         const std::size_t colon = inner.find(':');
         const std::string_view unit =
             colon == std::string_view::npos ? std::string_view() : inner.substr(colon + 1);
@@ -196,7 +204,9 @@ class LineParser {
         if (word.is_optional && !parameter.is_optional)
             return fail("the parameter " + quoted(name) + " is not optional");
         word.is_optional |= word.adds;
-        return parse_operator(word, inner, sign) && parse_unit(word, unit);
+        if (!parse_operator(word, inner, sign) || !parse_unit(word, unit)) return false;
+        if (is_negated) word.factor = -word.factor;
+        return true;
     }
 
     bool unknown_parameter(std::string_view name) {
@@ -236,7 +246,7 @@ class LineParser {
             return true;
         }
         return fail("there is no unit " + quoted(unit) +
-                    "; known are s, ms, min, deg, mm and named");
+                    "; known are s, ms, min, deg, mm, permille and named");
     }
 
     bool declared(FormWord& word, std::string_view name) {

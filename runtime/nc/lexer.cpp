@@ -140,6 +140,7 @@ class Lexer {
         const std::size_t begin = at_;
         const char letter = peek();
         ++at_;
+        if (rules_.has_assignment && is_digit(peek()) && take_extended(begin)) return;
         const AddressId address = tables_.letters[static_cast<unsigned char>(letter) & 127u];
         if (address == kNoAddress) {
             skip_inner_blanks();
@@ -164,6 +165,20 @@ class Lexer {
         if (!take_number(address, begin)) return;
         if (peek() == '=')
             fail(diag::IsoNotSupported, begin, at_, {"an address with a number of its own"});
+    }
+
+    /// `X1=0`: a letter with a number of its own, if the dialect declares it.
+    bool take_extended(std::size_t begin) {
+        std::size_t end = at_;
+        while (end < line_.size() && is_digit(line_[end])) ++end;
+        if (end == line_.size() || line_[end] != '=') return false;
+        std::string name(line_.substr(begin, end - begin));
+        if (rules_.ignores_case) name = upper_ascii(name);
+        const AddressId address = tables_.find_address(name);
+        if (address == kNoAddress) return false;
+        at_ = end;
+        take_assigned(address, begin);
+        return true;
     }
 
     void take_block_number(std::size_t begin) {

@@ -111,8 +111,9 @@ void FormLoader::read_form_attributes(const XmlElement& element, Form& form) {
     attributes_.read_functions(element, "sets", form.sets);
     attributes_.read_functions(element, "needs", form.needs);
     attributes_.read_functions(element, "before", form.before);
-    attributes_.read_functions(element, "outside", form.outside);
     attributes_.read_functions(element, "during", form.during);
+    attributes_.read_functions(element, "outside", form.outside);
+    attributes_.read_functions(element, "first", form.first);
     if (const auto use = attributes_.choice(element, "use", {"both", "write", "read"})) {
         form.is_read = *use != 1;
         form.is_written = *use != 2;
@@ -125,8 +126,14 @@ void FormLoader::read_form_attributes(const XmlElement& element, Form& form) {
     }
     attributes_.read_flag(element, "own_block", form.owns_block);
     attributes_.read_flag(element, "remembers", form.remembers);
-    attributes_.read_flag(element, "replaces", form.replaces);
+    attributes_.read_flag(element, "keeps_length", form.keeps_length);
     Attributes::read_text(element, "note", form.note);
+    if (const XmlAttribute* attribute = element.find("lead")) {
+        if (!parse_form_line(attribute->value, tables_.parameters(form), tables_,
+                             attribute->value_range, form.lead, attributes_.sink())) {
+            attributes_.fail();
+        }
+    }
     if (const XmlAttribute* attribute = element.find("implied")) read_implied(*attribute, form);
     if (const XmlAttribute* attribute = element.find("when")) read_constraints(*attribute, form);
 }

@@ -283,6 +283,9 @@ class Matcher {
             used_ |= fit.taken;  // the control knows it, and nothing here depends on it
             return {};
         }
+        for (const Function before : form.first) {
+            if (Fault fault = say(before, head, info(before).parameters.size())) return fault;
+        }
         if (Fault fault = say(form.function, head, tables_.parameters(form).size())) return fault;
         if (form.function == Function::Cycle) block_.cycle = form.cycle;
         const auto invocation = static_cast<std::uint8_t>(block_.function_count - 1u);

@@ -24,7 +24,7 @@ double increment_of(const NumberFormat& format, Dimension dimension, const TextU
             return format.revolution_increment;
         if (units.inverse_time) return 0;
     }
-    return format.increment;
+    return dimension == Dimension::Factor ? 0 : format.increment;
 }
 
 /// Whether the value in increments of its last decimal has more digits than the control takes.
@@ -59,6 +59,7 @@ double text_scale(Dimension dimension, const TextUnits& units, bool is_slot) {
         case Dimension::Count:
         case Dimension::Angle:
         case Dimension::Time:
+        case Dimension::Factor:
         case Dimension::Text: return 1;
     }
     return 1;

@@ -180,6 +180,8 @@ Reader::State::LineKind Reader::State::kind_of(std::string_view line) {
 bool Reader::State::read(std::string_view line, Block& block) {
     if (read_fast(line, block)) {
         has_content = true;
+        // Later forms depend on modal functions: G68 on its plane, G53 on absolute dimensions.
+        if (block.function_count != 0) follow_modal(block, modal);
         return true;
     }
     block.reset();

@@ -108,14 +108,16 @@ struct Form {
     std::string pattern;                       // as in the file
     std::vector<FormWord> words;               // of the first line
     std::vector<std::vector<FormWord>> extra;  // further lines, written behind it
+    std::vector<FormWord> lead;                // a line that is written before it
     std::vector<Constraint> when;
     std::vector<std::pair<int, double>> fixed;  // parameters that the form says by itself
     std::vector<int> implied;       // parameters that the control takes from its position
     std::vector<Function> sets;     // further functions that it says
+    std::vector<Function> first;    // functions that act before its own where it is read
     std::vector<Function> needs;    // modal functions that are written before it in the line
     std::vector<Function> before;   // functions that are written on lines of their own before it
     std::vector<Function> during;   // modal functions of which one must be active
-    std::vector<Function> outside;  // functions that must not act: a rotation
+    std::vector<Function> outside;  // rotate, scale, mirror that must not act where it is written
     int group = -1;                 // modal group of the dialect; -1 none
     std::uint64_t excludes = 0;     // groups of the form and of the codes in it, a bit each
     int order = 0;                  // place in the block: the order of its first word
@@ -127,7 +129,7 @@ struct Form {
     bool feed_every_block = false;   // F has to be repeated in every block
     bool feed_by_radius = false;     // … and of an arc it is feed/radius
     bool feed_stays_metric = false;  // of an `inch` code: F is not an inch feed
-    bool replaces = false;           // does not add to the same function given before
+    bool keeps_length = false;       // the tool length acts in its block unless edge 0 is said
     std::string doc;
     std::string note;
     SourceRange range;  // in the file

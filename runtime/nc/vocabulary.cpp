@@ -12,8 +12,8 @@ constexpr std::array<std::string_view, kGroups> kGroupNames = {
     "feed_mode",    "speed_mode", "radius_comp", "length_comp", "path_mode",
     "work_offsets", "spindle",    "coolant",     "cycle_mode",  "cycle_return"};
 
-constexpr std::array<std::string_view, 8> kDimensionNames = {"number", "count", "length", "angle",
-                                                             "time",   "feed",  "speed",  "text"};
+constexpr std::array<std::string_view, 9> kDimensionNames = {
+    "number", "count", "length", "angle", "time", "feed", "speed", "factor", "text"};
 
 constexpr std::size_t count_parameters(std::string_view text) {
     return static_cast<std::size_t>(std::count(text.begin(), text.end(), ':'));

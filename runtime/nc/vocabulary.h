@@ -51,6 +51,7 @@ enum class Dimension : std::uint8_t {
     Time,
     Feed,
     Speed,
+    Factor,
     Text,
 };
 
@@ -77,6 +78,7 @@ std::optional<Group> find_group(std::string_view name);
 std::string_view dimension_name(Dimension dimension);
 std::optional<Dimension> find_dimension(std::string_view name);
 
+constexpr bool is_tapping(Function f) { return f == Function::TapIn || f == Function::TapOut; }
 constexpr bool is_arc(Function f) { return f == Function::ArcCw || f == Function::ArcCcw; }
 
 }  // namespace kadr::nc

@@ -55,7 +55,9 @@ bool BlockWriter::is_fast(const Block& block) const {
     const SlotMask targets = block.given & kTargetSlots;
     if (targets == 0 || (block.given & ~(fast_slots_ | bit(Slot::Feed))) != 0) return false;
     if (((block.incremental | block.absolute) & block.given) != 0) return false;
-    if (!block.comment.empty() || !pending_.empty() || modal_.units.inverse_time) return false;
+    if (!block.comment.empty() || !pending_.empty() || modal_.waiting_edge != 0 ||
+        modal_.units.inverse_time)
+        return false;
     const Function motion = effective_motion(block);
     if (motion != Function::Rapid && motion != Function::Line) return false;
     if (options_.verbose_modal && fast_code(motion).empty()) return false;

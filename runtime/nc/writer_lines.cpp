@@ -48,13 +48,15 @@ void BlockWriter::add_deferred(const Block& block, Items& items) {
     if (pending_.empty()) return;
     const bool is_cycle = block.function_count != 0 && block.find(Function::Cycle) != nullptr;
     const bool is_machine =
-        block.function_count != 0 && block.find(Function::MachineCoordinates) != nullptr;
+        block.function_count != 0 && (block.find(Function::MachineCoordinates) != nullptr ||
+                                      block.find(Function::ReferenceReturn) != nullptr);
     for (std::size_t i = 0; i < pending_.size();) {
         const Deferred& deferred = *pending_[i].deferred;
         bool acts = false;
         if (deferred.axis >= 0 && !is_machine)
             acts = block.has(static_cast<Slot>(deferred.axis)) || is_cycle;
         for (const Function function : deferred.functions) acts |= block.find(function) != nullptr;
+        if (deferred.axis < 0) acts &= block.find(Function::RadiusOffset) == nullptr;
         if (!acts) {
             ++i;
             continue;
@@ -211,12 +213,23 @@ void BlockWriter::append_item(const Block& block, const Item& item, const Target
         }
         return;
     }
+    if (item.edge >= 0) return append_edge(block, item.edge, out);
     if (item.words != nullptr) {
         blank(out);
         append_words(block, *item.words, nullptr, false, out);
         return;
     }
     append_slot(block, item.slot, targets, out);
+}
+
+void BlockWriter::append_edge(const Block& block, int edge, std::string& out) {
+    const Form& form =
+        tables_.forms[tables_.forms_of[static_cast<std::size_t>(Function::ToolEdge)][0]];
+    Block words;
+    words.source = block.source;
+    Invocation* invocation = words.add(Function::ToolEdge, 1);
+    words.set_argument(*invocation, 0, edge);
+    append_words(words, form.words, invocation, false, out);
 }
 
 void BlockWriter::append_words(const Block& block, const std::vector<FormWord>& words,
@@ -321,7 +334,26 @@ void BlockWriter::append_parameter(const Block& block, const FormWord& word,
     if (word.is_named_only) value = 0;
     const double number =
         (value * word.factor + word.offset) * text_scale(word.dimension, modal_.units, false);
+    if (word.dimension == Dimension::Factor) {
+        append_factor(block, number, std::abs(word.factor) == 1000, name, out);
+        return;
+    }
     const NumberFault fault = append_number(out, number, format, word.dimension, modal_.units);
+    if (fault != NumberFault::None) number_fault(block, fault, number, name);
+}
+
+/// A ratio is as exact as it is meant, whatever the decimals of its letter; in thousandths it is a
+/// whole number, and what is finer cannot be said.
+void BlockWriter::append_factor(const Block& block, double number, bool in_thousandths,
+                                std::string_view name, std::string& out) {
+    constexpr int kDecimals = 6;
+    constexpr double kNoise = 1e-6;  // of a product with 1000
+    NumberFormat format;
+    format.decimals = in_thousandths ? 0 : kDecimals;
+    if (in_thousandths) format.point = PointRule::Never;
+    NumberFault fault = append_number(out, number, format, Dimension::Factor, modal_.units);
+    if (in_thousandths && std::fabs(number - std::nearbyint(number)) > kNoise)
+        fault = NumberFault::NotReadBack;
     if (fault != NumberFault::None) number_fault(block, fault, number, name);
 }
 

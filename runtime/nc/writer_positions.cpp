@@ -50,8 +50,11 @@ void BlockWriter::place_targets(const Block& block, Targets& targets) {
     const SlotMask given = block.given & kTargetSlots;
     const bool is_absolute_text = modal_.text_of(Group::Distance) != Function::Incremental;
     const SlotMask distances = block.incremental & given;
+    // On the way to the reference point the control's own habit is a distance: G91 G28 Z0.
+    const bool is_return =
+        block.function_count != 0 && block.find(Function::ReferenceReturn) != nullptr;
     if (!tables_.rules.has_modes && is_absolute_text && given != 0 && distances == given &&
-        (modal_.position.known & given) != given) {
+        (is_return || (modal_.position.known & given) != given)) {
         targets.needs_incremental = true;
     }
     for (std::size_t axis = 0; axis < kAxes; ++axis) {

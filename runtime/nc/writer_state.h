@@ -39,9 +39,15 @@ struct WriterModal {
     Standing speed;
     double meant_feed = 0;  // of the blocks; holds if has_meant_feed
     bool has_meant_feed = false;
+    double meant_speed = 0;  // holds if has_meant_speed
+    bool has_meant_speed = false;
+    Standing tool;            // the last one that was called
+    Standing edge;            // the cutting edge that the text has selected
+    double waiting_edge = 0;  // the one that a block without tool length has put aside; 0: none
     WrittenPosition position;
     Activity rotation = Activity::No;
     Activity mirror = Activity::No;
+    Activity scale = Activity::No;
     SlotMask turned = 0;               // axes on which a rotation or mirroring acts
     std::array<Standing, 3> shift{};   // arguments of a function that remembers them
     std::array<Standing, 3> origin{};  // programmable shift as the program means it, mm
@@ -77,9 +83,11 @@ struct WriterModal {
     void forget() {
         meant.fill(Function::None);
         text.fill(Function::None);
-        feed.is_known = speed.is_known = has_meant_feed = false;
+        feed.is_known = speed.is_known = has_meant_feed = has_meant_speed = false;
+        tool.is_known = edge.is_known = false;
+        waiting_edge = 0;
         position.forget();
-        rotation = mirror = Activity::Unknown;
+        rotation = mirror = scale = Activity::Unknown;
         turned = kTargetSlots;
         for (Standing& s : shift) s.is_known = false;
         for (Standing& s : origin) s.is_known = false;

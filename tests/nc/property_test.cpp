@@ -106,10 +106,32 @@ Block any_block(const DialectTables& tables) {
         add_function(block, tables, any_of({F::CoolantFlood, F::CoolantMist, F::CoolantOff}));
     if (maybe()) {
         add_function(block, tables,
-                     any_of({F::SpeedLimit, F::LengthCompOn, F::LengthCompOff, F::WorkOffset,
-                             F::Shift, F::ShiftAdd, F::Rotate, F::Mirror, F::SetPosition,
-                             F::ToolSelect, F::ToolChange, F::ToolEdge, F::Dwell, F::Stop,
-                             F::OptionalStop, F::End, F::EndRewind, F::Message, F::ExactStopOnce}));
+                     any_of({F::SpeedLimit,
+                             F::LengthCompOn,
+                             F::LengthCompOff,
+                             F::WorkOffset,
+                             F::Shift,
+                             F::ShiftAdd,
+                             F::Rotate,
+                             F::Mirror,
+                             F::SetPosition,
+                             F::RadiusOffset,
+                             F::ReferenceReturn,
+                             F::TapRigid,
+                             F::TapFloating,
+                             F::DiameterOn,
+                             F::DiameterOff,
+                             F::ScaleOff,
+                             F::ToolSelect,
+                             F::ToolChange,
+                             F::ToolEdge,
+                             F::Dwell,
+                             F::Stop,
+                             F::OptionalStop,
+                             F::End,
+                             F::EndRewind,
+                             F::Message,
+                             F::ExactStopOnce}));
     }
     if (maybe()) block.skip = static_cast<std::int8_t>(*rc::gen::inRange(0, 10));
     if (maybe()) block.number = *rc::gen::inRange(1, 99999);
@@ -150,9 +172,37 @@ Block merged(const std::vector<Block>& blocks) {
 void complete_shift(Block& block) {
     for (std::size_t i = 0; i < block.function_count; ++i) {
         Invocation& invocation = block.functions[i];
-        if (invocation.function != Function::Shift) continue;
-        for (std::size_t p = 0; p < 3; ++p)
+        if (invocation.function == Function::ReferenceReturn) {
+            block.set_argument(invocation, 0, block.argument(invocation, 0, 1));
+        }
+        // The centre of a rotation stands behind its angle.
+        const bool is_rotation = invocation.function == Function::Rotate;
+        if (invocation.function != Function::Shift && !is_rotation) continue;
+        const std::size_t first = is_rotation ? 1 : 0;
+        for (std::size_t p = first; p < first + 3; ++p)
             block.set_argument(invocation, p, block.argument(invocation, p));
+    }
+}
+
+/// A control without a centre of rotation says it as a shift to the centre, the rotation, and the
+/// shift back.
+void fold_center(Block& block) {
+    for (std::size_t i = 0; i + 2 < block.function_count; ++i) {
+        const Invocation to = block.functions[i];
+        Invocation rotation = block.functions[i + 1];
+        const Invocation back = block.functions[i + 2];
+        if (to.function != Function::ShiftAdd || rotation.function != Function::Rotate ||
+            back.function != Function::ShiftAdd || to.given != back.given)
+            continue;
+        for (std::size_t p = 0; p < 3; ++p) {
+            if ((to.given >> p & 1u) == 0) continue;
+            RC_ASSERT(block.argument(to, p) == -block.argument(back, p));
+            block.set_argument(rotation, p + 1, block.argument(to, p));
+        }
+        block.functions[i] = rotation;
+        for (std::size_t j = i + 1; j + 2 < block.function_count; ++j)
+            block.functions[j] = block.functions[j + 2];
+        block.function_count = static_cast<std::uint8_t>(block.function_count - 2);
     }
 }
 
@@ -180,6 +230,7 @@ void check_round_trip(const Dialect& dialect) {
     const auto result = read_blocks(dialect, text);
     Block back = merged(result.blocks);
     // G04 without a time and the like exist on some controls only; what is compared is the meaning.
+    fold_center(back);
     complete_shift(block);
     complete_shift(back);
     drop_standing(block);

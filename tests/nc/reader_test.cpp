@@ -74,7 +74,19 @@ TEST(Reader, FanucWords) {
                       {"G04", "exact_stop_once"},
                       {"G52 X60.", "shift(x=60)"},
                       {"G92 S3000", "speed_limit(limit=3000)"},
-                      {"G68 X0. Y0. R30.", "rotate(angle=30)"},
+                      {"G68 X0. Y0. R30.", "rotate(angle=30, x=0, y=0)"},
+                      {"G68 R30.", "rotate(angle=30)"},
+                      {"G51 X10. Y5. Z0. P1500\nG51 X0 Y0 Z0 I2000 J500 K1000\nG50",
+                       "scale(factor=1.5, x=10, y=5, z=0)\n"
+                       "scale(x=0, y=0, z=0, fx=2, fy=0.5, fz=1)\nscale_off"},
+                      {"G91 G28 Z0.\nG30 P3 X1.\nG30 Y1.",
+                       "Z0 | incremental | reference_return(point=1)\n"
+                       "X1 | reference_return(point=3)\nY1 | reference_return(point=2)"},
+                      {"M29 S800\nG98 G84 Z-10. R2. F800.",
+                       "S800 | tap_rigid\n"
+                       "F800 | cycle_return_initial | cycle#3(0=-10, 2=2, 5=0, 6=1)"},
+                      {"G41 D21 X5.", "X5 | radius_comp_left | radius_offset(offset=21)"},
+                      {"M88", "machine_function(number=88)"},
                       {"G98 G83 X5. Z-12. R2. Q3. F180.",
                        "X5 F180 | cycle_return_initial | cycle#1(0=-12, 1=3, 2=2, 4=0)"},
                       {"G82 Z-5. R2. P500", "cycle#0(0=-5, 1=2, 3=0.5)"},
@@ -112,6 +124,15 @@ TEST(Reader, SinumerikWords) {
              "tool_select | tool_edge(edge=1) \"MILL_10\"\ntool_select(tool=3)"},
             {"MSG(\"ready; go\")\nMSG()", "message(text=\"ready; go\")\nmessage"},
             {"TRANS X10 Y=5\nTRANS\nAMIRROR X0", "shift(x=10, y=5)\nshift\nmirror(x=0)"},
+            {"ROT RPL=30\nROT\nSCALE X2\nMIRROR X0",
+             "shift | rotate(angle=30)\nshift\nshift | scale(fx=2)\nshift | mirror(x=0)"},
+            {"G75 FP=2 Z1=0\nG74 X1=0 Y1=0",
+             "reference_point(point=2, z=0)\nreference_point(point=1, x=0, y=0)"},
+            {"G331 Z-10 K-1.25 S300\nG63 Z2 F375",
+             "tap_in Z-10 K-1.25 S300\nZ2 F375 | tap_floating"},
+            {"CYCLE84(50,2,0,-10,,,5,,-1.25,0,600)",
+             "cycle#3(0=-10, 1=1.25, 2=2, 3=50, 5=1, 6=0, 7=600, 9=5)"},
+            {"M41", "machine_function(number=41)"},
             {"G4 F2.5\nG4 S30", "dwell(time=2.5)\ndwell(revolutions=30)"},
             {"LIMS=3000", "speed_limit(limit=3000)"},
             {"G96 S120\nG97\nG94",
@@ -173,7 +194,7 @@ TEST(Reader, FanucAlarms) {
                                {"S100.5", "PS0007", 1, 1},
                                {"G01 X1. F-5.", "PS0006", 1, 9},
                                {"G01 X1. P5", "PS0009", 1, 9},
-                               {"G68 X10. Y5. R30.", "PS0010", 1, 5},
+                               {"G68 X10. Y5.", "PS0010", 1, 1},
                                {"G04 X1. P500", "PS0010", 1, 5},
                                {"X1.\nX1. (ROUGH\nX2.", "PS0004", 2, 5},
                                {"G01 x5.", "PS0004", 1, 5},
@@ -213,9 +234,10 @@ TEST(Reader, WhatIsNotReadYetSaysSo) {
 }
 
 TEST(Reader, WordsWithoutEffectAreAccepted) {
-    expect_blocks("fanuc", {{"G40G49G80G69G50G15",
-                             "radius_comp_off | length_comp_off | cycle_off | rotate_off"},
-                            {"G05.1 Q1\nG01 X1.", "line X1"}});
+    expect_blocks("fanuc",
+                  {{"G40G49G80G69G50G15",
+                    "radius_comp_off | length_comp_off | cycle_off | rotate_off | scale_off"},
+                   {"G05.1 Q1\nG01 X1.", "line X1"}});
     expect_blocks("sinumerik", {{"G1 SOFT G601 X5 NORM", "line X5"}, {"STOPRE", ""}});
     // Repeats of a cycle are not executed, so they are not passed over either.
     EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "G81 X1. Z-5. R2. K3").messages),

@@ -98,7 +98,7 @@ TEST(Writer, NumbersFollowTheControl) {
     expect_text("fanuc", {
                              {"G0 X10 Y-0.5 Z0.0004", "X10. Y-0.5 Z0.\n"},
                              {"G1 X1.2346 F200.5", "G01 X1.235 F200.5\n"},
-                             {"S2400.4 M3\nT3 M6\nD1", "S2400 M03\nT03 M06\nD01\n"},
+                             {"S2400.4 M3\nT3 M6\nDR=1", "S2400 M03\nT03 M06\nD01\n"},
                              {"G4 P0.25", "G04 P250\n"},
                          });
     expect_text("sinumerik", {
