@@ -11,6 +11,9 @@ namespace kadr::nc {
 
 namespace {
 
+bool is_digit(char c) { return static_cast<unsigned char>(c - '0') <= 9; }
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
 /// How a letter is treated on the fast way; made once a reader.
 struct FastLetter {
     enum class Kind : std::uint8_t { None, Slot, Code, Number };
@@ -19,10 +22,43 @@ struct FastLetter {
     AddressId address = kNoAddress;
     Dimension dimension = Dimension::Number;
     const NumberFormat* format = nullptr;
+    bool is_literal = false;  // a number means what it says, and the control takes every one
 };
 
-bool is_digit(char c) { return static_cast<unsigned char>(c - '0') <= 9; }
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
+/// Whether no number of the format needs a second look.
+bool is_literal(const NumberFormat& format) {
+    return format.increment == 0 && format.inch_increment == 0 &&
+           format.revolution_increment == 0 && !format.truncates && format.max_digits == 0 &&
+           format.point == PointRule::Needed && format.allows_minus;
+}
+
+/// A number as nearly all are: `-12.345`, no more than 15 digits, whose value is then the exact
+/// quotient of two exact numbers. False: it is another one, and `p` is where it was.
+inline bool take_short_number(const char*& p, const char* end, double& value) {
+    constexpr std::array<double, 16> kPowersOfTen = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                     1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+    const char* at = p;
+    const bool is_negative = at != end && *at == '-';
+    if (is_negative) ++at;
+    const char* const first = at;
+    std::uint64_t mantissa = 0;
+    for (; at != end && is_digit(*at); ++at)
+        mantissa = mantissa * 10 + static_cast<std::uint64_t>(*at - '0');
+    std::ptrdiff_t digits = at - first;
+    std::ptrdiff_t decimals = 0;
+    if (at != end && *at == '.') {
+        const char* const point = at++;
+        for (; at != end && is_digit(*at); ++at)
+            mantissa = mantissa * 10 + static_cast<std::uint64_t>(*at - '0');
+        decimals = at - point - 1;
+        digits += decimals;
+    }
+    if (digits == 0 || digits > 15) return false;
+    value = static_cast<double>(mantissa) / kPowersOfTen[static_cast<std::size_t>(decimals)];
+    if (is_negative) value = -value;
+    p = at;
+    return true;
+}
 
 /// Lines out of pieces of text; a line inside one piece is not copied.
 class LineSource {
@@ -104,6 +140,7 @@ struct Reader::State {
     std::array<FastLetter, 128> letters;
     ModalFunctions modal{};
     TextUnits units;
+    std::array<double, static_cast<std::size_t>(Dimension::Text) + 1> slot_scales{};
     bool feed_stays_metric = false;
     std::uint64_t line_number = 0;
     bool failed = false;
@@ -123,6 +160,7 @@ struct Reader::State {
             fast.address = id;
             fast.format = &address.format;
             fast.dimension = address.dimension;
+            fast.is_literal = is_literal(address.format);
             if (address.is_block_number) {
                 fast.kind = FastLetter::Kind::Number;
             } else if (address.kind == Address::Kind::Code) {
@@ -217,17 +255,21 @@ bool Reader::State::read_fast(std::string_view line, Block& block) const {
         const FastLetter& fast = letters[letter];
         ++p;
         if (fast.kind == FastLetter::Kind::Slot) {
-            const Decimal decimal = parse_decimal(p, end);
-            if (decimal.end == p || block.has(fast.slot)) return false;
-            const bool is_minus = *p == '-';
-            p = decimal.end;
+            if (block.has(fast.slot)) return false;
+            double meaning = 0;
+            if (!fast.is_literal || !take_short_number(p, end, meaning)) {
+                const Decimal decimal = parse_decimal(p, end);
+                if (decimal.end == p) return false;
+                const bool is_minus = *p == '-';
+                p = decimal.end;
+                meaning = read_meaning(decimal, *fast.format, fast.dimension, units);
+                if (check_read(decimal, is_minus, meaning, *fast.format, fast.dimension, units) !=
+                    NumberFault::None)
+                    return false;
+            }
             if (p != end && (*p == '=' || *p == 'E' || *p == 'e' || *p == '#' || *p == '['))
                 return false;
-            const double meaning = read_meaning(decimal, *fast.format, fast.dimension, units);
-            if (check_read(decimal, is_minus, meaning, *fast.format, fast.dimension, units) !=
-                NumberFault::None)
-                return false;
-            const double scale = text_scale(fast.dimension, units, true);
+            const double scale = slot_scales[static_cast<std::size_t>(fast.dimension)];
             block.set(fast.slot, scale == 1 ? meaning : meaning / scale);
         } else if (fast.kind == FastLetter::Kind::Code) {
             std::size_t code = 0;
@@ -385,6 +427,8 @@ void Reader::State::follow_units() {
     units.per_revolution = active(Group::FeedMode) == Function::FeedPerRevolution;
     units.inverse_time = active(Group::FeedMode) == Function::FeedInverseTime;
     units.cutting_speed = active(Group::SpeedMode) == Function::CuttingSpeedOn;
+    for (std::size_t i = 0; i < slot_scales.size(); ++i)
+        slot_scales[i] = text_scale(static_cast<Dimension>(i), units, true);
 }
 
 // ---------------------------------------------------------------- messages

@@ -313,6 +313,8 @@ Block any_crowded_block(const Dialect& dialect) {
     return block;
 }
 
+constexpr double kHalfIncrement = 0.5 * 25.4e-4 + 1e-9;  // mm; of the coarsest, 0.0001 inch
+
 /// The first field of `meant` that none of the blocks has; empty: all of them are there.
 std::string lost_field(const Block& meant, std::span<const Block> blocks, const Dialect& dialect) {
     ModalFunctions modal = dialect.tables().power_on;
@@ -346,7 +348,8 @@ std::string lost_field(const Block& meant, std::span<const Block> blocks, const 
             if (found == nullptr) return false;
             for (std::size_t p = 0; p < kMaxArguments && p < 32; ++p) {
                 if ((invocation.given & found->given) >> p % 32 & 1u)
-                    if (std::fabs(meant.argument(invocation, p) - b.argument(*found, p)) > 0.0005)
+                    if (std::fabs(meant.argument(invocation, p) - b.argument(*found, p)) >
+                        kHalfIncrement)
                         return false;
             }
             // What a cycle takes from its position has no word.
