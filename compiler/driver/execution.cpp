@@ -108,7 +108,7 @@ class Execution::StatementNotes final : public DiagnosticSink {
     DiagnosticSink& next_;
 };
 
-Execution::Execution(Session& session) : session_(session) {}
+Execution::Execution(Session& session) : session_(session), deadline_(session.options().max_time) {}
 Execution::~Execution() = default;
 
 std::unique_ptr<FileText> open_source(Session& session, const std::string& source) {
@@ -176,8 +176,15 @@ void Execution::connect() {
 }
 
 std::size_t Execution::pull(std::span<path::Command> out) {
+    if (is_late_) return 0;
+    if (deadline_.is_over()) {
+        is_late_ = true;
+        sink_->report(diag::TimeIsUp, place_of(last_line_)).arg(deadline_.seconds());
+        return 0;
+    }
     const std::size_t alarms = session_.messages().alarms();
     const std::size_t count = interpreter_->pull(out);
+    if (count > 0) last_line_ = out[count - 1].line;
     has_stopped_ = has_stopped_ || session_.messages().alarms() > alarms;
     // Stopped without a word of its own: the reader knows why.
     if (count == 0 && interpreter_->alarmed() && !has_stopped_) held_->release();

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "driver/deadline.h"
 #include "driver/line_map.h"
 #include "driver/output.h"
 #include "driver/program.h"
@@ -37,6 +38,7 @@ class GeneratedText final : public nc::TextSource {
   private:
     void write_batch();
     void map_block(std::size_t index, std::uint32_t line);
+    SourceRange last_statement() const;
 
     Session& session_;
     const Program& program_;
@@ -48,6 +50,9 @@ class GeneratedText final : public nc::TextSource {
     std::string text_;
     std::string entry_;
     std::uint64_t blocks_ = 0;
+    Deadline deadline_;
+    bool is_late_ = false;
+    SourceId last_source_;
     bool is_at_end_ = false;
 };
 

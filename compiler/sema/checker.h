@@ -99,6 +99,7 @@ class Checker {
     bool is_lost(std::string_view name);
     std::vector<std::string_view> known_names(bool functions) const;
     void leave_scope(std::size_t symbols);
+    void report_unused(const Symbol& symbol);
     std::vector<Givenness> remember_givenness() const;
     void merge_givenness(const std::vector<Givenness>& other);
     void set_givenness(const std::vector<Givenness>& other);
@@ -181,6 +182,7 @@ class Checker {
     Value contains(const syntax::Expr& expr, Reg hint);
     struct Comparison;
     std::optional<Comparison> comparison(const syntax::Expr& expr);
+    void warn_equality(const syntax::Expr& expr, const Value& left, const Value& right);
     /// Makes two numbers comparable and addable: the same quantity; false: reported.
     bool match_quantities(Value& left, Value& right, const syntax::Expr& expr);
     Value to_real(const Value& value);
@@ -192,6 +194,7 @@ class Checker {
 
     // places.cpp
     std::optional<Place> place(syntax::ExprId id);
+    bool is_read(syntax::ExprId id);
     std::optional<Place> name_place(syntax::ExprId id);
     std::optional<Place> member_place(syntax::ExprId id);
     std::optional<Place> element_place(syntax::ExprId id);
@@ -272,7 +275,8 @@ class Checker {
     // blocks.cpp
     void words_statement(const syntax::Stmt& stmt);
     bool emit_words(std::span<const syntax::Word> words, syntax::ExprId point,
-                    const SourceRange& range);
+                    const SourceRange& range, std::int8_t skip = -1);
+    void check_skipped(const Plan& plan, std::span<const syntax::Word> words);
     std::optional<nc::BlockPlan> plan_words(std::span<const syntax::Word> words);
     void check_units_function(nc::Function function, const SourceRange& range);
     void check_units_words(const nc::BlockPlan& plan, std::span<const syntax::Word> words);
@@ -350,7 +354,13 @@ class Checker {
     int loop_depth_ = 0;
     const FunctionDecl* function_ = nullptr;
     bool has_preserves_ = false;
+    struct Unused {
+        SourceRange range;
+        std::string_view name;
+    };
+    std::vector<Unused> unused_;  // local variables
     bool is_startup_ = false;
+    bool in_expectation_ = false;  // `expect(run.min.z == -12mm)` says what a result is
     std::optional<nc::CycleId> current_native_;
     Reg for_limit_ = kNoReg;  // register of the constant that ends a `for`
     bool last_unset_ = false;

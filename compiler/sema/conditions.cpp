@@ -15,6 +15,29 @@ struct Checker::Comparison {
     Value right;
 };
 
+/// Real numbers that were calculated are hardly ever equal. What the user gave, a parameter or a
+/// row of a table, may be compared with a constant: it is either that number or it is not.
+void Checker::warn_equality(const Expr& expr, const Value& left, const Value& right) {
+    if (module_ != 0 || function_ == nullptr || in_expectation_) return;
+    if (left.is_constant() && right.is_constant()) return;
+    const auto is_as_given = [&](ExprId id) {
+        while (ast()[id].kind == ExprKind::Member || ast()[id].kind == ExprKind::Index)
+            id = ast()[id].child[0];
+        if (ast()[id].kind != ExprKind::Name) return false;
+        const std::int32_t symbol = find(text(ast()[id].text)).symbol;
+        if (symbol < 0) return false;
+        const Symbol& found = symbols_[static_cast<std::size_t>(symbol)];
+        return (found.is_parameter || found.is_row) && !found.is_assigned;
+    };
+    if (left.is_constant() && is_as_given(expr.child[1])) return;
+    if (right.is_constant() && is_as_given(expr.child[0])) return;
+    report(diag::RealEquality, expr.range)
+        .arg(spelling(expr.op))
+        .fix(expr.op == Operator::Equal
+                 ? "compare with a tolerance: `abs(a - b) < 0.001mm`, or with `<=` or `>=`"
+                 : "compare with a tolerance: `abs(a - b) > 0.001mm`, or with `<` or `>`");
+}
+
 std::optional<Checker::Comparison> Checker::comparison(const Expr& expr) {
     Comparison result;
     result.op = expr.op;
@@ -43,6 +66,7 @@ std::optional<Checker::Comparison> Checker::comparison(const Expr& expr) {
             return result;
         }
         if (!match_quantities(left, right, expr)) return std::nullopt;
+        if (is_equality) warn_equality(expr, left, right);
         const bool is_family = kind(left.type) == Kind::Feed || kind(left.type) == Kind::Speed;
         result.is_real = true;
         result.left = to_real(left);

@@ -66,7 +66,8 @@ std::uint32_t BlockWriter::write(const Block& block, std::string& out) {
     const std::uint32_t before = lines_;
     switch (block.kind) {
         case Block::Kind::Nc:
-            if (!write_fast(block, out)) write_block(block, out);
+            if (block.skip >= 0) write_skipped(block, out);
+            else if (!write_fast(block, out)) write_block(block, out);
             break;
         case Block::Kind::Comment: write_comment(block, out); break;
         case Block::Kind::Raw: write_raw(block, out); break;
@@ -85,6 +86,22 @@ bool BlockWriter::is_standing(Slot slot, double value, const Standing& standing)
 
 Function BlockWriter::effective_motion(const Block& block) const {
     return block.motion != Function::None ? block.motion : modal_.meant[index_of(Group::Motion)];
+}
+
+/// A block that the operator may leave out: behind it, only what is the same with and without it
+/// is known, so that everything else is said again.
+void BlockWriter::write_skipped(const Block& block, std::string& out) {
+    if (block.skip >= tables_.rules.skip_levels) {
+        cannot_express(block, "the skip level " + std::to_string(block.skip));
+        return;
+    }
+    const std::size_t waiting = pending_.size();
+    const WriterModal before = modal_;
+    write_block(block, out);
+    if (pending_.size() < waiting) {
+        cannot_express(block, "a block that may be left out where the tool length begins to act");
+    }
+    modal_.keep_common(before);
 }
 
 void BlockWriter::write_block(const Block& block, std::string& out) {

@@ -56,6 +56,7 @@ class BlockWriter {
     void write_comment(const Block& block, std::string& out);
     void write_raw(const Block& block, std::string& out);
     void write_block(const Block& block, std::string& out);
+    void write_skipped(const Block& block, std::string& out);
 
     // The fast way, for straight moves
     struct FastAxis {

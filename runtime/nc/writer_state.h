@@ -44,6 +44,27 @@ struct WriterModal {
     Function& text_of(Group group) { return text[static_cast<std::size_t>(group)]; }
     Function& meant_of(Group group) { return meant[static_cast<std::size_t>(group)]; }
 
+    /// Keeps of the control's state only what was the same in another one.
+    void keep_common(const WriterModal& other) {
+        for (std::size_t i = 0; i < text.size(); ++i) {
+            if (text[i] != other.text[i]) text[i] = Function::None;
+        }
+        const auto keep = [](Standing& mine, const Standing& theirs) {
+            mine.is_known = mine.is_known && theirs.is_known && mine.value == theirs.value;
+        };
+        keep(feed, other.feed);
+        keep(speed, other.speed);
+        for (std::size_t i = 0; i < shift.size(); ++i) keep(shift[i], other.shift[i]);
+        if (rotation != other.rotation) rotation = Activity::Unknown;
+        if (mirror != other.mirror) mirror = Activity::Unknown;
+        position.known &= other.position.known;
+        for (std::size_t i = 0; i < kAxes; ++i) {
+            const bool is_same = position.text[i] == other.position.text[i] &&
+                                 position.meant[i] == other.position.meant[i];
+            if (!is_same) position.known &= static_cast<SlotMask>(~(SlotMask{1} << i));
+        }
+    }
+
     /// After raw text nothing is known.
     void forget() {
         meant.fill(Function::None);
