@@ -16,7 +16,9 @@ enum class Verb : std::uint8_t {
     Expand,
     Run,
     Check,
+    Test,
     Format,
+    Repl,
     Explain,
     DialectList,
     DialectCheck,
@@ -30,6 +32,7 @@ struct CommandLine {
     driver::Options options;
     driver::ExpandJob expand;
     driver::RunJob run;
+    driver::TestJob test;
     std::vector<std::string> sources;  // check, fmt
     driver::FormatMode format = driver::FormatMode::Write;
     std::string file;  // dialect and machine: a name or a file

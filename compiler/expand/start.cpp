@@ -58,8 +58,7 @@ std::string from_command_line(std::string_view name, std::string_view value) {
 Expander::State::State(const sema::Code& program, const nc::Dialect& dialect,
                        const ExpandOptions& wanted, DiagnosticSink& messages)
     : code(program), target(dialect), options(wanted), sink(messages), heap(program) {
-    // The counter is taken down before it is compared: one more than is allowed.
-    turns_left = std::max<std::uint64_t>(options.limits.loop_turns, 1) + 1;
+    turns_reserve = std::max<std::uint64_t>(options.limits.loop_turns, 1);
     blocks_left = options.limits.blocks;
     all_given.reserve(code.functions.size());
     for (const FunctionCode& function : code.functions) {

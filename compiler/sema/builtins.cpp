@@ -14,10 +14,12 @@ using syntax::ExprKind;
 
 namespace {
 
-constexpr std::array<std::string_view, 29> kNames = {
-    "abs",   "acos",  "asin", "atan", "atan2", "cbrt",  "ceil", "cos",  "distance", "exp",
-    "floor", "hypot", "int",  "ln",   "log",   "log10", "max",  "min",  "mod",      "pow",
-    "real",  "round", "sign", "sin",  "sqrt",  "table", "tan",  "text", "trunc",
+constexpr std::array<std::string_view, 34> kNames = {
+    "abs",   "acos",     "asin",    "atan",         "atan2",   "cbrt",     "ceil",
+    "cos",   "distance", "exp",     "floor",        "hypot",   "int",      "ln",
+    "log",   "log10",    "max",     "min",          "mod",     "pow",      "real",
+    "round", "sign",     "sin",     "sqrt",         "table",   "tan",      "text",
+    "trunc", "execute",  "attempt", "expect_error", "dialect", "dialects",
 };
 
 }  // namespace
@@ -360,6 +362,7 @@ std::optional<Value> Checker::builtin(std::string_view name, const Expr& expr, R
         if (!value) return error_value();
         return convert(*value, types::kReal, ast()[item].range, name);
     }
+    if (const std::optional<Value> value = test_builtin(name, expr)) return *value;
     if (name == "text") {
         if (!count_arguments(expr, name, 1, 1)) return error_value();
         const ExprId item = ast().exprs(expr.list)[0];

@@ -130,9 +130,11 @@ void Checker::finish() {
         const FunctionDecl& function = functions_[i];
         FunctionCode& entry = code_->functions[i + 1];
         entry.name = function.name;
-        entry.kind = function.kind == DeclKind::Program ? FunctionKind::Program
-                     : function.kind == DeclKind::Cycle ? FunctionKind::Cycle
-                                                        : FunctionKind::Plain;
+        entry.kind = function.kind == DeclKind::Program    ? FunctionKind::Program
+                     : function.kind == DeclKind::Cycle    ? FunctionKind::Cycle
+                     : function.kind == DeclKind::Test     ? FunctionKind::Test
+                     : function.kind == DeclKind::Property ? FunctionKind::Property
+                                                           : FunctionKind::Plain;
         entry.result_slots = type_info(function.result).slots;
         entry.units = units_of(function);
         entry.range = function.range;

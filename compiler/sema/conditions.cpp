@@ -8,18 +8,12 @@ using syntax::ExprId;
 using syntax::ExprKind;
 using syntax::Operator;
 
-struct Checker::Comparison {
-    Operator op = Operator::Equal;
-    bool is_real = false;
-    Value left;
-    Value right;
-};
-
-/// Real numbers that were calculated are hardly ever equal. What the user gave, a parameter or a
-/// row of a table, may be compared with a constant: it is either that number or it is not.
+/// Real numbers that were calculated are hardly ever equal. What the user gave, a parameter or a row
+/// of a table, and constants may be compared: they are the same number or they are not.
 void Checker::warn_equality(const Expr& expr, const Value& left, const Value& right) {
-    if (module_ != 0 || function_ == nullptr || in_expectation_) return;
-    if (left.is_constant() && right.is_constant()) return;
+    if (module_ != 0 || function_ == nullptr) return;
+    if (!types_.is_numeric(left.type) || !types_.is_numeric(right.type)) return;
+    if (kind(left.type) == Kind::Int && kind(right.type) == Kind::Int) return;
     const auto is_as_given = [&](ExprId id) {
         while (ast()[id].kind == ExprKind::Member || ast()[id].kind == ExprKind::Index)
             id = ast()[id].child[0];
@@ -29,8 +23,10 @@ void Checker::warn_equality(const Expr& expr, const Value& left, const Value& ri
         const Symbol& found = symbols_[static_cast<std::size_t>(symbol)];
         return (found.is_parameter || found.is_row) && !found.is_assigned;
     };
-    if (left.is_constant() && is_as_given(expr.child[1])) return;
-    if (right.is_constant() && is_as_given(expr.child[0])) return;
+    if ((left.is_constant() || is_as_given(expr.child[0])) &&
+        (right.is_constant() || is_as_given(expr.child[1]))) {
+        return;
+    }
     report(diag::RealEquality, expr.range)
         .arg(spelling(expr.op))
         .fix(expr.op == Operator::Equal
@@ -39,8 +35,16 @@ void Checker::warn_equality(const Expr& expr, const Value& left, const Value& ri
 }
 
 std::optional<Checker::Comparison> Checker::comparison(const Expr& expr) {
-    Comparison result;
-    result.op = expr.op;
+    const std::optional<Sides> sides = compared_sides(expr);
+    if (!sides) return std::nullopt;
+    const bool is_equality = expr.op == Operator::Equal || expr.op == Operator::NotEqual;
+    std::optional<Comparison> found = compare(expr, sides->left, sides->right);
+    if (found && is_equality) warn_equality(expr, sides->left, sides->right);
+    return found;
+}
+
+/// Both sides of a comparison, each evaluated once and given.
+std::optional<Checker::Sides> Checker::compared_sides(const Expr& expr) {
     const SourceRange left_range = ast()[expr.child[0]].range;
     const SourceRange right_range = ast()[expr.child[1]].range;
     Value left = expression(expr.child[0]);
@@ -56,6 +60,12 @@ std::optional<Checker::Comparison> Checker::comparison(const Expr& expr) {
     left = require_given(left, left_range, {});
     right = require_given(right, right_range, {});
     if (is_error(left) || is_error(right)) return std::nullopt;
+    return Sides{left, right};
+}
+
+std::optional<Checker::Comparison> Checker::compare(const Expr& expr, Value left, Value right) {
+    Comparison result;
+    result.op = expr.op;
     const bool is_equality = expr.op == Operator::Equal || expr.op == Operator::NotEqual;
     const Kind a = kind(left.type);
     const Kind b = kind(right.type);
@@ -66,7 +76,6 @@ std::optional<Checker::Comparison> Checker::comparison(const Expr& expr) {
             return result;
         }
         if (!match_quantities(left, right, expr)) return std::nullopt;
-        if (is_equality) warn_equality(expr, left, right);
         const bool is_family = kind(left.type) == Kind::Feed || kind(left.type) == Kind::Speed;
         result.is_real = true;
         result.left = to_real(left);
@@ -211,7 +220,7 @@ void Checker::jump_compare(const Comparison& comparison, bool sense, Label& labe
 namespace {
 
 template <typename T>
-bool compare(Operator op, T a, T b) {
+bool holds(Operator op, T a, T b) {
     switch (op) {
         case Operator::Less: return a < b;
         case Operator::LessEqual: return a <= b;
@@ -263,10 +272,10 @@ void Checker::jump_if(ExprId id, bool sense, Label& label, int depth) {
     } else if (expr.kind == ExprKind::Binary && is_comparison(expr.op)) {
         if (const std::optional<Comparison> found = comparison(expr)) {
             if (found->left.is_constant() && found->right.is_constant()) {
-                jump_constant(found->is_real ? compare(expr.op, found->left.constant.number,
-                                                       found->right.constant.number)
-                                             : compare(expr.op, found->left.constant.integer,
-                                                       found->right.constant.integer));
+                jump_constant(found->is_real ? holds(expr.op, found->left.constant.number,
+                                                     found->right.constant.number)
+                                             : holds(expr.op, found->left.constant.integer,
+                                                     found->right.constant.integer));
             } else if (kind(found->left.type) == Kind::Bool && !found->right.is_constant() &&
                        expr.op != Operator::Equal && expr.op != Operator::NotEqual) {
                 check_condition(found->left, expr.range);
@@ -309,8 +318,8 @@ Value Checker::truth(ExprId id, Reg hint) {
         if (found->left.is_constant() && found->right.is_constant()) {
             const bool answer =
                 found->is_real
-                    ? compare(expr.op, found->left.constant.number, found->right.constant.number)
-                    : compare(expr.op, found->left.constant.integer, found->right.constant.integer);
+                    ? holds(expr.op, found->left.constant.number, found->right.constant.number)
+                    : holds(expr.op, found->left.constant.integer, found->right.constant.integer);
             return constant_integer(answer ? 1 : 0, types::kBool);
         }
         Value left = found->left;

@@ -99,8 +99,8 @@ bool Checker::statement(StmtId id) {
             break;
         case StmtKind::WarnStmt: text_statement(stmt, Op::UserWarning, 0); break;
         case StmtKind::Close: not_supported("`close`", stmt.range); break;
-        case StmtKind::Assume: not_supported("`assume`", stmt.range); break;
-        case StmtKind::Expect: not_supported("`expect`", stmt.range); break;
+        case StmtKind::Assume: assume_statement(stmt); break;
+        case StmtKind::Expect: expect_statement(stmt); break;
     }
     if (!keeps_registers) emit_.release_to(mark);
     emit_.set_place(before);
@@ -423,6 +423,7 @@ void Checker::text_statement(const Stmt& stmt, Op op, unsigned kind_of_text) {
     if (is_error(value)) return;
     const Reg reg = in_register(value);
     emit_.set_place(stmt.range);
+    if (op == Op::EmitText && is_in_test()) report_test_block(stmt.range);
     if (op == Op::EmitText) {
         emit_.emit_pair(op, reg, kind_of_text, static_cast<unsigned>(loop_depth_), 0,
                         statement_id(stmt.range));

@@ -29,9 +29,10 @@ enum class Kind : std::uint8_t {
     Speed,  // of the spindle or of cutting, likewise
     String,
     Enum,
-    Struct,  // points and vectors are built-in structs
-    Array,   // growing or fixed
-    Range,   // `1..6`, only in `for`
+    Struct,     // points and vectors are built-in structs
+    Array,      // growing or fixed
+    Range,      // `1..6`, only in `for`
+    Execution,  // what a test executed: a number that the test bench gave
 };
 
 struct TypeInfo {
@@ -85,6 +86,7 @@ inline constexpr Type kOptionalReal{12};
 inline constexpr Type kPoint{13};
 inline constexpr Type kVector{14};
 inline constexpr Type kRange{15};
+inline constexpr Type kExecution{16};
 }  // namespace types
 
 class TypeTable {

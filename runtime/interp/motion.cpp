@@ -155,6 +155,7 @@ void Executor::move_in_machine_coordinates(const Block& block) {
     command.to = to;
     command.moved = target.moved;
     command.machine_coordinates = !rules_.machine_coordinates_keep_length;
+    command.is_unshifted = true;
     command.exact_stop = true;
     command.feed = is_rapid ? 0 : modal_.feed;
     arrive(target);
@@ -402,7 +403,9 @@ void Executor::check_rapid(const Block& block, const Target& target) {
 
 /// A cut on a machine that changes tools, with whatever turns in the spindle.
 void Executor::check_tool(const Block& block) {
-    if (has_called_tool_ || machine_.tool_change_time == 0 || tool_.current != 0) return;
+    if (has_called_tool_ || !options_.asks_for_tool || machine_.tool_change_time == 0 ||
+        tool_.current != 0)
+        return;
     has_called_tool_ = true;  // said once
     report(diag::ToolNeverCalled, block);
 }

@@ -105,7 +105,7 @@ void BlockWriter::write_skipped(const Block& block, std::string& out) {
 }
 
 void BlockWriter::write_block(const Block& block, std::string& out) {
-    if (split_turns(block, out)) return;
+    if (split_turns(block, out) || straighten(block, out)) return;
     done_ = 0;
     choose_forms(block);
     write_functions_alone(block, out);

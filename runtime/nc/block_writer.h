@@ -111,6 +111,8 @@ class BlockWriter {
                             const PlanePoint& end) const;
     void drop_unchanged(const Block& block, const WrittenPosition& start, Targets& targets);
     bool split_turns(const Block& block, std::string& out);
+    bool straighten(const Block& block, std::string& out);
+    bool vanishes(const Block& block) const;
     bool is_known(std::size_t axis) const { return (modal_.position.known >> axis & 1u) != 0; }
     double to_text(Slot slot, double value) const;
     int decimals(Slot slot) const;

@@ -157,7 +157,9 @@ std::string respaced(const std::string& text, std::mt19937& random) {
         if (c == '\n') in_text = in_comment = false;
         if (c == '"' && !in_comment) in_text = !in_text;
         if (text.compare(i, 2, "//") == 0 && !in_text) in_comment = true;
-        if (c == ' ' && !in_comment && !in_text) {
+        // The indentation stays: it tells a statement that goes on from a forgotten `;`.
+        const bool is_indent = text.find_first_not_of(' ', text.rfind('\n', i) + 1) > i;
+        if (c == ' ' && !in_comment && !in_text && !is_indent) {
             out.append(1 + random() % 3, ' ');
         } else if (c == '\n') {
             out += random() % 2 == 0 ? "\n" : "  \r\n";
