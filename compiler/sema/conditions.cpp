@@ -8,8 +8,8 @@ using syntax::ExprId;
 using syntax::ExprKind;
 using syntax::Operator;
 
-/// Real numbers that were calculated are hardly ever equal. What the user gave, a parameter or a row
-/// of a table, and constants may be compared: they are the same number or they are not.
+/// Real numbers that were calculated are hardly ever equal. What the user gave, a parameter or a
+/// row of a table, and constants may be compared: they are the same number or they are not.
 void Checker::warn_equality(const Expr& expr, const Value& left, const Value& right) {
     if (module_ != 0 || function_ == nullptr) return;
     if (!types_.is_numeric(left.type) || !types_.is_numeric(right.type)) return;
