@@ -93,7 +93,7 @@ statement
     | Const variable                                                      # constantStatement
     | variable                                                            # variableStatement
     | Contour Identifier '=' block ';'                                    # contourStatement
-    | word+ (point word*)? ';'                                            # wordsStatement
+    | skip? word+ (point word*)? ';'                                      # wordsStatement
     | With modal (','? modal)* block                                      # withStatement
     | Note expression ';'                                                 # noteStatement
     | Raw (RawText | expression ';')                                      # rawStatement
@@ -122,6 +122,8 @@ switchCase : (Case range (',' range)* | Default) ':' statement* ;
 
 // ---------------------------------------------------------------- words of NC blocks
 
+skip : '/' Number? ;
+
 word
     : LiteralWord                                                         # literalWord
     | BareWord                                                            # bareWord
@@ -135,11 +137,11 @@ wordValue
 
 // The target of `G1 p;`. It begins with a name or a `{`, so that it cannot continue the value of
 // the word before it.
-point : pointStart (('+' | '-') operand)* ;
+point : pointStart (('+' | '-' | '*' | '/') operand)* ;
 
 pointStart
     : Identifier suffix*                                                  # namedPoint
-    | OpenValue (expression (',' expression)* ','?)? '}'                  # valuePoint
+    | OpenValue (argument (',' argument)* ','?)? '}'                      # valuePoint
     ;
 
 modal
@@ -173,7 +175,7 @@ primary
     | GenericName '<' type '>' '(' arguments? ')'                         # genericCall
     | Given Identifier                                                    # given
     | '(' expression ')'                                                  # parentheses
-    | OpenValue (expression (',' expression)* ','?)? '}'                  # braces
+    | OpenValue (argument (',' argument)* ','?)? '}'                      # braces
     ;
 
 suffix

@@ -24,16 +24,16 @@ constexpr const char* kEpilogue =
     "3 an alarm while running. `man kadr` says more.";
 
 /// Seconds of `1ms`, `0.002s`, `500us`; a bare number is seconds. Throws what CLI11 expects.
-double parse_time(const std::string& text) {
+double parse_time(const std::string& text, const char* option) {
     const Decimal number = parse_decimal(text.data(), text.data() + text.size());
     const std::string_view unit(number.end, text.data() + text.size());
     const double factor = unit == "s" || unit.empty() ? 1.0
                           : unit == "ms"              ? 1e-3
                           : unit == "us"              ? 1e-6
+                          : unit == "min"             ? 60.0
                                                       : 0.0;
     if (number.end == text.data() || factor == 0 || number.value <= 0) {
-        throw CLI::ValidationError("--tick",
-                                   "`" + text + "` is not a time; write `1ms` or `0.002s`");
+        throw CLI::ValidationError(option, "`" + text + "` is not a time; write `1ms` or `0.002s`");
     }
     return number.value * factor;
 }
@@ -80,6 +80,7 @@ class Parser {
     std::string plot_color_ = "feed";
     std::string messages_ = "text";
     std::string tick_;
+    std::string max_time_;
     std::string map_;
     std::vector<std::string> defines_;
     std::vector<int> skips_;
@@ -131,6 +132,13 @@ void Parser::add_expansion(CLI::App& command) {
         ->check(one_of({"native", "moves"}))
         ->type_name("native|moves");
     command.add_flag("--verbose-modal", line_.options.verbose_modal, "repeat modal words");
+    command
+        .add_option("--max-blocks", line_.options.max_blocks,
+                    "stop after so many blocks (made: 20000000 unless it is given)")
+        ->check(CLI::PositiveNumber.description(""))
+        ->type_name("N");
+    command.add_option("--max-time", max_time_, "stop after so much time of computing")
+        ->type_name("TIME");
     command.add_option("--map", map_, "source map, JSON Lines")->type_name("OUT.json");
 }
 
@@ -167,8 +175,6 @@ void Parser::add_run() {
     command->add_option("--variables", job.variables, "the control's variables at the end, JSON")
         ->type_name("OUT.json");
     command->add_option("--tick", tick_, "time between setpoints")->type_name("TIME");
-    command->add_option("--max-blocks", options.max_blocks, "cut the run after so many blocks")
-        ->type_name("N");
     command->add_option("--skip", skips_, "leave out blocks of this skip level")
         ->check(CLI::Range(0, 9).description(""))
         ->type_name("LEVEL")
@@ -261,7 +267,8 @@ CommandLine Parser::parse(int count, const char* const* arguments) {
     driver::Options& options = line_.options;
     for (const std::string& define : defines_) options.defines.push_back(parse_define(define));
     for (const int level : skips_) options.skip_levels |= static_cast<std::uint16_t>(1u << level);
-    if (!tick_.empty()) options.tick = parse_time(tick_);
+    if (!tick_.empty()) options.tick = parse_time(tick_, "--tick");
+    if (!max_time_.empty()) options.max_time = parse_time(max_time_, "--max-time");
     options.native_cycles = cycles_ == "native";
     line_.expand.source = line_.run.source = source_;
     line_.expand.map = line_.run.map = map_;

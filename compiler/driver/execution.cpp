@@ -112,7 +112,7 @@ class Execution::StatementNotes final : public DiagnosticSink {
     std::size_t alarms_ = 0;
 };
 
-Execution::Execution(Session& session) : session_(session) {}
+Execution::Execution(Session& session) : session_(session), deadline_(session.options().max_time) {}
 Execution::~Execution() = default;
 
 std::unique_ptr<FileText> open_source(Session& session, const std::string& source) {
@@ -210,16 +210,26 @@ void Execution::connect(DiagnosticSink& sink) {
     reader_ = std::make_unique<nc::Reader>(*dialect_, text, text_name_, *held_);
     tagged_ =
         std::make_unique<Tagger>(*reader_, *held_, generated_ ? &generated_->lines() : nullptr);
+    // A cycle that a test executes by itself runs with the tool of its caller.
+    const bool is_subject = generated_ && !own_program_;
     const interp::InterpreterOptions interpreter_options{.max_blocks = options.max_blocks,
                                                          .skip_levels = options.skip_levels,
-                                                         .optional_stop = options.optional_stop};
+                                                         .optional_stop = options.optional_stop,
+                                                         .asks_for_tool = !is_subject};
     interpreter_ = std::make_unique<interp::Interpreter>(
         *dialect_, *machine_, *tagged_, reader_.get(), cycles_, interpreter_options, *sink_);
 }
 
 std::size_t Execution::pull(std::span<path::Command> out) {
+    if (is_late_) return 0;
+    if (deadline_.is_over()) {
+        is_late_ = true;
+        sink_->report(diag::TimeIsUp, place_of(last_line_)).arg(deadline_.seconds());
+        return 0;
+    }
     const std::size_t alarms = sink_->alarms();
     const std::size_t count = interpreter_->pull(out);
+    if (count > 0) last_line_ = out[count - 1].line;
     has_stopped_ = has_stopped_ || sink_->alarms() > alarms;
     // Stopped without a word of its own: the reader knows why.
     if (count == 0 && interpreter_->alarmed() && !has_stopped_) held_->release();

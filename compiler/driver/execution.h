@@ -9,6 +9,7 @@
 #include <string>
 
 #include "driver/cycles.h"
+#include "driver/deadline.h"
 #include "driver/file_text.h"
 #include "driver/generated_text.h"
 #include "driver/program.h"
@@ -56,7 +57,7 @@ class Execution final : public Stream<path::Command> {
     /// Reads the text to its end without executing it, for the sake of its mistakes.
     void read_rest();
 
-    bool alarmed() const { return interpreter_->alarmed(); }
+    bool alarmed() const { return is_late_ || interpreter_->alarmed(); }
     /// Evaluating, writing or reading came to an error.
     bool failed() const;
     std::uint64_t blocks() const { return interpreter_->blocks(); }
@@ -108,6 +109,9 @@ class Execution final : public Stream<path::Command> {
     LibraryCycles* cycles_ = nullptr;
     std::unique_ptr<interp::Interpreter> interpreter_;
     bool has_stopped_ = false;  // by an alarm of the interpreter's own
+    Deadline deadline_;
+    bool is_late_ = false;
+    std::uint32_t last_line_ = 0;  // of the text, that was executed
 };
 
 }  // namespace kadr::driver

@@ -13,7 +13,9 @@ constexpr std::size_t kPiece = 64;
 constexpr std::size_t kPieceBytes = std::size_t{1} << 13;  // text handed on at a time
 
 expand::ExpandOptions expand_options(const Options& options, bool has_map) {
-    return {.limits = {},
+    expand::Limits limits;
+    limits.blocks = options.max_blocks > 0 ? options.max_blocks : kMaxBlocks;
+    return {.limits = limits,
             .native_cycles = options.native_cycles,
             .trace = has_map,
             .stop = options.stop};
@@ -52,7 +54,8 @@ GeneratedText::GeneratedText(Session& session, const Program& program, const nc:
       writer_(target, write_options(session.options()), sink),
       map_(map),
       line_map_(std::make_unique<LineMap>()),
-      batch_(kPiece) {}
+      batch_(kPiece),
+      deadline_(session.options().max_time) {}
 
 GeneratedText::~GeneratedText() = default;
 
@@ -83,14 +86,32 @@ std::string_view GeneratedText::next() {
     // The text of `start` is part of the first piece.
     if (blocks_ > 0 || is_at_end_) text_.clear();
     while (!is_at_end_ && text_.size() < kPieceBytes) write_batch();
+    if (!is_at_end_ && deadline_.is_over()) {
+        is_late_ = is_at_end_ = true;
+        session_.messages()
+            .report(diag::TimeLimit, last_statement())
+            .arg(deadline_.seconds())
+            .fix("if it is to work longer, raise the limit: `--max-time`");
+    }
     if (tap_) tap_(text_);
     return text_;
 }
 
+/// The statement that made the latest block.
+SourceRange GeneratedText::last_statement() const {
+    const std::vector<SourceRange>& statements = program_.code->statements;
+    const bool is_known = last_source_.is_valid() && last_source_.index < statements.size();
+    return is_known ? statements[last_source_.index] : SourceRange{};
+}
+
 void GeneratedText::write_batch() {
     const std::size_t count = expander_.pull(batch_);
+    if (count > 0) last_source_ = batch_[count - 1].source;
     for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t before = writer_.lines();
         const std::uint32_t first = writer_.write(batch_[i], text_);
+        // What was modal already gets no line, and the line before belongs to another statement.
+        if (writer_.lines() == before) continue;
         line_map_->add(first, writer_.lines(), batch_[i].source);
         if (batch_[i].source.is_valid()) statement_lines_ += writer_.lines() + 1 - first;
         if (map_ != nullptr) map_block(i, first);
@@ -103,12 +124,11 @@ void GeneratedText::write_batch() {
 }
 
 void GeneratedText::map_block(std::size_t index, std::uint32_t line) {
-    if (writer_.lines() < line) return;  // nothing was written: what it says was modal already
     entry_.clear();
     append_map_entry(entry_, {line, writer_.lines() + 1 - line}, expander_.trace(index), session_);
     map_->write(entry_);
 }
 
-bool GeneratedText::failed() const { return expander_.failed() || writer_.failed(); }
+bool GeneratedText::failed() const { return is_late_ || expander_.failed() || writer_.failed(); }
 
 }  // namespace kadr::driver

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "driver/deadline.h"
 #include "driver/line_map.h"
 #include "driver/output.h"
 #include "driver/program.h"
@@ -60,6 +61,7 @@ class GeneratedText final : public nc::TextSource {
                   DiagnosticSink& sink);
     void write_batch();
     void map_block(std::size_t index, std::uint32_t line);
+    SourceRange last_statement() const;
 
     Session& session_;
     const Program& program_;
@@ -71,6 +73,9 @@ class GeneratedText final : public nc::TextSource {
     std::string text_;
     std::string entry_;
     std::uint64_t blocks_ = 0;
+    Deadline deadline_;
+    bool is_late_ = false;
+    SourceId last_source_;
     std::uint64_t statement_lines_ = 0;
     bool is_at_end_ = false;
     Tap tap_;

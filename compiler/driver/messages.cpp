@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/allow.h"
 #include "base/render.h"
 
 namespace kadr::driver {
@@ -29,6 +30,46 @@ void Messages::count(const Diagnostic& diagnostic) {
     first_alarm_ = all.substr(0, all.find('\n'));
 }
 
+namespace {
+
+/// The comment at the end of a line, without `//`; empty if there is none.
+std::string_view comment_of(std::string_view line) {
+    bool is_text = false;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        if (line[i] == '\\' && is_text) ++i;
+        else if (line[i] == '"') is_text = !is_text;
+        else if (!is_text && line[i] == '/' && line[i + 1] == '/') return line.substr(i + 2);
+    }
+    return {};
+}
+
+}  // namespace
+
+/// Whether `// kadr: allow K2501 why` stands in the line of the place, or alone in the line before.
+bool Messages::is_allowed(std::string_view code, const SourceRange& place) const {
+    if (!place.file.is_valid()) return false;
+    const std::string_view text = sources_.text(place.file);
+    const std::string_view line = sources_.line_at(place.file, place.begin);
+    if (allowed_codes(comment_of(line)).contains(code)) return true;
+    const auto begin = static_cast<std::size_t>(line.data() - text.data());
+    if (begin == 0) return false;
+    const std::string_view before =
+        sources_.line_at(place.file, static_cast<std::uint32_t>(begin - 1));
+    const std::size_t first = before.find_first_not_of(" \t");
+    return first != std::string_view::npos && before.substr(first).starts_with("//") &&
+           allowed_codes(before.substr(first + 2)).contains(code);
+}
+
+/// A warning is silenced where it stands. One about a line that a statement wrote, or a table that
+/// it reads, is silenced at the statement.
+bool Messages::is_silenced(const Diagnostic& diagnostic) const {
+    if (diagnostic.severity != Severity::Warning) return false;
+    if (!diagnostic.line) return is_allowed(diagnostic.row->code, diagnostic.range);
+    return std::any_of(diagnostic.notes.begin(), diagnostic.notes.end(), [&](const auto& note) {
+        return is_allowed(diagnostic.row->code, note.range);
+    });
+}
+
 bool Messages::is_known(const std::string& text) {
     return !shown_.insert(std::hash<std::string>{}(text)).second;
 }
@@ -36,6 +77,7 @@ bool Messages::is_known(const std::string& text) {
 void Messages::take(Diagnostic diagnostic) {
     // A row that was said often enough is only counted, so that a mistake in a loop of a million
     // turns costs neither time nor memory.
+    if (is_silenced(diagnostic)) return;
     std::size_t& seen = seen_[diagnostic.row];
     if (seen >= options_.repeats) {
         ++seen;

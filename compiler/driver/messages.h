@@ -29,8 +29,9 @@ class Messages final : public DiagnosticSink {
     /// `sources` outlives the sink: it is asked for lines and columns.
     Messages(const Sources& sources, MessageOptions options, Write write);
 
-    /// Renders the diagnostic at once. The same words at the same place are said once; of one row
-    /// only the first `repeats` are shown. All are counted.
+    /// Renders the diagnostic at once, unless it is a warning that the source allows. The same
+    /// words at the same place are said once; of one row only the first `repeats` are shown. All
+    /// are counted.
     void take(Diagnostic diagnostic) override;
 
     /// Says how many messages were left out. To be called once, at the end.
@@ -47,6 +48,8 @@ class Messages final : public DiagnosticSink {
   private:
     void count(const Diagnostic& diagnostic);
     bool is_known(const std::string& rendered);
+    bool is_silenced(const Diagnostic& diagnostic) const;
+    bool is_allowed(std::string_view code, const SourceRange& place) const;
     std::string rendered(const Diagnostic& diagnostic) const;
 
     const Sources& sources_;

@@ -22,6 +22,9 @@ enum class Status : std::uint8_t {
     Alarm = 3,   // the control would have stopped while it ran
 };
 
+/// Blocks that a program may make unless the options say otherwise.
+inline constexpr std::uint64_t kMaxBlocks = 20'000'000;
+
 /// What holds for everything that a session does.
 struct Options {
     std::string dialect;                // name or file; empty: as the source suggests
@@ -31,7 +34,9 @@ struct Options {
     std::vector<std::string> folders;   // searched for imports before the standard library
     bool native_cycles = true;          // cycles as the control's own where it has them
     bool verbose_modal = false;         // repeat modal words in the text
-    std::uint64_t max_blocks = 0;       // executed blocks after which a run is cut; 0: no limit
+    std::uint64_t max_blocks = 0;       // blocks after which expanding and executing are cut;
+                                        // 0: kMaxBlocks made, any number executed
+    double max_time = 0;                // s of computing after which they are cut; 0: no limit
     std::uint16_t skip_levels = 0;      // bit n: blocks with skip level n are left out
     bool optional_stop = false;         // M1 stops
     std::optional<double> tick;         // s; nothing: as the machine says

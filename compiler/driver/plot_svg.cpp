@@ -288,15 +288,22 @@ void draw_path(std::string& out, const View& view, const PlotScene& scene,
     }
 }
 
-/// A name beside a mark, on the side where the frame has room.
+/// A name beside a mark, on the side where the frame has room, and inside of it from top to bottom.
 void draw_name(std::string& out, const View& view, const Vec3& at, const char* color,
                const char* name) {
-    constexpr double kRoom = 60;
-    const bool is_left = view.x(at) > view.frame.right() - kRoom;
+    constexpr double kLetter = 7;  // px, a generous mean of the letters
+    constexpr double kGap = 9;     // from the middle of the mark
+    constexpr double kHeight = 14;
+    const Frame& frame = view.frame;
+    const double room = kGap + kLetter * static_cast<double>(std::string_view(name).size());
+    const double to_right = frame.right() - view.x(at);
+    const bool is_left = to_right < room && view.x(at) - frame.left > to_right;
+    const double above = view.y(at) - 6;
+    const double y = above - kHeight < frame.top ? view.y(at) + kHeight : above;
     put(out,
         "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" class=\"halo mark\" "
         "fill=\"{}\">{}</text>\n",
-        view.x(at) + (is_left ? -9 : 9), view.y(at) - 6, is_left ? "end" : "start", color, name);
+        view.x(at) + (is_left ? -kGap : kGap), y, is_left ? "end" : "start", color, name);
 }
 
 void draw_marks(std::string& out, const View& view, const PlotScene& scene, bool has_names) {

@@ -117,7 +117,7 @@ Reply list_dialects(Session& session) {
 
 Reply check_dialect(Session& session, const std::string& name_or_file) {
     if (is_missing_file(session, name_or_file)) return {session.status(), {}};
-    const nc::Dialect* dialect = session.dialect(name_or_file, {});
+    const nc::Dialect* dialect = session.dialect(name_or_file);
     if (dialect == nullptr) return {session.status(), {}};
     (void)interp::rules_of(*dialect, session.messages());
     nc::check_frame(*dialect, session.messages());
@@ -129,7 +129,7 @@ Reply check_dialect(Session& session, const std::string& name_or_file) {
 
 Reply explain_word(Session& session, const std::string& name_or_file, const std::string& word) {
     if (is_missing_file(session, name_or_file)) return {session.status(), {}};
-    const nc::Dialect* dialect = session.dialect(name_or_file, {});
+    const nc::Dialect* dialect = session.dialect(name_or_file);
     if (dialect == nullptr) {
         session.mark_usage();
         return {session.status(), {}};

@@ -6,6 +6,8 @@
 
 #include "base/assert.h"
 #include "expand/state.h"
+#include "nc/tables.h"
+#include "syntax/ast.h"
 
 namespace kadr::expand {
 
@@ -72,7 +74,10 @@ bool Expander::State::is_block_limit(std::uint32_t at) {
         --blocks_left;
         return false;
     }
-    fault(diag::BlockLimit, at).arg(static_cast<std::int64_t>(options.limits.blocks));
+    fault(diag::BlockLimit, at)
+        .arg(static_cast<std::int64_t>(options.limits.blocks))
+        .fix("if it is to make more, raise the limit: `--max-blocks " +
+             std::to_string(10 * options.limits.blocks) + '`');
     return true;
 }
 
@@ -110,7 +115,9 @@ bool Expander::State::fill_plan(const Instruction& instruction, const sema::Slot
     block.incremental = plan.incremental;
     block.absolute = plan.absolute;
     block.argument_count = plan.argument_count;
-    block.skip = plan.skip;
+    block.skip = plan.skip == syntax::kPlainSkip
+                     ? static_cast<std::int8_t>(target.tables().rules.default_skip)
+                     : plan.skip;
     block.cycle = plan.cycle;
     block.number = plan.number;
     block.function_count = static_cast<std::uint8_t>(plan.functions.size());
@@ -154,6 +161,8 @@ bool Expander::State::fill_plan(const Instruction& instruction, const sema::Slot
         return false;
     }
     modal.take_words(block);
+    // Nobody knows here whether the operator lets the block run.
+    if (plan.skip >= 0) modal.known &= static_cast<AxisMask>(~(block.given & nc::kTargetSlots));
     if (options.trace) keep_trace(at, instruction.c, source);
     return true;
 }

@@ -360,7 +360,8 @@ void Checker::emit_plan(Plan plan, Reg first, unsigned point, const SourceRange&
                     statement_id(range));
 }
 
-bool Checker::emit_words(std::span<const Word> words, ExprId point, const SourceRange& range) {
+bool Checker::emit_words(std::span<const Word> words, ExprId point, const SourceRange& range,
+                         std::int8_t skip) {
     const Reg mark = emit_.mark();
     std::optional<nc::BlockPlan> planned;
     Plan plan;
@@ -376,6 +377,8 @@ bool Checker::emit_words(std::span<const Word> words, ExprId point, const Source
         check_units_words(*planned, words);
         check_counts(*planned, words);
         plan = compact(*planned);
+        plan.skip = skip;
+        if (skip >= 0) check_skipped(plan, words);
     }
     const std::size_t holes = planned ? planned->holes.size() : 0;
     const Reg first = emit_.take(std::max<unsigned>(1, static_cast<unsigned>(holes)));
@@ -409,8 +412,35 @@ bool Checker::emit_words(std::span<const Word> words, ExprId point, const Source
     return true;
 }
 
+/// What stands behind a block that the operator may leave out must mean the same with and without
+/// it; a frame or a tool that is there or not changes all of it.
+void Checker::check_skipped(const Plan& plan, std::span<const Word> words) {
+    for (const nc::Invocation& invocation : plan.functions) {
+        switch (invocation.function) {
+            case nc::Function::Shift:
+            case nc::Function::ShiftAdd:
+            case nc::Function::Rotate:
+            case nc::Function::RotateOff:
+            case nc::Function::Mirror:
+            case nc::Function::MirrorOff:
+            case nc::Function::SetPosition:
+            case nc::Function::WorkOffset:
+            case nc::Function::Tool:
+            case nc::Function::ToolSelect:
+            case nc::Function::ToolChange:
+            case nc::Function::ToolEdge:
+            case nc::Function::LengthCompOn:
+            case nc::Function::LengthCompOff:
+            case nc::Function::LengthOffset:
+                report(diag::SkipState, words[0].range).arg(nc::info(invocation.function).name);
+                return;
+            default: break;
+        }
+    }
+}
+
 void Checker::words_statement(const Stmt& stmt) {
-    emit_words(ast().word_run(stmt.words), stmt.expression[0], stmt.range);
+    emit_words(ast().word_run(stmt.words), stmt.expression[0], stmt.range, stmt.skip);
 }
 
 }  // namespace kadr::sema

@@ -119,6 +119,9 @@ std::unique_ptr<Code> Checker::run(const syntax::Ast& main, const nc::Dialect& d
     for (std::size_t i = 0; i < wanted_.size(); ++i) check_function(wanted_[i]);
     finish();
     if (sink_.errors > 0) return nullptr;
+    for (const Unused& unused : unused_) {
+        report(diag::UnusedVariable, unused.range).arg(unused.name);
+    }
     return std::move(code_);
 }
 

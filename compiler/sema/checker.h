@@ -99,6 +99,7 @@ class Checker {
     bool is_lost(std::string_view name);
     std::vector<std::string_view> known_names(bool functions) const;
     void leave_scope(std::size_t symbols);
+    void report_unused(const Symbol& symbol);
     std::vector<Givenness> remember_givenness() const;
     void merge_givenness(const std::vector<Givenness>& other);
     void set_givenness(const std::vector<Givenness>& other);
@@ -193,6 +194,7 @@ class Checker {
         Value right;
     };
     std::optional<Comparison> comparison(const syntax::Expr& expr);
+    void warn_equality(const syntax::Expr& expr, const Value& left, const Value& right);
     std::optional<Sides> compared_sides(const syntax::Expr& expr);
     std::optional<Comparison> compare(const syntax::Expr& expr, Value left, Value right);
     /// Makes two numbers comparable and addable: the same quantity; false: reported.
@@ -206,6 +208,7 @@ class Checker {
 
     // places.cpp
     std::optional<Place> place(syntax::ExprId id);
+    bool is_read(syntax::ExprId id);
     std::optional<Place> name_place(syntax::ExprId id);
     std::optional<Place> member_place(syntax::ExprId id);
     std::optional<Place> element_place(syntax::ExprId id);
@@ -286,7 +289,8 @@ class Checker {
     // blocks.cpp
     void words_statement(const syntax::Stmt& stmt);
     bool emit_words(std::span<const syntax::Word> words, syntax::ExprId point,
-                    const SourceRange& range);
+                    const SourceRange& range, std::int8_t skip = -1);
+    void check_skipped(const Plan& plan, std::span<const syntax::Word> words);
     std::optional<nc::BlockPlan> plan_words(std::span<const syntax::Word> words);
     void check_units_function(nc::Function function, const SourceRange& range);
     void check_units_words(const nc::BlockPlan& plan, std::span<const syntax::Word> words);
@@ -389,6 +393,11 @@ class Checker {
     int loop_depth_ = 0;
     const FunctionDecl* function_ = nullptr;
     bool has_preserves_ = false;
+    struct Unused {
+        SourceRange range;
+        std::string_view name;
+    };
+    std::vector<Unused> unused_;  // local variables
     bool is_startup_ = false;
     std::optional<nc::CycleId> current_native_;
     Reg for_limit_ = kNoReg;  // register of the constant that ends a `for`

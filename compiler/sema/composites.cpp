@@ -36,6 +36,10 @@ Value Checker::brace_array(ExprId id, Type type, Reg hint) {
     const Reg element = emit_.take(type_info(info.element).slots);
     for (const ExprId item :
          std::vector<ExprId>(ast().exprs(expr.list).begin(), ast().exprs(expr.list).end())) {
+        if (ast()[item].kind == ExprKind::Argument) {
+            report(diag::NamedElement, ast()[item].range).arg(text(ast()[item].text));
+            continue;
+        }
         expression_in(item, info.element, element, "the element");
         emit_.set_place(ast()[item].range);
         emit_.emit(Op::Append, array, element);
@@ -82,6 +86,12 @@ void Checker::fill_members(ExprId id, Type type, Reg reg) {
         if (member >= info.members.size()) {
             report(diag::TooManyValues, argument.range).arg(info.name).arg(info.members.size());
             break;
+        }
+        if (values[member].is_valid()) {
+            report(diag::ArgumentTwice, argument.range)
+                .arg(info.name)
+                .arg(info.members[member].name);
+            continue;
         }
         values[member] = value;
         next = member + 1;

@@ -8,9 +8,39 @@ using syntax::ExprId;
 using syntax::ExprKind;
 using syntax::Operator;
 
+/// Real numbers that were calculated are hardly ever equal. What the user gave, a parameter or a
+/// row of a table, and constants may be compared: they are the same number or they are not.
+void Checker::warn_equality(const Expr& expr, const Value& left, const Value& right) {
+    if (module_ != 0 || function_ == nullptr) return;
+    if (!types_.is_numeric(left.type) || !types_.is_numeric(right.type)) return;
+    if (kind(left.type) == Kind::Int && kind(right.type) == Kind::Int) return;
+    const auto is_as_given = [&](ExprId id) {
+        while (ast()[id].kind == ExprKind::Member || ast()[id].kind == ExprKind::Index)
+            id = ast()[id].child[0];
+        if (ast()[id].kind != ExprKind::Name) return false;
+        const std::int32_t symbol = find(text(ast()[id].text)).symbol;
+        if (symbol < 0) return false;
+        const Symbol& found = symbols_[static_cast<std::size_t>(symbol)];
+        return (found.is_parameter || found.is_row) && !found.is_assigned;
+    };
+    if ((left.is_constant() || is_as_given(expr.child[0])) &&
+        (right.is_constant() || is_as_given(expr.child[1]))) {
+        return;
+    }
+    report(diag::RealEquality, expr.range)
+        .arg(spelling(expr.op))
+        .fix(expr.op == Operator::Equal
+                 ? "compare with a tolerance: `abs(a - b) < 0.001mm`, or with `<=` or `>=`"
+                 : "compare with a tolerance: `abs(a - b) > 0.001mm`, or with `<` or `>`");
+}
+
 std::optional<Checker::Comparison> Checker::comparison(const Expr& expr) {
     const std::optional<Sides> sides = compared_sides(expr);
-    return sides ? compare(expr, sides->left, sides->right) : std::nullopt;
+    if (!sides) return std::nullopt;
+    const bool is_equality = expr.op == Operator::Equal || expr.op == Operator::NotEqual;
+    std::optional<Comparison> found = compare(expr, sides->left, sides->right);
+    if (found && is_equality) warn_equality(expr, sides->left, sides->right);
+    return found;
 }
 
 /// Both sides of a comparison, each evaluated once and given.

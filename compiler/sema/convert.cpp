@@ -5,11 +5,18 @@
 
 namespace kadr::sema {
 
+namespace {
+
+/// A place in a message: "the value" as it is, what is code in backticks.
+std::string subject(std::string_view what) {
+    if (what.empty()) return "the value";
+    return what.starts_with("the ") ? std::string(what) : quoted(what);
+}
+
+}  // namespace
+
 void Checker::check_places(Type from, Type to, const SourceRange& range, std::string_view what) {
-    report(diag::TypeMismatch, range)
-        .arg(what.empty() ? "the value" : quoted(what))
-        .arg(type_name(to))
-        .arg(type_name(from));
+    report(diag::TypeMismatch, range).arg(subject(what)).arg(type_name(to)).arg(type_name(from));
 }
 
 Value Checker::adapt_number(const Value& value, Type target) {
@@ -58,7 +65,7 @@ Value Checker::convert(const Value& source, Type target, const SourceRange& rang
     } else if (types_.is_numeric(value.type) && types_.is_numeric(target)) {
         if (const std::optional<Value> same = same_quantity(value, target)) return *same;
         report(diag::DimensionMismatch, range)
-            .arg(what.empty() ? "the value" : quoted(what))
+            .arg(subject(what))
             .arg(quantity_name(target))
             .arg(quantity_name(value.type));
         return error_value();
@@ -103,7 +110,7 @@ Value Checker::whole_number(const Value& value, Type target, const SourceRange& 
                           std::fabs(value.constant.number) < 9e18;
     if (is_whole) return constant_integer(static_cast<std::int64_t>(value.constant.number), target);
     report(diag::RealToInt, range)
-        .arg(what.empty() ? "the value" : quoted(what))
+        .arg(subject(what))
         .fix("say how to round: `trunc(…)`, `round(…)`, `floor(…)` or `ceil(…)`");
     return error_value();
 }

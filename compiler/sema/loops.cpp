@@ -229,6 +229,7 @@ bool Checker::for_range(const Stmt& stmt, const Decl& decl) {
     Symbol symbol;
     symbol.name = text(decl.name);
     symbol.range = decl.name_range;
+    symbol.is_read = true;  // to count turns is use enough
     symbol.type = decl.type.is_valid() ? resolve_type(decl.type) : types::kInt;
     symbol.is_const = decl.is_const;
     if (symbol.type != types::kInt && kind(symbol.type) != Kind::Error) {
@@ -292,7 +293,9 @@ bool Checker::for_each(const Stmt& stmt) {
     Symbol symbol;
     symbol.name = text(decl.name);
     symbol.range = decl.name_range;
+    symbol.is_read = true;  // to count turns is use enough
     symbol.type = written;
+    symbol.is_row = true;
     symbol.is_const = decl.is_const;
     if (kind(list.type) != Kind::Array) {
         if (!is_error(list)) report(diag::NotAnArray, range).arg(type_name(list.type));

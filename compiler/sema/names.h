@@ -49,6 +49,8 @@ struct Symbol {
     Givenness givenness = Givenness::Given;
     bool is_parameter = false;
     bool is_read = false;
+    bool is_row = false;       // of `for (… : list)`
+    bool is_assigned = false;  // after its declaration
     SourceRange range;
 };
 

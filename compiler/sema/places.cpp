@@ -22,6 +22,16 @@ std::optional<Place> Checker::place(ExprId id) {
     }
 }
 
+/// Whether anything has read the local variable of this name so far. Assigning it is no reading,
+/// but what is assigned to a reference the caller reads.
+bool Checker::is_read(ExprId id) {
+    if (ast()[id].kind != ExprKind::Name) return true;
+    const Found found = find(text(ast()[id].text));
+    if (found.symbol < 0) return true;
+    const Symbol& symbol = symbols_[static_cast<std::size_t>(found.symbol)];
+    return symbol.is_read || symbol.storage == Symbol::Storage::Reference;
+}
+
 std::optional<Place> Checker::name_place(ExprId id) {
     const Expr& expr = ast()[id];
     const std::string_view name = text(expr.text);
@@ -238,7 +248,9 @@ bool Checker::check_assignable(const Place& place, const SourceRange& range) {
 
 void Checker::note_assignment(const Place& place) {
     if (place.symbol < 0) return;
-    symbols_[static_cast<std::size_t>(place.symbol)].givenness = Givenness::Given;
+    Symbol& symbol = symbols_[static_cast<std::size_t>(place.symbol)];
+    symbol.givenness = Givenness::Given;
+    symbol.is_assigned = true;
 }
 
 void Checker::store(const Place& place, const Value& value, const SourceRange& range) {
@@ -294,7 +306,10 @@ Value Checker::assign(ExprId id, bool is_value) {
     const Expr& expr = ast()[id];
     const SourceRange target_range = ast()[expr.child[0]].range;
     const SourceRange value_range = ast()[expr.child[1]].range;
+    const bool was_read = is_read(expr.child[0]);
     const std::optional<Place> target = place(expr.child[0]);
+    if (target && target->symbol >= 0 && !is_value)
+        symbols_[static_cast<std::size_t>(target->symbol)].is_read = was_read;
     if (!target) {
         expression(expr.child[1]);
         return error_value();
@@ -339,6 +354,8 @@ Value Checker::assign(ExprId id, bool is_value) {
         default: break;
     }
     const Value old = load(*target, target_range, true, kNoReg);
+    if (target->symbol >= 0 && !is_value)
+        symbols_[static_cast<std::size_t>(target->symbol)].is_read = was_read;
     const bool is_sum = op == Operator::Add || op == Operator::Subtract;
     Value right = expression(expr.child[1], is_sum ? target->type : types::kError);
     if (is_error(old) || is_error(right)) return error_value();
@@ -356,9 +373,12 @@ Value Checker::assign(ExprId id, bool is_value) {
 Value Checker::step(ExprId id, bool is_value) {
     const Expr& expr = ast()[id];
     const SourceRange range = ast()[expr.child[0]].range;
+    const bool was_read = is_read(expr.child[0]);
     const std::optional<Place> target = place(expr.child[0]);
     if (!target || !check_assignable(*target, range)) return error_value();
     const Value old = require_given(load(*target, range, true, kNoReg), range, {});
+    if (target->symbol >= 0 && !is_value)
+        symbols_[static_cast<std::size_t>(target->symbol)].is_read = was_read;
     if (is_error(old)) return old;
     const bool is_int = kind(old.type) == Kind::Int;
     if (!is_int && old.type != types::kReal) {

@@ -62,10 +62,21 @@ Symbol& Checker::add_symbol(Symbol symbol) {
 }
 
 void Checker::leave_scope(std::size_t symbols) {
+    for (std::size_t i = symbols; i < symbols_.size(); ++i) report_unused(symbols_[i]);
     while (symbols_.size() > symbols) {
         visible_[symbols_.back().name].pop_back();
         symbols_.pop_back();
     }
+}
+
+/// A local variable that nothing reads; parameters have their own message. It is said at the end,
+/// if there was no error: what a mistake has cost may have read it.
+void Checker::report_unused(const Symbol& symbol) {
+    const bool is_asked = !symbol.is_parameter && !symbol.is_loop_variable && !symbol.is_read;
+    if (!is_asked || symbol.name.empty() || kind(symbol.type) == Kind::Error) return;
+    // A library's own matter; and in a broken text, what is missing may have read it.
+    if (module_ != 0 || function_ == nullptr || ast().has_errors) return;
+    unused_.push_back({symbol.range, symbol.name});
 }
 
 std::vector<std::string_view> Checker::known_names(bool functions) const {

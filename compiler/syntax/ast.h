@@ -90,8 +90,9 @@ enum class ExprKind : std::uint8_t {
     Argument,     // text = name, may be empty; child 0 = value
     Index,        // child 0 [ child 1 ]
     Member,       // child 0 . text
-    Given,        // `given a`: child 0 = Name
-    Braces,       // { … }: list of values; a point, array or struct by its place
+    Given,        // `given a`, `given a[i]`, `given h.d`: child 0 = Name, Index or Member
+    Braces,       // { … }: list of values, an Argument where a member is named (`{x: 1mm}`); a
+                  // point, array or struct by its place
     Range,        // child 0 .. child 1
     TypedCall,    // `table<hole>("f.csv")`: text = callee, type; arguments: list
 };
@@ -202,6 +203,9 @@ enum class StmtKind : std::uint8_t {
     Expect,     // expression[0], in a test
 };
 
+/// `/` without a level: the control's own default.
+inline constexpr std::int8_t kPlainSkip = 10;
+
 struct Stmt {
     StmtKind kind = StmtKind::Invalid;
     SourceRange range;
@@ -209,9 +213,10 @@ struct Stmt {
     DeclId declaration;
     std::array<ExprId, 2> expression{};
     std::array<StmtId, 2> statement{};
-    List statements;   // in Ast::statement_lists
-    List expressions;  // in Ast::expression_lists
-    List words;        // in Ast::words
+    List statements;        // in Ast::statement_lists
+    List expressions;       // in Ast::expression_lists
+    List words;             // in Ast::words
+    std::int8_t skip = -1;  // Words: level of `/G1 X5;`, 0…9; kPlainSkip: `/` alone; -1: none
 };
 
 /// A type as written: `length`, `hole[]`, `real[8]`, `length?`, `point&`.

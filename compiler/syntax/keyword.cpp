@@ -63,6 +63,7 @@ constexpr Keyword kKeywords[] = {
     {"feed", Token::TypeName, Place::Type, ""},
     {"speed", Token::TypeName, Place::Type, ""},
     {"point", Token::TypeName, Place::Type, ""},
+    {"vector", Token::TypeName, Place::Type, ""},
     {"void", Token::TypeName, Place::Type, ""},
 
     {"and", Token::AndAnd, Place::Operator, "", false},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/allow.h"
 #include "base/text.h"
 #include "syntax/antlr.h"
 #include "syntax/strings.h"
@@ -160,6 +161,19 @@ void Lexing::take_token(Token token, std::uint32_t begin, std::uint32_t end, Rea
 void Lexing::comment(std::uint32_t begin, std::uint32_t end) {
     const std::string_view spelled = file_.text.substr(begin, end - begin);
     comments_.push_back({file_.range(begin, end), spelled.starts_with("///")});
+    if (!spelled.starts_with("//")) return;
+    const Allowance allowance = allowed_codes(spelled.substr(2));
+    if (!allowance.is_one) return;
+    if (!allowance.is_well_formed) {
+        file_.sink.report(diag::AllowShape, file_.range(begin, end));
+        return;
+    }
+    for (const std::string_view code : allowance.codes) {
+        const DiagnosticRow* row = find_diagnostic(code);
+        if (row != nullptr && row->severity == Severity::Warning) continue;
+        const auto at = begin + static_cast<std::uint32_t>(code.data() - spelled.data());
+        file_.sink.report(diag::AllowCode, file_.range(at, at + 5)).arg(code);
+    }
 }
 
 void Lexing::text(Token token, std::uint32_t begin, std::uint32_t end, Reading& reading) {

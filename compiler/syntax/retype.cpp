@@ -4,6 +4,7 @@
 
 #include "syntax/brackets.h"
 #include "syntax/keyword.h"
+#include "syntax/operators.h"
 
 namespace kadr::syntax {
 
@@ -195,7 +196,8 @@ void Retyping::end_statement() {
 void Retyping::begin_statement() {
     statement_begin_ = in_[i_].begin;
     statement_first_ = out_.size();
-    head_ = is_word(in_[i_].token) ? Head::Words : Head::Other;
+    const bool is_skip = in_[i_].token == Token::Slash;  // `/G1 X5;`
+    head_ = is_word(in_[i_].token) || is_skip ? Head::Words : Head::Other;
     has_assignment_ = false;
     if (Bracket* top = brackets_.top()) top->questions = 0;
 }
@@ -304,7 +306,7 @@ void Retyping::open_brace(Lexeme lexeme) {
         const Token before = previous();
         const bool is_choice = before == Token::Colon && head_ != Head::Case;
         is_value = head_ == Head::Words || before == Token::Return || before == Token::Question ||
-                   before == Token::Coalesce || is_choice ||
+                   find_binary_operator(before) != nullptr || is_choice ||
                    (before == Token::Assign && head_ != Head::Contour);
     }
     if (is_value) {
@@ -390,12 +392,15 @@ void Retyping::name() {
     push(plain, Token::Identifier);
 }
 
-/// `to` in `drill(to: 5mm)`. Any word can be one.
+/// `to` in `drill(to: 5mm)`, `x` in `{x: 5mm}`. Any word can be one.
 bool Retyping::argument_name() {
     const Bracket* top = brackets_.top();
-    const bool is_place = top != nullptr && top->role == Bracket::Role::Plain &&
-                          top->open.token == Token::OpenParen && top->questions == 0 &&
-                          (previous() == Token::OpenParen || previous() == Token::Comma);
+    const bool is_place =
+        top != nullptr && top->role == Bracket::Role::Plain &&
+        (top->open.token == Token::OpenParen || top->open.token == Token::OpenValue) &&
+        top->questions == 0 &&
+        (previous() == Token::OpenParen || previous() == Token::OpenValue ||
+         previous() == Token::Comma);
     if (!is_place || next() != Token::Colon) return false;
     Lexeme lexeme = in_[i_];
     lexeme.text = file_.texts.intern(file_.spelling(lexeme));

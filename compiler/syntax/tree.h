@@ -59,10 +59,13 @@ class TreeBuilder {
     ExprId primary(KadrParser::PrimaryContext& context);
     ExprId suffix(ExprId base, KadrParser::SuffixContext& context);
     ExprId point(KadrParser::PointContext& context);
+    std::int8_t skip_level(KadrParser::SkipContext& context);
     ExprId number(const Lexeme& lexeme);
     ExprId name(const Lexeme& lexeme);
     ExprId text(KadrParser::TextContext& context);
-    ExprId braces(Rule& context, std::span<KadrParser::ExpressionContext* const> values);
+    ExprId braces(Rule& context, std::span<KadrParser::ArgumentContext* const> values);
+    /// Operators and operands behind the first operand, up to the end or a `?`, by precedence.
+    ExprId by_precedence(ExprId first, std::span<Node* const> rest);
     List arguments(KadrParser::ArgumentsContext* context);
     ExprId binary(Operator op, ExprId left, ExprId right);
     ExprId unary(Operator op, ExprId value, const SourceRange& range);

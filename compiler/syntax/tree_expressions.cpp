@@ -82,8 +82,8 @@ ExprId TreeBuilder::unary(Operator op, ExprId value, const SourceRange& range) {
 }
 
 /// Operands and operators in a row become a tree by precedence (Dijkstra's two stacks).
-ExprId TreeBuilder::expression(KadrParser::ExpressionContext& context) {
-    std::vector<ExprId> values;
+ExprId TreeBuilder::by_precedence(ExprId first, std::span<Node* const> rest) {
+    std::vector<ExprId> values = {first};
     std::vector<const BinaryOperator*> pending;
     const auto reduce = [&] {
         const ExprId right = values.back();
@@ -91,26 +91,30 @@ ExprId TreeBuilder::expression(KadrParser::ExpressionContext& context) {
         values.back() = binary(pending.back()->op, values.back(), right);
         pending.pop_back();
     };
-    const std::vector<Node*>& children = context.children;
-    values.push_back(operand(*static_cast<KadrParser::OperandContext*>(children[0])));
-    std::size_t i = 1;
-    for (; i < children.size() && lexeme(children[i]).token != Token::Question; i += 2) {
-        const BinaryOperator* row = find_binary_operator(lexeme(children[i]).token);
+    for (std::size_t i = 0; i + 1 < rest.size(); i += 2) {
+        const BinaryOperator* row = find_binary_operator(lexeme(rest[i]).token);
+        if (row == nullptr) break;  // `?`
         while (!pending.empty() &&
                (pending.back()->precedence > row->precedence ||
                 (pending.back()->precedence == row->precedence && !row->is_right))) {
             reduce();
         }
         pending.push_back(row);
-        values.push_back(operand(*static_cast<KadrParser::OperandContext*>(children[i + 1])));
+        values.push_back(operand(*static_cast<KadrParser::OperandContext*>(rest[i + 1])));
     }
     while (!pending.empty()) reduce();
-    if (i == children.size()) return values.front();
+    return values.front();
+}
+
+ExprId TreeBuilder::expression(KadrParser::ExpressionContext& context) {
+    const std::span<Node* const> children(context.children);
+    const ExprId value = by_precedence(
+        operand(*static_cast<KadrParser::OperandContext*>(children[0])), children.subspan(1));
+    if (context.expression().empty()) return value;
     Expr expr;
     expr.kind = ExprKind::Conditional;
     expr.range = range_of(context);
-    expr.child = {values.front(), expression(*context.expression(0)),
-                  expression(*context.expression(1))};
+    expr.child = {value, expression(*context.expression(0)), expression(*context.expression(1))};
     return add(expr);
 }
 
@@ -149,8 +153,19 @@ ExprId TreeBuilder::operand(KadrParser::OperandContext& context) {
     while (dynamic_cast<antlr4::tree::TerminalNode*>(children[i]) != nullptr) ++i;
     const std::size_t prefixes = i;
     ExprId value = primary(*static_cast<KadrParser::PrimaryContext*>(children[i++]));
+    // `given a[i]` asks for the element, `given h.d` for the member.
+    const bool is_given = ast_[value].kind == ExprKind::Given && i < children.size();
+    const SourceRange whole = ast_[value].range;
+    if (is_given) value = ast_[value].child[0];
     for (; i < children.size(); ++i) {
         value = suffix(value, *static_cast<KadrParser::SuffixContext*>(children[i]));
+    }
+    if (is_given) {
+        Expr expr;
+        expr.kind = ExprKind::Given;
+        expr.range = join(whole, ast_[value].range);
+        expr.child[0] = value;
+        value = add(expr);
     }
     for (i = prefixes; i-- > 0;) {
         const Lexeme& sign = lexeme(children[i]);
@@ -190,7 +205,7 @@ ExprId TreeBuilder::primary(KadrParser::PrimaryContext& context) {
             return add(expr);
         }
         default:
-            return braces(context, static_cast<KadrParser::BracesContext&>(context).expression());
+            return braces(context, static_cast<KadrParser::BracesContext&>(context).argument());
     }
 }
 
@@ -226,14 +241,9 @@ ExprId TreeBuilder::point(KadrParser::PointContext& context) {
             value = suffix(value, *static_cast<KadrParser::SuffixContext*>(start->children[i]));
         }
     } else {
-        value = braces(*start, static_cast<KadrParser::ValuePointContext*>(start)->expression());
+        value = braces(*start, static_cast<KadrParser::ValuePointContext*>(start)->argument());
     }
-    for (std::size_t i = 1; i < context.children.size(); i += 2) {
-        const bool is_plus = lexeme(context.children[i]).token == Token::Plus;
-        value = binary(is_plus ? Operator::Add : Operator::Subtract, value,
-                       operand(*static_cast<KadrParser::OperandContext*>(context.children[i + 1])));
-    }
-    return value;
+    return by_precedence(value, std::span<Node* const>(context.children).subspan(1));
 }
 
 ExprId TreeBuilder::number(const Lexeme& lexeme) {
@@ -288,9 +298,21 @@ ExprId TreeBuilder::text(KadrParser::TextContext& context) {
     return add(whole);
 }
 
-ExprId TreeBuilder::braces(Rule& context, std::span<KadrParser::ExpressionContext* const> values) {
+ExprId TreeBuilder::braces(Rule& context, std::span<KadrParser::ArgumentContext* const> values) {
     std::vector<ExprId> ids;
-    for (KadrParser::ExpressionContext* value : values) ids.push_back(expression(*value));
+    for (KadrParser::ArgumentContext* value : values) {
+        auto* given_name = value->ArgumentName();
+        if (given_name == nullptr) {
+            ids.push_back(expression(*value->expression()));
+            continue;
+        }
+        Expr named;
+        named.kind = ExprKind::Argument;
+        named.range = range_of(*value);
+        named.text = lexeme(given_name).text;
+        named.child[0] = expression(*value->expression());
+        ids.push_back(add(named));
+    }
     Expr expr;
     expr.kind = ExprKind::Braces;
     expr.range = range_of(context);

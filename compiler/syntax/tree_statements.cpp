@@ -38,6 +38,7 @@ StmtId TreeBuilder::statement(KadrParser::StatementContext& context) {
         case Token::Switch:
             switch_statement(stmt, static_cast<KadrParser::SwitchStatementContext&>(context));
             break;
+        case Token::Slash:
         case Token::LiteralWord:
         case Token::BareWord:
         case Token::Address:
@@ -214,8 +215,21 @@ void TreeBuilder::switch_statement(Stmt& stmt, KadrParser::SwitchStatementContex
     stmt.statements = list(cases);
 }
 
+/// The level behind `/`: a whole number from 0 to 9.
+std::int8_t TreeBuilder::skip_level(KadrParser::SkipContext& context) {
+    if (context.Number() == nullptr) return kPlainSkip;
+    const Lexeme& level = lexeme(context.Number());
+    const std::string_view spelled = file_.spelling(level);
+    if (spelled.size() == 1 && level.unit == Unit::None) {
+        return static_cast<std::int8_t>(spelled[0] - '0');
+    }
+    file_.sink.report(diag::SkipLevel, file_.range(level)).arg(spelled);
+    return kPlainSkip;
+}
+
 void TreeBuilder::words_statement(Stmt& stmt, KadrParser::WordsStatementContext& context) {
     stmt.kind = StmtKind::Words;
+    if (context.skip() != nullptr) stmt.skip = skip_level(*context.skip());
     std::vector<Word> words;
     for (KadrParser::WordContext* one : context.word()) words.push_back(word(*one));
     stmt.words = list(words);

@@ -99,6 +99,14 @@ class Merging {
         const Token token = out_.back().token;
         return token == Token::Semicolon || token == Token::OpenBrace || token == Token::CloseBrace;
     }
+    /// `/2G1 X5;`: the level of a skipped block takes no unit.
+    bool is_skip_level() const {
+        if (out_.empty() || out_.back().token != Token::Slash) return false;
+        if (out_.size() == 1) return true;
+        const Token before = out_[out_.size() - 2].token;
+        return before == Token::Semicolon || before == Token::OpenBrace ||
+               before == Token::CloseBrace;
+    }
     bool is_in_block() const {
         return !out_.empty() &&
                (out_.back().token == Token::LiteralWord || out_.back().token == Token::BareWord);
@@ -148,6 +156,11 @@ double Merging::value_of(std::string_view spelled, const SourceRange& range) {
 /// `10`, `10.`, `2.5in`, `200mm/min`, `50%`.
 void Merging::number() {
     Lexeme lexeme = in_[i_++];
+    if (is_skip_level()) {
+        lexeme.number = value_of(file_.spelling(lexeme), file_.range(lexeme));
+        out_.push_back(lexeme);
+        return;
+    }
     std::string spelled(file_.spelling(lexeme));
     if (spelled.find_first_of(".eE") == std::string::npos) take_fraction(lexeme, spelled);
     if (at(i_).token == Token::Number && adjoins(i_, lexeme.end)) {

@@ -225,9 +225,9 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
     }
     switch (invocation.function) {
         case Function::None:
-        case Function::Inch:  // lengths have become mm in the reader
-        case Function::Metric:
         case Function::RadiusCompOff: break;
+        case Function::Inch:  // lengths have become mm in the reader
+        case Function::Metric: check_units(block, invocation.function); break;
 
         case Function::Rapid:
         case Function::Line:

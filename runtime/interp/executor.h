@@ -133,6 +133,9 @@ class Executor {
     void warn_arc_word(const nc::Block& block, nc::SlotMask words);
     bool check_axes(const nc::Block& block, nc::SlotMask targets);
     bool check_feed(const nc::Block& block, std::string_view what);
+    void check_rapid(const nc::Block& block, const Target& target);
+    void check_tool(const nc::Block& block);
+    void check_units(const nc::Block& block, nc::Function units);
     bool check_limits(const nc::Block& block, const AxisValues& base, AxisMask moved);
     bool check_arc_limits(const nc::Block& block, const path::Arc& arc, const Target& target);
     void report_limit(const nc::Block& block, Axis axis, double at);
@@ -180,6 +183,11 @@ class Executor {
     Tool tool_;
     path::CoolantMode coolant_ = path::CoolantMode::Off;
     bool warned_spindle_stopped_ = false;
+    bool warned_rapid_ = false;
+    bool has_called_tool_ = false;  // or was told that none was called
+    bool has_moved_ = false;
+    bool warned_units_ = false;
+    nc::Function units_ = nc::Function::None;            // that the program said last
     std::vector<std::int64_t> unknown_tools_;            // each is reported once
     std::vector<std::int64_t> known_machine_functions_;  // so are these
     bool taps_rigidly_ = false;                          // of the tapping cycles that follow

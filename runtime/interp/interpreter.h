@@ -46,6 +46,7 @@ struct InterpreterOptions {
     std::uint64_t max_blocks = 0;   // 0: no limit
     std::uint16_t skip_levels = 0;  // bit n: blocks with skip level n are left out
     bool optional_stop = false;
+    bool asks_for_tool = true;  // warns of a cut before any tool is called
 };
 
 /// One entry of the modal state, in words: `feed`, `200 mm/min`.

@@ -110,8 +110,10 @@ void Executor::arrive(const Target& target) {
 
 void Executor::line(const Block& block, const Target& target, Op op, bool exact_stop) {
     if (op == Op::Line && !check_feed(block, "line")) return;
+    if (op == Op::Rapid) check_rapid(block, target);
     if (tool_.has_changed) activate_length(block, target.moved);
     if (!check_limits(block, target.base, target.moved)) return;
+    has_moved_ = true;
     Command& command = put(op, block);
     command.to = target.base;
     command.moved = target.moved;
@@ -462,7 +464,10 @@ bool Executor::check_feed(const Block& block, std::string_view what) {
         report(diag::InverseTimeFeedMissing, block);
         return false;
     }
-    if (spindle_.mode == SpindleMode::Cw || spindle_.mode == SpindleMode::Ccw) return true;
+    if (spindle_.mode == SpindleMode::Cw || spindle_.mode == SpindleMode::Ccw) {
+        check_tool(block);
+        return true;
+    }
     if (modal_.feed_mode == FeedMode::PerRevolution) {
         report(diag::RevolutionFeedStands, block);
         return false;
@@ -472,6 +477,40 @@ bool Executor::check_feed(const Block& block, std::string_view what) {
         report(diag::FeedWithSpindleStopped, block);
     }
     return true;
+}
+
+/// A rapid that dives below the workpiece zero of a mill while the spindle stands. On a lathe, and
+/// in another plane, Z is not the way into the workpiece.
+void Executor::check_rapid(const Block& block, const Target& target) {
+    constexpr auto kZ = static_cast<std::size_t>(Axis::Z);
+    const bool stands = spindle_.mode == SpindleMode::Stop;
+    const bool dives = (target.moved >> kZ & 1u) != 0 && target.here[kZ] < 0 &&
+                       target.here[kZ] < position_.here[kZ];
+    const bool is_mill = word_scale_[0] == 1 && modal_.plane == path::Plane::Xy;
+    if (warned_rapid_ || !stands || !dives || !is_mill) return;
+    warned_rapid_ = true;
+    report(diag::RapidBelowPlane, block, Slot::Z).arg(round_to(target.here[kZ], 4));
+}
+
+/// A cut on a machine that changes tools, with whatever turns in the spindle.
+void Executor::check_tool(const Block& block) {
+    if (has_called_tool_ || !options_.asks_for_tool || machine_.tool_change_time == 0 ||
+        tool_.current != 0)
+        return;
+    has_called_tool_ = true;  // said once
+    report(diag::ToolNeverCalled, block);
+}
+
+void Executor::check_units(const Block& block, nc::Function units) {
+    const bool changes = units_ != nc::Function::None && units_ != units;
+    if (changes && has_moved_ && !warned_units_) {
+        warned_units_ = true;
+        const bool to_inch = units == nc::Function::Inch;
+        report(diag::UnitsMixed, block, units)
+            .arg(to_inch ? "millimetres" : "inches")
+            .arg(to_inch ? "inches" : "millimetres");
+    }
+    units_ = units;
 }
 
 bool Executor::check_limits(const Block& block, const AxisValues& base, AxisMask moved) {

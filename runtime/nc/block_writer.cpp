@@ -100,10 +100,16 @@ void BlockWriter::write_long(const Block& block, std::string& out) {
     if (block.skip < 0) {
         write_block(block, out);
     } else {
-        // Nobody knows whether the operator lets the block run.
+        // The operator may leave it out: behind it, only what is the same with and without it is
+        // known, so that everything else is said again.
+        const std::size_t waiting = pending_.size();
         const WriterModal before = modal_;
         write_block(block, out);
-        modal_.forget_differences(before);
+        if (pending_.size() < waiting) {
+            cannot_express(block,
+                           "a block that may be left out where the tool length begins to act");
+        }
+        modal_.keep_common(before);
     }
     if (given_number_ >= 0) {  // all that the block says holds already
         open_line(block.skip, true, out);
@@ -158,7 +164,7 @@ void BlockWriter::check_arc_words(const Block& block) {
 }
 
 void BlockWriter::write_block(const Block& block, std::string& out) {
-    if (split_turns(block, out)) return;
+    if (split_turns(block, out) || straighten(block, out)) return;
     if (modal_.waiting_edge != 0) write_waiting_edge(block, out);
     done_ = 0;
     choose_forms(block);

@@ -155,6 +155,8 @@ class BlockWriter {
     bool split_turns(const Block& block, std::string& out);
     bool is_distance(const Block& block, std::size_t axis) const;
     bool is_chord_known(const Block& block, const WrittenPosition& start) const;
+    bool straighten(const Block& block, std::string& out);
+    bool vanishes(const Block& block) const;
     bool is_known(std::size_t axis) const { return (modal_.position.known >> axis & 1u) != 0; }
     double to_text(Slot slot, double value) const;
     int decimals(Slot slot) const;

@@ -326,6 +326,66 @@ bool BlockWriter::are_turns_known(const Block& block) {
     return true;
 }
 
+/// Whether rounding takes an arc away: its end falls on its start, which a control would take for a
+/// full circle, or it is smaller than two increments, so that its rounded words say any angle. An
+/// arc of more than half a turn is one that a full circle stands for well.
+bool BlockWriter::vanishes(const Block& block) const {
+    const Function motion = effective_motion(block);
+    if (!is_arc(motion) || modal_.meant[static_cast<std::size_t>(Group::Plane)] == Function::None)
+        return false;
+    if (block.has(Slot::Turns) && std::lround(block.at(Slot::Turns)) != 0) return false;
+    if (!block.has(Slot::Radius) && (block.given & kCenterSlots) == 0) return false;
+    const std::array<std::size_t, 3> axes = plane_axes();
+    const WrittenPosition& start = modal_.position;
+    const bool is_incremental =
+        modal_.meant[static_cast<std::size_t>(Group::Distance)] == Function::Incremental;
+    PlanePoint from{};
+    PlanePoint to{};
+    bool is_same = true;  // in the text
+    double increment = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto slot = static_cast<Slot>(axes[i]);
+        if (!is_known(axes[i])) return false;
+        const bool is_distance = (block.incremental & bit(slot)) != 0 ||
+                                 (is_incremental && (block.absolute & bit(slot)) == 0);
+        from[i] = start.meant[axes[i]];
+        to[i] = !block.has(slot) ? from[i]
+                : is_distance    ? from[i] + block.at(slot)
+                                 : block.at(slot);
+        const double text_from = round_to(to_text(slot, start.text[axes[i]]), decimals(slot));
+        const double text_to = round_to(to_text(slot, to[i]), decimals(slot));
+        is_same = is_same && text_from == text_to;
+        increment = std::max(increment, std::pow(10.0, -decimals(slot)) / to_text(slot, 1));
+    }
+    const double chord = std::hypot(to[0] - from[0], to[1] - from[1]);
+    if (chord < kSame) return false;  // a full circle is meant, or nothing
+    const bool is_cw = motion == Function::ArcCw;
+    if (block.has(Slot::Radius) && !center_of_radius(from, to, block.at(Slot::Radius), is_cw)) {
+        return false;
+    }
+    const PlanePoint center = meant_center(block, from, to);
+    const double radius = std::hypot(from[0] - center[0], from[1] - center[1]);
+    // Neither an arc whose radius does not span its chord nor one whose end is off its circle.
+    if (chord > 2 * radius + increment) return false;
+    if (radius < 2 * increment) return true;
+    if (!is_same) return false;
+    const double sweep = sweep_angle(from, to, center, is_cw);
+    return sweep < std::numbers::pi;
+}
+
+/// An arc that the control cannot tell from its chord is written as that. True: it was one.
+bool BlockWriter::straighten(const Block& block, std::string& out) {
+    if (!vanishes(block)) return false;
+    sink_.report(diag::ArcVanishes, place(block)).arg(dialect_.title());
+    const Function motion = effective_motion(block);
+    Block line = block;
+    line.motion = Function::Line;
+    line.given &= ~(kCenterSlots | bit(Slot::Radius) | bit(Slot::Turns));
+    write_block(line, out);
+    modal_.meant_of(Group::Motion) = motion;
+    return true;
+}
+
 /// A helix of several turns on a control without a word for them: one block a turn.
 bool BlockWriter::split_turns(const Block& block, std::string& out) {
     if (!block.has(Slot::Turns) || has_address(Slot::Turns)) return false;

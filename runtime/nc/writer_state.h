@@ -55,28 +55,32 @@ struct WriterModal {
     Function& text_of(Group group) { return text[static_cast<std::size_t>(group)]; }
     Function& meant_of(Group group) { return meant[static_cast<std::size_t>(group)]; }
 
-    /// After a block that may be skipped, only what it left as it was is known.
-    void forget_differences(const WriterModal& before) {
+    /// Keeps of the control's state only what was the same in another one.
+    void keep_common(const WriterModal& other) {
         for (std::size_t i = 0; i < text.size(); ++i) {
-            if (text[i] != before.text[i]) text[i] = Function::None;
+            if (text[i] != other.text[i]) text[i] = Function::None;
         }
-        const auto forget_number = [](Standing& now, const Standing& then) {
-            now.is_known &= then.is_known && now.value == then.value;
+        const auto keep = [](Standing& mine, const Standing& theirs) {
+            mine.is_known = mine.is_known && theirs.is_known && mine.value == theirs.value;
         };
-        forget_number(feed, before.feed);
-        forget_number(speed, before.speed);
+        keep(feed, other.feed);
+        keep(speed, other.speed);
         for (std::size_t i = 0; i < shift.size(); ++i) {
-            forget_number(shift[i], before.shift[i]);
-            forget_number(origin[i], before.origin[i]);
+            keep(shift[i], other.shift[i]);
+            keep(origin[i], other.origin[i]);
         }
-        turned |= before.turned;
-        position.known &= before.position.known;
-        for (std::size_t axis = 0; axis < kAxes; ++axis) {
-            if (position.text[axis] != before.position.text[axis])
-                position.known &= ~(SlotMask{1} << axis);
+        keep(tool, other.tool);
+        keep(edge, other.edge);
+        turned |= other.turned;
+        if (rotation != other.rotation) rotation = Activity::Unknown;
+        if (mirror != other.mirror) mirror = Activity::Unknown;
+        if (scale != other.scale) scale = Activity::Unknown;
+        position.known &= other.position.known;
+        for (std::size_t i = 0; i < kAxes; ++i) {
+            const bool is_same = position.text[i] == other.position.text[i] &&
+                                 position.meant[i] == other.position.meant[i];
+            if (!is_same) position.known &= static_cast<SlotMask>(~(SlotMask{1} << i));
         }
-        if (rotation != before.rotation) rotation = Activity::Unknown;
-        if (mirror != before.mirror) mirror = Activity::Unknown;
     }
 
     /// After raw text nothing is known.

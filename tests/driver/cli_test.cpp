@@ -36,7 +36,7 @@ class CommandLine : public testing::Test {
         save("square.kadr", kSquare);
         save("wrong.kadr", kWrong);
         save("failing.kadr", kFailing);
-        save("flat.nc", "G0 X0 Y0 Z5 S1000 M3\nG1 Z-1 F200\nG1 X10\nM30\n");
+        save("flat.nc", "T1 M6\nG0 X0 Y0 Z5 S1000 M3\nG1 Z-1 F200\nG1 X10\nM30\n");
         save("old.txt", "old");
     }
     void TearDown() override { fs::remove_all(folder_); }
@@ -86,6 +86,8 @@ TEST_F(CommandLine, ExitStatusSaysHowItEnded) {
              Row{"not a definition", {"run", file("square.kadr"), "-D", "side"}, 2},
              Row{"later command", {"repl", file("square.kadr")}, 2},
              Row{"map of ISO text", {"run", file("flat.nc"), "--map", file("map")}, 2},  // K9011
+             Row{"no time", {"run", file("flat.nc"), "--max-time", "1us"}, 3},           // K5263
+             Row{"not a number of blocks", {"run", file("flat.nc"), "--max-blocks", "0"}, 2},
              Row{"two results to standard output",
                  {"run", file("flat.nc"), "--commands", "-", "--summary", "json"},
                  2},

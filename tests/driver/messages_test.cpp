@@ -75,4 +75,30 @@ TEST_F(MessageSink, KeepsTheFirstAlarm) {
     EXPECT_EQ(messages.first_alarm(), "part.mpf:12:5: alarm[14040]: end point: cannot read `a`");
 }
 
+TEST_F(MessageSink, WarningsAreSilencedWhereTheyStand) {
+    const FileId file = sources_.add("part.kadr",
+                                     "length a;  // kadr: allow K2501 why\n"
+                                     "length b;\n"
+                                     "  // kadr: allow K2501, K2502\n"
+                                     "length c;\n"
+                                     "note \"// kadr: allow K2501\"; length d;\n");
+    Messages messages = make(MessageFormat::Text);
+    const std::string_view text = sources_.text(file);
+    for (const char name : {'a', 'b', 'c', 'd'}) {
+        const auto at = static_cast<std::uint32_t>(text.find(std::string("length ") + name));
+        messages.report(diag::UnusedVariable, {file, at, at + 6}).arg(std::string(1, name));
+    }
+    EXPECT_EQ(messages.warnings(),
+              2u);  // b: only a comment alone in its line reaches down; d: text
+    // An error is never silenced.
+    messages.report(diag::UnknownName, {file, 0, 6}).arg("a");
+    EXPECT_EQ(messages.errors(), 1u);
+    // A line that a statement wrote is silenced at the statement.
+    LinePlace place{"part.nc", 7, 1, 1, "X5"};
+    messages.report(diag::UnusedVariable, place).arg("e").note({file, 0, 6}, "written here");
+    EXPECT_EQ(messages.warnings(), 2u);
+    messages.report(diag::UnusedVariable, place).arg("e").note({file, 40, 41}, "written here");
+    EXPECT_EQ(messages.warnings(), 3u);
+}
+
 }  // namespace

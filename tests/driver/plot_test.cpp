@@ -151,4 +151,36 @@ TEST_F(Plot, EmptySceneIsADrawingToo) {
     EXPECT_TRUE(svg.ends_with("</svg>\n"));
 }
 
+/// Where the name of a mark stands: x, y of its first or last letter, and which of both.
+struct Name {
+    double x = 0;
+    double y = 0;
+    bool is_end = false;
+};
+
+Name name_in(const std::string& svg, const std::string& text) {
+    const std::size_t at = svg.rfind("<text", svg.find('>' + text + "</text>"));
+    const auto number = [&](const std::string& attribute) {
+        return std::stod(svg.substr(svg.find(attribute + "=\"", at) + attribute.size() + 2));
+    };
+    return {number("x"), number("y"), svg.find("text-anchor=\"end\"", at) < svg.find('>', at)};
+}
+
+TEST_F(Plot, NamesOfTheMarksStayInsideTheFrame) {
+    // From the upper right corner of the drawing to its lower left one.
+    rapid({100, 60, 0});
+    line({0, 0, 0}, 100);
+    const Frame frame = lay_out(scene_).views[0].frame;
+    const std::string svg = plot_svg(scene_, {}, PlotColor::Feed);
+    for (const std::string name : {"start", "end"}) {
+        SCOPED_TRACE(name);
+        const Name at = name_in(svg, name);
+        const double width = 7.0 * static_cast<double>(name.size());
+        EXPECT_GE(at.x - (at.is_end ? width : 0), frame.left);
+        EXPECT_LE(at.x + (at.is_end ? 0 : width), frame.right());
+        EXPECT_GE(at.y - 12, frame.top);
+        EXPECT_LE(at.y, frame.bottom());
+    }
+}
+
 }  // namespace

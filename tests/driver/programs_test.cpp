@@ -75,6 +75,8 @@ TestProgram read_program(const std::string& text) {
             program.options.defines.push_back(
                 {define.substr(0, equals), define.substr(equals + 1)});
         }
+        if (const std::string name = header("machine"); !name.empty())
+            program.options.machine = name;
         if (header("execute") == "no") program.executes = false;
         if (line.starts_with("program ") || line.starts_with("language ")) program.is_body = false;
     }
@@ -143,6 +145,8 @@ void Observation::add_text(const std::string& text, const std::string& map) {
 }
 
 void Observation::add_message(const json& message) {
+    // These are pieces of programs: that they call no tool matters only where a machine is named.
+    if (program_.options.machine.empty() && message["code"] == diag::ToolNeverCalled.code) return;
     if (message["code"] == kadr::diag::EndedByAlarm.code) return;  // says where the outputs are
     const auto is_own = [this](const json& place) {
         return place.contains("line") && place["file"] == file_.string();

@@ -38,6 +38,8 @@ inline std::vector<Part> parts_of(const fs::path& folder) {
 
 inline std::vector<Part> all_parts() {
     std::vector<Part> parts = parts_of(fs::path(KADR_ROOT) / "examples");
+    const std::vector<Part> languages = parts_of(fs::path(KADR_ROOT) / "examples/languages");
+    parts.insert(parts.end(), languages.begin(), languages.end());
     const std::vector<Part> cycles = parts_of(fs::path(KADR_ROOT) / "tests/golden/cycles");
     parts.insert(parts.end(), cycles.begin(), cycles.end());
     return parts;

@@ -159,5 +159,33 @@ TEST(Text, ToolLengthIsTheSameForAll) {
               expected);
 }
 
+TEST(Text, WarningsThatSaveASpindle) {
+    machine::Machine changer = mill();
+    changer.tool_change_time = 4;
+    struct Row {
+        const char* name;
+        const char* text;
+        const char* codes;
+    };
+    for (const Row& row : {
+             Row{"down at rapid, spindle stopped", "T1 M6\nG0 Z5\nG0 Z-1\nM30\n", "K5264"},
+             {"said once", "T1 M6\nG0 Z-1\nG0 Z-2\nM30\n", "K5264"},
+             {"up again", "T1 M6\nS500 M3\nG0 Z-5\nM5\nG0 Z-1\nM30\n", ""},
+             {"along", "T1 M6\nS500 M3\nG0 Z-5\nM5\nG0 X10\nM30\n", ""},
+             {"spindle on", "T1 M6\nS500 M3\nG0 Z-5\nM30\n", ""},
+             {"not into the work", "T1 M6\nG18\nG0 Z-5\nM30\n", ""},
+             {"a cut without a tool", "S500 M3\nG1 X5 F100\nG1 X6\nM30\n", "K5265"},
+             {"with a tool", "T1 M6\nS500 M3\nG1 X5 F100\nM30\n", ""},
+             {"units change on the way", "G21\nG0 X5\nG20\nG0 X1\nG21\nM30\n", "K5266"},
+             {"units said again", "G21\nG0 X5\nG21\nG0 X1\nM30\n", ""},
+             {"units before all motion", "G20\nG21\nG0 X5\nM30\n", ""},
+         }) {
+        SCOPED_TRACE(row.name);
+        EXPECT_EQ(alarms(read("iso", row.text, changer)), row.codes);
+    }
+    // A machine that changes no tools has the one that is in it.
+    EXPECT_EQ(alarms(read("iso", "S500 M3\nG1 X5 F100\nM30\n")), "");
+}
+
 }  // namespace
 }  // namespace kadr::interp

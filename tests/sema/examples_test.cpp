@@ -22,6 +22,17 @@ RunOptions small_limits() {
     return options;
 }
 
+/// Examples are as short as they can be: that a variable is not read matters to one of them only.
+Outcome without_unused(Outcome outcome, const DiagnosticRow& row) {
+    if (&row == &diag::UnusedVariable) return outcome;
+    for (std::size_t i = outcome.messages.size(); i-- > 0;) {
+        if (!outcome.messages[i].ends_with(diag::UnusedVariable.code)) continue;
+        outcome.messages.erase(outcome.messages.begin() + static_cast<std::ptrdiff_t>(i));
+        outcome.texts.erase(outcome.texts.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    return outcome;
+}
+
 bool has_code(const Outcome& outcome, std::string_view code) {
     return std::any_of(outcome.messages.begin(), outcome.messages.end(),
                        [&](const std::string& message) { return message.ends_with(code); });
@@ -32,13 +43,13 @@ TEST(Examples, WrongOnesCauseTheMessageAndRightOnesNone) {
         const bool is_ours = row->code.starts_with("K2") || row->code.starts_with("K3");
         if (!is_ours || !is_program(row->wrong)) continue;
         SCOPED_TRACE(std::string(row->code) + ' ' + std::string(row->name));
-        const Outcome wrong = run(std::string(row->wrong), small_limits());
+        const Outcome wrong = without_unused(run(std::string(row->wrong), small_limits()), *row);
         EXPECT_TRUE(has_code(wrong, row->code))
             << row->wrong << "\ngives: " << wrong.all_messages();
         // One mistake, one message.
         EXPECT_EQ(wrong.messages.size(), 1u) << row->wrong << "\ngives: " << wrong.all_messages();
         if (!is_program(row->right)) continue;
-        const Outcome right = run(std::string(row->right), small_limits());
+        const Outcome right = without_unused(run(std::string(row->right), small_limits()), *row);
         EXPECT_EQ(right.all_messages(), "") << row->right;
     }
 }

@@ -72,11 +72,11 @@ TEST(Mistakes, Dimensions) {
         {"program p() { auto a = exp(5mm); }", "1:28 K2102 `exp` must be number, not length"},
         {"program p() { X=atan2(1mm, 1s)/1deg; }", "1:17 K2103 `atan2` between length and time"},
         {"program p() { length[] a = {1, 2deg}; }",
-         "1:32 K2102 `the element` must be length, not angle"},
+         "1:32 K2102 the element must be length, not angle"},
         {"void f(angle a) { X=sin(a); }\nprogram p() { f(3mm); }",
          "2:17 K2102 `a` must be angle, not length"},
         {"length f() { return 3s; }\nprogram p() { X=f(); }",
-         "1:21 K2102 `the result` must be length, not time"},
+         "1:21 K2102 the result must be length, not time"},
         {"program p() { auto a = 1mm; a = 2mm*3mm*4mm; }",
          "1:33 K2102 `a` must be length, not volume"},
         {"program p() { auto a = 1mm/1s/1s/1s; a = 1; length b = a; }",
@@ -88,7 +88,7 @@ TEST(Mistakes, Types) {
     expect_rows({
         {"program p() { int a = 2.5; }", "1:23 K2104 `a` must be a whole number; this one is real"},
         {"program p() { int[] a = {1}; X=a[1.5]; }",
-         "1:34 K2104 `the index` must be a whole number; this one is real"},
+         "1:34 K2104 the index must be a whole number; this one is real"},
         {"program p() { bool a = 1; }", "1:24 K2101 `a` must be `bool`, not `int`"},
         {"program p() { string a = 1; }", "1:26 K2101 `a` must be `string`, not `int`"},
         {"enum e { one }\nenum f { two }\nprogram p() { e a = two; }",
@@ -110,7 +110,7 @@ TEST(Mistakes, Types) {
         {"program p() { int[] a = {1, 2}; int[] b = {1}; if (a == b) X1; }",
          "1:52 K2106 `==` cannot be applied to `int[]` and `int[]`"},
         {"program p() { G1 5; }", "1:18 K1114 unexpected `5` behind `G1`"},
-        {"program p() { int n = 1; G1 n; }", "1:29 K2101 `the target` must be `point`, not `int`"},
+        {"program p() { int n = 1; G1 n; }", "1:29 K2101 the target must be `point`, not `int`"},
     });
 }
 

