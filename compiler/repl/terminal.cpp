@@ -62,18 +62,23 @@ class Editor {
     Editor(const Editor&) = delete;
     Editor& operator=(const Editor&) = delete;
 
-    /// The next line; null at the end. `was_interrupted`: Ctrl-C was pressed instead.
-    const char* line(bool& was_interrupted);
+    /// The next line; null at the end.
+    const char* line();
+    /// Whether Ctrl-C was pressed instead of ending the line.
+    bool was_cancelled() const { return was_cancelled_; }
 
   private:
     static char* shown_prompt(EditLine* edit);
     static unsigned char complete(EditLine* edit, int);
     unsigned char complete();
+    static unsigned char cancel(EditLine* edit, int);
+    unsigned char cancel();
 
     Prompt& prompt_;
     EditLine* edit_;
     History* history_;
     HistEvent event_{};
+    bool was_cancelled_ = false;
     std::string file_ = history_file();
 };
 
@@ -89,6 +94,11 @@ Editor::Editor(Prompt& prompt)
     el_set(edit_, EL_ADDFN, "kadr-complete", "complete names and words",
            static_cast<unsigned char (*)(EditLine*, int)>(&Editor::complete));
     el_set(edit_, EL_BIND, "^I", "kadr-complete", nullptr);
+    // While a line is edited Ctrl-C is a key; while an input is evaluated it is a signal.
+    el_set(edit_, EL_SETTY, "-d", "-isig", nullptr);
+    el_set(edit_, EL_ADDFN, "kadr-cancel", "forget the line",
+           static_cast<unsigned char (*)(EditLine*, int)>(&Editor::cancel));
+    el_set(edit_, EL_BIND, "^C", "kadr-cancel", nullptr);
     el_set(edit_, EL_SIGNAL, 0);
     el_source(edit_, nullptr);  // the user's own ~/.editrc
 }
@@ -133,10 +143,24 @@ unsigned char Editor::complete() {
     return CC_REDISPLAY;
 }
 
-const char* Editor::line(bool& was_interrupted) {
+unsigned char Editor::cancel(EditLine* edit, int) {
+    Editor* self = nullptr;
+    el_get(edit, EL_CLIENTDATA, &self);
+    return self->cancel();
+}
+
+unsigned char Editor::cancel() {
+    const LineInfo* info = el_line(edit_);
+    el_cursor(edit_, static_cast<int>(info->lastchar - info->cursor));
+    el_deletestr(edit_, static_cast<int>(info->lastchar - info->buffer));
+    was_cancelled_ = true;
+    return CC_NEWLINE;
+}
+
+const char* Editor::line() {
+    was_cancelled_ = false;
     int count = 0;
     const char* text = el_gets(edit_, &count);
-    was_interrupted = interrupted.exchange(false);
     if (text == nullptr || count <= 0) return nullptr;
     if (count > 1) history(history_, &event_, H_ENTER, text);
     return text;
@@ -159,20 +183,18 @@ bool wait_for_enter() {
 void converse_at_terminal(Prompt& prompt) {
     struct sigaction action {};
     action.sa_handler = on_interrupt;
-    sigaction(SIGINT, &action, nullptr);  // without SA_RESTART: reading a line is interrupted
+    sigaction(SIGINT, &action, nullptr);
     Editor editor(prompt);
     write_out("Kadr. `:help` says what can be typed; Ctrl-D leaves.\n");
     while (!prompt.is_over()) {
-        bool was_interrupted = false;
-        const char* line = editor.line(was_interrupted);
-        if (was_interrupted) {
+        const char* line = editor.line();
+        if (line == nullptr) break;
+        if (editor.was_cancelled()) {
             prompt.cancel();
-            write_out("\n");
             continue;
         }
-        if (line == nullptr) break;
+        interrupted = false;
         prompt.take(std::string_view(line).substr(0, std::string_view(line).find('\n')));
-        if (interrupted.exchange(false)) prompt.cancel();
     }
     write_out("\n");
 }

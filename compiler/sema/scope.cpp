@@ -74,6 +74,7 @@ void Checker::leave_scope(std::size_t symbols) {
 void Checker::report_unused(const Symbol& symbol) {
     const bool is_asked = !symbol.is_parameter && !symbol.is_loop_variable && !symbol.is_read;
     if (!is_asked || symbol.name.empty() || kind(symbol.type) == Kind::Error) return;
+    if (kind(symbol.type) == Kind::Execution) return;  // executing it may be all that is wanted
     // A library's own matter; and in a broken text, what is missing may have read it.
     if (module_ != 0 || function_ == nullptr || ast().has_errors) return;
     unused_.push_back({symbol.range, symbol.name});

@@ -136,8 +136,8 @@ void BlockWriter::check_arc_words(const Block& block) {
     const Function motion =
         block.find(Function::Cycle) != nullptr ? Function::Cycle : effective_motion(block);
     const bool has_centre = (block.given & kCenterSlots) != 0;
-    if (motion == Function::None) {
-        // After raw text: the author knows.
+    if (motion == Function::None || is_tapping(motion)) {
+        // After raw text the author knows; beside a tapping motion the centre word is the pitch.
     } else if (!is_arc(motion)) {
         for (std::size_t i = 0; i < kSlots; ++i) {
             const auto slot = static_cast<Slot>(i);

@@ -119,7 +119,7 @@ class Planner {
             if (claim.is_parameter || (bit(slot_of(claim)) & kArcSlots) == 0) continue;
             if (slot_of(claim) == Slot::Radius) radius = &claim;
             if ((bit(slot_of(claim)) & kCenterSlots) != 0) center = &claim;
-            if (!is_straight) continue;
+            if (!is_straight) continue;  // the centre word of a tapping motion is its pitch
             const SourceWord& word = words_[source_[claim.word]];
             sink_.report(diag::ArcWordWithoutArc, word.range)
                 .arg(text_of(word))

@@ -107,8 +107,8 @@ TEST_F(Docs, PicturesAreWhatIsDrawnToday) {
         const std::string program = kadr::read_file(entry.path()).value_or("");
         const bool is_lathe = program.find("-m lathe") != std::string::npos;
         const ProcessResult result =
-            run_process({KADR_BINARY, "run", entry.path(), "-m", is_lathe ? "lathe" : "mill",
-                         "--cycles", "moves", "--plot", "now.svg"});
+            run_process({KADR_BINARY, "run", entry.path(), "-d", "sinumerik", "-m",
+                         is_lathe ? "lathe" : "mill", "--cycles", "moves", "--plot", "now.svg"});
         EXPECT_EQ(result.status, 0) << name << '\n' << result.err;
         EXPECT_TRUE(kadr::read_file("now.svg") ==
                     kadr::read_file(KADR_ROOT "/docs/pictures/" + name + ".svg"))

@@ -124,8 +124,8 @@ TEST(Reference, GoesOverTheProgrammedPlaceToTheMachinesPoint) {
 }
 
 TEST(Reference, UnknownPointsAndCyclesAreAlarms) {
-    EXPECT_EQ(run({fn(Function::ReferenceReturn, {{0, 2}}).z(0)}).codes(), "K5234");
-    EXPECT_EQ(run({fn(Function::ReferencePoint, {{0, 5}, {1, 0}})}).codes(), "K5234");
+    EXPECT_EQ(run({fn(Function::ReferenceReturn, {{0, 2}}).z(0)}).codes(), "K5237");
+    EXPECT_EQ(run({fn(Function::ReferencePoint, {{0, 5}, {1, 0}})}).codes(), "K5237");
     Asked cycles;
     EXPECT_EQ(run({tap_cycle().f(100), fn(Function::ReferenceReturn).ic(Slot::Z, 0)},
                   {.rules = "<rule name=\"modal_cycles\" value=\"yes\"/>", .cycles = &cycles})

@@ -340,6 +340,10 @@ std::string lost_field(const Block& meant, std::span<const Block> blocks, const 
         const Invocation& invocation = meant.functions[i];
         Function function = invocation.function;
         if (function == Function::Tool) function = Function::ToolSelect;
+        // One factor for all axes may be said as three, and about a centre as two shifts more.
+        if (function == Function::Scale &&
+            any([](const Block& b) { return b.find(Function::Scale) != nullptr; }))
+            continue;
         const bool is_there = any([&](const Block& b) {
             const Invocation* found = b.find(function);
             // `G43 H1` says both.
@@ -371,6 +375,27 @@ std::string lost_field(const Block& meant, std::span<const Block> blocks, const 
 
 /// Every word of a block is written, or there is a message: known positions and unknown ones, words
 /// that do not go together, modal words repeated or not.
+/// Adds to the blocks that were read a rotation with its centre for each one that stands between a
+/// shift to the centre and the shift back, in blocks of their own.
+void add_centred_rotations(std::vector<Block>& blocks) {
+    const std::size_t count = blocks.size();
+    for (std::size_t i = 0; i + 2 < count; ++i) {
+        Block three;
+        for (std::size_t j = i; j < i + 3; ++j) {
+            if (blocks[j].function_count != 1) break;
+            const Invocation& from = blocks[j].functions[0];
+            Invocation* to = three.add(from.function, info(from.function).parameters.size());
+            for (std::size_t p = 0; p < info(from.function).parameters.size(); ++p) {
+                if ((from.given >> p & 1u) != 0)
+                    three.set_argument(*to, p, blocks[j].argument(from, p));
+            }
+        }
+        if (three.function_count != 3) continue;
+        fold_center(three);
+        if (three.function_count == 1) blocks.push_back(three);
+    }
+}
+
 void check_nothing_lost(const Dialect& dialect) {
     const Block block = any_crowded_block(dialect);
     DiagnosticList sink;
@@ -403,6 +428,7 @@ void check_nothing_lost(const Dialect& dialect) {
             continue;
         one.given = 0;  // positions of the start are no words of the block
     }
+    add_centred_rotations(read.blocks);
     RC_ASSERT(lost_field(block, read.blocks, dialect) == "");
 }
 

@@ -240,7 +240,7 @@ TEST(Writer, ToolsAndHeldBackWords) {
                              // An offset of the program's own stands for the tool's.
                              {"tool(3)\nG43 H5 Z50", "T03 M06\nG00 G43 H05 Z50.\n"},
                              {"tool(3)\nH5\nZ50", "T03 M06\nH05\nG00 G43 H05 Z50.\n"},
-                             {"tool(3)\nG41 D8\nG1 X5 F100", "T03 M06\nG41 D08\nG01 X5. F100.\n"},
+                             {"tool(3)\nG41 DR=8\nG1 X5 F100", "T03 M06\nG41 D08\nG01 X5. F100.\n"},
                              {"tool(3)\nG41\nG1 X5 F100\nG40\nG42",
                               "T03 M06\nG41 D03\nG01 X5. F100.\nG40\nG42 D03\n"},
                          });
@@ -266,7 +266,7 @@ TEST(Writer, Frames) {
                 });
     expect_text("sinumerik",
                 {{"shift(x: 60)\nrotate(30)\nshift()", "TRANS X60\nAROT RPL=30\nTRANS\n"}});
-    EXPECT_EQ(write("fanuc", "rotate(30)\nrotate(10)").codes, "K4201");
+    EXPECT_EQ(write("fanuc", "rotate(30)\nrotate(10)").codes, "K4212");
     for (const char* inside : {"mirror(x: 0)", "mirror_off()", "work_offset(2)", "G18"}) {
         EXPECT_EQ(write("fanuc", std::string("rotate(30)\n") + inside).codes, "K4212") << inside;
         EXPECT_EQ(write("fanuc", std::string("rotate(30)\nrotate_off()\n") + inside).codes, "");
