@@ -161,6 +161,7 @@ const char* Editor::line() {
     was_cancelled_ = false;
     int count = 0;
     const char* text = el_gets(edit_, &count);
+    if (was_cancelled_) return "";
     if (text == nullptr || count <= 0) return nullptr;
     if (count > 1) history(history_, &event_, H_ENTER, text);
     return text;
