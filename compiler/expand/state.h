@@ -1,8 +1,8 @@
 // state.h — a running program: registers, calls, modal state, the batch that is being filled.
 //
-// The chapters: vm.cpp (the instructions), blocks.cpp (blocks, frames, `with`), faults.cpp (errors
-// with the call stack), start.cpp (programs, parameters), text_format.cpp. For the room expand
-// only.
+// The chapters: vm.cpp (the instructions), blocks.cpp (blocks, frames, `with`), contours.cpp,
+// faults.cpp (errors with the call stack), start.cpp (programs, parameters), text_format.cpp. For
+// the room expand only.
 #pragma once
 
 #include <deque>
@@ -14,6 +14,8 @@
 #include "expand/expander.h"
 #include "expand/heap.h"
 #include "expand/modal.h"
+#include "path/command.h"
+#include "path/contour.h"
 #include "sema/arithmetic.h"
 
 namespace kadr::expand {
@@ -77,6 +79,8 @@ struct Expander::State {
     // ---- blocks.cpp
     /// A block to fill: of the batch while there is room, else one that waits for the next batch.
     nc::Block& next_block(SourceId source);
+    /// Takes back the block that was made last: it could not be finished.
+    void drop_block(const nc::Block& block);
     bool emit(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     bool fill_plan(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     bool fill(nc::Block& block, const sema::Filling& filling, Slot value, std::uint32_t at);
@@ -92,6 +96,32 @@ struct Expander::State {
     bool check_preserves(std::uint32_t at);
     bool is_block_limit(std::uint32_t at);
     double state_value(sema::StateValue which) const;
+
+    // ---- contours.cpp
+    /// A contour outside of the heap, with the plane in which it lies.
+    struct PlaneContour {
+        path::Contour elements;
+        path::Plane plane = path::Plane::Xy;
+    };
+    PlaneContour read_contour(Slot handle);
+    std::int64_t make_contour(const PlaneContour& contour, std::uint32_t layout);
+    bool contour_value(const Instruction& instruction, Slot* registers, std::uint32_t at);
+    void begin_contour();
+    bool close_contour(std::uint32_t at);
+    std::int64_t end_contour(std::uint32_t layout);
+    bool keep_plan(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    bool keep(const nc::Block& block, std::uint32_t at);
+    bool refuse_block(std::string_view what, std::uint32_t at);
+    /// What `follow` travels: beside the contour, leads included. Nothing: reported.
+    std::optional<PlaneContour> followed(const Slot* arguments, std::uint32_t at);
+    bool follow_start(const Instruction& instruction, Slot* registers, std::uint32_t at);
+    bool follow_contour(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    struct FollowedBlock {
+        SourceId source;
+        unsigned depth = 0;  // loops around the statement
+        double feed = 0;     // of the block, second form included; NaN: none
+    };
+    bool emit_element(const path::Element& element, const FollowedBlock& next, std::uint32_t at);
 
     // ---- faults.cpp: report with the call stack, end the program
     DiagnosticBuilder fault(const DiagnosticRow& row, std::uint32_t at);
@@ -128,6 +158,19 @@ struct Expander::State {
     };
     std::vector<OpenWith> withs;
     std::vector<OpenWith> promises;  // of `preserves`
+
+    /// A contour whose blocks are being kept.
+    struct Recording {
+        ModalState before;
+        path::Contour elements;
+        path::Plane plane = path::Plane::Xy;
+        path::Vec2 start = path::Vec2::Zero();
+        path::Vec2 at = path::Vec2::Zero();
+        bool has_start = false;
+        bool is_closed = false;
+    };
+    std::vector<Recording> recordings;  // innermost last
+    nc::Block kept_block;               // takes the words of a block that is kept
 
     nc::Block* batch = nullptr;
     std::size_t batch_size = 0;

@@ -804,6 +804,38 @@ op_State:
     }
     KADR_NEXT;
 
+    // ---------------------------------------------------------------- contours and curves
+op_BeginContour:
+    begin_contour();
+    KADR_NEXT;
+op_CloseContour:
+    if (!close_contour(AT)) [[unlikely]]
+        goto stop;
+    KADR_NEXT;
+op_EndContour:
+    if (heap.is_full()) [[unlikely]]
+        collect_garbage(r);
+    A.integer = end_contour(static_cast<std::uint32_t>(ip->immediate.pair.first));
+    if (heap.elements() > options.limits.array_elements) [[unlikely]]
+        goto too_many_elements;
+    KADR_NEXT;
+op_ContourValue:
+    if (heap.is_full()) [[unlikely]]
+        collect_garbage(r);
+    if (!contour_value(*ip, r, AT)) [[unlikely]]
+        goto stop;
+    if (heap.elements() > options.limits.array_elements) [[unlikely]]
+        goto too_many_elements;
+    KADR_NEXT;
+op_FollowContour:
+    if (!follow_contour(*ip, r, AT)) [[unlikely]]
+        goto stop;
+    goto batch_or_next;
+op_FollowStart:
+    if (!follow_start(*ip, r, AT)) [[unlikely]]
+        goto stop;
+    KADR_NEXT;
+
     // ---------------------------------------------------------------- messages of the author
 op_RequireFailed:
 op_AssertFailed:

@@ -14,10 +14,12 @@ using syntax::ExprKind;
 
 namespace {
 
-constexpr std::array<std::string_view, 29> kNames = {
-    "abs",   "acos",  "asin", "atan", "atan2", "cbrt",  "ceil", "cos",  "distance", "exp",
-    "floor", "hypot", "int",  "ln",   "log",   "log10", "max",  "min",  "mod",      "pow",
-    "real",  "round", "sign", "sin",  "sqrt",  "table", "tan",  "text", "trunc",
+constexpr std::array<std::string_view, 36> kNames = {
+    "abs",           "acos", "asin",  "atan",    "atan2",        "cbrt",  "ceil",   "cos",
+    "distance",      "exp",  "floor", "follow",  "follow_start", "hypot", "inside", "int",
+    "intersections", "ln",   "log",   "log10",   "max",          "min",   "mod",    "nearest",
+    "offset",        "pow",  "real",  "reverse", "round",        "sign",  "sin",    "sqrt",
+    "table",         "tan",  "text",  "trunc",
 };
 
 }  // namespace
@@ -320,6 +322,7 @@ constexpr MathRow kOneNumber[] = {
 }  // namespace
 
 std::optional<Value> Checker::builtin(std::string_view name, const Expr& expr, Reg hint) {
+    if (const std::optional<Value> value = contour_function(name, expr)) return value;
     for (const MathRow& row : kOneNumber) {
         if (row.name == name) {
             if (name == "atan" && expr.list.count == 2) return builtin("atan2", expr, hint);

@@ -226,6 +226,11 @@ std::optional<Value> Checker::property_value(const Place& whole, const Expr& exp
     const Kind k = kind(whole.type);
     const std::string_view name = text(expr.text);
     if (k != Kind::Array && k != Kind::String) return std::nullopt;
+    if (is_contour(types_.given(whole.type)) && name != "count") {
+        const Value contour = require_given(load(whole, expr.range, true, kNoReg), expr.range, {});
+        if (is_error(contour)) return contour;
+        if (const std::optional<Value> value = contour_property(contour, expr)) return *value;
+    }
     if (name != "count" && name != "length") {
         report(diag::UnknownMember, expr.range).arg(type_name(whole.type)).arg(name);
         return error_value();
@@ -264,7 +269,7 @@ Value Checker::array_method(const Place& array, const Expr& callee, const Expr& 
         const std::optional<Value> count = property_value(array, callee);
         return count ? *count : error_value();
     }
-    if (!adds && !inserts && !removes && !pops && !clears) {
+    if (info.is_contour || (!adds && !inserts && !removes && !pops && !clears)) {
         auto builder = report(diag::UnknownMethod, callee.range);
         builder.arg(type_name(array.type)).arg(name);
         static constexpr std::string_view kMethods[] = {"append", "insert", "remove",

@@ -4,7 +4,7 @@
 // scope.cpp (names), expressions.cpp, values.cpp, convert.cpp (units and dimensions),
 // optionals.cpp, composites.cpp (points, structs, arrays), operators.cpp, conditions.cpp,
 // places.cpp (what can be assigned), calls.cpp, builtins.cpp, text.cpp (strings), statements.cpp,
-// loops.cpp, blocks.cpp (NC blocks), with.cpp, preserves.cpp. For the room sema only.
+// loops.cpp, blocks.cpp (NC blocks), contours.cpp, with.cpp, preserves.cpp. For the room sema only.
 #pragma once
 
 #include <memory>
@@ -37,6 +37,7 @@ struct Place {
     bool is_const = false;
     bool is_loop_variable = false;
     bool is_temporary = false;  // part of a value that nobody else sees
+    bool is_contour_part = false;
     bool may_be_unset = false;
     std::int32_t symbol = -1;  // local symbol, if this is a whole local variable
     std::string_view root;     // name of the variable, for messages
@@ -233,6 +234,17 @@ class Checker {
     Value math_value(Math function, const Value& a, const Value& b, Type type,
                      const SourceRange& range, Reg hint);
 
+    // contours.cpp
+    void contour_body(const syntax::Decl& decl, Reg target);
+    void contour_variable(const syntax::Decl& decl);
+    std::optional<Value> contour_property(const Value& contour, const syntax::Expr& expr);
+    std::optional<Value> contour_function(std::string_view name, const syntax::Expr& expr);
+    Value contour_value(ContourFunction function, Type result, Reg arguments,
+                        const SourceRange& range);
+    bool is_contour_argument(const syntax::Expr& expr);
+    Value follow_call(const syntax::Expr& expr, std::string_view name);
+    bool is_contour(Type type) const { return type_info(type).is_contour; }
+
     // text.cpp
     Value string(syntax::ExprId id, Reg hint);
     bool format_piece(const Value& value, std::string_view format, const SourceRange& range,
@@ -346,6 +358,7 @@ class Checker {
     std::vector<LoopScope> loops_;
     std::size_t with_depth_ = 0;
     int loop_depth_ = 0;
+    int contour_depth_ = 0;  // bodies of contours around
     const FunctionDecl* function_ = nullptr;
     bool has_preserves_ = false;
     bool is_startup_ = false;

@@ -113,6 +113,7 @@ void Checker::declare_names(std::uint32_t module) {
                         {Name::What::Function, module, index, {}, 0, decl.name_range});
                 break;
             }
+            case DeclKind::Contour:
             case DeclKind::Variable: {
                 const auto index = static_cast<std::uint32_t>(globals_.size());
                 globals_.push_back({GlobalVariable::State::Unchecked, module, id, {}});
@@ -129,10 +130,8 @@ void Checker::declare_names(std::uint32_t module) {
                 break;
             }
             case DeclKind::Enum: declare_enum(module, decl); break;
-            case DeclKind::Contour:
             case DeclKind::Curve:
-                not_supported(decl.kind == DeclKind::Curve ? "a `curve`" : "a `contour`",
-                              decl.name_range);
+                not_supported("a `curve`", decl.name_range);
                 declare(module, name, {Name::What::Unsupported, module, 0, {}, 0, decl.name_range});
                 break;
             case DeclKind::Test:
@@ -157,10 +156,11 @@ std::optional<Type> Checker::builtin_type(std::string_view name) const {
         Type type;
     };
     static constexpr Row kRows[] = {
-        {"void", types::kVoid},     {"bool", types::kBool},         {"int", types::kInt},
-        {"real", types::kReal},     {"length", types::kLengthType}, {"angle", types::kAngleType},
-        {"time", types::kTimeType}, {"feed", types::kFeed},         {"speed", types::kSpeed},
-        {"string", types::kString}, {"point", types::kPoint},       {"vector", types::kVector},
+        {"void", types::kVoid},       {"bool", types::kBool},         {"int", types::kInt},
+        {"real", types::kReal},       {"length", types::kLengthType}, {"angle", types::kAngleType},
+        {"time", types::kTimeType},   {"feed", types::kFeed},         {"speed", types::kSpeed},
+        {"string", types::kString},   {"point", types::kPoint},       {"vector", types::kVector},
+        {"contour", types::kContour},
     };
     for (const Row& row : kRows) {
         if (row.name == name) return row.type;
@@ -178,11 +178,14 @@ Type Checker::resolve_type(syntax::TypeId id) {
     } else if (const Name* found = find_global(module_, name);
                found != nullptr && found->what == Name::What::Type) {
         type = found->type;
+    } else if (name == "element") {
+        type = types::kElement;  // not reserved: a program may have its own
     } else if (!name.empty()) {
         auto builder = report(diag::UnknownType, ref.range);
         builder.arg(name);
-        std::vector<std::string_view> known = {"bool", "int",   "real",   "length", "angle", "time",
-                                               "feed", "speed", "string", "point",  "vector"};
+        std::vector<std::string_view> known = {"bool",   "int",   "real",   "length",
+                                               "angle",  "time",  "feed",   "speed",
+                                               "string", "point", "vector", "contour"};
         for (const auto& [other, entry] : modules_[module_].names) {
             if (entry.what == Name::What::Type) known.push_back(other);
         }
@@ -396,7 +399,13 @@ void Checker::check_global(std::uint32_t index, bool on_demand) {
         report(diag::ConstWithoutValue, decl.name_range).arg(symbol.name);
     const Reg mark = emit_.mark();
     Value value = error_value();
-    if (decl.value.is_valid()) {
+    const bool is_body = decl.kind == DeclKind::Contour;
+    if (is_body) {
+        symbol.type = types::kContour;
+        value = in_registers(types::kContour, emit_.take(1));
+        value.is_fresh = true;
+        contour_body(decl, value.reg);
+    } else if (decl.value.is_valid()) {
         value = expression(decl.value, symbol.type);
         if (decl.type.is_valid()) {
             value = convert(value, symbol.type, tree[decl.value].range, symbol.name);
@@ -419,9 +428,9 @@ void Checker::check_global(std::uint32_t index, bool on_demand) {
         symbol.global = code_->globals;
         const std::uint16_t slots = type_info(symbol.type).slots;
         code_->globals += slots;
-        symbol.may_be_unset = !decl.value.is_valid();
+        symbol.may_be_unset = !decl.value.is_valid() && !is_body;
         Reg reg = 0;
-        if (decl.value.is_valid()) {
+        if (decl.value.is_valid() || is_body) {
             reg = in_register(value);
             if (value.is_variable && types_.holds_array(symbol.type)) {
                 const Reg copy = emit_.take(slots);

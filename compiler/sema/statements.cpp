@@ -98,7 +98,10 @@ bool Checker::statement(StmtId id) {
             ends = false;
             break;
         case StmtKind::WarnStmt: text_statement(stmt, Op::UserWarning, 0); break;
-        case StmtKind::Close: not_supported("`close`", stmt.range); break;
+        case StmtKind::Close:
+            if (contour_depth_ == 0) report(diag::CloseOutside, stmt.range);
+            emit_.emit(Op::CloseContour);
+            break;
         case StmtKind::Assume: not_supported("`assume`", stmt.range); break;
         case StmtKind::Expect: not_supported("`expect`", stmt.range); break;
     }
@@ -108,9 +111,8 @@ bool Checker::statement(StmtId id) {
 }
 
 void Checker::variable(const Decl& decl) {
-    if (decl.kind == syntax::DeclKind::Contour || decl.kind == syntax::DeclKind::Curve) {
-        not_supported(decl.kind == syntax::DeclKind::Curve ? "a `curve`" : "a `contour`",
-                      decl.range);
+    if (decl.kind == syntax::DeclKind::Contour) {
+        contour_variable(decl);
         return;
     }
     Symbol symbol;
@@ -355,6 +357,10 @@ void Checker::leave_function(const SourceRange& range) {
 }
 
 void Checker::return_statement(const Stmt& stmt) {
+    if (contour_depth_ > 0) {
+        report(diag::ReturnInContour, stmt.range);
+        return;
+    }
     const Type result = function_ != nullptr ? function_->result : types::kVoid;
     if (!stmt.expression[0].is_valid()) {
         if (result != types::kVoid && kind(result) != Kind::Error) {

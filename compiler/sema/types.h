@@ -40,6 +40,7 @@ struct TypeInfo {
     bool is_optional = false;      // may be not given
     Type element;                  // of Array
     std::int64_t count = -1;       // of a fixed Array; -1 growing
+    bool is_contour = false;       // an Array of elements that only contours can make
     std::uint32_t definition = 0;  // of Struct and Enum: index in TypeTable::structs, enums
     std::uint16_t slots = 1;       // registers that a value takes
 
@@ -85,6 +86,8 @@ inline constexpr Type kOptionalReal{12};
 inline constexpr Type kPoint{13};
 inline constexpr Type kVector{14};
 inline constexpr Type kRange{15};
+inline constexpr Type kElement{16};  // of a contour; its registers: ElementSlot in code.h
+inline constexpr Type kContour{17};
 }  // namespace types
 
 class TypeTable {
