@@ -38,6 +38,10 @@ std::string_view feed_word(Function mode) {
 }  // namespace
 
 bool Expander::State::is_block_limit(std::uint32_t at) {
+    if (is_in_curve) [[unlikely]] {
+        fault(diag::CurveBlock, at);
+        return true;
+    }
     if (blocks_left > 0) {
         --blocks_left;
         return false;

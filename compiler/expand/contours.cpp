@@ -6,6 +6,7 @@
 #include "base/assert.h"
 #include "base/numbers.h"
 #include "base/units.h"
+#include "expand/plane.h"
 #include "expand/state.h"
 #include "path/arc.h"
 #include "path/contour_lead.h"
@@ -31,24 +32,6 @@ constexpr std::size_t at(ElementSlot slot) { return static_cast<std::size_t>(slo
 constexpr std::size_t at(FollowSlot slot) { return static_cast<std::size_t>(slot); }
 
 bool is_given(Slot slot) { return slot.number == slot.number; }
-
-path::Plane plane_of(Function function) {
-    switch (function) {
-        case Function::PlaneZx: return path::Plane::Zx;
-        case Function::PlaneYz: return path::Plane::Yz;
-        default: return path::Plane::Xy;
-    }
-}
-
-struct PlaneIndices {
-    std::size_t first;
-    std::size_t second;
-    std::size_t across;
-};
-PlaneIndices indices_of(path::Plane plane) {
-    const path::PlaneAxes axes = path::axes_of(plane);
-    return {index(axes.first), index(axes.second), index(axes.normal)};
-}
 
 /// "X and Y", for messages.
 std::string axes_text(path::Plane plane) {
@@ -454,6 +437,7 @@ std::optional<Expander::State::PlaneContour> Expander::State::followed(const Slo
     const Slot left = arguments[at(FollowSlot::Left)];
     const Slot right = arguments[at(FollowSlot::Right)];
     const double distance = is_given(left) ? left.number : is_given(right) ? -right.number : 0;
+    const Contour wall = contour.elements;
     if (distance != 0) {
         const auto pieces = path::offset(contour.elements, distance);
         if (!pieces) {
@@ -479,7 +463,8 @@ std::optional<Expander::State::PlaneContour> Expander::State::followed(const Slo
     leads.arc_in = *arc_in;
     leads.arc_out = *arc_out;
     leads.is_left = is_given(left) ? left.number >= 0 : is_given(right) && right.number < 0;
-    auto whole = path::with_leads(contour.elements, leads);
+    const bool has_side = is_given(left) || is_given(right);
+    auto whole = path::with_leads(contour.elements, leads, {wall, std::fabs(distance), has_side});
     if (!whole) {
         fault(diag::LeadCuts, where)
             .arg(whole.error() == path::LeadFault::InCuts ? "lead-in" : "lead-out");
@@ -553,6 +538,11 @@ bool Expander::State::emit_element(const Element& element, const FollowedBlock& 
             static_cast<nc::Slot>(static_cast<std::size_t>(nc::Slot::CenterX) + plane_axes[i]);
         block.set(center, element.center[component] - element.from[component]);
     }
+    return finish_followed(block, next, where);
+}
+
+bool Expander::State::finish_followed(Block& block, const FollowedBlock& next,
+                                      std::uint32_t where) {
     if (next.feed == next.feed) {
         sema::Filling filling;
         filling.form = sema::Filling::Form::Feed;

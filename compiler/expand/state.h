@@ -1,8 +1,8 @@
 // state.h — a running program: registers, calls, modal state, the batch that is being filled.
 //
 // The chapters: vm.cpp (the instructions), blocks.cpp (blocks, frames, `with`), contours.cpp,
-// faults.cpp (errors with the call stack), start.cpp (programs, parameters), text_format.cpp. For
-// the room expand only.
+// curves.cpp, faults.cpp (errors with the call stack), start.cpp (programs, parameters),
+// text_format.cpp. For the room expand only.
 #pragma once
 
 #include <deque>
@@ -16,6 +16,7 @@
 #include "expand/modal.h"
 #include "path/command.h"
 #include "path/contour.h"
+#include "path/fit.h"
 #include "sema/arithmetic.h"
 
 namespace kadr::expand {
@@ -68,7 +69,10 @@ struct Expander::State {
 
     // ---- vm.cpp
     std::size_t pull(std::span<nc::Block> out);
-    template <bool kTrace>
+    /// With kSlopes every real number carries its derivative by a curve's parameter (forward
+    /// differentiation): it stands in `slopes` under the number of its register. What comes out of
+    /// an array counts as constant.
+    template <bool kTrace, bool kSlopes>
     void run();
     void reserve_stack(std::size_t slots);
     std::int64_t make_fixed(std::uint32_t layout, std::int64_t count);
@@ -122,6 +126,17 @@ struct Expander::State {
         double feed = 0;     // of the block, second form included; NaN: none
     };
     bool emit_element(const path::Element& element, const FollowedBlock& next, std::uint32_t at);
+    bool finish_followed(nc::Block& block, const FollowedBlock& next, std::uint32_t at);
+    /// Finest tolerance of a curve, mm: the increment of the finest controls.
+    static constexpr double kLeastTolerance = 1e-5;
+
+    // ---- curves.cpp
+    enum class Progress : std::uint8_t { Failed, BatchFull, Done };
+    Progress follow_curve(const Instruction& instruction, std::uint32_t at);
+    bool start_curve(const Instruction& instruction, std::uint32_t at);
+    std::optional<path::CurveSample> curve_point(const Instruction& instruction, std::uint32_t at,
+                                                 double parameter);
+    bool emit_line(const path::Vec3& to, const FollowedBlock& next, std::uint32_t at);
 
     // ---- faults.cpp: report with the call stack, end the program
     DiagnosticBuilder fault(const DiagnosticRow& row, std::uint32_t at);
@@ -171,6 +186,18 @@ struct Expander::State {
     };
     std::vector<Recording> recordings;  // innermost last
     nc::Block kept_block;               // takes the words of a block that is kept
+
+    /// A curve that is being followed: its blocks may fill several batches.
+    struct Following {
+        std::unique_ptr<path::CurveFit> fit;
+        path::Plane plane = path::Plane::Xy;
+        std::array<bool, 3> is_given{};  // coordinates, in the order of the plane
+        path::Vec2 at = path::Vec2::Zero();
+        FollowedBlock next;
+    };
+    std::optional<Following> following;
+    bool is_in_curve = false;    // a point of a curve is being calculated
+    std::vector<double> slopes;  // beside `stack`, while one is
 
     nc::Block* batch = nullptr;
     std::size_t batch_size = 0;

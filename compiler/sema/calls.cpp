@@ -27,7 +27,8 @@ Value Checker::call(ExprId id, Reg hint) {
     if (found.symbol < 0 && found.name != nullptr && found.name->what == Name::What::Function) {
         return call_function(found.name->index, expr);
     }
-    if (found.symbol < 0 && found.name != nullptr && found.name->what == Name::What::Unsupported) {
+    if (found.symbol < 0 && found.name != nullptr && found.name->what == Name::What::Curve) {
+        report(diag::CurveAsValue, callee.range).arg(name);
         return error_value();
     }
     if (const std::optional<Value> value = builtin(name, expr, hint)) return *value;

@@ -4,7 +4,8 @@
 // scope.cpp (names), expressions.cpp, values.cpp, convert.cpp (units and dimensions),
 // optionals.cpp, composites.cpp (points, structs, arrays), operators.cpp, conditions.cpp,
 // places.cpp (what can be assigned), calls.cpp, builtins.cpp, text.cpp (strings), statements.cpp,
-// loops.cpp, blocks.cpp (NC blocks), contours.cpp, with.cpp, preserves.cpp. For the room sema only.
+// loops.cpp, blocks.cpp (NC blocks), contours.cpp, curves.cpp, with.cpp, preserves.cpp. For the
+// room sema only.
 #pragma once
 
 #include <memory>
@@ -243,6 +244,12 @@ class Checker {
                         const SourceRange& range);
     bool is_contour_argument(const syntax::Expr& expr);
     Value follow_call(const syntax::Expr& expr, std::string_view name);
+
+    // curves.cpp
+    void curve_body(const FunctionDecl& function, const syntax::Decl& decl);
+    /// The call of a curve that is the first argument of `follow`; nothing if it is none.
+    std::optional<syntax::ExprId> curve_argument(const syntax::Expr& expr);
+    Value follow_curve(const syntax::Expr& expr, std::string_view name, syntax::ExprId curve);
     bool is_contour(Type type) const { return type_info(type).is_contour; }
 
     // text.cpp

@@ -133,6 +133,20 @@ enum class FollowSlot : std::uint8_t {
 };
 inline constexpr std::uint16_t kFollowSlots = 8;
 
+/// How far a curve may be from the blocks that follow it if nothing is said, mm: half of what a
+/// finishing cut is usually allowed.
+inline constexpr double kCurveTolerance = 0.005;
+
+/// Arguments of `follow` of a curve; behind them those of the curve itself, its parameter last.
+enum class CurveSlot : std::uint8_t {
+    Feed,       // as in FollowSlot
+    Tolerance,  // mm
+    Arcs,       // truth value: arcs where they are possible
+    From,
+    To,  // of the parameter
+    Arguments,
+};
+
 enum class FrameChange : std::uint8_t { Shift, Rotate, Mirror };
 
 /// Which modal state a `with` or `preserves` concerns: bit i is nc::Group i, then:

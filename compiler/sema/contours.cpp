@@ -215,6 +215,8 @@ std::optional<Value> Checker::contour_function(std::string_view name, const Expr
 // ---------------------------------------------------------------- follow
 
 Value Checker::follow_call(const Expr& expr, std::string_view name) {
+    if (const std::optional<ExprId> curve = curve_argument(expr))
+        return follow_curve(expr, name, *curve);
     static constexpr std::array<std::string_view, kFollowSlots> kNames = {
         "contour", "feed", "left", "right", "lead_in", "lead_out", "arc_in", "arc_out"};
     const auto bound = bind_arguments(expr, name, kNames, {});

@@ -130,10 +130,21 @@ void Checker::declare_names(std::uint32_t module) {
                 break;
             }
             case DeclKind::Enum: declare_enum(module, decl); break;
-            case DeclKind::Curve:
-                not_supported("a `curve`", decl.name_range);
-                declare(module, name, {Name::What::Unsupported, module, 0, {}, 0, decl.name_range});
+            case DeclKind::Curve: {
+                FunctionDecl points;
+                points.module = module;
+                points.decl = id;
+                points.name = name;
+                points.kind = decl.kind;
+                points.range = decl.name_range;
+                FunctionDecl limits = points;
+                limits.is_limits = true;
+                const auto index = static_cast<std::uint32_t>(functions_.size());
+                functions_.push_back(std::move(points));
+                functions_.push_back(std::move(limits));
+                declare(module, name, {Name::What::Curve, module, index, {}, 0, decl.name_range});
                 break;
+            }
             case DeclKind::Test:
             case DeclKind::Property:
                 report(diag::TestNotRun,
@@ -338,8 +349,14 @@ void Checker::define_signature(std::uint32_t index) {
     if (decl.type.is_valid() && ast()[decl.type].is_reference) {
         report(diag::ReferencePlace, ast()[decl.type].range);
     }
+    const bool is_curve = decl.kind == DeclKind::Curve;
+    if (is_curve) function.result = function.is_limits ? types::kRange : types::kPoint;
+    std::vector<syntax::DeclId> parameters(ast().decls(decl.parameters).begin(),
+                                           ast().decls(decl.parameters).end());
+    // The running parameter is one more of the function that gives the points.
+    if (is_curve && !function.is_limits) parameters.push_back(ast().decls(decl.members)[0]);
     Reg next = 0;
-    for (const syntax::DeclId id : ast().decls(decl.parameters)) {
+    for (const syntax::DeclId id : parameters) {
         const Decl& parameter = ast()[id];
         ParameterDecl entry;
         entry.name = text(parameter.name);
@@ -525,6 +542,14 @@ void Checker::check_function(std::uint32_t index) {
     check_defaults(function);
     code_->functions[index + 1].body = emit_.here();
     native_pending_ = current_native_.has_value();
+    if (decl.kind == DeclKind::Curve) {
+        curve_body(function, decl);
+        FunctionCode& curve = code_->functions[index + 1];
+        curve.end = emit_.here();
+        curve.registers = emit_.registers_used();
+        function_ = nullptr;
+        return;
+    }
     has_preserves_ = decl.preserves.count > 0;
     if (has_preserves_) {
         emit_.set_place(decl.range);

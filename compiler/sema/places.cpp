@@ -44,7 +44,7 @@ std::optional<Place> Checker::name_place(ExprId id) {
         place.storage = Place::Storage::Global;
         place.offset = symbol->global;
     } else if (found.name != nullptr) {
-        if (found.name->what != Name::What::Unsupported) report(diag::NotAPlace, expr.range);
+        report(diag::NotAPlace, expr.range);
         return std::nullopt;
     } else {
         if (name == "pi" || name == "position" || name == "state")

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "path/contour_offset.h"
+
 namespace kadr::path {
 
 namespace {
@@ -26,27 +28,45 @@ Contour way_in(const Vec2& point, const Vec2& direction, double line, double arc
     return way;
 }
 
-/// Whether a way meets the contour elsewhere than at `joint`.
-bool cuts(const Contour& way, const Contour& contour, const Vec2& joint) {
-    const std::vector<Vec2> points = intersections(way, contour);
-    return std::any_of(points.begin(), points.end(),
-                       [&](const Vec2& p) { return (p - joint).norm() > kSamePoint; });
+/// Points of a lead that are looked at: every fifth of a degree of a quarter circle and the bends
+/// of the wall beside it cannot hide more than the tolerance between them.
+constexpr int kLooks = 500;
+
+/// Whether a way meets the path elsewhere than at `joint`, or the wall.
+bool cuts(const Contour& way, const Contour& path, const Vec2& joint, bool is_left,
+          const Wall& wall) {
+    const std::vector<Vec2> points = intersections(way, path);
+    const bool meets = std::any_of(points.begin(), points.end(),
+                                   [&](const Vec2& p) { return (p - joint).norm() > kSamePoint; });
+    if (meets || !wall.has_side) return meets;
+    for (const Element& element : way) {
+        for (int i = 0; i <= kLooks && wall.distance > 0; ++i) {
+            const Vec2 point = point_at(element, static_cast<double>(i) / kLooks);
+            if (nearest(wall.contour, point).distance < wall.distance - 2 * kOffsetTolerance)
+                return true;
+        }
+    }
+    // Along the wall itself a lead that does not cross it may still lie on the wrong side.
+    if (wall.distance > 0 || way.empty() || !is_closed(wall.contour)) return false;
+    const Vec2 middle = point_at(way.back(), 0.5);
+    const bool is_free_inside = (signed_area(wall.contour) > 0) == is_left;
+    return (turns_around(wall.contour, middle) != 0) != is_free_inside;
 }
 
 }  // namespace
 
-Result<Contour, LeadFault> with_leads(const Contour& contour, const Leads& leads) {
-    const Element& first = contour.front();
-    const Element& last = contour.back();
+Result<Contour, LeadFault> with_leads(const Contour& path, const Leads& leads, const Wall& wall) {
+    const Element& first = path.front();
+    const Element& last = path.back();
     Contour in =
         way_in(first.from, start_direction(first), leads.line_in, leads.arc_in, leads.is_left);
     // Backwards, the way out is a way in, and left is right.
     const Contour out =
         way_in(last.to, -end_direction(last), leads.line_out, leads.arc_out, !leads.is_left);
-    if (cuts(in, contour, first.from)) return LeadFault::InCuts;
-    if (cuts(out, contour, last.to)) return LeadFault::OutCuts;
+    if (cuts(in, path, first.from, leads.is_left, wall)) return LeadFault::InCuts;
+    if (cuts(out, path, last.to, leads.is_left, wall)) return LeadFault::OutCuts;
     std::reverse(in.begin(), in.end());
-    in.insert(in.end(), contour.begin(), contour.end());
+    in.insert(in.end(), path.begin(), path.end());
     for (const Element& element : out) in.push_back(reversed(element));
     return in;
 }

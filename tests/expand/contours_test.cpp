@@ -161,6 +161,18 @@ TEST(Contours, MistakesHaveTheirPlaces) {
              {"contour c = { G1 Y0; };", "2:15 K3602"},
              {"contour c = { G2 X0 Y0 I5; };", "2:15 K3602"},
              {"contour c = { G1 X0 Y0; G3 X10 I2; };", "2:25 K3603"},
+             // At a corner inside, the straight way and the quarter circle come through the wall.
+             {"contour c = { G1 X0 Y0; X10; Y10; X0; close; }; follow(c, left: 1mm, lead_in: 2mm);",
+              "2:49 K3609"},
+             {"contour c = { G1 X0 Y0; X10; Y10; X0; close; }; follow(c, left: 1mm, arc_in: 2mm);",
+              "2:49 K3609"},
+             {"contour c = { G1 X0 Y0; X10; Y10; X0; close; }; follow(c, left: 0mm, arc_out: 2mm);",
+              "2:49 K3609"},
+             {"contour c = { G1 X10 Y0; G3 I-10; }; follow(c, left: 2mm, arc_in: 9mm);",
+              "2:38 K3609"},
+             {"contour c = { G1 X10 Y0; G3 I-10; }; follow(c, left: 2mm, arc_in: -1mm);",
+              "2:38 K3610"},
+             {"contour c = { G1 X10 Y0; G3 I-10; }; follow(c, left: 12mm);", "2:38 K3608"},
              {"contour c = { close; };", "2:15 K3605"},
              {"while (true) { contour c = { G1 X0 Y0; break; }; }", "2:40 K2217"},
          }) {

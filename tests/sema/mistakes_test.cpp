@@ -180,9 +180,6 @@ TEST(Mistakes, WhatComesLaterIsSaid) {
     expect_rows({
         {"test \"one\" { expect(true); }\nprogram p() { X1; }",
          "1:6 K2222 a `test` is not run by this version"},
-        {"curve e(length a) over angle t = 0deg .. 360deg { x = a*cos(t); y = a*sin(t); }\nprogram "
-         "p() { }",
-         "1:7 K2221 a `curve` is not yet part of this version"},
     });
 }
 
