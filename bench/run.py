@@ -24,6 +24,7 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
 PROGRAMS = HERE / "programs"
 BLOCKS = 1_000_000
+LINES = 10_000
 RUNS = 5
 STARTS = 50
 LINUXCNC_PLAN = 1.9  # µs a line in its planner, 50 lines deep; measured when Kadr was designed
@@ -149,6 +150,25 @@ class Bench:
             speed = self.items(room, flat, "iso")
             self.add(f"… `bench_runtime {room}`", rate(speed, "blocks"))
 
+    def parse(self):
+        """Sources of 10,000 lines: what parsing and checking take, and what Lua's compiler does."""
+        for shape, write in {"statements": statements, "one sum": one_sum}.items():
+            source = self.folder / "long.kadr"
+            script = self.folder / "long.lua"
+            write(source, script, LINES)
+            size = source.stat().st_size
+            parsing, checking = map(float, self.output_of(
+                [self.build / "bench_parse", source]).split())
+            micros = parsing / size * 1e6
+            self.add(f"parse {LINES} lines, {shape}", f"{parsing * 1e3:.0f} ms, {micros:.2f} µs/byte",
+                     "", "", "1 µs/byte", judge(1 / micros, 1, float("inf")))
+            self.add("… and check them", f"{checking * 1e3:.0f} ms")
+            mine = self.cost(self.kadr("check", source))
+            if self.has("luac5.4"):
+                other = self.cost(["luac5.4", "-p", script])
+                self.add("… `kadr check`, against luac -p of as many lines", f"{mine.cpu * 1e3:.0f} ms",
+                         f"{other.cpu * 1e3:.0f} ms", f"{other.cpu / mine.cpu:.2f}")
+
     def evaluate(self):
         """Loops without output."""
         for name in ("loop", "trigonometry", "array", "calls"):
@@ -244,6 +264,36 @@ class Bench:
         return path
 
 
+def statements(source, script, lines):
+    """The statements that programs are made of, in turn, as Kadr and as Lua."""
+    kadr = ["length r{0} = {0}mm + r * 2;", "if (r{1} > 5mm) {{ r += 1mm; }} else {{ r -= 0.5mm; }}",
+            "G1 X=r*cos({0}deg) Y=r*sin({0}deg) F200;", "for (int i = 0; i < {0}; i++) r += i * 1mm;",
+            "G0 X{0} Y-{0}.5 Z5; // a comment"]
+    lua = ["local r{0} = {0} + r * 2", "if r{1} > 5 then r = r + 1 else r = r - 0.5 end",
+           "G(1, r * math.cos({0}), r * math.sin({0}), 200)", "for i = 0, {0} - 1 do r = r + i end",
+           "G(0, {0}, -{0}.5, 5) -- a comment"]
+    # Lua has no more than 200 locals in a function; both are cut into functions of 100 lines.
+    for path, rows, begin, end in ((source, kadr, "cycle c{0}(length r) {{", "}}"),
+                                   (script, lua, "local function c{0}(r)", "end c{0}(1)")):
+        text = []
+        for part in range(lines // 100):
+            text.append(begin.format(part))
+            for i in range(98):
+                text.append(rows[i % 5].format(i + 1, i))
+            text.append(end.format(part))
+        calls = " ".join(f"c{part}({part}mm);" for part in range(lines // 100))
+        if path is source:
+            text.append(f"program long() {{ {calls} }}")
+        path.write_text("\n".join(text) + "\n")
+
+
+def one_sum(source, script, lines):
+    """One expression with a term a line."""
+    terms = "\n    + ".join(f"a * {i}" for i in range(lines))
+    source.write_text(f"program long(int a = 1) {{ int s = {terms}; note \"{{s}}\"; }}\n")
+    script.write_text(f"local a = 1 local s = {terms} print(s)\n")
+
+
 def rate(items, what):
     if items >= 1e6:
         return f"{items / 1e6:.2f} M {what}/s"
@@ -298,7 +348,7 @@ def main():
     parser.add_argument("--only", default="", help="rows whose group contains this word")
     parser.add_argument("--readme", action="store_true", help="write the table into README.md")
     options = parser.parse_args()
-    groups = ("expand", "interpret", "evaluate", "motion", "memory", "start")
+    groups = ("parse", "expand", "interpret", "evaluate", "motion", "memory", "start")
     failed = False
     with tempfile.TemporaryDirectory() as folder:
         bench = Bench(options.build.resolve(), Path(folder))

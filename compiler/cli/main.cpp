@@ -11,9 +11,12 @@
 #include "cli/progress.h"
 #include "driver/check.h"
 #include "driver/expand.h"
+#include "driver/format.h"
 #include "driver/run.h"
 #include "driver/session.h"
 #include "driver/tables.h"
+#include "driver/test.h"
+#include "repl/terminal.h"
 
 namespace {
 
@@ -32,6 +35,9 @@ Status perform(driver::Session& session, const cli::CommandLine& line) {
         case cli::Verb::Expand: return driver::expand(session, line.expand);
         case cli::Verb::Run: return driver::run(session, line.run);
         case cli::Verb::Check: return driver::check(session, line.sources);
+        case cli::Verb::Test: return driver::test(session, line.test);
+        case cli::Verb::Format: return driver::format(session, line.sources, line.format);
+        case cli::Verb::Repl: return repl::converse(line.options, session.share());
         case cli::Verb::Explain: return show(driver::explain_message(session, line.word));
         case cli::Verb::DialectList: return show(driver::list_dialects(session));
         case cli::Verb::DialectCheck: return show(driver::check_dialect(session, line.file));
@@ -49,6 +55,7 @@ Status perform(const cli::CommandLine& line) {
     Sources sources;
     driver::MessageOptions options;
     options.format = line.messages;
+    if (line.verb == cli::Verb::Test) options.repeats = 10000;  // each stands for another test
     options.color = is_terminal && std::getenv("NO_COLOR") == nullptr;
     driver::Messages messages(sources, options, [&](std::string_view text) {
         progress.clear();

@@ -23,9 +23,6 @@ constexpr const char* kEpilogue =
     "Exit status: 0 done, 1 the program has errors, 2 wrong usage or unreadable file,\n"
     "3 an alarm while running. `man kadr` says more.";
 
-/// Commands of the stable interface that this version does not have.
-constexpr std::array<std::string_view, 3> kLater = {"fmt", "test", "repl"};
-
 /// Seconds of `1ms`, `0.002s`, `500us`; a bare number is seconds. Throws what CLI11 expects.
 double parse_time(const std::string& text) {
     const Decimal number = parse_decimal(text.data(), text.data() + text.size());
@@ -70,6 +67,9 @@ class Parser {
     void add_expand();
     void add_run();
     void add_check();
+    void add_test();
+    void add_format();
+    void add_repl();
     void add_tables();
 
     CLI::App app_{kAbout, "kadr"};
@@ -83,6 +83,7 @@ class Parser {
     std::string map_;
     std::vector<std::string> defines_;
     std::vector<int> skips_;
+    bool is_check_ = false;
 };
 
 Parser::Parser() {
@@ -93,6 +94,9 @@ Parser::Parser() {
     add_expand();
     add_run();
     add_check();
+    add_test();
+    add_format();
+    add_repl();
     add_tables();
 }
 
@@ -185,6 +189,50 @@ void Parser::add_check() {
         ->allow_extra_args(false);
 }
 
+void Parser::add_test() {
+    CLI::App* command = add(app_, "test", "run the tests and properties of programs", Verb::Test);
+    command->add_option("SRC", line_.test.sources, "Kadr programs")->required();
+    add_dialect(*command);
+    command->add_option("-m,--machine", line_.options.machine, "machine: a name or an XML file")
+        ->type_name("MACHINE");
+    command->add_option("--filter", line_.test.filter, "only tests with this in their name")
+        ->type_name("TEXT");
+    command->add_option("--runs", line_.test.runs, "sets of values of each property")
+        ->check(CLI::Range(1, 1000000).description(""))
+        ->type_name("N");
+    command->add_option("--seed", line_.test.seed, "of the values")->type_name("N");
+    command->add_option("-D,--define", defines_, "value of a parameter: one run of a property")
+        ->type_name("name=value")
+        ->allow_extra_args(false);
+    command
+        ->add_option("-I,--include", line_.options.folders,
+                     "folder in which imports are looked for")
+        ->type_name("DIR")
+        ->allow_extra_args(false);
+    command->add_option("--cycles", cycles_, "the control's own cycles, or single moves")
+        ->check(one_of({"native", "moves"}))
+        ->type_name("native|moves");
+}
+
+void Parser::add_format() {
+    CLI::App* command = add(app_, "fmt", "lay out Kadr programs", Verb::Format);
+    command->add_option("SRC", line_.sources, "Kadr programs")->required();
+    command->add_flag("--check", is_check_, "write nothing, report files that would change");
+}
+
+void Parser::add_repl() {
+    CLI::App* command =
+        add(app_, "repl", "try statements, blocks and calls at a prompt", Verb::Repl);
+    add_dialect(*command);
+    command->add_option("-m,--machine", line_.options.machine, "machine: a name or an XML file")
+        ->type_name("MACHINE");
+    command
+        ->add_option("-I,--include", line_.options.folders,
+                     "folder in which imports are looked for")
+        ->type_name("DIR")
+        ->allow_extra_args(false);
+}
+
 void Parser::add_tables() {
     CLI::App* explain = add(app_, "explain", "what a message means, with examples", Verb::Explain);
     explain->add_option("CODE", line_.word, "its number, K1001; without one all are listed");
@@ -222,6 +270,7 @@ CommandLine Parser::parse(int count, const char* const* arguments) {
                                              : driver::SummaryFormat::None;
     line_.run.plot_color =
         plot_color_ == "line" ? driver::PlotColor::Line : driver::PlotColor::Feed;
+    line_.format = is_check_ ? driver::FormatMode::Check : driver::FormatMode::Write;
     line_.messages =
         messages_ == "json" ? driver::MessageFormat::Json : driver::MessageFormat::Text;
     return line_;
@@ -251,11 +300,6 @@ std::string Parser::message(const CLI::ParseError& error, int& status) const {
 }  // namespace
 
 std::variant<CommandLine, Answer> parse_command_line(int count, const char* const* arguments) {
-    if (count > 1 && std::find(kLater.begin(), kLater.end(), arguments[1]) != kLater.end()) {
-        return Answer{driver::Status::Usage, "kadr: this version has no command `" +
-                                                 std::string(arguments[1]) +
-                                                 "`; `kadr --help` lists what it has\n"};
-    }
     Parser parser;
     try {
         return parser.parse(count, arguments);

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "driver/format.h"
 #include "driver/messages.h"
 #include "driver/options.h"
 
@@ -15,6 +16,9 @@ enum class Verb : std::uint8_t {
     Expand,
     Run,
     Check,
+    Test,
+    Format,
+    Repl,
     Explain,
     DialectList,
     DialectCheck,
@@ -28,9 +32,11 @@ struct CommandLine {
     driver::Options options;
     driver::ExpandJob expand;
     driver::RunJob run;
-    std::vector<std::string> sources;  // check
-    std::string file;                  // dialect and machine: a name or a file
-    std::string word;                  // dialect explain: a word; explain: a message
+    driver::TestJob test;
+    std::vector<std::string> sources;  // check, fmt
+    driver::FormatMode format = driver::FormatMode::Write;
+    std::string file;  // dialect and machine: a name or a file
+    std::string word;  // dialect explain: a word; explain: a message
     driver::MessageFormat messages = driver::MessageFormat::Text;
 };
 

@@ -40,7 +40,16 @@ class CycleBlocks final : public Stream<nc::Block> {
     SourceId source_;
 };
 
-/// The files of the library's cycles, in a fixed order.
+bool has_cycle(const Program& program, std::string_view name) {
+    const auto& functions = program.code->functions;
+    return std::any_of(functions.begin(), functions.end(), [name](const auto& function) {
+        return function.kind == sema::FunctionKind::Cycle && function.is_main_file &&
+               function.name == name;
+    });
+}
+
+}  // namespace
+
 std::vector<std::string> cycle_files(const std::string& library) {
     std::vector<std::string> files;
     std::error_code error;
@@ -51,16 +60,6 @@ std::vector<std::string> cycle_files(const std::string& library) {
     std::sort(files.begin(), files.end());
     return files;
 }
-
-bool has_cycle(const Program& program, std::string_view name) {
-    const auto& functions = program.code->functions;
-    return std::any_of(functions.begin(), functions.end(), [name](const auto& function) {
-        return function.kind == sema::FunctionKind::Cycle && function.is_main_file &&
-               function.name == name;
-    });
-}
-
-}  // namespace
 
 const Program* LibraryCycles::find(std::string_view cycle) {
     if (!files_) files_ = cycle_files(session_.share().library);
@@ -74,11 +73,10 @@ const Program* LibraryCycles::find(std::string_view cycle) {
 std::unique_ptr<Stream<nc::Block>> LibraryCycles::expand(const interp::CycleCall& call) {
     const Program* library = find(call.name);
     if (library == nullptr) {
-        session_.messages().report(diag::CycleUnknown).arg(call.name);
+        sink_->report(diag::CycleUnknown).arg(call.name);
         return nullptr;
     }
-    auto blocks =
-        std::make_unique<CycleBlocks>(*library, dialect_, call.source, session_.messages());
+    auto blocks = std::make_unique<CycleBlocks>(*library, dialect_, call.source, *sink_);
     if (!blocks->start(call)) return nullptr;
     return blocks;
 }

@@ -13,13 +13,19 @@
 
 namespace kadr::driver {
 
+/// The files of the library's cycles, in a fixed order.
+std::vector<std::string> cycle_files(const std::string& library);
+
 /// Runs `stdlib/cycles` for cycle calls that the interpreter meets. A file of the library is read
 /// and checked when a call asks for a cycle that none before it has.
 class LibraryCycles final : public interp::CycleExpander {
   public:
     /// References outlive the expander.
     LibraryCycles(Session& session, const nc::Dialect& dialect)
-        : session_(session), dialect_(dialect) {}
+        : session_(session), dialect_(dialect), sink_(&session.messages()) {}
+
+    /// Where the messages of the cycles go from now on; it outlives their blocks.
+    void report_to(DiagnosticSink& sink) { sink_ = &sink; }
 
     std::unique_ptr<Stream<nc::Block>> expand(const interp::CycleCall& call) override;
 
@@ -28,6 +34,7 @@ class LibraryCycles final : public interp::CycleExpander {
 
     Session& session_;
     const nc::Dialect& dialect_;
+    DiagnosticSink* sink_;
     std::optional<std::vector<std::string>> files_;  // of the library; nothing: not looked up yet
     std::vector<std::optional<Program>> programs_;   // of the first files
 };

@@ -90,7 +90,10 @@ class Execution::StatementNotes final : public DiagnosticSink {
     StatementNotes(const Execution& execution, DiagnosticSink& next)
         : execution_(execution), next_(next) {}
 
+    std::size_t alarms() const { return alarms_; }
+
     void take(Diagnostic diagnostic) override {
+        if (diagnostic.severity == Severity::Alarm) ++alarms_;
         if (execution_.generated_ && diagnostic.line &&
             diagnostic.line->file == execution_.text_name_) {
             const SourceId source = execution_.generated_->lines().find(diagnostic.line->line);
@@ -106,6 +109,7 @@ class Execution::StatementNotes final : public DiagnosticSink {
   private:
     const Execution& execution_;
     DiagnosticSink& next_;
+    std::size_t alarms_ = 0;
 };
 
 Execution::Execution(Session& session) : session_(session) {}
@@ -137,7 +141,27 @@ std::unique_ptr<Execution> Execution::open(Session& session, const std::string& 
                              ? execution->open_program(keep_source(session, source, *text), map)
                              : execution->open_text(source, std::move(text));
     if (!is_open) return nullptr;
-    execution->connect();
+    execution->connect_with_library();
+    return execution;
+}
+
+std::unique_ptr<Execution> Execution::open(Session& session, const Subject& subject) {
+    std::unique_ptr<Execution> execution(new Execution(session));
+    execution->machine_ = session.machine();
+    if (execution->machine_ == nullptr) return nullptr;
+    execution->dialect_ = &subject.dialect;
+    execution->program_ = &subject.program;
+    execution->text_name_ = generated_name(subject.entry.name, subject.dialect);
+    execution->generated_ =
+        std::make_unique<GeneratedText>(session, subject.program, subject.dialect, subject.sink);
+    if (subject.text != nullptr) {
+        execution->generated_->set_tap(
+            [text = subject.text](std::string_view piece) { *text += piece; });
+    }
+    if (!execution->generated_->start(subject.entry)) return nullptr;
+    execution->cycles_ = &subject.cycles;
+    subject.cycles.report_to(subject.sink);
+    execution->connect(subject.sink);
     return execution;
 }
 
@@ -149,36 +173,54 @@ bool Execution::open_text(const std::string& source, std::unique_ptr<FileText> t
     return dialect_ != nullptr;
 }
 
-bool Execution::open_program(FileId file, Output* map) {
+std::unique_ptr<Execution> Execution::open(Session& session, FileId program,
+                                           GeneratedText::Tap tap) {
+    std::unique_ptr<Execution> execution(new Execution(session));
+    execution->machine_ = session.machine();
+    if (execution->machine_ == nullptr) return nullptr;
+    if (!execution->open_program(program, nullptr, std::move(tap))) return nullptr;
+    execution->connect_with_library();
+    return execution;
+}
+
+bool Execution::open_program(FileId file, Output* map, GeneratedText::Tap tap) {
     dialect_ = session_.chosen_dialect(kDefaultDialect);
     if (dialect_ == nullptr) return false;
-    program_ = load_program(session_, file);
-    if (!program_) return false;
+    own_program_ = load_program(session_, file);
+    if (!own_program_) return false;
+    program_ = &*own_program_;
     text_name_ = generated_name(session_.sources().name(file), *dialect_);
     generated_ = std::make_unique<GeneratedText>(session_, *program_, *dialect_, map);
+    generated_->set_tap(std::move(tap));
     return generated_->start();
 }
 
-void Execution::connect() {
+/// With the library's cycles for this execution alone.
+void Execution::connect_with_library() {
+    own_cycles_ = std::make_unique<LibraryCycles>(session_, *dialect_);
+    cycles_ = own_cycles_.get();
+    connect(session_.messages());
+}
+
+void Execution::connect(DiagnosticSink& sink) {
     const Options& options = session_.options();
-    sink_ = std::make_unique<StatementNotes>(*this, session_.messages());
+    sink_ = std::make_unique<StatementNotes>(*this, sink);
     nc::TextSource& text = generated_ ? static_cast<nc::TextSource&>(*generated_) : *file_;
     held_ = std::make_unique<HeldMessages>(*sink_);
     reader_ = std::make_unique<nc::Reader>(*dialect_, text, text_name_, *held_);
     tagged_ =
         std::make_unique<Tagger>(*reader_, *held_, generated_ ? &generated_->lines() : nullptr);
-    cycles_ = std::make_unique<LibraryCycles>(session_, *dialect_);
     const interp::InterpreterOptions interpreter_options{.max_blocks = options.max_blocks,
                                                          .skip_levels = options.skip_levels,
                                                          .optional_stop = options.optional_stop};
     interpreter_ = std::make_unique<interp::Interpreter>(
-        *dialect_, *machine_, *tagged_, reader_.get(), cycles_.get(), interpreter_options, *sink_);
+        *dialect_, *machine_, *tagged_, reader_.get(), cycles_, interpreter_options, *sink_);
 }
 
 std::size_t Execution::pull(std::span<path::Command> out) {
-    const std::size_t alarms = session_.messages().alarms();
+    const std::size_t alarms = sink_->alarms();
     const std::size_t count = interpreter_->pull(out);
-    has_stopped_ = has_stopped_ || session_.messages().alarms() > alarms;
+    has_stopped_ = has_stopped_ || sink_->alarms() > alarms;
     // Stopped without a word of its own: the reader knows why.
     if (count == 0 && interpreter_->alarmed() && !has_stopped_) held_->release();
     return count;
@@ -192,9 +234,16 @@ void Execution::read_rest() {
 bool Execution::failed() const { return reader_->failed() || (generated_ && generated_->failed()); }
 
 SourceRange Execution::statement(SourceId source) const {
-    if (!program_ || !source.is_valid() || source.index >= program_->code->statements.size())
+    if (program_ == nullptr || !source.is_valid() ||
+        source.index >= program_->code->statements.size())
         return {};
     return program_->code->statements[source.index];
+}
+
+DiagnosticSink& Execution::sink() { return *sink_; }
+
+std::uint64_t Execution::statement_lines() const {
+    return generated_ ? generated_->statement_lines() : 0;
 }
 
 LinePlace Execution::place_of(std::uint32_t line) const {

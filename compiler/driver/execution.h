@@ -27,12 +27,29 @@ bool is_kadr_source(const std::string& source, const FileText& text);
 /// Takes a Kadr program among the sources of the session.
 FileId keep_source(Session& session, const std::string& source, FileText& text);
 
+/// A call of a checked program that is executed by itself, as a test does.
+struct Subject {
+    const Program& program;
+    const nc::Dialect& dialect;
+    Entry entry;
+    LibraryCycles& cycles;  // those of the dialect
+    DiagnosticSink& sink;   // for all that is said on the way
+    std::string* text;      // gets the ISO-7bit text
+};
+
 class Execution final : public Stream<path::Command> {
   public:
     /// Loads dialect and machine, checks a Kadr program. Null: reported, the status of the session
     /// says what it was. `map` gets the source map of a Kadr program; null: none is made.
     static std::unique_ptr<Execution> open(Session& session, const std::string& source,
                                            std::unique_ptr<FileText> text, Output* map);
+    /// The same for a program among the sources of the session. `tap` sees the text that is
+    /// executed.
+    static std::unique_ptr<Execution> open(Session& session, FileId program,
+                                           GeneratedText::Tap tap);
+    /// The same for a part of a program that is checked already; what it refers to outlives the
+    /// execution. Null: the sink has got the reason.
+    static std::unique_ptr<Execution> open(Session& session, const Subject& subject);
     ~Execution() override;
 
     std::size_t pull(std::span<path::Command> out) override;
@@ -44,6 +61,13 @@ class Execution final : public Stream<path::Command> {
     bool failed() const;
     std::uint64_t blocks() const { return interpreter_->blocks(); }
 
+    /// The checked program; null for ISO-7bit text.
+    const Program* program() const { return program_; }
+    /// The generated text; null for ISO-7bit text.
+    const GeneratedText* generated() const { return generated_.get(); }
+    /// The modal state and the position behind what was pulled so far.
+    const interp::Interpreter& interpreter() const { return *interpreter_; }
+
     const nc::Dialect& dialect() const { return *dialect_; }
     const machine::Machine& machine() const { return *machine_; }
     /// The name of the ISO-7bit text: of the file, or of the one that would be written.
@@ -53,7 +77,9 @@ class Execution final : public Stream<path::Command> {
     /// A line of the text for messages of the motion.
     LinePlace place_of(std::uint32_t line) const;
     /// Where messages about the text go: it adds the statement of the Kadr program.
-    DiagnosticSink& sink() { return *sink_; }
+    DiagnosticSink& sink();
+    /// Lines of the text that a statement of the Kadr program made, so far.
+    std::uint64_t statement_lines() const;
 
   private:
     class HeldMessages;
@@ -62,21 +88,24 @@ class Execution final : public Stream<path::Command> {
     explicit Execution(Session& session);
 
     bool open_text(const std::string& source, std::unique_ptr<FileText> text);
-    bool open_program(FileId file, Output* map);
-    void connect();
+    bool open_program(FileId file, Output* map, GeneratedText::Tap tap = {});
+    void connect_with_library();
+    void connect(DiagnosticSink& sink);
 
     Session& session_;
     std::string text_name_;
     const nc::Dialect* dialect_ = nullptr;
     const machine::Machine* machine_ = nullptr;
-    std::optional<Program> program_;
+    std::optional<Program> own_program_;
+    const Program* program_ = nullptr;  // null: ISO-7bit text
     std::unique_ptr<GeneratedText> generated_;
     std::unique_ptr<FileText> file_;
-    std::unique_ptr<DiagnosticSink> sink_;
+    std::unique_ptr<StatementNotes> sink_;
     std::unique_ptr<HeldMessages> held_;
     std::unique_ptr<nc::Reader> reader_;
     std::unique_ptr<Stream<nc::Block>> tagged_;
-    std::unique_ptr<LibraryCycles> cycles_;
+    std::unique_ptr<LibraryCycles> own_cycles_;
+    LibraryCycles* cycles_ = nullptr;
     std::unique_ptr<interp::Interpreter> interpreter_;
     bool has_stopped_ = false;  // by an alarm of the interpreter's own
 };

@@ -13,7 +13,10 @@ constexpr std::size_t kPiece = 64;
 constexpr std::size_t kPieceBytes = std::size_t{1} << 13;  // text handed on at a time
 
 expand::ExpandOptions expand_options(const Options& options, bool has_map) {
-    return {.limits = {}, .native_cycles = options.native_cycles, .trace = has_map};
+    return {.limits = {},
+            .native_cycles = options.native_cycles,
+            .trace = has_map,
+            .stop = options.stop};
 }
 
 nc::WriteOptions write_options(const Options& options) {
@@ -35,11 +38,18 @@ const sema::FunctionCode* chosen_program(const sema::Code& code, std::string_vie
 
 GeneratedText::GeneratedText(Session& session, const Program& program, const nc::Dialect& target,
                              Output* map)
+    : GeneratedText(session, program, target, map, session.messages()) {}
+
+GeneratedText::GeneratedText(Session& session, const Program& program, const nc::Dialect& target,
+                             DiagnosticSink& sink)
+    : GeneratedText(session, program, target, nullptr, sink) {}
+
+GeneratedText::GeneratedText(Session& session, const Program& program, const nc::Dialect& target,
+                             Output* map, DiagnosticSink& sink)
     : session_(session),
       program_(program),
-      expander_(*program.code, target, expand_options(session.options(), map != nullptr),
-                session.messages()),
-      writer_(target, write_options(session.options()), session.messages()),
+      expander_(*program.code, target, expand_options(session.options(), map != nullptr), sink),
+      writer_(target, write_options(session.options()), sink),
       map_(map),
       line_map_(std::make_unique<LineMap>()),
       batch_(kPiece) {}
@@ -48,13 +58,23 @@ GeneratedText::~GeneratedText() = default;
 
 bool GeneratedText::start() {
     const Options& options = session_.options();
-    if (!expander_.start(options.program, options.defines)) return false;
+    Entry entry;
+    if (const sema::FunctionCode* chosen = chosen_program(*program_.code, options.program)) {
+        entry.name = chosen->name;
+        entry.is_inch = chosen->units == sema::Units::Inch;
+    }
+    entry.start = [&](expand::Expander& expander) {
+        return expander.start(options.program, options.defines);
+    };
+    return start(entry);
+}
+
+bool GeneratedText::start(const Entry& entry) {
+    if (!entry.start(expander_)) return false;
     writer_.set_statements(program_.code->statements);
     nc::ProgramInfo info;
-    if (const sema::FunctionCode* chosen = chosen_program(*program_.code, options.program)) {
-        info.name = chosen->name;
-        info.is_inch = chosen->units == sema::Units::Inch;
-    }
+    info.name = entry.name;
+    info.is_inch = entry.is_inch;
     writer_.begin(info, text_);
     return true;
 }
@@ -63,6 +83,7 @@ std::string_view GeneratedText::next() {
     // The text of `start` is part of the first piece.
     if (blocks_ > 0 || is_at_end_) text_.clear();
     while (!is_at_end_ && text_.size() < kPieceBytes) write_batch();
+    if (tap_) tap_(text_);
     return text_;
 }
 
@@ -71,11 +92,14 @@ void GeneratedText::write_batch() {
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t first = writer_.write(batch_[i], text_);
         line_map_->add(first, writer_.lines(), batch_[i].source);
+        if (batch_[i].source.is_valid()) statement_lines_ += writer_.lines() + 1 - first;
         if (map_ != nullptr) map_block(i, first);
     }
     blocks_ += count;
     is_at_end_ = count == 0 || failed();
-    if (is_at_end_) writer_.end(text_);
+    if (!is_at_end_) return;
+    body_lines_ = writer_.lines();
+    writer_.end(text_);
 }
 
 void GeneratedText::map_block(std::size_t index, std::uint32_t line) {

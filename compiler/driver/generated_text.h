@@ -4,6 +4,7 @@
 // file, `kadr run` feeds them to the reader.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -18,23 +19,45 @@
 
 namespace kadr::driver {
 
+/// What is evaluated, and how it is set going.
+struct Entry {
+    std::string name;  // of the ISO-7bit program
+    bool is_inch = false;
+    std::function<bool(expand::Expander&)> start;  // false: reported
+};
+
 class GeneratedText final : public nc::TextSource {
   public:
     /// All references outlive the text. `map` gets a line for every block; null: no source map.
     GeneratedText(Session& session, const Program& program, const nc::Dialect& target, Output* map);
+    /// The same for one entry, with its messages to a sink of its own.
+    GeneratedText(Session& session, const Program& program, const nc::Dialect& target,
+                  DiagnosticSink& sink);
     ~GeneratedText() override;
 
     /// Chooses the program and sets its parameters. False: reported.
     bool start();
+    bool start(const Entry& entry);
 
     std::string_view next() override;
+
+    /// Gets every piece of the text as it is made. To be set before `start`.
+    using Tap = std::function<void(std::string_view)>;
+    void set_tap(Tap tap) { tap_ = std::move(tap); }
+    /// Lines up to the program's last block: what follows is the frame's end (`%`). Complete when
+    /// the text is.
+    std::uint32_t body_lines() const { return body_lines_; }
 
     /// Whether evaluating or writing came to an error.
     bool failed() const;
     const LineMap& lines() const { return *line_map_; }
     std::uint64_t blocks() const { return blocks_; }
+    /// Lines so far that a statement of the program made.
+    std::uint64_t statement_lines() const { return statement_lines_; }
 
   private:
+    GeneratedText(Session& session, const Program& program, const nc::Dialect& target, Output* map,
+                  DiagnosticSink& sink);
     void write_batch();
     void map_block(std::size_t index, std::uint32_t line);
 
@@ -48,7 +71,10 @@ class GeneratedText final : public nc::TextSource {
     std::string text_;
     std::string entry_;
     std::uint64_t blocks_ = 0;
+    std::uint64_t statement_lines_ = 0;
     bool is_at_end_ = false;
+    Tap tap_;
+    std::uint32_t body_lines_ = 0;
 };
 
 /// The program of the file that is run: the one with this name, or the first if none is asked for.

@@ -17,6 +17,8 @@ std::string Messages::rendered(const Diagnostic& diagnostic) const {
 }
 
 void Messages::count(const Diagnostic& diagnostic) {
+    const bool is_first = errors_ == 0 && alarms_ == 0;
+    if (is_first && diagnostic.severity != Severity::Warning) first_error_ = diagnostic.message();
     switch (diagnostic.severity) {
         case Severity::Warning: ++warnings_; return;
         case Severity::Error: ++errors_; return;

@@ -41,6 +41,8 @@ class Messages final : public DiagnosticSink {
     std::size_t alarms() const { return alarms_; }
     /// The first alarm as one line of text, for the outputs that end with it; empty if none.
     const std::string& first_alarm() const { return first_alarm_; }
+    /// The words of the first error or alarm, without its place; empty if none.
+    const std::string& first_error() const { return first_error_; }
 
   private:
     void count(const Diagnostic& diagnostic);
@@ -54,6 +56,7 @@ class Messages final : public DiagnosticSink {
     std::size_t errors_ = 0;
     std::size_t alarms_ = 0;
     std::string first_alarm_;
+    std::string first_error_;
     std::unordered_map<const DiagnosticRow*, std::size_t> seen_;
     std::unordered_set<std::size_t> shown_;  // hashes of what was said
 };

@@ -68,6 +68,18 @@ std::vector<std::string> module_names(const std::vector<std::string>& folders) {
 
 }  // namespace
 
+SourceWords words_of(Session& session, FileId file) {
+    const syntax::SourceHeader header = syntax::scan_header(session.sources().text(file));
+    const auto place = [file](const std::string& name, std::uint32_t at) {
+        if (name.empty()) return SourceRange{};
+        return SourceRange{file, at, at + static_cast<std::uint32_t>(name.size())};
+    };
+    return {session.keywords(header.language.empty() ? kDefaultLanguage : header.language,
+                             place(header.language, header.language_at)),
+            session.dialect(header.dialect.empty() ? kDefaultDialect : header.dialect,
+                            place(header.dialect, header.dialect_at))};
+}
+
 std::vector<std::string> Modules::folders_for(FileId from) const {
     const fs::path importer{std::string(session_.sources().name(from))};
     std::vector<std::string> folders = {importer.parent_path().string()};
@@ -118,15 +130,11 @@ Modules::Module Modules::load(std::string_view import, bool is_file, FileId from
 
 Modules::Module Modules::parse(FileId file) {
     Parsed& parsed = by_path_[identity(std::string(session_.sources().name(file)))];
-    const syntax::SourceHeader header = syntax::scan_header(session_.sources().text(file));
-    const auto* keywords =
-        session_.keywords(header.language.empty() ? kDefaultLanguage : header.language);
-    const auto* dialect =
-        session_.dialect(header.dialect.empty() ? kDefaultDialect : header.dialect);
-    if (keywords == nullptr || dialect == nullptr) return {};
-    parsed.dialect = dialect;
-    parsed.ast = std::make_unique<syntax::Ast>(
-        syntax::parse(session_.sources(), file, *keywords, *dialect, session_.messages()));
+    const SourceWords words = words_of(session_, file);
+    if (!words) return {};
+    parsed.dialect = words.dialect;
+    parsed.ast = std::make_unique<syntax::Ast>(syntax::parse(
+        session_.sources(), file, *words.keywords, *words.dialect, session_.messages()));
     return parsed.module();
 }
 

@@ -12,6 +12,15 @@
 
 namespace kadr::driver {
 
+/// The words that a source is written in: keywords of its language, words of its input dialect.
+/// Null where they cannot be loaded, which is reported.
+struct SourceWords {
+    const syntax::KeywordTable* keywords = nullptr;
+    const nc::Dialect* dialect = nullptr;
+    explicit operator bool() const { return keywords != nullptr && dialect != nullptr; }
+};
+SourceWords words_of(Session& session, FileId file);
+
 /// `cycles.drilling` is looked for as `cycles/drilling.kadr`, a file in quotes as it stands: beside
 /// the importing file, in the folders of the options, in the standard library.
 class Modules final : public sema::ModuleLoader {

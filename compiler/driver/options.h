@@ -4,6 +4,7 @@
 // is theirs, meaning is here.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -34,6 +35,7 @@ struct Options {
     std::uint16_t skip_levels = 0;      // bit n: blocks with skip level n are left out
     bool optional_stop = false;         // M1 stops
     std::optional<double> tick;         // s; nothing: as the machine says
+    const std::atomic<bool>* stop = nullptr;  // set from outside: what runs ends with an error
 };
 
 /// Where the results of an expansion go; `-` is standard output.
@@ -56,6 +58,15 @@ struct RunJob {
     std::string map;
     SummaryFormat summary = SummaryFormat::None;
     PlotColor plot_color = PlotColor::Feed;
+};
+
+/// Which tests are run, and how hard the properties are tried.
+struct TestJob {
+    std::vector<std::string> sources;
+    std::string filter;        // part of the name; empty: all
+    std::uint64_t seed = 1;    // of the random values
+    std::uint64_t runs = 100;  // sets of values of each property
+    std::string output = "-";  // for the list of the tests
 };
 
 }  // namespace kadr::driver

@@ -20,6 +20,29 @@ const T* load_once(std::map<std::string, std::unique_ptr<T>>& loaded, const std:
     return loaded.emplace(name, std::move(owned)).first->second.get();
 }
 
+/// Says where something was asked for that is not there: a place in a source, or an option.
+class OriginSink final : public DiagnosticSink {
+  public:
+    OriginSink(DiagnosticSink& next, const SourceRange& place, std::string_view option)
+        : next_(next), place_(place), option_(option) {}
+
+    void take(Diagnostic diagnostic) override {
+        const bool has_place = diagnostic.range.file.is_valid() || diagnostic.line;
+        if (!has_place && place_.file.is_valid()) {
+            diagnostic.range = place_;
+        } else if (!has_place && !option_.empty()) {
+            diagnostic.notes.push_back(
+                {{}, std::nullopt, "it is asked for by the option `" + std::string(option_) + "`"});
+        }
+        next_.take(std::move(diagnostic));
+    }
+
+  private:
+    DiagnosticSink& next_;
+    SourceRange place_;
+    std::string_view option_;
+};
+
 }  // namespace
 
 Session::Session(Options options, Share share, Sources& sources, Messages& messages)
@@ -28,30 +51,36 @@ Session::Session(Options options, Share share, Sources& sources, Messages& messa
       sources_(sources),
       messages_(messages) {}
 
-const nc::Dialect* Session::dialect(const std::string& name_or_file) {
+const nc::Dialect* Session::dialect(const std::string& name_or_file, const SourceRange& place) {
+    const bool is_option = name_or_file == options_.dialect;
+    OriginSink sink(messages_, place, is_option ? "-d" : "");
     return load_once(dialects_, name_or_file, [&] {
-        return nc::load_dialect(name_or_file, share_.dialects, sources_, messages_);
+        return nc::load_dialect(name_or_file, share_.dialects, sources_, sink);
     });
 }
 
 const nc::Dialect* Session::chosen_dialect(const std::string& otherwise) {
-    const nc::Dialect* chosen = dialect(options_.dialect.empty() ? otherwise : options_.dialect);
+    const nc::Dialect* chosen =
+        dialect(options_.dialect.empty() ? otherwise : options_.dialect, {});
     if (chosen == nullptr) mark_usage();
     return chosen;
 }
 
-const syntax::KeywordTable* Session::keywords(const std::string& name_or_file) {
+const syntax::KeywordTable* Session::keywords(const std::string& name_or_file,
+                                              const SourceRange& place) {
+    OriginSink sink(messages_, place, "");
     return load_once(keywords_, name_or_file, [&] {
-        return syntax::load_keywords(name_or_file, share_.languages, sources_, messages_);
+        return syntax::load_keywords(name_or_file, share_.languages, sources_, sink);
     });
 }
 
 const machine::Machine* Session::machine() {
     if (!machine_was_loaded_) {
         machine_was_loaded_ = true;
-        const std::string& asked = options_.machine.empty() ? kStockMachine : options_.machine;
-        std::optional<machine::Machine> fresh =
-            machine::load_machine(asked, share_.machines, sources_, messages_);
+        const bool is_option = !options_.machine.empty();
+        OriginSink sink(messages_, {}, is_option ? "-m" : "");
+        std::optional<machine::Machine> fresh = machine::load_machine(
+            is_option ? options_.machine : kStockMachine, share_.machines, sources_, sink);
         if (!fresh) mark_usage();
         if (fresh) machine_ = std::make_unique<machine::Machine>(std::move(*fresh));
     }

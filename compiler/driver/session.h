@@ -46,9 +46,10 @@ class Session {
     std::string source_name(const SourceRange& range) const;
 
     /// A dialect by name or file; each is loaded once. Null, with messages, if it has mistakes.
-    const nc::Dialect* dialect(const std::string& name_or_file);
+    /// `place`: where a source names it, for the message that there is none; invalid: nowhere.
+    const nc::Dialect* dialect(const std::string& name_or_file, const SourceRange& place);
     /// A keyword language by name or file, likewise.
-    const syntax::KeywordTable* keywords(const std::string& name_or_file);
+    const syntax::KeywordTable* keywords(const std::string& name_or_file, const SourceRange& place);
     /// The dialect of the options or, if they name none, `otherwise`. A failure is wrong usage.
     const nc::Dialect* chosen_dialect(const std::string& otherwise);
     /// The machine of the options, or the stock mill; null, with messages, if it has mistakes.

@@ -8,7 +8,10 @@
 
 #include "base/diagnostic.h"
 #include "base/text.h"
+#include "driver/examples.h"
+#include "interp/rules.h"
 #include "machine/machine.h"
+#include "nc/check.h"
 
 namespace kadr::driver {
 
@@ -114,15 +117,19 @@ Reply list_dialects(Session& session) {
 
 Reply check_dialect(Session& session, const std::string& name_or_file) {
     if (is_missing_file(session, name_or_file)) return {session.status(), {}};
-    const nc::Dialect* dialect = session.dialect(name_or_file);
+    const nc::Dialect* dialect = session.dialect(name_or_file, {});
     if (dialect == nullptr) return {session.status(), {}};
+    (void)interp::rules_of(*dialect, session.messages());
+    nc::check_frame(*dialect, session.messages());
+    check_examples(session, *dialect);
+    if (session.messages().errors() > 0) return {session.status(), {}};
     return {session.status(),
             fmt::format("{}: {}, no mistakes\n", dialect->name(), dialect->title())};
 }
 
 Reply explain_word(Session& session, const std::string& name_or_file, const std::string& word) {
     if (is_missing_file(session, name_or_file)) return {session.status(), {}};
-    const nc::Dialect* dialect = session.dialect(name_or_file);
+    const nc::Dialect* dialect = session.dialect(name_or_file, {});
     if (dialect == nullptr) {
         session.mark_usage();
         return {session.status(), {}};

@@ -35,7 +35,35 @@ std::string_view feed_word(Function mode) {
     }
 }
 
+const char* feed_code(Function mode) {
+    return mode == Function::FeedPerRevolution ? "G95"
+           : mode == Function::FeedInverseTime ? "G93"
+                                               : "G94";
+}
+
+const char* feed_unit(Function mode) {
+    return mode == Function::FeedPerRevolution ? "mm/rev"
+           : mode == Function::FeedInverseTime ? "1/min"
+                                               : "mm/min";
+}
+
 }  // namespace
+
+/// The instruction that made the value of a word; its place is the word, not the whole block.
+std::uint32_t Expander::State::word_of(const Filling& filling, std::uint32_t at) const {
+    const Instruction& emit = code.instructions[at];
+    const sema::Plan& plan = code.plans[static_cast<std::size_t>(emit.immediate.pair.first)];
+    const auto value = static_cast<std::uint16_t>(emit.a + (&filling - plan.fillings.data()));
+    const SourceRange block = code.places[at];
+    for (std::uint32_t i = at; i-- > 0;) {
+        const SourceRange place = code.places[i];
+        const bool is_inside =
+            place.file == block.file && place.begin >= block.begin && place.end <= block.end;
+        if (!is_inside) break;
+        if (code.instructions[i].a == value) return i;
+    }
+    return at;
+}
 
 bool Expander::State::is_block_limit(std::uint32_t at) {
     if (is_in_curve) [[unlikely]] {
@@ -146,7 +174,7 @@ bool Expander::State::fill(Block& block, const Filling& filling, sema::Slot valu
             return true;
         case Filling::Form::Count:
             if (value.integer == sema::kNotGivenInteger) {
-                not_given({}, at);
+                not_given({}, word_of(filling, at));
                 return false;
             }
             number = static_cast<double>(value.integer);
@@ -163,7 +191,7 @@ bool Expander::State::fill(Block& block, const Filling& filling, sema::Slot valu
         case Filling::Form::Plain: break;
     }
     if (!is_sane(number)) {
-        if (number != number) not_given({}, at);
+        if (number != number) not_given({}, word_of(filling, at));
         else math_fault(sema::MathFault::Overflow, at);
         return false;
     }
@@ -179,7 +207,7 @@ bool Expander::State::fill(Block& block, const Filling& filling, sema::Slot valu
 bool Expander::State::fill_feed(Block& block, const Filling& filling, double value,
                                 std::uint32_t at) {
     if (value != value) {
-        not_given("F", at);
+        not_given("F", word_of(filling, at));
         return false;
     }
     const Function mode = modal[Group::FeedMode];
@@ -205,7 +233,13 @@ bool Expander::State::fill_feed(Block& block, const Filling& filling, double val
             break;
     }
     if (needed != mode) {
-        fault(diag::FeedMode, at).arg(feed_word(needed)).arg(feed_word(mode));
+        DiagnosticBuilder builder = fault(diag::FeedMode, word_of(filling, at));
+        builder.arg(feed_word(needed)).arg(feed_word(mode));
+        const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::FeedMode)];
+        if (by.is_valid() && by.index < code.statements.size())
+            builder.note(code.statements[by.index], "the feed mode was set here");
+        builder.fix(std::string("say `") + feed_code(needed) + "` before it, or give the feed in " +
+                    feed_unit(mode));
         return false;
     }
     if (!is_sane(value)) {
@@ -219,7 +253,7 @@ bool Expander::State::fill_feed(Block& block, const Filling& filling, double val
 bool Expander::State::fill_speed(Block& block, const Filling& filling, double value,
                                  std::uint32_t at) {
     if (value != value) {
-        not_given("S", at);
+        not_given("S", word_of(filling, at));
         return false;
     }
     const bool is_cutting = modal[Group::SpeedMode] == Function::CuttingSpeedOn;
@@ -232,7 +266,7 @@ bool Expander::State::fill_speed(Block& block, const Filling& filling, double va
     if (form == Filling::Form::SpeedBare) {
         if (is_cutting) value *= filling.factor;
     } else if (is_cutting != (form == Filling::Form::SpeedCutting)) {
-        fault(diag::SpeedMode, at)
+        fault(diag::SpeedMode, word_of(filling, at))
             .arg(is_cutting ? "a spindle speed" : "a cutting speed")
             .arg(is_cutting ? "on" : "off");
         return false;

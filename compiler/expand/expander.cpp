@@ -21,9 +21,23 @@ bool Expander::start_cycle(std::string_view cycle, std::span<const double> argum
     return state_->start_cycle(cycle, arguments, given, position, feed, speed);
 }
 
+bool Expander::start_test(std::uint32_t function, std::span<const sema::Slot> values,
+                          TestBench& bench) {
+    return state_->start_test(function, values, bench);
+}
+
+std::optional<std::vector<sema::Slot>> Expander::read_values(
+    std::uint32_t function, const std::vector<sema::Define>& defines) {
+    return state_->read_values(function, defines);
+}
+
+bool Expander::start_call(const CallUnderTest& call) { return state_->start_call(call); }
+
 std::size_t Expander::pull(std::span<nc::Block> out) { return state_->pull(out); }
 
 bool Expander::failed() const { return state_->has_failed; }
+
+bool Expander::rejected() const { return state_->is_rejected; }
 
 const Trace& Expander::trace(std::size_t i) const {
     KADR_ASSERT(i < state_->traces.size(), "a trace was asked for without ExpandOptions::trace");

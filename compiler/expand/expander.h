@@ -1,8 +1,10 @@
 // expander.h — runs Code and yields Blocks.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +13,7 @@
 #include "base/axes.h"
 #include "base/diagnostic.h"
 #include "base/stream.h"
+#include "expand/test_bench.h"
 #include "nc/block.h"
 #include "sema/check.h"
 #include "sema/code.h"
@@ -19,7 +22,7 @@ namespace kadr::expand {
 
 struct Limits {
     std::uint32_t call_depth = 1000;
-    std::uint64_t loop_turns = 1'000'000'000;  // of all loops together
+    std::uint64_t loop_turns = 1'000'000'000;  // of all loops together, calls counted like turns
     std::uint64_t blocks = 100'000'000;
     std::uint64_t array_elements = 50'000'000;
 };
@@ -39,8 +42,9 @@ struct Trace {
 
 struct ExpandOptions {
     Limits limits;
-    bool native_cycles = true;  // a call of a mapped cycle stays one block
-    bool trace = false;         // keep a Trace for every block of the batch
+    bool native_cycles = true;                // a call of a mapped cycle stays one block
+    bool trace = false;                       // keep a Trace for every block of the batch
+    const std::atomic<bool>* stop = nullptr;  // set from outside: the evaluation ends with an error
 };
 
 /// Evaluates a program, batch by batch. Errors while it runs are reported with the call stack and
@@ -60,8 +64,21 @@ class Expander final : public Stream<nc::Block> {
     bool start_cycle(std::string_view cycle, std::span<const double> arguments, std::uint32_t given,
                      const AxisValues& position, double feed, double speed = 0);
 
+    /// Starts a test or a property of the code with the values of its parameters, in the order of
+    /// its registers. It makes no blocks unless it is wrong. `bench` outlives the expander.
+    bool start_test(std::uint32_t function, std::span<const sema::Slot> values, TestBench& bench);
+    /// The values of a property's parameters as the command line has them. Nothing: reported.
+    std::optional<std::vector<sema::Slot>> read_values(std::uint32_t function,
+                                                       const std::vector<sema::Define>& defines);
+    /// Starts the call that a test has executed, as a program of its own: globals are fresh. A
+    /// cycle or a function begins with the spindle on, a feed set, at a place that the test names.
+    bool start_call(const CallUnderTest& call);
+
     std::size_t pull(std::span<nc::Block> out) override;
+    /// An error ended the program; of a test: something did not hold.
     bool failed() const;
+    /// The values of a property are not among those that it assumes.
+    bool rejected() const;
     /// Of block `i` of the latest batch, if ExpandOptions::trace.
     const Trace& trace(std::size_t i) const;
 

@@ -102,6 +102,26 @@ std::int64_t Heap::copy(std::int64_t array_handle) {
     return result;
 }
 
+Slot Heap::adopt(const Heap& other, Slot slot, SlotKind kind) {
+    const bool is_handle = kind == SlotKind::Text || kind == SlotKind::Array;
+    if (!is_handle || slot.integer == sema::kNotGivenInteger) return slot;
+    Slot own{};
+    if (kind == SlotKind::Text) {
+        own.integer = new_text(other.text(slot.integer));
+        return own;
+    }
+    const Object& source = other.objects_[index(slot.integer)];
+    own.integer = new_array(source.layout);
+    const std::vector<SlotKind>& kinds = code_.layouts[source.layout].slots;
+    std::vector<Slot> element(kinds.size());
+    for (std::size_t first = 0; first < source.slots.size(); first += kinds.size()) {
+        for (std::size_t i = 0; i < kinds.size(); ++i)
+            element[i] = adopt(other, source.slots[first + i], kinds[i]);
+        append(own.integer, element.data());
+    }
+    return own;
+}
+
 void Heap::copy_parts(Slot* slots, std::uint32_t layout) {
     const std::vector<SlotKind>& kinds = code_.layouts[layout].slots;
     for (std::size_t i = 0; i < kinds.size(); ++i) {

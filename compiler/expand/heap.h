@@ -27,6 +27,8 @@ class Heap {
     std::int64_t new_array(std::uint32_t layout);
     /// A copy that shares nothing with the original but texts.
     std::int64_t copy(std::int64_t array);
+    /// A register of another running program of the same code: its texts and arrays are copied.
+    Slot adopt(const Heap& other, Slot slot, sema::SlotKind kind);
     /// Replaces arrays inside a value of this layout by copies.
     void copy_parts(Slot* slots, std::uint32_t layout);
 

@@ -48,13 +48,17 @@ std::optional<double> read_quantity(const ParameterInfo& parameter, sema::Units 
     return std::nullopt;
 }
 
+/// A note for what no line of a source says.
+std::string from_command_line(std::string_view name, std::string_view value) {
+    return "it is set by the option `-D " + std::string(name) + '=' + std::string(value) + '`';
+}
+
 }  // namespace
 
 Expander::State::State(const sema::Code& program, const nc::Dialect& dialect,
                        const ExpandOptions& wanted, DiagnosticSink& messages)
     : code(program), target(dialect), options(wanted), sink(messages), heap(program) {
-    // The counter is taken down before it is compared: one more than is allowed.
-    turns_left = std::max<std::uint64_t>(options.limits.loop_turns, 1) + 1;
+    turns_reserve = std::max<std::uint64_t>(options.limits.loop_turns, 1);
     blocks_left = options.limits.blocks;
     all_given.reserve(code.functions.size());
     for (const FunctionCode& function : code.functions) {
@@ -71,7 +75,14 @@ const FunctionCode* Expander::State::find_program(std::string_view name) {
         names.push_back(function.name);
     }
     if (names.empty()) {
-        sink.report(diag::NoProgram);
+        DiagnosticBuilder builder = sink.report(diag::NoProgram, {code.main_file, 0, 0});
+        const auto callable = std::find_if(
+            code.functions.begin(), code.functions.end(), [](const FunctionCode& function) {
+                return function.is_main_file && function.kind == FunctionKind::Cycle;
+            });
+        if (callable != code.functions.end()) {
+            builder.fix("call it from one: `program main() { " + callable->name + "(…); }`");
+        }
         return nullptr;
     }
     DiagnosticBuilder builder = sink.report(diag::UnknownProgram);
@@ -81,6 +92,7 @@ const FunctionCode* Expander::State::find_program(std::string_view name) {
         if (!all.empty()) all += ", ";
         all += other;
     }
+    builder.note("it is asked for by the option `--program`");
     builder.note("the file has: " + all);
     return nullptr;
 }
@@ -111,6 +123,7 @@ bool Expander::State::set_parameter(const FunctionCode& function, const Paramete
             .arg(parameter.name)
             .arg(wanted)
             .arg(value)
+            .note(from_command_line(parameter.name, text))
             .note(parameter.range, "it is declared here");
         return false;
     };
@@ -157,6 +170,7 @@ bool Expander::State::set_parameter(const FunctionCode& function, const Paramete
     sink.report(diag::DefineType)
         .arg(parameter.name)
         .arg(parameter.type_name)
+        .note(from_command_line(parameter.name, text))
         .note(parameter.range, "it is declared here");
     return false;
 }
@@ -183,13 +197,16 @@ bool Expander::State::start(std::string_view name, const std::vector<sema::Defin
             if (const auto near = nearest_name(define.name, names.data(), names.size())) {
                 builder.fix("did you mean `" + std::string(*near) + "`?");
             }
+            builder.note(from_command_line(define.name, define.value));
             builder.note(function->range, "the program is declared here");
             is_good = false;
             continue;
         }
         const auto index = static_cast<unsigned>(found - function->parameters.begin());
         if ((given >> index & 1u) != 0) {
-            sink.report(diag::DefineTwice).arg(define.name);
+            sink.report(diag::DefineTwice)
+                .arg(define.name)
+                .note(from_command_line(define.name, define.value));
             is_good = false;
         }
         given |= 1u << index;

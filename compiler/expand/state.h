@@ -1,7 +1,7 @@
 // state.h — a running program: registers, calls, modal state, the batch that is being filled.
 //
 // The chapters: vm.cpp (the instructions), blocks.cpp (blocks, frames, `with`), contours.cpp,
-// curves.cpp, faults.cpp (errors with the call stack), start.cpp (programs, parameters),
+// curves.cpp, faults.cpp (errors with the call stack), start.cpp (programs, parameters), tests.cpp,
 // text_format.cpp. For the room expand only.
 #pragma once
 
@@ -67,6 +67,19 @@ struct Expander::State {
                        const std::string& text, Slot& slot);
     void enter(const sema::FunctionCode& function, std::uint32_t given);
 
+    // ---- tests.cpp
+    bool start_test(std::uint32_t index, std::span<const Slot> values, TestBench& asked);
+    std::optional<std::vector<Slot>> read_values(std::uint32_t index,
+                                                 const std::vector<sema::Define>& defines);
+    bool test_call(const Instruction& instruction, Slot* registers, std::uint32_t at);
+    void ask_figure(const Instruction& instruction, Slot* registers);
+    void list_dialects(const Instruction& instruction, Slot* registers);
+    bool expectation_failed(const Instruction& instruction, const Slot* registers,
+                            std::uint32_t at);
+    bool stops_at_failure();
+    bool start_call(const CallUnderTest& call);
+    void set_up(const CallUnderTest& call);
+
     // ---- vm.cpp
     std::size_t pull(std::span<nc::Block> out);
     /// With kSlopes every real number carries its derivative by a curve's parameter (forward
@@ -87,6 +100,7 @@ struct Expander::State {
     void drop_block(const nc::Block& block);
     bool emit(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     bool fill_plan(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    std::uint32_t word_of(const sema::Filling& filling, std::uint32_t at) const;
     bool fill(nc::Block& block, const sema::Filling& filling, Slot value, std::uint32_t at);
     bool fill_feed(nc::Block& block, const sema::Filling& filling, double value, std::uint32_t at);
     bool fill_speed(nc::Block& block, const sema::Filling& filling, double value, std::uint32_t at);
@@ -148,6 +162,8 @@ struct Expander::State {
     void contract_failed(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     void keep_trace(std::uint32_t at, unsigned depth, SourceId source);
 
+    bool more_turns(std::uint64_t& turns);
+
     // ---- text_format.cpp
     std::string format(const sema::FormatPattern& pattern, const Slot* values) const;
 
@@ -161,10 +177,18 @@ struct Expander::State {
     CallStack frames;
     std::vector<std::uint32_t> all_given;  // by function: the mask of a call with every argument
     std::uint32_t pc = 0;
-    std::uint64_t turns_left = 0;
+    std::uint64_t turns_left = 1;     // of the present slice
+    std::uint64_t turns_reserve = 0;  // of the slices to come
+    bool was_stopped = false;         // from outside
     std::uint64_t blocks_left = 0;
     bool is_running = false;
     bool has_failed = false;
+
+    TestBench* bench = nullptr;            // only of a test
+    bool is_rejected = false;              // an assumption of a property does not hold
+    std::vector<std::uint32_t> failed_at;  // expectations that have been reported
+    std::string reason;                    // of the figure asked last
+    SourceId reason_at;
 
     ModalState modal;
     struct OpenWith {

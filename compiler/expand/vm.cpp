@@ -96,6 +96,17 @@ bool Expander::State::read_table(const sema::TableSchema& schema, Slot path, std
     return true;
 }
 
+/// The turn that used up a slice of them asks for the next one; it belongs to it. False: there is
+/// none, or somebody wants the evaluation to end.
+bool Expander::State::more_turns(std::uint64_t& turns) {
+    constexpr std::uint64_t kSlice = 1u << 16;  // turns between two looks at `stop`
+    was_stopped = options.stop != nullptr && options.stop->load(std::memory_order_relaxed);
+    if (was_stopped) return false;
+    turns = std::min(turns_reserve, kSlice);
+    turns_reserve -= turns;
+    return turns > 0;
+}
+
 std::size_t Expander::State::pull(std::span<nc::Block> out) {
     if (options.trace) {
         traces.erase(traces.begin(), traces.begin() + static_cast<std::ptrdiff_t>(delivered));
@@ -129,7 +140,7 @@ std::size_t Expander::State::pull(std::span<nc::Block> out) {
 #define KADR_JUMP KADR_GO(ip->immediate.pair.first)
 #define KADR_TURN                                                               \
     do {                                                                        \
-        if (--turns == 0) [[unlikely]]                                          \
+        if (--turns == 0 && !more_turns(turns)) [[unlikely]]                    \
             goto too_many_turns;                                                \
         if constexpr (kTrace)                                                   \
             ++loop_counts[frames.back().loops +                                 \
@@ -586,6 +597,9 @@ op_ForGeI:
 
     // ---------------------------------------------------------------- functions
 op_Call : {
+    // Calls that call twice make no loop and never end all the same.
+    if (--turns == 0 && !more_turns(turns)) [[unlikely]]
+        goto too_many_turns;
     if (frames.size() > options.limits.call_depth) [[unlikely]] {
         fault(diag::CallDepthLimit, AT).arg(static_cast<std::int64_t>(options.limits.call_depth));
         goto stop;
@@ -919,6 +933,26 @@ op_UserWarning:
     fault_note(diag::ProgramWarning, AT, heap.text(A.integer));
     KADR_NEXT;
 
+    // ---------------------------------------------------------------- tests
+op_TestCall:
+    if (!test_call(*ip, r, AT)) [[unlikely]]
+        goto stop;
+    ++ip;  // the Finish is for the call
+    KADR_NEXT;
+op_Figure:
+    ask_figure(*ip, r);
+    KADR_NEXT;
+op_TestDialects:
+    list_dialects(*ip, r);
+    KADR_NEXT;
+op_ExpectFailed:
+    if (!expectation_failed(*ip, r, AT)) goto stop;
+    KADR_NEXT;
+op_AssumeFailed:
+    is_rejected = true;
+    is_running = false;
+    goto stop;
+
     // ---------------------------------------------------------------- ways out
 batch_or_next:
     if (batch_count == batch_size) {
@@ -945,6 +979,10 @@ too_many_elements:
     fault(diag::ElementLimit, AT).arg(static_cast<std::int64_t>(options.limits.array_elements));
     goto stop;
 too_many_turns:
+    if (was_stopped) {
+        fault(diag::EvaluationStopped, AT);
+        goto stop;
+    }
     fault(diag::LoopLimit, AT).arg(static_cast<std::int64_t>(options.limits.loop_turns));
     goto stop;
 stop:

@@ -38,10 +38,10 @@ const char* describe(MathFault fault) {
     switch (fault) {
         case MathFault::DivisionByZero: return "division by zero";
         case MathFault::NegativeRoot: return "the square root of a negative number";
-        case MathFault::OutOfRange: return "an argument outside of -1 to 1";
+        case MathFault::OutOfRange: return "the argument of an arc function is outside of -1 to 1";
         case MathFault::NoTangent: return "the tangent of a right angle";
         case MathFault::NotPositive: return "the logarithm of a number that is not positive";
-        case MathFault::Overflow: return "a number too large";
+        case MathFault::Overflow: return "the result is too large for a number";
         case MathFault::NoPower: return "a fractional power of a negative number";
     }
     return "";

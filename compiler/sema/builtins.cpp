@@ -14,12 +14,13 @@ using syntax::ExprKind;
 
 namespace {
 
-constexpr std::array<std::string_view, 36> kNames = {
-    "abs",           "acos", "asin",  "atan",    "atan2",        "cbrt",  "ceil",   "cos",
-    "distance",      "exp",  "floor", "follow",  "follow_start", "hypot", "inside", "int",
-    "intersections", "ln",   "log",   "log10",   "max",          "min",   "mod",    "nearest",
-    "offset",        "pow",  "real",  "reverse", "round",        "sign",  "sin",    "sqrt",
-    "table",         "tan",  "text",  "trunc",
+constexpr std::array<std::string_view, 41> kNames = {
+    "abs",           "acos",   "asin",    "atan",         "atan2",    "attempt", "cbrt",
+    "ceil",          "cos",    "dialect", "dialects",     "distance", "execute", "exp",
+    "expect_error",  "floor",  "follow",  "follow_start", "hypot",    "inside",  "int",
+    "intersections", "ln",     "log",     "log10",        "max",      "min",     "mod",
+    "nearest",       "offset", "pow",     "real",         "reverse",  "round",   "sign",
+    "sin",           "sqrt",   "table",   "tan",          "text",     "trunc",
 };
 
 }  // namespace
@@ -224,7 +225,7 @@ Value Checker::round_call(Rounding rounding, const Expr& expr, std::string_view 
                 const std::optional<std::int64_t> whole =
                     to_integer(argument->constant.number, rounding);
                 if (!whole) {
-                    report(diag::ConstantFault, expr.range).arg("a whole number beyond 64 bits");
+                    report(diag::ConstantFault, expr.range).arg("the whole number leaves 64 bits");
                     return error_value();
                 }
                 return constant_integer(*whole, types::kInt);
@@ -363,6 +364,7 @@ std::optional<Value> Checker::builtin(std::string_view name, const Expr& expr, R
         if (!value) return error_value();
         return convert(*value, types::kReal, ast()[item].range, name);
     }
+    if (const std::optional<Value> value = test_builtin(name, expr)) return *value;
     if (name == "text") {
         if (!count_arguments(expr, name, 1, 1)) return error_value();
         const ExprId item = ast().exprs(expr.list)[0];

@@ -40,6 +40,7 @@ Value Checker::call(ExprId id, Reg hint) {
         report(diag::NotAFunction, callee.range).arg(name);
         return error_value();
     }
+    if (is_lost(name)) return error_value();
     auto builder = report(diag::UnknownFunction, callee.range);
     builder.arg(name);
     const std::vector<std::string_view> names = known_names(true);
@@ -226,6 +227,7 @@ Value Checker::call_vocabulary(const nc::FunctionInfo& info, const Expr& expr) {
 std::optional<Value> Checker::property_value(const Place& whole, const Expr& expr) {
     const Kind k = kind(whole.type);
     const std::string_view name = text(expr.text);
+    if (k == Kind::Execution) return figure(whole, expr, nullptr);
     if (k != Kind::Array && k != Kind::String) return std::nullopt;
     if (is_contour(types_.given(whole.type)) && name != "count") {
         const Value contour = require_given(load(whole, expr.range, true, kNoReg), expr.range, {});
@@ -251,6 +253,7 @@ Value Checker::call_method(ExprId id, const Expr& callee, Reg hint) {
     const std::optional<Place> owner = owner_place(callee.child[0]);
     if (!owner) return error_value();
     if (kind(owner->type) == Kind::Array) return array_method(*owner, callee, expr);
+    if (kind(owner->type) == Kind::Execution) return figure(*owner, callee, &expr);
     report(diag::UnknownMethod, callee.range).arg(type_name(owner->type)).arg(text(callee.text));
     return error_value();
 }

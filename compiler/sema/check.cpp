@@ -86,6 +86,7 @@ bool Checker::is_check(syntax::StmtId id) const {
 
 std::unique_ptr<Code> Checker::run(const syntax::Ast& main, const nc::Dialect& dialect) {
     load_module(main, dialect);
+    code_->main_file = main.file;
     const auto modules = static_cast<std::uint32_t>(modules_.size());
     for (std::uint32_t i = 0; i < modules; ++i) declare_names(i);
     code_->functions.resize(functions_.size() + 1);
@@ -126,9 +127,11 @@ void Checker::finish() {
         const FunctionDecl& function = functions_[i];
         FunctionCode& entry = code_->functions[i + 1];
         entry.name = function.name;
-        entry.kind = function.kind == DeclKind::Program ? FunctionKind::Program
-                     : function.kind == DeclKind::Cycle ? FunctionKind::Cycle
-                                                        : FunctionKind::Plain;
+        entry.kind = function.kind == DeclKind::Program    ? FunctionKind::Program
+                     : function.kind == DeclKind::Cycle    ? FunctionKind::Cycle
+                     : function.kind == DeclKind::Test     ? FunctionKind::Test
+                     : function.kind == DeclKind::Property ? FunctionKind::Property
+                                                           : FunctionKind::Plain;
         entry.result_slots = type_info(function.result).slots;
         entry.units = units_of(function);
         entry.range = function.range;

@@ -4,8 +4,8 @@
 // scope.cpp (names), expressions.cpp, values.cpp, convert.cpp (units and dimensions),
 // optionals.cpp, composites.cpp (points, structs, arrays), operators.cpp, conditions.cpp,
 // places.cpp (what can be assigned), calls.cpp, builtins.cpp, text.cpp (strings), statements.cpp,
-// loops.cpp, blocks.cpp (NC blocks), contours.cpp, curves.cpp, with.cpp, preserves.cpp. For the
-// room sema only.
+// loops.cpp, blocks.cpp (NC blocks), contours.cpp, curves.cpp, with.cpp, tests.cpp, preserves.cpp.
+// For the room sema only.
 #pragma once
 
 #include <memory>
@@ -97,6 +97,8 @@ class Checker {
     Symbol& add_symbol(Symbol symbol);
     void check_new_name(std::string_view name, const SourceRange& range);
     void report_unknown(std::string_view name, const SourceRange& range);
+    /// Whether a mistake that is told already has taken this name away.
+    bool is_lost(std::string_view name);
     std::vector<std::string_view> known_names(bool functions) const;
     void leave_scope(std::size_t symbols);
     std::vector<Givenness> remember_givenness() const;
@@ -160,6 +162,9 @@ class Checker {
     // operators.cpp
     Value unary(syntax::ExprId id, Type expected, Reg hint);
     Value binary(syntax::ExprId id, Type expected, Reg hint);
+    Type operand_type(const syntax::Expr& expr);
+    Value with_literals(const Value& start, std::vector<syntax::ExprId>& links);
+    Value chain_link(const syntax::Expr& expr, Value left, Reg mark, Reg hint);
     Value binary_values(syntax::Operator op, Value left, Value right, const syntax::Expr& expr,
                         Reg hint);
     Value arithmetic(syntax::Operator op, Value left, Value right, const syntax::Expr& expr,
@@ -179,8 +184,19 @@ class Checker {
                Reg hint);
     Value truth(syntax::ExprId id, Reg hint);
     Value contains(const syntax::Expr& expr, Reg hint);
-    struct Comparison;
+    struct Sides {
+        Value left;
+        Value right;
+    };
+    struct Comparison {
+        syntax::Operator op = syntax::Operator::Equal;
+        bool is_real = false;
+        Value left;
+        Value right;
+    };
     std::optional<Comparison> comparison(const syntax::Expr& expr);
+    std::optional<Sides> compared_sides(const syntax::Expr& expr);
+    std::optional<Comparison> compare(const syntax::Expr& expr, Value left, Value right);
     /// Makes two numbers comparable and addable: the same quantity; false: reported.
     bool match_quantities(Value& left, Value& right, const syntax::Expr& expr);
     Value to_real(const Value& value);
@@ -272,7 +288,6 @@ class Checker {
     void check_statement(const syntax::Stmt& stmt, bool is_require);
     void text_statement(const syntax::Stmt& stmt, Op op, unsigned kind);
     void expression_statement(const syntax::Stmt& stmt);
-    void not_supported(std::string_view what, const SourceRange& range);
     std::uint32_t statement_id(const SourceRange& range);
 
     // loops.cpp
@@ -309,6 +324,29 @@ class Checker {
     ModalMask words_mask(std::span<const syntax::Word> words, bool is_preserves);
     void frame_call(syntax::ExprId id);
     std::string word_text(const syntax::Word& word) const;
+
+    // tests.cpp
+    void declare_test(std::uint32_t module, syntax::DeclId id);
+    void property_ranges(std::uint32_t function);
+    bool range_end(syntax::ExprId id, const ParameterDecl& parameter, Slot& end);
+    bool is_in_test() const;
+    void report_test_block(const SourceRange& range);
+    std::optional<Value> test_builtin(std::string_view name, const syntax::Expr& expr);
+    Value test_call(TestCall::Purpose purpose, std::string_view name, const syntax::Expr& expr);
+    std::optional<std::uint32_t> test_subject(std::string_view name, syntax::ExprId id);
+    /// A figure of an execution; `call` is null where it is not called.
+    Value figure(const Place& execution, const syntax::Expr& member, const syntax::Expr* call);
+    bool figure_arguments(const FigureInfo& info, const syntax::Expr& call, Reg first);
+    void expect_statement(const syntax::Stmt& stmt);
+    void assume_statement(const syntax::Stmt& stmt);
+    void expectation(syntax::ExprId id);
+    void expect_comparison(const syntax::Expr& expr);
+    void jump_if_near(Reg a, Reg b, Label& near);
+    bool is_measured(Type type) const;
+    bool emit_agreement(const syntax::Expr& expr, const Value& left, const Value& right,
+                        Label& good);
+    Reg shown(const Value& value);
+    void append_shown(const Value& value, FormatPattern& pattern);
 
     // preserves.cpp
     /// The members of modal groups that the declaration promises to preserve, and so needs.
@@ -374,7 +412,8 @@ class Checker {
     bool last_unset_ = false;
     bool native_pending_ = false;  // the body's checks are still being emitted
     std::vector<Type> open_structs_;
-    std::uint32_t statement_ = 0;  // SourceId of the statement
+    std::uint32_t statement_ = 0;      // SourceId of the statement
+    std::uint32_t asked_figures_ = 0;  // of those that are functions
 
     std::unordered_map<std::uint64_t, Type> known_types_;  // of expressions, by file and index
     std::unordered_map<std::string, std::uint32_t> text_index_;

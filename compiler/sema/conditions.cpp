@@ -8,16 +8,13 @@ using syntax::ExprId;
 using syntax::ExprKind;
 using syntax::Operator;
 
-struct Checker::Comparison {
-    Operator op = Operator::Equal;
-    bool is_real = false;
-    Value left;
-    Value right;
-};
-
 std::optional<Checker::Comparison> Checker::comparison(const Expr& expr) {
-    Comparison result;
-    result.op = expr.op;
+    const std::optional<Sides> sides = compared_sides(expr);
+    return sides ? compare(expr, sides->left, sides->right) : std::nullopt;
+}
+
+/// Both sides of a comparison, each evaluated once and given.
+std::optional<Checker::Sides> Checker::compared_sides(const Expr& expr) {
     const SourceRange left_range = ast()[expr.child[0]].range;
     const SourceRange right_range = ast()[expr.child[1]].range;
     Value left = expression(expr.child[0]);
@@ -33,6 +30,12 @@ std::optional<Checker::Comparison> Checker::comparison(const Expr& expr) {
     left = require_given(left, left_range, {});
     right = require_given(right, right_range, {});
     if (is_error(left) || is_error(right)) return std::nullopt;
+    return Sides{left, right};
+}
+
+std::optional<Checker::Comparison> Checker::compare(const Expr& expr, Value left, Value right) {
+    Comparison result;
+    result.op = expr.op;
     const bool is_equality = expr.op == Operator::Equal || expr.op == Operator::NotEqual;
     const Kind a = kind(left.type);
     const Kind b = kind(right.type);
@@ -187,7 +190,7 @@ void Checker::jump_compare(const Comparison& comparison, bool sense, Label& labe
 namespace {
 
 template <typename T>
-bool compare(Operator op, T a, T b) {
+bool holds(Operator op, T a, T b) {
     switch (op) {
         case Operator::Less: return a < b;
         case Operator::LessEqual: return a <= b;
@@ -239,10 +242,10 @@ void Checker::jump_if(ExprId id, bool sense, Label& label, int depth) {
     } else if (expr.kind == ExprKind::Binary && is_comparison(expr.op)) {
         if (const std::optional<Comparison> found = comparison(expr)) {
             if (found->left.is_constant() && found->right.is_constant()) {
-                jump_constant(found->is_real ? compare(expr.op, found->left.constant.number,
-                                                       found->right.constant.number)
-                                             : compare(expr.op, found->left.constant.integer,
-                                                       found->right.constant.integer));
+                jump_constant(found->is_real ? holds(expr.op, found->left.constant.number,
+                                                     found->right.constant.number)
+                                             : holds(expr.op, found->left.constant.integer,
+                                                     found->right.constant.integer));
             } else if (kind(found->left.type) == Kind::Bool && !found->right.is_constant() &&
                        expr.op != Operator::Equal && expr.op != Operator::NotEqual) {
                 check_condition(found->left, expr.range);
@@ -285,8 +288,8 @@ Value Checker::truth(ExprId id, Reg hint) {
         if (found->left.is_constant() && found->right.is_constant()) {
             const bool answer =
                 found->is_real
-                    ? compare(expr.op, found->left.constant.number, found->right.constant.number)
-                    : compare(expr.op, found->left.constant.integer, found->right.constant.integer);
+                    ? holds(expr.op, found->left.constant.number, found->right.constant.number)
+                    : holds(expr.op, found->left.constant.integer, found->right.constant.integer);
             return constant_integer(answer ? 1 : 0, types::kBool);
         }
         Value left = found->left;

@@ -90,7 +90,7 @@ class TableReader {
 
   private:
     DiagnosticBuilder report(const DiagnosticRow& row, std::uint32_t column, std::size_t length) {
-        failed_ = true;
+        failed_ = failed_ || row.severity != Severity::Warning;
         LinePlace at;
         at.file = file_;
         at.line = std::max<std::uint32_t>(line_, 1);
@@ -130,6 +130,7 @@ class TableReader {
             report(diag::TableQuote, 1, line_text_.size());
             return false;
         }
+        std::vector<UnknownColumn> unknown;
         for (const Cell& cell : cells) {
             std::string_view name = cell.text;
             std::string_view unit;
@@ -143,14 +144,7 @@ class TableReader {
                              [&](const Column& column) { return column.name == name; });
             Bound bound;
             if (found == schema_.columns.end()) {
-                std::vector<std::string_view> names;
-                for (const Column& column : schema_.columns) names.push_back(column.name);
-                DiagnosticBuilder builder =
-                    report(diag::TableColumnUnknown, cell.column, cell.text.size());
-                builder.arg(name).arg(schema_.type_name);
-                if (const auto near = nearest_name(name, names.data(), names.size())) {
-                    builder.fix("did you mean `" + std::string(*near) + "`?");
-                }
+                unknown.push_back({std::string(name), cell.column, cell.text.size()});
                 columns_.push_back(bound);
                 continue;
             }
@@ -168,16 +162,61 @@ class TableReader {
             }
             columns_.push_back(bound);
         }
+        report_missing(unknown);
+        for (const UnknownColumn& column : unknown) {
+            if (!column.name.empty()) report_unknown(column);
+        }
+        return !failed_;
+    }
+
+    /// A column of the file that no member takes.
+    struct UnknownColumn {
+        std::string name;
+        std::uint32_t column = 1;
+        std::size_t length = 1;
+    };
+
+    void report_unknown(const UnknownColumn& unknown) {
+        std::vector<std::string_view> names;
         for (const Column& column : schema_.columns) {
             const bool is_there = std::any_of(columns_.begin(), columns_.end(),
                                               [&](const Bound& b) { return b.column == &column; });
-            if (!is_there && !column.is_optional) {
+            if (!is_there) names.push_back(column.name);
+        }
+        DiagnosticBuilder builder =
+            report(diag::TableColumnUnknown, unknown.column, unknown.length);
+        builder.arg(unknown.name).arg(schema_.type_name);
+        if (const auto near = nearest_name(unknown.name, names.data(), names.size())) {
+            builder.fix("did you mean `" + std::string(*near) + "`?");
+        }
+    }
+
+    /// Members without a column. Where a column has nearly the name of one, it is that column which
+    /// is wrong, and it is not said again that nobody takes it.
+    void report_missing(std::vector<UnknownColumn>& unknown) {
+        for (const Column& column : schema_.columns) {
+            const bool is_there = std::any_of(columns_.begin(), columns_.end(),
+                                              [&](const Bound& b) { return b.column == &column; });
+            if (is_there || column.is_optional) continue;
+            std::vector<std::string_view> names;
+            for (const UnknownColumn& other : unknown) names.push_back(other.name);
+            const auto near = nearest_name(column.name, names.data(), names.size());
+            const auto misspelt =
+                near ? std::find_if(unknown.begin(), unknown.end(),
+                                    [&](const UnknownColumn& u) { return u.name == *near; })
+                     : unknown.end();
+            if (misspelt == unknown.end()) {
                 report(diag::TableColumnMissing, 1, line_text_.size())
                     .arg(column.name)
                     .arg(schema_.type_name);
+                continue;
             }
+            report(diag::TableColumnMissing, misspelt->column, misspelt->length)
+                .arg(column.name)
+                .arg(schema_.type_name)
+                .fix("did you mean `" + column.name + "`?");
+            misspelt->name.clear();
         }
-        return !failed_;
     }
 
     void row() {

@@ -146,11 +146,7 @@ void Checker::declare_names(std::uint32_t module) {
                 break;
             }
             case DeclKind::Test:
-            case DeclKind::Property:
-                report(diag::TestNotRun,
-                       decl.name_range.file.is_valid() ? decl.name_range : decl.range)
-                    .arg(decl.kind == DeclKind::Test ? "a `test`" : "a `property`");
-                break;
+            case DeclKind::Property: declare_test(module, id); break;
             case DeclKind::Parameter:
             case DeclKind::Import:
             case DeclKind::Units:
@@ -167,10 +163,19 @@ std::optional<Type> Checker::builtin_type(std::string_view name) const {
         Type type;
     };
     static constexpr Row kRows[] = {
-        {"void", types::kVoid},       {"bool", types::kBool},         {"int", types::kInt},
-        {"real", types::kReal},       {"length", types::kLengthType}, {"angle", types::kAngleType},
-        {"time", types::kTimeType},   {"feed", types::kFeed},         {"speed", types::kSpeed},
-        {"string", types::kString},   {"point", types::kPoint},       {"vector", types::kVector},
+        {"void", types::kVoid},
+        {"bool", types::kBool},
+        {"int", types::kInt},
+        {"real", types::kReal},
+        {"length", types::kLengthType},
+        {"angle", types::kAngleType},
+        {"time", types::kTimeType},
+        {"feed", types::kFeed},
+        {"speed", types::kSpeed},
+        {"string", types::kString},
+        {"point", types::kPoint},
+        {"vector", types::kVector},
+        {"execution", types::kExecution},
         {"contour", types::kContour},
     };
     for (const Row& row : kRows) {
@@ -192,6 +197,7 @@ Type Checker::resolve_type(syntax::TypeId id) {
     } else if (name == "element") {
         type = types::kElement;  // not reserved: a program may have its own
     } else if (!name.empty()) {
+        if (is_lost(name)) return types::kError;
         auto builder = report(diag::UnknownType, ref.range);
         builder.arg(name);
         std::vector<std::string_view> known = {"bool",   "int",   "real",   "length",
@@ -367,7 +373,8 @@ void Checker::define_signature(std::uint32_t index) {
             entry.type = types::kError;
         }
         entry.is_reference = parameter.type.is_valid() && ast()[parameter.type].is_reference;
-        entry.initial = parameter.value;
+        // `int n in 1..20` of a property: a range is not a default.
+        if (decl.kind != DeclKind::Property) entry.initial = parameter.value;
         if (entry.is_reference && parameter.value.is_valid()) {
             report(diag::ReferenceDefault, parameter.range).arg(entry.name);
             entry.initial = {};
@@ -539,6 +546,7 @@ void Checker::check_function(std::uint32_t index) {
     emit_.take(std::max<unsigned>(function.parameter_slots, type_info(function.result).slots));
     emit_.release_to(function.parameter_slots);
     bind_parameters(function);
+    if (function.kind == DeclKind::Property) property_ranges(index);
     check_defaults(function);
     code_->functions[index + 1].body = emit_.here();
     native_pending_ = current_native_.has_value();
@@ -589,6 +597,7 @@ void Checker::check_function(std::uint32_t index) {
 
 void Checker::report_unused_parameters() {
     if (function_->module != 0) return;  // a library's own matter
+    if (ast().has_errors) return;        // what is missing may have used them
     for (const Symbol& symbol : symbols_) {
         if (!symbol.is_parameter || symbol.is_read || symbol.name.empty()) continue;
         report(diag::UnusedParameter, symbol.range).arg(symbol.name);
@@ -612,6 +621,7 @@ ParameterInfo Checker::describe_parameter(const ParameterDecl& parameter) {
         case Kind::Struct:
         case Kind::Array:
         case Kind::Range:
+        case Kind::Execution:
         case Kind::Void:
         case Kind::Error: info.kind = K::Other; break;
     }

@@ -235,6 +235,9 @@ Type Checker::type_of(ExprId id) {
 }
 
 bool Checker::writes(ExprId id) {
+    for (; id.is_valid() && ast()[id].is_chain_link(); id = ast()[id].child[0]) {
+        if (writes(ast()[id].child[1])) return true;
+    }
     if (!id.is_valid()) return false;
     const Expr& expr = ast()[id];
     switch (expr.kind) {

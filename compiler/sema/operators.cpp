@@ -11,6 +11,14 @@ using syntax::ExprId;
 using syntax::ExprKind;
 using syntax::Operator;
 
+namespace {
+
+/// Bytes. A longer text is joined when the program runs, so that the code does not grow with the
+/// square of what is added up.
+constexpr std::size_t kMostFoldedText = std::size_t{1} << 14;
+
+}  // namespace
+
 std::string_view spelling(Operator op) {
     switch (op) {
         case Operator::Plus:
@@ -102,13 +110,54 @@ Value Checker::binary(ExprId id, Type expected, Reg hint) {
         case Operator::Contains: return contains(expr, hint);
         default: break;
     }
-    // `+` and `-` hand the expected type down, so that braces know what they are.
+    // The links of a chain, the last one first.
+    std::vector<ExprId> links;
+    for (ExprId link = id; ast()[link].is_chain_link(); link = ast()[link].child[0]) {
+        links.push_back(link);
+    }
+    const SourceRange place = emit_.place();
+    const Reg mark = emit_.mark();
+    const Expr& first = ast()[links.back()];
+    emit_.set_place(first.range);
+    Value value = expression(first.child[0], operand_type(first));
+    if (value.is_constant() && kind(value.type) == Kind::String) {
+        value = with_literals(value, links);
+    }
+    while (!links.empty()) {
+        const ExprId link = links.back();
+        links.pop_back();
+        emit_.set_place(ast()[link].range);
+        value = chain_link(ast()[link], value, mark, links.empty() ? hint : kNoReg);
+    }
+    emit_.set_place(place);
+    return value;
+}
+
+/// A constant text and the literals that are added to it, joined in one go: a text for every link
+/// would take memory with the square of the chain. Takes the links of those literals off.
+Value Checker::with_literals(const Value& start, std::vector<ExprId>& links) {
+    std::string all = code_->texts[static_cast<std::size_t>(start.constant.integer)];
+    for (; !links.empty(); links.pop_back()) {
+        const Expr& link = ast()[links.back()];
+        const Expr& right = ast()[link.child[1]];
+        const bool is_literal = right.kind == ExprKind::String && right.list.count == 0;
+        if (link.op != Operator::Add || !is_literal) break;
+        all += text(right.text);
+    }
+    return constant_text(all);
+}
+
+/// `+` and `-` hand the expected type down, so that braces know what they are.
+Type Checker::operand_type(const Expr& expr) {
     const bool same_type = expr.op == Operator::Add || expr.op == Operator::Subtract;
     const bool is_braces = ast()[expr.child[0]].kind == ExprKind::Braces ||
                            ast()[expr.child[1]].kind == ExprKind::Braces;
-    const Type hint_type = same_type && is_braces ? types::kPoint : types::kError;
-    const Reg mark = emit_.mark();
-    Value left = expression(expr.child[0], hint_type);
+    return same_type && is_braces ? types::kPoint : types::kError;
+}
+
+/// One operator of a chain: `left`, which stands in registers from `mark` on, and what is right of
+/// it.
+Value Checker::chain_link(const Expr& expr, Value left, Reg mark, Reg hint) {
     if (left.is_variable && writes(expr.child[1])) {
         // `i + i++`: what stands left is read first.
         const Reg copy = emit_.take(type_info(left.type).slots);
@@ -116,7 +165,7 @@ Value Checker::binary(ExprId id, Type expected, Reg hint) {
         copy_value(left, copy);
         left = in_registers(left.type, copy);
     }
-    const Value right = expression(expr.child[1], hint_type);
+    const Value right = expression(expr.child[1], operand_type(expr));
     if (is_error(left) || is_error(right)) return error_value();
     Value result = binary_values(expr.op, left, right, expr, hint);
     if (result.form == Value::Form::InRegister && type_info(result.type).slots == 1 &&
@@ -148,8 +197,13 @@ Value Checker::binary_values(Operator op, Value left, Value right, const Expr& e
         right = text_of(right, ast()[expr.child[1]].range);
         if (is_error(left) || is_error(right)) return error_value();
         if (left.is_constant() && right.is_constant()) {
-            return constant_text(code_->texts[static_cast<std::size_t>(left.constant.integer)] +
-                                 code_->texts[static_cast<std::size_t>(right.constant.integer)]);
+            const std::string& a_text =
+                code_->texts[static_cast<std::size_t>(left.constant.integer)];
+            const std::string& b_text =
+                code_->texts[static_cast<std::size_t>(right.constant.integer)];
+            if (a_text.size() + b_text.size() <= kMostFoldedText) {
+                return constant_text(a_text + b_text);
+            }
         }
         const Reg x = in_register(left);
         const Reg y = in_register(right);
@@ -312,7 +366,7 @@ bool Checker::match_quantities(Value& left, Value& right, const Expr& expr) {
 
 bool Checker::reports_finite(double value, const SourceRange& range) {
     if (std::isfinite(value)) return true;
-    report(diag::ConstantFault, range).arg("a number too large");
+    report(diag::ConstantFault, range).arg("the result is too large for a number");
     return false;
 }
 
@@ -333,7 +387,7 @@ Value Checker::fold_integers(Operator op, std::int64_t a, std::int64_t b,
             break;
     }
     if (overflow) {
-        report(diag::ConstantFault, range).arg("a whole number beyond 64 bits");
+        report(diag::ConstantFault, range).arg("the whole number leaves 64 bits");
         return error_value();
     }
     return constant_integer(result, types::kInt);

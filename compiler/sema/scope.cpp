@@ -92,7 +92,15 @@ std::vector<std::string_view> Checker::known_names(bool functions) const {
     return names;
 }
 
+bool Checker::is_lost(std::string_view name) {
+    const std::vector<std::string>& lost = ast().lost_names;
+    if (std::find(lost.begin(), lost.end(), name) == lost.end()) return false;
+    ++sink_.errors;  // the parser has said why
+    return true;
+}
+
 void Checker::report_unknown(std::string_view name, const SourceRange& range) {
+    if (is_lost(name)) return;
     auto builder = report(diag::UnknownName, range);
     builder.arg(name);
     const std::vector<std::string_view> names = known_names(false);

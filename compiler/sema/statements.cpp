@@ -19,10 +19,6 @@ std::uint32_t Checker::statement_id(const SourceRange& range) {
     return id;
 }
 
-void Checker::not_supported(std::string_view what, const SourceRange& range) {
-    report(diag::NotYet, range).arg(what);
-}
-
 bool Checker::block(syntax::List list) {
     const std::size_t symbols = symbols_.size();
     const std::size_t scope = std::exchange(scope_begin_, symbols);
@@ -102,8 +98,8 @@ bool Checker::statement(StmtId id) {
             if (contour_depth_ == 0) report(diag::CloseOutside, stmt.range);
             emit_.emit(Op::CloseContour);
             break;
-        case StmtKind::Assume: not_supported("`assume`", stmt.range); break;
-        case StmtKind::Expect: not_supported("`expect`", stmt.range); break;
+        case StmtKind::Assume: assume_statement(stmt); break;
+        case StmtKind::Expect: expect_statement(stmt); break;
     }
     if (!keeps_registers) emit_.release_to(mark);
     emit_.set_place(before);
@@ -429,6 +425,7 @@ void Checker::text_statement(const Stmt& stmt, Op op, unsigned kind_of_text) {
     if (is_error(value)) return;
     const Reg reg = in_register(value);
     emit_.set_place(stmt.range);
+    if (op == Op::EmitText && is_in_test()) report_test_block(stmt.range);
     if (op == Op::EmitText) {
         emit_.emit_pair(op, reg, kind_of_text, static_cast<unsigned>(loop_depth_), 0,
                         statement_id(stmt.range));

@@ -70,6 +70,7 @@ bool Checker::format_piece(const Value& value, std::string_view format, const So
         case Kind::Struct:
         case Kind::Array:
         case Kind::Range:
+        case Kind::Execution:
             report(diag::NotPrintable, range).arg(type_name(value.type));
             return false;
     }

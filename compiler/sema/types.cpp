@@ -46,6 +46,7 @@ TypeTable::TypeTable() {
     const Type vector = add_struct(triple("vector", types::kOptionalReal));
     KADR_ASSERT(point == types::kPoint && vector == types::kVector, "built-in types moved");
     add(Kind::Range, 2);
+    add(Kind::Execution, 1);
     const Type element = add_struct({"element", {}, 0, {}});
     TypeInfo contour;
     contour.kind = Kind::Array;
@@ -173,6 +174,7 @@ std::string TypeTable::name(Type type) const {
             text += ']';
             break;
         case Kind::Range: text += "range"; break;
+        case Kind::Execution: text += "execution"; break;
     }
     if (info.is_optional) text += '?';
     return text;
@@ -184,6 +186,7 @@ std::vector<SlotKind> TypeTable::layout(Type type) const {
         case Kind::Void: return {};
         case Kind::Bool:
         case Kind::Int:
+        case Kind::Execution:
         case Kind::Enum: return {SlotKind::Integer};
         case Kind::Error:
         case Kind::Real:

@@ -29,9 +29,10 @@ enum class Kind : std::uint8_t {
     Speed,  // of the spindle or of cutting, likewise
     String,
     Enum,
-    Struct,  // points and vectors are built-in structs
-    Array,   // growing or fixed
-    Range,   // `1..6`, only in `for`
+    Struct,     // points and vectors are built-in structs
+    Array,      // growing or fixed
+    Range,      // `1..6`, only in `for`
+    Execution,  // what a test executed: a number that the test bench gave
 };
 
 struct TypeInfo {
@@ -86,8 +87,9 @@ inline constexpr Type kOptionalReal{12};
 inline constexpr Type kPoint{13};
 inline constexpr Type kVector{14};
 inline constexpr Type kRange{15};
-inline constexpr Type kElement{16};  // of a contour; its registers: ElementSlot in code.h
-inline constexpr Type kContour{17};
+inline constexpr Type kExecution{16};
+inline constexpr Type kElement{17};  // of a contour; its registers: ElementSlot in code.h
+inline constexpr Type kContour{18};
 }  // namespace types
 
 class TypeTable {

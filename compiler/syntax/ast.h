@@ -2,8 +2,8 @@
 //
 // Every node is one plain struct with a kind; what its children mean is said at the kind. Lists
 // of children are runs in `Ast::expression_lists` and so on. Nothing nests deeper than kMaxNesting,
-// so that a recursive walk is safe. Nothing is resolved here: names are texts, types are as
-// written.
+// so that a recursive walk is safe; a walk of chains (see is_chained) must go down their left side
+// by a loop. Nothing is resolved here: names are texts, types are as written.
 #pragma once
 
 #include <array>
@@ -41,7 +41,8 @@ struct TextId {
     friend bool operator==(TextId, TextId) = default;
 };
 
-/// Deepest nesting of expressions and of statements; what is deeper is a diagnostic.
+/// Deepest nesting of expressions and of statements; what is deeper is a diagnostic. In a chain
+/// only what stands right of its operators counts.
 inline constexpr int kMaxNesting = 500;
 
 /// A run of children in one of the list vectors of Ast.
@@ -133,6 +134,13 @@ enum class Operator : std::uint8_t {
     ModuloAssign,
 };
 
+/// Whether `a op b op c …` is a chain: a tree that leans to the left and may be of any length, as
+/// generated sums and texts are.
+constexpr bool is_chained(Operator op) {
+    return (op >= Operator::Multiply && op <= Operator::ShiftRight) ||
+           (op >= Operator::BitAnd && op <= Operator::BitOr);
+}
+
 struct Expr {
     ExprKind kind = ExprKind::Invalid;
     Operator op = Operator::None;
@@ -144,6 +152,9 @@ struct Expr {
     double number = 0;
     std::array<ExprId, 3> child{};
     List list;  // in Ast::expression_lists
+
+    /// Child 0 may be a link as well, and so on.
+    bool is_chain_link() const { return kind == ExprKind::Binary && is_chained(op); }
 };
 
 /// A word of a block: `X10`, `X=r+1`, `X+=5mm`, `I=AC(5)`, `G1`, `TRANS`.
@@ -271,6 +282,9 @@ struct Ast {
     std::vector<std::string> texts = {""};
     std::vector<DeclId> top;  // in source order
     std::vector<Comment> comments;
+    /// Names of what stood where it cannot be declared; whoever uses them makes no second mistake.
+    std::vector<std::string> lost_names;
+    bool has_errors = false;  // of the syntax; the tree has holes
 
     const Expr& operator[](ExprId id) const { return expressions[id.index]; }
     const Stmt& operator[](StmtId id) const { return statements[id.index]; }

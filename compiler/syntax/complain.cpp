@@ -162,13 +162,16 @@ void Complaints::complain(antlr4::Parser& parser, std::size_t index) {
 bool Complaints::is_semicolon_forgotten(const Place& place) const {
     if (!place.expects(Token::Semicolon)) return false;
     const Token token = place.offending.token;
+    // `return if;`: hardly two statements in one line.
+    if (place.previous.token == Token::Return && !place.is_new_line && begins_statement(token))
+        return false;
     return place.is_new_line || token == Token::CloseBrace || token == Token::EndOfFile ||
            begins_statement(token);
 }
 
 void Complaints::explain(const Place& place) {
-    if (explain_for(place) || explain_name(place) || explain_value(place) || explain_sign(place) ||
-        explain_closing(place)) {
+    if (explain_for(place) || explain_declaration(place) || explain_name(place) ||
+        explain_value(place) || explain_sign(place) || explain_closing(place)) {
         return;
     }
     const SourceRange range = file_.range(place.offending);
@@ -188,6 +191,12 @@ void Complaints::explain(const Place& place) {
 bool Complaints::explain_for(const Place& place) {
     if (place.rule != KadrParser::RuleForHead) return false;
     const SourceRange gap = file_.range(place.previous.end, place.previous.end);
+    const bool is_declared =
+        place.previous.token == Token::TypeName || place.previous.token == Token::Auto;
+    if (is_declared && is_word(place.offending.token)) {
+        explain_address_name(place.offending);
+        return true;
+    }
     if (place.offending.token == Token::Colon) {
         file_.sink.report(diag::ForTypeMissing, file_.range(place.previous))
             .arg(quoted(place.previous));
@@ -233,18 +242,48 @@ bool Complaints::explain_sign(const Place& place) {
     return false;
 }
 
+/// A function inside of a function: `length f(length x) {`.
+bool Complaints::explain_declaration(const Place& place) {
+    const bool is_variable = place.head == Token::TypeName && place.rule != KadrParser::RuleFile;
+    if (!is_variable || place.offending.token != Token::OpenParen ||
+        place.previous.token != Token::Identifier || !place.expects(Token::Semicolon)) {
+        return false;
+    }
+    lost_names_.emplace_back(file_.spelling(place.previous));
+    file_.sink.report(diag::DeclarationInside, file_.range(place.previous))
+        .arg("the function " + quoted(place.previous));
+    return true;
+}
+
+/// Remembers what the declaration that begins here would have declared.
+void Complaints::lose_names(std::size_t index) {
+    const bool is_enum = stream_.lexeme(index).token == Token::Enum;
+    for (++index; index < stream_.size(); ++index) {
+        const Lexeme& lexeme = stream_.lexeme(index);
+        if (lexeme.token == Token::Identifier) lost_names_.emplace_back(file_.spelling(lexeme));
+        const bool is_list = lexeme.token == Token::OpenBrace || lexeme.token == Token::Comma;
+        const bool goes_on = lexeme.token == Token::Identifier || (is_enum && is_list);
+        if (!goes_on) return;
+    }
+}
+
+/// An address in the place of a name.
+void Complaints::explain_address_name(const Lexeme& lexeme) {
+    const std::string_view spelled = file_.spelling(lexeme);
+    bad_names_.insert(std::string(spelled));
+    const SourceRange range = file_.range(lexeme);
+    file_.sink.report(diag::AddressAsName, range)
+        .arg(quoted(lexeme))
+        .fix(range, lower_ascii(spelled), "write it in lower case");
+}
+
 /// Where a name must stand.
 bool Complaints::explain_name(const Place& place) {
     if (!place.expects(Token::Identifier) || place.expected.size() > 3) return false;
     const Lexeme& offending = place.offending;
     const SourceRange range = file_.range(offending);
     if (is_word(offending.token)) {
-        const std::string_view spelled = file_.spelling(offending);
-        bad_names_.insert(std::string(spelled));
-        const std::string lower = lower_ascii(spelled);
-        file_.sink.report(diag::AddressAsName, range)
-            .arg(quoted(offending))
-            .fix(range, lower, "write it in lower case");
+        explain_address_name(offending);
     } else if (is_keyword(offending.token)) {
         file_.sink.report(diag::KeywordAsName, range).arg(quoted(offending));
     } else {
@@ -258,6 +297,9 @@ bool Complaints::explain_name(const Place& place) {
 /// Where a value must stand.
 bool Complaints::explain_value(const Place& place) {
     if (!place.expects(Token::Number) || place.expects(Token::If)) return false;
+    if (place.expects(Token::Semicolon) && place.offending.token != Token::Semicolon) {
+        return false;  // the value is not needed
+    }
     const Lexeme& offending = place.offending;
     const SourceRange gap = file_.range(place.previous.end, place.previous.end);
     const bool is_text_meant = place.head == Token::Raw || place.head == Token::Note;
@@ -409,6 +451,7 @@ void Complaints::explain_start(antlr4::Parser& parser) {
         file_.sink.report(diag::CaseOutside, range).arg(quoted(lexeme));
     } else if (begins_declaration(lexeme.token)) {
         file_.sink.report(diag::DeclarationInside, range).arg(quoted(lexeme));
+        lose_names(index);
     } else {
         file_.sink.report(diag::StatementStart, range).arg(quoted(lexeme));
     }
@@ -573,7 +616,8 @@ void Complaints::skip_start(antlr4::Parser& parser, bool is_file) {
     while (stream_.LA(1) != antlr4::Token::EOF) {
         const std::size_t index = stream_.index();
         const Token token = token_of(stream_.LA(1));
-        if (depth == 0 && token == Token::OpenBrace) {
+        const bool has_members = first == Token::Struct || first == Token::Enum;
+        if (depth == 0 && token == Token::OpenBrace && !has_members) {
             static_cast<KadrParser&>(parser).block();
             last = Token::CloseBrace;
             if (!is_file) return;
@@ -592,6 +636,7 @@ void Complaints::skip_start(antlr4::Parser& parser, bool is_file) {
         if (closes(token)) --depth;
         stream_.consume();
         last = token;
+        if (has_members && depth == 0 && token == Token::CloseBrace && !is_file) return;
         const bool is_end =
             token == Token::Semicolon ||
             (token == Token::Colon && (first == Token::Case || first == Token::Default));

@@ -74,9 +74,14 @@ class LexemeStream final : public antlr4::TokenStream {
 /// of the statement or declaration that holds the mistake.
 class Complaints final : public antlr4::DefaultErrorStrategy {
   public:
+    /// `lost_names` gets the names of declarations that stand where there can be none.
     Complaints(const SourceFile& file, LexemeStream& stream, const LimitedSink& limit,
-               bool has_broken_blocks)
-        : file_(file), stream_(stream), limit_(limit), has_broken_blocks_(has_broken_blocks) {}
+               bool has_broken_blocks, std::vector<std::string>& lost_names)
+        : file_(file),
+          stream_(stream),
+          limit_(limit),
+          has_broken_blocks_(has_broken_blocks),
+          lost_names_(lost_names) {}
 
     antlr4::Token* recoverInline(antlr4::Parser* parser) override;
     void reportError(antlr4::Parser* parser, const antlr4::RecognitionException& e) override;
@@ -95,7 +100,10 @@ class Complaints final : public antlr4::DefaultErrorStrategy {
     bool explain_closing(const Place& place);
     bool explain_assignment(const Place& place);
     bool explain_comma(const Place& place);
+    bool explain_declaration(const Place& place);
+    void explain_address_name(const Lexeme& lexeme);
     void explain_start(antlr4::Parser& parser);
+    void lose_names(std::size_t index);
     bool is_semicolon_forgotten(const Place& place) const;
     std::vector<Token> open_brackets(const antlr4::ParserRuleContext& context) const;
     void skip_parameters(const antlr4::ParserRuleContext& context);
@@ -107,6 +115,7 @@ class Complaints final : public antlr4::DefaultErrorStrategy {
     LexemeStream& stream_;
     const LimitedSink& limit_;
     bool has_broken_blocks_;
+    std::vector<std::string>& lost_names_;
     std::deque<LexemeToken> conjured_;   // tokens that were missing
     std::set<std::string> bad_names_;    // addresses that stood in the place of a name
     std::size_t last_place_ = SIZE_MAX;  // index of the token of the last complaint

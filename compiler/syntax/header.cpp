@@ -47,6 +47,7 @@ std::string_view take_word(std::string_view& text) {
 
 SourceHeader scan_header(std::string_view text) {
     SourceHeader header;
+    const char* const begin = text.data();
     // `language`, `dialect` and `units` may stand in any order; the first other word ends the look.
     for (int i = 0; i < 4; ++i) {
         skip_blanks(text);
@@ -55,13 +56,20 @@ SourceHeader scan_header(std::string_view text) {
         skip_blanks(text);
         const bool is_quoted = text.starts_with('"');
         if (is_quoted) text.remove_prefix(1);
+        const auto at = static_cast<std::uint32_t>(text.data() - begin);
         const std::string_view value = take_word(text);
         if (is_quoted && text.starts_with('"')) text.remove_prefix(1);
         skip_blanks(text);
         if (value.empty() || !text.starts_with(';')) break;
         text.remove_prefix(1);
-        if (is_one_of(keyword, kLanguageLexemes)) header.language = value;
-        if (is_one_of(keyword, kDialectLexemes)) header.dialect = value;
+        if (is_one_of(keyword, kLanguageLexemes)) {
+            header.language = value;
+            header.language_at = at;
+        }
+        if (is_one_of(keyword, kDialectLexemes)) {
+            header.dialect = value;
+            header.dialect_at = at;
+        }
     }
     return header;
 }

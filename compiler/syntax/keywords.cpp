@@ -2,15 +2,25 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <pugixml.hpp>
-
 #include "base/text.h"
+#include "base/xml.h"
 #include "syntax/keyword.h"
 #include "syntax/parse.h"
 
 namespace kadr::syntax {
 
 namespace {
+
+/// What a file with keywords may hold.
+const XmlShape& language_shape() {
+    constexpr auto Filled = XmlAttributeRule::Use::Filled;
+    static const std::vector<XmlRule> rules = {
+        {"language", {{"name", Filled}, "title"}, {"keyword"}},
+        {"keyword", {{"name", Filled}, {"lexeme", Filled}}, {}},
+    };
+    static const XmlShape shape = {"a file with keywords", rules};
+    return shape;
+}
 
 class Loader {
   public:
@@ -20,10 +30,8 @@ class Loader {
     std::optional<KeywordTable> load();
 
   private:
-    void element(const pugi::xml_node& node);
-    void lexeme(const pugi::xml_node& node, const std::string& name, const std::string& lexeme);
-    void require_all();
-    SourceRange place(const pugi::xml_node& node) const;
+    void keyword(const XmlAttribute& name, const XmlAttribute& lexeme);
+    void require_all(const XmlElement& root);
     DiagnosticBuilder report(const DiagnosticRow& row, const SourceRange& range) {
         is_good_ = false;
         return sink_.report(row, range);
@@ -33,85 +41,54 @@ class Loader {
     FileId file_;
     DiagnosticSink& sink_;
     KeywordTable table_;
+    std::unordered_map<std::string, SourceRange> places_;  // of the lexemes
     bool is_good_ = true;
 };
 
-SourceRange Loader::place(const pugi::xml_node& node) const {
-    const auto begin = static_cast<std::uint32_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0));
-    const auto length = static_cast<std::uint32_t>(std::string_view(node.name()).size());
-    return {file_, begin, begin + std::max(length, 1u)};
-}
-
 std::optional<KeywordTable> Loader::load() {
-    const std::string_view text = sources_.text(file_);
-    pugi::xml_document document;
-    const pugi::xml_parse_result result =
-        document.load_buffer(text.data(), text.size(), pugi::parse_default, pugi::encoding_utf8);
-    if (!result) {
-        const auto at = static_cast<std::uint32_t>(
-            std::clamp<std::ptrdiff_t>(result.offset, 0, static_cast<std::ptrdiff_t>(text.size())));
-        report(diag::LanguageXml, {file_, at, at + 1}).arg(result.description());
-        return std::nullopt;
+    const auto root = parse_xml(file_, sources_, language_shape(), sink_);
+    if (!root || !check_xml(*root, language_shape(), sink_)) return std::nullopt;
+    table_.name = root->find("name")->value;
+    for (const XmlElement& element : root->children) {
+        keyword(*element.find("name"), *element.find("lexeme"));
     }
-    const pugi::xml_node root = document.document_element();
-    if (std::string_view(root.name()) != "language") {
-        report(diag::LanguageElement, place(root)).arg(root.name()).arg("language");
-        return std::nullopt;
-    }
-    table_.name = root.attribute("name").value();
-    if (table_.name.empty()) report(diag::LanguageAttribute, place(root)).arg("name");
-    for (const pugi::xml_node& node : root.children()) {
-        if (node.type() == pugi::node_element) element(node);
-    }
-    require_all();
+    require_all(*root);
     if (!is_good_) return std::nullopt;
     return std::move(table_);
 }
 
-void Loader::element(const pugi::xml_node& node) {
-    if (std::string_view(node.name()) != "keyword") {
-        report(diag::LanguageElement, place(node)).arg(node.name()).arg("keyword");
-        return;
-    }
-    const std::string name = node.attribute("name").value();
-    const std::string spelled = node.attribute("lexeme").value();
-    for (const pugi::xml_attribute& attribute : node.attributes()) {
-        const std::string_view found = attribute.name();
-        if (found == "name" || found == "lexeme") continue;
-        report(diag::LanguageAttributeUnknown, place(node)).arg(found);
-    }
-    if (name.empty() || spelled.empty()) {
-        report(diag::LanguageAttribute, place(node)).arg(name.empty() ? "name" : "lexeme");
-        return;
-    }
-    lexeme(node, name, spelled);
-}
-
-void Loader::lexeme(const pugi::xml_node& node, const std::string& name,
-                    const std::string& spelled) {
-    if (find_keyword(name) == nullptr) {
+void Loader::keyword(const XmlAttribute& name, const XmlAttribute& lexeme) {
+    if (find_keyword(name.value) == nullptr) {
         std::vector<std::string_view> names;
-        for (const Keyword& keyword : all_keywords()) names.push_back(keyword.name);
-        const auto near = nearest_name(name, names.data(), names.size());
-        auto message = report(diag::LanguageKeyword, place(node));
-        message.arg(name);
-        if (near) message.fix("did you mean `" + std::string(*near) + "`?");
+        for (const Keyword& known : all_keywords()) names.push_back(known.name);
+        const auto near = nearest_name(name.value, names.data(), names.size());
+        auto message = report(diag::LanguageKeyword, name.value_range);
+        message.arg(shown_value(name.value));
+        if (near) message.fix(name.value_range, std::string(*near), "is this meant?");
         return;
     }
+    const std::string& spelled = lexeme.value;
     // Only what the lexer takes for one identifier can be a keyword.
     const bool is_identifier = std::all_of(spelled.begin(), spelled.end(), [](char c) {
         return (c & 0x80) != 0 || c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
                (c >= 'A' && c <= 'Z');
     });
     if (!is_identifier || (spelled[0] >= '0' && spelled[0] <= '9')) {
-        report(diag::LanguageLexeme, place(node)).arg(spelled);
+        report(diag::LanguageLexeme, lexeme.value_range).arg(shown_value(spelled));
         return;
     }
-    const auto [entry, is_new] = table_.canonical.emplace(spelled, name);
-    if (!is_new) report(diag::LanguageDouble, place(node)).arg(spelled).arg(entry->second);
+    const auto [entry, is_new] = table_.canonical.emplace(spelled, name.value);
+    if (is_new) {
+        places_.emplace(spelled, lexeme.value_range);
+        return;
+    }
+    report(diag::LanguageDouble, lexeme.value_range)
+        .arg(spelled)
+        .arg(entry->second)
+        .note(places_.at(spelled), "the first one");
 }
 
-void Loader::require_all() {
+void Loader::require_all(const XmlElement& root) {
     std::string missing;
     for (const Keyword& keyword : all_keywords()) {
         if (!keyword.is_required) continue;
@@ -122,7 +99,7 @@ void Loader::require_all() {
         if (!missing.empty()) missing += ", ";
         missing += "`" + std::string(keyword.name) + "`";
     }
-    if (!missing.empty() && is_good_) report(diag::LanguageMissing, {file_, 0, 1}).arg(missing);
+    if (!missing.empty() && is_good_) report(diag::LanguageMissing, root.range).arg(missing);
 }
 
 }  // namespace
@@ -143,7 +120,20 @@ std::optional<KeywordTable> load_keywords(const std::string& name_or_file,
         const std::optional<FileId> file = sources.read(candidate);
         if (file) return Loader(sources, *file, sink).load();
     }
-    sink.report(diag::LanguageUnknown).arg(name_or_file);
+    auto message = sink.report(diag::LanguageUnknown);
+    message.arg(name_or_file);
+    std::vector<std::string> known;
+    for (const std::string& folder : folders) {
+        std::error_code error;
+        for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+             entry.increment(error)) {
+            if (entry->path().extension() == ".xml") known.push_back(entry->path().stem().string());
+        }
+    }
+    std::sort(known.begin(), known.end());
+    std::string names;
+    for (const std::string& name : known) names += (names.empty() ? "`" : ", `") + name + '`';
+    if (!known.empty()) message.note("known are " + names);
     return std::nullopt;
 }
 

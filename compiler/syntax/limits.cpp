@@ -6,6 +6,7 @@
 namespace kadr::syntax {
 
 void LimitedSink::take(Diagnostic diagnostic) {
+    has_errors_ = has_errors_ || diagnostic.severity != Severity::Warning;
     if (!is_full()) kept_.push_back(std::move(diagnostic));
 }
 

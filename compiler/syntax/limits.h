@@ -18,12 +18,14 @@ inline constexpr std::size_t kMaxBadBytes = 8;  // then the file is no text
 class LimitedSink final : public DiagnosticSink {
   public:
     void take(Diagnostic diagnostic) override;
+    bool has_errors() const { return has_errors_; }
     bool is_full() const { return kept_.size() >= kMaxErrors; }
     /// Hands everything on, sorted by place, and says if it was too much.
     void deliver(DiagnosticSink& sink);
 
   private:
     std::vector<Diagnostic> kept_;
+    bool has_errors_ = false;
 };
 
 }  // namespace kadr::syntax

@@ -2,9 +2,8 @@
 
 #include "syntax/brackets.h"
 #include "syntax/lex.h"
-#include "syntax/retype.h"
+#include "syntax/prepare.h"
 #include "syntax/tree.h"
-#include "syntax/words.h"
 
 namespace kadr::syntax {
 
@@ -27,8 +26,8 @@ void build_tree(const SourceFile& file, const Prepared& prepared, const LimitedS
         stream.seek(0);
         parser.reset();
         interpreter->setPredictionMode(antlr4::atn::PredictionMode::LL);
-        parser.setErrorHandler(
-            std::make_shared<Complaints>(file, stream, limit, prepared.has_broken_blocks));
+        parser.setErrorHandler(std::make_shared<Complaints>(
+            file, stream, limit, prepared.has_broken_blocks, ast.lost_names));
         try {
             tree = parser.file();
         } catch (const antlr4::ParseCancellationException&) {
@@ -50,12 +49,7 @@ void parse_into(Ast& ast, std::string_view source, const KeywordTable& keywords,
     Interner texts(ast.texts);
     const Lines lines(*clean);
     const SourceFile file{ast.file, *clean, limit, texts, lines};
-    const auto raw = lex(file, keywords, limit, ast.comments);
-    if (!raw) return;
-    const WordKindOf kind_of = [&dialect](std::string_view identifier) {
-        return nc::word_kind(dialect, identifier);
-    };
-    const auto prepared = retype(file, merge_words(file, *raw, kind_of), keywords);
+    const auto prepared = prepare(file, keywords, dialect, limit, ast.comments);
     if (prepared && !limit.is_full()) build_tree(file, *prepared, limit, ast);
 }
 
@@ -67,6 +61,7 @@ Ast parse(const Sources& sources, FileId file, const KeywordTable& keywords,
     ast.file = file;
     LimitedSink limit;
     parse_into(ast, sources.text(file), keywords, dialect, limit);
+    ast.has_errors = limit.has_errors();
     limit.deliver(sink);
     return ast;
 }

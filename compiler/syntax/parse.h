@@ -28,6 +28,8 @@ std::optional<KeywordTable> load_keywords(const std::string& name_or_file,
 struct SourceHeader {
     std::string language;
     std::string dialect;
+    std::uint32_t language_at = 0;  // byte of the name, where there is one
+    std::uint32_t dialect_at = 0;
 };
 SourceHeader scan_header(std::string_view text);
 

@@ -27,6 +27,7 @@ class Printer {
 
     void declaration(DeclId id, int depth);
     void expression(ExprId id);
+    void chain(ExprId id);
     std::string take() { return std::move(out_); }
 
   private:
@@ -278,6 +279,27 @@ void Printer::arguments(List list) {
     out_ += ')';
 }
 
+/// `(+ (+ a b) c)`: the operators from the last one on, then what stands between them.
+void Printer::chain(ExprId id) {
+    std::vector<ExprId> links;
+    const auto open = [&](ExprId link) {
+        links.push_back(link);
+        out_ += '(';
+        out_ += operator_text(ast_[link].op);
+    };
+    open(id);
+    while (ast_[links.back()].is_chain_link() &&
+           ast_[ast_[links.back()].child[0]].is_chain_link()) {
+        out_ += ' ';
+        open(ast_[links.back()].child[0]);
+    }
+    spaced(ast_[links.back()].child[0]);
+    for (; !links.empty(); links.pop_back()) {
+        spaced(ast_[links.back()].child[1]);
+        out_ += ')';
+    }
+}
+
 void Printer::expression(ExprId id) {
     const Expr& expr = ast_[id];
     const auto group = [&](std::string_view head, std::size_t children) {
@@ -318,9 +340,9 @@ void Printer::expression(ExprId id) {
             out_ += ')';
             return;
         case ExprKind::Name: out_ += text(expr.text); return;
+        case ExprKind::Binary: return chain(id);
         case ExprKind::Unary:
         case ExprKind::Assign:
-        case ExprKind::Binary:
             return group(operator_text(expr.op), expr.kind == ExprKind::Unary ? 1 : 2);
         case ExprKind::Conditional: return group("?", 3);
         case ExprKind::Index: return group("index", 2);

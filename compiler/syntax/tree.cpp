@@ -322,6 +322,7 @@ TextId TreeBuilder::documentation(std::uint32_t begin) {
         std::string_view line =
             file_.text.substr(first->range.begin + 3, first->range.end - first->range.begin - 3);
         if (line.starts_with(' ')) line.remove_prefix(1);
+        line = line.substr(0, line.find_last_not_of(" \t\r") + 1);
         if (!text.empty()) text += '\n';
         text += line;
     }

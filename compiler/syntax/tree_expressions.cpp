@@ -39,14 +39,18 @@ SourceRange join(const SourceRange& first, const SourceRange& last) {
 ExprId TreeBuilder::add(const Expr& expr) {
     std::size_t depth = 0;
     for (const ExprId child : expr.child) {
-        if (child.is_valid()) depth = std::max<std::size_t>(depth, depths_[child.index]);
+        if (child.is_valid()) depth = std::max<std::size_t>(depth, depths_[child.index] + 1u);
     }
     for (const ExprId item : ast_.exprs(expr.list)) {
-        depth = std::max<std::size_t>(depth, depths_[item.index]);
+        depth = std::max<std::size_t>(depth, depths_[item.index] + 1u);
+    }
+    if (expr.is_chain_link() && ast_[expr.child[0]].is_chain_link()) {
+        depth =
+            std::max<std::size_t>(depths_[expr.child[0].index], depths_[expr.child[1].index] + 1u);
     }
     const ExprId id{static_cast<std::uint32_t>(ast_.expressions.size())};
     ast_.expressions.push_back(expr);
-    if (++depth > kMaxNesting) {
+    if (depth >= kMaxNesting) {
         if (!has_complained_of_depth_) {
             file_.sink.report(diag::NestingTooDeep, expr.range).arg(kMaxNesting);
         }

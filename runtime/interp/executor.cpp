@@ -489,6 +489,7 @@ Command& Executor::put(Op op, const Block& block) {
     command.plane = modal_.plane;
     command.exact_stop = false;
     command.machine_coordinates = false;
+    command.is_unshifted = false;
     command.moved = 0;
     command.source = from.source;
     command.line = from.line;

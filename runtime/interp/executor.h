@@ -76,6 +76,8 @@ class Executor {
     std::size_t pull(std::span<path::Command> out);
     bool alarmed() const { return alarmed_; }
     std::uint64_t blocks() const { return block_count_; }
+    std::vector<StateItem> state() const;  // describe.cpp
+    const AxisValues& position() const { return position_.here; }
 
   private:
     // executor.cpp: the order of things

@@ -17,6 +17,8 @@ Interpreter::~Interpreter() = default;
 
 std::size_t Interpreter::pull(std::span<path::Command> out) { return state_->executor.pull(out); }
 bool Interpreter::alarmed() const { return state_->executor.alarmed(); }
+std::vector<StateItem> Interpreter::state() const { return state_->executor.state(); }
+const AxisValues& Interpreter::position() const { return state_->executor.position(); }
 std::uint64_t Interpreter::blocks() const { return state_->executor.blocks(); }
 
 }  // namespace kadr::interp

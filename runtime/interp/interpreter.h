@@ -8,6 +8,9 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "base/stream.h"
 #include "machine/machine.h"
@@ -45,6 +48,13 @@ struct InterpreterOptions {
     bool optional_stop = false;
 };
 
+/// One entry of the modal state, in words: `feed`, `200 mm/min`.
+struct StateItem {
+    std::string_view name;
+    std::string value;
+    friend bool operator==(const StateItem&, const StateItem&) = default;
+};
+
 class Interpreter final : public Stream<path::Command> {
   public:
     /// All references outlive the interpreter. `place_of` gives the place of a block for messages.
@@ -57,6 +67,10 @@ class Interpreter final : public Stream<path::Command> {
     std::size_t pull(std::span<path::Command> out) override;
     bool alarmed() const;          // an alarm ended the run
     std::uint64_t blocks() const;  // executed so far
+    /// The modal state behind the last block, one entry a group, for people.
+    std::vector<StateItem> state() const;
+    /// Where the tool stands in the programmed system; mm, deg.
+    const AxisValues& position() const;
 
   private:
     struct State;

@@ -153,6 +153,7 @@ void Executor::move_in_machine_coordinates(const Block& block) {
     command.to = to;
     command.moved = target.moved;
     command.machine_coordinates = !rules_.machine_coordinates_keep_length;
+    command.is_unshifted = true;
     command.exact_stop = true;
     command.feed = is_rapid ? 0 : modal_.feed;
     arrive(target);

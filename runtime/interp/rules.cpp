@@ -1,8 +1,11 @@
 #include "interp/rules.h"
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "base/numbers.h"
+#include "base/text.h"
 
 namespace kadr::interp {
 
@@ -66,11 +69,34 @@ bool set_rule(Rules& rules, std::string_view name, std::string_view value) {
     return false;
 }
 
+namespace {
+
+/// Says why a rule could not be set.
+void report(const nc::RuleSetting& setting, DiagnosticSink& sink) {
+    std::vector<std::string_view> names;
+    for (const RuleInfo& rule : kRules) {
+        if (rule.name == setting.name) {
+            sink.report(diag::RuleInvalid, setting.value_range)
+                .arg(setting.name)
+                .arg(setting.value)
+                .fix("it takes: " + std::string(rule.values));
+            return;
+        }
+        names.push_back(rule.name);
+    }
+    auto message = sink.report(diag::RuleUnknown, setting.range);
+    message.arg(setting.name);
+    if (const auto near = nearest_name(setting.name, names.data(), names.size())) {
+        message.fix(setting.range, std::string(*near), "is this meant?");
+    }
+}
+
+}  // namespace
+
 Rules rules_of(const nc::Dialect& dialect, DiagnosticSink& sink) {
     Rules rules;
     for (const nc::RuleSetting& setting : dialect.rules()) {
-        if (set_rule(rules, setting.name, setting.value)) continue;
-        sink.report(diag::RuleInvalid, setting.range).arg(setting.name).arg(setting.value);
+        if (!set_rule(rules, setting.name, setting.value)) report(setting, sink);
     }
     return rules;
 }

@@ -39,8 +39,8 @@ std::span<const RuleInfo> all_rules();
 /// Sets one rule from its text. False: there is no such rule, or it cannot have that value.
 bool set_rule(Rules& rules, std::string_view name, std::string_view value);
 
-/// The rules that the dialect names, defaults for the others. A value that a rule cannot have is
-/// reported, and the default stays.
+/// The rules that the dialect names, defaults for the others. A name that no rule has and a value
+/// that a rule cannot have are reported, and the default stays.
 Rules rules_of(const nc::Dialect& dialect, DiagnosticSink& sink);
 
 }  // namespace kadr::interp

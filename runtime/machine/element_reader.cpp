@@ -19,13 +19,6 @@ std::string words_list(std::span<const std::string_view> words) {
     return text;
 }
 
-/// A value that is too long for one line of a message is cut.
-std::string shown(std::string_view value) {
-    constexpr std::size_t kLongest = 60;
-    if (value.size() <= kLongest) return std::string(value);
-    return std::string(value.substr(0, kLongest)) + "…";
-}
-
 }  // namespace
 
 std::optional<std::string> proposal(std::string_view wrong,
@@ -33,32 +26,6 @@ std::optional<std::string> proposal(std::string_view wrong,
     const auto nearest = nearest_name(wrong, candidates.data(), candidates.size());
     if (!nearest) return std::nullopt;
     return std::string(*nearest);
-}
-
-void ElementReader::check_attributes(std::span<const std::string_view> known) const {
-    for (const XmlAttribute& attribute : element_.attributes) {
-        if (std::find(known.begin(), known.end(), attribute.name) == known.end()) {
-            auto message = sink_.report(diag::MachineAttributeUnknown, attribute.name_range);
-            message.arg(shown(attribute.name)).arg(element_.name);
-            if (const auto better = proposal(attribute.name, known)) {
-                message.fix(attribute.name_range, *better, "the attribute is called so");
-            }
-        } else if (element_.find(attribute.name) != &attribute) {
-            sink_.report(diag::MachineAttributeTwice, attribute.name_range)
-                .arg(attribute.name)
-                .arg(element_.name)
-                .note(element_.find(attribute.name)->name_range, "the first one");
-        }
-    }
-    if (element_.stray_text.file.is_valid()) {
-        sink_.report(diag::MachineStrayText, element_.stray_text).arg(element_.name);
-    }
-}
-
-bool ElementReader::require(std::string_view attribute) const {
-    if (element_.find(attribute) != nullptr) return true;
-    sink_.report(diag::MachineAttributeMissing, element_.range).arg(element_.name).arg(attribute);
-    return false;
 }
 
 std::string ElementReader::text(std::string_view attribute) const {
@@ -77,18 +44,18 @@ void ElementReader::report_quantity(const XmlAttribute& attribute, const Quantit
     switch (error.fault) {
         case QuantityFault::NotANumber:
             sink_.report(diag::MachineNumberBad, attribute.value_range)
-                .arg(shown(error.text))
+                .arg(shown_value(error.text))
                 .arg(is_range ? "a range `lower..upper` with a unit" : name + " with its unit");
             return;
         case QuantityFault::UnitMissing:
             sink_.report(diag::MachineUnitMissing, attribute.value_range)
-                .arg(shown(attribute.value))
+                .arg(shown_value(attribute.value))
                 .arg(name)
                 .fix("write " + unit_names(dimension) + " after the number");
             return;
         case QuantityFault::UnitUnknown:
             sink_.report(diag::MachineUnitUnknown, attribute.value_range)
-                .arg(shown(error.text))
+                .arg(shown_value(error.text))
                 .arg(name)
                 .fix("write " + unit_names(dimension));
             return;
@@ -140,7 +107,7 @@ std::optional<std::int64_t> ElementReader::whole(std::string_view attribute, std
     if (fault == std::errc() && stop == end && number >= least && number <= most) return number;
     sink_.report(diag::MachineWholeNumber, found->value_range)
         .arg(attribute)
-        .arg(shown(found->value))
+        .arg(shown_value(found->value))
         .arg(least)
         .arg(most);
     return std::nullopt;
@@ -153,7 +120,7 @@ std::optional<std::size_t> ElementReader::choice(std::string_view attribute,
     const auto word = std::find(words.begin(), words.end(), found->value);
     if (word != words.end()) return static_cast<std::size_t>(word - words.begin());
     auto message = sink_.report(diag::MachineChoice, found->value_range);
-    message.arg(attribute).arg(shown(found->value)).arg(words_list(words));
+    message.arg(attribute).arg(shown_value(found->value)).arg(words_list(words));
     if (const auto better = proposal(found->value, words)) {
         message.fix(found->value_range, *better, "the word is written so");
     }

@@ -10,13 +10,13 @@
 #include <string_view>
 
 #include "base/diagnostic.h"
+#include "base/xml.h"
 #include "machine/quantity.h"
-#include "machine/xml_tree.h"
 
 namespace kadr::machine {
 
-/// Below, every question about an attribute answers nothing when the attribute is missing or wrong;
-/// what is wrong has then been reported, what is missing only by `require`.
+/// Every question about an attribute answers nothing when the attribute is missing or wrong; what
+/// is wrong has then been reported. What is missing is the matter of the file's shape.
 class ElementReader {
   public:
     ElementReader(const XmlElement& element, DiagnosticSink& sink)
@@ -24,12 +24,7 @@ class ElementReader {
 
     const XmlElement& element() const { return element_; }
 
-    /// Reports unknown and doubled attributes and text between the children.
-    void check_attributes(std::span<const std::string_view> known) const;
-
-    /// Reports that the attribute is missing. True if it is there.
-    bool require(std::string_view attribute) const;
-
+    bool has(std::string_view attribute) const { return element_.find(attribute) != nullptr; }
     std::string text(std::string_view attribute) const;
     std::optional<double> quantity(std::string_view attribute, Dimension dimension) const;
     std::optional<Range> range(std::string_view attribute, Dimension dimension) const;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -8,9 +9,9 @@
 #include "base/numbers.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "base/xml.h"
 #include "machine/element_reader.h"
 #include "machine/machine.h"
-#include "machine/xml_tree.h"
 
 namespace kadr::machine {
 
@@ -24,14 +25,39 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::int64_t kMostOffsets = 306;
 constexpr std::int64_t kMostTools = 99'999'999;
 
-constexpr std::string_view kMachineAttributes[] = {
-    "name", "title", "kind", "tick", "max_feed", "max_speed", "orient_time", "tool_change_time"};
-constexpr std::string_view kAxisAttributes[] = {"name",         "limits", "velocity",
-                                                "acceleration", "jerk",   "home"};
-constexpr std::string_view kToolAttributes[] = {"number", "length", "radius", "name"};
-constexpr std::string_view kOffsetAttributes[] = {"number", "x", "y", "z", "a",
-                                                  "b",      "c", "u", "v", "w"};
-constexpr std::string_view kMachineChildren[] = {"axis", "tool", "offset"};
+constexpr auto Filled = XmlAttributeRule::Use::Filled;
+
+/// What a machine file may hold, and where; mirrors machine.xsd.
+const XmlShape& machine_shape() {
+    static const std::vector<XmlRule> rules = {
+        {"machine",
+         {{"name", Filled},
+          "title",
+          "kind",
+          "tick",
+          "max_feed",
+          "max_speed",
+          "orient_time",
+          "tool_change_time"},
+         {"axis", "tool", "offset"}},
+        {"axis",
+         {{"name", Filled},
+          "limits",
+          {"velocity", Filled},
+          {"acceleration", Filled},
+          "jerk",
+          "home"},
+         {}},
+        {"tool", {{"number", Filled}, "length", "radius", "name"}, {}},
+        {"offset", {{"number", Filled}, "x", "y", "z", "a", "b", "c", "u", "v", "w"}, {}},
+    };
+    static const XmlShape shape = {"a machine file", rules};
+    return shape;
+}
+
+// The attributes of an <offset> that are axes, in the order of `Axis`.
+constexpr std::array<std::string_view, kAxes> kOffsetAxes = {"x", "y", "z", "a", "b",
+                                                             "c", "u", "v", "w"};
 constexpr std::string_view kKinds[] = {"mill", "lathe"};
 
 /// The dimensions of an axis' attributes.
@@ -71,8 +97,6 @@ class MachineBuilder {
   private:
     void read_machine() {
         const ElementReader reader(root_, sink_);
-        reader.check_attributes(kMachineAttributes);
-        reader.require("name");
         machine_.name = reader.text("name");
         machine_.title = reader.text("title");
         machine_.is_lathe = reader.choice("kind", kKinds).value_or(0) == 1;
@@ -85,27 +109,11 @@ class MachineBuilder {
             reader.magnitude("tool_change_time", Dimension::Time).value_or(0);
     }
 
+    /// Elements that are not known have been reported by the check of the shape.
     void read_child(const XmlElement& child) {
-        if (child.name == "axis") {
-            read_axis(child);
-        } else if (child.name == "tool") {
-            read_tool(child);
-        } else if (child.name == "offset") {
-            read_offset(child);
-        } else {
-            report_unknown(child, root_, kMachineChildren);
-            return;
-        }
-        for (const XmlElement& below : child.children) report_unknown(below, child, {});
-    }
-
-    void report_unknown(const XmlElement& element, const XmlElement& parent,
-                        std::span<const std::string_view> known) {
-        auto message = sink_.report(diag::MachineElementUnknown, element.range);
-        message.arg(element.name).arg(parent.name);
-        if (const auto better = proposal(element.name, known)) {
-            message.fix(element.range, *better, "the element is called so");
-        }
+        if (child.name == "axis") read_axis(child);
+        if (child.name == "tool") read_tool(child);
+        if (child.name == "offset") read_offset(child);
     }
 
     /// True if `what` is new; else it has been reported.
@@ -121,8 +129,7 @@ class MachineBuilder {
 
     void read_axis(const XmlElement& element) {
         const ElementReader reader(element, sink_);
-        reader.check_attributes(kAxisAttributes);
-        if (!reader.require("name")) return;
+        if (!reader.has("name")) return;
         MachineAxis axis;
         axis.name = reader.text("name");
         const auto known = std::find(kAxisNames.begin(), kAxisNames.end(), axis.name);
@@ -138,8 +145,6 @@ class MachineBuilder {
         axis.axis = static_cast<Axis>(known - kAxisNames.begin());
         axis.is_rotary = is_rotary(axis.axis);
         const AxisDimensions& dimension = axis.is_rotary ? kRotary : kLinear;
-        reader.require("velocity");
-        reader.require("acceleration");
         axis.velocity = reader.positive("velocity", dimension.velocity).value_or(1);
         axis.acceleration = reader.positive("acceleration", dimension.acceleration).value_or(1);
         axis.jerk = reader.positive("jerk", dimension.jerk).value_or(kInfinity);
@@ -165,8 +170,7 @@ class MachineBuilder {
 
     void read_tool(const XmlElement& element) {
         const ElementReader reader(element, sink_);
-        reader.check_attributes(kToolAttributes);
-        if (!reader.require("number")) return;
+        if (!reader.has("number")) return;
         const auto number = reader.whole("number", 1, kMostTools);
         ToolData tool;
         tool.name = reader.text("name");
@@ -179,15 +183,14 @@ class MachineBuilder {
 
     void read_offset(const XmlElement& element) {
         const ElementReader reader(element, sink_);
-        reader.check_attributes(kOffsetAttributes);
-        if (!reader.require("number")) return;
+        if (!reader.has("number")) return;
         const auto number = reader.whole("number", 1, kMostOffsets);
         AxisValues values{};
         for (std::size_t i = 0; i < kAxes; ++i) {
             const bool rotary = is_rotary(static_cast<Axis>(i));
             // Attribute names are the axes' in lower case, as everything in the file is.
-            const auto value = reader.quantity(kOffsetAttributes[i + 1],
-                                               rotary ? Dimension::Angle : Dimension::Length);
+            const auto value =
+                reader.quantity(kOffsetAxes[i], rotary ? Dimension::Angle : Dimension::Length);
             if (value) values[i] = rotary ? deg_from_rad(*value) : *value;
         }
         if (!number || !is_first("offset " + std::to_string(*number), reader.place("number"))) {
@@ -222,19 +225,11 @@ class CountingSink final : public DiagnosticSink {
 };
 
 std::optional<Machine> load_text(FileId file, const Sources& sources, DiagnosticSink& sink) {
-    const auto root = parse_xml(file, sources.text(file));
-    if (!root) {
-        sink.report(diag::MachineXmlBroken, root.error().range).arg(root.error().what);
-        return std::nullopt;
-    }
-    if (root->name != "machine") {
-        sink.report(diag::MachineElementUnknown, root->range)
-            .arg(root->name)
-            .arg("the file")
-            .fix("the outermost element of a machine file is `<machine>`");
-        return std::nullopt;
-    }
+    const auto root = parse_xml(file, sources, machine_shape(), sink);
+    if (!root) return std::nullopt;
+    // One look at the file finds the mistakes of its shape and those of its values.
     CountingSink counting(sink);
+    (void)check_xml(*root, machine_shape(), counting);
     Machine machine = MachineBuilder(*root, counting).build();
     if (counting.has_errors()) return std::nullopt;
     return machine;

@@ -28,6 +28,8 @@ std::optional<CycleId> Dialect::find_cycle(std::string_view name) const {
 
 std::span<const RuleSetting> Dialect::rules() const { return tables_->rule_settings; }
 
+std::span<const Example> Dialect::examples() const { return tables_->examples; }
+
 namespace {
 
 void collect_parameters(const std::vector<FormWord>& words, std::uint32_t& said) {
@@ -129,13 +131,16 @@ class ChainLoader {
         : folders_(folders), sources_(sources), sink_(sink) {}
 
     bool load(const std::string& name, const SourceRange& place, DialectTables& tables) {
+        // Messages name a file as the one that extends it does.
+        const bool is_extended = place.file.is_valid();
+        const std::string said = is_extended ? std::string(sources_.text(place)) : name;
         const auto path = find_dialect_file(name, folders_);
         if (!path) {
-            report_missing(name, place, folders_, sink_);
+            report_missing(said, place, folders_, sink_);
             return false;
         }
         if (std::find(chain_.begin(), chain_.end(), *path) != chain_.end()) {
-            sink_.report(diag::DialectExtendsItself, place).arg(name);
+            sink_.report(diag::DialectExtendsItself, place).arg(said);
             return false;
         }
         chain_.push_back(*path);
@@ -149,25 +154,24 @@ class ChainLoader {
 
   private:
     bool load_file(FileId file, const std::string& path, DialectTables& tables) {
-        const auto root = parse_xml(file, sources_, sink_);
-        if (!root) return false;
-        if (root->name != "dialect") {
-            sink_.report(diag::DialectUnknownElement, root->range).arg(root->name).arg("file");
+        const auto root = parse_xml(file, sources_, dialect_shape(), sink_);
+        if (!root || !check_xml(*root, dialect_shape(), sink_)) return false;
+        const XmlAttribute* base = root->find("extends");
+        if (base != nullptr && !load(parent_name(*base, path), base->value_range, tables)) {
             return false;
         }
-        const XmlAttribute* base = root->find("extends");
-        if (base != nullptr && !load(base->value, base->range, tables)) return false;
         tables.extends = base == nullptr ? "" : base->value;
         tables.file = path;
-        for (const std::string_view needed : {"name", "title", "suffix"}) {
-            if (root->find(needed) != nullptr) continue;
-            sink_.report(diag::DialectMissingAttribute, root->range).arg(root->name).arg(needed);
-            return false;
-        }
         tables.name = root->find("name")->value;
         tables.title = root->find("title")->value;
         tables.suffix = root->find("suffix")->value;
         return apply_dialect(*root, tables, sink_);
+    }
+
+    /// A file that is extended by its path lies where the one that extends it does.
+    static std::string parent_name(const XmlAttribute& base, const std::string& path) {
+        if (!is_file_name(base.value)) return base.value;
+        return (fs::path(path).parent_path() / base.value).string();
     }
 
     const SearchPath& folders_;

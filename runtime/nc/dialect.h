@@ -37,7 +37,19 @@ struct AlarmText {
 struct RuleSetting {
     std::string name;
     std::string value;
-    SourceRange range;
+    SourceRange range;  // of the name
+    SourceRange value_range;
+};
+
+/// What stands beside an entry: a statement and its text, for the reader of the file and as a test.
+struct Example {
+    std::string source;  // a Kadr statement; empty: the control reads more than Kadr writes
+    std::string text;    // what the control reads; lines joined by line ends
+    std::string block;   // `describe` of what it means, if it differs from what the source says
+    std::string meaning;
+    SourceRange source_range;  // of the attributes' values; of the element where there is none
+    SourceRange text_range;
+    SourceRange block_range;
 };
 
 /// Immutable. Movable, not copyable.
@@ -64,6 +76,9 @@ class Dialect {
     std::optional<AlarmText> alarm(const DiagnosticRow& row) const;
     /// Switches of the interpreter, in the order of the files: what extends comes last and wins.
     std::span<const RuleSetting> rules() const;
+
+    /// Of this file; those of the files that it extends are checked with them.
+    std::span<const Example> examples() const;
 
     const DialectTables& tables() const { return *tables_; }
 

@@ -1,5 +1,6 @@
 // Checks of a whole dialect, and the indexes that make it fast.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/numbers.h"
@@ -20,6 +21,7 @@ class Finisher {
         index_power_on();
         for (const Form& form : tables_.forms) check_parameters(form);
         check_conflicts();
+        check_groups();
         return !failed_;
     }
 
@@ -196,6 +198,29 @@ class Finisher {
     std::string meaning(const Form& form) const {
         if (form.function == Function::Cycle) return tables_.cycles[form.cycle].name;
         return std::string(info(form.function).name);
+    }
+
+    /// Codes of one modal group of the vocabulary stand in one group of the control.
+    void check_groups() {
+        std::array<const Form*, kGroups> first{};
+        for (const Form& form : tables_.forms) {
+            const Group group = info(form.function).group;
+            const bool is_code = is_simple(form) && info(form.function).parameters.empty();
+            if (!is_code || form.group < 0 || group == Group::Once) continue;
+            const Form*& other = first[static_cast<std::size_t>(group)];
+            if (other == nullptr) other = &form;
+            if (other->group == form.group) continue;
+            failed_ = true;
+            sink_.report(diag::DialectGroupSplit, form.range)
+                .arg(form.pattern)
+                .arg(name_of(form.group))
+                .arg(other->pattern)
+                .arg(name_of(other->group))
+                .note(other->range, "here");
+        }
+    }
+    std::string_view name_of(int group) const {
+        return tables_.groups[static_cast<std::size_t>(group)].name;
     }
 
     DialectTables& tables_;

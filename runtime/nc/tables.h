@@ -153,6 +153,8 @@ struct BlockNumbers {
 };
 
 struct ProgramFrame {
+    SourceRange range;                 // of the element, in the file
+    bool is_inherited = false;         // that file is one which this dialect extends
     std::vector<std::string> header;   // templates, written at once, without block numbers
     std::vector<std::string> start;    // templates, before the first block that does something
     std::vector<std::string> end;      // templates, at the very end
@@ -189,20 +191,13 @@ struct Deferred {
     std::string pattern;
 };
 
-struct Example {
-    std::string source;  // a Kadr statement
-    std::string text;    // what the control reads; lines joined by line ends
-    std::string block;   // `describe` of what it means, if it differs from what the source says
-    std::string meaning;
-    SourceRange range;
-};
-
 struct DialectTables {
     std::string name;
     std::string title;
     std::string suffix;
     std::string extends;
     std::string file;
+    SourceRange root;  // the outermost element of the file
     std::string doc;
 
     std::vector<Address> addresses;

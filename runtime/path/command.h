@@ -43,6 +43,7 @@ struct Command {
     CoolantMode coolant = CoolantMode::Off;
     bool exact_stop = false;           // the motion ends at rest
     bool machine_coordinates = false;  // `to` is in machine coordinates, tool length not counted
+    bool is_unshifted = false;         // programmed in machine coordinates, whatever `to` is in
     bool cutting_speed = false;        // Spindle: `speed` is m/min (constant cutting speed)
     AxisMask moved = 0;                // axes that the block programmed
     SourceId source;

@@ -84,7 +84,7 @@ TEST_F(CommandLine, ExitStatusSaysHowItEnded) {
              Row{"unknown machine", {"run", file("square.kadr"), "-m", "nosuch"}, 2},
              Row{"not a time", {"run", file("square.kadr"), "--tick", "1mm"}, 2},
              Row{"not a definition", {"run", file("square.kadr"), "-D", "side"}, 2},
-             Row{"later command", {"fmt", file("square.kadr")}, 2},
+             Row{"later command", {"repl", file("square.kadr")}, 2},
              Row{"map of ISO text", {"run", file("flat.nc"), "--map", file("map")}, 2},  // K9011
              Row{"two results to standard output",
                  {"run", file("flat.nc"), "--commands", "-", "--summary", "json"},
@@ -258,6 +258,31 @@ TEST_F(CommandLine, MessagesGoToStandardErrorOnly) {
     const ProcessResult result = kadr({"expand", file("wrong.kadr")});
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(result.err.find('\033'), std::string::npos);  // no colour beside a terminal
+}
+
+TEST_F(CommandLine, FormatRewritesAFileOrOnlyLooks) {
+    constexpr const char* kUgly = "program p(){G0 X1;\n  M30 ;}\n";
+    constexpr const char* kLaidOut = "program p() {\n    G0 X1;\n    M30;\n}\n";
+    save("ugly.kadr", kUgly);
+    const auto checked = kadr({"fmt", "--check", file("ugly.kadr")});
+    EXPECT_EQ(checked.status, 1);
+    EXPECT_NE(checked.err.find("ugly.kadr:1:1: error[K9013]"), std::string::npos) << checked.err;
+    EXPECT_EQ(read_file(file("ugly.kadr")), kUgly);
+
+    const auto written = kadr({"fmt", file("ugly.kadr")});
+    EXPECT_EQ(written.status, 0) << written.err;
+    EXPECT_EQ(read_file(file("ugly.kadr")), kLaidOut);
+    EXPECT_EQ(kadr({"fmt", "--check", file("ugly.kadr")}).status, 0);
+
+    EXPECT_EQ(kadr({"fmt", "-"}, kUgly).out, kLaidOut);
+
+    save("broken.kadr", "program p( { }\n");
+    EXPECT_EQ(kadr({"fmt", file("broken.kadr")}).status, 1);
+    EXPECT_EQ(read_file(file("broken.kadr")), "program p( { }\n");
+
+    const auto iso = kadr({"fmt", file("flat.nc")});
+    EXPECT_EQ(iso.status, 2);
+    EXPECT_NE(iso.err.find("K9014"), std::string::npos) << iso.err;
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ TEST(LibraryCycles, UnknownCycleIsReported) {
     std::string said;
     Messages messages(sources, {}, [&said](std::string_view text) { said += text; });
     Session session({}, share_below(KADR_ROOT), sources, messages);
-    const nc::Dialect* dialect = session.dialect("iso");
+    const nc::Dialect* dialect = session.dialect("iso", {});
     ASSERT_NE(dialect, nullptr) << said;
     LibraryCycles cycles(session, *dialect);
     interp::CycleCall call;

@@ -12,17 +12,17 @@ TEST(Faults, StandWhereTheyHappen) {
         const char* message;
     };
     const Row rows[] = {
-        {"program p(int n = 0) { X1; X=1/n; }", "1:30 K3101 this is division by zero"},
-        {"program p(int n = 0) { X=5 % n; }", "1:26 K3101 this is division by zero"},
+        {"program p(int n = 0) { X1; X=1/n; }", "1:30 K3101 division by zero"},
+        {"program p(int n = 0) { X=5 % n; }", "1:26 K3101 division by zero"},
         {"program p(real n = 2) { X=asin(n)/1deg; }",
-         "1:27 K3101 this is an argument outside of -1 to 1"},
+         "1:27 K3101 the argument of an arc function is outside of -1 to 1"},
         {"program p(real n = 0) { X=ln(n); }",
-         "1:27 K3101 this is the logarithm of a number that is not positive"},
-        {"program p(angle a = 90) { X=tan(a); }",
-         "1:29 K3101 this is the tangent of a right angle"},
+         "1:27 K3101 the logarithm of a number that is not positive"},
+        {"program p(angle a = 90) { X=tan(a); }", "1:29 K3101 the tangent of a right angle"},
         {"program p(real n = -8) { X=pow(n, 0.5); }",
-         "1:28 K3101 this is a fractional power of a negative number"},
-        {"program p(real n = 1000) { X=exp(n); }", "1:30 K3101 this is a number too large"},
+         "1:28 K3101 a fractional power of a negative number"},
+        {"program p(real n = 1000) { X=exp(n); }",
+         "1:30 K3101 the result is too large for a number"},
         {"program p(int n = -1) { int[] a = {1}; X=a[n]; }",
          "1:42 K3106 there is no element -1; the array has 1"},
         {"program p(int n = 5) { int[] a = {1}; a[n] = 2; }",
@@ -48,7 +48,7 @@ TEST(Faults, StandWhereTheyHappen) {
 TEST(Faults, AnUnfinishedBlockIsNotDelivered) {
     const Outcome outcome =
         run("program p(length d = 1mm) { X1; for (int i = 0; i < 60; i++) d *= 2; X5 Y=d; }");
-    EXPECT_EQ(outcome.all_messages(), "1:70 K3101 this is a number too large");
+    EXPECT_EQ(outcome.all_messages(), "1:70 K3101 the result is too large for a number");
     EXPECT_EQ(outcome.all_blocks(), "X1");
 }
 

@@ -23,12 +23,34 @@ TEST(Limits, CallDepth) {
               "X998");
 }
 
+TEST(Limits, ChainsOfAnyLength) {
+    const auto repeated = [](const std::string& text, int times) {
+        std::string all;
+        for (int i = 0; i < times; ++i) all += text;
+        return all;
+    };
+    const std::string ones = "1" + repeated(" + 1", 49'999);
+    EXPECT_EQ(run("program p() { X=" + ones + "; }").all_blocks(), "X50000");
+    const std::string names = "a" + repeated(" + a - b", 50'000);
+    EXPECT_EQ(run("program p() { int a = 3; int b = 2; X=" + names + "; }").all_blocks(), "X50003");
+    // The left operand is read before a later one changes it.
+    EXPECT_EQ(run("program p() { int a = 1; X=a + a++ + a + a++ + a; }").all_blocks(), "X9");
+    // Literals are joined when it is checked, the rest when it runs.
+    const std::string literals = "\"a\"" + repeated(" + \"b\"", 49'999);
+    EXPECT_EQ(run("program p() { string s = " + literals + "; X=s.count; }").all_blocks(),
+              "X50000");
+    const std::string texts = "s" + repeated(" + s", 19'999);
+    EXPECT_EQ(run("const string s = \"ab\";\nprogram p() { string t = " + texts + "; X=t.count; }")
+                  .all_blocks(),
+              "X40000");
+}
+
 TEST(Limits, LoopTurns) {
     expand::Limits limits;
     limits.loop_turns = 100;
     EXPECT_EQ(run("program p() { int i = 0; while (true) i = 1 - i; }", with_limits(limits))
                   .all_messages(),
-              "1:33 K3402 the loops of the program have made 100 turns");
+              "1:33 K3402 the loops and calls of the program have made 100 turns");
     EXPECT_EQ(run("program p() { int n = 0; for (int i = 0; i < 100; i++) n++; X=n; }",
                   with_limits(limits))
                   .all_blocks(),

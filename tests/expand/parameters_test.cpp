@@ -77,7 +77,7 @@ TEST(Parameters, TheFirstProgramOrTheNamedOne) {
     EXPECT_EQ(run(source).all_blocks(), "X1");
     EXPECT_EQ(run(source, with({}, "b")).all_blocks(), "X2");
     EXPECT_EQ(run(source, with({}, "c")).all_messages(), "- K3002 there is no program `c`");
-    EXPECT_EQ(run("cycle a() { X1; }").all_messages(), "- K3001 the file has no program");
+    EXPECT_EQ(run("cycle a() { X1; }").all_messages(), "1:1 K3001 the file has no program");
 }
 
 }  // namespace

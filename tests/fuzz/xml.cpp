@@ -1,4 +1,4 @@
-// Any bytes as a dialect or a machine file.
+// Any bytes as a dialect, a machine or a keyword language.
 #include <cstdint>
 #include <cstdio>
 #include <string>
@@ -7,6 +7,8 @@
 
 #include "machine/machine.h"
 #include "nc/dialect.h"
+#include "syntax/parse.h"
+#include "tests/fuzz/world.h"
 
 namespace {
 
@@ -27,6 +29,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     DiagnosticList messages;
     (void)nc::load_dialect(path, {KADR_ROOT "/dialects"}, sources, messages);
     (void)machine::load_machine(path, {KADR_ROOT "/runtime/machines"}, sources, messages);
+    (void)syntax::load_keywords(path, {KADR_ROOT "/dialects/languages"}, sources, messages);
     ::unlink(path.c_str());
+    fuzz::show(messages, sources);
     return 0;
 }

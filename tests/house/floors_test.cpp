@@ -28,7 +28,8 @@ const std::map<std::string, std::set<std::string>> kFloors = {
     {"sema", {"base", "nc", "syntax"}},
     {"expand", {"base", "nc", "path", "syntax", "sema"}},
     {"driver", {"base", "nc", "path", "machine", "interp", "motion", "syntax", "sema", "expand"}},
-    {"cli", {"base", "nc", "machine", "driver"}},
+    {"repl", {"base", "nc", "path", "machine", "interp", "motion", "syntax", "sema", "driver"}},
+    {"cli", {"base", "nc", "machine", "driver", "repl"}},
 };
 
 /// Libraries that only the named files may see.
@@ -36,8 +37,9 @@ const std::map<std::string, std::set<std::string>> kDoors = {
     {"antlr4-runtime", {"syntax"}},
     {"KadrLexer", {"syntax"}},
     {"KadrParser", {"syntax"}},
-    {"pugixml", {"nc", "machine", "syntax"}},
+    {"pugixml", {"base"}},
     {"CLI/", {"cli"}},
+    {"histedit", {"repl"}},
     {"nlohmann", {"driver", "cli"}},
 };
 

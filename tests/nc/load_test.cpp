@@ -1,7 +1,12 @@
 // Dialect files: inheritance, and every mistake with its line and column.
+#include "nc/load.h"
+
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -55,39 +60,39 @@ TEST(Load, MistakesHaveTheirPlace) {
         unsigned line, column;
     };
     for (const Row& row : {
-             Row{"<group name=\"g\"><code text=\"G7\" function=\"plane_xy\"></group>", "K4002", 2,
-                 55},
-             {"<gruop name=\"x\"/>", "K4003", 2, 2},
-             {"<group name=\"x\"><command/></group>", "K4003", 2, 18},
-             {"<number addresses=\"X\" decimal=\"3\"/>", "K4004", 2, 23},
-             {"<alarm for=\"IsoUnknownCode\"/>", "K4005", 2, 2},
-             {"<number addresses=\"X\" point=\"sometimes\"/>", "K4006", 2, 23},
-             {"<number addresses=\"X\" decimals=\"many\"/>", "K4006", 2, 23},
-             {"<number addresses=\"X\" decimals=\"12\"/>", "K4006", 2, 9},
-             {"<number addresses=\"QQ\"/>", "K4006", 2, 9},
-             {"<address name=\"X\" slot=\"left\"/>", "K4006", 2, 19},
-             {"<alarm for=\"NoSuchRow\" number=\"1\"/>", "K4006", 2, 8},
-             {"<cycle name=\"drill_pek\"><form>G83 Z{to}</form></cycle>", "K4006", 2, 8},
-             {"<cycle name=\"mine\" parameters=\"to:length\"/>", "K4006", 2, 20},
-             {"<group name=\"g\"><code text=\"G7\" function=\"fast\"/></group>", "K4008", 2, 33},
-             {"<group name=\"g\" default=\"fast\"/>", "K4008", 2, 17},
-             {"<command name=\"dwell\"><form>G4 P{seconds}</form></command>", "K4009", 2, 24},
-             {"<command name=\"dwell\"><form>G4 P{time:hours}</form></command>", "K4009", 2, 24},
-             {"<command name=\"dwell\"><form>G4 P{time</form></command>", "K4009", 2, 24},
+             Row{"<group name=\"g\"><code text=\"G7\" command=\"plane_xy\"></group>", "K9101", 2,
+                 54},
+             {"<gruop name=\"x\"/>", "K9103", 2, 2},
+             {"<group name=\"x\"><command/></group>", "K9103", 2, 18},
+             {"<number addresses=\"X\" decimal=\"3\"/>", "K9104", 2, 23},
+             {"<alarm for=\"IsoUnknownCode\"/>", "K9105", 2, 2},
+             {"<number addresses=\"X\" point=\"sometimes\"/>", "K4006", 2, 30},
+             {"<number addresses=\"X\" decimals=\"many\"/>", "K4006", 2, 33},
+             {"<number addresses=\"X\" decimals=\"12\"/>", "K4006", 2, 33},
+             {"<number addresses=\"QQ\"/>", "K4006", 2, 20},
+             {"<address name=\"X\" slot=\"left\"/>", "K4006", 2, 25},
+             {"<alarm for=\"NoSuchRow\" number=\"1\"/>", "K4006", 2, 13},
+             {"<cycle name=\"drill_pek\"><form>G83 Z{to}</form></cycle>", "K4006", 2, 14},
+             {"<cycle name=\"mine\" parameters=\"to:length\"/>", "K4006", 2, 32},
+             {"<group name=\"g\"><code text=\"G7\" command=\"fast\"/></group>", "K4008", 2, 42},
+             {"<group name=\"g\" default=\"fast\"/>", "K4008", 2, 26},
+             {"<command name=\"dwell\"><form>G4 P{seconds}</form></command>", "K4009", 2, 29},
+             {"<command name=\"dwell\"><form>G4 P{time:hours}</form></command>", "K4009", 2, 29},
+             {"<command name=\"dwell\"><form>G4 P{time</form></command>", "K4009", 2, 29},
              {"<command name=\"dwell\"><form></form></command>", "K4009", 2, 24},
-             {"<command name=\"dwell\"><form>WAIT({time}</form></command>", "K4009", 2, 24},
-             {"<command name=\"tool_select\"><form>T{tool?}</form></command>", "K4009", 2, 30},
-             {"<command name=\"work_offset\"><form>G{number+53}</form></command>", "K4009", 2, 30},
+             {"<command name=\"dwell\"><form>WAIT({time}</form></command>", "K4009", 2, 29},
+             {"<command name=\"tool_select\"><form>T{tool?}</form></command>", "K4009", 2, 35},
+             {"<command name=\"work_offset\"><form>G{number+53}</form></command>", "K4009", 2, 35},
              {"<command name=\"work_offset\"><form when=\"number "
               "1..99999\">G{number}</form></command>",
-              "K4009", 2, 30},
-             {"<group name=\"g\"><code text=\"G123456789\" function=\"line\"/></group>", "K4009", 2,
-              18},
+              "K4009", 2, 58},
+             {"<group name=\"g\"><code text=\"G123456789\" command=\"line\"/></group>", "K4009", 2,
+              29},
              {"<command name=\"work_offset\"><form when=\"number one\">G54</form></command>",
-              "K4006", 2, 35},
-             {"<group name=\"g\"><code text=\"G0\" function=\"line\"/></group>", "K4010", 2, 18},
-             {"<command name=\"tool_select\"><form>T1</form></command>", "K4011", 2, 30},
-             {"<command name=\"dwell\"><form>G4 Q{time}</form></command>", "K4013", 2, 24},
+              "K4006", 2, 48},
+             {"<group name=\"g\"><code text=\"G0\" command=\"line\"/></group>", "K4010", 2, 29},
+             {"<command name=\"tool_select\"><form>T1</form></command>", "K4011", 2, 35},
+             {"<command name=\"dwell\"><form>G4 Q{time}</form></command>", "K4013", 2, 29},
          }) {
         SCOPED_TRACE(row.body);
         Loaded loaded;
@@ -114,13 +119,13 @@ TEST(Load, FilesThatAreNotThere) {
     EXPECT_EQ(codes(loaded.messages), "K4001");
     Loaded empty;
     load(empty, "");
-    EXPECT_EQ(codes(empty.messages), "K4002");
+    EXPECT_EQ(codes(empty.messages), "K9101");
     Loaded other;
     load(other, "<machine/>");
-    EXPECT_EQ(codes(other.messages), "K4003");
+    EXPECT_EQ(codes(other.messages), "K9102");
     Loaded nameless;
-    load(nameless, "<dialect name=\"m\" extends=\"iso\"/>");
-    EXPECT_EQ(codes(nameless.messages), "K4005");
+    load(nameless, "<dialect name=\"m\" extends=\"iso\" suffix=\"nc\"/>");
+    EXPECT_EQ(codes(nameless.messages), "K9105");
 }
 
 TEST(Load, ExtendingInACircle) {
@@ -135,8 +140,8 @@ TEST(Load, ExtendingInACircle) {
 
 TEST(Load, WhatAFileSaysReplacesWhatItExtends) {
     Loaded loaded;
-    load(loaded, with("<group name=\"motion\"><code text=\"G1\" function=\"rapid\"/><code "
-                      "text=\"G0\" function=\"line\"/></group>\n"
+    load(loaded, with("<group name=\"motion\"><code text=\"G1\" command=\"rapid\"/><code "
+                      "text=\"G0\" command=\"line\"/></group>\n"
                       "<number addresses=\"X\" decimals=\"1\"/>\n<remove commands=\"dwell\"/>\n"
                       "<rule name=\"arc_tolerance\" value=\"0.5\"/>"));
     ASSERT_TRUE(loaded.dialect) << testing::rendered(loaded.messages, loaded.sources);
@@ -200,6 +205,89 @@ TEST(Load, Explanations) {
     EXPECT_NE(text("sinumerik", "trans").find("shift"), std::string::npos);
     EXPECT_NE(text("sinumerik", "set_position").find("no spelling"), std::string::npos);
     EXPECT_EQ(text("fanuc", "KNIT"), "");
+}
+
+// ---------------------------------------------------------------- schema and loader
+
+/// What dialect.xsd says of one element, in the words of the loader's table.
+class Schema {
+  public:
+    explicit Schema(const XmlElement& root) : root_(root) {}
+
+    /// Compares the element and everything below it with the table.
+    void compare(const std::string& name, const XmlElement& element) {
+        if (!seen_.insert(name).second) return;
+        SCOPED_TRACE("<" + name + ">");
+        const XmlShape& shape = dialect_shape();
+        const auto rule = std::ranges::find(shape.rules, name, &XmlRule::element);
+        ASSERT_NE(rule, shape.rules.end());
+        const XmlElement* type = type_of(element);
+        std::set<std::string> attributes;
+        std::map<std::string, const XmlElement*> children;
+        if (type != nullptr) {
+            for (const XmlElement& part : type->children) {
+                if (part.name == "xs:attribute") attributes.insert(described(part));
+                if (part.name == "xs:choice" || part.name == "xs:sequence") {
+                    for (const XmlElement& child : part.children) {
+                        children.emplace(child.find("name")->value, &child);
+                    }
+                }
+            }
+        }
+        const bool is_mixed = type != nullptr && type->find("mixed") != nullptr;
+        EXPECT_EQ(rule->text == XmlRule::Text::Allowed, type == nullptr || is_mixed);
+        std::set<std::string> expected_attributes;
+        for (const XmlAttributeRule& attribute : rule->attributes) {
+            const bool is_needed = attribute.use != XmlAttributeRule::Use::Optional;
+            expected_attributes.insert(std::string(attribute.name) + (is_needed ? "!" : ""));
+        }
+        EXPECT_EQ(expected_attributes, attributes);
+        std::set<std::string> names;
+        for (const auto& [child, definition] : children) names.insert(child);
+        EXPECT_EQ(std::set<std::string>(rule->children.begin(), rule->children.end()), names);
+        for (const auto& [child, definition] : children) compare(child, *definition);
+    }
+
+    std::size_t compared() const { return seen_.size(); }
+
+  private:
+    static std::string described(const XmlElement& attribute) {
+        const XmlAttribute* use = attribute.find("use");
+        const bool is_needed = use != nullptr && use->value == "required";
+        return attribute.find("name")->value + (is_needed ? "!" : "");
+    }
+
+    /// The complex type of an element; nullptr if it holds text only.
+    const XmlElement* type_of(const XmlElement& element) const {
+        for (const XmlElement& child : element.children) {
+            if (child.name == "xs:complexType") return &child;
+        }
+        const XmlAttribute* type = element.find("type");
+        for (const XmlElement& child : root_.children) {
+            if (type == nullptr || child.name != "xs:complexType") continue;
+            if (child.find("name")->value == type->value) return &child;
+        }
+        return nullptr;
+    }
+
+    const XmlElement& root_;
+    std::set<std::string> seen_;
+};
+
+// Editors read the schema, the loader its table: what one allows the other must.
+TEST(Load, SchemaAndLoaderAgree) {
+    static const std::vector<XmlRule> rules = {{"xs:schema", {}, {}}};
+    Sources sources;
+    DiagnosticList messages;
+    const auto file = sources.read(KADR_ROOT "/dialects/dialect.xsd");
+    ASSERT_TRUE(file);
+    const auto root = parse_xml(*file, sources, {"a schema", rules}, messages);
+    ASSERT_TRUE(root) << testing::rendered(messages, sources);
+    Schema schema(*root);
+    for (const XmlElement& element : root->children) {
+        if (element.name == "xs:element") schema.compare("dialect", element);
+    }
+    EXPECT_EQ(schema.compared(), dialect_shape().rules.size());
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 // Every row of the diagnostics K2xxx and K3xxx explains itself by a wrong and a right example: the
-// wrong one must cause it, the right one must cause nothing.
+// wrong one must cause it, the right one must cause nothing. Rows whose examples are no programs
+// are shown by tests of their own; tests/house/table_test.cpp sees to it.
+#include "tests/common/examples.h"
+
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -8,15 +11,6 @@
 
 namespace kadr::testing {
 namespace {
-
-/// Examples that are command lines, pieces of tables or shortened with an ellipsis have their own
-/// tests: parameters_test.cpp, tables_test.cpp, limits_test.cpp.
-bool is_program(std::string_view example) {
-    const bool is_table = example.find("program") == std::string_view::npos &&
-                          example.find('{') == std::string_view::npos;
-    return !is_table && !example.starts_with("kadr ") && !example.starts_with("(") &&
-           example.find("…") == std::string_view::npos;
-}
 
 RunOptions small_limits() {
     RunOptions options;

@@ -56,26 +56,28 @@ TEST(Keywords, Mistakes) {
         return "<language name='xx'>\n  " + line + "\n</language>";
     };
     EXPECT_EQ(mistakes("<language name='xx'>"),
-              "1:20 K1302 this is no well-formed XML: Start-end tags mismatch\n");
-    EXPECT_EQ(mistakes("<words/>"),
-              "1:2 K1303 unexpected element `words`; `language` belongs here\n");
-    EXPECT_EQ(mistakes("<language/>").substr(0, 54),
-              "1:2 K1304 the attribute `name` is missing or empty\n");
+              "1:20 K9101 this is not well-formed XML: start tag and end tag do not match\n");
+    EXPECT_EQ(
+        mistakes("<words/>"),
+        "1:2 K9102 the outermost element is `<words>`, a file with keywords has `<language>`\n");
+    EXPECT_EQ(mistakes("<language/>"), "1:2 K9105 `<language>` lacks the attribute `name`\n");
     EXPECT_EQ(mistakes(inside("<word/>")),
-              "2:4 K1303 unexpected element `word`; `keyword` belongs here\n");
+              "2:4 K9103 `<word>` has no meaning inside `<language>`\n");
     EXPECT_EQ(mistakes(inside("<keyword name='if'/>")),
-              "2:4 K1304 the attribute `lexeme` is missing or empty\n");
+              "2:4 K9105 `<keyword>` lacks the attribute `lexeme`\n");
+    EXPECT_EQ(mistakes(inside("<keyword name='if' lexeme=''/>")),
+              "2:22 K9106 `lexeme` of `<keyword>` is empty\n");
     EXPECT_EQ(mistakes(inside("<keyword name='if' lexeme='ja' word='x'/>")),
-              "2:4 K1305 unknown attribute `word`\n");
+              "2:34 K9104 `<keyword>` has no attribute `word`\n");
     EXPECT_EQ(mistakes(inside("<keyword name='iff' lexeme='ja'/>")),
-              "2:4 K1306 `iff` is no keyword\n");
+              "2:18 K1306 `iff` is no keyword\n");
     EXPECT_EQ(mistakes(inside("<keyword name='if' lexeme='w razie'/>")),
-              "2:4 K1307 `w razie` cannot be a keyword\n");
+              "2:30 K1307 `w razie` cannot be a keyword\n");
     EXPECT_EQ(
         mistakes(inside("<keyword name='if' lexeme='ja'/>\n<keyword name='do' lexeme='ja'/>")),
-        "3:2 K1308 `ja` is already the lexeme of `if`\n");
+        "3:28 K1308 `ja` is already the lexeme of `if`\n");
     EXPECT_EQ(mistakes(inside("<keyword name='if' lexeme='ja'/>")).substr(0, 54),
-              "1:1 K1309 lexemes are missing for `else`, `while`, `do");
+              "1:2 K1309 lexemes are missing for `else`, `while`, `do");
 }
 
 TEST(Keywords, UnknownLanguage) {

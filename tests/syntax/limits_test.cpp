@@ -18,7 +18,10 @@ TEST(Limits, NestingThatIsAllowed) {
     };
     EXPECT_EQ(accepts("x = " + repeated("(", 400) + "1" + repeated(")", 400) + ";"), "");
     EXPECT_EQ(accepts(repeated("{", 400) + repeated("}", 400)), "");
-    EXPECT_EQ(accepts("x = 1" + repeated(" + 1", 400) + ";"), "");
+    // Chains may be of any length: they lean to the left and are walked by loops.
+    EXPECT_EQ(accepts("x = 1" + repeated(" + 1", 50'000) + ";"), "");
+    EXPECT_EQ(accepts("x = a" + repeated(" * 2 - b % c", 20'000) + ";"), "");
+    EXPECT_EQ(accepts("note \"a\"" + repeated(" + \"b\"", 50'000) + ";"), "");
     EXPECT_EQ(accepts(repeated("if (a) M8; else ", 200) + "M9;"), "");
 }
 
@@ -36,7 +39,9 @@ TEST(Limits, NestingTooDeep) {
              "x = " + repeated("f(", 20000) + ";",
              "x = " + repeated("-", 20000) + "1;",
              "x = " + repeated("!", 20000) + "1;",
-             "x = 1" + repeated(" + 1", 20000) + ";",
+             "x = 1" + repeated(" + (1", 20000) + repeated(")", 20000) + ";",
+             "x = 1" + repeated(" < 1", 20000) + ";",
+             "x = 1" + repeated(" && 1", 20000) + ";",
              "x = a" + repeated(".b", 20000) + ";",
              "x = a" + repeated("(1)", 20000) + ";",
              "x = " + repeated("a ? b : ", 20000) + "c;",

@@ -271,9 +271,7 @@ cycle b() { G1 Х5; })",
 })",
          "3:5 K1109 `cycle` cannot be declared inside of a program, cycle or function\n"
          "4:8 K1205 a value is missing behind `=`"},
-        {"cycle a() { return if; }",
-         "1:19 K1101 `;` is missing behind this statement\n"
-         "1:22 K1104 `(` is missing behind `if`"},
+        {"cycle a() { return if; }", "1:20 K1114 unexpected `if` behind `return`"},
     });
 }
 

@@ -1,0 +1,12 @@
+// examples.h — the examples of a dialect file, run as the manual says them.
+#pragma once
+
+#include "driver/session.h"
+
+namespace kadr::driver {
+
+/// Checks and runs the source of every example, in the language of the common core, and holds what
+/// comes out against its text. Each one that is not true is reported at its attribute.
+void check_examples(Session& session, const nc::Dialect& dialect);
+
+}  // namespace kadr::driver

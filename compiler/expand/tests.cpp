@@ -1,0 +1,297 @@
+// tests.cpp — tests while they run: calls handed to the bench, figures, expectations; and a call as
+// a program of its own.
+#include <algorithm>
+#include <cmath>
+
+#include "base/assert.h"
+#include "expand/state.h"
+
+namespace kadr::expand {
+
+using nc::Block;
+using nc::Function;
+using sema::FunctionCode;
+using sema::FunctionKind;
+using sema::SlotKind;
+using sema::TestCall;
+
+namespace {
+
+constexpr std::size_t kFirstStack = 16384;
+
+// Where a cycle under test begins if the test does not say: well above a part whose top is Z0, with
+// a feed and a speed that no limit cuts.
+constexpr double kStartHeight = 50;   // mm
+constexpr double kStartFeed = 100;    // mm/min
+constexpr double kStartSpeed = 1000;  // rpm
+
+constexpr std::size_t kShownText = 4000;  // characters of a text in a message
+
+/// 200mm/min is 200/60 mm/s and comes back as 200 mm/min.
+double neat(double value) {
+    const double rounded = std::nearbyint(value * 1e6) / 1e6;
+    return std::fabs(rounded - value) <= 1e-15 * std::fabs(value) ? rounded : value;
+}
+
+std::string shortened(const std::string& text) {
+    if (text.size() <= kShownText) return text;
+    std::size_t cut = kShownText;
+    while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0u) == 0x80u) --cut;
+    return text.substr(0, cut) + "…";
+}
+
+}  // namespace
+
+// ---------------------------------------------------------------- a test
+
+bool Expander::State::start_test(std::uint32_t index, std::span<const Slot> values,
+                                 TestBench& asked) {
+    const FunctionCode& function = code.functions[index];
+    reserve_stack(std::max(kFirstStack, std::size_t{code.globals} + function.registers +
+                                            code.functions[0].registers + 16));
+    modal = ModalState::at_start(function.units);
+    bench = &asked;
+    std::copy(values.begin(), values.end(), stack.begin() + code.globals);
+    has_failed = false;
+    enter(function, all_given[index]);
+    return true;
+}
+
+std::optional<std::vector<Slot>> Expander::State::read_values(
+    std::uint32_t index, const std::vector<sema::Define>& defines) {
+    const FunctionCode& function = code.functions[index];
+    std::vector<Slot> values;
+    bool is_good = true;
+    for (const sema::ParameterInfo& parameter : function.parameters) {
+        const auto found =
+            std::find_if(defines.begin(), defines.end(),
+                         [&](const sema::Define& define) { return define.name == parameter.name; });
+        values.emplace_back();
+        if (found == defines.end()) {
+            sink.report(diag::DefineMissing, parameter.range)
+                .arg(function.name)
+                .arg(parameter.name)
+                .fix("give it on the command line: `-D " + parameter.name + "=…`");
+            is_good = false;
+        } else if (!set_parameter(function, parameter, found->value, values.back())) {
+            is_good = false;
+        }
+    }
+    return is_good ? std::optional(values) : std::nullopt;
+}
+
+bool Expander::State::test_call(const Instruction& instruction, Slot* registers, std::uint32_t at) {
+    KADR_ASSERT(bench != nullptr, "a test runs without a bench");
+    const TestCall& entry =
+        code.test_calls[static_cast<std::size_t>(instruction.immediate.pair.second)];
+    Slot* first = registers + instruction.a;
+    CallUnderTest call;
+    call.call = &entry;
+    call.at = at;
+    call.options = first;
+    call.arguments = first + sema::kTestOptions;
+    call.heap = &heap;
+    call.range = code.places[at];
+    const Slot text = first[sema::kTestOptions - 1];
+    if (text.integer != sema::kNotGivenInteger) call.text = heap.text(text.integer);
+    const auto give_up = [&] {
+        has_failed = true;
+        is_running = false;
+        return false;
+    };
+    switch (entry.purpose) {
+        case TestCall::Purpose::Execute:
+        case TestCall::Purpose::Attempt: {
+            const std::optional<std::int64_t> execution = bench->execute(call);
+            if (!execution) return give_up();
+            first->integer = *execution;
+            return true;
+        }
+        case TestCall::Purpose::Text: {
+            std::optional<std::string> written = bench->write(call);
+            if (!written) return give_up();
+            if (heap.is_full()) collect_garbage(registers);
+            first->integer = heap.new_text(std::move(*written));
+            return true;
+        }
+        case TestCall::Purpose::ExpectError:
+            if (bench->ends_with_error(call)) return true;
+            has_failed = true;
+            return !stops_at_failure();
+    }
+    return true;
+}
+
+bool Expander::State::stops_at_failure() {
+    // A property has its counterexample; a test may have more to say.
+    if (frames[0].function->kind == FunctionKind::Property) is_running = false;
+    return !is_running;
+}
+
+void Expander::State::ask_figure(const Instruction& instruction, Slot* registers) {
+    KADR_ASSERT(bench != nullptr, "a test runs without a bench");
+    const auto figure = static_cast<sema::Figure>(instruction.c);
+    const sema::FigureInfo& info = sema::all_figures()[instruction.c];
+    Slot* first = registers + instruction.a;
+    constexpr std::size_t kMostArguments = 8;  // figures.def: two points and two lengths
+    const FigureAnswer answer = bench->ask(registers[instruction.b].integer, figure,
+                                           std::span<const Slot>(first, kMostArguments));
+    if (!info.parameters.empty()) {
+        reason = answer.reason;
+        reason_at = answer.reason_at;
+    }
+    switch (info.result) {
+        case sema::FigureResult::Count:
+        case sema::FigureResult::Truth: first->integer = answer.count; return;
+        case sema::FigureResult::Length:
+        case sema::FigureResult::Time: first->number = answer.numbers[0]; return;
+        case sema::FigureResult::Point:
+            for (std::size_t i = 0; i < 3; ++i) first[i].number = answer.numbers[i];
+            return;
+        case sema::FigureResult::Text:
+            if (heap.is_full()) collect_garbage(registers);
+            first->integer = heap.new_text(answer.text);
+            return;
+        case sema::FigureResult::Counts:
+        case sema::FigureResult::Lengths: break;
+    }
+    if (heap.is_full()) collect_garbage(registers);
+    first->integer = heap.new_array(static_cast<std::uint32_t>(instruction.immediate.pair.first));
+    for (const double number : answer.list) {
+        Slot slot{};
+        if (info.result == sema::FigureResult::Counts)
+            slot.integer = static_cast<std::int64_t>(std::llround(number));
+        else slot.number = number;
+        heap.append(first->integer, &slot);
+    }
+}
+
+void Expander::State::list_dialects(const Instruction& instruction, Slot* registers) {
+    KADR_ASSERT(bench != nullptr, "a test runs without a bench");
+    if (heap.is_full()) collect_garbage(registers);
+    Slot& result = registers[instruction.a];
+    if (instruction.c == 0) {
+        result.integer = heap.new_text(bench->dialect());
+        return;
+    }
+    result.integer = heap.new_array(instruction.b);
+    for (const std::string& name : bench->dialects()) {
+        Slot slot{};
+        slot.integer = heap.new_text(name);
+        heap.append(result.integer, &slot);
+    }
+}
+
+/// Reports what does not hold. False: the test ends here.
+bool Expander::State::expectation_failed(const Instruction& instruction, const Slot* registers,
+                                         std::uint32_t at) {
+    has_failed = true;
+    if (stops_at_failure() ||
+        std::find(failed_at.begin(), failed_at.end(), at) == failed_at.end()) {
+        // In a loop, the first turn speaks for all.
+        failed_at.push_back(at);
+        const std::string& what =
+            code.texts[static_cast<std::size_t>(instruction.immediate.pair.first)];
+        const auto why = static_cast<sema::Expectation>(instruction.c & (sema::kHasReason - 1));
+        const bool is_compared = why == sema::Expectation::Compared;
+        DiagnosticBuilder builder =
+            sink.report(is_compared ? diag::ExpectFailed : diag::ExpectUntrue, code.places[at]);
+        builder.arg(what);
+        if (is_compared) {
+            std::string wanted =
+                code.texts[static_cast<std::size_t>(instruction.immediate.pair.second)];
+            wanted.replace(wanted.find("{}"), 2,
+                           shortened(heap.text(registers[instruction.b].integer)));
+            builder.arg(shortened(heap.text(registers[instruction.a].integer))).arg(wanted);
+        }
+        if (why == sema::Expectation::UntrueOfText) {
+            builder.note("the text is:\n" + shortened(heap.text(registers[instruction.a].integer)));
+        }
+        if ((instruction.c & sema::kHasReason) != 0 && !reason.empty()) {
+            if (reason_at.is_valid() && reason_at.index < code.statements.size())
+                builder.note(code.statements[reason_at.index], reason);
+            else builder.note(reason);
+        }
+    }
+    return is_running;
+}
+
+// ---------------------------------------------------------------- a call under test
+
+/// Blocks that a cycle may rely on: the spindle turns, a feed is set, the tool is somewhere.
+void Expander::State::set_up(const CallUnderTest& call) {
+    const auto option = [&](std::size_t i, double otherwise) {
+        const double value = call.options[i].number;
+        return value == value ? value : otherwise;
+    };
+    const auto deliver = [&](const Block& block) {
+        modal.take_functions(block);
+        modal.take_words(block);
+    };
+    double feed = option(3, kStartFeed / 60);
+    double speed = option(4, kStartSpeed / 60);
+    const bool is_per_turn = sema::is_second_form(feed);
+    const bool is_cutting = sema::is_second_form(speed);
+    feed = is_per_turn ? feed / sema::kSecondForm : neat(feed * 60);
+    speed = is_cutting ? neat(speed / sema::kSecondForm * 60 / 1000) : neat(speed * 60);
+    {
+        Block& block = next_block({});
+        if (is_cutting) block.add(Function::CuttingSpeedOn, 0);
+        block.add(Function::SpindleCw, 0);
+        block.set(nc::Slot::Speed, speed);
+        deliver(block);
+    }
+    {
+        Block& block = next_block({});
+        block.motion = Function::Rapid;
+        if (is_per_turn) block.add(Function::FeedPerRevolution, 0);
+        block.set(nc::Slot::X, option(0, 0));
+        block.set(nc::Slot::Y, option(1, 0));
+        block.set(nc::Slot::Feed, feed);
+        deliver(block);
+    }
+    Block& block = next_block({});
+    block.motion = Function::Rapid;
+    block.set(nc::Slot::Z, option(2, kStartHeight));
+    deliver(block);
+}
+
+bool Expander::State::start_call(const CallUnderTest& call) {
+    const TestCall& entry = *call.call;
+    const FunctionCode& function = code.functions[entry.function];
+    const FunctionCode& startup = code.functions[0];
+    reserve_stack(std::max(
+        kFirstStack, std::size_t{code.globals} + function.registers + startup.registers + 16));
+    modal = ModalState::at_start(function.units);
+    if (function.kind != FunctionKind::Program) set_up(call);
+    for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+        const sema::ParameterInfo& parameter = function.parameters[i];
+        if ((entry.given >> i & 1u) == 0) continue;
+        const std::vector<SlotKind>& kinds = code.layouts[entry.layouts[i]].slots;
+        for (std::size_t s = 0; s < kinds.size(); ++s) {
+            const std::size_t at = parameter.slot + s;
+            stack[code.globals + at] = heap.adopt(*call.heap, call.arguments[at], kinds[s]);
+        }
+    }
+    // Below the call stands what called it; the call returns to the Finish behind its instruction.
+    CallFrame& bottom = frames.push();
+    bottom = {};
+    bottom.function = &startup;
+    bottom.base = code.globals;
+    CallFrame& called = frames.push();
+    called = {};
+    called.function = &function;
+    called.base = code.globals;
+    called.given = entry.given;
+    called.return_to = call.at + 1;
+    CallFrame& first = frames.push();
+    first = {};
+    first.function = &startup;
+    first.base = code.globals + function.registers;
+    first.return_to = entry.given == all_given[entry.function] ? function.body : function.entry;
+    pc = startup.entry;
+    is_running = true;
+    return true;
+}
+
+}  // namespace kadr::expand

@@ -1,0 +1,282 @@
+// The commands of the prompt, `:help` and so on: one table, one function each.
+#include "repl/commands.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "driver/modules.h"
+#include "driver/output.h"
+#include "driver/plot_svg.h"
+#include "driver/session.h"
+#include "driver/summary.h"
+#include "repl/prompt.h"
+#include "repl/sketch.h"
+#include "syntax/format.h"
+
+namespace kadr::repl {
+
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    if (begin == std::string_view::npos) return {};
+    return text.substr(begin, text.find_last_not_of(" \t\r\n") - begin + 1);
+}
+
+/// Writes a file whole or not at all; the messages say why not.
+std::string write_whole(const std::string& path, std::string_view text) {
+    std::string said;
+    Sources sources;
+    driver::Messages messages(sources, {}, [&](std::string_view line) { said += line; });
+    const auto output = driver::Output::open(path, messages);
+    if (output == nullptr) return said;
+    output->write(text);
+    output->commit(messages);
+    return said;
+}
+
+/// The program in its canonical layout; as it is if that cannot be had.
+std::string laid_out(const driver::Options& options, const driver::Share& share,
+                     std::string program) {
+    Sources sources;
+    driver::Messages messages(sources, {}, [](std::string_view) {});
+    driver::Session session(options, share, sources, messages);
+    const FileId file = sources.add("prompt.kadr", program);
+    const driver::SourceWords words = driver::words_of(session, file);
+    if (!words) return program;
+    return syntax::format(sources, file, *words.keywords, *words.dialect, messages)
+        .value_or(std::move(program));
+}
+
+/// Names of the variables that statements declare at their outermost level.
+std::vector<std::string> variables(const driver::Options& options, const driver::Share& share,
+                                   const std::string& program) {
+    Sources sources;
+    driver::Messages messages(sources, {}, [](std::string_view) {});
+    driver::Session session(options, share, sources, messages);
+    const FileId file = sources.add("prompt.kadr", program);
+    const driver::SourceWords words = driver::words_of(session, file);
+    std::vector<std::string> names;
+    if (!words) return names;
+    const syntax::Ast ast = syntax::parse(sources, file, *words.keywords, *words.dialect, messages);
+    for (const syntax::DeclId id : ast.top) {
+        const syntax::Decl& decl = ast[id];
+        if (decl.kind == syntax::DeclKind::Variable) names.emplace_back(ast.text(decl.name));
+        if (decl.kind != syntax::DeclKind::Program || ast.text(decl.name) != "prompt") continue;
+        for (const syntax::StmtId statement : ast.stmts(ast[decl.body].statements)) {
+            const syntax::Stmt& stmt = ast[statement];
+            if (stmt.kind != syntax::StmtKind::Declaration) continue;
+            const std::string name(ast.text(ast[stmt.declaration].name));
+            if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+        }
+    }
+    return names;
+}
+
+std::string numbered(const std::string& text) {
+    std::string out;
+    std::size_t number = 0;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        out +=
+            fmt::format("{:4}  {}\n", ++number, std::string_view(text).substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return out;
+}
+
+}  // namespace
+
+/// Each takes what stands behind the command's name.
+struct Commands {
+    Prompt& prompt;
+
+    void help(std::string_view) {
+        std::string out =
+            "Type statements, blocks, calls and expressions of the Kadr language; a forgotten `;` "
+            "is put behind.\n";
+        for (const CommandRow& row : command_table()) {
+            out += fmt::format("  {:<22} {}\n",
+                               ':' + std::string(row.name) + ' ' + std::string(row.argument),
+                               row.meaning);
+        }
+        prompt.write(out + "Ctrl-C stops what runs, Ctrl-D leaves.\n");
+    }
+
+    void dialect(std::string_view name) {
+        if (name.empty()) {
+            const std::string& chosen = prompt.options_.dialect;
+            return prompt.write((chosen.empty() ? "iso" : chosen) + '\n');
+        }
+        change(prompt.options_.dialect, name);
+    }
+
+    void machine(std::string_view name) {
+        if (name.empty()) {
+            const std::string& chosen = prompt.options_.machine;
+            return prompt.write((chosen.empty() ? "mill" : chosen) + '\n');
+        }
+        change(prompt.options_.machine, name);
+    }
+
+    void load(std::string_view file) {
+        if (file.empty()) return wrong("which file? `:load part.kadr`");
+        const std::string import = "import \"" + std::string(file) + "\";";
+        prompt.take_input(import);
+    }
+
+    void reload(std::string_view) {
+        if (prompt.refresh()) prompt.write(fmt::format("{} lines\n", prompt.now_.lines));
+    }
+
+    void state(std::string_view) {
+        std::string out = "position";
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            out += fmt::format(" {}{:.3f}", kAxisNames[axis], prompt.now_.position[axis]);
+        }
+        out += '\n';
+        for (const interp::StateItem& item : prompt.now_.state) {
+            out += fmt::format("{:<12} {}\n", item.name, item.value);
+        }
+        prompt.write(out);
+    }
+
+    void vars(std::string_view) {
+        const std::vector<std::string> names =
+            variables(prompt.options_, prompt.share_, prompt.transcript_.program());
+        if (names.empty()) return prompt.write("no variables\n");
+        for (const std::string& name : names) {
+            const auto value = prompt.value_of(name);
+            prompt.write(name + " = " + value.value_or("…") + '\n');
+        }
+    }
+
+    void list(std::string_view what) {
+        if (what.empty()) return prompt.write(numbered(prompt.transcript_.program()));
+        if (what != "iso") return wrong("`:list` shows the program, `:list iso` the text");
+        const std::uint32_t lines = std::exchange(prompt.now_.lines, 0);
+        const Outcome all = prompt.evaluate(prompt.transcript_);
+        prompt.show_lines(all);
+        prompt.now_.lines = lines;
+    }
+
+    void plot(std::string_view file) {
+        if (!file.empty()) {
+            driver::PlotText text;
+            text.title = "prompt";
+            text.subtitle = prompt.now_.plot_subtitle;
+            const std::string said = write_whole(
+                std::string(file), plot_svg(prompt.now_.scene, text, driver::PlotColor::Feed));
+            if (!said.empty()) return prompt.write(said);
+        }
+        prompt.write(sketch(prompt.now_.scene, prompt.surroundings_.columns));
+    }
+
+    void step(std::string_view what) {
+        if (!what.empty() && what != "on" && what != "off") {
+            return wrong("`:step on`, `:step off`, or `:step` to change it");
+        }
+        prompt.is_stepping_ = what.empty() ? !prompt.is_stepping_ : what == "on";
+        prompt.write(prompt.is_stepping_ ? "block by block\n" : "all blocks at once\n");
+    }
+
+    void undo(std::string_view) {
+        if (prompt.transcript_.inputs().empty()) return prompt.write("nothing to take back\n");
+        const std::string text = prompt.transcript_.inputs().back().text;
+        prompt.transcript_.undo();
+        prompt.refresh();
+        prompt.write("taken back: " + text.substr(0, text.find('\n')) + '\n');
+    }
+
+    void save(std::string_view file) {
+        if (file.empty()) return wrong("where to? `:save part.kadr`");
+        const std::string program =
+            laid_out(prompt.options_, prompt.share_, prompt.transcript_.program());
+        const std::string said = write_whole(std::string(file), program);
+        prompt.write(said.empty() ? "saved in " + std::string(file) + '\n' : said);
+    }
+
+    void time(std::string_view) {
+        const motion::Totals& totals = prompt.now_.totals;
+        prompt.write(fmt::format("{}: cutting {}, rapid {}; {:.1f} mm\n",
+                                 driver::duration_text(totals.time),
+                                 driver::duration_text(totals.cutting_time),
+                                 driver::duration_text(totals.rapid_time), totals.length));
+    }
+
+    void quit(std::string_view) { prompt.is_over_ = true; }
+
+    /// Sets an option; back to what it was if nothing works with it.
+    void change(std::string& option, std::string_view value) {
+        const std::string before = std::exchange(option, std::string(value));
+        if (prompt.refresh()) return;
+        option = before;
+        prompt.refresh();
+    }
+
+    void wrong(std::string_view text) {
+        prompt.has_failed_ = true;
+        prompt.write(std::string(text) + '\n');
+    }
+};
+
+namespace {
+
+struct Row {
+    CommandRow row;
+    void (Commands::*run)(std::string_view);
+};
+
+constexpr Row kRows[] = {
+    {{"help", "", "what can be typed"}, &Commands::help},
+    {{"dialect", "[NAME]", "the control that the text is for"}, &Commands::dialect},
+    {{"machine", "[NAME]", "the machine that executes it"}, &Commands::machine},
+    {{"load", "FILE", "use what a Kadr file declares"}, &Commands::load},
+    {{"reload", "", "evaluate all again, files read anew"}, &Commands::reload},
+    {{"state", "", "position and modal state"}, &Commands::state},
+    {{"vars", "", "variables and their values"}, &Commands::vars},
+    {{"list", "[iso]", "the program so far, or its text"}, &Commands::list},
+    {{"plot", "[FILE.svg]", "sketch of the path; drawing into a file"}, &Commands::plot},
+    {{"step", "[on|off]", "show block by block what is executed"}, &Commands::step},
+    {{"undo", "", "take the last input back"}, &Commands::undo},
+    {{"save", "FILE", "the program so far as a file"}, &Commands::save},
+    {{"time", "", "machine time so far"}, &Commands::time},
+    {{"quit", "", "leave"}, &Commands::quit},
+};
+
+}  // namespace
+
+std::vector<CommandRow> command_table() {
+    std::vector<CommandRow> rows;
+    for (const Row& row : kRows) rows.push_back(row.row);
+    return rows;
+}
+
+void Prompt::command(std::string_view text) {
+    const std::size_t end = std::min(text.find_first_of(" \t"), text.size());
+    const std::string_view name = trimmed(text.substr(0, end));
+    const std::string_view argument = trimmed(text.substr(end));
+    // A beginning that is no other command's will do: `:h`.
+    const Row* found = nullptr;
+    int matches = 0;
+    for (const Row& row : kRows) {
+        if (row.row.name == name) {
+            found = &row;
+            matches = 1;
+            break;
+        }
+        if (!name.empty() && row.row.name.starts_with(name)) {
+            found = &row;
+            ++matches;
+        }
+    }
+    Commands commands{*this};
+    if (matches == 1) return (commands.*found->run)(argument);
+    commands.wrong(fmt::format("there is no command `:{}`; `:help` lists them", name));
+}
+
+}  // namespace kadr::repl

@@ -1,0 +1,90 @@
+// What can stand at the end of a line of the prompt.
+#include <algorithm>
+
+#include "driver/session.h"
+#include "machine/machine.h"
+#include "repl/commands.h"
+#include "repl/prompt.h"
+
+namespace kadr::repl {
+
+namespace {
+
+bool is_name_part(char c) {
+    return (c & 0x80) != 0 || c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
+           (c >= 'A' && c <= 'Z');
+}
+
+/// Where the last word of the line begins.
+std::size_t last_word(std::string_view line) {
+    std::size_t begin = line.size();
+    while (begin > 0 && is_name_part(line[begin - 1])) --begin;
+    return begin;
+}
+
+/// The function whose parentheses are open at the end of the line; empty if none are.
+std::string open_call(std::string_view line) {
+    int depth = 0;
+    for (std::size_t i = line.size(); i-- > 0;) {
+        if (line[i] == ')') ++depth;
+        if (line[i] != '(' || depth-- > 0) continue;
+        const std::string_view before = line.substr(0, i);
+        return std::string(before.substr(last_word(before)));
+    }
+    return {};
+}
+
+/// Every identifier of a text, for the names of variables.
+void add_names(std::string_view text, std::vector<std::string>& out) {
+    for (std::size_t i = 0; i < text.size();) {
+        std::size_t end = i;
+        while (end < text.size() && is_name_part(text[end])) ++end;
+        if (end > i + 1 && (text[i] < '0' || text[i] > '9'))
+            out.emplace_back(text.substr(i, end - i));
+        i = std::max(end, i + 1);
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> Prompt::completions(std::string_view line) const {
+    std::vector<std::string> candidates;
+    const bool is_command = line.starts_with(':') && pending_.empty();
+    const std::size_t begin = last_word(line);
+    const std::string_view word = line.substr(begin);
+    Sources sources;
+    driver::Messages messages(sources, {}, [](std::string_view) {});
+    driver::Session session(options_, share_, sources, messages);
+    if (is_command && begin == 1) {
+        for (const CommandRow& row : command_table()) candidates.emplace_back(row.name);
+    } else if (is_command && line.starts_with(":dialect ")) {
+        for (const auto& summary : nc::list_dialects(share_.dialects)) {
+            candidates.push_back(summary.name);
+        }
+    } else if (is_command && line.starts_with(":machine ")) {
+        for (const auto& summary : machine::list(share_.machines)) {
+            candidates.push_back(summary.name);
+        }
+    } else if (!is_command) {
+        const auto parameters = now_.parameters.find(open_call(line));
+        if (parameters != now_.parameters.end()) {
+            for (const std::string& name : parameters->second) candidates.push_back(name + ':');
+        }
+        candidates.insert(candidates.end(), now_.names.begin(), now_.names.end());
+        if (const auto* keywords = session.keywords("en", {})) {
+            for (const auto& [lexeme, canonical] : keywords->canonical) {
+                candidates.push_back(lexeme);
+            }
+        }
+        add_names(transcript_.program(), candidates);
+        add_names(pending_, candidates);
+    }
+    std::erase_if(candidates, [&](const std::string& name) {
+        return !name.starts_with(word) || name.size() == word.size() || !is_name_part(name[0]);
+    });
+    std::sort(candidates.begin(), candidates.end());
+    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+    return candidates;
+}
+
+}  // namespace kadr::repl

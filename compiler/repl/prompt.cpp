@@ -1,0 +1,181 @@
+#include "repl/prompt.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "driver/session.h"
+#include "driver/summary.h"
+
+namespace kadr::repl {
+
+namespace {
+
+constexpr int kDecimals = 3;
+
+std::string position_text(const AxisValues& position) {
+    std::string out;
+    for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
+        out += fmt::format(" {}{:.{}f}", kAxisNames[index(axis)], position[index(axis)], kDecimals);
+    }
+    for (std::size_t axis = 3; axis < kAxes; ++axis) {
+        if (position[axis] == 0) continue;
+        out += fmt::format(" {}{:.{}f}", kAxisNames[axis], position[axis], kDecimals);
+    }
+    return out;
+}
+
+/// Entries of the modal state that are not as before: "feed 200 mm/min, plane ZX".
+std::string changes(const std::vector<interp::StateItem>& before,
+                    const std::vector<interp::StateItem>& after) {
+    std::string out;
+    for (const interp::StateItem& item : after) {
+        if (std::find(before.begin(), before.end(), item) != before.end()) continue;
+        out += (out.empty() ? "" : ", ") + std::string(item.name) + ' ' + item.value;
+    }
+    return out;
+}
+
+/// A session for looking at texts only; what it says is nobody's concern.
+class QuietSession {
+  public:
+    QuietSession(const driver::Options& options, const driver::Share& share)
+        : session_(options, share, sources_, messages_) {}
+    driver::Session& session() { return session_; }
+
+  private:
+    Sources sources_;
+    driver::Messages messages_{sources_, {}, [](std::string_view) {}};
+    driver::Session session_;
+};
+
+}  // namespace
+
+Prompt::Prompt(driver::Options options, driver::Share share, Surroundings surroundings,
+               const std::atomic<bool>* stop)
+    : options_(std::move(options)),
+      share_(std::move(share)),
+      surroundings_(std::move(surroundings)),
+      stop_(stop) {
+    options_.stop = stop_;
+    refresh();
+}
+
+void Prompt::take(std::string_view line) {
+    const bool is_first = pending_.empty();
+    const std::size_t begin = line.find_first_not_of(" \t\r\n");
+    if (is_first && begin == std::string_view::npos) return;
+    if (is_first && line[begin] == ':') return command(line.substr(begin + 1));
+    pending_ += std::string(line) + '\n';
+    if (is_incomplete(pending_)) return;
+    take_input(std::exchange(pending_, {}));
+}
+
+void Prompt::finish() {
+    if (!pending_.empty()) take_input(std::exchange(pending_, {}));
+}
+
+void Prompt::take_input(std::string text) {
+    QuietSession quiet(options_, share_);
+    Input input = classify(quiet.session(), transcript_.headers(), std::move(text));
+    if (input.kind == Input::Kind::Value) return show_value(input.text);
+    // A comment by itself.
+    Transcript longer = transcript_;
+    Input added = input;
+    if (added.kind == Input::Kind::Wrong) added.kind = Input::Kind::Statement;
+    longer.add(added);
+    Outcome outcome = evaluate(longer);
+    if (!outcome.is_ok) {
+        has_failed_ = true;
+        write(outcome.messages);
+        return;
+    }
+    keep(std::move(added), std::move(outcome));
+}
+
+void Prompt::keep(Input input, Outcome outcome) {
+    write(outcome.messages);
+    const bool is_call = input.kind == Input::Kind::Statement && outcome.lines == now_.lines &&
+                         input.text.find('(') != std::string::npos;
+    if (is_call) {
+        // A function that was called for its value: `chord(10mm, 3mm);`
+        std::string expression = input.text;
+        expression.erase(expression.find_last_not_of("; \n\t") + 1);
+        if (const auto value = value_of(expression)) return write(*value + '\n');
+    }
+    transcript_.add(std::move(input));
+    if (is_stepping_) step_lines(outcome);
+    else show_lines(outcome);
+    show_change(now_, outcome);
+    now_ = std::move(outcome);
+}
+
+std::optional<std::string> Prompt::value_of(const std::string& expression) {
+    const Outcome outcome = evaluate(transcript_, {expression});
+    if (!outcome.is_ok || outcome.values.empty()) return std::nullopt;
+    return outcome.values.front();
+}
+
+void Prompt::show_value(const std::string& expression) {
+    const Outcome outcome = evaluate(transcript_, {expression});
+    if (outcome.is_ok && !outcome.values.empty()) return write(outcome.values.front() + '\n');
+    has_failed_ = true;
+    write(outcome.messages);
+}
+
+Outcome Prompt::evaluate(const Transcript& transcript, std::vector<std::string> shown) {
+    ReplayRequest request;
+    request.program = transcript.program(showing_statements(shown));
+    request.known_lines = now_.lines;
+    request.shown = std::move(shown);
+    return replay(options_, share_, request, seen_messages_);
+}
+
+/// Evaluates what there is once more, under other options or with other files. False: it has an
+/// error now, which is shown.
+bool Prompt::refresh() {
+    now_ = {};
+    now_ = evaluate(transcript_);
+    if (now_.is_ok) return true;
+    has_failed_ = true;
+    write(now_.messages);
+    return false;
+}
+
+void Prompt::show_change(const Outcome& before, const Outcome& after) {
+    std::string text;
+    if (after.position != before.position) text += "at" + position_text(after.position);
+    if (const std::string changed = changes(before.state, after.state); !changed.empty()) {
+        text += (text.empty() ? "" : "; ") + changed;
+    }
+    const double time = after.totals.time - before.totals.time;
+    if (time > 0.0005) text += (text.empty() ? "+" : "; +") + driver::duration_text(time);
+    if (!text.empty()) write("    " + text + '\n');
+}
+
+void Prompt::show_lines(const Outcome& outcome) {
+    const std::uint32_t all = outcome.lines - now_.lines;
+    const std::size_t head = all > 24 ? 18 : all;
+    for (std::size_t i = 0; i < std::min(head, outcome.first.size()); ++i) {
+        write(outcome.first[i].text + '\n');
+    }
+    if (head == all) return;
+    write(fmt::format("    … {} lines more\n", all - head - kLastLines));
+    // The last lines stand in `last`, or still in `first` if there are not so many.
+    std::vector<std::string> tail;
+    for (const TextLine& line : outcome.first) tail.push_back(line.text);
+    for (const TextLine& line : outcome.last) tail.push_back(line.text);
+    for (std::size_t i = tail.size() - std::min(tail.size(), kLastLines); i < tail.size(); ++i) {
+        write(tail[i] + '\n');
+    }
+}
+
+void Prompt::step_lines(const Outcome& outcome) {
+    for (const TextLine& line : outcome.first) {
+        write(line.text + '\n');
+        if (!line.done.empty()) write("    " + line.done + '\n');
+        if (surroundings_.wait && !surroundings_.wait()) return;
+    }
+}
+
+}  // namespace kadr::repl

@@ -1,0 +1,77 @@
+// prompt.h — the conversation: a line in, an answer out. No terminal here.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "driver/options.h"
+#include "driver/share.h"
+#include "repl/replay.h"
+#include "repl/transcript.h"
+
+namespace kadr::repl {
+
+/// What the prompt asks of the place where it runs.
+struct Surroundings {
+    /// Writes an answer, or a part of it.
+    std::function<void(std::string_view)> write;
+    /// Waits for a key before the next block of `:step`; false: the rest is not shown. Empty: no
+    /// one is there to press one.
+    std::function<bool()> wait;
+    std::size_t columns = 80;
+};
+
+class Prompt {
+  public:
+    /// `stop` is set from outside to end a running evaluation.
+    Prompt(driver::Options options, driver::Share share, Surroundings surroundings,
+           const std::atomic<bool>* stop);
+
+    /// Takes one line. What is not complete waits for more lines.
+    void take(std::string_view line);
+    /// Forgets the lines of an input that is not complete.
+    void cancel() { pending_.clear(); }
+    /// Reports an input that the end of the lines left incomplete.
+    void finish();
+
+    bool is_waiting() const { return !pending_.empty(); }
+    bool is_over() const { return is_over_; }
+    /// An input came to an error, in a conversation that nobody watches.
+    bool has_failed() const { return has_failed_; }
+
+    /// What can stand at the end of `line`: whole words, sorted, all beginning with its last one.
+    std::vector<std::string> completions(std::string_view line) const;
+
+  private:
+    friend struct Commands;
+
+    void take_input(std::string text);
+    void show_value(const std::string& expression);
+    std::optional<std::string> value_of(const std::string& expression);
+    void keep(Input input, Outcome outcome);
+    Outcome evaluate(const Transcript& transcript, std::vector<std::string> shown = {});
+    bool refresh();
+    void show_change(const Outcome& before, const Outcome& after);
+    void show_lines(const Outcome& outcome);
+    void step_lines(const Outcome& outcome);
+    void command(std::string_view text);
+    void write(std::string_view text) const { surroundings_.write(text); }
+
+    driver::Options options_;
+    driver::Share share_;
+    Surroundings surroundings_;
+    const std::atomic<bool>* stop_;
+    Transcript transcript_;
+    Outcome now_;  // of the whole transcript
+    std::vector<std::string> seen_messages_;
+    std::string pending_;
+    bool is_stepping_ = false;
+    bool is_over_ = false;
+    bool has_failed_ = false;
+};
+
+}  // namespace kadr::repl

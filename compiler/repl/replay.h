@@ -1,0 +1,59 @@
+// replay.h — a transcript, evaluated, written, read back and executed.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "driver/options.h"
+#include "driver/plot_scene.h"
+#include "driver/share.h"
+#include "interp/interpreter.h"
+#include "motion/pipeline.h"
+
+namespace kadr::repl {
+
+/// One line of the ISO-7bit text, and what executing it came to.
+struct TextLine {
+    std::uint32_t number = 0;  // from 1
+    std::string text;
+    std::string done;  // "line to X10 Y20, 0.3 s"; empty: nothing was executed
+};
+
+/// What an evaluation came to.
+struct Outcome {
+    bool is_ok = false;           // no error and no alarm
+    std::string messages;         // rendered; those that were seen before are left out
+    std::uint32_t lines = 0;      // of the text up to the last block; the frame's end not counted
+    std::vector<TextLine> first;  // lines behind the wanted one …
+    std::deque<TextLine> last;    // … if there are more than fit in `first`, the last of them
+    std::vector<interp::StateItem> state;
+    AxisValues position{};
+    motion::Totals totals;
+    driver::PlotScene scene;
+    std::string plot_subtitle;
+    std::vector<std::string> values;  // of the expressions that were to be shown, as texts
+    std::vector<std::string> names;   // functions and cycles that can be called, for completion
+    std::map<std::string, std::vector<std::string>> parameters;  // of each of them
+};
+
+struct ReplayRequest {
+    std::string program;             // its text
+    std::uint32_t known_lines = 0;   // lines up to here are not kept
+    std::vector<std::string> shown;  // expressions whose values are wanted at the end
+};
+
+/// Lines that an outcome keeps from the start, and from the end.
+inline constexpr std::size_t kFirstLines = 200;
+inline constexpr std::size_t kLastLines = 5;
+
+/// Statements that make the value of each expression known: `warn("…{expression}…");`.
+std::string showing_statements(const std::vector<std::string>& expressions);
+
+/// Evaluates the whole program. Nothing of it outlives the call but the outcome.
+Outcome replay(const driver::Options& options, const driver::Share& share,
+               const ReplayRequest& request, std::vector<std::string>& seen_messages);
+
+}  // namespace kadr::repl

@@ -1,0 +1,56 @@
+// transcript.h — what was typed at the prompt, as one program.
+//
+// The prompt keeps no evaluator between two inputs: it keeps the program that they amount to and
+// evaluates all of it again. So undoing is dropping the last input, reloading is evaluating once
+// more, and what is saved is what was seen.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "driver/session.h"
+
+namespace kadr::repl {
+
+struct Input {
+    enum class Kind : std::uint8_t {
+        Header,  // language, dialect, units
+        Import,
+        Declaration,  // what stands beside the program: functions, cycles, structs, constants
+        Statement,    // what the program does
+        Value,        // an expression to be shown; it is not kept
+        Wrong,        // neither; its messages come with the evaluation
+    };
+    Kind kind = Kind::Wrong;
+    std::string text;  // as typed; a forgotten `;` is put behind
+};
+
+/// Whether the text has a bracket, a text or a comment that is not closed yet, so that more lines
+/// belong to it.
+bool is_incomplete(std::string_view text);
+
+/// What a complete input is, judged by parsing it. `headers` are the `language` and `dialect` that
+/// hold.
+Input classify(driver::Session& session, std::string_view headers, std::string text);
+
+class Transcript {
+  public:
+    void add(Input input) { inputs_.push_back(std::move(input)); }
+    /// False if there is nothing to take back.
+    bool undo();
+    void clear() { inputs_.clear(); }
+    const std::vector<Input>& inputs() const { return inputs_; }
+    /// The headers alone.
+    std::string headers() const;
+
+    /// The program: headers, imports, declarations, then `program prompt() { … }`; one input a
+    /// paragraph. `extra` are statements behind the last one.
+    std::string program(std::string_view extra = {}, std::string_view name = "prompt") const;
+
+  private:
+    std::vector<Input> inputs_;
+};
+
+}  // namespace kadr::repl

@@ -1,0 +1,27 @@
+// pieces.h — a source as the formatter sees it: its tokens as they are spelled, and its comments,
+// in one list.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "syntax/lexeme.h"
+
+namespace kadr::syntax {
+
+/// A token, or a comment, that the formatter moves as a whole.
+struct Piece {
+    Token token = Token::EndOfFile;  // LineComment and BlockComment, too
+    std::string text;                // as it is written; words and numbers without inner blanks
+    bool starts_line = false;        // in the source
+    bool follows_blank = false;      // an empty line stands in front of it
+
+    bool is_comment() const { return token == Token::LineComment || token == Token::BlockComment; }
+};
+
+/// The pieces of a file without mistakes. A text with `{…}` inside is one piece, as it stands: what
+/// is written into a text is its author's matter. Ends with EndOfFile.
+std::vector<Piece> pieces_of(const SourceFile& file, const std::vector<Lexeme>& lexemes,
+                             const std::vector<Comment>& comments);
+
+}  // namespace kadr::syntax

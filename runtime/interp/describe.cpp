@@ -1,0 +1,93 @@
+// The modal state in words, for the prompt and for traces.
+#include "base/numbers.h"
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+namespace {
+
+constexpr int kDecimals = 3;
+
+std::string number(double value) {
+    std::string out;
+    append_shortest(out, round_to(value, kDecimals));
+    return out;
+}
+
+std::string_view plane_name(path::Plane plane) {
+    switch (plane) {
+        case path::Plane::Xy: return "XY";
+        case path::Plane::Zx: return "ZX";
+        case path::Plane::Yz: return "YZ";
+    }
+    return "";
+}
+
+std::string_view spindle_name(path::SpindleMode mode) {
+    switch (mode) {
+        case path::SpindleMode::Stop: return "stopped";
+        case path::SpindleMode::Cw: return "clockwise";
+        case path::SpindleMode::Ccw: return "counter-clockwise";
+        case path::SpindleMode::Orient: return "oriented";
+    }
+    return "";
+}
+
+std::string_view coolant_name(path::CoolantMode mode) {
+    switch (mode) {
+        case path::CoolantMode::Off: return "off";
+        case path::CoolantMode::Flood: return "flood";
+        case path::CoolantMode::Mist: return "mist";
+    }
+    return "";
+}
+
+std::string feed_text(const Modal& modal) {
+    if (!modal.has_feed) return "none";
+    switch (modal.feed_mode) {
+        case path::FeedMode::PerMinute: return number(modal.feed) + " mm/min";
+        case path::FeedMode::PerRevolution: return number(modal.feed) + " mm/rev";
+        case path::FeedMode::InverseTime: return number(modal.feed) + " 1/min";
+    }
+    return "";
+}
+
+}  // namespace
+
+std::vector<StateItem> Executor::state() const {
+    std::vector<StateItem> items;
+    const auto add = [&items](std::string_view name, std::string value) {
+        items.push_back({name, std::move(value)});
+    };
+    add("motion", std::string(nc::info(modal_.motion).name));
+    add("plane", std::string(plane_name(modal_.plane)));
+    add("distances", modal_.is_incremental ? "incremental" : "absolute");
+    add("feed", feed_text(modal_));
+    add("corners", modal_.has_exact_stop ? "exact stop" : "continuous");
+    std::string spindle(spindle_name(spindle_.mode));
+    if (spindle_.has_cutting_speed) {
+        spindle += ", " + number(spindle_.cutting_speed) + " m/min";
+        if (spindle_.limit > 0) spindle += ", at most " + number(spindle_.limit) + " rpm";
+    } else if (spindle_.speed > 0) {
+        spindle += ", " + number(spindle_.speed) + " rpm";
+    }
+    add("spindle", std::move(spindle));
+    add("coolant", std::string(coolant_name(coolant_)));
+    add("tool", tool_.current == 0 ? "none" : std::to_string(tool_.current));
+    add("tool length", number(tool_.length) + " mm");
+    std::string frame;
+    const AxisValues origin = frames_.to_base(AxisValues{});
+    for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
+        if (round_to(origin[index(axis)], kDecimals) == 0) continue;
+        frame += (frame.empty() ? "" : " ") + std::string(kAxisNames[index(axis)]) +
+                 number(origin[index(axis)]);
+    }
+    if (!frames_.is_shift()) frame += frame.empty() ? "turned" : ", turned";
+    add("origin", frame.empty() ? "as the machine's" : frame);
+    if (modal_cycle_.is_active) {
+        add("cycle", dialect_.cycles()[modal_cycle_.cycle].name);
+    }
+    return items;
+}
+
+}  // namespace kadr::interp

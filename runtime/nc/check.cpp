@@ -1,0 +1,152 @@
+#include "nc/check.h"
+
+#include <array>
+#include <string>
+#include <utility>
+
+#include "nc/reader.h"
+#include "nc/tables.h"
+#include "nc/writer.h"
+
+namespace kadr::nc {
+
+namespace {
+
+class OneText final : public TextSource {
+  public:
+    explicit OneText(std::string_view text) : text_(text) {}
+    std::string_view next() override { return std::exchange(text_, {}); }
+
+  private:
+    std::string_view text_;
+};
+
+/// What a text means, a line for every block that means something; or why it cannot be read.
+struct Reading {
+    std::string blocks;
+    std::string fault;
+};
+
+Reading read(const Dialect& dialect, std::string_view text) {
+    Reading reading;
+    DiagnosticList messages;
+    OneText source(text);
+    Reader reader(dialect, source, "example", messages);
+    std::array<Block, 8> batch;
+    while (const std::size_t count = reader.pull(batch)) {
+        for (const Block& block : std::span(batch).first(count)) {
+            if (!reading.blocks.empty()) reading.blocks += '\n';
+            reading.blocks += describe(block);
+        }
+    }
+    if (!messages.all().empty()) reading.fault = messages.all()[0].message();
+    return reading;
+}
+
+/// A text of several lines in one.
+std::string one_line(std::string_view text) {
+    std::string line;
+    for (const char c : text) {
+        if (c == '\n') line += " ⏎ ";
+        else if (c != '\r') line += c;
+    }
+    return line;
+}
+
+/// What the blocks are written as in the middle of a program, or why they cannot be written.
+struct Writing {
+    std::string text;
+    std::string fault;
+};
+
+Writing write(const Dialect& dialect, std::span<const Block> blocks) {
+    Writing writing;
+    DiagnosticList messages;
+    Writer writer(dialect, {.number_blocks = false}, messages);
+    writer.begin({"example", 1, "", false}, writing.text);
+    // Another motion before, so that the example's own is written.
+    Block before;
+    const bool is_rapid = !blocks.empty() && blocks[0].motion == Function::Rapid;
+    before.motion = is_rapid ? Function::Line : Function::Rapid;
+    writer.write(before, writing.text);
+    writing.text.clear();
+    for (const Block& block : blocks) writer.write(block, writing.text);
+    while (writing.text.ends_with('\n') || writing.text.ends_with('\r')) writing.text.pop_back();
+    if (!messages.all().empty()) writing.fault = messages.all()[0].message();
+    return writing;
+}
+
+/// The text with line ends as the file may have them.
+std::string without_returns(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        if (c != '\r') out += c;
+    }
+    return out;
+}
+
+}  // namespace
+
+void check_frame(const Dialect& dialect, DiagnosticSink& sink) {
+    for (const bool is_inch : {false, true}) {
+        if (is_inch && !dialect.can_write(Function::Inch)) continue;
+        DiagnosticList messages;
+        Writer writer(dialect, {}, messages);
+        std::string text;
+        writer.begin({"example", 1, "title", is_inch}, text);
+        writer.write(Block{}, text);
+        writer.end(text);
+        while (text.ends_with('\n') || text.ends_with('\r')) text.pop_back();
+        const std::string fault =
+            messages.all().empty() ? read(dialect, text).fault : messages.all()[0].message();
+        if (fault.empty()) continue;
+        const ProgramFrame& frame = dialect.tables().program;
+        auto message = sink.report(diag::DialectTextUnread,
+                                   frame.is_inherited ? dialect.tables().root : frame.range);
+        message.arg(one_line(text)).arg(fault);
+        if (frame.is_inherited) {
+            message.note(frame.range, "these lines are inherited")
+                .fix("give the dialect a `<program>` of its own");
+        }
+        return;
+    }
+}
+
+void check_example(const Dialect& dialect, const Example& example, std::span<const Block> blocks,
+                   DiagnosticSink& sink) {
+    std::string meant = example.block;
+    if (!blocks.empty()) {
+        const Writing writing = write(dialect, blocks);
+        const std::string text = without_returns(writing.text);
+        if (!writing.fault.empty()) {
+            sink.report(diag::DialectExampleSource, example.source_range).arg(writing.fault);
+            return;
+        }
+        if (text != without_returns(example.text)) {
+            sink.report(diag::DialectExampleWritten, example.text_range)
+                .arg(one_line(text))
+                .arg(one_line(example.text));
+            return;
+        }
+        if (meant.empty()) {
+            for (const Block& block : blocks) {
+                if (!meant.empty()) meant += '\n';
+                meant += describe(block);
+            }
+        }
+    }
+    const Reading reading = read(dialect, example.text);
+    if (!reading.fault.empty()) {
+        sink.report(diag::DialectTextUnread, example.text_range)
+            .arg(one_line(example.text))
+            .arg(reading.fault);
+    } else if (!meant.empty() && reading.blocks != meant) {
+        sink.report(diag::DialectExampleMeans,
+                    example.block.empty() ? example.text_range : example.block_range)
+            .arg(one_line(example.text))
+            .arg(one_line(reading.blocks))
+            .arg(one_line(meant));
+    }
+}
+
+}  // namespace kadr::nc

@@ -1,0 +1,24 @@
+// check.h — whether what a dialect file shows is true: its examples, and the lines around a
+// program.
+//
+// What a file says is checked when it is loaded; here it is tried out, by writing and reading.
+#pragma once
+
+#include <span>
+
+#include "nc/block.h"
+#include "nc/dialect.h"
+
+namespace kadr::nc {
+
+/// Writes the frame of a program, in mm and in inches, and reads it again. An alarm is reported at
+/// the file's `<program>`.
+void check_frame(const Dialect& dialect, DiagnosticSink& sink);
+
+/// Whether the blocks that an example's source gives are written as its text, and whether the text
+/// reads as what they mean or as what the example says instead. Without blocks (the example has no
+/// source) only the reading is tried. Reported at the attribute that is wrong.
+void check_example(const Dialect& dialect, const Example& example, std::span<const Block> blocks,
+                   DiagnosticSink& sink);
+
+}  // namespace kadr::nc

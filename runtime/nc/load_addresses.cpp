@@ -1,0 +1,162 @@
+// The heads of words: which letters and names there are, and how their numbers look.
+#include <array>
+
+#include "nc/load_parts.h"
+
+namespace kadr::nc {
+
+std::span<const SlotInfo> slot_infos() {
+    static constexpr std::array<SlotInfo, kSlots> kInfos = {{
+        {"X", Dimension::Length},
+        {"Y", Dimension::Length},
+        {"Z", Dimension::Length},
+        {"A", Dimension::Angle},
+        {"B", Dimension::Angle},
+        {"C", Dimension::Angle},
+        {"U", Dimension::Length},
+        {"V", Dimension::Length},
+        {"W", Dimension::Length},
+        {"center_x", Dimension::Length},
+        {"center_y", Dimension::Length},
+        {"center_z", Dimension::Length},
+        {"radius", Dimension::Length},
+        {"turns", Dimension::Count},
+        {"feed", Dimension::Feed},
+        {"speed", Dimension::Speed},
+    }};
+    return kInfos;
+}
+
+namespace {
+
+/// The number format of arguments in parentheses is kept at an address that no text can name.
+constexpr std::string_view kCallAddress = "()";
+
+Address& address_named(DialectTables& tables, std::string_view name) {
+    const AddressId known = tables.find_address(name);
+    if (known != kNoAddress) return tables.addresses[known];
+    const auto id = static_cast<AddressId>(tables.addresses.size());
+    tables.names.emplace(std::string(name), id);
+    if (name.size() == 1) tables.letters[static_cast<unsigned char>(name[0]) & 127u] = id;
+    Address& address = tables.addresses.emplace_back();
+    address.name = name;
+    return address;
+}
+
+void read_format(const XmlElement& element, NumberFormat& format, Attributes& attributes) {
+    attributes.read_number(element, "decimals", format.decimals);
+    attributes.read_number(element, "inch_decimals", format.inch_decimals);
+    if (const auto point = attributes.choice(element, "point", {"needed", "always", "never"})) {
+        format.point = static_cast<PointRule>(*point);
+    }
+    attributes.read_number(element, "digits", format.digits);
+    attributes.read_number(element, "max_digits", format.max_digits);
+    attributes.read_number(element, "increment", format.increment);
+    attributes.read_number(element, "inch_increment", format.inch_increment);
+    attributes.read_number(element, "revolution_increment", format.revolution_increment);
+    attributes.read_flag(element, "truncates", format.truncates);
+    attributes.read_flag(element, "minus", format.allows_minus);
+}
+
+/// More decimals than the writer's scaled integers hold. True if there are no more.
+bool check_decimals(const XmlElement& element, const NumberFormat& format, Attributes& attributes) {
+    constexpr int kMost = 9;
+    if (format.decimals > kMost) {
+        attributes.bad_value(needed(element, "decimals"), "at most 9 decimals");
+        return false;
+    }
+    if (format.inch_decimals > kMost) {
+        attributes.bad_value(needed(element, "inch_decimals"), "at most 9 decimals");
+        return false;
+    }
+    return true;
+}
+
+void remove_address(const XmlWord& word, DialectTables& tables, Attributes& attributes) {
+    const AddressId id = tables.find_address(word.text);
+    if (id == kNoAddress) {
+        return attributes.bad_word(word, "addresses", "it is not declared as an address");
+    }
+    tables.names.erase(word.text);
+    if (word.text.size() == 1) {
+        tables.letters[static_cast<unsigned char>(word.text[0])] = kNoAddress;
+    }
+    tables.addresses[id].slot = -1;
+    tables.addresses[id].name.clear();
+}
+
+}  // namespace
+
+void load_address(const XmlElement& element, DialectTables& tables, Attributes& attributes) {
+    Address& address = address_named(tables, needed(element, "name").value);
+    if (const auto kind = attributes.choice(element, "kind", {"value", "code", "block_number"})) {
+        address.kind = *kind == 1 ? Address::Kind::Code : Address::Kind::Value;
+        address.is_block_number = *kind == 2;
+    }
+    if (address.kind == Address::Kind::Code && element.find("read_max") == nullptr) {
+        address.write_max = address.read_max = 255;
+    }
+    Names slots;
+    for (const SlotInfo& slot : slot_infos()) slots.push_back(slot.name);
+    if (const auto slot = attributes.choice(element, "slot", slots)) {
+        address.slot = static_cast<int>(*slot);
+        address.dimension = slot_infos()[*slot].dimension;
+    }
+    if (const XmlAttribute* attribute = element.find("dimension")) {
+        if (const auto dimension = find_dimension(attribute->value)) {
+            address.dimension = *dimension;
+        } else {
+            attributes.bad_value(*attribute, "a dimension of the vocabulary is expected");
+        }
+    }
+    attributes.read_number(element, "order", address.order);
+    attributes.read_number(element, "write_max", address.write_max);
+    attributes.read_number(element, "read_max", address.read_max);
+    Attributes::read_text(element, "doc", address.doc);
+}
+
+void load_number(const XmlElement& element, DialectTables& tables, Attributes& attributes) {
+    // A wrong value is reported once, not for every address.
+    NumberFormat checked;
+    read_format(element, checked, attributes);
+    if (!check_decimals(element, checked, attributes)) return;
+    DiagnosticList unheard;
+    Attributes silent(unheard);
+    for (const XmlWord& word : words_of(needed(element, "addresses"))) {
+        if (word.text == kCallAddress) (void)address_named(tables, kCallAddress);
+        const AddressId id = tables.find_address(word.text);
+        if (id == kNoAddress) {
+            attributes.bad_word(word, "addresses", "it is not declared as an address");
+        } else {
+            read_format(element, tables.addresses[id].format, silent);
+        }
+    }
+}
+
+void load_remove(const XmlElement& element, DialectTables& tables, Attributes& attributes) {
+    if (const XmlAttribute* commands = element.find("commands")) {
+        for (const XmlWord& word : words_of(*commands)) {
+            if (const auto function = attributes.function_named(word)) {
+                clear_forms(tables, *function, 0);
+            }
+        }
+    }
+    if (const XmlAttribute* cycles = element.find("cycles")) {
+        for (const XmlWord& word : words_of(*cycles)) {
+            if (const auto id = cycle_named(tables, word.text)) {
+                clear_forms(tables, Function::Cycle, *id);
+            } else {
+                Names names;
+                for (const CycleInfo& cycle : tables.cycles) names.push_back(cycle.name);
+                attributes.bad_name(word, "cycles", names, "there is no such cycle");
+            }
+        }
+    }
+    if (const XmlAttribute* addresses = element.find("addresses")) {
+        for (const XmlWord& word : words_of(*addresses)) {
+            remove_address(word, tables, attributes);
+        }
+    }
+}
+
+}  // namespace kadr::nc

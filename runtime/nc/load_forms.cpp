@@ -1,0 +1,274 @@
+// The spellings of functions and cycles: groups of codes, commands, cycles, deferred words.
+#include <algorithm>
+#include <charconv>
+
+#include "nc/form.h"
+#include "nc/load_parts.h"
+
+namespace kadr::nc {
+
+void clear_forms(DialectTables& tables, Function function, CycleId cycle) {
+    std::erase_if(tables.forms, [&](const Form& form) {
+        return form.function == function && (function != Function::Cycle || form.cycle == cycle);
+    });
+}
+
+std::optional<CycleId> cycle_named(const DialectTables& tables, std::string_view name) {
+    for (std::size_t i = 0; i < tables.cycles.size(); ++i) {
+        if (tables.cycles[i].name == name) return static_cast<CycleId>(i);
+    }
+    return std::nullopt;
+}
+
+// ---------------------------------------------------------------- groups and commands
+
+int FormLoader::group_named(std::string_view name) {
+    for (std::size_t i = 0; i < tables_.groups.size(); ++i) {
+        if (tables_.groups[i].name == name) return static_cast<int>(i);
+    }
+    tables_.groups.push_back({std::string(name), {}});
+    return static_cast<int>(tables_.groups.size() - 1);
+}
+
+void FormLoader::begin_function(Function function) {
+    const auto index = static_cast<std::size_t>(function);
+    if (seen_[index]) return;
+    seen_[index] = true;
+    clear_forms(tables_, function, 0);
+}
+
+void FormLoader::load_group(const XmlElement& element) {
+    const int group = group_named(needed(element, "name").value);
+    attributes_.read_functions(element, "default",
+                               tables_.groups[static_cast<std::size_t>(group)].power_on);
+    for (const XmlElement& code : element.children) load_code(code, group);
+}
+
+void FormLoader::load_code(const XmlElement& element, int group) {
+    const XmlAttribute& name = needed(element, "command");
+    const XmlAttribute& text = needed(element, "text");
+    const auto function = attributes_.function_named({name.value, name.value_range});
+    if (!function) return;
+    begin_function(*function);
+    Form form;
+    form.function = *function;
+    form.group = group;
+    form.range = text.value_range;
+    read_form_attributes(element, form);
+    Attributes::read_text(element, "doc", form.doc);
+    add_forms(form, text.value);
+    load_examples(element);
+}
+
+void FormLoader::load_command(const XmlElement& element) {
+    const XmlAttribute& name = needed(element, "name");
+    const auto function = attributes_.function_named({name.value, name.value_range});
+    if (!function) return;
+    begin_function(*function);
+    Form prototype;
+    prototype.function = *function;
+    if (const XmlAttribute* group = element.find("group")) {
+        prototype.group = group_named(group->value);
+    }
+    Attributes::read_text(element, "doc", prototype.doc);
+    load_forms(element, prototype);
+}
+
+void FormLoader::load_forms(const XmlElement& element, const Form& prototype) {
+    for (const XmlElement& child : element.children) {
+        if (child.name != "form") continue;
+        Form form = prototype;
+        form.range = child.text.empty() ? child.range : child.text_range;
+        read_form_attributes(child, form);
+        add_forms(form, child.text);
+    }
+    load_examples(element);
+}
+
+void FormLoader::load_examples(const XmlElement& element) {
+    for (const XmlElement& child : element.children) {
+        if (child.name == "example") load_example(child, tables_);
+    }
+}
+
+void FormLoader::add_forms(const Form& prototype, std::string_view text) {
+    std::vector<Form> forms = parse_form(prototype, text, tables_, attributes_.sink());
+    if (forms.empty()) attributes_.fail();
+    if (tables_.forms.size() + forms.size() >= kNoForm) {
+        attributes_.fail();
+        attributes_.sink()
+            .report(diag::DialectBadForm, prototype.range)
+            .arg(text)
+            .arg("there are too many forms");
+        return;
+    }
+    for (Form& form : forms) tables_.forms.push_back(std::move(form));
+}
+
+// ---------------------------------------------------------------- attributes of a form
+
+void FormLoader::read_form_attributes(const XmlElement& element, Form& form) {
+    attributes_.read_functions(element, "sets", form.sets);
+    attributes_.read_functions(element, "needs", form.needs);
+    attributes_.read_functions(element, "before", form.before);
+    attributes_.read_functions(element, "during", form.during);
+    if (const auto use = attributes_.choice(element, "use", {"both", "write", "read"})) {
+        form.is_read = *use != 1;
+        form.is_written = *use != 2;
+    }
+    if (const auto feed = attributes_.choice(
+            element, "feed", {"scaled", "metric", "every_block", "every_block_by_radius"})) {
+        form.feed_stays_metric = *feed == 1;
+        form.feed_every_block = *feed >= 2;
+        form.feed_by_radius = *feed == 3;
+    }
+    attributes_.read_flag(element, "own_block", form.owns_block);
+    attributes_.read_flag(element, "remembers", form.remembers);
+    attributes_.read_flag(element, "replaces", form.replaces);
+    Attributes::read_text(element, "note", form.note);
+    if (const XmlAttribute* attribute = element.find("implied")) read_implied(*attribute, form);
+    if (const XmlAttribute* attribute = element.find("when")) read_constraints(*attribute, form);
+}
+
+namespace {
+
+/// The index of the parameter with this name; -1 if there is none.
+int parameter_named(std::span<const Parameter> parameters, std::string_view name) {
+    const auto found = std::ranges::find(parameters, name, &Parameter::name);
+    return found == parameters.end() ? -1 : static_cast<int>(found - parameters.begin());
+}
+
+Names names_of(std::span<const Parameter> parameters) {
+    Names names;
+    for (const Parameter& parameter : parameters) names.push_back(parameter.name);
+    return names;
+}
+
+/// `1..6` or `0`, whole numbers.
+bool read_range(std::string_view text, Constraint& out) {
+    const char* const end = text.data() + text.size();
+    int least = 0;
+    const auto first = std::from_chars(text.data(), end, least);
+    out.least = out.most = least;
+    if (first.ec != std::errc() || first.ptr == end) return first.ec == std::errc();
+    if (end - first.ptr < 3 || first.ptr[0] != '.' || first.ptr[1] != '.') return false;
+    int most = 0;
+    const auto second = std::from_chars(first.ptr + 2, end, most);
+    out.most = most;
+    return second.ec == std::errc() && second.ptr == end && least <= most;
+}
+
+}  // namespace
+
+/// Parameters that the control takes from the position at which it starts.
+void FormLoader::read_implied(const XmlAttribute& attribute, Form& form) {
+    const std::span<const Parameter> parameters = tables_.parameters(form);
+    for (const XmlWord& word : words_of(attribute)) {
+        const int parameter = parameter_named(parameters, word.text);
+        if (parameter < 0) {
+            attributes_.bad_name(word, attribute.name, names_of(parameters),
+                                 "there is no such parameter");
+        } else {
+            form.implied.push_back(parameter);
+        }
+    }
+}
+
+/// `number 1..6` or several of them, separated by `;`
+void FormLoader::read_constraints(const XmlAttribute& attribute, Form& form) {
+    const std::span<const Parameter> parameters = tables_.parameters(form);
+    const std::vector<XmlWord> words = words_of(attribute);
+    if (words.empty() || words.size() % 2 != 0) {
+        return attributes_.bad_value(attribute, "`parameter 1..6` is expected");
+    }
+    for (std::size_t i = 0; i < words.size(); i += 2) {
+        Constraint constraint{parameter_named(parameters, words[i].text), 0, 0};
+        if (constraint.parameter < 0) {
+            return attributes_.bad_name(words[i], attribute.name, names_of(parameters),
+                                        "there is no such parameter");
+        }
+        std::string_view range = words[i + 1].text;
+        if (range.ends_with(';')) range.remove_suffix(1);
+        if (!read_range(range, constraint)) {
+            return attributes_.bad_word(words[i + 1], attribute.name,
+                                        "a range like `1..6`, or one whole number, is expected");
+        }
+        form.when.push_back(constraint);
+    }
+}
+
+// ---------------------------------------------------------------- cycles
+
+void FormLoader::load_cycle(const XmlElement& element) {
+    const auto id = cycle_of(element);
+    if (!id) return;
+    Attributes::read_text(element, "meaning", tables_.cycles[*id].meaning);
+    if (seen_cycles_.insert(*id).second) clear_forms(tables_, Function::Cycle, *id);
+    Form prototype;
+    prototype.function = Function::Cycle;
+    prototype.cycle = *id;
+    Attributes::read_text(element, "doc", prototype.doc);
+    load_forms(element, prototype);
+}
+
+/// The cycle that the element names; the common core declares it there.
+std::optional<CycleId> FormLoader::cycle_of(const XmlElement& element) {
+    const XmlAttribute& name = needed(element, "name");
+    const XmlAttribute* parameters = element.find("parameters");
+    if (parameters != nullptr && !tables_.extends.empty()) {
+        attributes_.bad_value(*parameters, "cycles are declared in the common core only");
+        return std::nullopt;
+    }
+    if (const auto known = cycle_named(tables_, name.value)) return known;
+    if (parameters != nullptr) return declare_cycle(name.value, *parameters);
+    Names names;
+    for (const CycleInfo& cycle : tables_.cycles) names.push_back(cycle.name);
+    attributes_.bad_name({name.value, name.value_range}, name.name, names,
+                         "the common core declares no such cycle");
+    return std::nullopt;
+}
+
+/// `to:length retract:length initial?:length`; the names stay in the tables.
+CycleId FormLoader::declare_cycle(std::string_view name, const XmlAttribute& parameters) {
+    CycleInfo cycle;
+    cycle.name = name;
+    for (const XmlWord& word : words_of(parameters)) {
+        const std::size_t colon = std::min(word.text.find(':'), word.text.size());
+        std::string text = word.text.substr(0, colon);
+        const auto dimension = find_dimension(
+            std::string_view(word.text).substr(std::min(colon + 1, word.text.size())));
+        if (!dimension) {
+            attributes_.bad_word(word, parameters.name, "`name:dimension` is expected");
+            continue;
+        }
+        const bool is_optional = text.ends_with('?');
+        if (is_optional) text.pop_back();
+        tables_.texts.push_back(std::move(text));
+        cycle.parameters.push_back({tables_.texts.back(), *dimension, is_optional});
+    }
+    tables_.cycles.push_back(std::move(cycle));
+    return static_cast<CycleId>(tables_.cycles.size() - 1);
+}
+
+// ---------------------------------------------------------------- deferred words
+
+void FormLoader::load_deferred(const XmlElement& element) {
+    if (!seen_deferred_) tables_.deferred.clear();
+    seen_deferred_ = true;
+    Deferred deferred;
+    deferred.pattern = element.text;
+    Names axes;
+    for (const SlotInfo& slot : slot_infos().first(kAxes)) axes.push_back(slot.name);
+    if (const auto axis = attributes_.choice(element, "axis", axes)) {
+        deferred.axis = static_cast<int>(*axis);
+    }
+    attributes_.read_functions(element, "commands", deferred.functions);
+    const SourceRange place = element.text.empty() ? element.range : element.text_range;
+    if (!parse_form_line(element.text, info(Function::Tool).parameters, tables_, place,
+                         deferred.words, attributes_.sink())) {
+        attributes_.fail();
+    }
+    tables_.deferred.push_back(std::move(deferred));
+}
+
+}  // namespace kadr::nc

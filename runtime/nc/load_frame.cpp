@@ -1,0 +1,135 @@
+// The text around the blocks: program frame, block numbers, comments, rules of lines.
+#include "nc/load_parts.h"
+
+namespace kadr::nc {
+
+namespace {
+
+/// Whether a template's `{word}` is one that the writer fills: its Template says what they mean.
+bool is_template_word(std::string_view word) {
+    if (word == "name" || word == "NAME" || word == "title" || word == "units") return true;
+    return word == "number" ||
+           (word.size() == 9 && word.starts_with("number:0") && word[8] >= '1' && word[8] <= '9');
+}
+
+/// Why a line of the frame cannot be filled; empty if it can.
+std::string fault_of_template(std::string_view line) {
+    bool is_inside = false;  // `[…]`
+    for (std::size_t at = 0; at < line.size(); ++at) {
+        if (line[at] == '[' || line[at] == ']') {
+            if (is_inside != (line[at] == ']')) return "`[` and `]` do not pair";
+            is_inside = !is_inside;
+        }
+        if (line[at] == '}') return "`}` closes nothing";
+        if (line[at] != '{') continue;
+        const std::size_t close = line.find('}', at);
+        if (close == std::string_view::npos) return "`{` is not closed";
+        const std::string_view word = line.substr(at + 1, close - at - 1);
+        if (!is_template_word(word)) {
+            return "there is no `{" + std::string(word) +
+                   "}`; known are {name}, {NAME}, {title}, {units}, {number} and {number:04}";
+        }
+        at = close;
+    }
+    return is_inside ? "`[` and `]` do not pair" : "";
+}
+
+void check_line(const XmlElement& line, Attributes& attributes) {
+    const bool is_filled = line.name == "header" || line.name == "start";
+    const bool is_plain = line.name == "finish" || line.name == "end";
+    std::string fault;
+    if (is_filled) fault = fault_of_template(line.text);
+    if (is_plain && line.text.find('{') != std::string::npos) {
+        fault = "only `header` and `start` are filled";
+    }
+    if (fault.empty()) return;
+    attributes.fail();
+    attributes.sink()
+        .report(diag::DialectBadForm, line.text_range)
+        .arg(shown_value(line.text))
+        .arg(fault);
+}
+
+}  // namespace
+
+void load_program(const XmlElement& element, ProgramFrame& frame, Attributes& attributes) {
+    frame.header.clear();
+    frame.start.clear();
+    frame.finish.clear();
+    frame.end.clear();
+    frame.skipped.clear();
+    attributes.read_number(element, "name_length", frame.name_length);
+    attributes.read_number(element, "least_number", frame.least_number);
+    attributes.read_number(element, "most_number", frame.most_number);
+    if (const auto letters = attributes.choice(element, "name_letters", {"any", "two"})) {
+        frame.name_needs_two_letters = *letters == 1;
+    }
+    frame.range = element.range;
+    frame.is_inherited = false;
+    for (const XmlElement& line : element.children) {
+        check_line(line, attributes);
+        if (line.name == "header") frame.header.push_back(line.text);
+        if (line.name == "start") frame.start.push_back(line.text);
+        if (line.name == "finish") frame.finish.push_back(line.text);
+        if (line.name == "end") frame.end.push_back(line.text);
+        if (line.name == "skipped") frame.skipped.push_back(line.text);
+    }
+}
+
+void load_blocks(const XmlElement& element, BlockNumbers& numbers, Attributes& attributes) {
+    if (const auto are_on = attributes.choice(element, "numbers", {"off", "on"})) {
+        numbers.is_on = *are_on == 1;
+    }
+    attributes.read_number(element, "start", numbers.start);
+    attributes.read_number(element, "step", numbers.step);
+    attributes.read_number(element, "most", numbers.most);
+}
+
+void load_comment(const XmlElement& element, CommentStyle& style, Attributes& attributes) {
+    style.open = needed(element, "open").value;
+    style.close.clear();
+    Attributes::read_text(element, "close", style.close);
+    style.replacements.clear();
+    style.is_upper = attributes.choice(element, "case", {"any", "upper"}) == 1u;
+    style.is_ascii = attributes.choice(element, "charset", {"utf8", "ascii"}) == 1u;
+    attributes.read_number(element, "max_length", style.max_length);
+    for (const XmlElement& replace : element.children) {
+        const XmlAttribute& character = needed(replace, "character");
+        if (character.value.size() == 1) {
+            style.replacements.emplace_back(character.value[0], needed(replace, "by").value);
+        } else {
+            attributes.bad_value(character, "one ASCII character is expected");
+        }
+    }
+}
+
+namespace {
+
+void read_repeated(const XmlElement& element, std::string_view name, Repeated& out,
+                   Attributes& attributes) {
+    if (const auto found = attributes.choice(element, name, {"alarm", "last"})) {
+        out = *found == 1 ? Repeated::LastWins : Repeated::Alarm;
+    }
+}
+
+}  // namespace
+
+void load_rules(const XmlElement& element, Rules& rules, Attributes& attributes) {
+    read_repeated(element, "repeated_address", rules.address, attributes);
+    read_repeated(element, "repeated_group", rules.group, attributes);
+    if (const auto found = attributes.choice(element, "case", {"upper", "any"})) {
+        rules.ignores_case = *found == 1;
+    }
+    attributes.read_flag(element, "assignment", rules.has_assignment);
+    attributes.read_flag(element, "modes", rules.has_modes);
+    attributes.read_flag(element, "blanks_inside_words", rules.blanks_inside_words);
+    attributes.read_number(element, "skip_levels", rules.skip_levels);
+    attributes.read_number(element, "default_skip", rules.default_skip);
+    attributes.read_number(element, "read_line", rules.max_line);
+    attributes.read_number(element, "write_line", rules.write_line);
+    if (const auto found = attributes.choice(element, "line_end", {"lf", "crlf"})) {
+        rules.crlf = *found == 1;
+    }
+}
+
+}  // namespace kadr::nc

@@ -1,0 +1,132 @@
+// What the documentation says is so: its programs are checked, the newcomer's path is walked.
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "tests/common/process.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A piece between ``` and ```, with what stands behind the first ```.
+struct Fence {
+    std::string info;
+    std::string text;
+    int line = 0;
+};
+
+std::vector<Fence> fences(const std::string& file) {
+    std::istringstream in(kadr::read_file(std::string(KADR_ROOT "/") + file).value_or(""));
+    std::vector<Fence> found;
+    bool is_inside = false;
+    int number = 0;
+    for (std::string line; std::getline(in, line);) {
+        ++number;
+        if (line.starts_with("```")) {
+            is_inside = !is_inside;
+            if (is_inside) found.push_back({line.substr(3), "", number});
+        } else if (is_inside) {
+            found.back().text += line + '\n';
+        }
+    }
+    return found;
+}
+
+class Docs : public testing::Test {
+  protected:
+    void SetUp() override {
+        folder_ = fs::temp_directory_path() / ("kadr-docs-" + std::to_string(::getpid()));
+        fs::create_directories(folder_);
+        before_ = fs::current_path();
+        fs::current_path(folder_);
+    }
+    void TearDown() override {
+        fs::current_path(before_);
+        fs::remove_all(folder_);
+    }
+
+    static ProcessResult check(const std::string& program) {
+        EXPECT_TRUE(kadr::write_file_whole("part.kadr", program));
+        return run_process({KADR_BINARY, "check", "part.kadr"});
+    }
+
+    fs::path folder_;
+    fs::path before_;
+};
+
+TEST_F(Docs, ProgramsOfTheReferenceHaveNoMistake) {
+    int programs = 0;
+    for (const Fence& fence : fences("docs/language.md")) {
+        if (fence.info.starts_with("csv ")) {
+            ASSERT_TRUE(kadr::write_file_whole(fence.info.substr(4), fence.text));
+        }
+        if (fence.info != "c") continue;
+        ++programs;
+        const ProcessResult result = check(fence.text);
+        EXPECT_EQ(result.status, 0) << "docs/language.md:" << fence.line << '\n' << result.err;
+    }
+    EXPECT_GT(programs, 10);
+}
+
+/// Pieces of programs stand where a program would have them.
+TEST_F(Docs, PiecesOfTheLibrarysManualHaveNoMistake) {
+    std::string imports;
+    for (const auto& entry : fs::recursive_directory_iterator(KADR_ROOT "/stdlib")) {
+        if (entry.path().extension() != ".kadr" || entry.path().stem() == "prelude") continue;
+        std::string module = fs::relative(entry.path(), KADR_ROOT "/stdlib").replace_extension();
+        for (char& c : module) c = c == '/' ? '.' : c;
+        imports += "import " + module + ";\n";
+    }
+    for (const char* manual : {"docs/stdlib.md", "README.md"}) {
+        for (const Fence& fence : fences(manual)) {
+            if (fence.info != "c") continue;
+            ProcessResult result = check(imports + fence.text);
+            if (result.status != 0) {
+                result = check(imports + "program part() {\nF100; S1000 M3; G0 X0 Y0 Z50;\n" +
+                               fence.text + "}\n");
+            }
+            EXPECT_EQ(result.status, 0) << manual << ':' << fence.line << '\n' << result.err;
+        }
+    }
+}
+
+/// Words of a command line up to a comment.
+std::vector<std::string> words_of(const std::string& line) {
+    std::istringstream in(line.substr(0, line.find('#')));
+    std::vector<std::string> words;
+    for (std::string word; in >> word;) words.push_back(word);
+    return words;
+}
+
+TEST_F(Docs, TheNewcomersPathCanBeWalked) {
+    int commands = 0;
+    for (const Fence& fence : fences("docs/first-program.md")) {
+        if (fence.info == "c") {
+            ASSERT_TRUE(kadr::write_file_whole("plate.kadr", fence.text));
+            continue;
+        }
+        std::istringstream in(fence.text);
+        for (std::string line; std::getline(in, line);) {
+            std::vector<std::string> words = words_of(line);
+            if (words.empty() || words[0] != "kadr") continue;  // setting up is what CI begins with
+            ++commands;
+            words[0] = KADR_BINARY;
+            std::string input;
+            if (words.size() > 1 && words[1] == "repl") input = "G0 X10 Y20\n:undo\n";
+            const ProcessResult result = run_process(words, input);
+            const bool is_refused = line.find("# refused") != std::string::npos;
+            EXPECT_EQ(result.status, is_refused ? 1 : 0) << line << '\n' << result.err;
+        }
+    }
+    EXPECT_GT(commands, 10);
+    EXPECT_TRUE(fs::exists("plate.svg"));
+    EXPECT_TRUE(fs::exists("plate.jsonl"));
+}
+
+}  // namespace

@@ -1,0 +1,224 @@
+// The conversation: what is answered to a line, without a terminal.
+#include "repl/prompt.h"
+
+#include <atomic>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "repl/sketch.h"
+
+namespace kadr::repl {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class Conversation {
+  public:
+    explicit Conversation(const std::string& dialect = "iso", std::function<bool()> wait = {}) {
+        driver::Options options;
+        options.dialect = dialect;
+        prompt_.emplace(
+            options, driver::share_below(KADR_ROOT),
+            Surroundings{[this](std::string_view text) { heard_ += text; }, std::move(wait), 40},
+            &stop_);
+    }
+
+    /// What is answered to a line.
+    std::string say(std::string_view line) {
+        heard_.clear();
+        prompt_->take(line);
+        return heard_;
+    }
+    Prompt& prompt() { return *prompt_; }
+    std::atomic<bool>& stop() { return stop_; }
+
+  private:
+    std::string heard_;
+    std::atomic<bool> stop_{false};
+    std::optional<Prompt> prompt_;
+};
+
+bool has(const std::string& text, std::string_view part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST(Prompt, ABlockShowsItsTextAndWhatItChanged) {
+    Conversation talk("fanuc");
+    const std::string first = talk.say("G0 X10 Y20");
+    EXPECT_TRUE(has(first, "\nX10. Y20.\n")) << first;
+    EXPECT_TRUE(has(first, "at X10.000 Y20.000")) << first;
+    const std::string second = talk.say("G1 X0 F200 S1000 M3;");
+    EXPECT_TRUE(has(second, "G01 X0. F200. S1000 M03\n")) << second;
+    EXPECT_TRUE(has(second, "feed 200 mm/min")) << second;
+    EXPECT_TRUE(has(second, "spindle clockwise, 1000 rpm")) << second;
+    EXPECT_TRUE(has(second, "; +")) << second;
+    EXPECT_FALSE(talk.prompt().has_failed());
+}
+
+TEST(Prompt, ExpressionsShowTheirValue) {
+    Conversation talk;
+    EXPECT_EQ(talk.say("2 + 3"), "5\n");
+    EXPECT_EQ(talk.say("length r = 25mm"), "");
+    EXPECT_EQ(talk.say("r*2;"), "50\n");
+    EXPECT_EQ(talk.say("1in"), "25.4\n");
+    EXPECT_EQ(talk.say("sqrt(16)"), "4\n");
+    EXPECT_EQ(talk.say("length twice(length a) { return 2*a; }"), "");
+    EXPECT_EQ(talk.say("twice(4mm)"), "8\n");
+    EXPECT_EQ(talk.say("r = 3mm"), "");
+    EXPECT_EQ(talk.say("r"), "3\n");
+}
+
+TEST(Prompt, AnInputMayHaveSeveralLines) {
+    Conversation talk;
+    EXPECT_EQ(talk.say("for (int i = 1; i <= 2; i++) {"), "");
+    EXPECT_TRUE(talk.prompt().is_waiting());
+    EXPECT_EQ(talk.say("    G0 X=i;"), "");
+    const std::string answer = talk.say("}");
+    EXPECT_FALSE(talk.prompt().is_waiting());
+    EXPECT_TRUE(has(answer, "X1\nX2\n")) << answer;
+    talk.say("cycle c(");
+    talk.prompt().cancel();
+    EXPECT_EQ(talk.say("1"), "1\n");
+}
+
+TEST(Prompt, AnErrorLeavesNothingBehind) {
+    Conversation talk;
+    EXPECT_TRUE(has(talk.say("G1 X=nothing F100"), "prompt.kadr:2:6: error[K2001]"));
+    EXPECT_TRUE(has(talk.say("G1 X)"), "error[K"));
+    EXPECT_TRUE(has(talk.say("error(\"so\")"), "so"));
+    EXPECT_TRUE(talk.prompt().has_failed());
+    EXPECT_TRUE(has(talk.say("G0 X1"), "X1\n"));
+    EXPECT_FALSE(has(talk.say(":list"), "nothing"));
+}
+
+TEST(Prompt, UndoTakesTheLastInputBack) {
+    Conversation talk;
+    talk.say("G0 X1");
+    talk.say("G0 X2");
+    EXPECT_EQ(talk.say(":undo"), "taken back: G0 X2;\n");
+    EXPECT_TRUE(has(talk.say(":state"), "X1.000"));
+    talk.say(":undo");
+    EXPECT_EQ(talk.say(":undo"), "nothing to take back\n");
+}
+
+TEST(Prompt, CommandsAnswer) {
+    Conversation talk;
+    talk.say("int n = 3");
+    talk.say("G0 X10 Y5 Z5");
+    talk.say("G1 X20 F100 S500 M3");
+    struct Row {
+        const char* command;
+        const char* answer;
+    };
+    for (const Row& row : {
+             Row{":help", ":dialect [NAME]"},
+             {":h", ":dialect [NAME]"},
+             {":dialect", "iso\n"},
+             {":machine", "mill\n"},
+             {":state", "feed         100 mm/min"},
+             {":vars", "n = 3\n"},
+             {":list", "   3  G0 X10 Y5 Z5;\n"},
+             {":list iso", "X10 Y5 Z5\n"},
+             {":time", "cutting"},
+             {":plot", "X 10 … 20 mm"},
+             {":reload", "lines\n"},
+             {":step", "block by block\n"},
+             {":s", "there is no command `:s`"},
+             {":list what", "`:list iso`"},
+             {":save", "where to?"},
+             {":dialect nobody", "nobody"},
+         }) {
+        EXPECT_TRUE(has(talk.say(row.command), row.answer)) << row.command << ":\n"
+                                                            << talk.say(row.command);
+    }
+    // A dialect that is not there leaves the one that holds.
+    EXPECT_EQ(talk.say(":dialect"), "iso\n");
+    EXPECT_EQ(talk.say(":dialect fanuc"), "");
+    EXPECT_TRUE(has(talk.say(":list iso"), "O0001(PROMPT)"));
+    talk.say(":quit");
+    EXPECT_TRUE(talk.prompt().is_over());
+}
+
+TEST(Prompt, StepShowsWhatEachBlockDoes) {
+    int waits = 0;
+    Conversation talk("iso", [&waits] { return ++waits < 2; });
+    talk.say("G0 X0");
+    talk.say(":step on");
+    const std::string answer = talk.say("for (int i = 1; i < 9; i++) G0 X=i;");
+    EXPECT_TRUE(has(answer, "rapid to X1.000\n")) << answer;
+    EXPECT_TRUE(has(answer, "rapid to X2.000\n")) << answer;
+    EXPECT_FALSE(has(answer, "rapid to X3.000\n")) << answer;  // the second key was `q`
+}
+
+TEST(Prompt, ManyLinesAreShortened) {
+    Conversation talk;
+    talk.say("G0 X0");
+    const std::string answer = talk.say("for (int i = 1; i <= 1000; i++) G0 X=i;");
+    EXPECT_TRUE(has(answer, "X18\n")) << answer;
+    EXPECT_FALSE(has(answer, "X19\n")) << answer;
+    EXPECT_TRUE(has(answer, "    … 977 lines more\n")) << answer;
+    EXPECT_TRUE(has(answer, "X996\nX997\nX998\nX999\nX1000\n")) << answer;
+}
+
+TEST(Prompt, FilesAreLoadedAndSaved) {
+    const fs::path folder = fs::temp_directory_path() / ("kadr-repl-" + std::to_string(::getpid()));
+    fs::create_directories(folder);
+    const std::string library = (folder / "my.kadr").string();
+    const std::string saved = (folder / "saved.kadr").string();
+    ASSERT_TRUE(write_file_whole(library, "cycle hop(length to) { G0 Z=to; }\n"));
+    Conversation talk;
+    EXPECT_EQ(talk.say(":load " + library), "");
+    EXPECT_TRUE(has(talk.say("hop(to: 7mm)"), "Z7\n"));
+    ASSERT_TRUE(write_file_whole(library, "cycle hop(length to) { G0 Z=to + 1mm; }\n"));
+    talk.say(":reload");
+    EXPECT_TRUE(has(talk.say(":state"), "Z8.000"));
+    EXPECT_EQ(talk.say(":save " + saved), "saved in " + saved + '\n');
+    EXPECT_EQ(read_file(saved),
+              "import \"" + library + "\";\n\nprogram prompt() {\n    hop(to: 7mm);\n}\n");
+    EXPECT_TRUE(has(talk.say(":load " + (folder / "none.kadr").string()), "K9003"));
+    EXPECT_EQ(talk.say(":plot " + (folder / "a.svg").string()), "nothing has moved\n");
+    EXPECT_TRUE(fs::exists(folder / "a.svg"));
+    fs::remove_all(folder);
+}
+
+TEST(Prompt, CompletesNamesWordsAndCommands) {
+    Conversation talk;
+    talk.say("import cycles.drilling;");
+    talk.say("length diameter = 4mm");
+    const auto found = [&](std::string_view line) {
+        std::string all;
+        for (const std::string& name : talk.prompt().completions(line)) all += name + ' ';
+        return all;
+    };
+    EXPECT_EQ(found(":di"), "dialect ");
+    EXPECT_EQ(found(":dialect si"), "sinumerik ");
+    EXPECT_EQ(found(":machine la"), "lathe ");
+    EXPECT_TRUE(has(found("G0 X=dia"), "diameter "));
+    EXPECT_TRUE(has(found("drill_p"), "drill_peck "));
+    EXPECT_TRUE(has(found("drill_peck(to: -5mm, pe"), "peck: "));
+    EXPECT_TRUE(has(found("whi"), "while "));
+    EXPECT_EQ(found("xyzzy"), "");
+}
+
+TEST(Prompt, ARunningEvaluationIsStopped) {
+    Conversation talk;
+    talk.stop() = true;
+    EXPECT_TRUE(has(talk.say("int i = 0; while (true) { i++; }"), "K3410"));
+    talk.stop() = false;
+    EXPECT_EQ(talk.say("1"), "1\n");
+}
+
+TEST(Sketch, DrawsAtLeastSomething) {
+    driver::PlotScene scene;
+    EXPECT_EQ(sketch(scene, 40), "nothing has moved\n");
+}
+
+}  // namespace
+
+}  // namespace kadr::repl

@@ -1,0 +1,305 @@
+// What the milling cycles of the library leave behind, over many sets of parameters: nothing
+// outside the shape is touched, everything inside is at its depth, allowances are exact, no rapid
+// goes into material, no cut is deeper than its step.
+#include <cstdlib>
+#include <filesystem>
+#include <random>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "tests/common/process.h"
+#include "tests/stdlib/stock.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace stdlib_test;
+using nlohmann::json;
+
+constexpr double kCell = 0.25;    // mm
+constexpr double kMargin = 0.03;  // inside: scallops of the simulation, cells near the border
+constexpr double kEdge = 0.004;   // outside: what rounding of the text may do
+constexpr int kSets = 12;         // parameter sets a cycle
+
+/// Draws parameters, always the same ones for a seed; a tenth of a millimetre is fine enough.
+class Dice {
+  public:
+    explicit Dice(unsigned seed) : engine_(seed) {}
+    double length(double low, double high) {
+        return std::round(std::uniform_real_distribution<>(low, high)(engine_) * 10) / 10;
+    }
+    bool coin() { return std::uniform_int_distribution<>(0, 1)(engine_) == 1; }
+
+  private:
+    std::mt19937 engine_;
+};
+
+std::string mm(double value) { return json(std::round(value * 1000) / 1000).dump() + "mm"; }
+
+/// The commands of a program that calls one cycle from (0, 0, 40).
+std::vector<json> commands_of(const std::string& module, const std::string& call) {
+    const fs::path file =
+        fs::temp_directory_path() / ("kadr-stdlib-" + std::to_string(::getpid()) + ".kadr");
+    const std::string text = "import cycles." + module + ";\nprogram test() {\n    S5000 M3;\n" +
+                             "    F600;\n    G0 X0 Y0 Z40;\n    " + call + ";\n    M30;\n}\n";
+    EXPECT_TRUE(kadr::write_file_whole(file.string(), text));
+    const ProcessResult result =
+        run_process({KADR_BINARY, "run", file.string(), "-d", "iso", "--commands", "-"});
+    EXPECT_EQ(result.status, 0) << text << result.err;
+    std::vector<json> commands;
+    std::istringstream lines(result.out);
+    for (std::string line; std::getline(lines, line);) {
+        json command = json::parse(line, nullptr, false);
+        if (command.is_object()) commands.push_back(std::move(command));
+    }
+    std::error_code ignored;
+    fs::remove(file, ignored);
+    return commands;
+}
+
+/// A large plate with its surface at Z 0.
+Stock plate() {
+    return Stock(40, kCell, 0, [](double, double) { return -1.0; });
+}
+
+void expect_clean(const Stock& stock) {
+    for (const Fault& fault : stock.faults()) ADD_FAILURE() << fault.what << ": " << fault.command;
+    EXPECT_NEAR(stock.position().x, 0, 1e-9);
+    EXPECT_NEAR(stock.position().y, 0, 1e-9);
+    EXPECT_NEAR(stock.position().z, 40, 1e-9) << "the cycle ends where it began";
+}
+
+/// A cavity is cut as a whole, and again roughed only: what is left is the allowance.
+struct Cavity {
+    std::string module, call;  // the call without `make`, its last argument open
+    Shape shape;
+    double tool_d, floor, step, allowance, floor_allowance;
+    bool has_roughing = true;
+    Shape rough = {};  // what roughing leaves, if it is not the shape less the allowance
+};
+
+void expect_cavity(const Cavity& cavity) {
+    SCOPED_TRACE(cavity.call);
+    Stock whole = plate();
+    whole.cut(commands_of(cavity.module, cavity.call + ")"), cavity.tool_d);
+    expect_clean(whole);
+    EXPECT_EQ(whole.difference(cavity.shape, cavity.floor, kMargin, kEdge), "");
+    EXPECT_NEAR(whole.lowest(), cavity.floor, 1e-6);
+    if (!cavity.has_roughing) return;
+
+    Stock rough = plate();
+    rough.cut(commands_of(cavity.module, cavity.call + ", make: roughing)"), cavity.tool_d);
+    expect_clean(rough);
+    const Shape inset = [&](double x, double y) { return cavity.shape(x, y) + cavity.allowance; };
+    EXPECT_EQ(rough.difference(cavity.rough ? cavity.rough : inset,
+                               cavity.floor + cavity.floor_allowance, kMargin, kEdge),
+              "")
+        << "roughing";
+    EXPECT_LE(rough.deepest_cut(), cavity.step + 1e-3);
+    if (cavity.allowance == 0 && cavity.floor_allowance == 0) return;
+
+    // The finishing cut behind the roughing one gives the whole.
+    rough.cut(commands_of(cavity.module, cavity.call + ", make: finishing)"), cavity.tool_d);
+    expect_clean(rough);
+    EXPECT_EQ(rough.difference(cavity.shape, cavity.floor, kMargin, kEdge), "") << "finishing";
+}
+
+TEST(Milling, RoundPocket) {
+    Dice dice(1);
+    for (int i = 0; i < kSets; ++i) {
+        const double tool_d = dice.length(3, 16), d = dice.length(1.25 * tool_d + 0.2, 60);
+        const double wall = (d - tool_d) / 2;
+        const double allowance = dice.coin() ? 0 : std::floor(wall * 2) / 20;
+        const double floor = -dice.length(0.5, 12), step = dice.length(0.5, 5);
+        const double floor_allowance = dice.coin() ? 0 : 0.2;
+        expect_cavity(
+            {"milling",
+             "pocket_circle(d: " + mm(d) + ", to: " + mm(floor) + ", tool_d: " + mm(tool_d) +
+                 ", step: " + mm(step) + ", plunge: 200mm/min, allowance: " + mm(allowance) +
+                 ", floor_allowance: " + mm(floor_allowance) + (dice.coin() ? ", down: ramp" : ""),
+             disc(d), tool_d, floor, step, allowance, floor_allowance});
+    }
+}
+
+TEST(Milling, RectangularPocket) {
+    Dice dice(2);
+    for (int i = 0; i < 2 * kSets; ++i) {
+        const double tool_d = dice.length(3, 12);
+        const double w = dice.length(1.25 * tool_d + 0.2, 60);
+        const double h = i % 5 == 0 ? w : dice.length(1.25 * tool_d + 0.2, 60);
+        const double side = std::min(w, h), wall = (side - tool_d) / 2;
+        const double corner =
+            dice.coin() ? tool_d / 2 : std::min(side / 2, dice.length(tool_d / 2, side / 2) + 0.1);
+        const double allowance = dice.coin() ? 0 : std::floor(wall * 2) / 20;
+        const double floor = -dice.length(0.5, 12), step = dice.length(0.5, 5);
+        const double floor_allowance = dice.coin() ? 0 : 0.2;
+        expect_cavity(
+            {"milling",
+             "pocket_rect(w: " + mm(w) + ", h: " + mm(h) + ", corner: " + mm(corner) +
+                 ", to: " + mm(floor) + ", tool_d: " + mm(tool_d) + ", step: " + mm(step) +
+                 ", plunge: 200mm/min, allowance: " + mm(allowance) + ", floor_allowance: " +
+                 mm(floor_allowance) + (dice.coin() ? ", width: " + mm(0.8 * tool_d) : "") +
+                 (dice.coin() ? ", down: ramp" : ""),
+             rectangle(w, h, corner), tool_d, floor, step, allowance, floor_allowance, true,
+             // More is left in corners into which the cutter just fits.
+             rectangle(w - 2 * allowance, h - 2 * allowance,
+                       std::max(corner - allowance, tool_d / 2))});
+    }
+}
+
+TEST(Milling, HelicalBore) {
+    Dice dice(3);
+    for (int i = 0; i < kSets; ++i) {
+        const double tool_d = dice.length(4, 20), d = dice.length(1.1 * tool_d, 1.9 * tool_d);
+        const double allowance = dice.coin() ? 0 : std::floor((d - tool_d) * 10) / 100;
+        const double floor = -dice.length(1, 15), pitch = dice.length(0.2, 2);
+        expect_cavity({"milling",
+                       "bore_helix(d: " + mm(d) + ", to: " + mm(floor) + ", tool_d: " + mm(tool_d) +
+                           ", pitch: " + mm(pitch) + ", allowance: " + mm(allowance),
+                       disc(d), tool_d, floor, pitch, allowance, 0, false});
+    }
+}
+
+TEST(Milling, Slot) {
+    Dice dice(4);
+    for (int i = 0; i < kSets; ++i) {
+        const double tool_d = dice.length(3, 16), w = dice.length(tool_d, 1.9 * tool_d);
+        const double l = dice.length(w + 1, 70);
+        const double allowance = dice.coin() ? 0 : std::floor((w - tool_d) * 10) / 100;
+        const double floor = -dice.length(0.5, 8), step = dice.length(0.5, 4);
+        expect_cavity({"slots",
+                       "slot(l: " + mm(l) + ", w: " + mm(w) + ", to: " + mm(floor) +
+                           ", tool_d: " + mm(tool_d) + ", step: " + mm(step) +
+                           ", plunge: 200mm/min, allowance: " + mm(allowance),
+                       stadium(l, w), tool_d, floor, step, allowance, 0});
+    }
+}
+
+TEST(Milling, SlotAlongACircle) {
+    Dice dice(5);
+    for (int i = 0; i < kSets; ++i) {
+        const double tool_d = dice.length(3, 10), w = dice.length(tool_d, 1.9 * tool_d);
+        const double d = dice.length(w + 10, 50);
+        const double start = dice.length(-180, 180), arc = dice.length(5, 260);
+        const double allowance = dice.coin() ? 0 : std::floor((w - tool_d) * 10) / 100;
+        const double floor = -dice.length(0.5, 6), step = dice.length(0.5, 3);
+        if (arc > 180 && d * std::sin(arc * 3.14159265 / 360) <= w) continue;
+        expect_cavity({"slots",
+                       "slot_arc(d: " + mm(d) + ", start: " + json(start).dump() + "deg, arc: " +
+                           json(arc).dump() + "deg, w: " + mm(w) + ", to: " + mm(floor) +
+                           ", tool_d: " + mm(tool_d) + ", step: " + mm(step) +
+                           ", plunge: 200mm/min, allowance: " + mm(allowance),
+                       bent_stadium(d, start, arc, w), tool_d, floor, step, allowance, 0});
+    }
+}
+
+TEST(Milling, TrochoidalSlot) {
+    Dice dice(6);
+    for (int i = 0; i < kSets / 2; ++i) {
+        const double tool_d = dice.length(4, 12), w = dice.length(1.25 * tool_d, 1.9 * tool_d);
+        const double l = dice.length(w + 5, 70), advance = dice.length(0.3, tool_d / 4);
+        const double floor = -dice.length(2, 12), step = dice.length(2, 12);
+        expect_cavity({"slots",
+                       "slot_trochoidal(l: " + mm(l) + ", w: " + mm(w) + ", to: " + mm(floor) +
+                           ", tool_d: " + mm(tool_d) + ", advance: " + mm(advance) +
+                           ", step: " + mm(step) + ", plunge: 200mm/min",
+                       stadium(l, w), tool_d, floor, step, 0, 0, false});
+    }
+}
+
+/// A spigot is milled as a whole, and roughed and finished.
+void expect_spigot(const std::string& call, const Shape& shape, const Shape& blank, double tool_d,
+                   double floor, double step, double allowance) {
+    SCOPED_TRACE(call);
+    Stock whole(40, kCell, 0, blank);
+    whole.cut(commands_of("spigots", call + ")"), tool_d);
+    expect_clean(whole);
+    EXPECT_EQ(whole.spigot_difference(shape, floor, kMargin, kEdge), "");
+
+    Stock rough(40, kCell, 0, blank);
+    rough.cut(commands_of("spigots", call + ", make: roughing)"), tool_d);
+    expect_clean(rough);
+    const Shape larger = [&](double x, double y) { return shape(x, y) - allowance; };
+    EXPECT_EQ(rough.spigot_difference(larger, floor, kMargin, kEdge), "") << "roughing";
+    EXPECT_LE(rough.deepest_cut(), step + 1e-3);
+    if (allowance == 0) return;
+    rough.cut(commands_of("spigots", call + ", make: finishing)"), tool_d);
+    expect_clean(rough);
+    EXPECT_EQ(rough.spigot_difference(shape, floor, kMargin, kEdge), "") << "finishing";
+}
+
+TEST(Milling, RoundSpigot) {
+    Dice dice(7);
+    for (int i = 0; i < kSets / 2; ++i) {
+        const double tool_d = dice.length(3, 16), blank = dice.length(20, 70);
+        const double d = dice.length(5, blank - 1), allowance = dice.coin() ? 0 : 0.3;
+        const double floor = -dice.length(0.5, 8), step = dice.length(0.5, 4);
+        expect_spigot("spigot_circle(d: " + mm(d) + ", blank_d: " + mm(blank) +
+                          ", to: " + mm(floor) + ", tool_d: " + mm(tool_d) + ", step: " + mm(step) +
+                          ", allowance: " + mm(allowance),
+                      disc(d), disc(blank), tool_d, floor, step, allowance);
+    }
+}
+
+TEST(Milling, RectangularSpigot) {
+    Dice dice(8);
+    for (int i = 0; i < kSets; ++i) {
+        const double tool_d = dice.length(3, 16);
+        const double blank_w = dice.length(20, 70), blank_h = dice.length(20, 70);
+        const double w = dice.length(5, blank_w), h = dice.length(5, blank_h - 1);
+        const double corner = dice.coin() ? 0 : dice.length(0.1, std::min(w, h) / 2 - 0.1);
+        const double allowance = dice.coin() ? 0 : 0.2;
+        const double floor = -dice.length(0.5, 8), step = dice.length(0.5, 4);
+        expect_spigot("spigot_rect(w: " + mm(w) + ", h: " + mm(h) + ", blank_w: " + mm(blank_w) +
+                          ", blank_h: " + mm(blank_h) + ", corner: " + mm(corner) +
+                          ", to: " + mm(floor) + ", tool_d: " + mm(tool_d) + ", step: " + mm(step) +
+                          ", allowance: " + mm(allowance),
+                      rectangle(w, h, corner), rectangle(blank_w, blank_h, 0), tool_d, floor, step,
+                      allowance);
+    }
+}
+
+TEST(Milling, Chamfers) {
+    // Where the flat of the chamfer is met by X+: its height rises from -size/tan(tip/2) at the
+    // wall to 0 at `size` from it.
+    struct Row {
+        const char* call;
+        Shape wall;  // positive where the material is gone before
+        bool is_inner;
+        double wall_x, size, tip_d, tip_deg;
+    };
+    const auto inside_out = [](Shape shape) -> Shape {
+        return [shape](double x, double y) { return -shape(x, y); };
+    };
+    const Row rows[] = {
+        {"chamfer_circle(d: 40mm, size: 2mm, tip_d: 3mm)", disc(40), false, 20, 2, 3, 90},
+        {"chamfer_circle(d: 40mm, size: 1mm, tip: 60deg, below: 1mm)", disc(40), false, 20, 1, 0,
+         60},
+        {"chamfer_circle(d: 40mm, size: 2mm, tip_d: 3mm, where: inner)", inside_out(disc(40)), true,
+         20, 2, 3, 90},
+        {"chamfer_rect(w: 50mm, h: 30mm, size: 2mm, tip_d: 3mm)", rectangle(50, 30, 0), false, 25,
+         2, 3, 90},
+        {"chamfer_rect(w: 50mm, h: 30mm, size: 1.5mm, corner: 5mm, tip: 120deg, tip_d: 1mm, where: "
+         "inner)",
+         inside_out(rectangle(50, 30, 5)), true, 25, 1.5, 1, 120},
+    };
+    for (const Row& row : rows) {
+        SCOPED_TRACE(row.call);
+        Stock stock = plate();
+        stock.lower_outside(row.wall, -10);
+        stock.cut(commands_of("spigots", row.call), row.tip_d, row.tip_deg);
+        expect_clean(stock);
+        const double slope = 1 / std::tan(row.tip_deg / 2 * 3.14159265358979 / 180);
+        const double outwards = row.is_inner ? 1 : -1;  // from the wall into the material
+        for (double into : {0.125, 0.625, row.size - 0.375, row.size + 0.125, row.size + 1.125}) {
+            const double expected = std::min(0.0, (into - row.size) * slope);
+            EXPECT_NEAR(stock.height_at(row.wall_x + outwards * into, 0.125), expected, 0.02)
+                << into;
+        }
+    }
+}
+
+}  // namespace
