@@ -70,6 +70,10 @@ std::uint32_t Expander::State::word_of(const Filling& filling, std::uint32_t at)
 }
 
 bool Expander::State::is_block_limit(std::uint32_t at) {
+    if (is_in_curve) [[unlikely]] {
+        fault(diag::CurveBlock, at);
+        return true;
+    }
     if (blocks_left > 0) {
         --blocks_left;
         return false;
@@ -83,7 +87,9 @@ bool Expander::State::is_block_limit(std::uint32_t at) {
 
 Block& Expander::State::next_block(SourceId source) {
     Block* block = nullptr;
-    if (batch_count < batch_size && waiting.empty()) {
+    if (!recordings.empty()) [[unlikely]] {
+        block = &kept_block;
+    } else if (batch_count < batch_size && waiting.empty()) {
         block = &batch[batch_count++];
     } else {
         waiting.emplace_back();
@@ -94,9 +100,17 @@ Block& Expander::State::next_block(SourceId source) {
     return *block;
 }
 
+void Expander::State::drop_block(const Block& block) {
+    if (&block == &kept_block) return;
+    if (!waiting.empty()) waiting.pop_back();
+    else --batch_count;
+}
+
 bool Expander::State::emit(const Instruction& instruction, const sema::Slot* registers,
                            std::uint32_t at) {
     if (is_block_limit(at)) return false;
+    if (!recordings.empty()) [[unlikely]]
+        return keep_plan(instruction, registers, at);
     const std::size_t in_batch = batch_count;
     if (fill_plan(instruction, registers, at)) return true;
     // A block that could not be finished is not delivered.
@@ -302,6 +316,7 @@ double Expander::State::state_value(sema::StateValue which) const {
 
 bool Expander::State::emit_text(const Instruction& instruction, const sema::Slot* registers,
                                 std::uint32_t at) {
+    if (!recordings.empty()) return refuse_block("a text", at);
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     // A copy: making blocks does not move texts, but nothing should depend on that.
     const std::string text = heap.text(registers[instruction.a].integer);
@@ -324,7 +339,7 @@ bool Expander::State::emit_text(const Instruction& instruction, const sema::Slot
 }
 
 bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers) {
-    if (!options.native_cycles) return false;
+    if (!options.native_cycles || !recordings.empty()) return false;
     const CallFrame& frame = frames.back();
     const std::vector<sema::ParameterInfo>& parameters = frame.function->parameters;
     using Kind = sema::ParameterInfo::Kind;
@@ -380,6 +395,7 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
 
 bool Expander::State::change_frame(const Instruction& instruction, const sema::Slot* registers,
                                    std::uint32_t at) {
+    if (!recordings.empty()) return refuse_block("a frame", at);
     const sema::Slot* values = registers + instruction.a;
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     const auto change = static_cast<sema::FrameChange>(instruction.b);

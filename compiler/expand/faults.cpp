@@ -99,6 +99,7 @@ void Expander::State::contract_failed(const Instruction& instruction, const Slot
 }
 
 void Expander::State::keep_trace(std::uint32_t at, unsigned depth, SourceId source) {
+    if (!recordings.empty()) return;  // a block of a contour is none of the output
     Trace trace;
     trace.statement = source.is_valid() && source.index < code.statements.size()
                           ? code.statements[source.index]

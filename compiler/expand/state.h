@@ -1,8 +1,8 @@
 // state.h — a running program: registers, calls, modal state, the batch that is being filled.
 //
-// The chapters: vm.cpp (the instructions), blocks.cpp (blocks, frames, `with`), faults.cpp (errors
-// with the call stack), start.cpp (programs, parameters), tests.cpp, text_format.cpp. For the room
-// expand only.
+// The chapters: vm.cpp (the instructions), blocks.cpp (blocks, frames, `with`), contours.cpp,
+// curves.cpp, faults.cpp (errors with the call stack), start.cpp (programs, parameters), tests.cpp,
+// text_format.cpp. For the room expand only.
 #pragma once
 
 #include <deque>
@@ -14,6 +14,9 @@
 #include "expand/expander.h"
 #include "expand/heap.h"
 #include "expand/modal.h"
+#include "path/command.h"
+#include "path/contour.h"
+#include "path/fit.h"
 #include "sema/arithmetic.h"
 
 namespace kadr::expand {
@@ -79,7 +82,10 @@ struct Expander::State {
 
     // ---- vm.cpp
     std::size_t pull(std::span<nc::Block> out);
-    template <bool kTrace>
+    /// With kSlopes every real number carries its derivative by a curve's parameter (forward
+    /// differentiation): it stands in `slopes` under the number of its register. What comes out of
+    /// an array counts as constant.
+    template <bool kTrace, bool kSlopes>
     void run();
     void reserve_stack(std::size_t slots);
     std::int64_t make_fixed(std::uint32_t layout, std::int64_t count);
@@ -90,6 +96,8 @@ struct Expander::State {
     // ---- blocks.cpp
     /// A block to fill: of the batch while there is room, else one that waits for the next batch.
     nc::Block& next_block(SourceId source);
+    /// Takes back the block that was made last: it could not be finished.
+    void drop_block(const nc::Block& block);
     bool emit(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     bool fill_plan(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     std::uint32_t word_of(const sema::Filling& filling, std::uint32_t at) const;
@@ -106,6 +114,43 @@ struct Expander::State {
     bool check_preserves(std::uint32_t at);
     bool is_block_limit(std::uint32_t at);
     double state_value(sema::StateValue which) const;
+
+    // ---- contours.cpp
+    /// A contour outside of the heap, with the plane in which it lies.
+    struct PlaneContour {
+        path::Contour elements;
+        path::Plane plane = path::Plane::Xy;
+    };
+    PlaneContour read_contour(Slot handle);
+    std::int64_t make_contour(const PlaneContour& contour, std::uint32_t layout);
+    bool contour_value(const Instruction& instruction, Slot* registers, std::uint32_t at);
+    void begin_contour();
+    bool close_contour(std::uint32_t at);
+    std::int64_t end_contour(std::uint32_t layout);
+    bool keep_plan(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    bool keep(const nc::Block& block, std::uint32_t at);
+    bool refuse_block(std::string_view what, std::uint32_t at);
+    /// What `follow` travels: beside the contour, leads included. Nothing: reported.
+    std::optional<PlaneContour> followed(const Slot* arguments, std::uint32_t at);
+    bool follow_start(const Instruction& instruction, Slot* registers, std::uint32_t at);
+    bool follow_contour(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    struct FollowedBlock {
+        SourceId source;
+        unsigned depth = 0;  // loops around the statement
+        double feed = 0;     // of the block, second form included; NaN: none
+    };
+    bool emit_element(const path::Element& element, const FollowedBlock& next, std::uint32_t at);
+    bool finish_followed(nc::Block& block, const FollowedBlock& next, std::uint32_t at);
+    /// Finest tolerance of a curve, mm: the increment of the finest controls.
+    static constexpr double kLeastTolerance = 1e-5;
+
+    // ---- curves.cpp
+    enum class Progress : std::uint8_t { Failed, BatchFull, Done };
+    Progress follow_curve(const Instruction& instruction, std::uint32_t at);
+    bool start_curve(const Instruction& instruction, std::uint32_t at);
+    std::optional<path::CurveSample> curve_point(const Instruction& instruction, std::uint32_t at,
+                                                 double parameter);
+    bool emit_line(const path::Vec3& to, const FollowedBlock& next, std::uint32_t at);
 
     // ---- faults.cpp: report with the call stack, end the program
     DiagnosticBuilder fault(const DiagnosticRow& row, std::uint32_t at);
@@ -152,6 +197,31 @@ struct Expander::State {
     };
     std::vector<OpenWith> withs;
     std::vector<OpenWith> promises;  // of `preserves`
+
+    /// A contour whose blocks are being kept.
+    struct Recording {
+        ModalState before;
+        path::Contour elements;
+        path::Plane plane = path::Plane::Xy;
+        path::Vec2 start = path::Vec2::Zero();
+        path::Vec2 at = path::Vec2::Zero();
+        bool has_start = false;
+        bool is_closed = false;
+    };
+    std::vector<Recording> recordings;  // innermost last
+    nc::Block kept_block;               // takes the words of a block that is kept
+
+    /// A curve that is being followed: its blocks may fill several batches.
+    struct Following {
+        std::unique_ptr<path::CurveFit> fit;
+        path::Plane plane = path::Plane::Xy;
+        std::array<bool, 3> is_given{};  // coordinates, in the order of the plane
+        path::Vec2 at = path::Vec2::Zero();
+        FollowedBlock next;
+    };
+    std::optional<Following> following;
+    bool is_in_curve = false;    // a point of a curve is being calculated
+    std::vector<double> slopes;  // beside `stack`, while one is
 
     nc::Block* batch = nullptr;
     std::size_t batch_size = 0;

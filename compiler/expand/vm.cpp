@@ -120,8 +120,8 @@ std::size_t Expander::State::pull(std::span<nc::Block> out) {
         waiting.pop_front();
     }
     if (is_running && batch_count < batch_size) {
-        if (options.trace) run<true>();
-        else run<false>();
+        if (options.trace) run<true, false>();
+        else run<false, false>();
     }
     delivered = batch_count;
     return batch_count;
@@ -151,8 +151,16 @@ std::size_t Expander::State::pull(std::span<nc::Block> out) {
 #define C r[ip->c]
 #define SHORT_C static_cast<std::int16_t>(ip->c)
 #define AT static_cast<std::uint32_t>(ip - program)
+// The derivatives beside the registers; without kSlopes nothing of this is there.
+#define SLOPE_A slopes[static_cast<std::size_t>(r - stack.data()) + ip->a]
+#define SLOPE_B slopes[static_cast<std::size_t>(r - stack.data()) + ip->b]
+#define SLOPE_C slopes[static_cast<std::size_t>(r - stack.data()) + ip->c]
+#define KADR_SLOPE(formula) \
+    if constexpr (kSlopes) SLOPE_A = (formula)
+#define KADR_NO_SLOPES(count) \
+    if constexpr (kSlopes) std::fill_n(slopes.data() + (r - stack.data()) + ip->a, (count), 0.0)
 
-template <bool kTrace>
+template <bool kTrace, bool kSlopes>
 void Expander::State::run() {
     static const void* const kLabels[] = {
 #define KADR_OP(name, operands) &&op_##name,
@@ -168,24 +176,31 @@ void Expander::State::run() {
 
     // ---------------------------------------------------------------- copying
 op_Move:
+    KADR_SLOPE(SLOPE_B);
     A = B;
     KADR_NEXT;
 op_MoveN:
+    if constexpr (kSlopes) std::memmove(&SLOPE_A, &SLOPE_B, ip->c * sizeof(double));
     std::memmove(&A, &B, ip->c * sizeof(Slot));
     KADR_NEXT;
 op_LoadI:
     A.integer = ip->immediate.integer;
     KADR_NEXT;
 op_LoadF:
+    KADR_SLOPE(0);
     A.number = ip->immediate.number;
     KADR_NEXT;
 op_LoadText:
     A.integer = Heap::constant_text(static_cast<std::uint32_t>(ip->immediate.pair.first));
     KADR_NEXT;
 op_LoadGlobal:
+    if constexpr (kSlopes)
+        std::memcpy(&SLOPE_A, slopes.data() + ip->immediate.pair.first, ip->c * sizeof(double));
     std::memcpy(&A, stack.data() + ip->immediate.pair.first, ip->c * sizeof(Slot));
     KADR_NEXT;
 op_StoreGlobal:
+    if constexpr (kSlopes)
+        std::memcpy(slopes.data() + ip->immediate.pair.first, &SLOPE_A, ip->c * sizeof(double));
     std::memcpy(stack.data() + ip->immediate.pair.first, &A, ip->c * sizeof(Slot));
     KADR_NEXT;
 op_LoadRef : {
@@ -195,6 +210,11 @@ op_LoadRef : {
                                       : heap.referred(reference + offset, ip->c);
     if (from == nullptr) [[unlikely]]
         goto lost_reference;
+    KADR_NO_SLOPES(ip->c);
+    if constexpr (kSlopes) {
+        if (reference >= 0)
+            std::memmove(&SLOPE_A, slopes.data() + reference + offset, ip->c * sizeof(double));
+    }
     std::memmove(&A, from, ip->c * sizeof(Slot));
     KADR_NEXT;
 }
@@ -205,6 +225,10 @@ op_StoreRef : {
                               : heap.referred(reference + offset, ip->c);
     if (to == nullptr) [[unlikely]]
         goto lost_reference;
+    if constexpr (kSlopes) {
+        if (reference >= 0)
+            std::memmove(slopes.data() + reference + offset, &SLOPE_A, ip->c * sizeof(double));
+    }
     std::memmove(to, &A, ip->c * sizeof(Slot));
     KADR_NEXT;
 }
@@ -294,45 +318,57 @@ op_ShrI : {
 
     // ---------------------------------------------------------------- real numbers
 op_AddF:
+    KADR_SLOPE(SLOPE_B + SLOPE_C);
     A.number = B.number + C.number;
     KADR_NEXT;
 op_SubF:
+    KADR_SLOPE(SLOPE_B - SLOPE_C);
     A.number = B.number - C.number;
     KADR_NEXT;
 op_MulF:
+    KADR_SLOPE(SLOPE_B * C.number + B.number * SLOPE_C);
     A.number = B.number * C.number;
     KADR_NEXT;
 op_DivF:
     if (C.number == 0) [[unlikely]]
         goto division_by_zero;
+    KADR_SLOPE((SLOPE_B - B.number / C.number * SLOPE_C) / C.number);
     A.number = B.number / C.number;
     KADR_NEXT;
 op_ModF:
     if (C.number == 0) [[unlikely]]
         goto division_by_zero;
+    KADR_SLOPE(SLOPE_B - std::trunc(B.number / C.number) * SLOPE_C);
     A.number = std::fmod(B.number, C.number);
     KADR_NEXT;
 op_AddFK:
+    KADR_SLOPE(SLOPE_B);
     A.number = B.number + ip->immediate.number;
     KADR_NEXT;
 op_MulFK:
+    KADR_SLOPE(SLOPE_B * ip->immediate.number);
     A.number = B.number * ip->immediate.number;
     KADR_NEXT;
 op_DivFK:
+    KADR_SLOPE(SLOPE_B / ip->immediate.number);
     A.number = B.number / ip->immediate.number;
     KADR_NEXT;
 op_SubKF:
+    KADR_SLOPE(-SLOPE_B);
     A.number = ip->immediate.number - B.number;
     KADR_NEXT;
 op_DivKF:
     if (B.number == 0) [[unlikely]]
         goto division_by_zero;
+    KADR_SLOPE(-ip->immediate.number / B.number / B.number * SLOPE_B);
     A.number = ip->immediate.number / B.number;
     KADR_NEXT;
 op_NegF:
+    KADR_SLOPE(-SLOPE_B);
     A.number = -B.number;
     KADR_NEXT;
 op_IntToReal:
+    KADR_SLOPE(0);
     A.number = static_cast<double>(B.integer);
     KADR_NEXT;
 op_ToInt : {
@@ -344,6 +380,7 @@ op_ToInt : {
     KADR_NEXT;
 }
 op_RoundF:
+    KADR_SLOPE(0);
     A.number = sema::round_to_unit(B.number, static_cast<Rounding>(ip->c), ip->immediate.number);
     KADR_NEXT;
 op_Sqrt:
@@ -351,16 +388,20 @@ op_Sqrt:
         why = MathFault::NegativeRoot;
         goto bad_math;
     }
+    KADR_SLOPE(SLOPE_B == 0 ? 0 : SLOPE_B / (2 * std::sqrt(B.number)));
     A.number = std::sqrt(B.number);
     KADR_NEXT;
 op_SinDeg:
+    KADR_SLOPE(SLOPE_B * sema::kRadPerDeg * sema::cos_deg(B.number));
     A.number = sema::sin_deg(B.number);
     KADR_NEXT;
 op_CosDeg:
+    KADR_SLOPE(-SLOPE_B * sema::kRadPerDeg * sema::sin_deg(B.number));
     A.number = sema::cos_deg(B.number);
     KADR_NEXT;
 op_Math1 : {
     const sema::MathResult result = sema::evaluate(static_cast<Math>(ip->c), B.number);
+    KADR_SLOPE(sema::slope(static_cast<Math>(ip->c), B.number, SLOPE_B));
     if (!result) [[unlikely]] {
         why = result.error();
         goto bad_math;
@@ -371,6 +412,8 @@ op_Math1 : {
 op_Math2 : {
     const sema::MathResult result =
         sema::evaluate(static_cast<Math>(ip->immediate.pair.first), B.number, C.number);
+    KADR_SLOPE(sema::slope(static_cast<Math>(ip->immediate.pair.first), B.number, C.number, SLOPE_B,
+                           SLOPE_C));
     if (!result) [[unlikely]] {
         why = result.error();
         goto bad_math;
@@ -448,6 +491,7 @@ op_FeedForm:
             .arg(ip->c == 1 ? "per time" : "per revolution");
         goto stop;
     }
+    KADR_SLOPE(ip->c == 1 ? SLOPE_B / sema::kSecondForm : SLOPE_B);
     A.number = ip->c == 1 ? B.number / sema::kSecondForm : B.number;
     KADR_NEXT;
 
@@ -572,6 +616,7 @@ op_Call : {
     if constexpr (kTrace) frame.loops = outer_loops + ip->c;
     if (stack.size() < std::size_t{base} + function.registers + 8) [[unlikely]] {
         reserve_stack(std::size_t{base} + function.registers + 8);
+        if constexpr (kSlopes) slopes.resize(stack.size());
     }
     r = stack.data() + base;
     KADR_GO(frame.given == all_given[ip->b] ? function.body : function.entry);
@@ -580,6 +625,8 @@ op_SkipIfGiven:
     if ((frames.back().given >> ip->c & 1u) != 0) KADR_JUMP;
     KADR_NEXT;
 op_Return:
+    if constexpr (kSlopes)
+        std::memmove(slopes.data() + (r - stack.data()), &SLOPE_A, ip->c * sizeof(double));
     if (ip->c == 1) r[0] = A;
     else if (ip->c > 1) std::memmove(r, &A, ip->c * sizeof(Slot));
 leave_function : {
@@ -678,6 +725,7 @@ op_LoadElement : {
         index_fault(index, array.count, AT);
         goto stop;
     }
+    KADR_NO_SLOPES(1);
     A = array.slots[index];
     KADR_NEXT;
 }
@@ -698,6 +746,7 @@ op_LoadElementN : {
         index_fault(index, array.count, AT);
         goto stop;
     }
+    KADR_NO_SLOPES(ip->immediate.pair.second);
     const Slot* from = array.slots + index * array.stride + ip->immediate.pair.first;
     std::memmove(&A, from, static_cast<std::size_t>(ip->immediate.pair.second) * sizeof(Slot));
     KADR_NEXT;
@@ -808,14 +857,68 @@ op_CheckPreserves:
         goto stop;
     KADR_NEXT;
 op_Position:
+    KADR_SLOPE(0);
     A.number = (modal.known >> ip->c & 1u) != 0 ? modal.position[ip->c] : sema::kNotGivenNumber;
     KADR_NEXT;
 op_State:
+    KADR_SLOPE(0);
     if (static_cast<sema::StateValue>(ip->c) == sema::StateValue::Tool) {
         A.integer = modal.has_tool ? static_cast<std::int64_t>(modal.tool) : sema::kNotGivenInteger;
     } else {
         A.number = state_value(static_cast<sema::StateValue>(ip->c));
     }
+    KADR_NEXT;
+
+    // ---------------------------------------------------------------- contours and curves
+op_BeginContour:
+    begin_contour();
+    KADR_NEXT;
+op_CloseContour:
+    if (!close_contour(AT)) [[unlikely]]
+        goto stop;
+    KADR_NEXT;
+op_EndContour:
+    if (heap.is_full()) [[unlikely]]
+        collect_garbage(r);
+    A.integer = end_contour(static_cast<std::uint32_t>(ip->immediate.pair.first));
+    if (heap.elements() > options.limits.array_elements) [[unlikely]]
+        goto too_many_elements;
+    KADR_NEXT;
+op_ContourValue:
+    KADR_NO_SLOPES(3);  // of the largest result, a point
+    if (heap.is_full()) [[unlikely]]
+        collect_garbage(r);
+    if (!contour_value(*ip, r, AT)) [[unlikely]]
+        goto stop;
+    if (heap.elements() > options.limits.array_elements) [[unlikely]]
+        goto too_many_elements;
+    KADR_NEXT;
+op_FollowContour:
+    if (!follow_contour(*ip, r, AT)) [[unlikely]]
+        goto stop;
+    goto batch_or_next;
+op_FollowCurve:
+    turns_left = turns;
+    {
+        const Progress progress = follow_curve(*ip, AT);
+        // Points of the curve have been calculated meanwhile: the registers may have moved.
+        r = stack.data() + frames.back().base;
+        turns = turns_left;
+        if (progress == Progress::Failed) goto stop;
+        pc = progress == Progress::Done ? AT + 2 : AT;
+        if (progress == Progress::BatchFull || batch_count == batch_size) {
+            if (recordings.empty()) return;
+        }
+        KADR_GO(pc);
+    }
+op_CurveEnd:
+    pc = AT;
+    turns_left = turns;
+    return;
+op_FollowStart:
+    KADR_NO_SLOPES(3);
+    if (!follow_start(*ip, r, AT)) [[unlikely]]
+        goto stop;
     KADR_NEXT;
 
     // ---------------------------------------------------------------- messages of the author
@@ -888,5 +991,7 @@ stop:
 }
 
 #pragma GCC diagnostic pop
+
+template void Expander::State::run<false, true>();  // for curves.cpp
 
 }  // namespace kadr::expand

@@ -109,6 +109,60 @@ double round_to_unit(double value, Rounding rounding, double unit) {
     return value;
 }
 
+double slope(Math function, double a, double da) {
+    if (da == 0) return 0;  // also where the function itself is vertical
+    switch (function) {
+        case Math::Abs: return a < 0 ? -da : da;
+        case Math::Sign: return 0;
+        case Math::TanDeg: {
+            const double c = cos_deg(a);
+            return da * kRadPerDeg / (c * c);
+        }
+        case Math::AsinDeg: return da / kRadPerDeg / std::sqrt((1 - a) * (1 + a));
+        case Math::AcosDeg: return -da / kRadPerDeg / std::sqrt((1 - a) * (1 + a));
+        case Math::AtanDeg: return da / kRadPerDeg / (1 + a * a);
+        case Math::Exp: return da * std::exp(a);
+        case Math::Ln: return da / a;
+        case Math::Log10: return da / (a * std::log(10.0));
+        case Math::Cbrt: {
+            const double root = std::cbrt(a);
+            return da / (3 * root * root);
+        }
+        case Math::Pow:
+        case Math::Atan2Deg:
+        case Math::Hypot:
+        case Math::Min:
+        case Math::Max: break;
+    }
+    return 0;
+}
+
+double slope(Math function, double a, double b, double da, double db) {
+    if (da == 0 && db == 0) return 0;
+    switch (function) {
+        case Math::Pow: {
+            const double by_base = da == 0 || b == 0 ? 0 : da * b * std::pow(a, b - 1);
+            const double by_exponent = db == 0 || a <= 0 ? 0 : db * std::pow(a, b) * std::log(a);
+            return by_base + by_exponent;
+        }
+        case Math::Atan2Deg: return (b * da - a * db) / (a * a + b * b) / kRadPerDeg;
+        case Math::Hypot: return (a * da + b * db) / std::hypot(a, b);
+        case Math::Min: return b < a ? db : da;
+        case Math::Max: return a < b ? db : da;
+        case Math::Abs:
+        case Math::Sign:
+        case Math::TanDeg:
+        case Math::AsinDeg:
+        case Math::AcosDeg:
+        case Math::AtanDeg:
+        case Math::Exp:
+        case Math::Ln:
+        case Math::Log10:
+        case Math::Cbrt: break;
+    }
+    return 0;
+}
+
 std::optional<std::int64_t> to_integer(double value, Rounding rounding) {
     const double whole = round_to_unit(value, rounding, 1.0);
     // 2^63 itself does not fit; NaN fails both comparisons.

@@ -81,6 +81,11 @@ using MathResult = Result<double, MathFault>;
 MathResult evaluate(Math function, double a);
 MathResult evaluate(Math function, double a, double b);
 
+/// How the value of a function changes when its arguments change by `da`, `db`: the derivative that
+/// goes with `evaluate`. Where there is none (the ends of asin, the root of 0) it is not finite.
+double slope(Math function, double a, double da);
+double slope(Math function, double a, double b, double da, double db);
+
 /// A whole number, or nothing if it does not fit in 64 bits.
 std::optional<std::int64_t> to_integer(double value, Rounding rounding);
 /// Rounds to a multiple of `unit`.

@@ -14,12 +14,13 @@ using syntax::ExprKind;
 
 namespace {
 
-constexpr std::array<std::string_view, 34> kNames = {
-    "abs",   "acos",     "asin",    "atan",         "atan2",   "cbrt",     "ceil",
-    "cos",   "distance", "exp",     "floor",        "hypot",   "int",      "ln",
-    "log",   "log10",    "max",     "min",          "mod",     "pow",      "real",
-    "round", "sign",     "sin",     "sqrt",         "table",   "tan",      "text",
-    "trunc", "execute",  "attempt", "expect_error", "dialect", "dialects",
+constexpr std::array<std::string_view, 41> kNames = {
+    "abs",           "acos",   "asin",    "atan",         "atan2",    "attempt", "cbrt",
+    "ceil",          "cos",    "dialect", "dialects",     "distance", "execute", "exp",
+    "expect_error",  "floor",  "follow",  "follow_start", "hypot",    "inside",  "int",
+    "intersections", "ln",     "log",     "log10",        "max",      "min",     "mod",
+    "nearest",       "offset", "pow",     "real",         "reverse",  "round",   "sign",
+    "sin",           "sqrt",   "table",   "tan",          "text",     "trunc",
 };
 
 }  // namespace
@@ -322,6 +323,7 @@ constexpr MathRow kOneNumber[] = {
 }  // namespace
 
 std::optional<Value> Checker::builtin(std::string_view name, const Expr& expr, Reg hint) {
+    if (const std::optional<Value> value = contour_function(name, expr)) return value;
     for (const MathRow& row : kOneNumber) {
         if (row.name == name) {
             if (name == "atan" && expr.list.count == 2) return builtin("atan2", expr, hint);

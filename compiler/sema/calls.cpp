@@ -27,7 +27,8 @@ Value Checker::call(ExprId id, Reg hint) {
     if (found.symbol < 0 && found.name != nullptr && found.name->what == Name::What::Function) {
         return call_function(found.name->index, expr);
     }
-    if (found.symbol < 0 && found.name != nullptr && found.name->what == Name::What::Unsupported) {
+    if (found.symbol < 0 && found.name != nullptr && found.name->what == Name::What::Curve) {
+        report(diag::CurveAsValue, callee.range).arg(name);
         return error_value();
     }
     if (const std::optional<Value> value = builtin(name, expr, hint)) return *value;
@@ -228,6 +229,11 @@ std::optional<Value> Checker::property_value(const Place& whole, const Expr& exp
     const std::string_view name = text(expr.text);
     if (k == Kind::Execution) return figure(whole, expr, nullptr);
     if (k != Kind::Array && k != Kind::String) return std::nullopt;
+    if (is_contour(types_.given(whole.type)) && name != "count") {
+        const Value contour = require_given(load(whole, expr.range, true, kNoReg), expr.range, {});
+        if (is_error(contour)) return contour;
+        if (const std::optional<Value> value = contour_property(contour, expr)) return *value;
+    }
     if (name != "count" && name != "length") {
         report(diag::UnknownMember, expr.range).arg(type_name(whole.type)).arg(name);
         return error_value();
@@ -267,7 +273,7 @@ Value Checker::array_method(const Place& array, const Expr& callee, const Expr& 
         const std::optional<Value> count = property_value(array, callee);
         return count ? *count : error_value();
     }
-    if (!adds && !inserts && !removes && !pops && !clears) {
+    if (info.is_contour || (!adds && !inserts && !removes && !pops && !clears)) {
         auto builder = report(diag::UnknownMethod, callee.range);
         builder.arg(type_name(array.type)).arg(name);
         static constexpr std::string_view kMethods[] = {"append", "insert", "remove",

@@ -4,7 +4,8 @@
 // scope.cpp (names), expressions.cpp, values.cpp, convert.cpp (units and dimensions),
 // optionals.cpp, composites.cpp (points, structs, arrays), operators.cpp, conditions.cpp,
 // places.cpp (what can be assigned), calls.cpp, builtins.cpp, text.cpp (strings), statements.cpp,
-// loops.cpp, blocks.cpp (NC blocks), with.cpp, tests.cpp, preserves.cpp. For the room sema only.
+// loops.cpp, blocks.cpp (NC blocks), contours.cpp, curves.cpp, with.cpp, tests.cpp, preserves.cpp.
+// For the room sema only.
 #pragma once
 
 #include <memory>
@@ -37,6 +38,7 @@ struct Place {
     bool is_const = false;
     bool is_loop_variable = false;
     bool is_temporary = false;  // part of a value that nobody else sees
+    bool is_contour_part = false;
     bool may_be_unset = false;
     std::int32_t symbol = -1;  // local symbol, if this is a whole local variable
     std::string_view root;     // name of the variable, for messages
@@ -252,6 +254,23 @@ class Checker {
     Value math_value(Math function, const Value& a, const Value& b, Type type,
                      const SourceRange& range, Reg hint);
 
+    // contours.cpp
+    void contour_body(const syntax::Decl& decl, Reg target);
+    void contour_variable(const syntax::Decl& decl);
+    std::optional<Value> contour_property(const Value& contour, const syntax::Expr& expr);
+    std::optional<Value> contour_function(std::string_view name, const syntax::Expr& expr);
+    Value contour_value(ContourFunction function, Type result, Reg arguments,
+                        const SourceRange& range);
+    bool is_contour_argument(const syntax::Expr& expr);
+    Value follow_call(const syntax::Expr& expr, std::string_view name);
+
+    // curves.cpp
+    void curve_body(const FunctionDecl& function, const syntax::Decl& decl);
+    /// The call of a curve that is the first argument of `follow`; nothing if it is none.
+    std::optional<syntax::ExprId> curve_argument(const syntax::Expr& expr);
+    Value follow_curve(const syntax::Expr& expr, std::string_view name, syntax::ExprId curve);
+    bool is_contour(Type type) const { return type_info(type).is_contour; }
+
     // text.cpp
     Value string(syntax::ExprId id, Reg hint);
     bool format_piece(const Value& value, std::string_view format, const SourceRange& range,
@@ -272,7 +291,6 @@ class Checker {
     void check_statement(const syntax::Stmt& stmt, bool is_require);
     void text_statement(const syntax::Stmt& stmt, Op op, unsigned kind);
     void expression_statement(const syntax::Stmt& stmt);
-    void not_supported(std::string_view what, const SourceRange& range);
     std::uint32_t statement_id(const SourceRange& range);
 
     // loops.cpp
@@ -391,6 +409,7 @@ class Checker {
     std::vector<LoopScope> loops_;
     std::size_t with_depth_ = 0;
     int loop_depth_ = 0;
+    int contour_depth_ = 0;  // bodies of contours around
     const FunctionDecl* function_ = nullptr;
     bool has_preserves_ = false;
     struct Unused {

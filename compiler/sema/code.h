@@ -89,6 +89,66 @@ enum class Math : std::uint8_t {
 /// What `state.…` reads.
 enum class StateValue : std::uint8_t { Feed, Speed, Tool };
 
+/// Registers of a contour's element, in the order of its members.
+enum class ElementSlot : std::uint8_t {
+    From,        // three; the coordinate across the plane is not given
+    To = 3,      // three
+    Center = 6,  // three, of an arc
+    Radius = 9,  // of an arc
+    Sweep = 10,  // degrees, counter-clockwise positive; 0 of a line
+    Length = 11,
+    IsArc = 12,
+};
+inline constexpr std::uint16_t kElementSlots = 13;
+
+/// What can be asked of a contour and made of it. Arguments stand in the registers from b, the
+/// contour first; the layout is that of the result's elements.
+enum class ContourFunction : std::uint8_t {
+    Length,
+    Area,
+    IsClosed,
+    IsClockwise,
+    Start,
+    End,
+    Min,
+    Max,
+    Reverse,
+    Offset,         // distance
+    Shift,          // x, y, z
+    Rotate,         // angle, about
+    Mirror,         // x, y, z: truth values
+    IsInside,       // point
+    Nearest,        // point
+    Intersections,  // another contour
+};
+
+/// Arguments of `follow` in their registers.
+enum class FollowSlot : std::uint8_t {
+    Contour,
+    Feed,  // as a feed, second form included; may be not given, as all that follow
+    Left,
+    Right,
+    LeadIn,
+    LeadOut,
+    ArcIn,
+    ArcOut,
+};
+inline constexpr std::uint16_t kFollowSlots = 8;
+
+/// How far a curve may be from the blocks that follow it if nothing is said, mm: half of what a
+/// finishing cut is usually allowed.
+inline constexpr double kCurveTolerance = 0.005;
+
+/// Arguments of `follow` of a curve; behind them those of the curve itself, its parameter last.
+enum class CurveSlot : std::uint8_t {
+    Feed,       // as in FollowSlot
+    Tolerance,  // mm
+    Arcs,       // truth value: arcs where they are possible
+    From,
+    To,  // of the parameter
+    Arguments,
+};
+
 /// What a `with` adds to the frame; its values stand in the order of the vocabulary's parameters.
 enum class FrameChange : std::uint8_t { Shift, Rotate, Scale, Mirror };
 

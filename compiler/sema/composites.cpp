@@ -12,7 +12,7 @@ using syntax::ExprKind;
 Value Checker::braces(ExprId id, Type expected, Reg hint) {
     const Expr& expr = ast()[id];
     const Type plain = types_.given(expected);
-    if (kind(plain) == Kind::Array) return brace_array(id, plain, hint);
+    if (kind(plain) == Kind::Array && !is_contour(plain)) return brace_array(id, plain, hint);
     if (kind(plain) == Kind::Struct) return brace_struct(id, plain, kNoReg);
     if (kind(expected) != Kind::Error) {
         report(diag::BracesPlace, expr.range).arg(type_name(expected));

@@ -72,7 +72,8 @@ Value Checker::convert(const Value& source, Type target, const SourceRange& rang
     }
     const TypeInfo from = type_info(value.type);
     const TypeInfo to = type_info(target);
-    if (from.kind == Kind::Array && to.kind == Kind::Array && from.element == to.element) {
+    const bool is_array = from.kind == Kind::Array && to.kind == Kind::Array;
+    if (is_array && from.element == to.element && from.is_contour == to.is_contour) {
         if (to.count < 0) return retyped(value, target);
         report(diag::ElementCount, range)
             .arg(to.count)

@@ -113,6 +113,7 @@ void Checker::declare_names(std::uint32_t module) {
                         {Name::What::Function, module, index, {}, 0, decl.name_range});
                 break;
             }
+            case DeclKind::Contour:
             case DeclKind::Variable: {
                 const auto index = static_cast<std::uint32_t>(globals_.size());
                 globals_.push_back({GlobalVariable::State::Unchecked, module, id, {}});
@@ -129,12 +130,21 @@ void Checker::declare_names(std::uint32_t module) {
                 break;
             }
             case DeclKind::Enum: declare_enum(module, decl); break;
-            case DeclKind::Contour:
-            case DeclKind::Curve:
-                not_supported(decl.kind == DeclKind::Curve ? "a `curve`" : "a `contour`",
-                              decl.name_range);
-                declare(module, name, {Name::What::Unsupported, module, 0, {}, 0, decl.name_range});
+            case DeclKind::Curve: {
+                FunctionDecl points;
+                points.module = module;
+                points.decl = id;
+                points.name = name;
+                points.kind = decl.kind;
+                points.range = decl.name_range;
+                FunctionDecl limits = points;
+                limits.is_limits = true;
+                const auto index = static_cast<std::uint32_t>(functions_.size());
+                functions_.push_back(std::move(points));
+                functions_.push_back(std::move(limits));
+                declare(module, name, {Name::What::Curve, module, index, {}, 0, decl.name_range});
                 break;
+            }
             case DeclKind::Test:
             case DeclKind::Property: declare_test(module, id); break;
             case DeclKind::Parameter:
@@ -166,6 +176,7 @@ std::optional<Type> Checker::builtin_type(std::string_view name) const {
         {"point", types::kPoint},
         {"vector", types::kVector},
         {"execution", types::kExecution},
+        {"contour", types::kContour},
     };
     for (const Row& row : kRows) {
         if (row.name == name) return row.type;
@@ -183,12 +194,15 @@ Type Checker::resolve_type(syntax::TypeId id) {
     } else if (const Name* found = find_global(module_, name);
                found != nullptr && found->what == Name::What::Type) {
         type = found->type;
+    } else if (name == "element") {
+        type = types::kElement;  // not reserved: a program may have its own
     } else if (!name.empty()) {
         if (is_lost(name)) return types::kError;
         auto builder = report(diag::UnknownType, ref.range);
         builder.arg(name);
-        std::vector<std::string_view> known = {"bool", "int",   "real",   "length", "angle", "time",
-                                               "feed", "speed", "string", "point",  "vector"};
+        std::vector<std::string_view> known = {"bool",   "int",   "real",   "length",
+                                               "angle",  "time",  "feed",   "speed",
+                                               "string", "point", "vector", "contour"};
         for (const auto& [other, entry] : modules_[module_].names) {
             if (entry.what == Name::What::Type) known.push_back(other);
         }
@@ -341,8 +355,14 @@ void Checker::define_signature(std::uint32_t index) {
     if (decl.type.is_valid() && ast()[decl.type].is_reference) {
         report(diag::ReferencePlace, ast()[decl.type].range);
     }
+    const bool is_curve = decl.kind == DeclKind::Curve;
+    if (is_curve) function.result = function.is_limits ? types::kRange : types::kPoint;
+    std::vector<syntax::DeclId> parameters(ast().decls(decl.parameters).begin(),
+                                           ast().decls(decl.parameters).end());
+    // The running parameter is one more of the function that gives the points.
+    if (is_curve && !function.is_limits) parameters.push_back(ast().decls(decl.members)[0]);
     Reg next = 0;
-    for (const syntax::DeclId id : ast().decls(decl.parameters)) {
+    for (const syntax::DeclId id : parameters) {
         const Decl& parameter = ast()[id];
         ParameterDecl entry;
         entry.name = text(parameter.name);
@@ -403,7 +423,13 @@ void Checker::check_global(std::uint32_t index, bool on_demand) {
         report(diag::ConstWithoutValue, decl.name_range).arg(symbol.name);
     const Reg mark = emit_.mark();
     Value value = error_value();
-    if (decl.value.is_valid()) {
+    const bool is_body = decl.kind == DeclKind::Contour;
+    if (is_body) {
+        symbol.type = types::kContour;
+        value = in_registers(types::kContour, emit_.take(1));
+        value.is_fresh = true;
+        contour_body(decl, value.reg);
+    } else if (decl.value.is_valid()) {
         value = expression(decl.value, symbol.type);
         if (decl.type.is_valid()) {
             value = convert(value, symbol.type, tree[decl.value].range, symbol.name);
@@ -426,9 +452,9 @@ void Checker::check_global(std::uint32_t index, bool on_demand) {
         symbol.global = code_->globals;
         const std::uint16_t slots = type_info(symbol.type).slots;
         code_->globals += slots;
-        symbol.may_be_unset = !decl.value.is_valid();
+        symbol.may_be_unset = !decl.value.is_valid() && !is_body;
         Reg reg = 0;
-        if (decl.value.is_valid()) {
+        if (decl.value.is_valid() || is_body) {
             reg = in_register(value);
             if (value.is_variable && types_.holds_array(symbol.type)) {
                 const Reg copy = emit_.take(slots);
@@ -524,6 +550,14 @@ void Checker::check_function(std::uint32_t index) {
     check_defaults(function);
     code_->functions[index + 1].body = emit_.here();
     native_pending_ = current_native_.has_value();
+    if (decl.kind == DeclKind::Curve) {
+        curve_body(function, decl);
+        FunctionCode& curve = code_->functions[index + 1];
+        curve.end = emit_.here();
+        curve.registers = emit_.registers_used();
+        function_ = nullptr;
+        return;
+    }
     has_preserves_ = decl.preserves.count > 0;
     if (has_preserves_) {
         emit_.set_place(decl.range);

@@ -118,7 +118,9 @@ Value Checker::name_value(ExprId id, Reg hint) {
             case Name::What::Type:
                 report(diag::TypeAsValue, expr.range).arg(name);
                 return error_value();
-            case Name::What::Unsupported: return error_value();
+            case Name::What::Curve:
+                report(diag::CurveAsValue, expr.range).arg(name);
+                return error_value();
         }
     }
     if (found.symbol < 0 && found.name == nullptr && name == "pi") {

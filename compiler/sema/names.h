@@ -71,6 +71,7 @@ struct FunctionDecl {
     syntax::DeclId decl;
     std::string_view name;
     syntax::DeclKind kind = syntax::DeclKind::Function;
+    bool is_limits = false;  // of a Curve: gives the range of its parameter, not a point
     Type result;
     std::vector<ParameterDecl> parameters;
     std::uint16_t parameter_slots = 0;
@@ -80,11 +81,12 @@ struct FunctionDecl {
 
 /// A top-level name of a file.
 struct Name {
-    enum class What : std::uint8_t { Function, Variable, Type, EnumMember, Unsupported };
+    enum class What : std::uint8_t { Function, Variable, Type, EnumMember, Curve };
     What what = What::Function;
     std::uint32_t module = 0;
-    std::uint32_t index = 0;  // Function: functions; Variable: globals
-    Type type;                // Type, EnumMember
+    // Function: functions; Variable: globals; Curve: functions, of its points; its limits are next
+    std::uint32_t index = 0;
+    Type type;  // Type, EnumMember
     std::int64_t member = 0;
     SourceRange range;
 };

@@ -54,7 +54,7 @@ std::optional<Place> Checker::name_place(ExprId id) {
         place.storage = Place::Storage::Global;
         place.offset = symbol->global;
     } else if (found.name != nullptr) {
-        if (found.name->what != Name::What::Unsupported) report(diag::NotAPlace, expr.range);
+        report(diag::NotAPlace, expr.range);
         return std::nullopt;
     } else {
         if (name == "pi" || name == "position" || name == "state")
@@ -194,6 +194,7 @@ std::optional<Place> Checker::element_place(ExprId id) {
     place.stride = type_info(info.element).slots;
     place.is_const = array->is_const;
     place.is_temporary = array->is_temporary;
+    place.is_contour_part = array->is_contour_part || info.is_contour;
     place.may_be_unset = info.count >= 0;
     place.root = array->root;
     place.root_range = array->root_range;
@@ -233,6 +234,10 @@ Value Checker::load(const Place& place, const SourceRange& range, bool checked, 
 }
 
 bool Checker::check_assignable(const Place& place, const SourceRange& range) {
+    if (place.is_contour_part) {
+        report(diag::ContourPartAssigned, range);
+        return false;
+    }
     if (place.is_temporary) {
         report(diag::NotAPlace, range);
         return false;

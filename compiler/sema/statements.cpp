@@ -19,10 +19,6 @@ std::uint32_t Checker::statement_id(const SourceRange& range) {
     return id;
 }
 
-void Checker::not_supported(std::string_view what, const SourceRange& range) {
-    report(diag::NotYet, range).arg(what);
-}
-
 bool Checker::block(syntax::List list) {
     const std::size_t symbols = symbols_.size();
     const std::size_t scope = std::exchange(scope_begin_, symbols);
@@ -98,7 +94,10 @@ bool Checker::statement(StmtId id) {
             ends = false;
             break;
         case StmtKind::WarnStmt: text_statement(stmt, Op::UserWarning, 0); break;
-        case StmtKind::Close: not_supported("`close`", stmt.range); break;
+        case StmtKind::Close:
+            if (contour_depth_ == 0) report(diag::CloseOutside, stmt.range);
+            emit_.emit(Op::CloseContour);
+            break;
         case StmtKind::Assume: assume_statement(stmt); break;
         case StmtKind::Expect: expect_statement(stmt); break;
     }
@@ -108,9 +107,8 @@ bool Checker::statement(StmtId id) {
 }
 
 void Checker::variable(const Decl& decl) {
-    if (decl.kind == syntax::DeclKind::Contour || decl.kind == syntax::DeclKind::Curve) {
-        not_supported(decl.kind == syntax::DeclKind::Curve ? "a `curve`" : "a `contour`",
-                      decl.range);
+    if (decl.kind == syntax::DeclKind::Contour) {
+        contour_variable(decl);
         return;
     }
     Symbol symbol;
@@ -355,6 +353,10 @@ void Checker::leave_function(const SourceRange& range) {
 }
 
 void Checker::return_statement(const Stmt& stmt) {
+    if (contour_depth_ > 0) {
+        report(diag::ReturnInContour, stmt.range);
+        return;
+    }
     const Type result = function_ != nullptr ? function_->result : types::kVoid;
     if (!stmt.expression[0].is_valid()) {
         if (result != types::kVoid && kind(result) != Kind::Error) {

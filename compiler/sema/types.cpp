@@ -47,6 +47,22 @@ TypeTable::TypeTable() {
     KADR_ASSERT(point == types::kPoint && vector == types::kVector, "built-in types moved");
     add(Kind::Range, 2);
     add(Kind::Execution, 1);
+    const Type element = add_struct({"element", {}, 0, {}});
+    TypeInfo contour;
+    contour.kind = Kind::Array;
+    contour.element = element;
+    contour.is_contour = true;
+    types_.push_back(contour);
+    complete_struct(element, {{"from", point, 0, 0, {}},
+                              {"to", point, 0, 0, {}},
+                              {"center", point, 0, 0, {}},
+                              {"radius", types::kOptionalLength, 0, 0, {}},
+                              {"sweep", types::kAngleType, 0, 0, {}},
+                              {"length", types::kLengthType, 0, 0, {}},
+                              {"is_arc", types::kBool, 0, 0, {}}});
+    KADR_ASSERT(element == types::kElement && types_.size() == types::kContour.index + 1u &&
+                    (*this)[element].slots == kElementSlots,
+                "built-in types moved");
 }
 
 Type TypeTable::intern(const TypeInfo& info) {
@@ -148,6 +164,10 @@ std::string TypeTable::name(Type type) const {
         case Kind::Enum: text += enums_[info.definition].name; break;
         case Kind::Struct: text += structs_[info.definition].name; break;
         case Kind::Array:
+            if (info.is_contour) {
+                text += "contour";
+                break;
+            }
             text += name(info.element);
             text += '[';
             if (info.count >= 0) text += std::to_string(info.count);

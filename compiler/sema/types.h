@@ -41,6 +41,7 @@ struct TypeInfo {
     bool is_optional = false;      // may be not given
     Type element;                  // of Array
     std::int64_t count = -1;       // of a fixed Array; -1 growing
+    bool is_contour = false;       // an Array of elements that only contours can make
     std::uint32_t definition = 0;  // of Struct and Enum: index in TypeTable::structs, enums
     std::uint16_t slots = 1;       // registers that a value takes
 
@@ -87,6 +88,8 @@ inline constexpr Type kPoint{13};
 inline constexpr Type kVector{14};
 inline constexpr Type kRange{15};
 inline constexpr Type kExecution{16};
+inline constexpr Type kElement{17};  // of a contour; its registers: ElementSlot in code.h
+inline constexpr Type kContour{18};
 }  // namespace types
 
 class TypeTable {

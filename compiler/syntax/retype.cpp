@@ -66,6 +66,7 @@ class Retyping {
     bool argument_name();
     bool is_keyword_here(const Keyword& keyword) const;
     bool follows(std::string_view followers) const;
+    bool opens_contour() const;
     bool is_type_place() const;
     bool is_type_at(std::size_t i) const;
     bool is_generic_call() const;
@@ -377,7 +378,8 @@ void Retyping::name() {
     if (is_generic_call()) return push(lexeme, Token::GenericName);
     if (is_type_place() && is_type_at(i_)) {
         Lexeme type = lexeme;
-        if (keyword != nullptr && keyword->place == Keyword::Place::Type) {
+        if (keyword != nullptr &&
+            (keyword->place == Keyword::Place::Type || keyword->token == Token::Contour)) {
             type.text = file_.texts.intern(keyword->name);
         }
         if (at_start_) head_ = brackets_.is_file_level() ? Head::Header : Head::Declaration;
@@ -415,6 +417,7 @@ bool Retyping::is_keyword_here(const Keyword& keyword) const {
         case Keyword::Place::Type:
         case Keyword::Place::Operator: return false;
         case Keyword::Place::Statement:
+            if (keyword.token == Token::Contour && !opens_contour()) return false;
             // At file level there are no expressions that could begin with a name.
             return at_start_ && (brackets_.is_file_level() || follows(keyword.followers));
         case Keyword::Place::Header:
@@ -453,6 +456,15 @@ bool Retyping::follows(std::string_view followers) const {
         }
     }
     return false;
+}
+
+/// `contour c = { G1 X0 Y0; … };`, not a variable or a function of that type: `contour c;`,
+/// `contour c = reverse(d);`, `contour make() { … }`.
+bool Retyping::opens_contour() const {
+    if (!is_name(i_ + 1)) return false;
+    const Token after = at(i_ + 2).token;
+    if (after == Token::Assign) return at(i_ + 3).token == Token::OpenBrace;
+    return after != Token::Semicolon && after != Token::OpenParen;
 }
 
 /// Whether a declaration can begin here.

@@ -140,7 +140,8 @@ std::optional<CurveFit::Candidate> CurveFit::make(double to) {
     Candidate candidate;
     candidate.end = *end;
     candidate.to = to;
-    if (options_.kind == FitKind::Lines) {
+    const bool stands = (end->position - here_.position).norm() <= kSamePoint * 1e-3;
+    if (options_.kind == FitKind::Lines || stands) {
         candidate.pieces = 1;
         return candidate;
     }
@@ -156,23 +157,20 @@ std::optional<CurveFit::Candidate> CurveFit::make(double to) {
 }
 
 /// How far a point of the curve is beside the candidate, and how that changes with the parameter:
-/// of a chord in two directions across it, of a biarc to the left. Nothing if the point is beyond
-/// an end.
-std::optional<CurveFit::Deviation> CurveFit::deviation(const Candidate& candidate,
-                                                       const CurveSample& at) const {
-    const double slack = options_.tolerance;
-    if (options_.kind == FitKind::Lines) {
+/// of a chord in two directions across it, of a biarc to the left. Beyond an end, the distance to
+/// it counts.
+CurveFit::Deviation CurveFit::deviation(const Candidate& candidate, const CurveSample& at) const {
+    if (candidate.pieces == 1) {
         const Vec3 chord = candidate.end.position - here_.position;
         const double size = chord.norm();
         const Vec3 way = at.position - here_.position;
-        if (size < 1e-12) return Deviation{{way.norm(), 0}, {0, 0}};
+        if (size < 1e-12) return {{way.norm(), 0}, {0, 0}};
         const Vec3 along = chord / size;
-        const double s = way.dot(along);
-        if (s < -slack || s > size + slack) return std::nullopt;
+        const double beyond = std::max({0.0, -way.dot(along), way.dot(along) - size});
         const Vec3 across = along.unitOrthogonal();
         const Vec3 other = along.cross(across);
-        return Deviation{{way.dot(across), way.dot(other)},
-                         {at.derivative.dot(across), at.derivative.dot(other)}};
+        return {{std::hypot(way.dot(across), beyond), way.dot(other)},
+                {at.derivative.dot(across), at.derivative.dot(other)}};
     }
     const Vec2 point = flat(at.position);
     const Vec2 slope = flat(at.derivative);
@@ -181,18 +179,25 @@ std::optional<CurveFit::Deviation> CurveFit::deviation(const Candidate& candidat
     const Element& element = candidate.elements[is_second ? 1 : 0];
     const Vec2 begin = start_direction(element);
     const Vec2 end = end_direction(element);
-    if ((point - element.from).dot(begin) < -slack || (point - element.to).dot(end) > slack)
-        return std::nullopt;
+    const double before = -(point - element.from).dot(begin);
+    const double behind = (point - element.to).dot(end);
+    // Less than half a turn: what is before the start, or behind the end, is beyond it.
+    const double beyond = std::max({0.0, is_second ? 0.0 : before, is_second ? behind : 0.0});
+    double value = 0;
+    double change = 0;
     if (!element.is_arc()) {
         const Vec2 left = left_of(begin);
-        return Deviation{{(point - element.from).dot(left), 0}, {slope.dot(left), 0}};
+        value = (point - element.from).dot(left);
+        change = slope.dot(left);
+    } else {
+        const Vec2 outwards = point - element.center;
+        const double apart = outwards.norm();
+        const double sign = element.sweep > 0 ? -1 : 1;  // outside is right of a ccw arc
+        value = sign * (apart - radius(element));
+        if (apart > 1e-12) change = sign * slope.dot(outwards) / apart;
     }
-    const Vec2 outwards = point - element.center;
-    const double apart = outwards.norm();
-    if (apart < 1e-12) return std::nullopt;
-    const double sign = element.sweep > 0 ? -1 : 1;  // outside is right of a ccw arc
-    return Deviation{{sign * (apart - radius(element)), 0},
-                     {sign * slope.dot(outwards) / apart, 0}};
+    if (beyond > 0) value = std::copysign(std::hypot(value, beyond), value);
+    return {{value, 0}, {change, 0}};
 }
 
 bool CurveFit::is_within(const Candidate& candidate, double from, const CurveSample& begin,
@@ -200,25 +205,29 @@ bool CurveFit::is_within(const Candidate& candidate, double from, const CurveSam
     const double inside = from + (to - from) * kInside;
     const std::optional<CurveSample> middle = sample(inside);
     if (!middle) return false;
-    const auto d0 = deviation(candidate, begin);
-    const auto d1 = deviation(candidate, end);
-    const auto dm = deviation(candidate, *middle);
-    if (!d0 || !d1 || !dm) return false;
     const double width = to - from;
+    // Two points that are farther apart than any speed between them explains: a jump.
+    const double speed =
+        std::max({begin.derivative.norm(), middle->derivative.norm(), end.derivative.norm()});
+    const double apart = (end.position - begin.position).norm();
+    if (apart > 4 * speed * std::fabs(width) + options_.tolerance) return false;
+    const Deviation d0 = deviation(candidate, begin);
+    const Deviation d1 = deviation(candidate, end);
+    const Deviation dm = deviation(candidate, *middle);
     double square = 0;
     double miss = 0;
     double seen = 0;
     for (int i = 0; i < 2; ++i) {
-        const double s0 = d0->slope[i] * width;
-        const double s1 = d1->slope[i] * width;
-        const Extreme extreme = cubic_extreme(d0->value[i], s0, d1->value[i], s1);
+        const double s0 = d0.slope[i] * width;
+        const double s1 = d1.slope[i] * width;
+        const Extreme extreme = cubic_extreme(d0.value[i], s0, d1.value[i], s1);
         const double error =
-            std::fabs(cubic_value(d0->value[i], s0, d1->value[i], s1, kInside) - dm->value[i]);
+            std::fabs(cubic_value(d0.value[i], s0, d1.value[i], s1, kInside) - dm.value[i]);
         const double most = std::max(std::fabs(extreme.lower), std::fabs(extreme.upper));
         square += (most + 2 * error) * (most + 2 * error);
         miss = std::max(miss, error);
-        seen = std::hypot(seen, std::max({std::fabs(d0->value[i]), std::fabs(d1->value[i]),
-                                          std::fabs(dm->value[i])}));
+        seen = std::hypot(seen, std::max({std::fabs(d0.value[i]), std::fabs(d1.value[i]),
+                                          std::fabs(dm.value[i])}));
     }
     if (!(seen <= options_.tolerance)) return false;  // also what is not a number
     if (square <= options_.tolerance * options_.tolerance && miss <= options_.tolerance / 4)
@@ -323,13 +332,14 @@ std::optional<FitPiece> CurveFit::next() {
             FitPiece piece;
             const bool is_last = i + 1 == candidate->pieces;
             piece.to = is_last ? end : Vec3((begin + end) / 2);
-            if (options_.kind == FitKind::Biarcs && candidate->pieces == 2) {
+            if (candidate->pieces == 2) {
                 const Element& element = candidate->elements[i];
                 piece.center = element.center;
                 piece.sweep = element.sweep;
                 if (!is_last) piece.to.head<2>() = element.to;
             }
-            ready_.push_back(piece);
+            const Vec3 from = ready_.empty() ? begin : ready_.back().to;
+            if (piece.to != from) ready_.push_back(piece);  // else the curve stands
         }
         at_ = candidate->to;
         here_ = candidate->end;

@@ -71,7 +71,7 @@ class CurveFit {
     struct Candidate {
         CurveSample end;
         double to = 0;
-        int pieces = 0;  // 1: a line, or one arc; 2: a biarc
+        int pieces = 0;  // 1: a line; 2: a biarc; 0: none leads there
         Element elements[2];
     };
 
@@ -86,7 +86,7 @@ class CurveFit {
         double value[2];
         double slope[2];
     };
-    std::optional<Deviation> deviation(const Candidate& candidate, const CurveSample& at) const;
+    Deviation deviation(const Candidate& candidate, const CurveSample& at) const;
     std::optional<Candidate> longest();
 
     ParametricCurve curve_;

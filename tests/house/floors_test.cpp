@@ -26,7 +26,7 @@ const std::map<std::string, std::set<std::string>> kFloors = {
     {"motion", {"base", "path", "machine"}},
     {"syntax", {"base", "nc"}},
     {"sema", {"base", "nc", "syntax"}},
-    {"expand", {"base", "nc", "syntax", "sema"}},
+    {"expand", {"base", "nc", "path", "syntax", "sema"}},
     {"driver", {"base", "nc", "path", "machine", "interp", "motion", "syntax", "sema", "expand"}},
     {"repl", {"base", "nc", "path", "machine", "interp", "motion", "syntax", "sema", "driver"}},
     {"cli", {"base", "nc", "machine", "driver", "repl"}},

@@ -176,15 +176,5 @@ TEST(Mistakes, CallsAndFlow) {
     EXPECT_EQ(check(large + "}").messages, std::vector<std::string>{"1:9 K2220"});
 }
 
-TEST(Mistakes, WhatComesLaterIsSaid) {
-    expect_rows({
-        {"program p() { contour c = { G1 X0 Y0; X60; close; }; }",
-         "1:15 K2221 a `contour` is not yet part of this version"},
-        {"curve e(length a) over angle t = 0deg .. 360deg { x = a*cos(t); y = a*sin(t); }\nprogram "
-         "p() { }",
-         "1:7 K2221 a `curve` is not yet part of this version"},
-    });
-}
-
 }  // namespace
 }  // namespace kadr::testing

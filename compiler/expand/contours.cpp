@@ -1,0 +1,560 @@
+// contours.cpp — contours of a running program: blocks that are kept, questions, and the blocks
+// that `follow` makes of them.
+#include <algorithm>
+#include <cmath>
+
+#include "base/assert.h"
+#include "base/numbers.h"
+#include "base/units.h"
+#include "expand/plane.h"
+#include "expand/state.h"
+#include "path/arc.h"
+#include "path/contour_lead.h"
+#include "path/contour_offset.h"
+
+namespace kadr::expand {
+
+using nc::Block;
+using nc::Function;
+using nc::Group;
+using path::Contour;
+using path::Element;
+using path::Vec2;
+using path::Vec3;
+using sema::ContourFunction;
+using sema::ElementSlot;
+using sema::FollowSlot;
+using sema::Slot;
+
+namespace {
+
+constexpr std::size_t at(ElementSlot slot) { return static_cast<std::size_t>(slot); }
+constexpr std::size_t at(FollowSlot slot) { return static_cast<std::size_t>(slot); }
+
+bool is_given(Slot slot) { return slot.number == slot.number; }
+
+/// "X and Y", for messages.
+std::string axes_text(path::Plane plane) {
+    const PlaneIndices axes = indices_of(plane);
+    return std::string(kAxisNames[axes.first]) + " and " + std::string(kAxisNames[axes.second]);
+}
+
+std::string mm_text(double value) {
+    std::string text;
+    append_shortest(text, std::nearbyint(value * 1e6) / 1e6);
+    return text + " mm";
+}
+
+std::string_view describe(path::ArcFault fault) {
+    switch (fault) {
+        case path::ArcFault::NoRadius: return "its centre is its start";
+        case path::ArcFault::RadiusMismatch: return "its end is not on the circle";
+        case path::ArcFault::NoChord: return "a radius alone makes no full circle";
+        case path::ArcFault::RadiusTooSmall: return "its radius does not reach over the chord";
+        default: return "it cannot be calculated";
+    }
+}
+
+/// The point of a plane in the three registers of a point.
+void put_point(Slot* slots, path::Plane plane, const Vec2& point) {
+    const PlaneIndices axes = indices_of(plane);
+    slots[axes.first].number = point.x();
+    slots[axes.second].number = point.y();
+    slots[axes.across].number = sema::kNotGivenNumber;
+}
+
+/// A quarter turn is 90 degrees, not what remains of it after the way through radians.
+double neat_degrees(double angle_deg) {
+    const double rounded = std::nearbyint(angle_deg * 1e9) / 1e9;
+    return std::fabs(rounded - angle_deg) < 1e-12 ? rounded : angle_deg;
+}
+
+void put_element(Slot* slots, path::Plane plane, const Element& element) {
+    put_point(slots + at(ElementSlot::From), plane, element.from);
+    put_point(slots + at(ElementSlot::To), plane, element.to);
+    const bool is_arc = element.is_arc();
+    if (is_arc) {
+        put_point(slots + at(ElementSlot::Center), plane, element.center);
+    } else {
+        for (std::size_t i = 0; i < 3; ++i)
+            slots[at(ElementSlot::Center) + i].number = sema::kNotGivenNumber;
+    }
+    slots[at(ElementSlot::Radius)].number = is_arc ? path::radius(element) : sema::kNotGivenNumber;
+    slots[at(ElementSlot::Sweep)].number = neat_degrees(deg_from_rad(element.sweep));
+    slots[at(ElementSlot::Length)].number = path::length(element);
+    slots[at(ElementSlot::IsArc)].integer = is_arc;
+}
+
+Vec2 point_in(const Slot* slots, const PlaneIndices& axes) {
+    return {slots[axes.first].number, slots[axes.second].number};
+}
+
+}  // namespace
+
+// ---------------------------------------------------------------- values
+
+Expander::State::PlaneContour Expander::State::read_contour(Slot handle) {
+    PlaneContour result;
+    const Heap::ArrayView elements = heap.array(handle.integer);
+    for (std::int64_t i = 0; i < elements.count; ++i) {
+        const Slot* slots = elements.slots + i * elements.stride;
+        if (i == 0) {
+            // The coordinate that is not given is the one across the plane.
+            if (!is_given(slots[1])) result.plane = path::Plane::Zx;
+            else if (!is_given(slots[0])) result.plane = path::Plane::Yz;
+        }
+        const PlaneIndices axes = indices_of(result.plane);
+        Element element;
+        element.from = point_in(slots + at(ElementSlot::From), axes);
+        element.to = point_in(slots + at(ElementSlot::To), axes);
+        if (slots[at(ElementSlot::IsArc)].integer != 0) {
+            element.center = point_in(slots + at(ElementSlot::Center), axes);
+            element.sweep = rad_from_deg(slots[at(ElementSlot::Sweep)].number);
+        }
+        result.elements.push_back(element);
+    }
+    return result;
+}
+
+std::int64_t Expander::State::make_contour(const PlaneContour& contour, std::uint32_t layout) {
+    const std::int64_t array = heap.new_array(layout);
+    std::array<Slot, sema::kElementSlots> slots{};
+    for (const Element& element : contour.elements) {
+        put_element(slots.data(), contour.plane, element);
+        heap.append(array, slots.data());
+    }
+    return array;
+}
+
+bool Expander::State::contour_value(const Instruction& instruction, Slot* registers,
+                                    std::uint32_t where) {
+    const auto function = static_cast<ContourFunction>(instruction.immediate.pair.first);
+    const auto layout = static_cast<std::uint32_t>(instruction.immediate.pair.second);
+    Slot& result = registers[instruction.a];
+    const Slot* arguments = registers + instruction.b;
+    const Slot handle = function == ContourFunction::IsInside ? arguments[3] : arguments[0];
+    PlaneContour contour = read_contour(handle);
+    const PlaneIndices axes = indices_of(contour.plane);
+    const auto point_argument = [&](const Slot* slots) -> std::optional<Vec2> {
+        for (const std::size_t i : {axes.first, axes.second}) {
+            if (is_given(slots[i])) continue;
+            not_given("the coordinate " + std::string(kAxisNames[i]) + " of the point", where);
+            return std::nullopt;
+        }
+        return point_in(slots, axes);
+    };
+    const auto needs_elements = [&] {
+        if (!contour.elements.empty()) return true;
+        fault(diag::ContourEmpty, where);
+        return false;
+    };
+    const auto needs_closed = [&](std::string_view what) {
+        if (path::is_closed(contour.elements)) return true;
+        fault(diag::ContourOpen, where).arg(what);
+        return false;
+    };
+    const auto put_made = [&](Contour elements) {
+        contour.elements = std::move(elements);
+        result.integer = make_contour(contour, layout);
+        return true;
+    };
+    switch (function) {
+        case ContourFunction::Length: result.number = path::length(contour.elements); return true;
+        case ContourFunction::Area:
+            if (!needs_closed("the area")) return false;
+            result.number = std::fabs(path::signed_area(contour.elements));
+            return true;
+        case ContourFunction::IsClosed:
+            result.integer = path::is_closed(contour.elements);
+            return true;
+        case ContourFunction::IsClockwise:
+            if (!needs_closed("the sense of rotation")) return false;
+            result.integer = path::signed_area(contour.elements) < 0;
+            return true;
+        case ContourFunction::Start:
+        case ContourFunction::End: {
+            if (!needs_elements()) return false;
+            const bool is_start = function == ContourFunction::Start;
+            put_point(&result, contour.plane,
+                      is_start ? contour.elements.front().from : contour.elements.back().to);
+            return true;
+        }
+        case ContourFunction::Min:
+        case ContourFunction::Max: {
+            if (!needs_elements()) return false;
+            const path::Rectangle box = path::bounds(contour.elements);
+            put_point(&result, contour.plane,
+                      function == ContourFunction::Min ? box.lower : box.upper);
+            return true;
+        }
+        case ContourFunction::Reverse: return put_made(path::reversed(contour.elements));
+        case ContourFunction::Offset: {
+            const double distance = arguments[1].number;
+            const auto pieces = path::offset(contour.elements, distance);
+            if (!pieces) {
+                fault(diag::OffsetUnresolved, where).arg(mm_text(distance));
+                return false;
+            }
+            const std::int64_t list = heap.new_array(layout);
+            const std::uint32_t inner = code.layouts[layout].nested[0];
+            for (const Contour& piece : *pieces) {
+                Slot slot{};
+                slot.integer = make_contour({piece, contour.plane}, inner);
+                heap.append(list, &slot);
+            }
+            result.integer = list;
+            return true;
+        }
+        case ContourFunction::Shift: {
+            Vec2 by = Vec2::Zero();
+            if (is_given(arguments[1 + axes.first])) by.x() = arguments[1 + axes.first].number;
+            if (is_given(arguments[1 + axes.second])) by.y() = arguments[1 + axes.second].number;
+            return put_made(path::shifted(contour.elements, by));
+        }
+        case ContourFunction::Rotate: {
+            Vec2 about = Vec2::Zero();
+            const Slot* slots = arguments + 2;
+            if (is_given(slots[axes.first])) about.x() = slots[axes.first].number;
+            if (is_given(slots[axes.second])) about.y() = slots[axes.second].number;
+            const Contour turned = path::rotated(path::shifted(contour.elements, -about),
+                                                 rad_from_deg(arguments[1].number));
+            return put_made(path::shifted(turned, about));
+        }
+        case ContourFunction::Mirror:
+            return put_made(path::mirrored(contour.elements, arguments[1 + axes.first].integer != 0,
+                                           arguments[1 + axes.second].integer != 0));
+        case ContourFunction::IsInside: {
+            if (!needs_closed("the inside")) return false;
+            const std::optional<Vec2> point = point_argument(arguments);
+            if (!point) return false;
+            result.integer = path::is_inside(contour.elements, *point);
+            return true;
+        }
+        case ContourFunction::Nearest: {
+            if (!needs_elements()) return false;
+            const std::optional<Vec2> point = point_argument(arguments + 1);
+            if (!point) return false;
+            put_point(&result, contour.plane, path::nearest(contour.elements, *point).point);
+            return true;
+        }
+        case ContourFunction::Intersections: {
+            const PlaneContour other = read_contour(arguments[1]);
+            const bool both = !contour.elements.empty() && !other.elements.empty();
+            if (both && contour.plane != other.plane) {
+                fault(diag::ContourPlane, where)
+                    .arg("a contour")
+                    .arg(axes_text(contour.plane))
+                    .arg("another one")
+                    .arg(axes_text(other.plane));
+                return false;
+            }
+            const std::int64_t list = heap.new_array(layout);
+            if (both) {
+                for (const Vec2& point : path::intersections(contour.elements, other.elements)) {
+                    std::array<Slot, 3> slots{};
+                    put_point(slots.data(), contour.plane, point);
+                    heap.append(list, slots.data());
+                }
+            }
+            result.integer = list;
+            return true;
+        }
+    }
+    return true;
+}
+
+// ---------------------------------------------------------------- blocks that are kept
+
+void Expander::State::begin_contour() {
+    Recording recording;
+    recording.before = modal;
+    recordings.push_back(std::move(recording));
+    // A contour says the same wherever it is made: in coordinates, cut, from a point of its own.
+    modal.known = 0;
+    modal.restate_motion = false;
+    modal.active[static_cast<std::size_t>(Group::Motion)] = Function::Line;
+    modal.active[static_cast<std::size_t>(Group::Distance)] = Function::Absolute;
+}
+
+std::int64_t Expander::State::end_contour(std::uint32_t layout) {
+    const Recording recording = std::move(recordings.back());
+    recordings.pop_back();
+    modal = recording.before;
+    return make_contour({recording.elements, recording.plane}, layout);
+}
+
+bool Expander::State::close_contour(std::uint32_t where) {
+    if (recordings.empty()) return true;  // in a function that is called from elsewhere
+    Recording& recording = recordings.back();
+    if (!recording.has_start || recording.is_closed) {
+        if (recording.is_closed) fault(diag::ContourComplete, where);
+        else fault(diag::ContourEmpty, where);
+        return false;
+    }
+    if (recording.at != recording.start)
+        recording.elements.push_back(path::line_element(recording.at, recording.start));
+    recording.at = recording.start;
+    recording.is_closed = true;
+    return true;
+}
+
+bool Expander::State::keep_plan(const Instruction& instruction, const Slot* registers,
+                                std::uint32_t where) {
+    const sema::Plan& plan = code.plans[static_cast<std::size_t>(instruction.immediate.pair.first)];
+    for (const nc::Invocation& invocation : plan.functions) {
+        switch (nc::info(invocation.function).group) {
+            case Group::Plane:
+            case Group::Distance: continue;
+            default:
+                return refuse_block("`" + std::string(nc::info(invocation.function).name) + "`",
+                                    where);
+        }
+    }
+    return fill_plan(instruction, registers, where) && keep(kept_block, where);
+}
+
+bool Expander::State::refuse_block(std::string_view what, std::uint32_t where) {
+    fault(diag::ContourBlock, where).arg(what);
+    return false;
+}
+
+/// One block more: its motion becomes an element.
+bool Expander::State::keep(const Block& block, std::uint32_t where) {
+    Recording& recording = recordings.back();
+    const path::Plane plane = plane_of(modal[Group::Plane]);
+    const PlaneIndices axes = indices_of(plane);
+    if (!recording.has_start) recording.plane = plane;
+    else if (recording.plane != plane) return refuse_block("another plane", where);
+    if (block.has(nc::Slot::Feed)) return refuse_block("a feed", where);
+    if (block.has(nc::Slot::Speed)) return refuse_block("a speed", where);
+    if (block.has(nc::Slot::Turns)) return refuse_block("a helix", where);
+    const nc::SlotMask in_plane = nc::SlotMask{1} << axes.first | nc::SlotMask{1} << axes.second;
+    const nc::SlotMask others = block.given & nc::kTargetSlots & ~in_plane;
+    if (others != 0) {
+        const auto axis = static_cast<std::size_t>(std::countr_zero(others));
+        return refuse_block("a motion of " + std::string(kAxisNames[axis]), where);
+    }
+    const Function motion = modal[Group::Motion];
+    const bool is_arc = nc::is_arc(motion);
+    const bool has_center = (block.given & nc::kCenterSlots) != 0;
+    const bool has_radius = block.has(nc::Slot::Radius);
+    const bool moves = (block.given & in_plane) != 0 || (is_arc && has_center);
+    if (!moves) return true;
+    if (recording.is_closed) {
+        fault(diag::ContourComplete, where);
+        return false;
+    }
+    const Vec2 to(modal.position[axes.first], modal.position[axes.second]);
+    if (!recording.has_start) {
+        const bool both =
+            (modal.known >> axes.first & 1u) != 0 && (modal.known >> axes.second & 1u) != 0;
+        if (!both || is_arc) {
+            fault(diag::ContourStart, where)
+                .arg(kAxisNames[axes.first])
+                .arg(kAxisNames[axes.second]);
+            return false;
+        }
+        recording.has_start = true;
+        recording.start = recording.at = to;
+        // `G0 X… Y…` may say where it begins; from here on it is cut.
+        if (motion == Function::Rapid)
+            modal.active[static_cast<std::size_t>(Group::Motion)] = Function::Line;
+        return true;
+    }
+    if (motion == Function::Rapid) return refuse_block("a rapid motion", where);
+    if (!is_arc) {
+        if (has_center || has_radius) return refuse_block("a centre without G2 or G3", where);
+        if (to != recording.at) recording.elements.push_back(path::line_element(recording.at, to));
+        recording.at = to;
+        return true;
+    }
+    // Arcs are made as the interpreter makes them, in space with the plane's axes.
+    const auto in_space = [&](const Vec2& v) {
+        Vec3 point = Vec3::Zero();
+        point[static_cast<Eigen::Index>(axes.first)] = v.x();
+        point[static_cast<Eigen::Index>(axes.second)] = v.y();
+        return point;
+    };
+    const bool is_clockwise = motion == Function::ArcCw;
+    const path::ArcEnds ends{in_space(recording.at), in_space(to)};
+    path::ArcTurning turning;
+    turning.plane = plane;
+    turning.is_clockwise = is_clockwise;
+    Result<path::Arc, path::ArcFault> arc = path::ArcFault::NoRadius;
+    if (has_radius) {
+        arc = path::arc_of_radius(ends, block.at(nc::Slot::Radius), turning);
+    } else {
+        Vec3 center = ends.start;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto slot =
+                static_cast<nc::Slot>(static_cast<std::size_t>(nc::Slot::CenterX) + i);
+            if (!block.has(slot)) continue;
+            if (i == axes.across) return refuse_block("a centre across the plane", where);
+            double& value = center[static_cast<Eigen::Index>(i)];
+            if ((block.absolute & nc::bit(slot)) != 0) value = block.at(slot);
+            else value += block.at(slot);
+        }
+        path::ArcTolerance tolerance;
+        tolerance.mode = path::RadiusError::ShiftCenter;
+        arc = path::arc_about_center(ends, center, turning, tolerance);
+    }
+    if (!arc) {
+        fault(diag::ContourArc, where).arg(describe(arc.error()));
+        return false;
+    }
+    Element element;
+    element.from = recording.at;
+    element.to = to;
+    element.center = {arc->center[static_cast<Eigen::Index>(axes.first)],
+                      arc->center[static_cast<Eigen::Index>(axes.second)]};
+    element.sweep = is_clockwise ? -arc->sweep : arc->sweep;
+    recording.elements.push_back(element);
+    recording.at = to;
+    return true;
+}
+
+// ---------------------------------------------------------------- follow
+
+std::optional<Expander::State::PlaneContour> Expander::State::followed(const Slot* arguments,
+                                                                       std::uint32_t where) {
+    PlaneContour contour = read_contour(arguments[at(FollowSlot::Contour)]);
+    if (contour.elements.empty()) {
+        fault(diag::ContourEmpty, where);
+        return std::nullopt;
+    }
+    const auto size_of = [&](FollowSlot slot, std::string_view name) -> std::optional<double> {
+        const Slot value = arguments[at(slot)];
+        if (!is_given(value)) return 0;
+        if (value.number >= 0 && value.number < 1e6) return value.number;
+        fault(diag::LeadSize, where).arg(name).arg(mm_text(value.number));
+        return std::nullopt;
+    };
+    const auto line_in = size_of(FollowSlot::LeadIn, "lead_in");
+    const auto line_out = line_in ? size_of(FollowSlot::LeadOut, "lead_out") : line_in;
+    const auto arc_in = line_out ? size_of(FollowSlot::ArcIn, "arc_in") : line_out;
+    const auto arc_out = arc_in ? size_of(FollowSlot::ArcOut, "arc_out") : arc_in;
+    if (!arc_out) return std::nullopt;
+    const Slot left = arguments[at(FollowSlot::Left)];
+    const Slot right = arguments[at(FollowSlot::Right)];
+    const double distance = is_given(left) ? left.number : is_given(right) ? -right.number : 0;
+    const Contour wall = contour.elements;
+    if (distance != 0) {
+        const auto pieces = path::offset(contour.elements, distance);
+        if (!pieces) {
+            fault(diag::OffsetUnresolved, where).arg(mm_text(distance));
+            return std::nullopt;
+        }
+        if (pieces->size() != 1) {
+            fault(diag::ToolDoesNotFit, where)
+                .arg(mm_text(std::fabs(distance)))
+                .arg(pieces->empty() ? std::string("nothing is left")
+                                     : std::to_string(pieces->size()) + " pieces are left");
+            return std::nullopt;
+        }
+        const Element& first = contour.elements.front();
+        const Vec2 along = path::start_direction(first);
+        const Vec2 beside = first.from + Vec2(-along.y(), along.x()) * distance;
+        const bool is_ring = path::is_closed(contour.elements);
+        contour.elements = is_ring ? path::begun_near((*pieces)[0], beside) : (*pieces)[0];
+    }
+    path::Leads leads;
+    leads.line_in = *line_in;
+    leads.line_out = *line_out;
+    leads.arc_in = *arc_in;
+    leads.arc_out = *arc_out;
+    leads.is_left = is_given(left) ? left.number >= 0 : is_given(right) && right.number < 0;
+    const bool has_side = is_given(left) || is_given(right);
+    auto whole = path::with_leads(contour.elements, leads, {wall, std::fabs(distance), has_side});
+    if (!whole) {
+        fault(diag::LeadCuts, where)
+            .arg(whole.error() == path::LeadFault::InCuts ? "lead-in" : "lead-out");
+        return std::nullopt;
+    }
+    contour.elements = std::move(whole).value();
+    return contour;
+}
+
+bool Expander::State::follow_start(const Instruction& instruction, Slot* registers,
+                                   std::uint32_t where) {
+    const auto contour = followed(registers + instruction.b, where);
+    if (!contour) return false;
+    put_point(registers + instruction.a, contour->plane, contour->elements.front().from);
+    return true;
+}
+
+bool Expander::State::follow_contour(const Instruction& instruction, const Slot* registers,
+                                     std::uint32_t where) {
+    const Slot* arguments = registers + instruction.a;
+    const auto contour = followed(arguments, where);
+    if (!contour) return false;
+    const path::Plane plane = plane_of(modal[Group::Plane]);
+    if (contour->plane != plane) {
+        fault(diag::ContourPlane, where)
+            .arg("a contour")
+            .arg(axes_text(contour->plane))
+            .arg("the program")
+            .arg(axes_text(plane));
+        return false;
+    }
+    FollowedBlock next;
+    next.source = {static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    next.depth = instruction.c;
+    next.feed = arguments[at(FollowSlot::Feed)].number;
+    const PlaneIndices axes = indices_of(plane);
+    const Vec2 begin = contour->elements.front().from;
+    const bool is_known =
+        (modal.known >> axes.first & 1u) != 0 && (modal.known >> axes.second & 1u) != 0;
+    const Vec2 here(modal.position[axes.first], modal.position[axes.second]);
+    const bool is_there = is_known && (here - begin).norm() <= path::kSamePoint;
+    if (!is_there) {
+        if (!emit_element(path::line_element(here, begin), next, where)) return false;
+        next.feed = sema::kNotGivenNumber;
+    }
+    for (const Element& element : contour->elements) {
+        if (!emit_element(element, next, where)) return false;
+        next.feed = sema::kNotGivenNumber;
+    }
+    return true;
+}
+
+/// A line or an arc as a block in the present plane, in coordinates.
+bool Expander::State::emit_element(const Element& element, const FollowedBlock& next,
+                                   std::uint32_t where) {
+    if (is_block_limit(where)) return false;
+    const PlaneIndices axes = indices_of(plane_of(modal[Group::Plane]));
+    Block& block = next_block(next.source);
+    block.motion = !element.is_arc()   ? Function::Line
+                   : element.sweep > 0 ? Function::ArcCcw
+                                       : Function::ArcCw;
+    modal.take_functions(block);
+    const std::size_t plane_axes[2] = {axes.first, axes.second};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto component = static_cast<Eigen::Index>(i);
+        const auto word = static_cast<nc::Slot>(plane_axes[i]);
+        block.set(word, element.to[component]);
+        if (modal[Group::Distance] == Function::Incremental) block.absolute |= nc::bit(word);
+        if (!element.is_arc()) continue;
+        const auto center =
+            static_cast<nc::Slot>(static_cast<std::size_t>(nc::Slot::CenterX) + plane_axes[i]);
+        block.set(center, element.center[component] - element.from[component]);
+    }
+    return finish_followed(block, next, where);
+}
+
+bool Expander::State::finish_followed(Block& block, const FollowedBlock& next,
+                                      std::uint32_t where) {
+    if (next.feed == next.feed) {
+        sema::Filling filling;
+        filling.form = sema::Filling::Form::Feed;
+        if (!fill_feed(block, filling, next.feed, where)) {
+            drop_block(block);
+            return false;
+        }
+    }
+    modal.take_words(block);
+    if (!recordings.empty()) return keep(block, where);
+    if (options.trace) keep_trace(where, next.depth, next.source);
+    return true;
+}
+
+}  // namespace kadr::expand

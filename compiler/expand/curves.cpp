@@ -1,0 +1,199 @@
+// curves.cpp — curves of a running program: their points with derivatives, and the blocks that are
+// fitted to them.
+#include <cmath>
+
+#include "base/numbers.h"
+#include "expand/plane.h"
+#include "expand/state.h"
+
+namespace kadr::expand {
+
+using nc::Function;
+using nc::Group;
+using path::Vec2;
+using path::Vec3;
+using sema::CurveSlot;
+using sema::Slot;
+
+namespace {
+
+constexpr std::size_t at(CurveSlot slot) { return static_cast<std::size_t>(slot); }
+
+/// First and second axis of the plane, then the one across.
+std::array<std::size_t, 3> order_of(path::Plane plane) {
+    const PlaneIndices axes = indices_of(plane);
+    return {axes.first, axes.second, axes.across};
+}
+
+bool is_sane(double value) { return std::fabs(value) < 1e15; }
+
+std::string number_text(double value) {
+    std::string text;
+    append_shortest(text, std::nearbyint(value * 1e6) / 1e6);
+    return text;
+}
+
+}  // namespace
+
+/// Calls the curve's function in the registers behind those of the caller.
+std::optional<path::CurveSample> Expander::State::curve_point(const Instruction& instruction,
+                                                              std::uint32_t where,
+                                                              double parameter) {
+    const sema::FunctionCode& function =
+        code.functions[static_cast<std::size_t>(instruction.immediate.pair.first)];
+    if (frames.size() > options.limits.call_depth) {
+        fault(diag::CallDepthLimit, where)
+            .arg(static_cast<std::int64_t>(options.limits.call_depth));
+        return std::nullopt;
+    }
+    const CallFrame caller = frames.back();
+    const std::uint32_t base = caller.base + caller.function->registers;
+    reserve_stack(std::size_t{base} + function.registers + 8);
+    slopes.resize(stack.size());
+    const std::size_t arguments = caller.base + instruction.a + at(CurveSlot::Arguments);
+    const std::size_t running = function.parameters.back().slot;
+    for (std::size_t i = 0; i < running; ++i) {
+        stack[base + i] = stack[arguments + i];
+        slopes[base + i] = 0;
+    }
+    stack[base + running].number = parameter;
+    slopes[base + running] = 1;
+    CallFrame& frame = frames.push();
+    frame = {};
+    frame.function = &function;
+    frame.return_to = where + 1;  // CurveEnd
+    frame.base = base;
+    frame.given = static_cast<std::uint32_t>(code.instructions[where + 1].immediate.pair.first);
+    frame.promises = static_cast<std::uint32_t>(promises.size());
+    frame.loops = caller.loops;
+    const std::size_t number = static_cast<std::size_t>(instruction.immediate.pair.first);
+    pc = frame.given == all_given[number] ? function.body : function.entry;
+    is_in_curve = true;
+    run<false, true>();
+    is_in_curve = false;
+    if (has_failed) return std::nullopt;
+
+    Following& curve = *following;
+    path::CurveSample sample;
+    const std::array<std::size_t, 3> axes = order_of(curve.plane);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double value = stack[base + axes[i]].number;
+        const bool is_given = value == value;
+        if (!curve.fit) curve.is_given[i] = is_given;
+        if (curve.is_given[i] != is_given) {
+            fault(diag::CurveCoordinate, where)
+                .arg(function.name)
+                .arg(std::string(1, "xyz"[axes[i]]))
+                .arg(function.parameters.back().name)
+                .arg(number_text(parameter));
+            return std::nullopt;
+        }
+        if (!is_given) continue;
+        if (!is_sane(value)) {
+            math_fault(sema::MathFault::Overflow, where);
+            return std::nullopt;
+        }
+        sample.position[static_cast<Eigen::Index>(i)] = value;
+        sample.derivative[static_cast<Eigen::Index>(i)] = slopes[base + axes[i]];
+    }
+    return sample;
+}
+
+bool Expander::State::start_curve(const Instruction& instruction, std::uint32_t where) {
+    const Slot* options_of = stack.data() + frames.back().base + instruction.a;
+    const double tolerance = options_of[at(CurveSlot::Tolerance)].number;
+    if (!(tolerance >= kLeastTolerance) || !is_sane(tolerance)) {
+        fault(diag::CurveTolerance, where).arg(number_text(tolerance) + " mm");
+        return false;
+    }
+    following.emplace();
+    Following& curve = *following;
+    curve.plane = plane_of(modal[Group::Plane]);
+    curve.next.source = {static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    curve.next.depth = instruction.c;
+    curve.next.feed = options_of[at(CurveSlot::Feed)].number;
+    path::FitOptions fit;
+    fit.tolerance = tolerance;
+    fit.from = options_of[at(CurveSlot::From)].number;
+    fit.to = options_of[at(CurveSlot::To)].number;
+    const bool wants_arcs = options_of[at(CurveSlot::Arcs)].integer != 0;
+    // The first point tells which coordinates the curve has.
+    const std::optional<path::CurveSample> first = curve_point(instruction, where, fit.from);
+    if (!first) return false;
+    const bool is_flat = curve.is_given[0] && curve.is_given[1] && !curve.is_given[2];
+    const bool has_arcs = target.can_write(Function::ArcCw) && target.can_write(Function::ArcCcw);
+    fit.kind = is_flat && has_arcs && wants_arcs ? path::FitKind::Biarcs : path::FitKind::Lines;
+    const Instruction* self = &instruction;
+    curve.fit = std::make_unique<path::CurveFit>(
+        [this, self, where](double parameter) { return curve_point(*self, where, parameter); },
+        fit);
+    curve.at = first->position.head<2>();
+    // To the start, unless the tool is there.
+    const std::array<std::size_t, 3> axes = order_of(curve.plane);
+    bool is_there = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!curve.is_given[i]) continue;
+        const bool is_known = (modal.known >> axes[i] & 1u) != 0;
+        const double way = modal.position[axes[i]] - first->position[static_cast<Eigen::Index>(i)];
+        is_there = is_there && is_known && std::fabs(way) <= path::kSamePoint;
+    }
+    if (is_there) return true;
+    if (!emit_line(first->position, curve.next, where)) return false;
+    curve.next.feed = sema::kNotGivenNumber;
+    return true;
+}
+
+Expander::State::Progress Expander::State::follow_curve(const Instruction& instruction,
+                                                        std::uint32_t where) {
+    if (is_in_curve) {
+        fault(diag::CurveBlock, where);
+        return Progress::Failed;
+    }
+    if (!following && !start_curve(instruction, where)) return Progress::Failed;
+    for (;;) {
+        const bool has_room = !recordings.empty() || batch_count < batch_size;
+        if (!has_room) return Progress::BatchFull;
+        Following& curve = *following;
+        const std::optional<path::FitPiece> piece = curve.fit->next();
+        if (!piece) break;
+        const Vec2 to = piece->to.head<2>();
+        if (piece->sweep == 0) {
+            if (!emit_line(piece->to, curve.next, where)) return Progress::Failed;
+        } else {
+            const path::Element arc{curve.at, to, piece->center, piece->sweep};
+            if (!emit_element(arc, curve.next, where)) return Progress::Failed;
+        }
+        curve.at = to;
+        curve.next.feed = sema::kNotGivenNumber;
+    }
+    if (has_failed) return Progress::Failed;
+    if (following->fit->fault() == path::FitFault::Jump) {
+        const sema::FunctionCode& function =
+            code.functions[static_cast<std::size_t>(instruction.immediate.pair.first)];
+        fault(diag::CurveJump, where)
+            .arg(function.name)
+            .arg(function.parameters.back().name)
+            .arg(number_text(following->fit->parameter()));
+        return Progress::Failed;
+    }
+    following.reset();
+    return Progress::Done;
+}
+
+/// A line in all coordinates that the curve has.
+bool Expander::State::emit_line(const Vec3& to, const FollowedBlock& next, std::uint32_t where) {
+    if (is_block_limit(where)) return false;
+    const std::array<std::size_t, 3> axes = order_of(following->plane);
+    nc::Block& block = next_block(next.source);
+    block.motion = Function::Line;
+    modal.take_functions(block);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!following->is_given[i]) continue;
+        const auto word = static_cast<nc::Slot>(axes[i]);
+        block.set(word, to[static_cast<Eigen::Index>(i)]);
+        if (modal[Group::Distance] == Function::Incremental) block.absolute |= nc::bit(word);
+    }
+    return finish_followed(block, next, where);
+}
+
+}  // namespace kadr::expand

@@ -1,0 +1,275 @@
+// contours.cpp — contours: blocks kept as a value, what can be asked of them and made of them, and
+// `follow`, which turns them into blocks again.
+#include <array>
+
+#include "sema/checker.h"
+
+namespace kadr::sema {
+
+using syntax::Decl;
+using syntax::Expr;
+using syntax::ExprId;
+using syntax::ExprKind;
+
+namespace {
+
+struct Property {
+    std::string_view name;
+    ContourFunction function;
+};
+
+constexpr Property kProperties[] = {
+    {"length", ContourFunction::Length},
+    {"area", ContourFunction::Area},
+    {"is_closed", ContourFunction::IsClosed},
+    {"is_clockwise", ContourFunction::IsClockwise},
+    {"start", ContourFunction::Start},
+    {"end", ContourFunction::End},
+    {"min", ContourFunction::Min},
+    {"max", ContourFunction::Max},
+};
+
+constexpr Quantity kArea{2, 0, 0, 0};
+
+}  // namespace
+
+// ---------------------------------------------------------------- declarations
+
+/// The statements run with the blocks being kept; loops around cannot be left from here.
+void Checker::contour_body(const Decl& decl, Reg target) {
+    emit_.set_place(decl.name_range);
+    emit_.emit(Op::BeginContour);
+    std::vector<LoopScope> loops;
+    std::swap(loops, loops_);
+    ++contour_depth_;
+    statement(decl.body);
+    --contour_depth_;
+    std::swap(loops, loops_);
+    emit_.set_place(decl.name_range);
+    emit_.emit_pair(Op::EndContour, target, 0, 0, layout_constant(types::kElement));
+}
+
+void Checker::contour_variable(const Decl& decl) {
+    Symbol symbol;
+    symbol.name = text(decl.name);
+    symbol.range = decl.name_range;
+    symbol.type = types::kContour;
+    symbol.reg = emit_.take(1);
+    contour_body(decl, symbol.reg);
+    add_symbol(std::move(symbol));
+}
+
+// ---------------------------------------------------------------- questions
+
+Value Checker::contour_value(ContourFunction function, Type result, Reg arguments,
+                             const SourceRange& range) {
+    const Reg reg = emit_.take(type_info(result).slots);
+    const TypeInfo info = type_info(result);
+    const std::uint32_t layout = info.kind == Kind::Array ? layout_constant(info.element) : 0;
+    emit_.set_place(range);
+    emit_.emit_pair(Op::ContourValue, reg, arguments, 0, static_cast<std::int64_t>(function),
+                    layout);
+    Value value = in_registers(result, reg);
+    value.is_fresh = true;
+    return value;
+}
+
+std::optional<Value> Checker::contour_property(const Value& contour, const Expr& expr) {
+    const std::string_view name = text(expr.text);
+    for (const Property& property : kProperties) {
+        if (property.name != name) continue;
+        Type type = types::kPoint;
+        switch (property.function) {
+            case ContourFunction::Length: type = types::kLengthType; break;
+            case ContourFunction::Area: type = types_.real(kArea); break;
+            case ContourFunction::IsClosed:
+            case ContourFunction::IsClockwise: type = types::kBool; break;
+            default: break;
+        }
+        return contour_value(property.function, type, contour.reg, expr.range);
+    }
+    return std::nullopt;
+}
+
+// ---------------------------------------------------------------- functions
+
+/// `shift`, `rotate` and `mirror` are commands as well; with a contour in front they make one.
+bool Checker::is_contour_argument(const Expr& expr) {
+    const auto arguments = ast().exprs(expr.list);
+    if (arguments.empty()) return false;
+    const Expr& first = ast()[arguments[0]];
+    if (first.kind == ExprKind::Argument && !first.text.is_empty())
+        return text(first.text) == "contour";
+    return is_contour(
+        types_.given(type_of(first.kind == ExprKind::Argument ? first.child[0] : arguments[0])));
+}
+
+namespace {
+
+/// A parameter of a function of contours, and its type.
+struct ContourParameter {
+    std::string_view name;
+    Type type;
+    bool is_required = true;
+};
+
+struct ContourRow {
+    std::string_view name;
+    ContourFunction function;
+    bool is_command_too;
+    std::array<ContourParameter, 4> parameters;
+};
+
+constexpr ContourRow kFunctions[] = {
+    {"reverse", ContourFunction::Reverse, false, {{{"contour", types::kContour}}}},
+    {"offset",
+     ContourFunction::Offset,
+     false,
+     {{{"contour", types::kContour}, {"distance", types::kLengthType}}}},
+    {"shift",
+     ContourFunction::Shift,
+     true,
+     {{{"contour", types::kContour},
+       {"x", types::kOptionalLength, false},
+       {"y", types::kOptionalLength, false},
+       {"z", types::kOptionalLength, false}}}},
+    {"rotate",
+     ContourFunction::Rotate,
+     true,
+     {{{"contour", types::kContour},
+       {"angle", types::kAngleType},
+       {"about", types::kPoint, false}}}},
+    {"mirror",
+     ContourFunction::Mirror,
+     true,
+     {{{"contour", types::kContour},
+       {"x", types::kBool, false},
+       {"y", types::kBool, false},
+       {"z", types::kBool, false}}}},
+    {"inside",
+     ContourFunction::IsInside,
+     false,
+     {{{"point", types::kPoint}, {"contour", types::kContour}}}},
+    {"nearest",
+     ContourFunction::Nearest,
+     false,
+     {{{"contour", types::kContour}, {"point", types::kPoint}}}},
+    {"intersections",
+     ContourFunction::Intersections,
+     false,
+     {{{"a", types::kContour}, {"b", types::kContour}}}},
+};
+
+}  // namespace
+
+std::optional<Value> Checker::contour_function(std::string_view name, const Expr& expr) {
+    if (name == "follow" || name == "follow_start") return follow_call(expr, name);
+    for (const ContourRow& row : kFunctions) {
+        if (row.name != name) continue;
+        if (row.is_command_too && !is_contour_argument(expr)) return std::nullopt;
+        std::vector<std::string_view> names;
+        unsigned slots = 0;
+        for (const ContourParameter& parameter : row.parameters) {
+            if (parameter.name.empty()) break;
+            names.push_back(parameter.name);
+            slots += type_info(parameter.type).slots;
+        }
+        const auto bound = bind_arguments(expr, name, names, {});
+        if (!bound) return error_value();
+        const Reg first = emit_.take(slots);
+        Reg reg = first;
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const ContourParameter& parameter = row.parameters[i];
+            if ((*bound)[i].is_valid()) {
+                // A contour is only looked at here: no copy.
+                const Reg mark = emit_.mark();
+                const Value value = convert(expression((*bound)[i], parameter.type), parameter.type,
+                                            ast()[(*bound)[i]].range, parameter.name);
+                if (is_error(value)) return value;
+                if (is_contour(parameter.type)) emit_.emit(Op::Move, reg, value.reg);
+                else copy_value(value, reg);
+                emit_.release_to(mark);
+            } else if (parameter.is_required) {
+                report(diag::ArgumentMissing, expr.range).arg(name).arg(parameter.name);
+                return error_value();
+            } else if (parameter.type == types::kBool) {
+                emit_.emit_integer(Op::LoadI, reg, 0, 0);
+            } else {
+                emit_unset(parameter.type, reg);
+            }
+            reg = static_cast<Reg>(reg + type_info(parameter.type).slots);
+        }
+        Type result = types::kContour;
+        switch (row.function) {
+            case ContourFunction::Offset: result = types_.array(types::kContour, -1); break;
+            case ContourFunction::IsInside: result = types::kBool; break;
+            case ContourFunction::Nearest: result = types::kPoint; break;
+            case ContourFunction::Intersections: result = types_.array(types::kPoint, -1); break;
+            default: break;
+        }
+        return contour_value(row.function, result, first, expr.range);
+    }
+    return std::nullopt;
+}
+
+// ---------------------------------------------------------------- follow
+
+Value Checker::follow_call(const Expr& expr, std::string_view name) {
+    if (const std::optional<ExprId> curve = curve_argument(expr))
+        return follow_curve(expr, name, *curve);
+    static constexpr std::array<std::string_view, kFollowSlots> kNames = {
+        "contour", "feed", "left", "right", "lead_in", "lead_out", "arc_in", "arc_out"};
+    const auto bound = bind_arguments(expr, name, kNames, {});
+    const bool is_start = name == "follow_start";
+    const Value none = is_start ? error_value() : in_registers(types::kVoid, 0);
+    if (!bound) return none;
+    if (!(*bound)[0].is_valid()) {
+        report(diag::ArgumentMissing, expr.range).arg(name).arg("contour");
+        return none;
+    }
+    const auto given = [&](FollowSlot slot) {
+        return (*bound)[static_cast<std::size_t>(slot)].is_valid();
+    };
+    if (given(FollowSlot::Left) && given(FollowSlot::Right)) {
+        report(diag::FollowSides,
+               ast()[(*bound)[static_cast<std::size_t>(FollowSlot::Right)]].range)
+            .arg(name);
+    }
+    const bool has_side = given(FollowSlot::Left) || given(FollowSlot::Right);
+    for (const FollowSlot slot : {FollowSlot::ArcIn, FollowSlot::ArcOut}) {
+        if (!given(slot) || has_side) continue;
+        const auto i = static_cast<std::size_t>(slot);
+        report(diag::FollowArcSide, ast()[(*bound)[i]].range).arg(kNames[i]);
+    }
+    const Reg first = emit_.take(kFollowSlots);
+    for (std::size_t i = 0; i < kFollowSlots; ++i) {
+        const auto reg = static_cast<Reg>(first + i);
+        const auto slot = static_cast<FollowSlot>(i);
+        Type type = types::kOptionalLength;
+        if (slot == FollowSlot::Contour) type = types::kContour;
+        if (slot == FollowSlot::Feed) type = types_.optional(types::kFeed);
+        const ExprId id = (*bound)[i];
+        if (!id.is_valid()) {
+            emit_unset(type, reg);
+            continue;
+        }
+        const Reg mark = emit_.mark();
+        const Value value = convert(expression(id, type), type, ast()[id].range, kNames[i]);
+        if (!is_error(value)) {
+            if (slot == FollowSlot::Contour) emit_.emit(Op::Move, reg, value.reg);
+            else copy_value(value, reg);
+        }
+        emit_.release_to(mark);
+    }
+    emit_.set_place(expr.range);
+    if (!is_start) {
+        emit_.emit_pair(Op::FollowContour, first, 0, static_cast<unsigned>(loop_depth_), 0,
+                        statement_id(expr.range));
+        return none;
+    }
+    const Reg point = emit_.take(3);
+    emit_.emit(Op::FollowStart, point, first);
+    return in_registers(types::kPoint, point);
+}
+
+}  // namespace kadr::sema

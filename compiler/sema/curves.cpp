@@ -1,0 +1,155 @@
+// curves.cpp — curves: a function of points by a parameter, and `follow`, which fits blocks to it.
+//
+// A curve becomes two functions: one gives the point at a value of the parameter, one gives the
+// range of the parameter. Both have the curve's own parameters.
+#include <array>
+
+#include "sema/checker.h"
+
+namespace kadr::sema {
+
+using syntax::Decl;
+using syntax::Expr;
+using syntax::ExprId;
+using syntax::ExprKind;
+
+void Checker::curve_body(const FunctionDecl& function, const Decl& decl) {
+    const Decl running = ast()[ast().decls(decl.members)[0]];
+    const Type type = resolve_type(running.type);
+    if (function.is_limits) {
+        const Reg first = emit_.take(2);
+        const std::array<ExprId, 2> ends = {decl.value, decl.value_to};
+        for (std::size_t i = 0; i < 2; ++i) {
+            emit_.set_place(ast()[ends[i]].range);
+            expression_in(ends[i], type, static_cast<Reg>(first + i), text(running.name));
+        }
+        emit_.emit(Op::Return, first, 0, 2);
+        return;
+    }
+    if (kind(type) != Kind::Real && kind(type) != Kind::Error) {
+        report(diag::CurveParameter, ast()[running.type].range)
+            .arg(text(running.name))
+            .arg(type_name(type));
+    }
+    // x, y and z are variables of the body; what is not assigned stays not given.
+    const Reg point = emit_.take(3);
+    emit_unset(types::kPoint, point);
+    const std::size_t symbols = symbols_.size();
+    static constexpr std::array<std::string_view, 3> kNames = {"x", "y", "z"};
+    for (std::size_t i = 0; i < 3; ++i) {
+        Symbol symbol;
+        symbol.name = kNames[i];
+        symbol.type = types::kLengthType;
+        symbol.reg = static_cast<Reg>(point + i);
+        symbol.may_be_unset = true;
+        symbol.givenness = Givenness::NotGiven;
+        symbol.range = decl.name_range;
+        add_symbol(symbol);
+    }
+    // Parameters that only the range uses are used.
+    for (Symbol& symbol : symbols_) symbol.is_read = true;
+    // No scope of its own: a variable `x` in the body would hide the coordinate.
+    for (const syntax::StmtId id : ast().stmts(ast()[decl.body].statements)) statement(id);
+    bool is_empty = true;
+    for (std::size_t i = 0; i < 3; ++i)
+        is_empty = is_empty && symbols_[symbols + i].givenness == Givenness::NotGiven;
+    if (is_empty) report(diag::CurveEmpty, decl.name_range).arg(text(decl.name));
+    emit_.set_place(decl.name_range);
+    emit_.emit(Op::Return, point, 0, 3);
+}
+
+std::optional<ExprId> Checker::curve_argument(const Expr& expr) {
+    const auto arguments = ast().exprs(expr.list);
+    if (arguments.empty()) return std::nullopt;
+    const Expr& first = ast()[arguments[0]];
+    ExprId id = arguments[0];
+    if (first.kind == ExprKind::Argument) {
+        if (!first.text.is_empty() && text(first.text) != "curve") return std::nullopt;
+        id = first.child[0];
+    }
+    if (ast()[id].kind != ExprKind::Call) return std::nullopt;
+    const Expr& callee = ast()[ast()[id].child[0]];
+    if (callee.kind != ExprKind::Name) return std::nullopt;
+    const Found found = find(text(callee.text));
+    const bool is_curve =
+        found.symbol < 0 && found.name != nullptr && found.name->what == Name::What::Curve;
+    return is_curve ? std::optional(id) : std::nullopt;
+}
+
+Value Checker::follow_curve(const Expr& expr, std::string_view name, ExprId curve) {
+    static constexpr std::array<std::string_view, 4> kNames = {"curve", "feed", "tolerance",
+                                                               "arcs"};
+    const bool is_start = name == "follow_start";
+    const Value none = is_start ? error_value() : in_registers(types::kVoid, 0);
+    const auto bound = bind_arguments(expr, name, kNames, {});
+    const Expr& call = ast()[curve];
+    const Found found = find(text(ast()[call.child[0]].text));
+    const std::uint32_t index = found.name->index;
+    for (const std::uint32_t needed : {index, index + 1}) {
+        if (functions_[needed].is_wanted) continue;
+        functions_[needed].is_wanted = true;
+        wanted_.push_back(needed);
+    }
+    const FunctionDecl limits = functions_[index + 1];
+    std::vector<std::string_view> names;
+    for (const ParameterDecl& parameter : limits.parameters) names.push_back(parameter.name);
+    const auto arguments = bind_arguments(call, limits.name, names, limits.range);
+    if (!bound || !arguments) return none;
+
+    const auto options = static_cast<unsigned>(CurveSlot::Arguments);
+    const std::uint16_t slots = limits.parameter_slots;
+    const Reg first = emit_.take(options + slots);
+    const auto reg_of = [&](CurveSlot slot) {
+        return static_cast<Reg>(first + static_cast<unsigned>(slot));
+    };
+    const Reg values = reg_of(CurveSlot::Arguments);
+    std::uint32_t given = 0;
+    for (std::size_t i = 0; i < limits.parameters.size(); ++i) {
+        const ParameterDecl& parameter = limits.parameters[i];
+        if ((*arguments)[i].is_valid()) {
+            pass_argument(parameter, (*arguments)[i], values);
+            given |= 1u << i;
+        } else if (parameter.is_required) {
+            report(diag::ArgumentMissing, call.range)
+                .arg(limits.name)
+                .arg(parameter.name)
+                .note(parameter.range, "it is declared here");
+        }
+    }
+    const auto option = [&](std::size_t i, CurveSlot slot, Type type) {
+        const ExprId id = (*bound)[i];
+        if (id.is_valid()) expression_in(id, type, reg_of(slot), kNames[i]);
+        return id.is_valid();
+    };
+    if (!option(1, CurveSlot::Feed, types_.optional(types::kFeed)))
+        emit_unset(types_.optional(types::kFeed), reg_of(CurveSlot::Feed));
+    if (!option(2, CurveSlot::Tolerance, types::kLengthType))
+        emit_.emit_number(Op::LoadF, reg_of(CurveSlot::Tolerance), 0, kCurveTolerance);
+    if (!option(3, CurveSlot::Arcs, types::kBool))
+        emit_.emit_integer(Op::LoadI, reg_of(CurveSlot::Arcs), 0, 1);
+
+    // The limits; the window of a call is overwritten, so the arguments are copied into it.
+    emit_.set_place(call.range);
+    const auto statement = static_cast<std::int32_t>(statement_id(expr.range));
+    const Reg window = emit_.take(std::max(3u, slots + 1u));
+    if (slots > 0) emit_.emit(Op::MoveN, window, values, slots);
+    emit_.emit_pair(Op::Call, window, index + 2, static_cast<unsigned>(loop_depth_), statement,
+                    static_cast<std::int32_t>(given));
+    emit_.emit(Op::MoveN, reg_of(CurveSlot::From), window, 2);
+    if (is_start) {
+        if (slots > 0) emit_.emit(Op::MoveN, window, values, slots);
+        emit_.emit(Op::Move, static_cast<Reg>(window + slots), reg_of(CurveSlot::From));
+        emit_.emit_pair(Op::Call, window, index + 1, static_cast<unsigned>(loop_depth_), statement,
+                        static_cast<std::int32_t>(given | 1u << limits.parameters.size()));
+        Value value = in_registers(types::kPoint, window);
+        value.is_fresh = true;
+        return value;
+    }
+    emit_.emit_pair(Op::FollowCurve, first, 0, static_cast<unsigned>(loop_depth_), index + 1,
+                    statement);
+    emit_.emit_pair(Op::CurveEnd, 0, 0, 0,
+                    static_cast<std::int64_t>(given | 1u << limits.parameters.size()));
+    return none;
+}
+
+}  // namespace kadr::sema

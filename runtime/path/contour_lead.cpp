@@ -1,0 +1,89 @@
+#include "path/contour_lead.h"
+
+#include <algorithm>
+
+#include "path/contour_offset.h"
+
+namespace kadr::path {
+
+namespace {
+
+Vec2 left_of(const Vec2& v) { return {-v.y(), v.x()}; }
+
+/// The way that arrives at `point` along `direction`, its last element first.
+Contour way_in(const Vec2& point, const Vec2& direction, double line, double arc, bool is_left) {
+    Contour way;
+    Vec2 at = point;
+    Vec2 along = direction;
+    if (arc > 0) {
+        // A quarter circle about the point beside: it begins one radius back and one to the side.
+        const Vec2 side = is_left ? left_of(direction) : Vec2(-left_of(direction));
+        const Vec2 center = point + side * arc;
+        const Vec2 begin = center - direction * arc;
+        way.push_back(arc_element(begin, point, center, !is_left));
+        at = begin;
+        along = -side;
+    }
+    if (line > 0) way.push_back(line_element(at - along * line, at));
+    return way;
+}
+
+/// Points of a lead that are looked at: every fifth of a degree of a quarter circle and the bends
+/// of the wall beside it cannot hide more than the tolerance between them.
+constexpr int kLooks = 500;
+
+/// Whether a way meets the path elsewhere than at `joint`, or the wall.
+bool cuts(const Contour& way, const Contour& path, const Vec2& joint, bool is_left,
+          const Wall& wall) {
+    const std::vector<Vec2> points = intersections(way, path);
+    const bool meets = std::any_of(points.begin(), points.end(),
+                                   [&](const Vec2& p) { return (p - joint).norm() > kSamePoint; });
+    if (meets || !wall.has_side) return meets;
+    for (const Element& element : way) {
+        for (int i = 0; i <= kLooks && wall.distance > 0; ++i) {
+            const Vec2 point = point_at(element, static_cast<double>(i) / kLooks);
+            if (nearest(wall.contour, point).distance < wall.distance - 2 * kOffsetTolerance)
+                return true;
+        }
+    }
+    // Along the wall itself a lead that does not cross it may still lie on the wrong side.
+    if (wall.distance > 0 || way.empty() || !is_closed(wall.contour)) return false;
+    const Vec2 middle = point_at(way.back(), 0.5);
+    const bool is_free_inside = (signed_area(wall.contour) > 0) == is_left;
+    return (turns_around(wall.contour, middle) != 0) != is_free_inside;
+}
+
+}  // namespace
+
+Result<Contour, LeadFault> with_leads(const Contour& path, const Leads& leads, const Wall& wall) {
+    const Element& first = path.front();
+    const Element& last = path.back();
+    Contour in =
+        way_in(first.from, start_direction(first), leads.line_in, leads.arc_in, leads.is_left);
+    // Backwards, the way out is a way in, and left is right.
+    const Contour out =
+        way_in(last.to, -end_direction(last), leads.line_out, leads.arc_out, !leads.is_left);
+    if (cuts(in, path, first.from, leads.is_left, wall)) return LeadFault::InCuts;
+    if (cuts(out, path, last.to, leads.is_left, wall)) return LeadFault::OutCuts;
+    std::reverse(in.begin(), in.end());
+    in.insert(in.end(), path.begin(), path.end());
+    for (const Element& element : out) in.push_back(reversed(element));
+    return in;
+}
+
+Contour begun_near(const Contour& contour, const Vec2& point) {
+    const Nearest at = nearest(contour, point);
+    const Element& element = contour[at.element];
+    const double size = length(element);
+    Contour result;
+    const auto next = static_cast<std::ptrdiff_t>(at.element) + 1;
+    const bool at_start = at.share * size <= kSamePoint;
+    const bool at_end = (1 - at.share) * size <= kSamePoint;
+    if (!at_end) result.push_back(at_start ? element : part(element, at.share, 1));
+    result.insert(result.end(), contour.begin() + next, contour.end());
+    result.insert(result.end(), contour.begin(), contour.begin() + next - 1);
+    if (!at_start) result.push_back(at_end ? element : part(element, 0, at.share));
+    return result;
+}
+
+}  // namespace kadr::path
