@@ -19,8 +19,9 @@ struct Reply {
 Reply explain_message(Session& session, std::string_view code);
 
 Reply list_dialects(Session& session);
-/// Everything that can be wrong in a dialect file: what loading finds, rules of the interpreter that
-/// do not exist or have a wrong value, a frame that does not read back, examples that are not true.
+/// Everything that can be wrong in a dialect file: what loading finds, rules of the interpreter
+/// that do not exist or have a wrong value, a frame that does not read back, examples that are not
+/// true.
 Reply check_dialect(Session& session, const std::string& name_or_file);
 /// What a word of the control, a function of the vocabulary or a cycle means there.
 Reply explain_word(Session& session, const std::string& name_or_file, const std::string& word);

@@ -34,12 +34,8 @@ const std::map<std::string, std::set<std::string>> kFloors = {
 
 /// Libraries that only the named files may see.
 const std::map<std::string, std::set<std::string>> kDoors = {
-    {"antlr4-runtime", {"syntax"}},
-    {"KadrLexer", {"syntax"}},
-    {"KadrParser", {"syntax"}},
-    {"pugixml", {"base"}},
-    {"CLI/", {"cli"}},
-    {"histedit", {"repl"}},
+    {"antlr4-runtime", {"syntax"}},  {"KadrLexer", {"syntax"}}, {"KadrParser", {"syntax"}},
+    {"pugixml", {"base"}},           {"CLI/", {"cli"}},         {"histedit", {"repl"}},
     {"nlohmann", {"driver", "cli"}},
 };
 

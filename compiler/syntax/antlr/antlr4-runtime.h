@@ -1,4 +1,5 @@
-// antlr4-runtime.h — the parts of ANTLR's runtime that Kadr, its tests and its generated parser use.
+// antlr4-runtime.h — the parts of ANTLR's runtime that Kadr, its tests and its generated parser
+// use.
 //
 // The generated files include a header of this name, and this folder is searched before ANTLR's
 // own: that one brings in everything, among it misc/InterpreterDataReader.h, which is no valid C++
