@@ -22,7 +22,9 @@ function(kadr_defaults target)
     target_link_options(${target} PUBLIC -fsanitize=fuzzer-no-link)
   endif()
   if(KADR_TIDY)
-    set_target_properties(${target} PROPERTIES CXX_CLANG_TIDY "clang-tidy;--quiet")
+    # Clang does not know every warning option of g++.
+    set_target_properties(${target} PROPERTIES CXX_CLANG_TIDY
+      "clang-tidy;--quiet;--extra-arg=-Wno-unknown-warning-option")
   endif()
 endfunction()
 

@@ -27,9 +27,9 @@ bool is_given(Slot slot, unsigned kind) {
                                                            : slot.integer != sema::kNotGivenInteger;
 }
 
+/// `sign`, `min`, `max`; `abs` may overflow and stands at its instruction.
 std::int64_t integer_math(Math function, std::int64_t a, std::int64_t b) {
     switch (function) {
-        case Math::Abs: return a < 0 ? -a : a;
         case Math::Sign: return (a > 0) - (a < 0);
         case Math::Min: return std::min(a, b);
         default: return std::max(a, b);
@@ -422,6 +422,13 @@ op_Math2 : {
     KADR_NEXT;
 }
 op_MathI:
+    if (static_cast<Math>(ip->immediate.pair.first) == Math::Abs) {
+        const std::optional<std::int64_t> amount = sema::magnitude(B.integer);
+        if (!amount) [[unlikely]]
+            goto integer_overflow;
+        A.integer = *amount;
+        KADR_NEXT;
+    }
     A.integer = integer_math(static_cast<Math>(ip->immediate.pair.first), B.integer, C.integer);
     KADR_NEXT;
 

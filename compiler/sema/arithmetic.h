@@ -25,7 +25,10 @@ struct Reduced {
 /// Takes right angles off. Exact: `quarter·90` and the difference are multiples of the last bit of
 /// the angle and no larger than it.
 inline Reduced reduce(double angle_deg) {
-    if (!(std::fabs(angle_deg) < 1e15)) angle_deg = std::fmod(angle_deg, 360.0);
+    if (!(std::fabs(angle_deg) < 1e15)) {
+        angle_deg = std::fmod(angle_deg, 360.0);
+        if (std::isnan(angle_deg)) return {angle_deg, 0};  // it was infinite, or no number before
+    }
     const auto turns =
         static_cast<std::int64_t>(angle_deg * (1.0 / 90.0) + (angle_deg < 0 ? -0.5 : 0.5));
     return {angle_deg - static_cast<double>(turns) * 90.0, static_cast<unsigned>(turns) & 3u};
@@ -90,6 +93,12 @@ double slope(Math function, double a, double b, double da, double db);
 std::optional<std::int64_t> to_integer(double value, Rounding rounding);
 /// Rounds to a multiple of `unit`.
 double round_to_unit(double value, Rounding rounding, double unit);
+
+/// The amount of a whole number; nothing for the least one, whose amount is beyond 64 bits.
+constexpr std::optional<std::int64_t> magnitude(std::int64_t a) {
+    if (a == INT64_MIN) return std::nullopt;
+    return a < 0 ? -a : a;
+}
 
 /// The remainder with the sign of the dividend, as in C. `b` is not zero.
 constexpr std::int64_t remainder(std::int64_t a, std::int64_t b) { return b == -1 ? 0 : a % b; }

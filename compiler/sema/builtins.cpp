@@ -98,7 +98,12 @@ Value Checker::math_call(Math function, const Expr& expr, std::string_view name,
     if (kind(argument->type) == Kind::Int && any) {
         if (argument->is_constant()) {
             const std::int64_t n = argument->constant.integer;
-            return constant_integer(keeps ? (n < 0 ? -n : n) : (n > 0) - (n < 0), types::kInt);
+            const std::optional<std::int64_t> amount = magnitude(n);
+            if (keeps && !amount) {
+                report(diag::ConstantFault, expr.range).arg("the whole number leaves 64 bits");
+                return error_value();
+            }
+            return constant_integer(keeps ? *amount : (n > 0) - (n < 0), types::kInt);
         }
         const Reg reg = hint != kNoReg ? hint : emit_.take(1);
         emit_.emit_pair(Op::MathI, reg, argument->reg, 0, static_cast<std::int64_t>(function));

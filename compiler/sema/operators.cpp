@@ -86,7 +86,7 @@ Value Checker::unary(ExprId id, Type expected, Reg hint) {
     if (expr.op == Operator::Plus) return value;
     if (value.is_constant()) {
         if (k == Kind::Real) return constant_number(-value.constant.number, value.type);
-        return constant_integer(-value.constant.integer, value.type);
+        return fold_integers(Operator::Subtract, 0, value.constant.integer, expr.range);
     }
     const Reg reg = hint != kNoReg ? hint : emit_.take(1);
     emit_.emit(k == Kind::Int ? Op::NegI : Op::NegF, reg, value.reg);

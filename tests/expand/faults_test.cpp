@@ -23,6 +23,11 @@ TEST(Faults, StandWhereTheyHappen) {
          "1:28 K3101 a fractional power of a negative number"},
         {"program p(real n = 1000) { X=exp(n); }",
          "1:30 K3101 the result is too large for a number"},
+        // The least whole number: its amount, and what is left of it, would be one too many.
+        {"program p(int n = -9223372036854775807) { n -= 1; X=abs(n); }",
+         "1:53 K3102 the whole number leaves 64 bits"},
+        {"program p(int n = -9223372036854775807) { n -= 1; X=-n; }",
+         "1:53 K3102 the whole number leaves 64 bits"},
         {"program p(int n = -1) { int[] a = {1}; X=a[n]; }",
          "1:42 K3106 there is no element -1; the array has 1"},
         {"program p(int n = 5) { int[] a = {1}; a[n] = 2; }",

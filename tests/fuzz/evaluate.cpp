@@ -1,6 +1,7 @@
 // Random expressions that are right by construction, evaluated twice: by the checker, which folds
 // what is constant, and by the evaluator, from variables. Promise: both come to the same number.
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -157,6 +158,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Answer run = evaluate(expression.declarations, expression.variables);
     const std::string both = expression.folded + '\n' + expression.variables;
     if (!run.refusal.empty()) fuzz::broken("an expression of variables passes", run.refusal + both);
+    if (run.value && !std::isfinite(*run.value)) {
+        fuzz::broken("only numbers reach a block", both);
+    }
     // The checker looks at both sides of `?:` and `&&`, the evaluator only at the one that is
     // taken: only the checker may refuse what the other one answers.
     if (folded.value && (!run.value || std::bit_cast<std::uint64_t>(*folded.value) !=

@@ -124,6 +124,10 @@ TEST(Mistakes, ConstantsAreComputedBefore) {
         {"program p() { X=tan(90); }", "1:17 K2109 the tangent of a right angle"},
         {"program p() { int n = 9000000000000000000 * 2; }",
          "1:23 K2109 the whole number leaves 64 bits"},
+        {"program p() { X=-(~9223372036854775807); }",
+         "1:17 K2109 the whole number leaves 64 bits"},
+        {"program p() { X=abs(~9223372036854775807); }",
+         "1:17 K2109 the whole number leaves 64 bits"},
         {"const real k = 0;\nprogram p() { X=1/k; }", "2:17 K2109 division by zero"},
     });
 }
