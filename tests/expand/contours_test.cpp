@@ -177,7 +177,10 @@ TEST(Contours, MistakesHaveTheirPlaces) {
              {"while (true) { contour c = { G1 X0 Y0; break; }; }", "2:40 K2217"},
          }) {
         SCOPED_TRACE(row.source);
-        const Outcome outcome = run_body(row.source);
+        Outcome outcome = run_body(row.source);
+        // Most of these contours are only made.
+        std::erase_if(outcome.messages,
+                      [](const std::string& message) { return message.ends_with("K2501"); });
         ASSERT_EQ(outcome.messages.size(), 1u);
         EXPECT_EQ(outcome.messages[0], row.message);
     }
