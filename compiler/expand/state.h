@@ -54,6 +54,22 @@ class CallStack {
     std::size_t size_ = 0;
 };
 
+/// What the blocks that follow a contour or a curve have in common.
+struct FollowedBlock {
+    SourceId source;
+    unsigned depth = 0;  // loops around the statement
+    double feed = 0;     // of the block, second form included; NaN: none
+};
+
+/// A curve that is being followed: its blocks may fill several batches.
+struct Following {
+    std::unique_ptr<path::CurveFit> fit;
+    path::Plane plane = path::Plane::Xy;
+    std::array<bool, 3> is_given{};  // coordinates, in the order of the plane
+    path::Vec2 at = path::Vec2::Zero();
+    FollowedBlock next;
+};
+
 struct Expander::State {
     State(const sema::Code& program, const nc::Dialect& dialect, const ExpandOptions& wanted,
           DiagnosticSink& messages);
@@ -134,11 +150,6 @@ struct Expander::State {
     std::optional<PlaneContour> followed(const Slot* arguments, std::uint32_t at);
     bool follow_start(const Instruction& instruction, Slot* registers, std::uint32_t at);
     bool follow_contour(const Instruction& instruction, const Slot* registers, std::uint32_t at);
-    struct FollowedBlock {
-        SourceId source;
-        unsigned depth = 0;  // loops around the statement
-        double feed = 0;     // of the block, second form included; NaN: none
-    };
     bool emit_element(const path::Element& element, const FollowedBlock& next, std::uint32_t at);
     bool finish_followed(nc::Block& block, const FollowedBlock& next, std::uint32_t at);
     /// Finest tolerance of a curve, mm: the increment of the finest controls.
@@ -211,14 +222,6 @@ struct Expander::State {
     std::vector<Recording> recordings;  // innermost last
     nc::Block kept_block;               // takes the words of a block that is kept
 
-    /// A curve that is being followed: its blocks may fill several batches.
-    struct Following {
-        std::unique_ptr<path::CurveFit> fit;
-        path::Plane plane = path::Plane::Xy;
-        std::array<bool, 3> is_given{};  // coordinates, in the order of the plane
-        path::Vec2 at = path::Vec2::Zero();
-        FollowedBlock next;
-    };
     std::optional<Following> following;
     bool is_in_curve = false;    // a point of a curve is being calculated
     std::vector<double> slopes;  // beside `stack`, while one is
