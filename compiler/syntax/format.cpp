@@ -559,14 +559,14 @@ std::optional<std::string> format(const Sources& sources, FileId file, const Key
     DiagnosticList mistakes;
     const Ast ast = parse(sources, file, keywords, dialect, mistakes);
     for (const Diagnostic& mistake : mistakes.all()) sink.take(mistake);
-    if (!mistakes.all().empty()) return std::nullopt;
+    if (mistakes.has_errors()) return std::nullopt;
     std::string text = Formatting(pieces_of(sources, file, keywords, dialect)).run();
 
     Sources check;
     const FileId again = check.add(std::string(sources.name(file)), text);
     DiagnosticList none;
     const Ast same = parse(check, again, keywords, dialect, none);
-    KADR_ASSERT(none.all().empty() && dump(same) == dump(ast), "the layout changed the meaning");
+    KADR_ASSERT(!none.has_errors() && dump(same) == dump(ast), "the layout changed the meaning");
     return text;
 }
 

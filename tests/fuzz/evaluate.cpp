@@ -107,7 +107,14 @@ void Expression::real(int depth) {
         case 2:
         case 3: return binary(&Expression::real, kOperators[take(std::size(kOperators))], depth);
         case 4: put("(- "), real(depth - 1), put(")"); return;
-        case 5: return call(&Expression::real, kUnary[take(std::size(kUnary))], 1, depth);
+        case 5: {
+            const std::string_view name = kUnary[take(std::size(kUnary))];
+            const bool is_angle = name == "asin";  // a number again when it is divided by a degree
+            if (is_angle) put("(");
+            call(&Expression::real, name, 1, depth);
+            if (is_angle) put("/1deg)");
+            return;
+        }
         case 6: return call(&Expression::real, kBinary[take(std::size(kBinary))], 2, depth);
         case 7: return call(&Expression::integer, "real", 1, depth);
         default: return choice(&Expression::real, depth);
