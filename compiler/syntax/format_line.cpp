@@ -233,6 +233,15 @@ bool Spacing::has_blank(std::size_t i) {
     if (before == Token::Address && is_assignment(here)) return false;
     if (i > 1 && token(i - 2) == Token::Address && is_assignment(before)) return false;
     if (here == Token::Colon && !is_choice_[i]) return in_for();
+    // `200mm / min` is a quotient, `200mm/min` a feed.
+    if (here == Token::Slash && before == Token::Number && i + 1 < pieces_.size() &&
+        token(i + 1) == Token::Identifier) {
+        return true;
+    }
+    if (before == Token::Slash && i > 1 && token(i - 2) == Token::Number &&
+        here == Token::Identifier) {
+        return true;
+    }
     if (here == Token::Star || here == Token::Slash || before == Token::Star ||
         before == Token::Slash) {
         return false;
