@@ -160,6 +160,8 @@ unsigned char Editor::cancel() {
 const char* Editor::line() {
     was_cancelled_ = false;
     int count = 0;
+    // Before the prompt shows: a Ctrl-D that came between the two would be lost.
+    el_set(edit_, EL_PREP_TERM, 1);
     const char* text = el_gets(edit_, &count);
     if (was_cancelled_) return "";
     if (text == nullptr || count <= 0) return nullptr;

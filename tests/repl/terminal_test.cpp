@@ -16,12 +16,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::chrono::seconds kPatience{20};
+
 /// `kadr repl` behind a pseudo-terminal, with a state folder of its own.
 class Terminal {
   public:
     explicit Terminal(const fs::path& state) {
         winsize size{24, 80, 0, 0};
         pid_ = ::forkpty(&master_, nullptr, nullptr, &size);
+        EXPECT_GE(pid_, 0) << "no pseudo-terminal";
         if (pid_ == 0) {
             ::setenv("XDG_STATE_HOME", state.c_str(), 1);
             ::setenv("TERM", "xterm", 1);
@@ -30,9 +33,11 @@ class Terminal {
         }
     }
     ~Terminal() {
+        if (pid_ < 0) return;  // a kill of -1 would be one of every process
         ::close(master_);
+        if (was_waited_) return;
         ::kill(pid_, SIGKILL);
-        if (!was_waited_) ::waitpid(pid_, nullptr, 0);
+        ::waitpid(pid_, nullptr, 0);
     }
     Terminal(const Terminal&) = delete;
     Terminal& operator=(const Terminal&) = delete;
@@ -42,7 +47,7 @@ class Terminal {
     }
     /// Waits until the words have come since the last call; what came, or all that came in vain.
     std::string expect(std::string_view words) {
-        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+        const auto end = std::chrono::steady_clock::now() + kPatience;
         while (std::chrono::steady_clock::now() < end) {
             const std::size_t at = heard_.find(words);
             if (at != std::string::npos) {
@@ -60,11 +65,15 @@ class Terminal {
         ADD_FAILURE() << "waited for: " << words << "\ncame: " << heard_;
         return heard_;
     }
+    /// The program's exit status; -1: it did not end by itself.
     int status() {
+        const auto end = std::chrono::steady_clock::now() + kPatience;
         int status = 0;
-        ::waitpid(pid_, &status, 0);
-        was_waited_ = true;
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        while (!was_waited_ && std::chrono::steady_clock::now() < end) {
+            was_waited_ = ::waitpid(pid_, &status, WNOHANG) == pid_;
+            if (!was_waited_) ::usleep(5'000);
+        }
+        return was_waited_ && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
 
   private:
