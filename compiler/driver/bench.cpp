@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "base/diagnostics/test.h"
 #include "base/text.h"
 #include "driver/command_tap.h"
 #include "driver/execution.h"

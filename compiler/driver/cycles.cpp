@@ -6,6 +6,7 @@
 #include <system_error>
 #include <vector>
 
+#include "base/diagnostics/driver.h"
 #include "expand/expander.h"
 
 namespace kadr::driver {

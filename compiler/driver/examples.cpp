@@ -8,6 +8,7 @@
 #include <system_error>
 #include <vector>
 
+#include "base/diagnostics/dialect.h"
 #include "driver/cycles.h"
 #include "driver/program.h"
 #include "expand/expander.h"

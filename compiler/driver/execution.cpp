@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/diagnostics/driver.h"
+#include "base/diagnostics/iso.h"
 #include "base/text.h"
 
 namespace kadr::driver {

@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 
+#include "base/diagnostics/driver.h"
 #include "driver/execution.h"
 #include "driver/file_text.h"
 #include "driver/generated_text.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "base/diagnostics/driver.h"
 #include "driver/execution.h"
 #include "driver/file_text.h"
 #include "driver/modules.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/diagnostics/expand.h"
 #include "driver/source_map.h"
 
 namespace kadr::driver {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/allow.h"
+#include "base/diagnostics/driver.h"
 #include "base/render.h"
 
 namespace kadr::driver {

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/diagnostics/driver.h"
 #include "base/text.h"
 
 namespace kadr::driver {

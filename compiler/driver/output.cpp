@@ -9,6 +9,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/diagnostics/driver.h"
+
 namespace kadr::driver {
 
 namespace {

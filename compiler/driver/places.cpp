@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "base/diagnostics/driver.h"
+
 namespace kadr::driver {
 
 namespace {

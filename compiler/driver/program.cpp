@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/diagnostics/driver.h"
 #include "sema/check.h"
 
 namespace kadr::driver {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/diagnostics/driver.h"
 #include "base/numbers.h"
 #include "base/units.h"
 #include "driver/command_list.h"

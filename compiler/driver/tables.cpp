@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/diagnostic.h"
+#include "base/diagnostics/driver.h"
 #include "base/text.h"
 #include "driver/examples.h"
 #include "interp/rules.h"

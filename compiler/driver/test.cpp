@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/diagnostics/expand.h"
+#include "base/diagnostics/test.h"
 #include "base/text.h"
 #include "driver/bench.h"
 #include "driver/execution.h"

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/assert.h"
+#include "base/diagnostics/expand.h"
 #include "expand/state.h"
 #include "nc/tables.h"
 #include "syntax/ast.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/assert.h"
+#include "base/diagnostics/expand.h"
 #include "base/numbers.h"
 #include "base/units.h"
 #include "expand/plane.h"

@@ -2,6 +2,7 @@
 // fitted to them.
 #include <cmath>
 
+#include "base/diagnostics/expand.h"
 #include "base/numbers.h"
 #include "expand/plane.h"
 #include "expand/state.h"

@@ -1,6 +1,7 @@
 // faults.cpp — errors of a running program: the place, the reason, and who called whom.
 #include <algorithm>
 
+#include "base/diagnostics/expand.h"
 #include "expand/state.h"
 
 namespace kadr::expand {

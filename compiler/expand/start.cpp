@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/diagnostics/expand.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "expand/state.h"

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "base/assert.h"
+#include "base/diagnostics/expand.h"
+#include "base/diagnostics/test.h"
 #include "expand/state.h"
 
 namespace kadr::expand {

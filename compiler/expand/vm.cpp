@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "base/assert.h"
+#include "base/diagnostics/expand.h"
 #include "base/text.h"
 #include "expand/state.h"
 #include "sema/csv.h"

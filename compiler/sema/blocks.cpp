@@ -1,6 +1,7 @@
 // blocks.cpp — NC blocks in the source: words become a plan with values to fill in.
 #include <algorithm>
 
+#include "base/diagnostics/sema.h"
 #include "base/numbers.h"
 #include "sema/checker.h"
 

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "base/diagnostics/sema.h"
 #include "sema/arithmetic.h"
 #include "sema/checker.h"
 

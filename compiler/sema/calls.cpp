@@ -2,6 +2,7 @@
 // arrays, tables.
 #include <algorithm>
 
+#include "base/diagnostics/sema.h"
 #include "base/text.h"
 #include "sema/checker.h"
 #include "sema/csv.h"

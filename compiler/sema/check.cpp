@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/diagnostics/sema.h"
 #include "sema/checker.h"
 
 namespace kadr::sema {

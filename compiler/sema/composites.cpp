@@ -1,6 +1,7 @@
 // composites.cpp — points, structs and arrays in braces; members.
 #include <algorithm>
 
+#include "base/diagnostics/sema.h"
 #include "sema/checker.h"
 
 namespace kadr::sema {

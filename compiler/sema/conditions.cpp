@@ -1,4 +1,5 @@
 // conditions.cpp — comparison and logic, as jumps where a statement asks and as values elsewhere.
+#include "base/diagnostics/sema.h"
 #include "sema/checker.h"
 
 namespace kadr::sema {

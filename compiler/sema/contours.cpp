@@ -2,6 +2,7 @@
 // `follow`, which turns them into blocks again.
 #include <array>
 
+#include "base/diagnostics/sema.h"
 #include "sema/checker.h"
 
 namespace kadr::sema {

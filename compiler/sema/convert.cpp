@@ -1,6 +1,7 @@
 // convert.cpp — a value in its place: bare numbers take the unit, quantities must fit.
 #include <cmath>
 
+#include "base/diagnostics/sema.h"
 #include "sema/checker.h"
 
 namespace kadr::sema {

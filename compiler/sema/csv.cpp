@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/diagnostics/sema.h"
 #include "base/numbers.h"
 #include "base/text.h"
 

@@ -4,6 +4,7 @@
 // range of the parameter. Both have the curve's own parameters.
 #include <array>
 
+#include "base/diagnostics/sema.h"
 #include "sema/checker.h"
 
 namespace kadr::sema {

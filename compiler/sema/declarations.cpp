@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/assert.h"
+#include "base/diagnostics/sema.h"
 #include "base/text.h"
 #include "sema/checker.h"
 

@@ -1,6 +1,7 @@
 // expressions.cpp — expressions by their kind: literals, names, `? :`.
 #include <cmath>
 
+#include "base/diagnostics/sema.h"
 #include "sema/checker.h"
 
 namespace kadr::sema {

@@ -1,4 +1,5 @@
 // loops.cpp — loops: the condition stands behind the body, so that a turn costs one jump.
+#include "base/diagnostics/sema.h"
 #include "sema/checker.h"
 
 namespace kadr::sema {

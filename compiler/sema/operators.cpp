@@ -1,6 +1,7 @@
 // operators.cpp — arithmetic: what fits together, and what it becomes.
 #include <cmath>
 
+#include "base/diagnostics/sema.h"
 #include "sema/arithmetic.h"
 #include "sema/checker.h"
 

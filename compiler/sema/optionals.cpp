@@ -1,4 +1,5 @@
 // optionals.cpp — not given is not zero: what is known about it, how it is asked and supplied.
+#include "base/diagnostics/sema.h"
 #include "sema/checker.h"
 
 namespace kadr::sema {

@@ -1,6 +1,7 @@
 // places.cpp — what can be assigned and referred to: variables, members, elements; and assignment.
 #include <algorithm>
 
+#include "base/diagnostics/sema.h"
 #include "base/text.h"
 #include "sema/checker.h"
 

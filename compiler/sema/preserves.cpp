@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/diagnostics/sema.h"
 #include "sema/checker.h"
 
 namespace kadr::sema {

@@ -1,6 +1,7 @@
 // scope.cpp — names: where they are looked for, what is known about a variable at each point.
 #include <algorithm>
 
+#include "base/diagnostics/sema.h"
 #include "base/text.h"
 #include "sema/builtins.h"
 #include "sema/checker.h"

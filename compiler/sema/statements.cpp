@@ -1,6 +1,7 @@
 // statements.cpp — statements: variables, branches, contracts, messages.
 #include <algorithm>
 
+#include "base/diagnostics/sema.h"
 #include "sema/checker.h"
 
 namespace kadr::sema {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "base/diagnostics/sema.h"
+#include "base/diagnostics/test.h"
 #include "base/text.h"
 #include "sema/checker.h"
 

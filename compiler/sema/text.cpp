@@ -1,6 +1,7 @@
 // text.cpp — strings with values in them, and the tables of constants.
 #include <charconv>
 
+#include "base/diagnostics/sema.h"
 #include "sema/checker.h"
 
 namespace kadr::sema {

@@ -1,4 +1,5 @@
 // with.cpp — modal words and frames that a brace ends; what `preserves` names.
+#include "base/diagnostics/sema.h"
 #include "sema/checker.h"
 
 namespace kadr::sema {

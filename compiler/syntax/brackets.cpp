@@ -1,5 +1,7 @@
 #include "syntax/brackets.h"
 
+#include "base/diagnostics/syntax.h"
+
 namespace kadr::syntax {
 
 namespace {

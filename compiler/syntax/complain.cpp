@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/assert.h"
+#include "base/diagnostics/syntax.h"
 #include "base/text.h"
 #include "syntax/keyword.h"
 #include "syntax/operators.h"

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/diagnostics/syntax.h"
 #include "base/text.h"
 #include "base/xml.h"
 #include "syntax/keyword.h"

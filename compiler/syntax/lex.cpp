@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/allow.h"
+#include "base/diagnostics/syntax.h"
 #include "base/text.h"
 #include "syntax/antlr.h"
 #include "syntax/strings.h"

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/diagnostics/syntax.h"
+
 namespace kadr::syntax {
 
 void LimitedSink::take(Diagnostic diagnostic) {

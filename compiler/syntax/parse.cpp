@@ -1,5 +1,6 @@
 #include "syntax/parse.h"
 
+#include "base/diagnostics/syntax.h"
 #include "syntax/brackets.h"
 #include "syntax/lex.h"
 #include "syntax/prepare.h"

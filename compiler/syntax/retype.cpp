@@ -2,6 +2,7 @@
 
 #include <unordered_map>
 
+#include "base/diagnostics/syntax.h"
 #include "syntax/brackets.h"
 #include "syntax/keyword.h"
 #include "syntax/operators.h"

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "base/diagnostics/syntax.h"
+
 namespace kadr::syntax {
 
 namespace {

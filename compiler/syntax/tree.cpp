@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/diagnostics/syntax.h"
+
 namespace kadr::syntax {
 
 void TreeBuilder::build(KadrParser::FileContext& file) {

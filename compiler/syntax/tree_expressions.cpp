@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "base/diagnostics/syntax.h"
 #include "syntax/operators.h"
 #include "syntax/tree.h"
 

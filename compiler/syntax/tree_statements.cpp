@@ -1,3 +1,4 @@
+#include "base/diagnostics/syntax.h"
 #include "syntax/tree.h"
 
 namespace kadr::syntax {

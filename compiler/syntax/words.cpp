@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "base/diagnostics/syntax.h"
 #include "base/text.h"
 
 namespace kadr::syntax {

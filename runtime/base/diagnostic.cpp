@@ -9,7 +9,7 @@ namespace kadr {
 
 namespace diag {
 #define KADR_DIAGNOSTIC(name, code, severity, message, explanation, wrong, right)       \
-    constexpr DiagnosticRow name{#name, code, Severity::severity, message, explanation, \
+    extern constexpr DiagnosticRow name{#name, code, Severity::severity, message, explanation, \
                                  wrong, right};
 #include "base/diagnostics/all.def"
 #undef KADR_DIAGNOSTIC

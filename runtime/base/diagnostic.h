@@ -1,7 +1,8 @@
 // diagnostic.h — what Kadr has to say to its user.
 //
 // Every message is a row of one table (diagnostics/*.def): stable code, severity, wording, an
-// explanation with a wrong and a right example. A diagnostic adds the place, the arguments, notes
+// explanation with a wrong and a right example. Who reports a row includes the header of its
+// table (diagnostics/sema.h …), so that a new row builds one room again and not the house. A diagnostic adds the place, the arguments, notes
 // and fixes. It goes to a sink; who renders it is somebody else's matter (render.h).
 #pragma once
 
@@ -29,13 +30,6 @@ struct DiagnosticRow {
     std::string_view wrong;        // an example that causes it
     std::string_view right;        // the same, mended
 };
-
-namespace diag {
-#define KADR_DIAGNOSTIC(name, code, severity, message, explanation, wrong, right) \
-    extern const DiagnosticRow name;
-#include "base/diagnostics/all.def"
-#undef KADR_DIAGNOSTIC
-}  // namespace diag
 
 /// All rows, in the order of their codes.
 std::span<const DiagnosticRow* const> all_diagnostics();

@@ -7,6 +7,7 @@
 #include <pugixml.hpp>
 
 #include "base/assert.h"
+#include "base/diagnostics/xml.h"
 #include "base/text.h"
 
 namespace kadr {

@@ -2,6 +2,7 @@
 //
 // What a cycle does is not known here: the expander runs its definition and hands back blocks, and
 // those are executed like any others, with the caller's frames and feed.
+#include "base/diagnostics/iso.h"
 #include "interp/executor.h"
 
 namespace kadr::interp {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/assert.h"
+#include "base/diagnostics/iso.h"
 #include "base/units.h"
 
 namespace kadr::interp {

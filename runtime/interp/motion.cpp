@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "interp/executor.h"
 #include "path/helix.h"

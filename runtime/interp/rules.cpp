@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "base/text.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "base/diagnostics/machine.h"
 #include "base/text.h"
 
 namespace kadr::machine {

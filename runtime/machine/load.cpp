@@ -6,6 +6,8 @@
 #include <numbers>
 #include <unordered_map>
 
+#include "base/diagnostics/driver.h"
+#include "base/diagnostics/machine.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "base/units.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/diagnostics/machine.h"
 #include "base/numbers.h"
 #include "base/units.h"
 #include "motion/standing.h"

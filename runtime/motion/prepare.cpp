@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/diagnostics/machine.h"
 #include "base/numbers.h"
 #include "base/units.h"
 #include "motion/axis_check.h"

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/assert.h"
+#include "base/diagnostics/dialect.h"
 #include "nc/comment_text.h"
 
 namespace kadr::nc {

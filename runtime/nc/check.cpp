@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "base/diagnostics/dialect.h"
 #include "nc/reader.h"
 #include "nc/tables.h"
 #include "nc/writer.h"

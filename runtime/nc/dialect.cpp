@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/diagnostics/dialect.h"
+#include "base/diagnostics/driver.h"
 #include "base/text.h"
 #include "nc/load.h"
 

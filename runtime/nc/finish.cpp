@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/diagnostics/dialect.h"
 #include "base/numbers.h"
 #include "nc/load.h"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/diagnostics/dialect.h"
 #include "base/numbers.h"
 #include "base/text.h"
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/diagnostics/iso.h"
 #include "base/text.h"
 
 namespace kadr::nc {

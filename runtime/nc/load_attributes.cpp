@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/assert.h"
+#include "base/diagnostics/dialect.h"
 #include "base/text.h"
 
 namespace kadr::nc {

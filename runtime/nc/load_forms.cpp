@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "base/diagnostics/dialect.h"
 #include "nc/form.h"
 #include "nc/load_parts.h"
 

@@ -1,4 +1,5 @@
 // The text around the blocks: program frame, block numbers, comments, rules of lines.
+#include "base/diagnostics/dialect.h"
 #include "nc/load_parts.h"
 
 namespace kadr::nc {

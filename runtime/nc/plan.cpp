@@ -1,6 +1,7 @@
 // Words of source blocks → BlockPlan, with the tables of the input dialect.
 #include <algorithm>
 
+#include "base/diagnostics/dialect.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "nc/match.h"

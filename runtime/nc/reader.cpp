@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/diagnostics/iso.h"
 #include "base/text.h"
 #include "nc/lexer.h"
 #include "nc/number_text.h"

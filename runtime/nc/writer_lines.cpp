@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/diagnostics/dialect.h"
 #include "base/text.h"
 #include "nc/block_writer.h"
 #include "nc/comment_text.h"

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <span>
 
+#include "base/diagnostics/dialect.h"
 #include "nc/arc_words.h"
 #include "nc/block_writer.h"
 

@@ -1,4 +1,5 @@
 // How a diagnostic looks to a person and to a program.
+#include "base/diagnostics/driver.h"
 #include "base/render.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,6 @@
 // The sink behind a session: renders, counts, and does not drown the reader.
+#include "base/diagnostics/driver.h"
+#include "base/diagnostics/sema.h"
 #include "driver/messages.h"
 
 #include <string>

@@ -1,4 +1,5 @@
 // Results are written whole or not at all.
+#include "base/diagnostics/driver.h"
 #include "driver/output.h"
 
 #include <filesystem>

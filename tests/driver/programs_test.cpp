@@ -12,6 +12,8 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "base/diagnostics/driver.h"
+#include "base/diagnostics/iso.h"
 #include "base/text.h"
 #include "driver/expand.h"
 #include "driver/run.h"

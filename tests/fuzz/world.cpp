@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/diagnostics/driver.h"
 #include "base/render.h"
 #include "interp/interpreter.h"
 #include "motion/pipeline.h"

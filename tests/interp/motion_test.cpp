@@ -1,6 +1,7 @@
 // Positions, lines, arcs and limits.
 #include <numbers>
 
+#include "base/diagnostics/iso.h"
 #include "bench.h"
 #include "path/arc.h"
 

@@ -1,5 +1,6 @@
 // Programs as the control reads them: text → Reader → Interpreter, with each dialect's own rules.
 // The rows are those of the references: sinumerik.md 15, fanuc.md 12.
+#include "base/diagnostics/iso.h"
 #include "bench.h"
 #include "nc/reader.h"
 

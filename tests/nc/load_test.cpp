@@ -1,4 +1,5 @@
 // Dialect files: inheritance, and every mistake with its line and column.
+#include "base/diagnostics/iso.h"
 #include "nc/load.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // Every row of the diagnostics K2xxx and K3xxx explains itself by a wrong and a right example: the
 // wrong one must cause it, the right one must cause nothing. Rows whose examples are no programs
 // are shown by tests of their own; tests/house/table_test.cpp sees to it.
+#include "base/diagnostics/sema.h"
 #include "tests/common/examples.h"
 
 #include <algorithm>

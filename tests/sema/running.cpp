@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <deque>
 
+#include "base/diagnostics/driver.h"
 #include "base/text.h"
 #include "syntax/parse.h"
 

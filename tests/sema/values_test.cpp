@@ -2,6 +2,7 @@
 // shows values, lengths in mm.
 #include <gtest/gtest.h>
 
+#include "base/diagnostics/sema.h"
 #include "tests/sema/running.h"
 
 namespace kadr::testing {
