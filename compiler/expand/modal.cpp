@@ -141,6 +141,8 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
             tool = block.argument(invocation, 0);
             return;
         case Function::ToolChange: known = 0; return;
+        case Function::DiameterOn: x_is_diameter = true; return;
+        case Function::DiameterOff: x_is_diameter = false; return;
         default: break;
     }
     const Group group = nc::info(invocation.function).group;

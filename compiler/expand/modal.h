@@ -33,6 +33,7 @@ struct ModalState {
     SourceId feed_by;
     SourceId speed_by;
     bool restate_motion = false;  // after a native cycle
+    bool x_is_diameter = false;   // as the program says it: DIAMON
 
     nc::Function operator[](nc::Group group) const {
         return active[static_cast<std::size_t>(group)];

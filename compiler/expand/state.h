@@ -59,6 +59,7 @@ struct FollowedBlock {
     SourceId source;
     unsigned depth = 0;  // loops around the statement
     double feed = 0;     // of the block, second form included; NaN: none
+    bool is_diameter = false;  // the word X is a diameter
 };
 
 /// A curve that is being followed: its blocks may fill several batches.
@@ -133,9 +134,11 @@ struct Expander::State {
 
     // ---- contours.cpp
     /// A contour outside of the heap, with the plane in which it lies.
+    /// Geometry as it is on the part; as words and as points of the program X may be a diameter.
     struct PlaneContour {
         path::Contour elements;
         path::Plane plane = path::Plane::Xy;
+        bool is_diameter = false;
     };
     PlaneContour read_contour(Slot handle);
     std::int64_t make_contour(const PlaneContour& contour, std::uint32_t layout);
@@ -157,6 +160,10 @@ struct Expander::State {
 
     // ---- curves.cpp
     enum class Progress : std::uint8_t { Failed, BatchFull, Done };
+    /// What a millimetre along an axis is in its word.
+    double word_scale(std::size_t axis, bool is_diameter) const {
+        return is_diameter && axis == index(Axis::X) ? 2 : 1;
+    }
     Progress follow_curve(const Instruction& instruction, std::uint32_t at);
     bool start_curve(const Instruction& instruction, std::uint32_t at);
     std::optional<path::CurveSample> curve_point(const Instruction& instruction, std::uint32_t at,
@@ -214,6 +221,7 @@ struct Expander::State {
         ModalState before;
         path::Contour elements;
         path::Plane plane = path::Plane::Xy;
+        bool is_diameter = false;
         path::Vec2 start = path::Vec2::Zero();
         path::Vec2 at = path::Vec2::Zero();
         bool has_start = false;

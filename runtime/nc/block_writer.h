@@ -146,6 +146,7 @@ class BlockWriter {
     void place_center(const Block& block, const WrittenPosition& start, Targets& targets);
     void place_arc_as_given(const Block& block, const WrittenPosition& start, Targets& targets);
     void place_center_as_given(const Block& block, const WrittenPosition& start, Targets& targets);
+    ArcPoints arc_points(const WrittenPosition& start) const;
     bool place_radius(const Block& block, const WrittenPosition& start, Targets& targets);
     void place_arc_feed(const Block& block, const WrittenPosition& start, Targets& targets);
     PlanePoint meant_center(const Block& block, const PlanePoint& start,
