@@ -148,6 +148,7 @@ void Profile::cut(const std::vector<json>& commands, const ProfileView& view,
         if (op == "rapid" && deepest > kTouch)
             faults_.push_back("rapid into material: " + command.dump());
         else deepest_ = std::max(deepest_, deepest);
+        if (tool.width > 0) continue;
         for (std::size_t i = 0; i < points.size(); i += 25)
             check_back(points[i], tool, command.dump());
         check_back(points.back(), tool, command.dump());
@@ -155,7 +156,7 @@ void Profile::cut(const std::vector<json>& commands, const ProfileView& view,
 }
 
 void Profile::travel(const std::vector<ProfilePoint>& points, const TurningTool& tool) {
-    if (tool.nose > 0) {
+    if (tool.nose > 0 || tool.width > 0) {
         for (const ProfilePoint& point : points) press(point, tool);
         return;
     }
@@ -174,6 +175,11 @@ void Profile::travel(const std::vector<ProfilePoint>& points, const TurningTool&
 
 void Profile::press(const ProfilePoint& tip, const TurningTool& tool) {
     const double r = tool.nose;
+    for (std::size_t i = index(tip.t); tool.width > 0 && i <= index(tip.t + tool.width); ++i) {
+        if (place(i) > tip.t && place(i) < tip.t + tool.width)
+            height_[i] = std::min(height_[i], tip.h);
+    }
+    if (tool.width > 0) return;
     const ProfilePoint center{tip.h + r, tip.t + r};
     for (std::size_t i = index(center.t - r); i <= index(center.t + r); ++i) {
         const double dt = place(i) - center.t;

@@ -43,10 +43,11 @@ struct ProfileView {
     double side = 1;  // -1 in a bore
 };
 
-/// A tool of which the tip is programmed that both axes touch.
+/// A tool of which the tip is programmed that both axes touch; of a grooving tool the left corner.
 struct TurningTool {
     double nose = 0;      // radius
     double back_deg = 0;  // how steeply its back rises
+    double width = 0;     // of a grooving tool
 };
 
 class Profile {

@@ -1,6 +1,7 @@
 // What the turning cycles of the library leave behind, over many sets of parameters: never into the
 // finished contour and its allowance, nothing left above it but what a cut may leave, no cut deeper
 // than its step, no rapid and no back of the tool in material; the same on every control.
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -17,7 +18,7 @@ using nlohmann::json;
 
 constexpr double kCell = 0.02;   // mm
 constexpr double kExact = 0.02;  // what cells and the points on arcs may do
-constexpr int kSets = 40;        // parameter sets a cycle
+constexpr int kSets = 24;        // parameter sets a cycle
 
 /// KADR_SETS=1000 looks longer.
 int sets() {
@@ -301,6 +302,195 @@ TEST(Turning, Finishing) {
         const double h = is_outer ? dice.length(6, 20) : -dice.length(35, 50);
         expect_finished(
             draw_roughing(dice, {false, is_outer ? 1.0 : -1.0}, {h, 0}, dice.length(5, 50)));
+    }
+}
+
+// ---------------------------------------------------------------- cycles of cycles.turning
+
+/// The part after a call from the diameter 2·start.h, at Z 60; the tool comes back there.
+Profile turned(Profile part, const std::string& call, const ProfilePoint& start,
+               const ProfileView& view, const TurningTool& tool) {
+    const std::string text = program_text("", call, start, "turning");
+    SCOPED_TRACE(text);
+    const CycleRun run = run_text(text, "iso", "lathe");
+    EXPECT_EQ(run.status, 0) << run.error;
+    part.cut(run.commands, view, tool);
+    expect_clean(part);
+    EXPECT_NEAR(part.x(), start.h, 1e-6) << "the cycle ends where it began";
+    return part;
+}
+
+/// Heights between two places, all within `kExact` of what they should be.
+template <typename Wanted>
+void expect_heights(const Profile& part, double t_low, double t_high, const Wanted& wanted) {
+    for (std::size_t i = 0; i < part.heights().size(); ++i) {
+        const double t = part.place(i);
+        if (t < t_low + kCell || t > t_high - kCell) continue;
+        ASSERT_NEAR(part.heights()[i], wanted(t), kExact) << "at " << t;
+    }
+}
+
+TEST(Turning, Face) {
+    Dice dice(31);
+    for (int i = 0; i < sets(); ++i) {
+        const double d = dice.length(5, 80), to = dice.length(-5, 5);
+        const double top = to + dice.length(0.1, 6), step = dice.length(0.2, 3);
+        const ProfilePoint start{tenth(d / 2 + dice.length(2, 20)), 60};
+        const std::string call = "turn_face(d: " + mm(d) + ", to: " + mm(to) + ", top: " + mm(top) +
+                                 ", step: " + mm(step) + ")";
+        SCOPED_TRACE(call);
+        Profile part(-5, d / 2 + 30, kCell);
+        part.fill(-1e9, d / 2, top);
+        part = turned(part, call, start, {true, 1}, {});
+        EXPECT_LE(part.deepest_cut(), step + kExact);
+        expect_heights(part, -0.8, d / 2, [&](double) { return to; });
+    }
+}
+
+TEST(Turning, FinishAlongPoints) {
+    Dice dice(32);
+    for (int i = 0; i < sets(); ++i) {
+        ProfileShape shape{{dice.length(6, 15), dice.length(-3, 3)}, {}};
+        ProfilePoint here = shape.start;
+        const double chamfer = dice.coin() ? 0 : dice.length(0.2, 2);
+        std::string points = "{" + mm(2 * here.h) + ", " + mm(here.t) + "}";
+        for (int k = dice.number(1, 6); k >= 0; --k) {
+            const bool is_first = here.t == shape.start.t && here.h == shape.start.h;
+            // The chamfer is cut on a cylinder.
+            here.h = tenth(here.h + (is_first || dice.coin() ? 0 : dice.length(0, 8)));
+            here.t = tenth(here.t - (is_first ? 3 : dice.length(0, 20)));
+            points += ", {" + mm(2 * here.h) + ", " + mm(here.t) + "}";
+            shape.elements.push_back({here});
+        }
+        if (chamfer > 0) {
+            const ProfilePoint edge = shape.start;
+            shape.start.h -= chamfer;
+            shape.elements.insert(shape.elements.begin(), {{edge.h, edge.t - chamfer}});
+        }
+        const ProfilePoint start{tenth(here.h + dice.length(2, 20)), 60};
+        const std::string call = "turn_finish({" + points + "}, chamfer: " + mm(chamfer) + ")";
+        SCOPED_TRACE(call);
+        Profile part(here.t - 20, 40, kCell);
+        const std::vector<double> kept = part.kept(shape, 0, 0, 0, 0);
+        const std::vector<double> rough = part.kept(shape, 0.5, 0, 0, 0);
+        for (std::size_t c = 0; c < rough.size(); ++c)
+            part.fill(part.place(c) - kCell / 2, part.place(c) + kCell / 2,
+                      std::min(rough[c], here.h + 0.5));
+        part = turned(part, call, start, {false, 1}, {});
+        expect_between(part, kept, here.t + 0.05, shape.start.t - 0.05, here.h + 0.5, 0);
+    }
+}
+
+TEST(Turning, Groove) {
+    Dice dice(33);
+    for (int i = 0; i < sets(); ++i) {
+        const double tool_w = dice.length(1, 5);
+        const double w = tenth(tool_w * (dice.coin() ? 1 : 1 + dice.length(0, 4)));
+        const double d = dice.length(20, 60), to = dice.length(5, d - 1);
+        const double z = -w - dice.length(1, 20);
+        const double allowance =
+            dice.coin() ? 0 : std::min({0.2, (w - tool_w) / 2, (d - to) / 2 - 0.1});
+        const double step = dice.length(0.2, 4);
+        const bool is_stepped = dice.coin();
+        const ProfilePoint start{tenth(d / 2 + dice.length(1, 20)), 60};
+        const std::string call = "turn_groove(d: " + mm(d) + ", to: " + mm(to) + ", z: " + mm(z) +
+                                 ", w: " + mm(w) + ", tool_w: " + mm(tool_w) +
+                                 ", allowance: " + mm(allowance) +
+                                 (is_stepped ? ", step: " + mm(step) : "") + ")";
+        SCOPED_TRACE(call);
+        Profile part(z - 20, 30, kCell);
+        part.fill(-1e9, 0, d / 2);
+        part = turned(part, call, start, {false, 1}, {0, 0, tool_w});
+        if (is_stepped && allowance == 0) {
+            EXPECT_LE(part.deepest_cut(), step + kExact);
+        }
+        expect_heights(part, z, z + w, [&](double) { return to / 2; });
+        expect_heights(part, z - 19, z, [&](double) { return d / 2; });
+        expect_heights(part, z + w, 0, [&](double) { return d / 2; });
+    }
+}
+
+TEST(Turning, PartingOff) {
+    Dice dice(34);
+    for (int i = 0; i < sets(); ++i) {
+        const double tool_w = dice.length(1, 5), d = dice.length(10, 60), z = -dice.length(5, 40);
+        const double to = dice.coin() ? -0.4 : dice.length(0, d / 2);
+        const double room = (d - std::max(to, 0.0)) / 2;
+        const double chamfer = dice.coin() ? 0 : std::floor(dice.length(1, 8) * room) / 10;
+        const ProfilePoint start{tenth(d / 2 + dice.length(1, 20)), 60};
+        const std::string call = "part_off(d: " + mm(d) + ", z: " + mm(z) +
+                                 ", tool_w: " + mm(tool_w) + ", to: " + mm(to) +
+                                 ", chamfer: " + mm(chamfer) +
+                                 (dice.coin() ? ", slow: 0.05mm/rev" : "") + ")";
+        SCOPED_TRACE(call);
+        Profile part(z - 20, 30, kCell);
+        part.fill(-1e9, 0, d / 2);
+        part = turned(part, call, start, {false, 1}, {0, 0, tool_w});
+        expect_heights(part, z - tool_w, z, [&](double) { return to / 2; });
+        expect_heights(part, z, 0,
+                       [&](double t) { return d / 2 - std::max(0.0, chamfer - (t - z)); });
+        expect_heights(part, z - 19, z - tool_w, [&](double) { return d / 2; });
+    }
+}
+
+// ---------------------------------------------------------------- what is refused, and everywhere
+
+TEST(Turning, WrongParametersAreRefused) {
+    const struct {
+        const char* contour;
+        const char* call;
+        const char* message;
+    } rows[] = {
+        {"{ G1 X10 Z0; Z-10; }", "turn_rough(shape, d: 40mm, step: 2mm)", "begins with DIAMON"},
+        {"{ DIAMON; G1 X10 Z0; }", "turn_rough(shape, d: 40mm, step: 2mm)", "begins with DIAMON"},
+        {"{ DIAMON; G1 X10 Z0; Z-10; X20 Z-8; }", "turn_rough(shape, d: 40mm, step: 2mm)",
+         "shape[1] turns back in Z"},
+        {"{ DIAMON; G1 X20 Z0; Z-10; G3 X20 Z-14 CR=-3; }",
+         "turn_rough(shape, d: 40mm, step: 2mm, falling: 80deg)", "shape[1] turns back in Z"},
+        {"{ DIAMON; G1 X20 Z0; Z-10; X18 Z-12; X30; }", "turn_rough(shape, d: 40mm, step: 2mm)",
+         "shape[1] falls at 26.6 degrees; the tool goes down at 0.0 (`falling`)"},
+        {"{ DIAMON; G1 X20 Z0; Z-10; G2 X20 Z-14 CR=4; }",
+         "turn_rough(shape, d: 40mm, step: 2mm, falling: 20deg)", "shape[1] falls at 30.0 degrees"},
+        {"{ DIAMON; G1 X20 Z0; Z-10; X18; Z-20; }",
+         "turn_rough(shape, d: 40mm, step: 2mm, falling: 80deg)", "shape[1] falls at 90.0 degrees"},
+        {"{ DIAMON; G1 X20 Z0; X40 Z-1; X50; }", "face_rough(shape, d: 60mm, step: 2mm, top: 1mm)",
+         ""},
+        {"{ DIAMON; G1 X0 Z-2; X20; X10 Z-4; X50; }",
+         "face_rough(shape, d: 60mm, step: 2mm, top: 1mm)", "shape[1] turns back in X"},
+        {"{ DIAMON; G1 X0 Z-2; X20; X30 Z-1; X50; }",
+         "face_rough(shape, d: 60mm, step: 2mm, top: 1mm)", "shape[1] falls at 11.3 degrees"},
+        {"{ DIAMON; G1 X20 Z0; Z-10; }", "turn_rough(shape, d: 40mm, step: 0mm)",
+         "the cut must be deeper than 0"},
+        {"{ DIAMON; G1 X20 Z0; Z-10; }", "turn_rough(shape, d: 40mm, step: 1um)",
+         "cuts of 0.001 are more than 1000"},
+        {"{ DIAMON; G1 X20 Z0; Z-10; }", "turn_rough(shape, d: 20mm, step: 2mm)",
+         "nothing is to be roughed"},
+        {"{ DIAMON; G1 X20 Z0; Z-10; }", "turn_rough(shape, d: 40mm, step: 2mm, allowance: -1mm)",
+         "are not negative"},
+        {"{ DIAMON; G1 X20 Z0; Z-10; }", "turn_rough(shape, d: 40mm, step: 2mm, clear: 0mm)",
+         "are no distances"},
+        {"{ DIAMON; G1 X20 Z0; Z-10; }", "turn_rough(shape, d: 40mm, step: 2mm, falling: 90deg)",
+         "a tool cannot fall at 90 degrees"},
+        {"{ DIAMON; G1 X20 Z0; Z-10; }", "turn_rough(shape, d: 88mm, step: 2mm)",
+         "the tool starts at diameter 90; outside the part is 92 and more"},
+        {"{ DIAMON; G1 X60 Z0; Z-10; }", "turn_rough(shape, d: 40mm, step: 2mm, where: inner)",
+         "the tool starts at diameter 90; free is the bore to 36"},
+        {"{ DIAMON; G1 X20 Z0; Z-10; X16 Z-14; X30; }",
+         "turn_rough(shape, d: 40mm, step: 2mm, falling: 45deg, allowance_z: 0.1mm)",
+         "an allowance along Z would cut into the walls of hollows"},
+        {"{ DIAMON; G1 X20 Z0; X88 Z-10; }", "turn_contour(shape)",
+         "the tool starts at diameter 90; outside the part is 92 and more"},
+        {"{ DIAMON; G1 X20 Z0; X88 Z-10; }", "turn_contour(shape, nose: -1mm)",
+         "are no radius and no allowance"},
+        {"{ DIAMON; G1 X60 Z0; X30 Z-10; }", "turn_contour(shape, where: inner)",
+         "free is the bore to 26"},
+    };
+    for (const auto& row : rows) {
+        const std::string text = program_text(row.contour, row.call, {45, 60}, "contour_turning");
+        SCOPED_TRACE(text);
+        const CycleRun run = run_text(text, "iso", "lathe");
+        EXPECT_EQ(run.status, std::string(row.message).empty() ? 0 : 1) << run.error;
+        EXPECT_NE(run.error.find(row.message), std::string::npos) << run.error;
     }
 }
 
