@@ -443,8 +443,8 @@ bool Expander::State::keep(const Block& block, std::uint32_t where) {
             const auto slot =
                 static_cast<nc::Slot>(static_cast<std::size_t>(nc::Slot::CenterX) + i);
             if (!block.has(slot)) continue;
-            // I, J and K are never diameters.
             if (i == axes.across) return refuse_block("a centre across the plane", where);
+            // Of the part as it is: I is no diameter.
             double& value = center[static_cast<Eigen::Index>(i)];
             if ((block.absolute & nc::bit(slot)) != 0) value = block.at(slot);
             else value += block.at(slot);
