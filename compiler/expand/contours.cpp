@@ -229,8 +229,7 @@ bool Expander::State::contour_value(const Instruction& instruction, Slot* regist
         case ContourFunction::Max: {
             if (!needs_elements()) return false;
             const path::Rectangle box = path::bounds(contour.elements);
-            put_point(&result, wording,
-                      function == ContourFunction::Min ? box.lower : box.upper);
+            put_point(&result, wording, function == ContourFunction::Min ? box.lower : box.upper);
             return true;
         }
         case ContourFunction::Reverse: return put_made(path::reversed(contour.elements));
@@ -245,8 +244,7 @@ bool Expander::State::contour_value(const Instruction& instruction, Slot* regist
             const std::uint32_t inner = code.layouts[layout].nested[0];
             for (const Contour& piece : *pieces) {
                 Slot slot{};
-                slot.integer =
-                    make_contour({piece, contour.plane, contour.is_diameter}, inner);
+                slot.integer = make_contour({piece, contour.plane, contour.is_diameter}, inner);
                 heap.append(list, &slot);
             }
             result.integer = list;
@@ -556,8 +554,7 @@ bool Expander::State::follow_contour(const Instruction& instruction, const Slot*
     next.depth = instruction.c;
     next.feed = arguments[at(FollowSlot::Feed)].number;
     // In a contour that is being made, X is what its own words say.
-    const Wording wording{plane,
-                          recordings.empty() ? contour->is_diameter : modal.x_is_diameter};
+    const Wording wording{plane, recordings.empty() ? contour->is_diameter : modal.x_is_diameter};
     next.is_diameter = wording.is_diameter;
     const PlaneIndices axes = wording.axes();
     const Vec2 begin = contour->elements.front().from;

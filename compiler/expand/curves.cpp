@@ -195,8 +195,7 @@ bool Expander::State::emit_line(const Vec3& to, const FollowedBlock& next, std::
     for (std::size_t i = 0; i < 3; ++i) {
         if (!following->is_given[i]) continue;
         const auto word = static_cast<nc::Slot>(axes[i]);
-        block.set(word,
-                  to[static_cast<Eigen::Index>(i)] * word_scale(axes[i], next.is_diameter));
+        block.set(word, to[static_cast<Eigen::Index>(i)] * word_scale(axes[i], next.is_diameter));
         if (modal[Group::Distance] == Function::Incremental) block.absolute |= nc::bit(word);
     }
     return finish_followed(block, next, where);

@@ -57,8 +57,8 @@ class CallStack {
 /// What the blocks that follow a contour or a curve have in common.
 struct FollowedBlock {
     SourceId source;
-    unsigned depth = 0;  // loops around the statement
-    double feed = 0;     // of the block, second form included; NaN: none
+    unsigned depth = 0;        // loops around the statement
+    double feed = 0;           // of the block, second form included; NaN: none
     bool is_diameter = false;  // the word X is a diameter
 };
 

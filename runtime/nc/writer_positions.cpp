@@ -313,8 +313,8 @@ bool BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
         if (!is_new_message(block, "an arc by its radius")) return true;
         sink_.report(diag::ArcRadiusImpossible, place(block))
             .arg(round_to(radius, 6))
-            .arg(round_to(std::hypot(points.end[0] - points.start[0], points.end[1] - points.start[1]),
-                          6));
+            .arg(round_to(
+                std::hypot(points.end[0] - points.start[0], points.end[1] - points.start[1]), 6));
         return true;
     }
     if (has_word && (fits || !exact || !has_center || !is_comparable)) {
