@@ -284,12 +284,12 @@ TEST(Writer, Frames) {
                 });
     expect_text("sinumerik",
                 {{"shift(x: 60)\nrotate(30)\nshift()", "TRANS X60\nAROT RPL=30\nTRANS\n"}});
-    EXPECT_EQ(write("fanuc", "rotate(30)\nrotate(10)").codes, "K4208");
+    EXPECT_EQ(write("fanuc", "rotate(30)\nrotate(10)").codes, "K4212");
     for (const char* inside : {"mirror(x: 0)", "mirror_off()", "work_offset(2)", "G18"}) {
         EXPECT_EQ(write("fanuc", std::string("rotate(30)\n") + inside).codes, "K4212") << inside;
         EXPECT_EQ(write("fanuc", std::string("rotate(30)\nrotate_off()\n") + inside).codes, "");
     }
-    EXPECT_EQ(write("fanuc", "raw G65 P1\nmirror(x: 0)").codes, "K4208");
+    EXPECT_EQ(write("fanuc", "raw G65 P1\nmirror(x: 0)").codes, "K4212");
 }
 
 TEST(Writer, FramesLeaveTheOtherAxesWhereTheyAre) {
