@@ -33,6 +33,7 @@ struct ModalState {
     SourceId feed_by;
     SourceId speed_by;
     bool restate_motion = false;  // after a native cycle
+    bool is_edge_off = false;     // `D0` of a source that counts edges: no tool length
 
     nc::Function operator[](nc::Group group) const {
         return active[static_cast<std::size_t>(group)];

@@ -1,6 +1,7 @@
 // blocks.cpp — NC blocks in the source: words become a plan with values to fill in.
 #include <algorithm>
 
+#include "base/diagnostics/dialect.h"
 #include "base/diagnostics/sema.h"
 #include "base/numbers.h"
 #include "sema/checker.h"
@@ -53,13 +54,90 @@ void Checker::check_units_words(const nc::BlockPlan& plan, std::span<const Word>
         if (function != nc::Function::Inch && function != nc::Function::Metric) continue;
         SourceRange range = words[0].range;
         for (const Word& word : words) {
-            const bool is_units =
-                text(word.address) == "G" &&
-                (word.number == 20 || word.number == 21 || word.number == 70 || word.number == 71);
+            const bool is_units = text(word.address) == "G" &&
+                                  (word.number == 20 || word.number == 21 || word.number == 70 ||
+                                   word.number == 71 || word.number == 700 || word.number == 710);
             if (is_units) range = word.range;
         }
         check_units_function(function, range);
+        if (function == nc::Function::Inch && units_ == Units::Inch && plan.feed_stays_metric) {
+            report(diag::SourceFeedMetric, range)
+                .arg(sources_.text(range))
+                .fix("say the function that holds for feeds as well, `G700`");
+        }
     }
+}
+
+bool Checker::has_point(const Word& word) const {
+    const std::string_view written = sources_.text(word.range);
+    return written.find_first_of(".eE", text(word.address).size()) != std::string_view::npos;
+}
+
+bool Checker::check_points(std::span<const Word> words) {
+    const nc::Dialect& dialect = *modules_[module_].dialect;
+    bool is_good = true;
+    for (const Word& word : words) {
+        const bool is_plain = word.form == Word::Form::Literal && word.unit == syntax::Unit::None;
+        if (!is_plain || word.number == 0 || has_point(word)) continue;
+        const std::string_view address = text(word.address);
+        const double one = nc::plain_number(dialect, address, units_ == Units::Inch).time;
+        if (one == 1) continue;
+        std::string means;
+        append_shortest(means, word.number * one);
+        report(diag::SourceNoPoint, word.range)
+            .arg(word_text(word))
+            .arg(dialect.name())
+            .arg(means)
+            .fix(word.range, word_text(word) + '.', "write the point");
+        is_good = false;
+    }
+    return is_good;
+}
+
+std::uint16_t Checker::customs_of(const Plan& plan, std::span<const Word> words) const {
+    const nc::Dialect& dialect = *modules_[module_].dialect;
+    std::uint16_t customs = 0;
+    const auto add = [&](bool is_so, std::uint16_t bit) {
+        if (is_so) customs = static_cast<std::uint16_t>(customs | bit);
+    };
+    for (const nc::Invocation& invocation : plan.functions) {
+        const nc::Group group = nc::info(invocation.function).group;
+        add(group == nc::Group::CycleMode || group == nc::Group::CycleReturn, custom::kCycleWords);
+    }
+    if (dialect.is_core()) return customs;
+    for (const nc::Invocation& invocation : plan.functions) {
+        using nc::Function;
+        add(dialect.has_rule("rotation_is_innermost"), custom::kFrameOrder);
+        const bool by_tool = dialect.counts_offsets_by_tool();
+        switch (invocation.function) {
+            case Function::Shift:
+                add(dialect.has_rule("shift_keeps_unnamed"), custom::kShiftKeeps);
+                break;
+            case Function::Rotate:
+                add(dialect.has_rule("rotate_replaces"), custom::kRotateReplaces);
+                break;
+            case Function::MachineCoordinates:
+                add(dialect.has_rule("machine_coordinates_rapid"), custom::kMachineRapid);
+                add(dialect.has_rule("machine_coordinates_keep_length"), custom::kMachineLength);
+                break;
+            case Function::LengthCompOn:
+            case Function::LengthCompOff:
+            case Function::RadiusOffset:
+            case Function::ToolEdge:
+            case Function::ToolChange:
+                add(true, by_tool ? custom::kOffsetsByTool : custom::kEdges);
+                break;
+            case Function::ReferenceReturn: add(true, custom::kReference); break;
+            default: break;
+        }
+    }
+    for (const Word& word : words) {
+        const bool is_plain = word.form == Word::Form::Literal && word.unit == syntax::Unit::None;
+        if (!is_plain || text(word.address) != "F" || has_point(word)) continue;
+        add(nc::plain_number(dialect, "F", units_ == Units::Inch).revolution != 1,
+            custom::kFeedCounts);
+    }
+    return customs;
 }
 
 /// Whole numbers that the planner has put into the block itself: `T1.5` is no tool.
@@ -259,7 +337,7 @@ std::string key_of(const Plan& plan) {
     for (const std::int64_t part :
          {std::int64_t(plan.motion), std::int64_t(plan.given), std::int64_t(plan.incremental),
           std::int64_t(plan.absolute), std::int64_t(plan.argument_count), std::int64_t(plan.skip),
-          std::int64_t(plan.cycle), std::int64_t(plan.number)}) {
+          std::int64_t(plan.cycle), std::int64_t(plan.number), std::int64_t(plan.customs)}) {
         append_key(key, part);
     }
     for (const nc::Invocation& invocation : plan.functions) {
@@ -368,6 +446,7 @@ bool Checker::emit_words(std::span<const Word> words, ExprId point, const Source
     Plan plan;
     if (!words.empty()) {
         planned = plan_words(words);
+        if (planned && !check_points(words)) planned.reset();
         if (!planned) {
             for (const Word& word : words) {
                 if (word.value.is_valid()) expression(word.value);
@@ -378,6 +457,7 @@ bool Checker::emit_words(std::span<const Word> words, ExprId point, const Source
         check_units_words(*planned, words);
         check_counts(*planned, words);
         plan = compact(*planned);
+        plan.customs = customs_of(plan, words);
         plan.skip = skip;
         if (skip >= 0) check_skipped(plan, words);
     }
@@ -407,8 +487,13 @@ bool Checker::emit_words(std::span<const Word> words, ExprId point, const Source
     const bool moves = point_register != 0 || (plan.given & nc::kTargetSlots) != 0 ||
                        std::any_of(plan.fillings.begin(), plan.fillings.end(), is_target);
     Plan stops = moves ? take_stops(plan) : Plan{};
+    // … unless the source is written for a control on which they act before.
+    const nc::Dialect& dialect = *modules_[module_].dialect;
+    const bool is_before = !dialect.is_core() && !dialect.has_rule("stops_after_motion");
+    const bool has_stops = !stops.functions.empty();
+    if (has_stops && is_before) emit_plan(stops, first, 0, range);
     emit_plan(std::move(plan), first, point_register, range);
-    if (!stops.functions.empty()) emit_plan(std::move(stops), first, 0, range);
+    if (has_stops && !is_before) emit_plan(std::move(stops), first, 0, range);
     emit_.release_to(mark);
     return true;
 }

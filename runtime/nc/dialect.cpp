@@ -30,6 +30,18 @@ std::optional<CycleId> Dialect::find_cycle(std::string_view name) const {
 
 std::span<const RuleSetting> Dialect::rules() const { return tables_->rule_settings; }
 
+bool Dialect::has_rule(std::string_view name) const {
+    bool is_set = false;
+    for (const RuleSetting& rule : tables_->rule_settings) {
+        if (rule.name == name) is_set = rule.value == "yes";
+    }
+    return is_set;
+}
+
+bool Dialect::is_core() const { return tables_->extends.empty(); }
+
+bool Dialect::counts_offsets_by_tool() const { return !tables_->deferred.empty(); }
+
 std::span<const Example> Dialect::examples() const { return tables_->examples; }
 
 namespace {
