@@ -206,8 +206,12 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
         block.motion = modal[Group::Motion];
         modal.restate_motion = false;
     }
-    if (modal.is_edge_off && (block.given & nc::kTargetSlots) != 0) [[unlikely]] {
-        if (!fits_edge_off(block, at)) return false;
+    if (recordings.empty()) {
+        if ((modal.is_edge_off || modal.is_feed_deleted) && !may_move(block, at)) [[unlikely]]
+            return false;
+        if (((modal.has_drift | modal.lost_drift) & block.given) != 0 &&
+            !adapt_increments(block, plan, at)) [[unlikely]]
+            return false;
     }
     if ((plan.customs & sema::custom::kReference) != 0) say_reference(block);
     if (modal.is_stretched && nc::is_arc(modal[Group::Motion]) &&

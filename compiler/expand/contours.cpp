@@ -551,6 +551,10 @@ bool Expander::State::finish_followed(Block& block, const FollowedBlock& next,
             return false;
         }
     }
+    if (recordings.empty() && !may_move(block, where)) {
+        drop_block(block);
+        return false;
+    }
     modal.take_words(block);
     if (!recordings.empty()) return keep(block, where);
     if (options.trace) keep_trace(where, next.depth, next.source);

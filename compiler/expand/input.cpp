@@ -6,6 +6,7 @@
 
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/expand.h"
+#include "expand/plane.h"
 #include "expand/state.h"
 
 namespace kadr::expand {
@@ -43,11 +44,16 @@ bool Expander::State::needs_frame(const sema::Plan& plan) const {
     return std::ranges::any_of(plan.functions, [&](const Invocation& invocation) {
         switch (invocation.function) {
             case Function::ShiftAdd:
-            case Function::RotateOff:
-            case Function::MirrorOff: return !target.can_write(invocation.function);
-            // One that acts has moved the origin, and where its centre was is not known.
+            case Function::RotateOff: return !target.can_write(invocation.function);
+            // Some of several mirrors: the others are said anew.
+            case Function::MirrorOff: {
+                ProgramFrame left = modal.frame;
+                left.remove_mirror(invocation.given);
+                return !target.can_write(invocation.function) || left.has_mirror();
+            }
+            // It has moved the origin, and where its centre was may not be known.
             case Function::ScaleOff:
-                return !target.can_write(invocation.function) && !modal.frame.has_scale();
+                return !target.can_write(invocation.function) && modal.knows_unscaled();
             case Function::Rotate:
                 return (plan.customs & custom::kRotateReplaces) != 0 && modal.frame.angle_deg != 0;
             default: return false;
@@ -91,8 +97,10 @@ bool Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
     ProgramFrame next = modal.frame;
     for (std::size_t i = 0; i < plan.functions.size(); ++i) {
         const Function function = plan.functions[i].function;
+        if ((plan.customs & custom::kFrameOrder) != 0 && !is_frame_free(function, at)) return false;
         if (function == Function::RotateOff) next.angle_deg = 0, next.center = {};
-        if (function == Function::MirrorOff) next.is_mirrored = {};
+        if (function == Function::MirrorOff) next.remove_mirror(plan.functions[i].given);
+        if (function == Function::ScaleOff && next.has_scale()) next = modal.unscaled;
         if (function != Function::ShiftAdd && function != Function::Rotate) continue;
         // These stand in blocks of their own: nothing is left to say.
         std::array<double, 4> values{};
@@ -101,6 +109,12 @@ bool Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
         if (function == Function::ShiftAdd) {
             next.add_shift({values[0], values[1], values[2]}, {given[0], given[1], given[2]});
         } else {
+            const PlaneIndices plane = indices_of(plane_of(modal[Group::Plane]));
+            for (const std::size_t axis : {plane.first, plane.second}) {
+                if (given[1 + axis] || (plan.customs & custom::kCenterAtTool) == 0) continue;
+                center_unknown(function, axis, at);
+                return false;
+            }
             next.angle_deg = 0;
             next.center = {};
             const FrameFault why = next.add_rotation(values[0], modal[Group::Plane],
@@ -119,7 +133,8 @@ bool Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
         const Function function = rest.functions[i].function;
         const bool is_said = function == Function::RotateOff || function == Function::MirrorOff ||
                              function == Function::ScaleOff;
-        if (!is_said || target.can_write(function)) continue;
+        const bool is_partial = function == Function::MirrorOff && rest.functions[i].given != 0;
+        if (!is_said || (target.can_write(function) && !is_partial)) continue;
         rest.functions.erase(rest.functions.begin() + static_cast<std::ptrdiff_t>(i));
         for (sema::Filling& filling : rest.fillings) {
             if (filling.is_argument && filling.invocation > i) --filling.invocation;
@@ -136,11 +151,19 @@ bool Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t 
         Invocation& invocation = block.functions[i];
         bool is_good =
             (customs & custom::kFrameOrder) == 0 || is_frame_free(invocation.function, at);
+        if ((customs & custom::kCenterAtTool) != 0 && is_good)
+            is_good = complete_center(block, invocation, at);
+        if ((customs & custom::kFeedDeleted) != 0) {
+            const Group group = nc::info(invocation.function).group;
+            if (group == Group::FeedMode && modal[group] != invocation.function)
+                modal.is_feed_deleted = true;
+        }
         switch (invocation.function) {
             case Function::Shift:
                 if (!is_good) break;
                 if ((customs & custom::kShiftKeeps) != 0) is_good = adapt_shift(block, invocation);
                 break;
+            case Function::MirrorOff: invocation.given = 0; break;  // none stays
             case Function::MachineCoordinates:
                 is_good = is_good && adapt_machine(block, plan, at);
                 break;
@@ -234,16 +257,94 @@ bool Expander::State::adapt_machine(Block& block, const sema::Plan& plan, std::u
     return true;
 }
 
-/// A move without tool length, where the target takes the length with the next move again.
-bool Expander::State::fits_edge_off(const Block& block, std::uint32_t at) {
-    if (!target.counts_offsets_by_tool() || block.find(Function::MachineCoordinates) != nullptr)
+/// A centre that is not named is where the tool stands.
+bool Expander::State::complete_center(Block& block, Invocation& invocation, std::uint32_t at) {
+    const bool is_rotation = invocation.function == Function::Rotate;
+    if (!is_rotation && invocation.function != Function::Scale) return true;
+    const PlaneIndices plane = indices_of(plane_of(modal[Group::Plane]));
+    for (std::size_t i = 0; i < 3; ++i) {
+        const bool is_named = (invocation.given >> (1 + i) & 1u) != 0;
+        if (is_named || (is_rotation && i == plane.across)) continue;
+        // Inside another one the coordinates count otherwise than those of its centre.
+        const bool is_known =
+            (modal.known >> i & 1u) != 0 && modal.frame.angle_deg == 0 && !modal.frame.has_scale();
+        if (is_known) {
+            block.set_argument(invocation, 1 + i, modal.position[i]);
+            continue;
+        }
+        center_unknown(invocation.function, i, at);
+        return false;
+    }
+    return true;
+}
+
+void Expander::State::center_unknown(Function function, std::size_t axis, std::uint32_t at) {
+    fault(diag::SourceCenter, at)
+        .arg(nc::info(function).name)
+        .arg(kAxisNames[axis])
+        .fix("name the centre: `" + std::string(kAxisNames[axis]) + "0.`");
+}
+
+bool Expander::State::may_move(const Block& block, std::uint32_t at) {
+    constexpr nc::SlotMask kMoves = nc::kTargetSlots | nc::kCenterSlots;
+    if ((block.given & kMoves) == 0 || block.find(Function::MachineCoordinates) != nullptr)
         return true;
-    fault(diag::SourceOffset, at)
-        .arg(target.name())
-        .arg("a move with the edge")
-        .arg("0")
-        .fix("say `D1` before it");
+    // A move without tool length, where the target takes the length with the next move again.
+    if (modal.is_edge_off && target.counts_offsets_by_tool()) {
+        fault(diag::SourceOffset, at)
+            .arg(target.name())
+            .arg("a move with the edge")
+            .arg("0")
+            .fix("say `D1` before it");
+        return false;
+    }
+    const bool needs_feed =
+        modal[Group::Motion] != Function::Rapid && block.find(Function::ReferenceReturn) == nullptr;
+    if (!modal.is_feed_deleted || !needs_feed || block.has(nc::Slot::Feed)) return true;
+    auto builder = fault(diag::SourceFeedDeleted, at);
+    const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::FeedMode)];
+    if (by.is_valid() && by.index < code.statements.size())
+        builder.note(code.statements[by.index], "the kind of feed was changed here");
+    builder.fix("give the block a feed");
     return false;
+}
+
+/// An increment behind a change of the frame: some controls travel the change as well.
+bool Expander::State::adapt_increments(Block& block, const sema::Plan& plan, std::uint32_t at) {
+    const bool source_travels = (plan.customs & custom::kIncrementTravels) != 0;
+    const bool target_travels = target.has_rule("incremental_frame", "traversed");
+    if (!source_travels && !target_travels) return true;
+    if (block.find(Function::MachineCoordinates) != nullptr ||
+        block.find(Function::ReferenceReturn) != nullptr)
+        return true;
+    const bool is_modal = modal[Group::Distance] == Function::Incremental;
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        const nc::SlotMask bit = nc::SlotMask{1} << i;
+        const bool is_increment =
+            (block.incremental & bit) != 0 || (is_modal && (block.absolute & bit) == 0);
+        if ((block.given & bit) == 0 || !is_increment) continue;
+        const bool is_lost = (modal.lost_drift >> i & 1u) != 0;
+        const double drift = modal.drift[i];
+        if (source_travels && target_travels) {
+            modal.position[i] -= drift;
+            if (is_lost) modal.known &= static_cast<AxisMask>(~bit);
+        } else if (is_lost) {
+            fault(diag::IncrementAfterFrame, at)
+                .arg(kAxisNames[i])
+                .arg(target.name())
+                .fix("name a coordinate of " + std::string(kAxisNames[i]) + " first");
+            return false;
+        } else if (source_travels) {
+            block.values[i] -= drift;
+        } else if ((modal.known >> i & 1u) != 0) {
+            block.values[i] += modal.position[i];
+            block.incremental &= ~bit;
+            if (is_modal) block.absolute |= bit;
+        } else {
+            block.values[i] += drift;
+        }
+    }
+    return true;
 }
 
 /// A return to the reference point that goes over no other place, for a target without words for
@@ -279,9 +380,14 @@ void Expander::State::say_reference(Block& block) {
 
 /// `H3` and `D3` of tool 3 are its first edge.
 bool Expander::State::take_offsets_as_edges(Block& block, std::uint32_t at) {
+    // The tool that is in, not one that waits for its change; before the first change the one that
+    // was called.
     const Invocation* select = block.find(Function::ToolSelect);
-    const bool has_tool = modal.has_tool || select != nullptr;
-    const double tool = select != nullptr ? block.argument(*select, 0) : modal.tool;
+    const bool changes = block.find(Function::ToolChange) != nullptr;
+    const bool is_called = select != nullptr && (changes || !modal.has_tool_in);
+    const bool is_in = !is_called && !changes && modal.has_tool_in;
+    const bool has_tool = is_called || is_in || modal.has_tool;
+    const double tool = is_called ? block.argument(*select, 0) : is_in ? modal.tool_in : modal.tool;
     bool is_said = false;
     for (std::size_t i = 0; i < block.function_count;) {
         Invocation& invocation = block.functions[i];

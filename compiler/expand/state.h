@@ -135,7 +135,11 @@ struct Expander::State {
     bool adapt_shift(nc::Block& block, nc::Invocation& shift);
     bool adapt_machine(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
     bool is_frame_free(nc::Function function, std::uint32_t at);
-    bool fits_edge_off(const nc::Block& block, std::uint32_t at);
+    /// Whether the block may move, with the tool length and the feed that act.
+    bool may_move(const nc::Block& block, std::uint32_t at);
+    bool adapt_increments(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
+    void center_unknown(nc::Function function, std::size_t axis, std::uint32_t at);
+    bool complete_center(nc::Block& block, nc::Invocation& invocation, std::uint32_t at);
     void say_reference(nc::Block& block);
     bool take_offsets_as_edges(nc::Block& block, std::uint32_t at);
     bool take_edges_as_offsets(nc::Block& block, std::uint32_t at);

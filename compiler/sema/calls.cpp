@@ -215,8 +215,16 @@ Value Checker::call_vocabulary(const nc::FunctionInfo& info, const Expr& expr) {
             filling.form = Filling::Form::Text;
         } else {
             const Reg inner = emit_.mark();
-            filling = fill_value(expression((*bound)[i]), parameter.dimension, range,
-                                 parameter.name, reg);
+            Value value = expression((*bound)[i]);
+            // `mirror(x: true)`: the axis is named, at 0.
+            const bool is_named = value.is_constant() && kind(value.type) == Kind::Bool &&
+                                  parameter.dimension == nc::Dimension::Length;
+            if (is_named && value.constant.integer == 0) {
+                emit_.release_to(inner);
+                continue;
+            }
+            if (is_named) value = constant_number(0, types::kReal);
+            filling = fill_value(value, parameter.dimension, range, parameter.name, reg);
             emit_.release_to(inner);
         }
         filling.is_argument = true;

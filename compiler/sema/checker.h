@@ -316,7 +316,7 @@ class Checker {
     void check_units_function(nc::Function function, const SourceRange& range);
     /// Numbers without a point where the control of the input dialect counts increments. False:
     /// there is one.
-    bool check_points(std::span<const syntax::Word> words);
+    bool check_points(const nc::BlockPlan& plan, std::span<const syntax::Word> words);
     /// What the control of the input dialect does otherwise than the language (`custom`).
     std::uint16_t customs_of(const Plan& plan, std::span<const syntax::Word> words) const;
     bool has_point(const syntax::Word& word) const;

@@ -198,6 +198,12 @@ inline constexpr std::uint16_t kFeedCounts = 64;     // F has no point: incremen
 inline constexpr std::uint16_t kCycleWords = 128;    // G80, G98, G99: only beside its own cycles
 inline constexpr std::uint16_t kFrameOrder = 256;    // mirror, scale, rotation in this order only
 inline constexpr std::uint16_t kReference = 512;     // G28 goes over the programmed place
+inline constexpr std::uint16_t kCenterAtTool = 1024;  // a centre not named is where the tool stands
+inline constexpr std::uint16_t kFeedDeleted = 2048;   // another kind of feed deletes F
+// An increment counts from the coordinate that was programmed last, and so travels a change of the
+// frame as well.
+inline constexpr std::uint16_t kIncrementTravels = 4096;
+inline constexpr std::uint16_t kMirrorAxes = 8192;  // the mirrors of some axes end
 }  // namespace custom
 
 /// A block without its values: what the words say before the program runs.
@@ -374,8 +380,9 @@ struct FunctionCode {
     /// Members of modal groups that `preserves` names: they must be active when the call begins.
     std::vector<nc::Function> needs;
     Units units = Units::Metric;
-    SourceRange range;          // of the name
-    bool is_main_file = false;  // a program of the file that was asked for
+    nc::Function motion = nc::Function::Rapid;  // that is modal where a program begins
+    SourceRange range;                          // of the name
+    bool is_main_file = false;                  // a program of the file that was asked for
 };
 
 struct Code {

@@ -30,12 +30,17 @@ std::optional<CycleId> Dialect::find_cycle(std::string_view name) const {
 
 std::span<const RuleSetting> Dialect::rules() const { return tables_->rule_settings; }
 
-bool Dialect::has_rule(std::string_view name) const {
+bool Dialect::has_rule(std::string_view name, std::string_view value) const {
     bool is_set = false;
     for (const RuleSetting& rule : tables_->rule_settings) {
-        if (rule.name == name) is_set = rule.value == "yes";
+        if (rule.name == name) is_set = rule.value == value;
     }
     return is_set;
+}
+
+Function Dialect::first_motion() const {
+    const Function function = tables_->power_on[static_cast<std::size_t>(Group::Motion)];
+    return function == Function::None ? Function::Rapid : function;
 }
 
 bool Dialect::is_core() const { return tables_->extends.empty(); }

@@ -76,8 +76,10 @@ class Dialect {
     std::optional<AlarmText> alarm(const DiagnosticRow& row) const;
     /// Switches of the interpreter, in the order of the files: what extends comes last and wins.
     std::span<const RuleSetting> rules() const;
-    /// Whether the files set this switch to `yes`.
-    bool has_rule(std::string_view name) const;
+    /// Whether the files set this switch to the value.
+    bool has_rule(std::string_view name, std::string_view value = "yes") const;
+    /// The motion that is modal where a program begins, before it says one.
+    Function first_motion() const;
     /// The common core, in which the library and most sources are written: it extends nothing.
     bool is_core() const;
     /// Offsets have the numbers of tools and are named apart from them (`T3 M6`, then `G43 H3`),
