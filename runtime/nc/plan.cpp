@@ -220,22 +220,9 @@ class Planner {
         }
     }
 
+    /// A code with a number like it means something else altogether: none is proposed.
     void report_code(const SourceWord& word) {
-        std::vector<std::string> known;
-        const auto address = tables_.find_address(word.address);
-        const auto& index = tables_.code_index[address];
-        for (std::size_t tenths = 0; tenths < index.size(); ++tenths) {
-            if (index[tenths] == 0) continue;
-            known.emplace_back(word.address);
-            append_shortest(known.back(), static_cast<double>(tenths) / 10);
-        }
-        const std::vector<std::string_view> views(known.begin(), known.end());
-        auto report = std::move(sink_.report(diag::BlockWordCodeUnknown, word.range)
-                                    .arg(text_of(word))
-                                    .arg(tables_.name));
-        if (const auto near = nearest_name(text_of(word), views.data(), views.size())) {
-            report.fix("is `" + std::string(*near) + "` meant?");
-        }
+        sink_.report(diag::BlockWordCodeUnknown, word.range).arg(text_of(word)).arg(tables_.name);
     }
 
     const DialectTables& tables_;
