@@ -121,6 +121,8 @@ bool Expander::State::emit(const Instruction& instruction, const sema::Slot* reg
 bool Expander::State::emit_block(const sema::Plan& plan, const Instruction& instruction,
                                  const sema::Slot* registers, std::uint32_t at) {
     if (is_block_limit(at)) return false;
+    if (modal.due_offset != 0) [[unlikely]]
+        say_offset(plan, instruction, at);
     const std::size_t in_batch = batch_count;
     if (fill_plan(plan, instruction, registers, at)) {
         if (plan.customs == 0) [[likely]]

@@ -257,6 +257,26 @@ bool Expander::State::adapt_machine(Block& block, const sema::Plan& plan, std::u
     return true;
 }
 
+/// On the control of the source a work offset acts from the start; the target has another one.
+void Expander::State::say_offset(const sema::Plan& plan, const Instruction& instruction,
+                                 std::uint32_t at) {
+    const bool moves = instruction.b != 0 || (plan.given & nc::kTargetSlots) != 0 ||
+                       std::ranges::any_of(plan.fillings, [](const sema::Filling& filling) {
+                           return !filling.is_argument && filling.place < kAxes;
+                       });
+    const bool is_elsewhere = std::ranges::any_of(plan.functions, [](const Invocation& invocation) {
+        return invocation.function == Function::MachineCoordinates ||
+               invocation.function == Function::ReferenceReturn ||
+               invocation.function == Function::WorkOffset;
+    });
+    if (!moves || is_elsewhere) return;
+    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    Block& block = next_block(source);
+    block.set_argument(*block.add(Function::WorkOffset, 1), 0, modal.due_offset);
+    modal.take_functions(block);
+    if (options.trace) keep_trace(at, instruction.c, source);
+}
+
 /// A centre that is not named is where the tool stands.
 bool Expander::State::complete_center(Block& block, Invocation& invocation, std::uint32_t at) {
     const bool is_rotation = invocation.function == Function::Rotate;

@@ -52,7 +52,8 @@ void ModalState::set_frame(const ProgramFrame& next, SourceId source) {
 void ModalState::note_drift(std::size_t axis, bool is_known, double by) {
     constexpr double kRounding = 1e-9;  // mm: what a frame and its end leave of a coordinate
     const auto bit = static_cast<AxisMask>(1u << axis);
-    if (!is_known) lost_drift |= bit;
+    // Frames move X by its radius.
+    if (!is_known || (axis == 0 && is_diameter)) lost_drift |= bit;
     drift[axis] += by;
     if (std::fabs(drift[axis]) < kRounding) drift[axis] = 0;
     has_drift = static_cast<AxisMask>(drift[axis] != 0 ? has_drift | bit : has_drift & ~bit);
@@ -151,6 +152,11 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
             return;
         case Function::ReferenceReturn: known = 0; return;
         case Function::SetPosition: set_position(block, invocation); return;
+        case Function::DiameterOn:
+        case Function::DiameterOff:
+            is_diameter = invocation.function == Function::DiameterOn;
+            lost_drift |= has_drift & 1u;
+            return;
         case Function::WorkOffset:
             if ((*this)[Group::WorkOffsets] != Function::WorkOffset ||
                 work_offset != block.argument(invocation, 0)) {
@@ -158,6 +164,7 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
                 lost_drift = static_cast<AxisMask>((1u << kAxes) - 1u);
             }
             work_offset = block.argument(invocation, 0);
+            due_offset = 0;
             break;
         case Function::LengthCompOn:
             has_length_offset = (invocation.given & 1u) != 0;

@@ -32,8 +32,9 @@ struct ModalState {
     // Position less the coordinate that was programmed last: what changes of the frame have made
     // of it since. Some controls travel it with the next increment.
     AxisValues drift{};
-    AxisMask has_drift = 0;   // of which axes it is not 0
-    AxisMask lost_drift = 0;  // … and of which it is not known
+    AxisMask has_drift = 0;    // of which axes it is not 0
+    AxisMask lost_drift = 0;   // … and of which it is not known
+    bool is_diameter = false;  // words of X
     ProgramFrame frame;
     bool is_stretched = false;  // the frame makes ellipses of the circles of some plane
     ProgramFrame scaled;        // the frame behind a scale in one that had none …
@@ -42,6 +43,7 @@ struct ModalState {
     SourceId feed_by;
     SourceId speed_by;
     bool restate_motion = false;   // after a native cycle
+    int due_offset = 0;            // of the control of a source, to be said before the first move
     bool is_edge_off = false;      // `D0` of a source that counts edges: no tool length
     bool is_feed_deleted = false;  // by a feed mode of a source whose control does that
 

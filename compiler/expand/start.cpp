@@ -183,6 +183,8 @@ bool Expander::State::start(std::string_view name, const std::vector<sema::Defin
     reserve_stack(std::max(kFirstStack, std::size_t{code.globals} + function->registers +
                                             code.functions[0].registers + 16));
     modal = ModalState::at_start(*function);
+    if (function->work_offset != target.first_work_offset())
+        modal.due_offset = function->work_offset;
     bool is_good = true;
     std::uint32_t given = 0;
     for (const sema::Define& define : defines) {

@@ -135,6 +135,7 @@ struct Expander::State {
     bool adapt_shift(nc::Block& block, nc::Invocation& shift);
     bool adapt_machine(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
     bool is_frame_free(nc::Function function, std::uint32_t at);
+    void say_offset(const sema::Plan& plan, const Instruction& instruction, std::uint32_t at);
     /// Whether the block may move, with the tool length and the feed that act.
     bool may_move(const nc::Block& block, std::uint32_t at);
     bool adapt_increments(nc::Block& block, const sema::Plan& plan, std::uint32_t at);

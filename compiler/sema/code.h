@@ -381,6 +381,7 @@ struct FunctionCode {
     std::vector<nc::Function> needs;
     Units units = Units::Metric;
     nc::Function motion = nc::Function::Rapid;  // that is modal where a program begins
+    int work_offset = 0;                        // that acts there; 0: what the target has
     SourceRange range;                          // of the name
     bool is_main_file = false;                  // a program of the file that was asked for
 };

@@ -1,6 +1,7 @@
 #include "nc/dialect.h"
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 
 #include "base/diagnostics/dialect.h"
@@ -36,6 +37,15 @@ bool Dialect::has_rule(std::string_view name, std::string_view value) const {
         if (rule.name == name) is_set = rule.value == value;
     }
     return is_set;
+}
+
+int Dialect::first_work_offset() const {
+    int number = 0;
+    for (const RuleSetting& rule : tables_->rule_settings) {
+        if (rule.name != "default_work_offset") continue;
+        std::from_chars(rule.value.data(), rule.value.data() + rule.value.size(), number);
+    }
+    return number;
 }
 
 Function Dialect::first_motion() const {

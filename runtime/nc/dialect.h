@@ -78,6 +78,8 @@ class Dialect {
     std::span<const RuleSetting> rules() const;
     /// Whether the files set this switch to the value.
     bool has_rule(std::string_view name, std::string_view value = "yes") const;
+    /// The work offset that acts where a program begins, before it says one; 0: none.
+    int first_work_offset() const;
     /// The motion that is modal where a program begins, before it says one.
     Function first_motion() const;
     /// The common core, in which the library and most sources are written: it extends nothing.
