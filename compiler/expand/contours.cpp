@@ -339,9 +339,8 @@ bool Expander::State::close_contour(std::uint32_t where) {
     return true;
 }
 
-bool Expander::State::keep_plan(const Instruction& instruction, const Slot* registers,
-                                std::uint32_t where) {
-    const sema::Plan& plan = code.plans[static_cast<std::size_t>(instruction.immediate.pair.first)];
+bool Expander::State::keep_plan(const sema::Plan& plan, const Instruction& instruction,
+                                const Slot* registers, std::uint32_t where) {
     for (const nc::Invocation& invocation : plan.functions) {
         if (invocation.function == Function::DiameterOn ||
             invocation.function == Function::DiameterOff) {
@@ -355,7 +354,7 @@ bool Expander::State::keep_plan(const Instruction& instruction, const Slot* regi
                                     where);
         }
     }
-    return fill_plan(instruction, registers, where) && keep(kept_block, where);
+    return fill_plan(plan, instruction, registers, where) && keep(kept_block, where);
 }
 
 bool Expander::State::refuse_block(std::string_view what, std::uint32_t where) {
@@ -370,10 +369,10 @@ bool Expander::State::keep(const Block& block, std::uint32_t where) {
     const PlaneIndices axes = indices_of(plane);
     if (!recording.has_start) {
         recording.plane = plane;
-        recording.is_diameter = modal.x_is_diameter;
+        recording.is_diameter = modal.is_diameter;
     } else if (recording.plane != plane) {
         return refuse_block("another plane", where);
-    } else if (recording.is_diameter != modal.x_is_diameter) {
+    } else if (recording.is_diameter != modal.is_diameter) {
         return refuse_block("a change between diameter and radius", where);
     }
     if (block.has(nc::Slot::Feed)) return refuse_block("a feed", where);
@@ -554,7 +553,7 @@ bool Expander::State::follow_contour(const Instruction& instruction, const Slot*
     next.depth = instruction.c;
     next.feed = arguments[at(FollowSlot::Feed)].number;
     // In a contour that is being made, X is what its own words say.
-    const Wording wording{plane, recordings.empty() ? contour->is_diameter : modal.x_is_diameter};
+    const Wording wording{plane, recordings.empty() ? contour->is_diameter : modal.is_diameter};
     next.is_diameter = wording.is_diameter;
     const PlaneIndices axes = wording.axes();
     const Vec2 begin = contour->elements.front().from;
@@ -608,6 +607,10 @@ bool Expander::State::finish_followed(Block& block, const FollowedBlock& next,
             drop_block(block);
             return false;
         }
+    }
+    if (recordings.empty() && !may_move(block, where)) {
+        drop_block(block);
+        return false;
     }
     modal.take_words(block);
     if (!recordings.empty()) return keep(block, where);

@@ -95,7 +95,7 @@ std::optional<path::CurveSample> Expander::State::curve_point(const Instruction&
             return std::nullopt;
         }
         // The curve gives words; what is fitted is the way of the tool.
-        const double scale = word_scale(axes[i], modal.x_is_diameter);
+        const double scale = word_scale(axes[i], modal.is_diameter);
         sample.position[static_cast<Eigen::Index>(i)] = value / scale;
         sample.derivative[static_cast<Eigen::Index>(i)] = slopes[base + axes[i]] / scale;
     }
@@ -115,7 +115,7 @@ bool Expander::State::start_curve(const Instruction& instruction, std::uint32_t 
     curve.next.source = {static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     curve.next.depth = instruction.c;
     curve.next.feed = options_of[at(CurveSlot::Feed)].number;
-    curve.next.is_diameter = modal.x_is_diameter;
+    curve.next.is_diameter = modal.is_diameter;
     path::FitOptions fit;
     fit.tolerance = tolerance;
     fit.from = options_of[at(CurveSlot::From)].number;
@@ -138,7 +138,7 @@ bool Expander::State::start_curve(const Instruction& instruction, std::uint32_t 
     for (std::size_t i = 0; i < 3; ++i) {
         if (!curve.is_given[i]) continue;
         const bool is_known = (modal.known >> axes[i] & 1u) != 0;
-        const double way = modal.position[axes[i]] / word_scale(axes[i], modal.x_is_diameter) -
+        const double way = modal.position[axes[i]] / word_scale(axes[i], modal.is_diameter) -
                            first->position[static_cast<Eigen::Index>(i)];
         is_there = is_there && is_known && std::fabs(way) <= path::kSamePoint;
     }
