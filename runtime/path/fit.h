@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "path/contour.h"
+#include "path/cubic.h"
 #include "path/vec3.h"
 
 namespace kadr::path {
@@ -50,10 +51,11 @@ enum class FitFault : std::uint8_t {
 
 /// Cuts a curve into pieces, each as long as the tolerance lets it be.
 ///
-/// Whether a piece is good is measured: between neighbouring samples the deviation is the cubic
-/// through its values and slopes at both, and how far a further sample inside misses that cubic is
-/// the error of the measure, which counts twice. Where the miss is not small against the
-/// tolerance, the samples come closer.
+/// Whether a piece is good is measured: between neighbouring samples the curve is taken for the
+/// cubic through both points with both slopes, and the whole cubic, not points of it, is held
+/// against the piece. How far a further sample inside and its slope miss the cubic tells the error
+/// of the measure, which counts twice. Where it is not small against the tolerance, the samples
+/// come closer.
 class CurveFit {
   public:
     CurveFit(ParametricCurve curve, const FitOptions& options);
@@ -82,11 +84,9 @@ class CurveFit {
     bool is_within(const Candidate& candidate);
     bool is_within(const Candidate& candidate, double from, const CurveSample& begin, double to,
                    const CurveSample& end, int depth);
-    struct Deviation {
-        double value[2];
-        double slope[2];
-    };
-    Deviation deviation(const Candidate& candidate, const CurveSample& at) const;
+    bool is_within(const Candidate& candidate, const Cubic& cubic, double limit, int depth) const;
+    bool is_bounded(const Candidate& candidate, const Cubic& cubic, double limit) const;
+    double distance(const Candidate& candidate, const Vec3& point) const;
     std::optional<Candidate> longest();
 
     ParametricCurve curve_;
