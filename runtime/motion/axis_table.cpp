@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/spline_pieces.h"
+
 namespace kadr::motion {
 
 namespace {
@@ -90,7 +92,32 @@ AxisRates AxisTable::end_rates(const Segment& piece) const {
     return rates(path::evaluate(piece.curve, path::length(piece.curve)).tangent, piece);
 }
 
+/// |q'|·a + |q''|·v² ≤ A, each at its greatest; the bend takes its share first, as on an arc.
+PathLimits AxisTable::spline_limits(const path::Spline& spline, double wanted) const {
+    const SplineBend bend = bend_of(spline);
+    PathLimits limits{wanted, kInfinity};
+    for (const Entry& axis : axes_) {
+        if (axis.coordinate >= 3) continue;
+        const auto i = static_cast<Eigen::Index>(axis.coordinate);
+        if (bend.rate[i] * limits.speed > axis.velocity)
+            limits.speed = axis.velocity / bend.rate[i];
+        const double most = kNormalShare * axis.acceleration;
+        if (bend.bend[i] * limits.speed * limits.speed > most)
+            limits.speed = std::sqrt(most / bend.bend[i]);
+    }
+    for (const Entry& axis : axes_) {
+        if (axis.coordinate >= 3) continue;
+        const auto i = static_cast<Eigen::Index>(axis.coordinate);
+        const double left = axis.acceleration - bend.bend[i] * limits.speed * limits.speed;
+        if (bend.rate[i] > 0)
+            limits.acceleration = std::min(limits.acceleration, left / bend.rate[i]);
+    }
+    return limits;
+}
+
 PathLimits AxisTable::limits(const Segment& piece, double wanted) const {
+    if (const auto* spline = std::get_if<path::Spline>(&piece.curve))
+        return spline_limits(*spline, wanted);
     const auto* helix = std::get_if<path::Helix>(&piece.curve);
     if (helix == nullptr) {
         const AxisRates along = start_rates(piece);
@@ -149,6 +176,16 @@ AxisTable::Peaks AxisTable::peaks(const Segment& piece) const {
     const double speed = piece.profile.peak_speed;
     const double along = std::max(piece.profile.accelerating > 0 ? piece.profile.acceleration : 0.0,
                                   piece.profile.braking > 0 ? piece.profile.deceleration : 0.0);
+    if (const auto* spline = std::get_if<path::Spline>(&piece.curve)) {
+        const SplineBend bend = bend_of(*spline);
+        for (std::size_t i = 0; i < axes_.size(); ++i) {
+            if (axes_[i].coordinate >= 3) continue;
+            const auto c = static_cast<Eigen::Index>(axes_[i].coordinate);
+            peaks.velocity[i] = bend.rate[c] * speed;
+            peaks.acceleration[i] = bend.rate[c] * along + bend.bend[c] * speed * speed;
+        }
+        return peaks;
+    }
     const auto* helix = std::get_if<path::Helix>(&piece.curve);
     if (helix == nullptr) {
         const AxisRates rates = start_rates(piece);

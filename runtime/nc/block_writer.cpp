@@ -418,7 +418,9 @@ bool BlockWriter::says(const Form& form, const Block& block, const Invocation& i
         // What the text does not agree upon with the program is said again in this block.
         const bool is_restored = group == Group::Distance && (block.given & kTargetSlots) != 0 &&
                                  modal_.meant[index_of(group)] == needed;
-        fits &= modal_.text[index_of(group)] == needed || is_restored;
+        const bool is_said = group == Group::Motion && effective_motion(block) == needed &&
+                             (block.motion == needed || (block.given & kTargetSlots) != 0);
+        fits &= modal_.text[index_of(group)] == needed || is_restored || is_said;
     }
     return fits && (invocation.given & ~said) == 0;
 }

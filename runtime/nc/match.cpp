@@ -179,14 +179,22 @@ class Matcher {
         return {};
     }
 
+    /// Whether the modal functions are active that the form needs. Motions have to be known: a word
+    /// has another meaning under each.
+    bool acts(const Form& form) const {
+        return std::ranges::all_of(form.during, [&](Function needed) {
+            const Group group = info(needed).group;
+            const Function active = modal_[static_cast<std::size_t>(group)];
+            if (group != Group::Motion) return active == Function::None || active == needed;
+            return (block_.motion == Function::None ? active : block_.motion) == needed;
+        });
+    }
+
     Fit fit_form(std::size_t head, const Form& form) const {
         Fit fit;
         fit.taken[head] = true;
         fit.matched = 1;
-        for (const Function needed : form.during) {
-            const Function active = modal_[static_cast<std::size_t>(info(needed).group)];
-            if (active != Function::None && active != needed) fit.answer = Fit::Answer::Missing;
-        }
+        if (!acts(form)) fit.answer = Fit::Answer::Missing;
         fit_word(form, form.words[0], head, fit);
         for (std::size_t f = 1; f < form.words.size(); ++f) {
             const FormWord& wanted = form.words[f];
@@ -381,7 +389,9 @@ class Matcher {
         const GivenWord& word = words_[i];
         const Address& head = address(i);
         if (!word.has_value) return MatchFault{MatchFault::Kind::NoValue, i};
-        if (!head.forms.empty()) return take_form(i, head.forms);
+        const bool has_form =
+            std::ranges::any_of(head.forms, [&](FormId id) { return acts(tables_.forms[id]); });
+        if (has_form) return take_form(i, head.forms);
         if (head.slot < 0) return MatchFault{MatchFault::Kind::Unused, i};
         if (word.is_text) return MatchFault{MatchFault::Kind::NoNumber, i};
         const auto slot = static_cast<Slot>(head.slot);
