@@ -161,11 +161,11 @@ void Executor::execute(const Block& block) {
         if (block.kind == Block::Kind::Raw) report(diag::RawInCycle, block);
         return;
     }
+    if (block.skip >= 0 && (options_.skip_levels >> block.skip & 1u) != 0) return;
     if (spline_ && !continues_spline(block)) {
         finish_spline();
         if (ended_) return;
     }
-    if (block.skip >= 0 && (options_.skip_levels >> block.skip & 1u) != 0) return;
     ++block_count_;
     if (options_.max_blocks != 0 && block_count_ > options_.max_blocks) {
         --block_count_;

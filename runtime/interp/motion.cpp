@@ -63,7 +63,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (actions.reference != nullptr) return return_to_reference(block, *actions.reference);
     if (actions.cycle != nullptr) return call_cycle(block, *actions.cycle);
     if (modal_cycle_.is_active && (targets | arc_words) != 0) return repeat_cycle(block);
-    if (modal_.motion == Function::Spline &&
+    if (modal_.motion == Function::Spline && !actions.machine_coordinates &&
         (targets != 0 || block.find(Function::SplineKnot) != nullptr))
         return spline(block);
     if (targets == 0 && (arc_words == 0 || !is_arc(modal_.motion))) {

@@ -88,6 +88,8 @@ void Executor::spline(const Block& block) {
     }
     const std::optional<double> knot = word(block, Function::SplineKnot);
     if (!spline_ && !start_spline(block, knot.has_value())) return;
+    spline_end_.line = block.line;
+    spline_end_.source = block.source;
     std::optional<NurbsFault> fault;
     if (targets != 0) {
         if (!add_pole(block, targets)) return;
@@ -103,9 +105,6 @@ bool Executor::start_spline(const Block& block, bool by_knots) {
     if (!check_feed(block, "spline")) return false;
     if (tool_.has_changed) activate_length(block, kXyz);
     spline_.emplace(spline_degree_, by_knots);
-    spline_end_ = {};
-    spline_end_.line = block.line;
-    spline_end_.source = block.source;
     if (!by_knots) spline_->add_pole(linear(position_.base), 1, {});
     return true;
 }
@@ -128,8 +127,6 @@ bool Executor::add_pole(const Block& block, SlotMask targets) {
     }
     spline_->moved = static_cast<AxisMask>(spline_->moved | target.moved);
     spline_->add_pole(pole, weight, {block.line, block.source, modal_.feed, target.base});
-    spline_end_.line = block.line;
-    spline_end_.source = block.source;
     arrive(target);
     return true;
 }

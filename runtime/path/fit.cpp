@@ -19,9 +19,6 @@ constexpr double kLeastShare = 1e-10;
 /// Measuring: neighbouring samples at first, and how often an interval may be halved.
 constexpr int kIntervals = 8;
 constexpr int kDeepest = 7;
-/// Where inside an interval the measure is checked: not the middle, which a periodic curve may
-/// meet in step.
-constexpr double kInside = 0.381966;
 /// An arc that is this flat is a line, mm: less than any control resolves.
 constexpr double kFlat = 1e-6;
 /// Controls take radii of six digits; a larger one is a line as well, if the tolerance allows.
@@ -103,6 +100,17 @@ std::optional<std::pair<Element, Element>> biarc(const Vec2& a, const Vec2& out_
     const std::optional<Element> back = arc_along(b, -into_b, junction);
     if (!first || !back) return std::nullopt;
     return std::pair(*first, reversed(*back));
+}
+
+MeasuredCubic measured_cubic(const CurveSample& begin, const CurveSample& inside,
+                             const CurveSample& end, double width) {
+    MeasuredCubic measured;
+    measured.cubic =
+        hermite(begin.position, begin.derivative * width, end.position, end.derivative * width);
+    const CubicPoint there = evaluate(measured.cubic, kInside);
+    measured.error = interpolation_error(kInside, inside.position - there.position,
+                                         inside.derivative * width - there.derivative);
+    return measured;
 }
 
 CurveFit::CurveFit(ParametricCurve curve, const FitOptions& options)
@@ -212,13 +220,7 @@ bool CurveFit::is_within(const Candidate& candidate, double from, const CurveSam
     if (apart > 4 * speed * std::fabs(width) + options_.tolerance) return false;
     if (!(distance(candidate, middle->position) <= options_.tolerance)) return false;
     if (!(distance(candidate, end.position) <= options_.tolerance)) return false;
-    const Cubic cubic =
-        hermite(begin.position, begin.derivative * width, end.position, end.derivative * width);
-    const CubicPoint there = evaluate(cubic, kInside);
-    Vec3 miss = middle->position - there.position;
-    Vec3 slope_miss = middle->derivative * width - there.derivative;
-    if (options_.kind == FitKind::Biarcs) miss.z() = slope_miss.z() = 0;
-    const double error = interpolation_error(kInside, miss, slope_miss);
+    const auto [cubic, error] = measured_cubic(begin, *middle, end, width);
     if (error <= kMeasured * options_.tolerance &&
         is_within(candidate, cubic, options_.tolerance - 2 * error, 0))
         return true;

@@ -1,8 +1,8 @@
 // fit.h — a parametric curve as lines or as arcs that run into each other, within a tolerance.
 //
 // Knows points and tangents by the parameter and nothing else: what computes them is the caller's.
-// The pieces come one by one, so a curve of any length takes no memory. A control with NURBS would
-// get a third FitKind here.
+// The pieces come one by one, so a curve of any length takes no memory. A curve as one spline is
+// spline_fit.h.
 #pragma once
 
 #include <deque>
@@ -21,13 +21,26 @@ struct CurveSample {
     Vec3 derivative = Vec3::Zero();  // mm per unit of the parameter
 };
 
+/// The cubic through two samples with their slopes, and how far the curve may be from it.
+struct MeasuredCubic {
+    Cubic cubic{};
+    double error = 0;  // mm; counts twice where a tolerance is kept
+};
+/// inside   sample at the share kInside of the way between the others
+/// width    of the parameter between the two
+MeasuredCubic measured_cubic(const CurveSample& begin, const CurveSample& inside,
+                             const CurveSample& end, double width);
+/// Where inside an interval the measure is checked: not the middle, which a periodic curve may
+/// meet in step.
+inline constexpr double kInside = 0.381966;
+
 /// Nothing if the curve has no point there; who evaluates it has said why.
 using ParametricCurve = std::function<std::optional<CurveSample>(double parameter)>;
 
 enum class FitKind : std::uint8_t {
     Lines,   // chords, in space
     Biarcs,  // pairs of arcs in the plane of the first two coordinates, tangents continuous inside
-             // and from pair to pair; the third coordinate does not count
+             // and from pair to pair; the third coordinate is 0
 };
 
 struct FitOptions {

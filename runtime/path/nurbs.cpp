@@ -5,6 +5,7 @@
 
 #include "base/assert.h"
 #include "path/helix.h"
+#include "path/homogeneous.h"
 #include "path/quadrature.h"
 
 namespace kadr::path {
@@ -70,12 +71,7 @@ SplinePoint point_at(const Nurbs& nurbs, double u) {
             d[i] = (1 - share) * d[i - 1] + share * d[i];
         }
     }
-    const double w = d[p][3];
-    SplinePoint point;
-    point.position = d[p].head<3>() / w;
-    point.first = (first.head<3>() - first[3] * point.position) / w;
-    point.second = (second.head<3>() - 2 * first[3] * point.first - second[3] * point.position) / w;
-    return point;
+    return projected(d[p], first, second);
 }
 
 double length(const Nurbs& nurbs) {

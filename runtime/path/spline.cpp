@@ -5,6 +5,7 @@
 
 #include "base/assert.h"
 #include "path/helix.h"
+#include "path/homogeneous.h"
 #include "path/quadrature.h"
 
 namespace kadr::path {
@@ -161,15 +162,7 @@ SplinePoint point_at(const Spline& spline, double u) {
     const Pole c = p[2] * v + p[3] * u;
     const Pole d = a * v + b * u;
     const Pole e = b * v + c * u;
-    const Pole at = d * v + e * u;
-    const Pole first = 3 * (e - d);
-    const Pole second = 6 * (c - 2 * b + a);
-    const double w = at[3];
-    SplinePoint point;
-    point.position = at.head<3>() / w;
-    point.first = (first.head<3>() - first[3] * point.position) / w;
-    point.second = (second.head<3>() - 2 * first[3] * point.first - second[3] * point.position) / w;
-    return point;
+    return projected(d * v + e * u, 3 * (e - d), 6 * (c - 2 * b + a));
 }
 
 double parameter_at(const Spline& spline, double s) {

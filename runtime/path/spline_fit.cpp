@@ -22,11 +22,9 @@ constexpr double kCornerShare = 1e-10;
 constexpr double kCubicShare = 0.7;
 /// How often points may be added where the spline does not keep the tolerance.
 constexpr int kRounds = 12;
-/// Measuring an interval: samples in it at first, how often they may come closer, and where inside
-/// a step the measure is checked.
+/// Measuring an interval: samples in it at first, and how often they may come closer.
 constexpr int kSteps = 8;
 constexpr int kDeepest = 5;
-constexpr double kInside = 0.381966;
 /// Share of the tolerance below which closer samples would not change the answer.
 constexpr double kWellMeasured = 1.0 / 64;
 /// Points of a corner that are closer are the same, mm.
@@ -103,11 +101,7 @@ class Fitter {
         const double inside = a.parameter + width * kInside;
         const auto middle = sample(inside);
         if (!middle) return false;
-        const Cubic own =
-            hermite(a.at.position, a.at.derivative * width, b.at.position, b.at.derivative * width);
-        const CubicPoint there = evaluate(own, kInside);
-        const double error = interpolation_error(kInside, middle->position - there.position,
-                                                 middle->derivative * width - there.derivative);
+        const auto [own, error] = measured_cubic(a.at, *middle, b.at, width);
         double apart = 0;
         for (std::size_t i = 0; i < 4; ++i) apart = std::max(apart, (own[i] - cubic[i]).norm());
         if (apart + 2 * error <= limit) return true;

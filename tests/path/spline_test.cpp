@@ -281,7 +281,9 @@ TEST(SplineFit, KeepsTheTolerance) {
             EXPECT_EQ(fitted.spline.poles.back(), row.curve(row.to)->position);
             EXPECT_LE(deviation(row.curve, options, fitted.spline), tolerance * (1 + 1e-6));
             for (const double knot : fitted.spline.knots) EXPECT_EQ(knot * 8, std::round(knot * 8));
-            if (tolerance == 0.005) EXPECT_LE(fitted.spline.poles.size(), row.most_poles);
+            if (tolerance == 0.005) {
+                EXPECT_LE(fitted.spline.poles.size(), row.most_poles);
+            }
         }
     }
 }
