@@ -52,6 +52,7 @@ std::optional<SplineStep> SplineRun::next() {
         if (ready) return ready;
     }
     if (!is_finished_) return std::nullopt;
+    if (held_) held_->is_last = true;
     return std::exchange(held_, std::nullopt);
 }
 

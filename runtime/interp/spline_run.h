@@ -28,6 +28,7 @@ struct PoleBlock {
 struct SplineStep {
     path::SplineSpan span;
     PoleBlock block;
+    bool is_last = false;  // of the spline
 };
 
 class SplineRun {
@@ -48,7 +49,6 @@ class SplineRun {
 
     /// The next span that is known in full; the very last one only behind `finish`.
     std::optional<SplineStep> next();
-    bool is_finished() const { return is_finished_; }
 
     AxisMask moved = 0;  // axes that its blocks have named
 

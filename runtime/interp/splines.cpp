@@ -102,6 +102,12 @@ void Executor::spline(const Block& block) {
 }
 
 bool Executor::start_spline(const Block& block, bool by_knots) {
+    const bool counts_knots =
+        dialect_.can_write(Function::SplineKnot) && !dialect_.can_write(Function::SplineInterval);
+    if (!by_knots && counts_knots) {
+        report(diag::SplineKnots, block).arg("are missing");
+        return false;
+    }
     if (!check_feed(block, "spline")) return false;
     if (tool_.has_changed) activate_length(block, kXyz);
     spline_.emplace(spline_degree_, by_knots);
@@ -149,7 +155,7 @@ void Executor::move_along_spline() {
         command.moved = spline_->moved;
         command.spline = span.shape;
         command.feed = step->block.feed;
-        command.exact_stop = spline_->is_finished() && modal_.has_exact_stop;
+        command.exact_stop = step->is_last && modal_.has_exact_stop;
     }
 }
 

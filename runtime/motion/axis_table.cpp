@@ -59,6 +59,17 @@ double greatest_rate(const path::Helix& helix, const CircleView& circle, std::si
     return std::max(std::abs(wave.lower), std::abs(wave.upper));
 }
 
+/// The greatest acceleration along the path that an axis has left. It sees |q'|·a + |q''|·v²; and
+/// as the two are across each other, never more than sqrt(a² + (k·v²)²).
+double acceleration_left(const SplineBend& bend, Eigen::Index axis, double speed, double limit) {
+    const double across = bend.curvature * speed * speed;
+    const double as_sum = bend.rate[axis] > 0
+                              ? (limit - bend.bend[axis] * speed * speed) / bend.rate[axis]
+                              : kInfinity;
+    const double as_vector = across < limit ? std::sqrt(limit * limit - across * across) : 0;
+    return std::max(as_sum, as_vector);
+}
+
 }  // namespace
 
 AxisTable::AxisTable(const machine::Machine& machine) {
@@ -92,7 +103,7 @@ AxisRates AxisTable::end_rates(const Segment& piece) const {
     return rates(path::evaluate(piece.curve, path::length(piece.curve)).tangent, piece);
 }
 
-/// |q'|·a + |q''|·v² ≤ A, each at its greatest; the bend takes its share first, as on an arc.
+/// The bend takes its share of the acceleration first, as on an arc.
 PathLimits AxisTable::spline_limits(const path::Spline& spline, double wanted) const {
     const SplineBend bend = bend_of(spline);
     PathLimits limits{wanted, kInfinity};
@@ -108,9 +119,8 @@ PathLimits AxisTable::spline_limits(const path::Spline& spline, double wanted) c
     for (const Entry& axis : axes_) {
         if (axis.coordinate >= 3) continue;
         const auto i = static_cast<Eigen::Index>(axis.coordinate);
-        const double left = axis.acceleration - bend.bend[i] * limits.speed * limits.speed;
-        if (bend.rate[i] > 0)
-            limits.acceleration = std::min(limits.acceleration, left / bend.rate[i]);
+        limits.acceleration = std::min(limits.acceleration,
+                                       acceleration_left(bend, i, limits.speed, axis.acceleration));
     }
     return limits;
 }
@@ -182,7 +192,8 @@ AxisTable::Peaks AxisTable::peaks(const Segment& piece) const {
             if (axes_[i].coordinate >= 3) continue;
             const auto c = static_cast<Eigen::Index>(axes_[i].coordinate);
             peaks.velocity[i] = bend.rate[c] * speed;
-            peaks.acceleration[i] = bend.rate[c] * along + bend.bend[c] * speed * speed;
+            peaks.acceleration[i] = std::min(bend.rate[c] * along + bend.bend[c] * speed * speed,
+                                             std::hypot(along, bend.curvature * speed * speed));
         }
         return peaks;
     }

@@ -87,6 +87,7 @@ SplineBend bend_of(const Spline& spline) {
     for (std::size_t i = 0; i < kSamples; ++i) {
         bend.rate = bend.rate.cwiseMax(samples[i].tangent.cwiseAbs());
         bend.bend = bend.bend.cwiseMax(samples[i].curvature.cwiseAbs());
+        bend.curvature = std::max(bend.curvature, samples[i].curvature.norm());
         if (i == 0) continue;
         const CurvePoint& before = samples[i - 1];
         rate_step = rate_step.cwiseMax((samples[i].tangent - before.tangent).cwiseAbs());
@@ -96,6 +97,7 @@ SplineBend bend_of(const Spline& spline) {
     // these change by no more than twice the greatest.
     bend.rate = (bend.rate + rate_step / 4).cwiseMin(1.0);
     bend.bend += bend_step / 4;
+    bend.curvature += bend_step.norm() / 4;
     return bend;
 }
 

@@ -17,6 +17,7 @@ std::vector<path::Curve> evenly_bent(const path::Spline& spline);
 struct SplineBend {
     path::Vec3 rate = path::Vec3::Zero();
     path::Vec3 bend = path::Vec3::Zero();  // 1/mm
+    double curvature = 0;                  // greatest |d²C/ds²|, 1/mm
 };
 SplineBend bend_of(const path::Spline& spline);
 

@@ -164,6 +164,15 @@ void BlockWriter::check_arc_words(const Block& block) {
     }
 }
 
+/// A control that counts knots needs one beside every control point.
+void BlockWriter::check_knot(const Block& block, Function motion) {
+    if (motion != Function::Spline || (block.given & kTargetSlots) == 0) return;
+    const bool has_intervals = dialect_.can_write(Function::SplineInterval);
+    if (has_intervals || !dialect_.can_write(Function::SplineKnot)) return;
+    if (block.find(Function::SplineKnot) == nullptr)
+        cannot_express(block, "a control point without its knot");
+}
+
 void BlockWriter::write_block(const Block& block, std::string& out) {
     if (split_turns(block, out) || straighten(block, out)) return;
     if (modal_.waiting_edge != 0) write_waiting_edge(block, out);
@@ -179,6 +188,7 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
     const WrittenPosition start = modal_.position;
     const Function motion = effective_motion(block);
     place_targets(block, targets);
+    check_knot(block, motion);
     if (is_arc(motion)) {
         place_arc(block, start, targets);
         place_arc_feed(block, start, targets);

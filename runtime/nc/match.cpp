@@ -179,14 +179,18 @@ class Matcher {
         return {};
     }
 
-    /// Whether the modal functions are active that the form needs. Motions have to be known: a word
-    /// has another meaning under each.
+    /// Whether the modal functions are active that the form needs, or nobody knows. A word that
+    /// means a slot under other motions takes the form only if the motion is known.
     bool acts(const Form& form) const {
+        const FormWord& first = form.words[0];
+        const bool is_value = first.kind == FormWord::Kind::Value;
+        const bool has_slot = is_value && tables_.addresses[first.address].slot >= 0;
         return std::ranges::all_of(form.during, [&](Function needed) {
             const Group group = info(needed).group;
-            const Function active = modal_[static_cast<std::size_t>(group)];
-            if (group != Group::Motion) return active == Function::None || active == needed;
-            return (block_.motion == Function::None ? active : block_.motion) == needed;
+            const bool is_said = group == Group::Motion && block_.motion != Function::None;
+            const Function active =
+                is_said ? block_.motion : modal_[static_cast<std::size_t>(group)];
+            return active == needed || (active == Function::None && !has_slot);
         });
     }
 

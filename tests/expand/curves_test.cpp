@@ -27,6 +27,12 @@ Count count(const Outcome& outcome) {
     return result;
 }
 
+RunOptions on(const std::string& control) {
+    RunOptions options;
+    options.target = control;
+    return options;
+}
+
 double word(const std::string& block, char address) {
     const std::size_t at = block.find(std::string(" ") + address);
     return at == std::string::npos ? std::nan("") : std::stod(block.substr(at + 2));
@@ -86,7 +92,7 @@ TEST(Curves, SplinesOnWish) {
         kEllipse +
         "program p() { G0 X30 Y0; follow(ellipse(30mm, 20mm), feed: 400mm/min, "
         "nurbs: true); X40; }";
-    const Outcome intervals = run(program, {.target = "sinumerik"});
+    const Outcome intervals = run(program, on("sinumerik"));
     ASSERT_EQ(intervals.all_messages(), "");
     EXPECT_EQ(intervals.blocks[1].substr(0, 11), "spline X30 ");
     EXPECT_NE(intervals.blocks[1].find("F400"), std::string::npos);
@@ -97,12 +103,12 @@ TEST(Curves, SplinesOnWish) {
     const std::string& last = intervals.blocks[intervals.blocks.size() - 2];
     EXPECT_EQ(last, "X30 Y0 | spline_interval(interval=0)");
     // By knots: the first pole as well, and four knots more behind the last.
-    const Outcome knots = run(program, {.target = "fanuc"});
+    const Outcome knots = run(program, on("fanuc"));
     ASSERT_EQ(knots.all_messages(), "");
     EXPECT_EQ(knots.blocks.size(), intervals.blocks.size() + 5);
     EXPECT_EQ(knots.blocks[1],
               "spline X30 Y0 F400 | spline_degree(degree=3) | spline_knot(knot=0)");
-    EXPECT_EQ(knots.blocks[knots.blocks.size() - 2].substr(0, 13), "| spline_knot");
+    EXPECT_EQ(knots.blocks[knots.blocks.size() - 2].substr(0, 12), "spline_knot(");
     // Lines and arcs where the control has none, said once; and in a contour.
     const Outcome none = run(kEllipse +
                              "program p() { G0 X30 Y0; for (int i = 0; i < 2; i++) "
@@ -114,7 +120,7 @@ TEST(Curves, SplinesOnWish) {
         run(kEllipse +
                 "program p() { contour c = { follow(ellipse(30mm), nurbs: true); close; }; "
                 "follow(c); }",
-            {.target = "sinumerik"});
+            on("sinumerik"));
     EXPECT_EQ(contour.all_messages(), "");
     EXPECT_EQ(contour.all_blocks().find("spline"), std::string::npos);
 }
@@ -122,13 +128,13 @@ TEST(Curves, SplinesOnWish) {
 TEST(Curves, SplinesUnderIncrementalDimensionsAndOfJumps) {
     const Outcome incremental =
         run(kEllipse + "program p() { G0 X30 Y0; G91; follow(ellipse(30mm), nurbs: true); }",
-            {.target = "sinumerik"});
+            on("sinumerik"));
     EXPECT_EQ(incremental.all_messages(), "");
     EXPECT_NE(incremental.blocks[3].find("X=AC("), std::string::npos);
     const Outcome jump =
         run("curve c() over real t = 0 .. 10 { x = t*1mm; if (t < 5) y = 0mm; else y = 3mm; }\n"
             "program p() { follow(c(), nurbs: true); }",
-            {.target = "sinumerik"});
+            on("sinumerik"));
     EXPECT_NE(jump.all_messages().find("K3615"), std::string::npos);
 }
 

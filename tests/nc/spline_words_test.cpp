@@ -88,7 +88,7 @@ TEST(SplineWords, ByKnots) {
     EXPECT_EQ(described(back.blocks),
               "spline X0 Y0 | spline_knot(knot=0) | spline_degree(degree=3)\n"
               "X10 Y10.5 | spline_knot(knot=0.125) | spline_weight(weight=2)\n"
-              "| spline_knot(knot=12)");
+              "spline_knot(knot=12)");
 }
 
 TEST(SplineWords, LettersHaveTheirOldMeaningElsewhere) {
@@ -119,6 +119,7 @@ TEST(SplineWords, WhereThereIsNoSpelling) {
     Block line = with(pole(5, 5), Function::SplineKnot, 1);
     line.motion = Function::Line;
     EXPECT_EQ(write("fanuc", {line}).codes, "K4201");
+    EXPECT_EQ(write("fanuc", {first(pole(5, 5))}).codes, "K4201");
 }
 
 }  // namespace

@@ -6,6 +6,5 @@ K0. X10. Y0.
 K1.
 M30
 %
-(expect: 3:1 K5213 feed motion with the spindle stopped)
 (expect: 6:1 PS5116 the knots of the spline are not as many as control points and degree + 1)
 (exit: 3)

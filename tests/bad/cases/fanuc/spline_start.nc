@@ -7,6 +7,5 @@ K1.
 K1.
 M30
 %
-(expect: 3:1 K5213 feed motion with the spindle stopped)
 (expect: 4:1 PS5117 the first control point of the spline is 5 mm from the tool)
 (exit: 3)
