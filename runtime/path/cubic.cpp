@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "path/casteljau.h"
+
 namespace kadr::path {
 
 Cubic hermite(const Vec3& from, const Vec3& slope_from, const Vec3& to, const Vec3& slope_to) {
@@ -10,24 +12,12 @@ Cubic hermite(const Vec3& from, const Vec3& slope_from, const Vec3& to, const Ve
 }
 
 CubicPoint evaluate(const Cubic& cubic, double u) {
-    const double v = 1 - u;
-    const Vec3 a = cubic[0] * v + cubic[1] * u;
-    const Vec3 b = cubic[1] * v + cubic[2] * u;
-    const Vec3 c = cubic[2] * v + cubic[3] * u;
-    const Vec3 d = a * v + b * u;
-    const Vec3 e = b * v + c * u;
-    return {d * v + e * u, (e - d) * 3};
+    const Casteljau<Vec3> scheme(cubic, u);
+    return {scheme.at, scheme.derivative()};
 }
 
 std::pair<Cubic, Cubic> split(const Cubic& cubic, double u) {
-    const double v = 1 - u;
-    const Vec3 a = cubic[0] * v + cubic[1] * u;
-    const Vec3 b = cubic[1] * v + cubic[2] * u;
-    const Vec3 c = cubic[2] * v + cubic[3] * u;
-    const Vec3 d = a * v + b * u;
-    const Vec3 e = b * v + c * u;
-    const Vec3 middle = d * v + e * u;
-    return {{cubic[0], a, d, middle}, {middle, e, c, cubic[3]}};
+    return Casteljau<Vec3>(cubic, u).halves();
 }
 
 double interpolation_error(double u, const Vec3& miss, const Vec3& slope_miss) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/assert.h"
+#include "path/casteljau.h"
 #include "path/helix.h"
 #include "path/homogeneous.h"
 #include "path/quadrature.h"
@@ -21,15 +22,8 @@ constexpr double kStands = 1e-7;
 
 Vec3 point_of(const Pole& pole) { return pole.head<3>() / pole[3]; }
 
-std::pair<Poles, Poles> split(const Poles& p, double u) {
-    const double v = 1 - u;
-    const Pole a = p[0] * v + p[1] * u;
-    const Pole b = p[1] * v + p[2] * u;
-    const Pole c = p[2] * v + p[3] * u;
-    const Pole d = a * v + b * u;
-    const Pole e = b * v + c * u;
-    const Pole middle = d * v + e * u;
-    return {{p[0], a, d, middle}, {middle, e, c, p[3]}};
+std::pair<Poles, Poles> split(const Poles& poles, double u) {
+    return Casteljau<Pole>(poles, u).halves();
 }
 
 double polygon(const Poles& poles) {
@@ -107,7 +101,7 @@ void measure(Spline& spline) {
         const double from = kShare * static_cast<double>(i);
         const double part = careful_length(spline, from, from + kShare);
         const double quick = gauss(rate, from, from + kShare);
-        spline.is_smooth &= std::fabs(quick - part) <= 0.1 * kArcLengthTolerance;
+        spline.is_smooth &= std::fabs(quick - part) <= kArcLengthTolerance;
         spline.length += part;
         spline.reached[i] = spline.length;
     }
@@ -155,14 +149,8 @@ Spline make_spline(const Vec3& start, const Vec3& end, const SplineShape& shape)
 }
 
 SplinePoint point_at(const Spline& spline, double u) {
-    const Poles& p = spline.poles;
-    const double v = 1 - u;
-    const Pole a = p[0] * v + p[1] * u;
-    const Pole b = p[1] * v + p[2] * u;
-    const Pole c = p[2] * v + p[3] * u;
-    const Pole d = a * v + b * u;
-    const Pole e = b * v + c * u;
-    return projected(d * v + e * u, 3 * (e - d), 6 * (c - 2 * b + a));
+    const Casteljau<Pole> scheme(spline.poles, u);
+    return projected(scheme.at, scheme.derivative(), scheme.second_derivative());
 }
 
 double parameter_at(const Spline& spline, double s) {
