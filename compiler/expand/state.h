@@ -16,7 +16,7 @@
 #include "expand/modal.h"
 #include "path/command.h"
 #include "path/contour.h"
-#include "path/fit.h"
+#include "path/spline_fit.h"
 #include "sema/arithmetic.h"
 
 namespace kadr::expand {
@@ -65,8 +65,11 @@ struct FollowedBlock {
 /// A curve that is being followed: its blocks may fill several batches.
 struct Following {
     std::unique_ptr<path::CurveFit> fit;
+    path::Nurbs spline;         // its poles are the blocks, if it has any; then there is no fit
+    std::size_t next_knot = 0;  // of the spline: block number
     path::Plane plane = path::Plane::Xy;
     std::array<bool, 3> is_given{};  // coordinates, in the order of the plane
+    bool has_coordinates = false;    // is_given holds
     path::Vec2 at = path::Vec2::Zero();
     FollowedBlock next;
 };
@@ -198,6 +201,13 @@ struct Expander::State {
     bool start_curve(const Instruction& instruction, std::uint32_t at);
     std::optional<path::CurveSample> curve_point(const Instruction& instruction, std::uint32_t at,
                                                  double parameter);
+    bool start_fit(const Instruction& instruction, std::uint32_t at, bool wants_nurbs,
+                   const path::FitOptions& fit);
+    bool fit_spline(const Instruction& instruction, std::uint32_t at, const path::FitOptions& fit);
+    std::size_t block_count(const path::Nurbs& spline) const;
+    void set_coordinates(nc::Block& block, const path::Vec3& to) const;
+    bool emit_pole(const FollowedBlock& next, std::uint32_t at);
+    void jump_fault(const Instruction& instruction, std::uint32_t at, double parameter);
     bool emit_line(const path::Vec3& to, const FollowedBlock& next, std::uint32_t at);
 
     // ---- faults.cpp: report with the call stack, end the program
@@ -261,8 +271,9 @@ struct Expander::State {
     nc::Block kept_block;               // takes the words of a block that is kept
 
     std::optional<Following> following;
-    bool is_in_curve = false;    // a point of a curve is being calculated
-    std::vector<double> slopes;  // beside `stack`, while one is
+    std::uint32_t spline_warned_at = 0;  // where a control without splines was reported last
+    bool is_in_curve = false;            // a point of a curve is being calculated
+    std::vector<double> slopes;          // beside `stack`, while one is
 
     nc::Block* batch = nullptr;
     std::size_t batch_size = 0;

@@ -147,6 +147,7 @@ enum class CurveSlot : std::uint8_t {
     Feed,       // as in FollowSlot
     Tolerance,  // mm
     Arcs,       // truth value: arcs where they are possible
+    Nurbs,      // truth value: one spline, if the control has them
     From,
     To,  // of the parameter
     Arguments,

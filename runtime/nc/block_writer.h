@@ -82,6 +82,7 @@ class BlockWriter {
     void write_long(const Block& block, std::string& out);
     void check_front(const Block& block);
     void check_arc_words(const Block& block);
+    void check_knot(const Block& block, Function motion);
 
     // The fast way, for straight moves
     struct FastAxis {
