@@ -280,7 +280,8 @@ void Expander::State::set_coordinates(nc::Block& block, const Vec3& to) const {
     for (std::size_t i = 0; i < 3; ++i) {
         if (!following->is_given[i]) continue;
         const auto word = static_cast<nc::Slot>(axes[i]);
-        block.set(word, to[static_cast<Eigen::Index>(i)] * word_scale(axes[i], next.is_diameter));
+        block.set(word, to[static_cast<Eigen::Index>(i)] *
+                            word_scale(axes[i], following->next.is_diameter));
         if (modal[Group::Distance] == Function::Incremental) block.absolute |= nc::bit(word);
     }
 }
