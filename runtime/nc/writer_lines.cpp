@@ -339,7 +339,9 @@ void BlockWriter::append_parameter(const Block& block, const FormWord& word,
         append_factor(block, number, std::abs(word.factor) == 1000, name, out);
         return;
     }
-    const NumberFault fault = append_number(out, number, format, word.dimension, modal_.units);
+    const NumberFault fault =
+        word.is_lead ? append_number(out, number, lead_format(format), word.dimension, modal_.units)
+                     : append_number(out, number, format, word.dimension, modal_.units);
     if (fault != NumberFault::None) number_fault(block, fault, number, name);
 }
 

@@ -1,4 +1,5 @@
-// xml.h — the rows of xml.def, for those who report them: K91xx: what is wrong with an XML file as a file, whatever it describes: dialects, machines,
+// xml.h — the rows of xml.def, for those who report them: K91xx: what is wrong with an XML file as
+// a file, whatever it describes: dialects, machines,
 #pragma once
 
 #include "base/diagnostic.h"
