@@ -120,9 +120,10 @@ void BlockWriter::write_items(const Block& block, Items& items, const Targets& t
     LineRoom room;
     open_line(block.skip, true, out);
     for (const Item& item : items.all()) {
-        if (item.form == kNoForm && item.words == nullptr)
+        if (item.form == kNoForm && item.words == nullptr) {
             ++room.words[tables_.slot_address[static_cast<std::size_t>(item.slot)] %
                          room.words.size()];
+        }
     }
     for (const Item& item : items.all()) {
         if (has_room(block, item, room)) {
