@@ -239,7 +239,7 @@ TEST(Reader, WordsOfTheControlThatKadrLacksAreNotTheProgramsMistake) {
         return testing::rendered(read.messages, {});
     };
     EXPECT_NE(said("sinumerik", "CYCLE832(0.01,1,1)")
-                  .find("Kadr does not support `CYCLE832` (high-speed settings) yet"),
+                  .find("`CYCLE832` (high-speed settings) is not supported by Kadr yet"),
               std::string::npos);
     EXPECT_NE(said("sinumerik", "G1 X10 rnd=2").find("`rnd` (rounding between two blocks)"),
               std::string::npos);
