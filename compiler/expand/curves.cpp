@@ -94,8 +94,10 @@ std::optional<path::CurveSample> Expander::State::curve_point(const Instruction&
             math_fault(sema::MathFault::Overflow, where);
             return std::nullopt;
         }
-        sample.position[static_cast<Eigen::Index>(i)] = value;
-        sample.derivative[static_cast<Eigen::Index>(i)] = slopes[base + axes[i]];
+        // The curve gives words; what is fitted is the way of the tool.
+        const double scale = word_scale(axes[i], modal.is_diameter);
+        sample.position[static_cast<Eigen::Index>(i)] = value / scale;
+        sample.derivative[static_cast<Eigen::Index>(i)] = slopes[base + axes[i]] / scale;
     }
     return sample;
 }
@@ -113,6 +115,7 @@ bool Expander::State::start_curve(const Instruction& instruction, std::uint32_t 
     curve.next.source = {static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     curve.next.depth = instruction.c;
     curve.next.feed = options_of[at(CurveSlot::Feed)].number;
+    curve.next.is_diameter = modal.is_diameter;
     path::FitOptions fit;
     fit.tolerance = tolerance;
     fit.from = options_of[at(CurveSlot::From)].number;
@@ -135,7 +138,8 @@ bool Expander::State::start_curve(const Instruction& instruction, std::uint32_t 
     for (std::size_t i = 0; i < 3; ++i) {
         if (!curve.is_given[i]) continue;
         const bool is_known = (modal.known >> axes[i] & 1u) != 0;
-        const double way = modal.position[axes[i]] - first->position[static_cast<Eigen::Index>(i)];
+        const double way = modal.position[axes[i]] / word_scale(axes[i], modal.is_diameter) -
+                           first->position[static_cast<Eigen::Index>(i)];
         is_there = is_there && is_known && std::fabs(way) <= path::kSamePoint;
     }
     if (is_there) return true;
@@ -191,7 +195,7 @@ bool Expander::State::emit_line(const Vec3& to, const FollowedBlock& next, std::
     for (std::size_t i = 0; i < 3; ++i) {
         if (!following->is_given[i]) continue;
         const auto word = static_cast<nc::Slot>(axes[i]);
-        block.set(word, to[static_cast<Eigen::Index>(i)]);
+        block.set(word, to[static_cast<Eigen::Index>(i)] * word_scale(axes[i], next.is_diameter));
         if (modal[Group::Distance] == Function::Incremental) block.absolute |= nc::bit(word);
     }
     return finish_followed(block, next, where);

@@ -57,8 +57,9 @@ class CallStack {
 /// What the blocks that follow a contour or a curve have in common.
 struct FollowedBlock {
     SourceId source;
-    unsigned depth = 0;  // loops around the statement
-    double feed = 0;     // of the block, second form included; NaN: none
+    unsigned depth = 0;        // loops around the statement
+    double feed = 0;           // of the block, second form included; NaN: none
+    bool is_diameter = false;  // the word X is a diameter
 };
 
 /// A curve that is being followed: its blocks may fill several batches.
@@ -105,6 +106,8 @@ struct Expander::State {
     void run();
     void reserve_stack(std::size_t slots);
     std::int64_t make_fixed(std::uint32_t layout, std::int64_t count);
+    bool read_image(const sema::PictureSource& source, Slot path, std::uint32_t at, Slot* image);
+    void make_image(const sema::PictureSource& source, const sema::Picture& picture, Slot* image);
     bool read_table(const sema::TableSchema& schema, Slot path, std::uint32_t at, Slot& table);
     std::int64_t make_table(const sema::TableSchema& schema, const sema::TableRows& rows);
     void collect_garbage(const Slot* registers);
@@ -115,7 +118,34 @@ struct Expander::State {
     /// Takes back the block that was made last: it could not be finished.
     void drop_block(const nc::Block& block);
     bool emit(const Instruction& instruction, const Slot* registers, std::uint32_t at);
-    bool fill_plan(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    bool emit_block(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
+                    std::uint32_t at);
+    bool fill_plan(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
+                   std::uint32_t at);
+
+    // ---- input.cpp: what the control of the input dialect would have done
+    /// Whether a function of the plan has no word in the target, but a frame says the same.
+    bool needs_frame(const sema::Plan& plan) const;
+    bool read_arguments(const sema::Plan& plan, std::size_t invocation,
+                        const Instruction& instruction, const Slot* registers, std::uint32_t at,
+                        std::array<double, 4>& values, std::array<bool, 4>& given);
+    bool emit_frame(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
+                    std::uint32_t at);
+    /// Arguments are in the block; the modal state is that before it.
+    bool adapt(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
+    bool adapt_shift(nc::Block& block, nc::Invocation& shift);
+    bool adapt_machine(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
+    bool is_frame_free(nc::Function function, std::uint32_t at);
+    void say_offset(const sema::Plan& plan, const Instruction& instruction, std::uint32_t at);
+    /// Whether the block may move, with the tool length and the feed that act.
+    bool may_move(const nc::Block& block, std::uint32_t at);
+    bool adapt_increments(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
+    void center_unknown(nc::Function function, std::size_t axis, std::uint32_t at);
+    bool complete_center(nc::Block& block, nc::Invocation& invocation, std::uint32_t at);
+    void say_reference(nc::Block& block);
+    bool take_offsets_as_edges(nc::Block& block, std::uint32_t at);
+    bool take_edges_as_offsets(nc::Block& block, std::uint32_t at);
+
     std::uint32_t word_of(const sema::Filling& filling, std::uint32_t at) const;
     bool fill(nc::Block& block, const sema::Filling& filling, Slot value, std::uint32_t at);
     bool fill_feed(nc::Block& block, const sema::Filling& filling, double value, std::uint32_t at);
@@ -133,9 +163,11 @@ struct Expander::State {
 
     // ---- contours.cpp
     /// A contour outside of the heap, with the plane in which it lies.
+    /// Geometry as it is on the part; as words and as points of the program X may be a diameter.
     struct PlaneContour {
         path::Contour elements;
         path::Plane plane = path::Plane::Xy;
+        bool is_diameter = false;
     };
     PlaneContour read_contour(Slot handle);
     std::int64_t make_contour(const PlaneContour& contour, std::uint32_t layout);
@@ -143,7 +175,8 @@ struct Expander::State {
     void begin_contour();
     bool close_contour(std::uint32_t at);
     std::int64_t end_contour(std::uint32_t layout);
-    bool keep_plan(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    bool keep_plan(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
+                   std::uint32_t at);
     bool keep(const nc::Block& block, std::uint32_t at);
     bool refuse_block(std::string_view what, std::uint32_t at);
     /// What `follow` travels: beside the contour, leads included. Nothing: reported.
@@ -157,6 +190,10 @@ struct Expander::State {
 
     // ---- curves.cpp
     enum class Progress : std::uint8_t { Failed, BatchFull, Done };
+    /// What a millimetre along an axis is in its word.
+    double word_scale(std::size_t axis, bool is_diameter) const {
+        return is_diameter && axis == index(Axis::X) ? 2 : 1;
+    }
     Progress follow_curve(const Instruction& instruction, std::uint32_t at);
     bool start_curve(const Instruction& instruction, std::uint32_t at);
     std::optional<path::CurveSample> curve_point(const Instruction& instruction, std::uint32_t at,
@@ -214,6 +251,7 @@ struct Expander::State {
         ModalState before;
         path::Contour elements;
         path::Plane plane = path::Plane::Xy;
+        bool is_diameter = false;
         path::Vec2 start = path::Vec2::Zero();
         path::Vec2 at = path::Vec2::Zero();
         bool has_start = false;

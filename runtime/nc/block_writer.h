@@ -159,12 +159,14 @@ class BlockWriter {
     void place_center(const Block& block, const WrittenPosition& start, Targets& targets);
     void place_arc_as_given(const Block& block, const WrittenPosition& start, Targets& targets);
     void place_center_as_given(const Block& block, const WrittenPosition& start, Targets& targets);
+    ArcPoints arc_points(const WrittenPosition& start) const;
     bool place_radius(const Block& block, const WrittenPosition& start, Targets& targets);
     void place_arc_feed(const Block& block, const WrittenPosition& start, Targets& targets);
     PlanePoint meant_center(const Block& block, const PlanePoint& start,
                             const PlanePoint& end) const;
     void drop_unchanged(const Block& block, const WrittenPosition& start, Targets& targets);
     bool are_turns_known(const Block& block);
+    bool write_other_arc(const Block& block, std::string& out);
     bool split_turns(const Block& block, std::string& out);
     bool is_distance(const Block& block, std::size_t axis) const;
     bool is_chord_known(const Block& block, const WrittenPosition& start) const;
