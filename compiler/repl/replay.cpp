@@ -174,7 +174,7 @@ void execute(driver::Execution& execution, Outcome& outcome, LineKeeper& keeper,
 std::string showing_statements(const std::vector<std::string>& expressions) {
     std::string out;
     for (const std::string& expression : expressions) {
-        out += "warn(\"" + std::string(kOpen) + '{' + expression + '}' + std::string(kClose) +
+        out += "warn(\"" + std::string(kOpen) + '{' + expression + ":u}" + std::string(kClose) +
                "\");\n";
     }
     return out;

@@ -397,22 +397,28 @@ bool BlockWriter::is_suppressed(Function function) const {
            modal_.text[index_of(group)] == function;
 }
 
-/// Whether the form says everything that was given, and has all it needs.
-bool BlockWriter::says(const Form& form, const Block& block, const Invocation& invocation) const {
+/// Why the form cannot say what was given, or lacks what it needs.
+BlockWriter::Misfit BlockWriter::misfit(const Form& form, const Block& block,
+                                        const Invocation& invocation) const {
+    Misfit misfit;
     std::uint32_t said = 0;
-    bool fits = true;
+    const auto argument = [&](int parameter, double fallback) {
+        return block.argument(invocation, static_cast<std::size_t>(parameter), fallback);
+    };
+    const auto expect = [&](int parameter, bool is_right) {
+        if (!is_right) misfit.parameters |= 1u << parameter;
+    };
     const auto look = [&](const auto& self, const std::vector<FormWord>& words) -> void {
         for (const FormWord& word : words) {
             self(self, word.arguments);
             if (word.parameter < 0) continue;
             said |= 1u << word.parameter;
             // The word's presence is all that the control takes: another value would be lost.
-            if (word.is_named_only)
-                fits &= block.argument(invocation, static_cast<std::size_t>(word.parameter)) == 0;
+            if (word.is_named_only) expect(word.parameter, argument(word.parameter, 0) == 0);
             const bool is_given = (invocation.given >> word.parameter & 1u) != 0;
             const bool has_text = !block.text.empty() && (word.kind == FormWord::Kind::Text ||
                                                           word.kind == FormWord::Kind::Quoted);
-            fits &= is_given || has_text || word.is_optional || word.has_default;
+            expect(word.parameter, is_given || has_text || word.is_optional || word.has_default);
         }
     };
     look(look, form.words);
@@ -424,14 +430,14 @@ bool BlockWriter::says(const Form& form, const Block& block, const Invocation& i
         const bool is_given = (invocation.given >> parameter & 1u) != 0;
         const bool may_lack =
             tables_.parameters(form)[static_cast<std::size_t>(parameter)].is_optional;
-        fits &= is_given ? block.argument(invocation, static_cast<std::size_t>(parameter)) == value
-                         : may_lack;
+        expect(parameter, is_given ? argument(parameter, 0) == value : may_lack);
     }
     for (const Constraint& c : form.when) {
-        const double value =
-            block.argument(invocation, static_cast<std::size_t>(c.parameter), c.least);
-        fits &= value >= c.least && value <= c.most;
+        const double value = argument(c.parameter, c.least);
+        expect(c.parameter, value >= c.least && value <= c.most);
     }
+    misfit.parameters |= invocation.given & ~said;
+    misfit.lacking = misfit.parameters & ~invocation.given;
     for (const Function needed : form.during) {
         const Group group = info(needed).group;
         // What the text does not agree upon with the program is said again in this block.
@@ -439,9 +445,9 @@ bool BlockWriter::says(const Form& form, const Block& block, const Invocation& i
                                  modal_.meant[index_of(group)] == needed;
         const bool is_said = group == Group::Motion && effective_motion(block) == needed &&
                              (block.motion == needed || (block.given & kTargetSlots) != 0);
-        fits &= modal_.text[index_of(group)] == needed || is_restored || is_said;
+        misfit.is_state |= modal_.text[index_of(group)] != needed && !is_restored && !is_said;
     }
-    return fits && (invocation.given & ~said) == 0;
+    return misfit;
 }
 
 /// Whether the further functions of a form are wanted by the block or in force anyway.
@@ -468,12 +474,19 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
                                  ? tables_.forms_of_cycle[block.cycle]
                                  : tables_.forms_of[static_cast<std::size_t>(invocation.function)];
     Function blocking = Function::None;  // acts where it must not
+    std::optional<Misfit> nearest;
     for (const bool allow_unknown : {false, true}) {
         for (const FormId id : candidates) {
             const Form& form = tables_.forms[id];
             // Parameters belong to the form's own function.
             const bool is_own = form.function == invocation.function;
-            if (is_own && !says(form, block, invocation)) continue;
+            if (is_own) {
+                const Misfit why = misfit(form, block, invocation);
+                if (!why.is_none()) {
+                    if (!nearest || why.count() < nearest->count()) nearest = why;
+                    continue;
+                }
+            }
             const Function around = acting_around(form);
             if (around != Function::None) blocking = around;
             else if (holds(form, block, invocation.function, allow_unknown)) return id;
@@ -491,9 +504,25 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
     }
     std::string what = quoted(name);
     if (is_cycle) what = "the cycle " + quoted(tables_.cycles[block.cycle].name);
-    if (!candidates.empty()) what += " with these values or in this modal state";
+    if (!candidates.empty()) {
+        const Form& any = tables_.forms[candidates.front()];
+        what += nearest && !nearest->is_state ? misfit_words(tables_.parameters(any), *nearest)
+                                              : " with these values or in this modal state";
+    }
     cannot_express(block, what);
     return kNoForm;
+}
+
+/// " with this `back`": what the control does not take as it was given.
+std::string BlockWriter::misfit_words(std::span<const Parameter> parameters, const Misfit& misfit) {
+    std::string words;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if ((misfit.parameters >> i & 1u) == 0) continue;
+        const bool is_lacking = (misfit.lacking >> i & 1u) != 0;
+        words += words.empty() ? " " : " and ";
+        words += (is_lacking ? "without " : "with this ") + quoted(parameters[i].name);
+    }
+    return words;
 }
 
 /// The frame function that acts and that the form must not stand inside of; None: there is none.
@@ -841,6 +870,47 @@ SourceRange BlockWriter::place(const Block& block) const {
                                                    : SourceRange{};
 }
 
+/// The word of the statement that sets the address: `Z+=10`, `Z=h`, `Z5`. The statement, if no such
+/// word stands in it.
+SourceRange BlockWriter::word_place(const Block& block, std::string_view address) const {
+    SourceRange statement = place(block);
+    if (sources_ == nullptr || !statement.file.is_valid()) return statement;
+    const std::string_view text = sources_->text(statement);
+    const auto is_part_of_name = [](char c) {
+        return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+               c == '_' || c == '.' || (static_cast<unsigned char>(c) & 0x80u) != 0;
+    };
+    // A word stands outside brackets, and nothing in front of it waits for a value.
+    int depth = 0;
+    char before = ' ';
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == ' ' || c == '\t' || c == '\n') continue;
+        if (c == '(' || c == '[' || c == '{') ++depth;
+        if (c == ')' || c == ']' || c == '}') --depth;
+        const std::size_t behind = i + address.size();
+        const bool is_first = i == 0 || !is_part_of_name(text[i - 1]);
+        const bool is_operand =
+            std::string_view("=+-*/%<>?:,&|!").find(before) != std::string::npos;
+        before = c;
+        if (depth != 0 || !is_first || is_operand || behind >= text.size()) continue;
+        const bool is_word =
+            text.substr(i).starts_with(address) &&
+            std::string_view("=+-.0123456789").find(text[behind]) != std::string::npos;
+        if (!is_word) continue;
+        std::size_t end = behind;
+        int inside = 0;
+        for (; end < text.size(); ++end) {
+            if (text[end] == '(') ++inside;
+            if (text[end] == ')') --inside;
+            if (inside == 0 && (text[end] == ' ' || text[end] == ';' || text[end] == '\n')) break;
+        }
+        return {statement.file, statement.begin + static_cast<std::uint32_t>(i),
+                statement.begin + static_cast<std::uint32_t>(end)};
+    }
+    return statement;
+}
+
 /// The writing failed; whether the statement has not said this yet: a loop reports once.
 bool BlockWriter::is_new_message(const Block& block, std::string_view what) {
     failed_ = true;
@@ -851,7 +921,7 @@ bool BlockWriter::is_new_message(const Block& block, std::string_view what) {
 
 void BlockWriter::position_unknown(const Block& block, std::string_view name) {
     if (!is_new_message(block, name)) return;
-    sink_.report(diag::WriterPositionUnknown, place(block)).arg(name);
+    sink_.report(diag::WriterPositionUnknown, word_place(block, name)).arg(name);
 }
 
 void BlockWriter::cannot_express(const Block& block, const std::string& what) {
@@ -865,15 +935,15 @@ void BlockWriter::number_fault(const Block& block, NumberFault fault, double val
     switch (fault) {
         case NumberFault::None: break;
         case NumberFault::NotFinite:
-            sink_.report(diag::ValueNotFinite, place(block)).arg(name);
+            sink_.report(diag::ValueNotFinite, word_place(block, name)).arg(name);
             break;
         case NumberFault::TooLarge:
-            sink_.report(diag::ValueTooLarge, place(block)).arg(value).arg(name);
+            sink_.report(diag::ValueTooLarge, word_place(block, name)).arg(value).arg(name);
             break;
         case NumberFault::Negative:
         case NumberFault::Point:
         case NumberFault::NotReadBack:
-            sink_.report(diag::ValueNotReadBack, place(block)).arg(value).arg(name);
+            sink_.report(diag::ValueNotReadBack, word_place(block, name)).arg(value).arg(name);
             break;
     }
 }

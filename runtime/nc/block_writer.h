@@ -3,6 +3,7 @@
 // For writer.cpp, which puts the frame of the program around it.
 #pragma once
 
+#include <bit>
 #include <span>
 #include <string>
 #include <unordered_set>
@@ -17,7 +18,10 @@ class BlockWriter {
   public:
     BlockWriter(const Dialect& dialect, const WriteOptions& options, DiagnosticSink& sink);
 
-    void set_statements(std::span<const SourceRange> statements) { statements_ = statements; }
+    void set_statements(std::span<const SourceRange> statements, const Sources* sources) {
+        statements_ = statements;
+        sources_ = sources;
+    }
     void begin(const ProgramInfo& program);
 
     /// Appends the line or lines of the block; returns the number of the first one.
@@ -32,6 +36,14 @@ class BlockWriter {
     bool has_ended() const { return has_ended_; }
 
   private:
+    /// What a form cannot say, or lacks.
+    struct Misfit {
+        std::uint32_t parameters = 0;  // a bit each
+        std::uint32_t lacking = 0;     // those of them that were not given
+        bool is_state = false;         // the modal state is not what the form needs
+        bool is_none() const { return parameters == 0 && !is_state; }
+        int count() const { return std::popcount(parameters) + (is_state ? 32 : 0); }
+    };
     /// One piece of a line: a form with its parameters, deferred words, or the word of a slot.
     struct Item {
         int order;
@@ -107,7 +119,8 @@ class BlockWriter {
     void choose_forms(const Block& block);
     FormId choose_form(const Block& block, const Invocation& invocation);
     Function effective_motion(const Block& block) const;
-    bool says(const Form& form, const Block& block, const Invocation& invocation) const;
+    Misfit misfit(const Form& form, const Block& block, const Invocation& invocation) const;
+    static std::string misfit_words(std::span<const Parameter> parameters, const Misfit& misfit);
     bool holds(const Form& form, const Block& block, Function asked, bool allow_unknown) const;
     bool is_suppressed(Function function) const;
     void add_code(const Block& block, Function function, Items& items);
@@ -206,6 +219,7 @@ class BlockWriter {
 
     // Messages
     SourceRange place(const Block& block) const;
+    SourceRange word_place(const Block& block, std::string_view address) const;
     void cannot_express(const Block& block, const std::string& what);
     bool is_new_message(const Block& block, std::string_view what);
     void position_unknown(const Block& block, std::string_view name);
@@ -216,6 +230,7 @@ class BlockWriter {
     WriteOptions options_;
     DiagnosticSink& sink_;
     std::span<const SourceRange> statements_;
+    const Sources* sources_ = nullptr;  // of the statements; may be missing
     WriterModal modal_;
     std::vector<Pending> pending_;
     std::unordered_set<std::uint64_t>

@@ -66,7 +66,7 @@ class Dialect {
 
     std::span<const CycleInfo> cycles() const;
     std::optional<CycleId> find_cycle(std::string_view name) const;
-    /// Whether the control has a cycle of its own that can say these parameters (bit i: given).
+    /// Whether a cycle of the control takes these parameters (bit i: given), and needs no others.
     bool has_native_cycle(CycleId cycle, std::uint32_t given) const;
     /// Whether the control can say this function at all.
     bool can_write(Function function) const;

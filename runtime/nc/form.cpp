@@ -237,8 +237,9 @@ class LineParser {
 
     bool parse_unit(FormWord& word, std::string_view unit) {
         if (unit.empty()) return true;
-        if (unit == "named") {
-            word.is_named_only = true;
+        if (unit == "named" || unit == "lead") {
+            word.is_named_only = unit == "named";
+            word.is_lead = unit == "lead";
             return true;
         }
         for (const Unit& known : kUnits) {
@@ -247,7 +248,7 @@ class LineParser {
             return true;
         }
         return fail("there is no unit " + quoted(unit) +
-                    "; known are s, ms, min, deg, mm, permille and named");
+                    "; known are s, ms, min, deg, mm, permille, lead and named");
     }
 
     bool declared(FormWord& word, std::string_view name) {
@@ -322,7 +323,9 @@ std::vector<Form> expand_codes(Form form, DialectTables& tables, DiagnosticSink&
     }
     const auto place = static_cast<std::size_t>(open - form.words.begin());
     form.when.erase(range);
-    for (double n = limits.least; n <= limits.most; ++n) {
+    const auto count = static_cast<int>(limits.most - limits.least) + 1;
+    for (int i = 0; i < count; ++i) {
+        const double n = limits.least + i;
         Form one = form;
         FormWord& word = one.words[place];
         word.kind = FormWord::Kind::Fixed;

@@ -26,6 +26,7 @@ void load_remove(const XmlElement& element, DialectTables& tables, Attributes& a
 // load_references.cpp: what other rooms look up.
 void load_alarm(const XmlElement& element, DialectTables& tables, Attributes& attributes);
 void load_rule(const XmlElement& element, DialectTables& tables);
+void load_unsupported(const XmlElement& element, DialectTables& tables);
 void load_example(const XmlElement& element, DialectTables& tables);
 
 /// load_forms.cpp: the spellings of functions and cycles. The first time that a file spells a

@@ -14,7 +14,7 @@ const std::vector<XmlRule>& dialect_rules() {
         {"dialect",
          {{"name", Filled}, "extends", {"title", Filled}, {"suffix", Filled}},
          {"doc", "program", "blocks", "comment", "rules", "address", "number", "group", "command",
-          "cycle", "deferred", "alarm", "rule", "remove", "example"}},
+          "cycle", "deferred", "alarm", "rule", "remove", "unsupported", "example"}},
         {"doc", {}, {}, Text},
         {"program",
          {"name_length", "name_letters", "least_number", "most_number"},
@@ -39,6 +39,8 @@ const std::vector<XmlRule>& dialect_rules() {
          {{"addresses", Filled},
           "decimals",
           "inch_decimals",
+          "lead_decimals",
+          "inch_lead_decimals",
           "point",
           "digits",
           "max_digits",
@@ -70,6 +72,7 @@ const std::vector<XmlRule>& dialect_rules() {
         {"alarm", {{"for", Filled}, {"number", Filled}, "text"}, {}},
         {"rule", {{"name", Filled}, {"value", Filled}, "doc"}, {}},
         {"remove", {"commands", "addresses", "cycles"}, {}},
+        {"unsupported", {{"words", Filled}, {"meaning", Filled}}, {}},
         {"example", {"source", {"text", Filled}, "block", "meaning"}, {}},
     };
     return rules;

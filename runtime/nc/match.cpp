@@ -363,6 +363,7 @@ class Matcher {
         claim.dimension = wanted.dimension;
         claim.adds = wanted.adds;
         claim.is_named_only = wanted.is_named_only;
+        claim.is_lead = wanted.is_lead;
         claim.factor = wanted.factor;
         claim.offset = wanted.offset;
     }

@@ -46,6 +46,7 @@ struct Claim {
     Dimension dimension = Dimension::Number;
     bool adds = false;
     bool is_named_only = false;
+    bool is_lead = false;
     double factor = 1;  // number in the text = value · factor + offset
     double offset = 0;
 };

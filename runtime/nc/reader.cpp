@@ -398,7 +398,10 @@ bool Reader::State::apply_claim(const Claim& claim, Block& block, std::string_vi
         block.set_argument(*invocation, claim.parameter, 0);
         return true;
     }
-    const NumberFormat& format = tables.addresses[word.address].format;
+    const NumberFormat& own = tables.addresses[word.address].format;
+    NumberFormat lead;
+    if (claim.is_lead) lead = lead_format(own);
+    const NumberFormat& format = claim.is_lead ? lead : own;
     const Decimal& decimal = lexed.decimals[claim.word];
     const double meaning = read_meaning(decimal, format, claim.dimension, units);
     const NumberFault fault =
@@ -488,7 +491,12 @@ void Reader::State::report(std::string_view line, const MatchFault& fault) {
     out.span = lexed.spans[fault.word];
     switch (fault.kind) {
         case Kind::UnknownCode:
-        case Kind::CodeComputed: out.row = &diag::IsoUnknownCode, out.arguments = {word}; break;
+        case Kind::CodeComputed: {
+            const std::string known = tables.unsupported_words(word);
+            out.row = known.empty() ? &diag::IsoUnknownCode : &diag::IsoNotSupported;
+            out.arguments = {known.empty() ? word : known};
+            break;
+        }
         case Kind::NoValue:
         case Kind::NoNumber: out.row = &diag::IsoNoValue, out.arguments = {word}; break;
         case Kind::AddressTwice:

@@ -28,8 +28,10 @@ enum class PointRule : std::uint8_t {
 
 /// How the number of an address is written and what it means when it is read.
 struct NumberFormat {
-    int decimals = 3;       // written, metric
-    int inch_decimals = 4;  // written for lengths and feeds while lengths are inches
+    int decimals = 3;             // written, metric
+    int inch_decimals = 4;        // written for lengths and feeds while lengths are inches
+    int lead_decimals = -1;       // of the lead of a thread; -1: as other numbers
+    int inch_lead_decimals = -1;  // the same in inches
     PointRule point = PointRule::Needed;
     int digits = 1;        // least digits of a whole number: 2 gives `T03`
     int max_digits = 0;    // most digits after the value is in increments; 0: no limit
@@ -88,6 +90,7 @@ struct FormWord {
     double factor = 1;  // written = value · factor + offset
     double offset = 0;
     bool is_named_only = false;  // the word stands for itself, its number is always 0
+    bool is_lead = false;        // the lead of a thread, which counts on every turn
     bool adds = false;           // read: added to the parameter; written: 0
     bool has_default = false;    // written with `fallback` if the parameter was not given
     double fallback = 0;
@@ -218,7 +221,9 @@ struct DialectTables {
     std::vector<CycleInfo> cycles;
     std::deque<std::string> texts;  // names of cycle parameters; stay where they are
     std::map<std::string, AlarmText, std::less<>> alarms;  // by row name
-    std::vector<RuleSetting> rule_settings;                // of the interpreter
+    std::map<std::string, std::string, std::less<>>
+        unsupported;  // words that the control has and Kadr does not read, with their meaning
+    std::vector<RuleSetting> rule_settings;  // of the interpreter
     std::vector<Deferred> deferred;
     std::vector<Example> examples;
     ProgramFrame program;
@@ -248,12 +253,15 @@ struct DialectTables {
         const auto found = names.find(std::string(text));
         return found == names.end() ? kNoAddress : found->second;
     }
+    /// "`MCALL` (modal call)": a word of the control that Kadr does not read; empty for others.
+    std::string unsupported_words(std::string_view word) const;
     /// The code with this number (`54.1`), nullptr if the control has none.
     const Code* find_code(AddressId address, double number) const {
         const std::vector<std::uint16_t>& index = code_index[address];
         const double tenths = number * 10;
         if (!(tenths >= 0) || tenths >= static_cast<double>(index.size())) return nullptr;
-        const auto whole = static_cast<std::size_t>(tenths + 0.5);
+        const double above = tenths + 0.5;  // not negative: cutting it off rounds
+        const auto whole = static_cast<std::size_t>(above);
         if (whole >= index.size() || index[whole] == 0) return nullptr;
         const double difference = tenths - static_cast<double>(whole);
         if (difference > 1e-6 || difference < -1e-6) return nullptr;

@@ -120,9 +120,10 @@ void BlockWriter::write_items(const Block& block, Items& items, const Targets& t
     LineRoom room;
     open_line(block.skip, true, out);
     for (const Item& item : items.all()) {
-        if (item.form == kNoForm && item.words == nullptr)
+        if (item.form == kNoForm && item.words == nullptr) {
             ++room.words[tables_.slot_address[static_cast<std::size_t>(item.slot)] %
                          room.words.size()];
+        }
     }
     for (const Item& item : items.all()) {
         if (has_room(block, item, room)) {
@@ -339,7 +340,9 @@ void BlockWriter::append_parameter(const Block& block, const FormWord& word,
         append_factor(block, number, std::abs(word.factor) == 1000, name, out);
         return;
     }
-    const NumberFault fault = append_number(out, number, format, word.dimension, modal_.units);
+    const NumberFault fault =
+        word.is_lead ? append_number(out, number, lead_format(format), word.dimension, modal_.units)
+                     : append_number(out, number, format, word.dimension, modal_.units);
     if (fault != NumberFault::None) number_fault(block, fault, number, name);
 }
 

@@ -233,6 +233,31 @@ TEST(Reader, WhatIsNotReadYetSaysSo) {
     }
 }
 
+TEST(Reader, WordsOfTheControlThatKadrLacksAreNotTheProgramsMistake) {
+    const auto said = [](const char* dialect, const char* text) {
+        const auto read = read_blocks(shipped(dialect), text);
+        return testing::rendered(read.messages, {});
+    };
+    EXPECT_NE(said("sinumerik", "CYCLE832(0.01,1,1)")
+                  .find("`CYCLE832` (high-speed settings) is not supported by Kadr yet"),
+              std::string::npos);
+    EXPECT_NE(said("sinumerik", "G1 X10 rnd=2").find("`rnd` (rounding between two blocks)"),
+              std::string::npos);
+    EXPECT_NE(said("fanuc", "G05 P10000").find("`G05` (high-speed machining)"), std::string::npos);
+    EXPECT_EQ(testing::codes(read_blocks(shipped("sinumerik"), "FOOBAR=2").messages), "K5001");
+    EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "G777").messages), "K5002");
+}
+
+TEST(Reader, ALeadHasItsOwnDecimals) {
+    const auto block = [](const char* text) {
+        const auto read = read_blocks(shipped("fanuc"), text);
+        return read.blocks.empty() ? std::string() : describe(read.blocks.back());
+    };
+    EXPECT_EQ(block("G95 G01 Z-5. F1.5875"), "line Z-5 F1.5875 | feed_per_revolution");
+    EXPECT_EQ(block("G94 G01 Z-5. F1.5875"), "line Z-5 F1.587 | feed_per_minute");
+    EXPECT_EQ(block("G20 G95 G01 F0.059055"), "line F1.499997 | inch feed_per_revolution");
+}
+
 TEST(Reader, WordsWithoutEffectAreAccepted) {
     expect_blocks("fanuc",
                   {{"G40G49G80G69G50G15",

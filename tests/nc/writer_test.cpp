@@ -490,6 +490,53 @@ TEST(Writer, ANumberThatWouldReadOtherwiseIsNeverWritten) {
     EXPECT_EQ(testing::codes(sink), "K4206");
 }
 
+TEST(Writer, ALeadKeepsItsDecimals) {
+    const char* tap =
+        "tap(to: -10, pitch: 1.58754, retract: 2, initial: 50, dwell: 0, left: 0, floating: 0, at: "
+        "600, back: 0, after: 3)";
+    const std::string program = std::string("G0 Z50\n") + tap;
+    EXPECT_NE(write("fanuc", program).text.find("G84 Z-10. R2. F1.5875\n"), std::string::npos)
+        << write("fanuc", program).text;
+    EXPECT_NE(write("sinumerik", program).text.find("3,,1.58754,0,600,0)"), std::string::npos)
+        << write("sinumerik", program).text;
+    EXPECT_NE(write("fanuc", program, {}, true).text.find("F0.062502\n"), std::string::npos)
+        << write("fanuc", program, {}, true).text;
+}
+
+TEST(Writer, WhatACycleCannotSayIsNamed) {
+    DiagnosticList sink;
+    Writer writer(shipped("fanuc"), {}, sink);
+    std::string text;
+    writer.begin({"test", 1, "", false}, text);
+    writer.write(testing::source_block(
+                     shipped("iso"),
+                     "tap(to: -10, pitch: 1.5, retract: 2, initial: 50, dwell: 0, left: 0, "
+                     "floating: 0, at: 600, back: 800, after: 3)"),
+                 text);
+    ASSERT_EQ(sink.all().size(), 1u);
+    EXPECT_NE(testing::rendered(sink, {}).find("the cycle `tap` with this `back`"),
+              std::string::npos)
+        << testing::rendered(sink, {});
+}
+
+TEST(Writer, MessagesNameTheWord) {
+    Sources sources;
+    const std::string_view program = "G0 X=Z0*2 Y=(Z+1) Z+=10;";
+    const FileId file = sources.add("part.kadr", std::string(program));
+    const std::vector<SourceRange> statements = {
+        {file, 0, static_cast<std::uint32_t>(program.size())}};
+    DiagnosticList sink;
+    Writer writer(shipped("fanuc"), {}, sink);
+    writer.set_statements(statements, &sources);
+    Block block = testing::source_block(shipped("iso"), "G0 X2 Y1 Z=IC(10)");
+    block.source = SourceId{0};
+    std::string text;
+    writer.begin({"test", 1, "", false}, text);
+    writer.write(block, text);
+    ASSERT_EQ(sink.all().size(), 1u);
+    EXPECT_EQ(sources.text(sink.all()[0].range), "Z+=10");
+}
+
 TEST(Writer, MessagesNameTheStatement) {
     DiagnosticList sink;
     Writer writer(shipped("sinumerik"), {}, sink);
