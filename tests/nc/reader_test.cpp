@@ -241,9 +241,9 @@ TEST(Reader, WordsOfTheControlThatKadrLacksAreNotTheProgramsMistake) {
     EXPECT_NE(said("sinumerik", "CYCLE832(0.01,1,1)")
                   .find("`CYCLE832` (high-speed settings) is not supported by Kadr yet"),
               std::string::npos);
-    EXPECT_NE(said("sinumerik", "G1 X10 rnd=2").find("`rnd` (rounding between two blocks)"),
+    EXPECT_NE(said("sinumerik", "G1 X10 rnd=2").find("`RND` (rounding between two blocks)"),
               std::string::npos);
-    EXPECT_NE(said("fanuc", "G05 P10000").find("`G05` (high-speed machining)"), std::string::npos);
+    EXPECT_NE(said("fanuc", "G05.4 Q1").find("`G05.4` (high-speed machining)"), std::string::npos);
     EXPECT_EQ(testing::codes(read_blocks(shipped("sinumerik"), "FOOBAR=2").messages), "K5001");
     EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "G777").messages), "K5002");
 }
@@ -255,7 +255,7 @@ TEST(Reader, ALeadHasItsOwnDecimals) {
     };
     EXPECT_EQ(block("G95 G01 Z-5. F1.5875"), "line Z-5 F1.5875 | feed_per_revolution");
     EXPECT_EQ(block("G94 G01 Z-5. F1.5875"), "line Z-5 F1.587 | feed_per_minute");
-    EXPECT_EQ(block("G20 G95 G01 F0.059055"), "line F1.499997 | inch feed_per_revolution");
+    EXPECT_EQ(block("G20 G95 G01 F0.059055"), "line F1.499997 | inch | feed_per_revolution");
 }
 
 TEST(Reader, WordsWithoutEffectAreAccepted) {
