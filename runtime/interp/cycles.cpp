@@ -2,6 +2,8 @@
 //
 // What a cycle does is not known here: the expander runs its definition and hands back blocks, and
 // those are executed like any others, with the caller's frames and feed.
+#include <algorithm>
+
 #include "base/diagnostics/iso.h"
 #include "interp/executor.h"
 
@@ -49,6 +51,7 @@ void Executor::call_cycle(const Block& block, const Invocation& invocation) {
     for (std::size_t i = 0; i < info.parameters.size(); ++i) {
         call.arguments[i] = block.argument(invocation, i);
     }
+    complete_call(call);
     // The level where the cycle mode begins stays the initial level until the mode ends.
     const Axis tool_axis = path::axes_of(cycle_plane()).normal;
     call.initial = modal_cycle_.is_active ? modal_cycle_.initial : position_.here[index(tool_axis)];
@@ -56,6 +59,27 @@ void Executor::call_cycle(const Block& block, const Invocation& invocation) {
     if (taps_rigidly_) set_argument(call, find_parameter(info, "floating"), 0);
     modal_cycle_ = call;
     start_cycle(block, call);
+}
+
+/// Keeps parameters for the calls that follow; each line says all of its own anew.
+void Executor::preset_cycle(const Block& block, const Invocation& invocation) {
+    const auto old = std::ranges::find(presets_, block.cycle, &ModalCycle::cycle);
+    ModalCycle& preset = old != presets_.end() ? *old : presets_.emplace_back();
+    preset.cycle = block.cycle;
+    preset.given = invocation.given;
+    const std::size_t count = dialect_.cycles()[block.cycle].parameters.size();
+    for (std::size_t i = 0; i < count; ++i) preset.arguments[i] = block.argument(invocation, i);
+}
+
+/// What the call does not give has been given before.
+void Executor::complete_call(ModalCycle& call) const {
+    for (const ModalCycle& preset : presets_) {
+        if (preset.cycle != call.cycle) continue;
+        const std::size_t count = dialect_.cycles()[call.cycle].parameters.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            if ((preset.given & ~call.given) >> i & 1u) set_argument(call, i, preset.arguments[i]);
+        }
+    }
 }
 
 void Executor::repeat_cycle(const Block& block) {

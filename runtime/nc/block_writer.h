@@ -80,6 +80,8 @@ class BlockWriter {
     void write_raw(const Block& block, std::string& out);
     void write_block(const Block& block, std::string& out);
     void write_long(const Block& block, std::string& out);
+    bool write_thread(const Block& block, std::string& out);
+    std::optional<std::size_t> longer_way(const Block& block) const;
     void check_front(const Block& block);
     void check_arc_words(const Block& block);
 
@@ -137,6 +139,7 @@ class BlockWriter {
         std::array<double, kSlots> number{};  // what stands there, in the text's units
         SlotMask wrapped_absolute = 0;        // AC()
         SlotMask wrapped_incremental = 0;     // IC()
+        SlotMask by_letter = 0;               // that are written with the letter of distances
         double feed_factor = 1;               // of F
         bool needs_incremental = false;       // all words are distances, the text is absolute
     };
@@ -167,6 +170,7 @@ class BlockWriter {
     bool is_standing(Slot slot, double value, const Standing& standing) const;
 
     // Lines
+    bool repeats_feed(const Block& block) const;
     void collect_slots(const Block& block, const Targets& targets, Items& items);
     void add_deferred(const Block& block, Items& items);
     void remove_said(const Deferred& deferred, Items& items) const;
@@ -189,6 +193,8 @@ class BlockWriter {
                      std::string& out);
     void append_parameter(const Block& block, const FormWord& word, const Invocation* invocation,
                           const NumberFormat& format, std::string_view name, std::string& out);
+    void append_whole(const Block& block, const FormWord& word, double value,
+                      const Invocation* invocation, std::string_view name, std::string& out);
     void append_factor(const Block& block, double number, bool in_thousandths,
                        std::string_view name, std::string& out);
     void append_slot(const Block& block, Slot slot, const Targets& targets, std::string& out);

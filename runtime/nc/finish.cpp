@@ -114,10 +114,14 @@ class Finisher {
 
     void index_slots() {
         tables_.slot_address.fill(kNoAddress);
+        tables_.incremental_address.fill(kNoAddress);
         for (std::size_t i = 0; i < tables_.addresses.size(); ++i) {
             const Address& address = tables_.addresses[i];
             if (address.slot < 0) continue;
-            AddressId& writer = tables_.slot_address[static_cast<std::size_t>(address.slot)];
+            const auto slot = static_cast<std::size_t>(address.slot);
+            AddressId& writer = address.is_incremental ? tables_.incremental_address[slot]
+                                                       : tables_.slot_address[slot];
+            tables_.has_incremental_letters |= address.is_incremental;
             if (writer == kNoAddress) writer = static_cast<AddressId>(i);
         }
         tables_.slot_order.clear();
@@ -146,11 +150,13 @@ class Finisher {
     static void collect(const std::vector<FormWord>& words, std::uint32_t& said) {
         for (const FormWord& word : words) {
             if (word.parameter >= 0) said |= 1u << word.parameter;
+            if (word.tail_parameter >= 0) said |= 1u << word.tail_parameter;
             collect(word.arguments, said);
         }
     }
 
     void check_parameters(const Form& form) {
+        if (form.is_preset) return;  // the call says the rest
         const std::span<const Parameter> parameters = tables_.parameters(form);
         std::uint32_t said = 0;
         collect(form.words, said);
@@ -176,6 +182,10 @@ class Finisher {
                 append_shortest(text, word.number);
             }
             if (word.kind == FormWord::Kind::Call) add_arguments(text, word);
+            if (word.tail_digits > 0 && word.tail_parameter < 0) {
+                text += '_';
+                append_shortest(text, word.tail_value);
+            }
             if (word.kind == FormWord::Kind::Quoted) text += '"';
             if (word.kind == FormWord::Kind::Text) text += word.text;
             words.push_back(std::move(text));

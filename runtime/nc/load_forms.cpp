@@ -120,13 +120,16 @@ void FormLoader::read_form_attributes(const XmlElement& element, Form& form) {
         form.is_written = *use != 2;
     }
     if (const auto feed = attributes_.choice(
-            element, "feed", {"scaled", "metric", "every_block", "every_block_by_radius"})) {
+            element, "feed", {"scaled", "metric", "every_block", "every_block_by_radius", "pitch"})) {
         form.feed_stays_metric = *feed == 1;
-        form.feed_every_block = *feed >= 2;
+        form.feed_every_block = *feed == 2 || *feed == 3;
         form.feed_by_radius = *feed == 3;
+        form.feed_is_pitch = *feed == 4;
     }
     attributes_.read_flag(element, "own_block", form.owns_block);
     attributes_.read_flag(element, "remembers", form.remembers);
+    attributes_.read_flag(element, "preset", form.is_preset);
+    form.is_written &= !form.is_preset;
     attributes_.read_flag(element, "keeps_length", form.keeps_length);
     Attributes::read_text(element, "note", form.note);
     if (const XmlAttribute* attribute = element.find("lead")) {

@@ -1,9 +1,11 @@
 #include "nc/reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "base/diagnostics/iso.h"
+#include "base/numbers.h"
 #include "base/text.h"
 #include "nc/lexer.h"
 #include "nc/number_text.h"
@@ -166,7 +168,7 @@ struct Reader::State {
                 fast.kind = FastLetter::Kind::Number;
             } else if (address.kind == Address::Kind::Code) {
                 fast.kind = FastLetter::Kind::Code;
-            } else if (address.slot >= 0 && address.forms.empty() &&
+            } else if (address.slot >= 0 && !address.is_incremental && address.forms.empty() &&
                        tables.code_index[id].empty()) {
                 fast.kind = FastLetter::Kind::Slot;
                 fast.slot = static_cast<Slot>(address.slot);
@@ -181,6 +183,7 @@ struct Reader::State {
     bool read_slow(std::string_view line, Block& block);
     bool apply(Block& block, std::string_view line);
     bool apply_claim(const Claim& claim, Block& block, std::string_view line);
+    bool apply_whole(const Claim& claim, Block& block, std::string_view line);
     /// What a line is before its words are looked at.
     enum class LineKind : std::uint8_t { Nothing, Words, Misplaced };
     LineKind kind_of(std::string_view line);
@@ -384,8 +387,9 @@ bool Reader::State::apply_claim(const Claim& claim, Block& block, std::string_vi
         block.set_argument(*invocation, claim.parameter, 0);
         return true;
     }
-    const NumberFormat& format = tables.addresses[word.address].format;
     const Decimal& decimal = lexed.decimals[claim.word];
+    if (claim.in_increments || claim.tail_digits > 0) return apply_whole(claim, block, line);
+    const NumberFormat& format = tables.addresses[word.address].format;
     const double meaning = read_meaning(decimal, format, claim.dimension, units);
     const NumberFault fault =
         check_read(decimal, lexed.minus[claim.word], meaning, format, claim.dimension, units);
@@ -403,6 +407,32 @@ bool Reader::State::apply_claim(const Claim& claim, Block& block, std::string_vi
     }
     const double scaled = meaning / text_scale(claim.dimension, units, false);
     block.set_argument(*invocation, claim.parameter, (scaled - claim.offset) / claim.factor);
+    return true;
+}
+
+/// A whole number that counts increments, or holds two parameters.
+bool Reader::State::apply_whole(const Claim& claim, Block& block, std::string_view line) {
+    const Decimal& decimal = lexed.decimals[claim.word];
+    const DiagnosticRow* fault = decimal.has_point           ? &diag::IsoPointNotAllowed
+                                 : lexed.minus[claim.word] ? &diag::IsoMinusNotAllowed
+                                                             : nullptr;
+    if (fault != nullptr) {
+        report(line, LineFault{fault, lexed.spans[claim.word], {word_text(line, claim.word)}});
+        return false;
+    }
+    Invocation& invocation = block.functions[claim.invocation];
+    if (claim.in_increments) {
+        const double size = increment_size(tables, claim.dimension, units);
+        const double value = decimal.value * size / text_scale(claim.dimension, units, false);
+        block.set_argument(invocation, claim.parameter, round_to(value, 9));
+        return true;
+    }
+    const double front = std::pow(10.0, claim.tail_digits);
+    block.set_argument(invocation, claim.parameter, std::floor(decimal.value / front));
+    if (claim.tail_parameter >= 0) {
+        block.set_argument(invocation, static_cast<std::size_t>(claim.tail_parameter),
+                           std::fmod(decimal.value, front));
+    }
     return true;
 }
 

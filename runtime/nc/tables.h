@@ -56,6 +56,7 @@ struct Address {
     std::uint8_t write_max = 1;  // words of it in a block: written
     std::uint8_t read_max = 1;   // … and read
     bool is_block_number = false;
+    bool is_incremental = false;  // its words are distances: U on a lathe is a way along X
     NumberFormat format;
     std::vector<FormId> forms;  // that begin with it, any value (Value, Word, Call)
 };
@@ -87,6 +88,12 @@ struct FormWord {
     Dimension dimension = Dimension::Number;
     double factor = 1;  // written = value · factor + offset
     double offset = 0;
+    bool in_increments = false;  // the number counts least increments and has no point
+    // The last digits of the number are another parameter (`T{tool}{offset:2}`), or always the same
+    // (`P{finish}0060`).
+    int tail_digits = 0;
+    int tail_parameter = -1;
+    int tail_value = 0;
     bool is_named_only = false;  // the word stands for itself, its number is always 0
     bool adds = false;           // read: added to the parameter; written: 0
     bool has_default = false;    // written with `fallback` if the parameter was not given
@@ -128,6 +135,8 @@ struct Form {
     bool is_comment = false;         // stands between the comment signs
     bool feed_every_block = false;   // F has to be repeated in every block
     bool feed_by_radius = false;     // … and of an arc it is feed/radius
+    bool feed_is_pitch = false;      // of a `thread` code: F is the pitch
+    bool is_preset = false;          // gives parameters to the next call of the cycle
     bool feed_stays_metric = false;  // of an `inch` code: F is not an inch feed
     bool keeps_length = false;       // the tool length acts in its block unless edge 0 is said
     std::string doc;
@@ -235,6 +244,8 @@ struct DialectTables {
     std::array<std::vector<FormId>, kFunctions> forms_of;
     std::vector<std::vector<FormId>> forms_of_cycle;
     std::array<AddressId, kSlots> slot_address{};  // that writes the slot; kNoAddress
+    std::array<AddressId, kSlots> incremental_address{};  // whose words are ways along the slot
+    bool has_incremental_letters = false;  // distances have letters of their own; no code says it
     std::vector<Slot> slot_order;                  // in which slots are written
     std::array<Function, kGroups> power_on{};
     std::vector<FormId> comment_forms;         // `(MSG,{text})`
