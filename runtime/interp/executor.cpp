@@ -301,6 +301,12 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::ReferenceReturn: actions.reference = &invocation; break;
         case Function::TapFloating: actions.taps = true; break;
         case Function::Probe: actions.probes = true; break;
+        // Here the part lies where the program expects it, and every probe finds it.
+        case Function::ProbeCheck:
+        case Function::ProbeClear:
+        case Function::ProbeKeep:
+        case Function::OffsetToEdge:
+        case Function::OffsetToMiddle: break;
         case Function::ThreadStart:
             actions.thread_start_deg = block.argument(invocation, 0);
             break;

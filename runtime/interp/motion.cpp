@@ -288,7 +288,8 @@ void Executor::thread(const Block& block, const Target& target, const Actions& a
 /// The pitch that the block or, on some controls, F says; nothing if it was reported missing.
 std::optional<double> Executor::thread_pitch(const Block& block, Axis along) {
     const SlotMask words = block.given & nc::kCenterSlots;
-    if (rules_.thread_pitch_is_feed) {
+    // The blocks of a cycle are neutral ones: they say it in a word.
+    if (rules_.thread_pitch_is_feed && !cycle_blocks_) {
         if (words != 0) warn_arc_word(block, words);
         if (modal_.has_feed && modal_.feed > 0) return modal_.feed;
         report(diag::ThreadPitchMissing, block).arg(kAxisNames[index(along)]);

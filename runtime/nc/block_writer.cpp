@@ -473,6 +473,7 @@ bool BlockWriter::says(const Form& form, const Block& block, const Invocation& i
     for (const std::vector<FormWord>& line : form.extra) look(look, line);
     look(look, form.lead);
     for (const int parameter : form.implied) said |= 1u << parameter;
+    for (const int parameter : form.drops) said |= 1u << parameter;
     for (const auto& [parameter, value] : form.fixed) {
         said |= 1u << parameter;
         const bool is_given = (invocation.given >> parameter & 1u) != 0;
@@ -805,7 +806,10 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
             modal_.mirror = Activity::No;
             modal_.position.known &= ~modal_.turned;
             break;
+        case Function::Probe: forget_motion(); [[fallthrough]];
         case Function::MachineCoordinates: modal_.position.known &= ~block.given; break;
+        case Function::OffsetToEdge:
+        case Function::OffsetToMiddle: modal_.position.forget(); break;
         case Function::SetPosition:
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 if ((invocation.given >> axis & 1u) == 0) continue;

@@ -178,6 +178,8 @@ class BlockWriter {
     void write_items(const Block& block, Items& items, const Targets& targets, std::string& out);
     void append_item(const Block& block, const Item& item, const Targets& targets,
                      std::string& out);
+    void append_verbatim(const Block& block, const Form& form, const Invocation& invocation,
+                         std::string& out);
     void append_words(const Block& block, const std::vector<FormWord>& words,
                       const Invocation* invocation, bool remembers, std::string& out);
     /// What a line has: words by address, groups of which it has a function.

@@ -45,6 +45,10 @@ class Finisher {
                 continue;
             }
             if (!form.is_read) continue;
+            if (form.is_verbatim) {
+                tables_.verbatim_forms.push_back(id);
+                continue;
+            }
             const FormWord& first = form.words[0];
             if (first.kind != FormWord::Kind::Fixed)
                 tables_.addresses[first.address].forms.push_back(id);
@@ -163,6 +167,7 @@ class Finisher {
         for (const std::vector<FormWord>& line : form.extra) collect(line, said);
         collect(form.lead, said);
         for (const auto& [parameter, value] : form.fixed) said |= 1u << parameter;
+        for (const int parameter : form.drops) said |= 1u << parameter;
         for (std::size_t i = 0; i < parameters.size(); ++i) {
             if (parameters[i].is_optional || (said >> i & 1u) != 0) continue;
             failed_ = true;
@@ -177,6 +182,7 @@ class Finisher {
         std::vector<std::string> words;
         for (const FormWord& word : form.words) {
             std::string text = std::to_string(word.address);
+            if (form.is_verbatim) text += word.text;
             if (word.kind == FormWord::Kind::Fixed) {
                 text += '=';
                 append_shortest(text, word.number);

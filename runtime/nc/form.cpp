@@ -48,6 +48,25 @@ class LineParser {
         return true;
     }
 
+    /// Letters and placeholders: each word is a placeholder and what stands before it, the last one
+    /// what stands at the end.
+    bool parse_verbatim(std::vector<FormWord>& words) {
+        while (at_ < line_.size()) {
+            FormWord word;
+            const std::size_t brace = std::min(line_.find('{', at_), line_.size());
+            word.text = line_.substr(at_, brace - at_);
+            word.kind = FormWord::Kind::Name;
+            at_ = brace;
+            if (at_ < line_.size()) {
+                word.kind = FormWord::Kind::Value;
+                if (!parse_placeholder(word)) return false;
+            }
+            words.push_back(std::move(word));
+        }
+        if (words[0].text.empty()) return fail("it begins with a placeholder");
+        return true;
+    }
+
     bool parse_text(FormWord& word) {
         word.kind = FormWord::Kind::Text;
         const std::size_t brace = line_.find('{');
@@ -428,6 +447,14 @@ std::vector<Form> parse_form(const Form& prototype, std::string_view text, Diale
         form.words.resize(1);
         if (!LineParser(inner, parameters, tables, form.range, sink).parse_text(form.words[0]))
             return {};
+        return {std::move(form)};
+    }
+    if (form.is_verbatim) {
+        if (!LineParser(form.pattern, parameters, tables, form.range, sink)
+                 .parse_verbatim(form.words))
+            return {};
+        form.owns_block = true;
+        fix_single_values(form);
         return {std::move(form)};
     }
     if (!LineParser(lines[0], parameters, tables, form.range, sink).parse(form.words)) return {};

@@ -129,6 +129,7 @@ void FormLoader::read_form_attributes(const XmlElement& element, Form& form) {
     attributes_.read_flag(element, "own_block", form.owns_block);
     attributes_.read_flag(element, "remembers", form.remembers);
     attributes_.read_flag(element, "preset", form.is_preset);
+    attributes_.read_flag(element, "verbatim", form.is_verbatim);
     form.is_written &= !form.is_preset;
     attributes_.read_flag(element, "keeps_length", form.keeps_length);
     Attributes::read_text(element, "note", form.note);
@@ -138,7 +139,10 @@ void FormLoader::read_form_attributes(const XmlElement& element, Form& form) {
             attributes_.fail();
         }
     }
-    if (const XmlAttribute* attribute = element.find("implied")) read_implied(*attribute, form);
+    if (const XmlAttribute* attribute = element.find("implied"))
+        read_parameters(*attribute, form, form.implied);
+    if (const XmlAttribute* attribute = element.find("drops"))
+        read_parameters(*attribute, form, form.drops);
     if (const XmlAttribute* attribute = element.find("when")) read_constraints(*attribute, form);
 }
 
@@ -172,8 +176,9 @@ bool read_range(std::string_view text, Constraint& out) {
 
 }  // namespace
 
-/// Parameters that the control takes from the position at which it starts.
-void FormLoader::read_implied(const XmlAttribute& attribute, Form& form) {
+/// Names of parameters.
+void FormLoader::read_parameters(const XmlAttribute& attribute, const Form& form,
+                                 std::vector<int>& out) {
     const std::span<const Parameter> parameters = tables_.parameters(form);
     for (const XmlWord& word : words_of(attribute)) {
         const int parameter = parameter_named(parameters, word.text);
@@ -181,7 +186,7 @@ void FormLoader::read_implied(const XmlAttribute& attribute, Form& form) {
             attributes_.bad_name(word, attribute.name, names_of(parameters),
                                  "there is no such parameter");
         } else {
-            form.implied.push_back(parameter);
+            out.push_back(parameter);
         }
     }
 }
@@ -216,6 +221,10 @@ void FormLoader::load_cycle(const XmlElement& element) {
     if (!id) return;
     Attributes::read_text(element, "meaning", tables_.cycles[*id].meaning);
     if (seen_cycles_.insert(*id).second) clear_forms(tables_, Function::Cycle, *id);
+    if (const auto otherwise = attributes_.choice(element, "otherwise", {"error", "moves"})) {
+        std::erase(tables_.cycles_else_moves, *id);
+        if (*otherwise == 1) tables_.cycles_else_moves.push_back(*id);
+    }
     Form prototype;
     prototype.function = Function::Cycle;
     prototype.cycle = *id;

@@ -118,6 +118,7 @@ struct Form {
     std::vector<FormWord> lead;                // a line that is written before it
     std::vector<Constraint> when;
     std::vector<std::pair<int, double>> fixed;  // parameters that the form says by itself
+    std::vector<int> drops;         // parameters that the control needs not know
     std::vector<int> implied;       // parameters that the control takes from its position
     std::vector<Function> sets;     // further functions that it says
     std::vector<Function> first;    // functions that act before its own where it is read
@@ -132,6 +133,7 @@ struct Form {
     bool is_read = true;
     bool owns_block = false;         // stands alone
     bool remembers = false;          // parameters that are left out keep their value
+    bool is_verbatim = false;        // a line of the control's own language, letter by letter
     bool is_comment = false;         // stands between the comment signs
     bool feed_every_block = false;   // F has to be repeated in every block
     bool feed_by_radius = false;     // … and of an arc it is feed/radius
@@ -225,6 +227,7 @@ struct DialectTables {
     std::vector<Form> forms;  // in the order of the file: the first that fits is written
     std::vector<DialectGroup> groups;
     std::vector<CycleInfo> cycles;
+    std::vector<CycleId> cycles_else_moves;  // written as moves where no form takes their values
     std::deque<std::string> texts;  // names of cycle parameters; stay where they are
     std::map<std::string, AlarmText, std::less<>> alarms;  // by row name
     std::vector<RuleSetting> rule_settings;                // of the interpreter
@@ -248,6 +251,7 @@ struct DialectTables {
     bool has_incremental_letters = false;  // distances have letters of their own; no code says it
     std::vector<Slot> slot_order;                  // in which slots are written
     std::array<Function, kGroups> power_on{};
+    std::vector<FormId> verbatim_forms;        // in the order of the file
     std::vector<FormId> comment_forms;         // `(MSG,{text})`
     std::bitset<kFunctions> said_with_others;  // functions of forms that also set others
 

@@ -211,7 +211,9 @@ void BlockWriter::append_item(const Block& block, const Item& item, const Target
     if (item.form != kNoForm) {
         const Form& form = tables_.forms[item.form];
         blank(out);
-        if (form.is_comment) {
+        if (form.is_verbatim) {
+            append_verbatim(block, form, *item.invocation, out);
+        } else if (form.is_comment) {
             out += tables_.comment.open;
             out += form.words[0].text;
             out += comment_text(block.text, tables_.comment);
@@ -228,6 +230,18 @@ void BlockWriter::append_item(const Block& block, const Item& item, const Target
         return;
     }
     append_slot(block, item.slot, targets, out);
+}
+
+/// A line of the control's own language: letters as they are, numbers as in arguments.
+void BlockWriter::append_verbatim(const Block& block, const Form& form,
+                                  const Invocation& invocation, std::string& out) {
+    const AddressId call = tables_.find_address("()");
+    const NumberFormat format =
+        call == kNoAddress ? NumberFormat{} : tables_.addresses[call].format;
+    for (const FormWord& word : form.words) {
+        out += word.text;
+        if (word.parameter >= 0) append_parameter(block, word, &invocation, format, "()", out);
+    }
 }
 
 void BlockWriter::append_edge(const Block& block, int edge, std::string& out) {
