@@ -464,8 +464,7 @@ void Expander::State::write_frame(const ProgramFrame& next, SourceId source, std
     // What is in force already need not be said anew, if nothing behind it has to go.
     const bool keeps_shift = from.shift == next.shift && from.is_shifted == next.is_shifted;
     const bool keeps_mirrors = !from.has_mirror() || from.is_mirrored == next.is_mirrored;
-    const bool adds_only =
-        keeps_shift && keeps_mirrors && from.angle_deg == 0 && !from.has_scale();
+    const bool adds_only = keeps_shift && keeps_mirrors && from.angle_deg == 0 && !from.has_scale();
     if (!adds_only) {
         std::array<bool, 3> given = next.is_shifted;
         const bool is_zero = next.shift == std::array<double, 3>{};

@@ -307,9 +307,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::ProbeKeep:
         case Function::OffsetToEdge:
         case Function::OffsetToMiddle: break;
-        case Function::ThreadStart:
-            actions.thread_start_deg = block.argument(invocation, 0);
-            break;
+        case Function::ThreadStart: actions.thread_start_deg = block.argument(invocation, 0); break;
         case Function::TapRigid: taps_rigidly_ = true; break;
         case Function::DiameterOn: word_scale_[index(Axis::X)] = 0.5; break;
         case Function::DiameterOff: word_scale_[index(Axis::X)] = 1; break;

@@ -56,8 +56,8 @@ void describe_slot(const Block& block, Slot slot, std::string& out) {
 void describe_invocation(const Block& block, const Invocation& invocation, std::string& out) {
     const FunctionInfo& function = info(invocation.function);
     out += function.name;
-    const bool is_cycle = invocation.function == Function::Cycle ||
-                          invocation.function == Function::CyclePreset;
+    const bool is_cycle =
+        invocation.function == Function::Cycle || invocation.function == Function::CyclePreset;
     if (is_cycle) {
         out += '#';
         append_shortest(out, block.cycle);

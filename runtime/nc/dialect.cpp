@@ -63,8 +63,8 @@ bool Dialect::has_native_cycle(CycleId cycle, std::uint32_t given,
                                std::span<const double> values) const {
     if (cycle >= tables_->forms_of_cycle.size()) return false;
     const bool looks_at_values =
-        !values.empty() && std::ranges::find(tables_->cycles_else_moves, cycle) !=
-                               tables_->cycles_else_moves.end();
+        !values.empty() &&
+        std::ranges::find(tables_->cycles_else_moves, cycle) != tables_->cycles_else_moves.end();
     return std::ranges::any_of(tables_->forms_of_cycle[cycle], [&](FormId id) {
         const Form& form = tables_->forms[id];
         std::uint32_t said = 0;

@@ -66,9 +66,9 @@ class Dialect {
 
     std::span<const CycleInfo> cycles() const;
     std::optional<CycleId> find_cycle(std::string_view name) const;
-    /// Whether the control has a cycle of its own that can say these parameters (bit i: given). Where
-    /// the dialect wants moves otherwise, their values count too; elsewhere a value that the control
-    /// cannot take is an error of the writer.
+    /// Whether the control has a cycle of its own that can say these parameters (bit i: given).
+    /// Where the dialect wants moves otherwise, their values count too; elsewhere a value that the
+    /// control cannot take is an error of the writer.
     bool has_native_cycle(CycleId cycle, std::uint32_t given,
                           std::span<const double> values = {}) const;
     /// Whether the control can say this function at all.

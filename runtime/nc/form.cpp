@@ -158,8 +158,7 @@ class LineParser {
         const std::string_view name = inner.substr(0, inner.find(':'));
         word.tail_parameter = parameter_named(name);
         if (word.tail_parameter < 0) return unknown_parameter(name);
-        const std::string_view digits =
-            inner.substr(std::min(name.size() + 1, inner.size()));
+        const std::string_view digits = inner.substr(std::min(name.size() + 1, inner.size()));
         if (digits.size() != 1 || digits[0] < '1' || digits[0] > '9') {
             return fail("a second `{…}` says how many digits it has: `{offset:2}`");
         }

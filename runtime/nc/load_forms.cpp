@@ -120,7 +120,8 @@ void FormLoader::read_form_attributes(const XmlElement& element, Form& form) {
         form.is_written = *use != 2;
     }
     if (const auto feed = attributes_.choice(
-            element, "feed", {"scaled", "metric", "every_block", "every_block_by_radius", "pitch"})) {
+            element, "feed",
+            {"scaled", "metric", "every_block", "every_block_by_radius", "pitch"})) {
         form.feed_stays_metric = *feed == 1;
         form.feed_every_block = *feed == 2 || *feed == 3;
         form.feed_by_radius = *feed == 3;

@@ -186,7 +186,8 @@ class Matcher {
         fit.taken[head] = true;
         fit.matched = 1;
         for (const Function needed : form.during) {
-            const bool is_own = info(needed).group == Group::Motion && block_.motion != Function::None;
+            const bool is_own =
+                info(needed).group == Group::Motion && block_.motion != Function::None;
             const Function active =
                 is_own ? block_.motion : modal_[static_cast<std::size_t>(info(needed).group)];
             if (active != Function::None && active != needed) fit.answer = Fit::Answer::Missing;
@@ -277,8 +278,7 @@ class Matcher {
         }
     }
 
-    bool fits_argument(const Form& form, const FormWord& want,
-                       const GivenArgument& given) const {
+    bool fits_argument(const Form& form, const FormWord& want, const GivenArgument& given) const {
         const bool is_empty = given.kind == GivenArgument::Kind::Empty;
         const bool is_number = given.kind == GivenArgument::Kind::Number;
         if (want.kind == FormWord::Kind::Empty) return is_empty;

@@ -93,7 +93,8 @@ class Planner {
         }
         const double value = (source.number - claim.offset) / claim.factor;
         const bool is_literal = source.value == SourceWord::Value::Literal;
-        if (claim.is_parameter && claim.tail_digits == 0 && claim.dimension == Dimension::Count && is_literal) {
+        if (claim.is_parameter && claim.tail_digits == 0 && claim.dimension == Dimension::Count &&
+            is_literal) {
             plan_.block.set_argument(plan_.block.functions[claim.invocation], claim.parameter,
                                      value);
             return;

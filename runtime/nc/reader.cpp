@@ -488,9 +488,9 @@ bool Reader::State::apply_claim(const Claim& claim, Block& block, std::string_vi
 /// A whole number that counts increments, or holds two parameters.
 bool Reader::State::apply_whole(const Claim& claim, Block& block, std::string_view line) {
     const Decimal& decimal = lexed.decimals[claim.word];
-    const DiagnosticRow* fault = decimal.has_point           ? &diag::IsoPointNotAllowed
+    const DiagnosticRow* fault = decimal.has_point         ? &diag::IsoPointNotAllowed
                                  : lexed.minus[claim.word] ? &diag::IsoMinusNotAllowed
-                                                             : nullptr;
+                                                           : nullptr;
     if (fault != nullptr) {
         report(line, LineFault{fault, lexed.spans[claim.word], {word_text(line, claim.word)}});
         return false;

@@ -118,7 +118,7 @@ struct Form {
     std::vector<FormWord> lead;                // a line that is written before it
     std::vector<Constraint> when;
     std::vector<std::pair<int, double>> fixed;  // parameters that the form says by itself
-    std::vector<int> drops;         // parameters that the control needs not know
+    std::vector<int> drops;                     // parameters that the control needs not know
     std::vector<int> implied;       // parameters that the control takes from its position
     std::vector<Function> sets;     // further functions that it says
     std::vector<Function> first;    // functions that act before its own where it is read
@@ -228,7 +228,7 @@ struct DialectTables {
     std::vector<DialectGroup> groups;
     std::vector<CycleInfo> cycles;
     std::vector<CycleId> cycles_else_moves;  // written as moves where no form takes their values
-    std::deque<std::string> texts;  // names of cycle parameters; stay where they are
+    std::deque<std::string> texts;           // names of cycle parameters; stay where they are
     std::map<std::string, AlarmText, std::less<>> alarms;  // by row name
     std::vector<RuleSetting> rule_settings;                // of the interpreter
     std::vector<Deferred> deferred;
@@ -246,10 +246,10 @@ struct DialectTables {
     std::vector<Code> codes;
     std::array<std::vector<FormId>, kFunctions> forms_of;
     std::vector<std::vector<FormId>> forms_of_cycle;
-    std::array<AddressId, kSlots> slot_address{};  // that writes the slot; kNoAddress
+    std::array<AddressId, kSlots> slot_address{};         // that writes the slot; kNoAddress
     std::array<AddressId, kSlots> incremental_address{};  // whose words are ways along the slot
     bool has_incremental_letters = false;  // distances have letters of their own; no code says it
-    std::vector<Slot> slot_order;                  // in which slots are written
+    std::vector<Slot> slot_order;          // in which slots are written
     std::array<Function, kGroups> power_on{};
     std::vector<FormId> verbatim_forms;        // in the order of the file
     std::vector<FormId> comment_forms;         // `(MSG,{text})`

@@ -385,10 +385,11 @@ void BlockWriter::append_whole(const Block& block, const FormWord& word, double 
     } else {
         const double front = std::pow(10.0, word.tail_digits);
         const auto tail_at = static_cast<std::size_t>(std::max(word.tail_parameter, 0));
-        const double tail = word.tail_parameter < 0  ? word.tail_value
+        const double tail = word.tail_parameter < 0 ? word.tail_value
                             : invocation == nullptr ? value
                                                     : block.argument(*invocation, tail_at);
-        if (!(tail >= 0 && tail < front)) return number_fault(block, NumberFault::TooLarge, tail, name);
+        if (!(tail >= 0 && tail < front))
+            return number_fault(block, NumberFault::TooLarge, tail, name);
         number = value * front + tail;
         format.digits = word.tail_digits + 2;
     }

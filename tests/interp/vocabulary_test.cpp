@@ -260,10 +260,11 @@ TEST(Probes, DoNotNeedATurningSpindleButAFeed) {
 }
 
 TEST(Probes, WhatTheyFoundChangesNothingHere) {
-    EXPECT_EQ(end_of(run({fn(Function::WorkOffset, {{0, 1}}), fn(Function::Probe).x(10).f(100),
-                          fn(Function::ProbeCheck, {{0, 1}, {1, 10}}),
-                          fn(Function::OffsetToEdge, {{0, 1}, {1, 1}, {2, 7}}), rapid().x(0).y(0).z(0)})),
-              end_of(run({fn(Function::WorkOffset, {{0, 1}}), rapid().x(0).y(0).z(0)})));
+    EXPECT_EQ(
+        end_of(run({fn(Function::WorkOffset, {{0, 1}}), fn(Function::Probe).x(10).f(100),
+                    fn(Function::ProbeCheck, {{0, 1}, {1, 10}}),
+                    fn(Function::OffsetToEdge, {{0, 1}, {1, 1}, {2, 7}}), rapid().x(0).y(0).z(0)})),
+        end_of(run({fn(Function::WorkOffset, {{0, 1}}), rapid().x(0).y(0).z(0)})));
 }
 
 // ------------------------------------------------------------------------------ presets
@@ -293,7 +294,8 @@ Words preset(double finish) {
 
 TEST(CyclePresets, HoldForTheCallsThatFollow) {
     Told told;
-    const Words call = Words().cycle(kPasses, kPassParameters, {{0, 18}, {1, -20}, {2, 1}, {3, 0.3}, {4, 1.5}});
+    const Words call =
+        Words().cycle(kPasses, kPassParameters, {{0, 18}, {1, -20}, {2, 1}, {3, 0.3}, {4, 1.5}});
     EXPECT_EQ(run({call}, {.cycles = &told}).codes(), "");
     EXPECT_EQ(told.given, 0b11111u);
     EXPECT_EQ(run({preset(2), call}, {.cycles = &told}).codes(), "");
@@ -310,7 +312,7 @@ TEST(CyclePresets, HoldForTheCallsThatFollow) {
 TEST(ToolSelect, MayBringItsOffset) {
     // T0102: tool 1, whose offset 2 is 80 long; T0100 cancels it.
     const interp::Setup lathe{.rules =
-                                R"(<rule name="tool_select_changes" value="yes"/>
+                                  R"(<rule name="tool_select_changes" value="yes"/>
                                    <rule name="tool_change_activates_length" value="no"/>)"};
     const Ran ran = run({fn(Function::ToolSelect, {{0, 1}, {1, 2}}), rapid().z(10),
                          fn(Function::ToolSelect, {{0, 1}, {1, 0}}), rapid().z(20)},

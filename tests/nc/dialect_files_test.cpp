@@ -43,8 +43,9 @@ TEST(DialectFiles, ExamplesAreTrue) {
             SCOPED_TRACE(std::string(name) + ": " + example.source);
             // One that only reads has no source.
             const bool has_source = !example.source.empty();
-            const Block block =
-                has_source ? testing::source_block(testing::shipped("iso"), example.source) : Block{};
+            const Block block = has_source
+                                    ? testing::source_block(testing::shipped("iso"), example.source)
+                                    : Block{};
             DiagnosticList wrong;
             check_example(dialect, example, std::span(&block, has_source ? 1 : 0), wrong);
             EXPECT_EQ(messages_of(wrong), "");

@@ -1,5 +1,6 @@
 // Probing cycles over many sets of parameters: every face is looked for as far as it was said, fast
-// and then slowly, the probe never moves at rapid towards the part, and forbidden parameters say so.
+// and then slowly, the probe never moves at rapid towards the part, and forbidden parameters say
+// so.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -72,8 +73,7 @@ TEST(Probing, TouchesEveryFaceTwice) {
                                    ", fast: 400mm/min, slow: 40mm/min";
         const std::string round = "d: " + mm(d) + ", x: " + mm(x) + ", y: " + mm(y) + ", " + common;
         SCOPED_TRACE(round);
-        const std::string start =
-            "G0 X=" + mm(x) + " Y=" + mm(y) + ";\nG0 Z20;\nF400;\nG31 Z-5;";
+        const std::string start = "G0 X=" + mm(x) + " Y=" + mm(y) + ";\nG0 Z20;\nF400;\nG31 Z-5;";
         const auto bore = outcome_of(program_of("probe_bore(" + round + ")", start), "iso", "mill");
         ASSERT_EQ(bore.status, 0) << bore.messages;
         EXPECT_EQ(bore.messages, "");
@@ -147,8 +147,7 @@ TEST(Probing, ForbiddenParametersSaySo) {
              {"probe_boss(d: 9mm, to: -5mm, ball_d: 6mm, offset: 1, clear: 0mm)", "clear of the"},
          }) {
         SCOPED_TRACE(row.call);
-        const auto outcome =
-            outcome_of(program_of(row.call, "G0 X0 Y0;\nG0 Z0;"), "iso", "mill");
+        const auto outcome = outcome_of(program_of(row.call, "G0 X0 Y0;\nG0 Z0;"), "iso", "mill");
         EXPECT_EQ(outcome.status, 1);
         EXPECT_NE(outcome.messages.find(row.message), std::string::npos) << outcome.messages;
     }

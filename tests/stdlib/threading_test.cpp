@@ -1,5 +1,5 @@
-// Threads over many sets of parameters: every start has its cuts, each goes as deep as it should and
-// none deeper, the chips are equal, no rapid touches the part, and forbidden parameters say so.
+// Threads over many sets of parameters: every start has its cuts, each goes as deep as it should
+// and none deeper, the chips are equal, no rapid touches the part, and forbidden parameters say so.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -14,7 +14,7 @@ namespace {
 using nlohmann::json;
 using stdlib_test::outcome_of;
 
-constexpr double kExact = 2e-6;    // mm: what the number format of the common core rounds
+constexpr double kExact = 2e-6;     // mm: what the number format of the common core rounds
 constexpr double kMicron = 1.1e-3;  // mm: depths are whole micrometres
 
 struct Thread {
@@ -30,10 +30,11 @@ struct Thread {
         return "thread_turn(d: " + mm(d) + ", d_end: " + mm(d_end) + ", pitch: " + mm(pitch) +
                ", from: " + mm(from) + ", to: " + mm(to) + ", depth: " + mm(depth) +
                ", allowance: " + mm(allowance) + ", infeed: " + json(infeed_deg).dump() +
-               "deg, run_in: " + mm(run_in) + ", run_out: " + mm(run_out) + ", clear: " +
-               mm(clear) + ", cuts: " + std::to_string(cuts) + ", spring: " +
-               std::to_string(spring) + ", starts: " + std::to_string(starts) + ", degressive: " +
-               (degressive ? "true" : "false") + ", inside: " + (inside ? "true" : "false") + ")";
+               "deg, run_in: " + mm(run_in) + ", run_out: " + mm(run_out) +
+               ", clear: " + mm(clear) + ", cuts: " + std::to_string(cuts) +
+               ", spring: " + std::to_string(spring) + ", starts: " + std::to_string(starts) +
+               ", degressive: " + (degressive ? "true" : "false") +
+               ", inside: " + (inside ? "true" : "false") + ")";
     }
 };
 
