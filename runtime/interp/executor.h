@@ -124,7 +124,7 @@ class Executor {
     void return_to_reference(const nc::Block& block, const nc::Invocation& invocation);
     void tap(const nc::Block& block, const Target& target);
     void thread(const nc::Block& block, const Target& target, const Actions& actions);
-    std::optional<double> thread_pitch(const nc::Block& block, Axis along);
+    std::optional<double> thread_pitch(const nc::Block& block, const path::Vec3& way);
     Axis wanted_length_axis() const;
     double wanted_length(const nc::Block& block);
     void activate_length(const nc::Block& block, AxisMask moved);

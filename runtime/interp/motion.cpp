@@ -258,9 +258,7 @@ void Executor::tap(const Block& block, const Target& target) {
 /// a turn takes the tool so much farther along the line as that is longer.
 void Executor::thread(const Block& block, const Target& target, const Actions& actions) {
     const Vec3 way = linear(target.here) - linear(position_.here);
-    Eigen::Index longest = 0;
-    const double along = way.cwiseAbs().maxCoeff(&longest);
-    const std::optional<double> pitch = thread_pitch(block, static_cast<Axis>(longest));
+    const std::optional<double> pitch = thread_pitch(block, way);
     if (!pitch) return;
     if (spindle_.mode != SpindleMode::Cw && spindle_.mode != SpindleMode::Ccw) {
         report(diag::RevolutionFeedStands, block);
@@ -280,26 +278,34 @@ void Executor::thread(const Block& block, const Target& target, const Actions& a
     command.exact_stop = modal_.has_exact_stop || actions.exact_stop;
     command.feed_mode = FeedMode::PerRevolution;
     const double length = (linear(target.base) - linear(position_.base)).norm();
+    const double along = way.cwiseAbs().maxCoeff();
     command.feed = along > 0 ? *pitch * length / along : *pitch;
     command.angle_deg = actions.thread_start_deg;
     arrive(target);
 }
 
 /// The pitch that the block or, on some controls, F says; nothing if it was reported missing.
-std::optional<double> Executor::thread_pitch(const Block& block, Axis along) {
+std::optional<double> Executor::thread_pitch(const Block& block, const Vec3& way) {
+    constexpr double kEqualWays = 1e-6;  // mm: at 45 degrees either axis will do
     const SlotMask words = block.given & nc::kCenterSlots;
+    Eigen::Index longest = 0;
+    const double most = way.cwiseAbs().maxCoeff(&longest);
+    const std::string_view name = kAxisNames[static_cast<std::size_t>(longest)];
     // The blocks of a cycle are neutral ones: they say it in a word.
     if (rules_.thread_pitch_is_feed && !cycle_blocks_) {
         if (words != 0) warn_arc_word(block, words);
         if (modal_.has_feed && modal_.feed > 0) return modal_.feed;
-        report(diag::ThreadPitchMissing, block).arg(kAxisNames[index(along)]);
+        report(diag::ThreadPitchMissing, block).arg(name);
         return std::nullopt;
     }
-    const auto word = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + index(along));
-    if (block.has(word) && block.at(word) > 0) return block.at(word);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto word = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + axis);
+        const bool is_long = std::abs(way[static_cast<Eigen::Index>(axis)]) >= most - kEqualWays;
+        if (is_long && block.has(word) && block.at(word) > 0) return block.at(word);
+    }
     (words == 0 ? report(diag::ThreadPitchMissing, block)
                 : report(diag::ThreadPitchMissing, block, first_slot(words)))
-        .arg(kAxisNames[index(along)]);
+        .arg(name);
     return std::nullopt;
 }
 

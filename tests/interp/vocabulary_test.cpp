@@ -213,6 +213,10 @@ TEST(Threads, ThePitchCountsAlongTheLongerWay) {
     const Ran face = run({rapid().x(0).z(0), thread().x(40).z(-30).i(2)});
     EXPECT_DOUBLE_EQ(face.commands.back().feed, 2.5);
     EXPECT_EQ(run({rapid().x(0).z(0), thread().x(40).z(-30).k(2)}).codes(), "K5244");
+    // At 45 degrees either will do, and a thread of no way needs none in particular.
+    EXPECT_EQ(run({rapid().x(0).z(0), thread().x(30).z(-30).k(2)}).codes(), "");
+    EXPECT_EQ(run({rapid().x(0).z(0), thread().x(30).z(-30).i(2)}).codes(), "");
+    EXPECT_EQ(run({rapid().x(0).z(0), thread().z(0).k(2)}).codes(), "");
 }
 
 TEST(Threads, NeedAPitchAndATurningSpindle) {
