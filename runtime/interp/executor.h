@@ -152,6 +152,7 @@ class Executor {
     void repeat_cycle(const nc::Block& block);
     void start_cycle(const nc::Block& block, ModalCycle call);
     bool complete_tap(const nc::Block& block, ModalCycle& call);
+    bool complete_thread(const nc::Block& block, ModalCycle& call);
     void finish_cycle();
     path::Plane cycle_plane() const;
     AxisValues position_in_cycle() const;

@@ -24,6 +24,7 @@ struct CycleInfo {
     std::string name;                   // as in stdlib: "drill_peck"
     std::vector<Parameter> parameters;  // names live in the Dialect
     std::string meaning;
+    bool is_modal = true;  // where cycles are modal: a call is repeated by further axis words
 };
 
 /// A control's own alarm for an error that the interpreter raises.

@@ -222,6 +222,7 @@ void FormLoader::load_cycle(const XmlElement& element) {
     if (!id) return;
     Attributes::read_text(element, "meaning", tables_.cycles[*id].meaning);
     if (seen_cycles_.insert(*id).second) clear_forms(tables_, Function::Cycle, *id);
+    attributes_.read_flag(element, "modal", tables_.cycles[*id].is_modal);
     if (const auto otherwise = attributes_.choice(element, "otherwise", {"error", "moves"})) {
         std::erase(tables_.cycles_else_moves, *id);
         if (*otherwise == 1) tables_.cycles_else_moves.push_back(*id);

@@ -75,7 +75,7 @@ const std::vector<XmlRule>& dialect_rules() {
          {},
          Text},
         {"cycle",
-         {{"name", Filled}, "parameters", "meaning", "otherwise", "doc"},
+         {{"name", Filled}, "parameters", "meaning", "modal", "otherwise", "doc"},
          {"form", "example"}},
         {"deferred", {"axis", "commands"}, {}, Text},
         {"alarm", {{"for", Filled}, {"number", Filled}, "text"}, {}},
