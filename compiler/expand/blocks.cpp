@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/assert.h"
+#include "base/diagnostics/dialect.h"
 #include "base/diagnostics/expand.h"
 #include "expand/state.h"
 #include "nc/tables.h"
@@ -109,20 +110,41 @@ void Expander::State::drop_block(const Block& block) {
 
 bool Expander::State::emit(const Instruction& instruction, const sema::Slot* registers,
                            std::uint32_t at) {
-    if (is_block_limit(at)) return false;
+    const sema::Plan& plan = code.plans[static_cast<std::size_t>(instruction.immediate.pair.first)];
     if (!recordings.empty()) [[unlikely]]
-        return keep_plan(instruction, registers, at);
+        return !is_block_limit(at) && keep_plan(plan, instruction, registers, at);
+    if (!plan.functions.empty() && needs_frame(plan)) [[unlikely]]
+        return emit_frame(plan, instruction, registers, at);
+    return emit_block(plan, instruction, registers, at);
+}
+
+bool Expander::State::emit_block(const sema::Plan& plan, const Instruction& instruction,
+                                 const sema::Slot* registers, std::uint32_t at) {
+    if (is_block_limit(at)) return false;
+    if (modal.due_offset != 0) [[unlikely]]
+        say_offset(plan, instruction, at);
     const std::size_t in_batch = batch_count;
-    if (fill_plan(instruction, registers, at)) return true;
+    if (fill_plan(plan, instruction, registers, at)) {
+        if (plan.customs == 0) [[likely]]
+            return true;
+        const Block& block = batch_count > in_batch ? batch[batch_count - 1] : waiting.back();
+        const bool is_empty =
+            block.function_count == 0 && block.given == 0 && block.motion == Function::None;
+        if (!is_empty) return true;
+        // All that it said the target does by itself.
+        if (batch_count > in_batch) --batch_count;
+        else waiting.pop_back();
+        if (options.trace) traces.pop_back();
+        return true;
+    }
     // A block that could not be finished is not delivered.
     if (batch_count > in_batch) batch_count = in_batch;
     else waiting.pop_back();
     return false;
 }
 
-bool Expander::State::fill_plan(const Instruction& instruction, const sema::Slot* registers,
-                                std::uint32_t at) {
-    const sema::Plan& plan = code.plans[static_cast<std::size_t>(instruction.immediate.pair.first)];
+bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instruction,
+                                const sema::Slot* registers, std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     Block& block = next_block(source);
     block.motion = plan.motion;
@@ -147,7 +169,24 @@ bool Expander::State::fill_plan(const Instruction& instruction, const sema::Slot
             if (plan.fillings[i].is_argument && !fill(block, plan.fillings[i], values[i], at))
                 return false;
         }
+        if (plan.customs != 0 && !adapt(block, plan, at)) [[unlikely]]
+            return false;
+        const Function motion = plan.motion != Function::None ? plan.motion : modal[Group::Motion];
         modal.take_functions(block);
+        if ((plan.customs & sema::custom::kMachineRapid) != 0 && motion != Function::Rapid) {
+            modal.active[static_cast<std::size_t>(Group::Motion)] = motion;
+            modal.restate_motion = true;
+        }
+    }
+    if ((plan.customs & sema::custom::kFeedCounts) != 0 &&
+        modal[Group::FeedMode] == Function::FeedPerRevolution) [[unlikely]] {
+        const auto feed = std::ranges::find(plan.fillings, Filling::Form::FeedBare, &Filling::form);
+        fault(diag::SourceNoPoint, feed == plan.fillings.end() ? at : word_of(*feed, at))
+            .arg("F")
+            .arg("the control of this source")
+            .arg("in hundredths of mm/rev")
+            .fix("write the point");
+        return false;
     }
     for (std::size_t i = 0; i < plan.fillings.size(); ++i) {
         if (!plan.fillings[i].is_argument && !fill(block, plan.fillings[i], values[i], at))
@@ -169,6 +208,14 @@ bool Expander::State::fill_plan(const Instruction& instruction, const sema::Slot
         block.motion = modal[Group::Motion];
         modal.restate_motion = false;
     }
+    if (recordings.empty()) {
+        if ((modal.is_edge_off || modal.is_feed_deleted) && !may_move(block, at)) [[unlikely]]
+            return false;
+        if (((modal.has_drift | modal.lost_drift) & block.given) != 0 &&
+            !adapt_increments(block, plan, at)) [[unlikely]]
+            return false;
+    }
+    if ((plan.customs & sema::custom::kReference) != 0) say_reference(block);
     if (modal.is_stretched && nc::is_arc(modal[Group::Motion]) &&
         (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0 &&
         modal.frame.is_stretched(modal[Group::Plane])) {
