@@ -110,6 +110,8 @@ std::string command_text(const path::Command& command) {
     switch (command.op) {
         case Op::Rapid: return "rapid to" + axis_text(command);
         case Op::Line: return "line to" + axis_text(command);
+        case Op::Thread: return "thread to" + axis_text(command);
+        case Op::Probe: return "probe to" + axis_text(command);
         case Op::Arc:
             return std::string(command.is_clockwise ? "arc clockwise to" : "arc to") +
                    axis_text(command);

@@ -1,6 +1,7 @@
 #include "nc/block_writer.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -91,6 +92,8 @@ bool BlockWriter::is_standing(Slot slot, double value, const Standing& standing)
 // ---------------------------------------------------------------- blocks
 
 Function BlockWriter::effective_motion(const Block& block) const {
+    // Whatever the modal motion is.
+    if (block.function_count != 0 && block.find(Function::Probe) != nullptr) return Function::Line;
     return block.motion != Function::None ? block.motion : modal_.meant[index_of(Group::Motion)];
 }
 
@@ -137,8 +140,8 @@ void BlockWriter::check_arc_words(const Block& block) {
     const Function motion =
         block.find(Function::Cycle) != nullptr ? Function::Cycle : effective_motion(block);
     const bool has_centre = (block.given & kCenterSlots) != 0;
-    if (motion == Function::None || is_tapping(motion)) {
-        // After raw text the author knows; beside a tapping motion the centre word is the pitch.
+    if (motion == Function::None || takes_pitch(motion)) {
+        // After raw text the author knows; beside a motion of threads the centre word is the pitch.
     } else if (!is_arc(motion)) {
         for (std::size_t i = 0; i < kSlots; ++i) {
             const auto slot = static_cast<Slot>(i);
@@ -184,7 +187,7 @@ bool BlockWriter::write_other_arc(const Block& block, std::string& out) {
 }
 
 void BlockWriter::write_block(const Block& block, std::string& out) {
-    if (write_other_arc(block, out)) return;
+    if (write_other_arc(block, out) || write_thread(block, out)) return;
     if (modal_.waiting_edge != 0) write_waiting_edge(block, out);
     done_ = 0;
     choose_forms(block);
@@ -197,6 +200,8 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
     Targets targets;
     const WrittenPosition start = modal_.position;
     const Function motion = effective_motion(block);
+    if (block.motion != Function::None && block.motion != motion)
+        cannot_express(block, "a probing move that is no line at feed");
     place_targets(block, targets);
     check_knot(block, motion);
     if (is_arc(motion)) {
@@ -204,7 +209,7 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
         place_arc_feed(block, start, targets);
     } else if (motion == Function::None) {
         place_arc_as_given(block, start, targets);
-    } else if (is_tapping(motion)) {
+    } else if (takes_pitch(motion)) {
         for (const Slot slot : {Slot::CenterX, Slot::CenterY, Slot::CenterZ}) {
             if (!block.has(slot)) continue;
             targets.written |= bit(slot);
@@ -215,10 +220,13 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
     }
     // An incremental word that the control can only say under incremental dimensions.
     if (targets.written != 0 && modal_.text_of(Group::Distance) != Function::None &&
-        targets.needs_incremental) {
+        targets.needs_incremental && !tables_.has_incremental_letters) {
         add_code(block, Function::Incremental, items);
     }
-    if (block.motion != Function::None || (block.given & (kTargetSlots | kCenterSlots)) != 0) {
+    const bool probes = block.function_count != 0 && block.find(Function::Probe) != nullptr;
+    const bool says_motion = block.motion != Function::None ||
+                             (!probes && (block.given & (kTargetSlots | kCenterSlots)) != 0);
+    if (says_motion) {
         const bool is_new = modal_.text_of(Group::Motion) != motion;
         if (motion != Function::None &&
             (is_new || (options_.verbose_modal && block.motion != Function::None))) {
@@ -237,6 +245,67 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
     if (block.find(Function::Cycle) != nullptr) leave_cycle(block, out);
     for (std::size_t i = 0; i < block.function_count; ++i)
         follow_function(block, block.functions[i]);
+}
+
+// ---------------------------------------------------------------- threads
+
+/// The axis along which a straight move goes the longer way; nothing if the block does not tell.
+std::optional<std::size_t> BlockWriter::longer_way(const Block& block) const {
+    std::optional<std::size_t> longest;
+    double most = -1;
+    bool is_certain = true;
+    std::size_t count = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto slot = static_cast<Slot>(axis);
+        if (!block.has(slot)) continue;
+        ++count;
+        const bool is_way = is_distance(block, axis);
+        is_certain &= is_way || is_known(axis);
+        const double way =
+            std::fabs(is_way ? block.at(slot) : block.at(slot) - modal_.position.meant[axis]);
+        if (way > most) longest = axis, most = way;
+    }
+    return count == 1 || is_certain ? longest : std::nullopt;
+}
+
+/// The pitch of a thread stands where the control takes it: in F, or in the word of the axis that
+/// goes the longer way. True: the block is written.
+bool BlockWriter::write_thread(const Block& block, std::string& out) {
+    if (effective_motion(block) != Function::Thread || (block.given & kTargetSlots) == 0 ||
+        block.find(Function::Cycle) != nullptr)
+        return false;
+    const auto& forms = tables_.forms_of[static_cast<std::size_t>(Function::Thread)];
+    if (forms.empty()) return false;
+    const bool is_feed = tables_.forms[forms[0]].feed_is_pitch;
+    const SlotMask words = block.given & kCenterSlots;
+    if (words == 0 && !block.has(Slot::Feed)) {
+        if (is_new_message(block, "no pitch")) sink_.report(diag::ThreadSaidNowhere, place(block));
+        return true;
+    }
+    if (is_feed ? words == 0 : words != 0) return false;
+    Block said = block;
+    if (is_feed) {
+        const auto word = static_cast<Slot>(std::countr_zero(words));
+        said.given &= ~kCenterSlots;
+        said.set(Slot::Feed, block.at(word));
+    } else {
+        const std::optional<std::size_t> axis = longer_way(block);
+        if (!axis) {
+            position_unknown(block, "F");
+            return true;
+        }
+        said.given &= ~bit(Slot::Feed);
+        said.set(static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + *axis),
+                 block.at(Slot::Feed));
+    }
+    // The feed of the program, which the pitch is not, acts again behind the thread.
+    const double feed = block.has(Slot::Feed) ? block.at(Slot::Feed) : modal_.meant_feed;
+    const bool has_feed = block.has(Slot::Feed) || modal_.has_meant_feed;
+    write_block(said, out);
+    modal_.meant_feed = feed;
+    modal_.has_meant_feed = has_feed;
+    if (is_feed) modal_.feed_is_pitch = true;
+    return true;
 }
 
 // ---------------------------------------------------------------- cutting edges, cycles
@@ -393,6 +462,8 @@ void BlockWriter::choose_forms(const Block& block) {
 
 bool BlockWriter::is_suppressed(Function function) const {
     const Group group = info(function).group;
+    // Where the letters say it, no code does.
+    if (group == Group::Distance && tables_.has_incremental_letters) return true;
     return is_quiet_group(group) && !options_.verbose_modal &&
            modal_.text[index_of(group)] == function;
 }
@@ -413,6 +484,10 @@ BlockWriter::Misfit BlockWriter::misfit(const Form& form, const Block& block,
             self(self, word.arguments);
             if (word.parameter < 0) continue;
             said |= 1u << word.parameter;
+            if (word.tail_parameter >= 0) {
+                said |= 1u << word.tail_parameter;
+                expect(word.tail_parameter, (invocation.given >> word.tail_parameter & 1u) != 0);
+            }
             // The word's presence is all that the control takes: another value would be lost.
             if (word.is_named_only) expect(word.parameter, argument(word.parameter, 0) == 0);
             const bool is_given = (invocation.given >> word.parameter & 1u) != 0;
@@ -425,6 +500,7 @@ BlockWriter::Misfit BlockWriter::misfit(const Form& form, const Block& block,
     for (const std::vector<FormWord>& line : form.extra) look(look, line);
     look(look, form.lead);
     for (const int parameter : form.implied) said |= 1u << parameter;
+    for (const int parameter : form.drops) said |= 1u << parameter;
     for (const auto& [parameter, value] : form.fixed) {
         said |= 1u << parameter;
         const bool is_given = (invocation.given >> parameter & 1u) != 0;
@@ -670,7 +746,8 @@ void BlockWriter::restore_modal(const Block& block, Items& items) {
         }
         add_code(block, meant, items);
     };
-    if ((block.given & kTargetSlots) != 0) restore(Group::Distance);
+    if ((block.given & kTargetSlots) != 0 && !tables_.has_incremental_letters)
+        restore(Group::Distance);
     if (is_arc(effective_motion(block)) && (block.given & (kTargetSlots | kCenterSlots)) != 0)
         restore(Group::Plane);
     if (block.has(Slot::Feed)) restore(Group::FeedMode);
@@ -780,7 +857,10 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
             modal_.mirror = Activity::No;
             modal_.position.known &= ~modal_.turned;
             break;
+        case Function::Probe: forget_motion(); [[fallthrough]];
         case Function::MachineCoordinates: modal_.position.known &= ~block.given; break;
+        case Function::OffsetToEdge:
+        case Function::OffsetToMiddle: modal_.position.forget(); break;
         case Function::SetPosition:
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 if ((invocation.given >> axis & 1u) == 0) continue;

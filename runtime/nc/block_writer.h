@@ -92,6 +92,8 @@ class BlockWriter {
     void write_raw(const Block& block, std::string& out);
     void write_block(const Block& block, std::string& out);
     void write_long(const Block& block, std::string& out);
+    bool write_thread(const Block& block, std::string& out);
+    std::optional<std::size_t> longer_way(const Block& block) const;
     void check_front(const Block& block);
     void check_arc_words(const Block& block);
     void check_knot(const Block& block, Function motion);
@@ -151,6 +153,7 @@ class BlockWriter {
         std::array<double, kSlots> number{};  // what stands there, in the text's units
         SlotMask wrapped_absolute = 0;        // AC()
         SlotMask wrapped_incremental = 0;     // IC()
+        SlotMask by_letter = 0;               // that are written with the letter of distances
         double feed_factor = 1;               // of F
         bool needs_incremental = false;       // all words are distances, the text is absolute
     };
@@ -183,6 +186,7 @@ class BlockWriter {
     bool is_standing(Slot slot, double value, const Standing& standing) const;
 
     // Lines
+    bool repeats_feed(const Block& block) const;
     void collect_slots(const Block& block, const Targets& targets, Items& items);
     void add_deferred(const Block& block, Items& items);
     void remove_said(const Deferred& deferred, Items& items) const;
@@ -190,6 +194,8 @@ class BlockWriter {
     void write_items(const Block& block, Items& items, const Targets& targets, std::string& out);
     void append_item(const Block& block, const Item& item, const Targets& targets,
                      std::string& out);
+    void append_verbatim(const Block& block, const Form& form, const Invocation& invocation,
+                         std::string& out);
     void append_words(const Block& block, const std::vector<FormWord>& words,
                       const Invocation* invocation, bool remembers, std::string& out);
     /// What a line has: words by address, groups of which it has a function.
@@ -205,6 +211,8 @@ class BlockWriter {
                      std::string& out);
     void append_parameter(const Block& block, const FormWord& word, const Invocation* invocation,
                           const NumberFormat& format, std::string_view name, std::string& out);
+    void append_whole(const Block& block, const FormWord& word, double value,
+                      const Invocation* invocation, std::string_view name, std::string& out);
     void append_factor(const Block& block, double number, bool in_thousandths,
                        std::string_view name, std::string& out);
     void append_slot(const Block& block, Slot slot, const Targets& targets, std::string& out);

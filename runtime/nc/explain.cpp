@@ -97,6 +97,7 @@ class Explainer {
             for (const Function also : form.sets) line.append(" ").append(info(also).name);
         }
         if (form.owns_block) line += ", in a block of its own";
+        if (form.is_preset) line += ", for the calls that follow";
         if (!form.note.empty()) line += "; " + form.note;
         if (std::find(lines_.begin(), lines_.end(), line) == lines_.end()) lines_.push_back(line);
         if (!form.doc.empty() &&

@@ -114,6 +114,7 @@ void load_address(const XmlElement& element, DialectTables& tables, Attributes& 
             attributes.bad_value(*attribute, "a dimension of the vocabulary is expected");
         }
     }
+    attributes.read_flag(element, "incremental", address.is_incremental);
     attributes.read_number(element, "order", address.order);
     attributes.read_number(element, "write_max", address.write_max);
     attributes.read_number(element, "read_max", address.read_max);
@@ -146,6 +147,9 @@ void load_remove(const XmlElement& element, DialectTables& tables, Attributes& a
             }
         }
     }
+    bool clears_deferred = false;
+    attributes.read_flag(element, "deferred", clears_deferred);
+    if (clears_deferred) tables.deferred.clear();
     if (const XmlAttribute* cycles = element.find("cycles")) {
         for (const XmlWord& word : words_of(*cycles)) {
             if (const auto id = cycle_named(tables, word.text)) {

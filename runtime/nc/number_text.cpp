@@ -81,6 +81,12 @@ double text_scale(Dimension dimension, const TextUnits& units, bool is_slot) {
     return 1;
 }
 
+double increment_size(const DialectTables& tables, Dimension dimension, const TextUnits& units) {
+    const AddressId x = tables.slot_address[static_cast<std::size_t>(Slot::X)];
+    const NumberFormat format = x == kNoAddress ? NumberFormat{} : tables.addresses[x].format;
+    return 1 / power_of_ten(text_decimals(format, dimension, units));
+}
+
 char* write_scaled(char* out, std::uint64_t scaled, bool is_minus, int decimals, bool has_point) {
     if (is_minus) *out++ = '-';
     std::array<char, 32> digits;

@@ -33,6 +33,8 @@ inline int text_decimals(const NumberFormat& format, Dimension dimension, const 
 
 /// The format for the lead of a thread.
 NumberFormat lead_format(const NumberFormat& format);
+/// What one least increment of the control is, in the text's units; 0.001 mm as a rule.
+double increment_size(const DialectTables& tables, Dimension dimension, const TextUnits& units);
 
 enum class NumberFault : std::uint8_t { None, NotFinite, TooLarge, NotReadBack, Negative, Point };
 

@@ -58,6 +58,7 @@ struct Address {
     std::uint8_t write_max = 1;  // words of it in a block: written
     std::uint8_t read_max = 1;   // … and read
     bool is_block_number = false;
+    bool is_incremental = false;  // its words are distances: U on a lathe is a way along X
     NumberFormat format;
     std::vector<FormId> forms;  // that begin with it, any value (Value, Word, Call)
 };
@@ -89,6 +90,12 @@ struct FormWord {
     Dimension dimension = Dimension::Number;
     double factor = 1;  // written = value · factor + offset
     double offset = 0;
+    bool in_increments = false;  // the number counts least increments and has no point
+    // The last digits of the number are another parameter (`T{tool}{offset:2}`), or always the same
+    // (`P{finish}0060`).
+    int tail_digits = 0;
+    int tail_parameter = -1;
+    int tail_value = 0;
     bool is_named_only = false;  // the word stands for itself, its number is always 0
     bool is_lead = false;        // the lead of a thread, which counts on every turn
     bool adds = false;           // read: added to the parameter; written: 0
@@ -114,6 +121,7 @@ struct Form {
     std::vector<FormWord> lead;                // a line that is written before it
     std::vector<Constraint> when;
     std::vector<std::pair<int, double>> fixed;  // parameters that the form says by itself
+    std::vector<int> drops;                     // parameters that the control needs not know
     std::vector<int> implied;       // parameters that the control takes from its position
     std::vector<Function> sets;     // further functions that it says
     std::vector<Function> first;    // functions that act before its own where it is read
@@ -128,9 +136,12 @@ struct Form {
     bool is_read = true;
     bool owns_block = false;         // stands alone
     bool remembers = false;          // parameters that are left out keep their value
+    bool is_verbatim = false;        // a line of the control's own language, letter by letter
     bool is_comment = false;         // stands between the comment signs
     bool feed_every_block = false;   // F has to be repeated in every block
     bool feed_by_radius = false;     // … and of an arc it is feed/radius
+    bool feed_is_pitch = false;      // of a `thread` code: F is the pitch
+    bool is_preset = false;          // gives parameters to the next call of the cycle
     bool feed_stays_metric = false;  // of an `inch` code: F is not an inch feed
     bool keeps_length = false;       // the tool length acts in its block unless edge 0 is said
     std::string doc;
@@ -219,7 +230,8 @@ struct DialectTables {
     std::vector<Form> forms;  // in the order of the file: the first that fits is written
     std::vector<DialectGroup> groups;
     std::vector<CycleInfo> cycles;
-    std::deque<std::string> texts;  // names of cycle parameters; stay where they are
+    std::vector<CycleId> cycles_else_moves;  // written as moves where no form takes their values
+    std::deque<std::string> texts;           // names of cycle parameters; stay where they are
     std::map<std::string, AlarmText, std::less<>> alarms;  // by row name
     std::map<std::string, std::string, std::less<>>
         unsupported;  // words that the control has and Kadr does not read, with their meaning
@@ -239,9 +251,12 @@ struct DialectTables {
     std::vector<Code> codes;
     std::array<std::vector<FormId>, kFunctions> forms_of;
     std::vector<std::vector<FormId>> forms_of_cycle;
-    std::array<AddressId, kSlots> slot_address{};  // that writes the slot; kNoAddress
-    std::vector<Slot> slot_order;                  // in which slots are written
+    std::array<AddressId, kSlots> slot_address{};         // that writes the slot; kNoAddress
+    std::array<AddressId, kSlots> incremental_address{};  // whose words are ways along the slot
+    bool has_incremental_letters = false;  // distances have letters of their own; no code says it
+    std::vector<Slot> slot_order;          // in which slots are written
     std::array<Function, kGroups> power_on{};
+    std::vector<FormId> verbatim_forms;        // in the order of the file
     std::vector<FormId> comment_forms;         // `(MSG,{text})`
     std::bitset<kFunctions> said_with_others;  // functions of forms that also set others
 

@@ -89,6 +89,57 @@ TEST(Writer, ModalWordsAreWrittenOnce) {
     EXPECT_EQ(verbose.text, "G01 X0. F200.\nG01 X10. F200.\n");
 }
 
+TEST(Writer, ThreadsHaveTheirPitchWhereTheControlTakesIt) {
+    expect_text("sinumerik", {{"G0 X20 Z5\nG33 Z-20 K1.5\nZ-30 K1.5 SF=90\nG0 X30",
+                               "G0 X20 Z5\nG33 Z-20 K1.5\nZ-30 K1.5 SF=90\nG0 X30\n"}});
+    // F is the pitch, and the feed of the program comes back with the next cut, also where nothing
+    // but its number would be written.
+    expect_text("fanuc", {
+                             {"G1 X25 Z5 F200\nG33 Z-20 K1.5\nG0 X30\nG1 Z-30\nX25",
+                              "G01 X25. Z5. F200.\nG33 Z-20. F1.5\nG00 X30.\nG01 Z-30. F200.\n"
+                              "X25.\n"},
+                             {"F200\nG0 X20 Z5\nG33 Z-20 K3 SF=120.5\nG33 X25 Z-40 K3 SF=0",
+                              "F200.\nX20. Z5.\nG33 Z-20. Q120500 F3.\nX25. Z-40. Q0\n"},
+                         });
+    expect_text("fanuc-lathe", {{"G0 X20 Z5\nG33 Z-20 K1.0583", "X20. Z5.\nG32 Z-20. F1.0583\n"}});
+    EXPECT_EQ(write("fanuc", "G0 X20 Z5\nG33 Z-20").codes, "K4214");
+    EXPECT_EQ(write("sinumerik", "G0 X20 Z5\nG33 Z-20").codes, "K4214");
+}
+
+TEST(Writer, APitchThatWasSaidAsFGoesAlongTheLongerWay) {
+    // As the source `dialect fanuc;` has it.
+    DiagnosticList sink;
+    Writer writer(shipped("sinumerik"), {.number_blocks = false}, sink);
+    std::string text;
+    writer.begin({"test", 1, "", false}, text);
+    for (const char* source : {"G0 X0 Z0", "G33 X30 Z-20 F2", "G33 X35 Z-60 F2", "G33 Z-70 F2"}) {
+        writer.write(testing::source_block(shipped("fanuc"), source), text);
+    }
+    EXPECT_EQ(testing::codes(sink), "");
+    EXPECT_NE(text.find("G33 X30 Z-20 I2\nX35 Z-60 K2\nZ-70 K2\n"), std::string::npos) << text;
+}
+
+TEST(Writer, ProbesMoveAtFeedAndLoseThePosition) {
+    expect_text("sinumerik",
+                {{"G0 X0\nG31 X10 F100\nX10\nX0", "G0 X0\nG1 X10 MEAS=1 F100\nG0 X10\nX0\n"}});
+    expect_text("fanuc", {{"G0 X0\nG31 X10 F100\nX10\nX0", "X0.\nG31 X10. F100.\nG00 X10.\nX0.\n"},
+                          {"G31 P2 X10 F100", "G31 P2 X10. F100.\n"}});
+    // A line at feed whatever the motion that is said beside it; that one holds behind it.
+    expect_text("sinumerik",
+                {{"G0 X0\nG0 G31 X10 F100\nX0", "G0 X0\nG1 X10 MEAS=1 F100\nG0 X0\n"}});
+}
+
+TEST(Writer, DistancesHaveTheirLettersOnALathe) {
+    expect_text("fanuc-lathe", {
+                                   {"G0 X20 Z5\nX=IC(4) Z-10\nG91\nX2 Z-1\nG90\nX0",
+                                    "X20. Z5.\nU4. Z-10.\nU2. W-1.\nX0.\n"},
+                                   {"G28 X=IC(0) Z=IC(0)", "G28 U0. W0.\n"},
+                                   {"G95\nG1 Z-5 F0.1234", "G99\nG01 Z-5. F0.1234\n"},
+                                   {"tool(3)\nG0 Z5", "T0303\nG00 Z5.\n"},
+                               });
+    EXPECT_EQ(write("fanuc-lathe", "G43 H3").codes, "K4201");
+}
+
 TEST(Writer, AfterRawTextNothingIsKnown) {
     expect_text("fanuc", {{"G1 X10 F200\nraw G65 P9810\nG1 X10 F200",
                            "G01 X10. F200.\nG65 P9810\nG01 X10. F200.\n"}});
