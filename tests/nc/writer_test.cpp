@@ -124,9 +124,8 @@ TEST(Writer, ProbesMoveAtFeedAndLoseThePosition) {
                 {{"G0 X0\nG31 X10 F100\nX10\nX0", "G0 X0\nG1 X10 MEAS=1 F100\nG0 X10\nX0\n"}});
     expect_text("fanuc", {{"G0 X0\nG31 X10 F100\nX10\nX0", "X0.\nG31 X10. F100.\nG00 X10.\nX0.\n"},
                           {"G31 P2 X10 F100", "G31 P2 X10. F100.\n"}});
-    // A line at feed whatever the motion that is said beside it; that one holds behind it.
-    expect_text("sinumerik",
-                {{"G0 X0\nG0 G31 X10 F100\nX0", "G0 X0\nG1 X10 MEAS=1 F100\nG0 X0\n"}});
+    // A probing move is a line at feed: another motion beside it says two things at once.
+    EXPECT_EQ(write("sinumerik", "G0 G31 X10 F100").codes, "K4201");
 }
 
 TEST(Writer, DistancesHaveTheirLettersOnALathe) {
