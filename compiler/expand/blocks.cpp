@@ -21,6 +21,7 @@ namespace {
 
 constexpr double kMinute = 60;
 constexpr double kMmPerMeter = 1000;
+constexpr nc::SlotMask kPointSlots = 7;  // X, Y, Z
 
 /// Anything a control could be told; beyond it the calculation has run away.
 bool is_sane(double value) { return std::fabs(value) < 1e15; }
@@ -162,6 +163,10 @@ bool Expander::State::fill_plan(const Instruction& instruction, const sema::Slot
                 return false;
             }
             block.set(static_cast<nc::Slot>(i), point[i].number);
+        }
+        if ((block.given & kPointSlots) == 0) {
+            not_given("the target", at);
+            return false;
         }
     }
     if (modal.restate_motion && block.motion == Function::None &&

@@ -169,6 +169,10 @@ struct Expander::State {
     void fault_note(const DiagnosticRow& row, std::uint32_t at, const std::string& text);
     void math_fault(sema::MathFault why, std::uint32_t at);
     void not_given(std::string_view name, std::uint32_t at);
+    /// Of two coordinates that belong together only one is given; both by their texts.
+    void half_given(std::int32_t missing, std::int32_t given, std::uint32_t at);
+    /// A feed or speed is not of the form that is needed; see Op::FeedForm.
+    void form_fault(unsigned needed, std::uint32_t at);
     void index_fault(std::int64_t index, std::int64_t count, std::uint32_t at);
     void contract_failed(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     void keep_trace(std::uint32_t at, unsigned depth, SourceId source);

@@ -23,6 +23,8 @@ using sema::SlotKind;
 
 namespace {
 
+constexpr auto kNumberSlot = static_cast<unsigned>(SlotKind::Number);
+
 bool is_given(Slot slot, unsigned kind) {
     return kind == static_cast<unsigned>(SlotKind::Number) ? slot.number == slot.number
                                                            : slot.integer != sema::kNotGivenInteger;
@@ -485,6 +487,14 @@ op_CheckGiven:
         goto stop;
     }
     KADR_NEXT;
+op_SameGiven:
+    if (is_given(A, kNumberSlot) != is_given(B, kNumberSlot)) [[unlikely]] {
+        const auto [left, right] = ip->immediate.pair;
+        half_given(is_given(A, kNumberSlot) ? right : left, is_given(A, kNumberSlot) ? left : right,
+                   AT);
+        goto stop;
+    }
+    KADR_NEXT;
 op_SameForm:
     if (sema::is_second_form(A.number) != sema::is_second_form(B.number) && A.number != 0 &&
         B.number != 0) [[unlikely]] {
@@ -493,14 +503,12 @@ op_SameForm:
     }
     KADR_NEXT;
 op_FeedForm:
-    if (B.number != 0 && sema::is_second_form(B.number) != (ip->c == 1)) [[unlikely]] {
-        fault(diag::FormWrong, AT)
-            .arg(ip->c == 1 ? "per revolution" : "per time")
-            .arg(ip->c == 1 ? "per time" : "per revolution");
+    if (B.number != 0 && sema::is_second_form(B.number) != ((ip->c & 1u) == 1)) [[unlikely]] {
+        form_fault(ip->c, AT);
         goto stop;
     }
-    KADR_SLOPE(ip->c == 1 ? SLOPE_B / sema::kSecondForm : SLOPE_B);
-    A.number = ip->c == 1 ? B.number / sema::kSecondForm : B.number;
+    KADR_SLOPE((ip->c & 1u) == 1 ? SLOPE_B / sema::kSecondForm : SLOPE_B);
+    A.number = (ip->c & 1u) == 1 ? B.number / sema::kSecondForm : B.number;
     KADR_NEXT;
 
     // ---------------------------------------------------------------- jumps
