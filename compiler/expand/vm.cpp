@@ -102,9 +102,11 @@ bool Expander::State::read_table(const sema::TableSchema& schema, Slot path, std
 /// The turn that used up a slice of them asks for the next one; it belongs to it. False: there is
 /// none, or somebody wants the evaluation to end.
 bool Expander::State::more_turns(std::uint64_t& turns) {
-    constexpr std::uint64_t kSlice = 1u << 16;  // turns between two looks at `stop`
+    constexpr std::uint64_t kSlice = 1u << 16;  // turns between two looks at `stop` and the clock
     was_stopped = options.stop != nullptr && options.stop->load(std::memory_order_relaxed);
-    if (was_stopped) return false;
+    is_late = options.limits.seconds > 0 &&
+              std::chrono::duration<double>(Clock::now() - began).count() > options.limits.seconds;
+    if (was_stopped || is_late) return false;
     turns = std::min(turns_reserve, kSlice);
     turns_reserve -= turns;
     return turns > 0;
@@ -997,6 +999,12 @@ too_many_elements:
 too_many_turns:
     if (was_stopped) {
         fault(diag::EvaluationStopped, AT);
+        goto stop;
+    }
+    if (is_late) {
+        fault(diag::TimeLimit, AT)
+            .arg(options.limits.seconds)
+            .fix("if it is to work longer, raise the limit: `--max-time`");
         goto stop;
     }
     fault(diag::LoopLimit, AT).arg(static_cast<std::int64_t>(options.limits.loop_turns));

@@ -363,6 +363,8 @@ struct Code {
     std::vector<EnumNames> enums;
     std::vector<TestCall> test_calls;
     FileId main_file;  // the file that was asked for
+    std::string true_word = "true";  // in its keyword language
+    std::string false_word = "false";
 };
 
 /// The instructions of one function or of all, one a line, for tests and for the curious.

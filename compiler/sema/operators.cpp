@@ -512,6 +512,8 @@ Value Checker::arithmetic(Operator op, Value left, Value right, const Expr& expr
     if (is_family(left) && is_family(right)) {
         if (op == Operator::Divide && left.type == right.type)
             return families(op, left, right, expr, hint);
+        settle(left);
+        settle(right);
         // A feed times a speed is that of each tooth or turn times the turns of the spindle.
         const bool is_per_turn =
             op == Operator::Multiply && kind(left.type) != kind(right.type);

@@ -180,7 +180,7 @@ TEST_F(CommandLine, VariablesAreAnObject) {
 }
 
 TEST_F(CommandLine, AlarmInGeneratedTextNamesTheStatement) {
-    save("nofeed.kadr", "program nofeed() {\n    G0 X0;\n    raw \"G1 X20\";\n    G0 X30;\n}\n");
+    save("nofeed.kadr", "program nofeed() {\n    G0 X0;\n    raw \"G1 X20\";\n    G90 G0 X30;\n}\n");
     const ProcessResult result =
         kadr({"run", file("nofeed.kadr"), "-d", "iso", "--commands", file("old.txt")});
     EXPECT_EQ(result.status, 3) << result.err;
