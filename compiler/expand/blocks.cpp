@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/assert.h"
+#include "base/diagnostics/dialect.h"
 #include "base/diagnostics/expand.h"
 #include "expand/state.h"
 #include "nc/tables.h"
@@ -58,6 +59,7 @@ const char* feed_unit(Function mode) {
 /// The instruction that made the value of a word; its place is the word, not the whole block.
 std::uint32_t Expander::State::word_of(const Filling& filling, std::uint32_t at) const {
     const Instruction& emit = code.instructions[at];
+    if (emit.op != Op::Emit) return at;  // a feed of `follow`
     const sema::Plan& plan = code.plans[static_cast<std::size_t>(emit.immediate.pair.first)];
     const auto value = static_cast<std::uint16_t>(emit.a + (&filling - plan.fillings.data()));
     const SourceRange block = code.places[at];
@@ -110,20 +112,41 @@ void Expander::State::drop_block(const Block& block) {
 
 bool Expander::State::emit(const Instruction& instruction, const sema::Slot* registers,
                            std::uint32_t at) {
-    if (is_block_limit(at)) return false;
+    const sema::Plan& plan = code.plans[static_cast<std::size_t>(instruction.immediate.pair.first)];
     if (!recordings.empty()) [[unlikely]]
-        return keep_plan(instruction, registers, at);
+        return !is_block_limit(at) && keep_plan(plan, instruction, registers, at);
+    if (!plan.functions.empty() && needs_frame(plan)) [[unlikely]]
+        return emit_frame(plan, instruction, registers, at);
+    return emit_block(plan, instruction, registers, at);
+}
+
+bool Expander::State::emit_block(const sema::Plan& plan, const Instruction& instruction,
+                                 const sema::Slot* registers, std::uint32_t at) {
+    if (is_block_limit(at)) return false;
+    if (modal.due_offset != 0) [[unlikely]]
+        say_offset(plan, instruction, at);
     const std::size_t in_batch = batch_count;
-    if (fill_plan(instruction, registers, at)) return true;
+    if (fill_plan(plan, instruction, registers, at)) {
+        if (plan.customs == 0) [[likely]]
+            return true;
+        const Block& block = batch_count > in_batch ? batch[batch_count - 1] : waiting.back();
+        const bool is_empty =
+            block.function_count == 0 && block.given == 0 && block.motion == Function::None;
+        if (!is_empty) return true;
+        // All that it said the target does by itself.
+        if (batch_count > in_batch) --batch_count;
+        else waiting.pop_back();
+        if (options.trace) traces.pop_back();
+        return true;
+    }
     // A block that could not be finished is not delivered.
     if (batch_count > in_batch) batch_count = in_batch;
     else waiting.pop_back();
     return false;
 }
 
-bool Expander::State::fill_plan(const Instruction& instruction, const sema::Slot* registers,
-                                std::uint32_t at) {
-    const sema::Plan& plan = code.plans[static_cast<std::size_t>(instruction.immediate.pair.first)];
+bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instruction,
+                                const sema::Slot* registers, std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     Block& block = next_block(source);
     block.motion = plan.motion;
@@ -150,7 +173,24 @@ bool Expander::State::fill_plan(const Instruction& instruction, const sema::Slot
             if (plan.fillings[i].is_argument && !fill(block, plan.fillings[i], values[i], at))
                 return false;
         }
+        if (plan.customs != 0 && !adapt(block, plan, at)) [[unlikely]]
+            return false;
+        const Function motion = plan.motion != Function::None ? plan.motion : modal[Group::Motion];
         modal.take_functions(block);
+        if ((plan.customs & sema::custom::kMachineRapid) != 0 && motion != Function::Rapid) {
+            modal.active[static_cast<std::size_t>(Group::Motion)] = motion;
+            modal.restate_motion = true;
+        }
+    }
+    if ((plan.customs & sema::custom::kFeedCounts) != 0 &&
+        modal[Group::FeedMode] == Function::FeedPerRevolution) [[unlikely]] {
+        const auto feed = std::ranges::find(plan.fillings, Filling::Form::FeedBare, &Filling::form);
+        fault(diag::SourceNoPoint, feed == plan.fillings.end() ? at : word_of(*feed, at))
+            .arg("F")
+            .arg("the control of this source")
+            .arg("in hundredths of mm/rev")
+            .fix("write the point");
+        return false;
     }
     for (std::size_t i = 0; i < plan.fillings.size(); ++i) {
         if (!plan.fillings[i].is_argument && !fill(block, plan.fillings[i], values[i], at))
@@ -176,6 +216,14 @@ bool Expander::State::fill_plan(const Instruction& instruction, const sema::Slot
         block.motion = modal[Group::Motion];
         modal.restate_motion = false;
     }
+    if (recordings.empty()) {
+        if ((modal.is_edge_off || modal.is_feed_deleted) && !may_move(block, at)) [[unlikely]]
+            return false;
+        if (((modal.has_drift | modal.lost_drift) & block.given) != 0 &&
+            !adapt_increments(block, plan, at)) [[unlikely]]
+            return false;
+    }
+    if ((plan.customs & sema::custom::kReference) != 0) say_reference(block);
     if (modal.is_stretched && nc::is_arc(modal[Group::Motion]) &&
         (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0 &&
         modal.frame.is_stretched(modal[Group::Plane])) {
@@ -240,7 +288,8 @@ bool Expander::State::fill_feed(Block& block, const Filling& filling, double val
         not_given("F", word_of(filling, at));
         return false;
     }
-    if (!knows_feed_mode(word_of(filling, at))) return false;
+    if (modal.lost != 0 && !knows_feed_mode(word_of(filling, at))) [[unlikely]]
+        return false;
     const Function mode = modal[Group::FeedMode];
     Filling::Form form = filling.form;
     if (form == Filling::Form::Feed) {
@@ -291,7 +340,8 @@ bool Expander::State::fill_speed(Block& block, const Filling& filling, double va
         not_given("S", word_of(filling, at));
         return false;
     }
-    if (!knows_speed_mode(word_of(filling, at))) return false;
+    if (modal.lost != 0 && !knows_speed_mode(word_of(filling, at))) [[unlikely]]
+        return false;
     const bool is_cutting = modal[Group::SpeedMode] == Function::CuttingSpeedOn;
     Filling::Form form = filling.form;
     if (form == Filling::Form::Speed) {
@@ -489,15 +539,16 @@ void Expander::State::write_frame(const ProgramFrame& next, SourceId source, std
     // What is in force already need not be said anew, if nothing behind it has to go.
     const bool keeps_shift = from.shift == next.shift && from.is_shifted == next.is_shifted;
     const bool keeps_mirrors = !from.has_mirror() || from.is_mirrored == next.is_mirrored;
-    const bool adds_only = keeps_shift && keeps_mirrors && from.angle_deg == 0 &&
-                           !from.has_scale() && !is_lost;
+    const bool adds_only =
+        keeps_shift && keeps_mirrors && from.angle_deg == 0 && !from.has_scale() && !is_lost;
     if (!adds_only) {
         std::array<bool, 3> given = next.is_shifted;
         const bool is_zero = next.shift == std::array<double, 3>{};
         if (is_zero) given = none;
         // A component that was shifted before must be named to go back.
         else
-            for (std::size_t i = 0; i < 3; ++i) given[i] = given[i] || from.is_shifted[i] || is_lost;
+            for (std::size_t i = 0; i < 3; ++i)
+                given[i] = given[i] || from.is_shifted[i] || is_lost;
         add(Function::Shift, next.shift, given);
     }
     const auto add_rotation = [&] {
@@ -591,9 +642,8 @@ bool Expander::State::check_needs(std::uint32_t at) {
         const bool is_called = frames.size() > 1 && frame.return_to > 0;
         if (is_lost) {
             const std::string name(nc::info(needed).name);
-            tell_loss(is_called
-                          ? fault_in(diag::StateLost, frame.return_to - 1, frames.size() - 1)
-                          : fault(diag::StateLost, at),
+            tell_loss(is_called ? fault_in(diag::StateLost, frame.return_to - 1, frames.size() - 1)
+                                : fault(diag::StateLost, at),
                       "whether `" + name + "` is active, as `" + frame.function->name + "` needs,",
                       "say `" + name + "` before it");
             return false;

@@ -300,9 +300,8 @@ bool Expander::State::close_contour(std::uint32_t where) {
     return true;
 }
 
-bool Expander::State::keep_plan(const Instruction& instruction, const Slot* registers,
-                                std::uint32_t where) {
-    const sema::Plan& plan = code.plans[static_cast<std::size_t>(instruction.immediate.pair.first)];
+bool Expander::State::keep_plan(const sema::Plan& plan, const Instruction& instruction,
+                                const Slot* registers, std::uint32_t where) {
     for (const nc::Invocation& invocation : plan.functions) {
         switch (nc::info(invocation.function).group) {
             case Group::Plane:
@@ -312,7 +311,7 @@ bool Expander::State::keep_plan(const Instruction& instruction, const Slot* regi
                                     where);
         }
     }
-    return fill_plan(instruction, registers, where) && keep(kept_block, where);
+    return fill_plan(plan, instruction, registers, where) && keep(kept_block, where);
 }
 
 bool Expander::State::refuse_block(std::string_view what, std::uint32_t where) {
@@ -552,6 +551,10 @@ bool Expander::State::finish_followed(Block& block, const FollowedBlock& next,
             drop_block(block);
             return false;
         }
+    }
+    if (recordings.empty() && !may_move(block, where)) {
+        drop_block(block);
+        return false;
     }
     if ((modal.lost | modal.restate) != 0 && !settle_unknown(block, where)) {
         drop_block(block);

@@ -122,6 +122,23 @@ bool ProgramFrame::add_mirror(const std::array<bool, 3>& axes) {
     return true;
 }
 
+void ProgramFrame::remove_mirror(std::uint32_t axes) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (axes == 0 || (axes >> i & 1u) != 0) is_mirrored[i] = false;
+    }
+}
+
+bool ProgramFrame::differs(const ProgramFrame& other, std::size_t axis) const {
+    if (shift[axis] != other.shift[axis] || scale[axis] != other.scale[axis] ||
+        is_mirrored[axis] != other.is_mirrored[axis])
+        return true;
+    const auto turns = [axis](const ProgramFrame& frame) {
+        const PlaneAxes axes = axes_of(frame.plane);
+        return frame.angle_deg != 0 && (axis == axes.first || axis == axes.second);
+    };
+    return !(*this == other) && (turns(*this) || turns(other));
+}
+
 KnownPoint change_frame(const KnownPoint& point, const ProgramFrame& from, const ProgramFrame& to) {
     if (from == to) return point;
     KnownPoint result = point;

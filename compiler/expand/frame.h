@@ -32,6 +32,8 @@ struct ProgramFrame {
     bool has_scale() const { return scale != std::array<double, 3>{1, 1, 1}; }
     bool has_center() const { return center != std::array<double, 3>{}; }
     bool is_identity() const;
+    /// Whether the axis may have another coordinate in the other frame.
+    bool differs(const ProgramFrame& other, std::size_t axis) const;
     /// Whether circles of the plane become ellipses.
     bool is_stretched(nc::Function in_plane) const;
     /// The center as the innermost system of the control has it, scale and mirrors worked in.
@@ -48,6 +50,8 @@ struct ProgramFrame {
     void add_scale(const std::array<double, 3>& by, const std::array<double, 3>& about);
     /// Mirrors axes in the system reached so far; false: cannot be said as shift, rotate, mirror.
     bool add_mirror(const std::array<bool, 3>& axes);
+    /// Ends the mirroring of the axes of a mask, 0: of all.
+    void remove_mirror(std::uint32_t axes);
 
   private:
     void move_shift(const std::array<double, 3>& by);

@@ -1,20 +1,22 @@
 #include "expand/modal.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace kadr::expand {
 
 using nc::Function;
 using nc::Group;
 
-ModalState ModalState::at_start(sema::Units units) {
+ModalState ModalState::at_start(const sema::FunctionCode& entry) {
     ModalState state;
     const auto set = [&](Group group, Function function) {
         state.active[static_cast<std::size_t>(group)] = function;
     };
-    set(Group::Motion, Function::Rapid);
+    set(Group::Motion, entry.motion);
+    state.restate_motion = entry.motion != Function::Rapid;
     set(Group::Plane, Function::PlaneXy);
-    set(Group::Units, units == sema::Units::Inch ? Function::Inch : Function::Metric);
+    set(Group::Units, entry.units == sema::Units::Inch ? Function::Inch : Function::Metric);
     set(Group::Distance, Function::Absolute);
     set(Group::FeedMode, Function::FeedPerMinute);
     set(Group::SpeedMode, Function::CuttingSpeedOff);
@@ -36,6 +38,8 @@ void ModalState::set_frame(const ProgramFrame& next, SourceId source) {
     }
     const KnownPoint moved = change_frame(point, frame, next);
     for (std::size_t i = 0; i < 3; ++i) {
+        if (next.differs(frame, i))
+            note_drift(i, point.is_known[i] && moved.is_known[i], moved.value[i] - position[i]);
         position[i] = moved.value[i];
         const auto bit = static_cast<AxisMask>(1u << i);
         known = static_cast<AxisMask>(moved.is_known[i] ? known | bit : known & ~bit);
@@ -44,6 +48,25 @@ void ModalState::set_frame(const ProgramFrame& next, SourceId source) {
     frame = next;
     is_stretched = next.scale[0] != next.scale[1] || next.scale[1] != next.scale[2];
     frame_by = source;
+}
+
+void ModalState::note_drift(std::size_t axis, bool is_known, double by) {
+    constexpr double kRounding = 1e-9;  // mm: what a frame and its end leave of a coordinate
+    const auto bit = static_cast<AxisMask>(1u << axis);
+    // Frames move X by its radius.
+    if (!is_known || (axis == 0 && is_diameter)) lost_drift |= bit;
+    drift[axis] += by;
+    if (std::fabs(drift[axis]) < kRounding) drift[axis] = 0;
+    has_drift = static_cast<AxisMask>(drift[axis] != 0 ? has_drift | bit : has_drift & ~bit);
+}
+
+/// The axes have gone where a word of theirs says.
+void ModalState::forget_drift(AxisMask axes) {
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        if ((axes >> i & 1u) != 0) drift[i] = 0;
+    }
+    has_drift &= static_cast<AxisMask>(~axes);
+    lost_drift &= static_cast<AxisMask>(~axes);
 }
 
 void ModalState::set_position(const nc::Block& block, const nc::Invocation& invocation) {
@@ -95,11 +118,17 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
                 known &= ~kLinearXYZ;  // the control's alarm, or a mirror
                 return;
             }
+            if (!next.has_scale()) unscaled = next;
             next.add_scale(factors, values);
+            if (!frame.has_scale()) scaled = next;
             set_frame(next, block.source);
             return;
         }
         case Function::ScaleOff:
+            if (next.has_scale() && knows_unscaled()) {
+                set_frame(unscaled, block.source);
+                return;
+            }
             // Where its center was is forgotten.
             if (next.has_scale()) known &= ~kLinearXYZ;
             next.scale = {1, 1, 1};
@@ -116,33 +145,51 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
             set_frame(next, block.source);
             return;
         case Function::MirrorOff:
-            next.is_mirrored = {};
+            next.remove_mirror(invocation.given);
             set_frame(next, block.source);
             return;
         case Function::ReferencePoint:
+            forget_drift(static_cast<AxisMask>(invocation.given >> 1 & kLinearXYZ));
+            known = 0;
+            return;
         case Function::ReferenceReturn: known = 0; return;
         case Function::SetPosition: set_position(block, invocation); return;
+        case Function::DiameterOn:
+        case Function::DiameterOff:
+            is_diameter = invocation.function == Function::DiameterOn;
+            lost_drift |= has_drift & 1u;
+            return;
         case Function::WorkOffset:
             if ((*this)[Group::WorkOffsets] != Function::WorkOffset ||
                 work_offset != block.argument(invocation, 0)) {
                 known = 0;
+                lost_drift = static_cast<AxisMask>((1u << kAxes) - 1u);
             }
             work_offset = block.argument(invocation, 0);
+            due_offset = 0;
             break;
         case Function::LengthCompOn:
             has_length_offset = (invocation.given & 1u) != 0;
             length_offset = block.argument(invocation, 0);
             break;
         case Function::Tool:
-            has_tool = true;
-            tool = block.argument(invocation, 0);
+            has_tool = has_tool_in = true;
+            tool = tool_in = block.argument(invocation, 0);
             known = 0;  // the changer stands somewhere else
+            lost_drift |= has_drift;
             return;
         case Function::ToolSelect:
             has_tool = true;
             tool = block.argument(invocation, 0);
             return;
-        case Function::ToolChange: known = 0; return;
+        case Function::ToolChange: {
+            const nc::Invocation* select = block.find(Function::ToolSelect);
+            has_tool_in = has_tool || select != nullptr;
+            tool_in = select != nullptr ? block.argument(*select, 0) : tool;
+            known = 0;
+            lost_drift |= has_drift;
+            return;
+        }
         case Function::End:
         case Function::EndRewind:
             has_ended = block.skip < 0;
@@ -175,6 +222,7 @@ void ModalState::take_words(const nc::Block& block) {
     if (block.has(nc::Slot::Feed)) {
         feed = block.at(nc::Slot::Feed);
         has_feed = true;
+        is_feed_deleted = false;
         feed_by = block.source;
         lost &= ~sema::kFeedBit;
         if (block.skip < 0) restate &= ~sema::kFeedBit;
@@ -188,6 +236,7 @@ void ModalState::take_words(const nc::Block& block) {
     }
     nc::SlotMask targets = block.given & nc::kTargetSlots;
     if (targets == 0) return;
+    if ((has_drift | lost_drift) != 0) forget_drift(static_cast<AxisMask>(targets));
     const bool modal_incremental = (*this)[Group::Distance] == Function::Incremental;
     const bool is_machine =
         block.function_count > 0 && (block.find(Function::MachineCoordinates) != nullptr ||

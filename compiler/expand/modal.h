@@ -27,17 +27,30 @@ struct ModalState {
     double feed = 0;  // as in Block
     double speed = 0;
     bool has_tool = false;
-    double tool = 0;
+    double tool = 0;  // that was called last
+    bool has_tool_in = false;
+    double tool_in = 0;     // that was changed in last
     AxisValues position{};  // in the programmable frame, mm, degrees
     AxisMask known = 0;     // which of them are known
+    // Position less the coordinate that was programmed last: what changes of the frame have made
+    // of it since. Some controls travel it with the next increment.
+    AxisValues drift{};
+    AxisMask has_drift = 0;    // of which axes it is not 0
+    AxisMask lost_drift = 0;   // … and of which it is not known
+    bool is_diameter = false;  // words of X
     ProgramFrame frame;
     bool is_stretched = false;  // the frame makes ellipses of the circles of some plane
+    ProgramFrame scaled;        // the frame behind a scale in one that had none …
+    ProgramFrame unscaled;      // … and that one: what is left when the scale is deleted
     SourceId frame_by;
     SourceId feed_by;
     SourceId speed_by;
-    bool restate_motion = false;  // after a native cycle
-    sema::ModalMask lost = 0;     // what something has made unknown: it must be said again
-    SourceId lost_by;             // statement that did so last
+    bool restate_motion = false;   // after a native cycle
+    int due_offset = 0;            // of the control of a source, to be said before the first move
+    bool is_edge_off = false;      // `D0` of a source that counts edges: no tool length
+    bool is_feed_deleted = false;  // by a feed mode of a source whose control does that
+    sema::ModalMask lost = 0;      // what something has made unknown: it must be said again
+    SourceId lost_by;              // statement that did so last
     Loss lost_in = Loss::RawText;
     sema::ModalMask restate = 0;    // set by a block that may be left out: the output says it again
     bool spindle_in_doubt = false;  // likewise, but the operator's choice
@@ -49,7 +62,7 @@ struct ModalState {
     }
 
     /// The state in which every Kadr program begins.
-    static ModalState at_start(sema::Units units);
+    static ModalState at_start(const sema::FunctionCode& entry);
     /// What the functions of a block do.
     void take_functions(const nc::Block& block);
     /// … and then its words.
@@ -63,10 +76,14 @@ struct ModalState {
     /// What of the mask is not known is as it was before: somebody has promised it.
     void trust(const ModalState& before, sema::ModalMask mask);
     void set_frame(const ProgramFrame& frame, SourceId source);
+    /// Whether it is known what is left of the frame without its scale.
+    bool knows_unscaled() const { return !frame.has_scale() || frame == scaled; }
 
   private:
     void take(const nc::Block& block, const nc::Invocation& invocation);
     void set_position(const nc::Block& block, const nc::Invocation& invocation);
+    void note_drift(std::size_t axis, bool is_known, double by);
+    void forget_drift(AxisMask axes);
 };
 
 /// Groups of the mask whose state differs, F and S and frames included.

@@ -193,7 +193,9 @@ bool Expander::State::start(std::string_view name, const std::vector<sema::Defin
     if (function == nullptr) return false;
     reserve_stack(std::max(kFirstStack, std::size_t{code.globals} + function->registers +
                                             code.functions[0].registers + 16));
-    modal = ModalState::at_start(function->units);
+    modal = ModalState::at_start(*function);
+    if (function->work_offset != target.first_work_offset())
+        modal.due_offset = function->work_offset;
     bool is_good = true;
     std::uint32_t given = 0;
     for (const sema::Define& define : defines) {
@@ -256,7 +258,7 @@ bool Expander::State::start_cycle(std::string_view name, std::span<const double>
     reserve_stack(std::max(kFirstStack, std::size_t{code.globals} + function.registers +
                                             code.functions[0].registers + 16));
     options.native_cycles = false;  // this is the body of a native one
-    modal = ModalState::at_start(function.units);
+    modal = ModalState::at_start(function);
     modal.position = position;
     modal.known = static_cast<AxisMask>((1u << kAxes) - 1u);
     modal.has_feed = feed > 0;

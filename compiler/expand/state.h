@@ -106,6 +106,8 @@ struct Expander::State {
     void run();
     void reserve_stack(std::size_t slots);
     std::int64_t make_fixed(std::uint32_t layout, std::int64_t count);
+    bool read_image(const sema::PictureSource& source, Slot path, std::uint32_t at, Slot* image);
+    void make_image(const sema::PictureSource& source, const sema::Picture& picture, Slot* image);
     bool read_table(const sema::TableSchema& schema, Slot path, std::uint32_t at, Slot& table);
     std::int64_t make_table(const sema::TableSchema& schema, const sema::TableRows& rows);
     void collect_garbage(const Slot* registers);
@@ -116,7 +118,34 @@ struct Expander::State {
     /// Takes back the block that was made last: it could not be finished.
     void drop_block(const nc::Block& block);
     bool emit(const Instruction& instruction, const Slot* registers, std::uint32_t at);
-    bool fill_plan(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    bool emit_block(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
+                    std::uint32_t at);
+    bool fill_plan(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
+                   std::uint32_t at);
+
+    // ---- input.cpp: what the control of the input dialect would have done
+    /// Whether a function of the plan has no word in the target, but a frame says the same.
+    bool needs_frame(const sema::Plan& plan) const;
+    bool read_arguments(const sema::Plan& plan, std::size_t invocation,
+                        const Instruction& instruction, const Slot* registers, std::uint32_t at,
+                        std::array<double, 4>& values, std::array<bool, 4>& given);
+    bool emit_frame(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
+                    std::uint32_t at);
+    /// Arguments are in the block; the modal state is that before it.
+    bool adapt(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
+    bool adapt_shift(nc::Block& block, nc::Invocation& shift);
+    bool adapt_machine(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
+    bool is_frame_free(nc::Function function, std::uint32_t at);
+    void say_offset(const sema::Plan& plan, const Instruction& instruction, std::uint32_t at);
+    /// Whether the block may move, with the tool length and the feed that act.
+    bool may_move(const nc::Block& block, std::uint32_t at);
+    bool adapt_increments(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
+    void center_unknown(nc::Function function, std::size_t axis, std::uint32_t at);
+    bool complete_center(nc::Block& block, nc::Invocation& invocation, std::uint32_t at);
+    void say_reference(nc::Block& block);
+    bool take_offsets_as_edges(nc::Block& block, std::uint32_t at);
+    bool take_edges_as_offsets(nc::Block& block, std::uint32_t at);
+
     std::uint32_t word_of(const sema::Filling& filling, std::uint32_t at) const;
     bool fill(nc::Block& block, const sema::Filling& filling, Slot value, std::uint32_t at);
     bool fill_feed(nc::Block& block, const sema::Filling& filling, double value, std::uint32_t at);
@@ -162,7 +191,8 @@ struct Expander::State {
     void begin_contour();
     bool close_contour(std::uint32_t at);
     std::int64_t end_contour(std::uint32_t layout);
-    bool keep_plan(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    bool keep_plan(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
+                   std::uint32_t at);
     bool keep(const nc::Block& block, std::uint32_t at);
     bool refuse_block(std::string_view what, std::uint32_t at);
     /// What `follow` travels: beside the contour, leads included. Nothing: reported.
@@ -233,7 +263,7 @@ struct Expander::State {
         ModalState before;
     };
     std::vector<OpenWith> withs;
-    std::vector<OpenWith> promises;  // of `preserves`
+    std::vector<OpenWith> promises;      // of `preserves`
     std::vector<std::uint32_t> doubted;  // raw texts inside of them that have been reported
 
     /// A contour whose blocks are being kept.

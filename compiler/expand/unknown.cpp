@@ -1,6 +1,6 @@
-// unknown.cpp — modal state that is not known: behind raw text, behind a block that the operator may
-// leave out. What needs it is said again, by the output where the program has said it, else by the
-// author.
+// unknown.cpp — modal state that is not known: behind raw text, behind a block that the operator
+// may leave out. What needs it is said again, by the output where the program has said it, else by
+// the author.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -46,7 +46,8 @@ bool has_group(const Block& block, Group group) {
 void ModalState::forget(SourceId source) {
     known = 0;
     active.fill(Function::None);
-    has_feed = has_speed = has_tool = has_length_offset = false;
+    has_feed = has_speed = has_tool = has_tool_in = has_length_offset = false;
+    lost_drift |= has_drift;
     restate_motion = false;
     has_ended = spindle_in_doubt = false;
     restate = 0;
@@ -153,10 +154,9 @@ bool Expander::State::knows_state(const Block& block, std::uint32_t at) {
                              block.find(Function::RadiusCompLeft) != nullptr ||
                              block.find(Function::RadiusCompRight) != nullptr;
     if (needs_plane && lacks(Group::Plane)) return state_lost("the plane", kPlaneFix, at);
-    const bool needs_frame = block.find(Function::ShiftAdd) != nullptr ||
-                             block.find(Function::Rotate) != nullptr ||
-                             block.find(Function::Scale) != nullptr ||
-                             block.find(Function::Mirror) != nullptr;
+    const bool needs_frame =
+        block.find(Function::ShiftAdd) != nullptr || block.find(Function::Rotate) != nullptr ||
+        block.find(Function::Scale) != nullptr || block.find(Function::Mirror) != nullptr;
     if (needs_frame && (modal.lost & sema::kFrameBit) != 0)
         return state_lost("the frame", kFrameFix, at);
     const bool needs_feed = moves(block) && is_cut(motion) && recordings.empty();
@@ -170,11 +170,10 @@ bool Expander::State::knows_for_cycle(const sema::FunctionCode& cycle, std::uint
     if ((modal.lost & group_bit(Group::Distance)) != 0)
         return state_lost("whether coordinates are absolute", kDistanceFix, at);
     if ((modal.lost & group_bit(Group::Plane)) != 0) return state_lost("the plane", kPlaneFix, at);
-    const auto feed =
-        std::ranges::find(cycle.parameters, sema::ParameterInfo::Kind::Feed,
-                          &sema::ParameterInfo::kind);
-    const bool lacks_feed = feed != cycle.parameters.end() &&
-                            (given >> (feed - cycle.parameters.begin()) & 1u) == 0;
+    const auto feed = std::ranges::find(cycle.parameters, sema::ParameterInfo::Kind::Feed,
+                                        &sema::ParameterInfo::kind);
+    const bool lacks_feed =
+        feed != cycle.parameters.end() && (given >> (feed - cycle.parameters.begin()) & 1u) == 0;
     if (lacks_feed && (modal.lost & sema::kFeedBit) != 0)
         return state_lost("the feed", "say F before it", at);
     return true;

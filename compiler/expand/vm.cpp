@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "expand/state.h"
 #include "sema/csv.h"
+#include "sema/picture.h"
 
 namespace kadr::expand {
 
@@ -84,6 +85,32 @@ std::int64_t Expander::State::make_fixed(std::uint32_t layout, std::int64_t coun
     }
     for (std::int64_t i = 0; i < count; ++i) heap.append(array, element.data());
     return array;
+}
+
+void Expander::State::make_image(const sema::PictureSource& source, const sema::Picture& picture,
+                                 Slot* image) {
+    const std::int64_t dots = heap.new_array(source.layout);
+    for (const double brightness : picture.brightness) {
+        Slot dot{};
+        dot.number = brightness;
+        heap.append(dots, &dot);
+    }
+    image[source.width].integer = static_cast<std::int64_t>(picture.width);
+    image[source.height].integer = static_cast<std::int64_t>(picture.height);
+    image[source.dots].integer = dots;
+}
+
+bool Expander::State::read_image(const sema::PictureSource& source, Slot path, std::uint32_t at,
+                                 Slot* image) {
+    const std::optional<sema::Picture> picture =
+        sema::read_picture(source.folder, heap.text(path.integer), code.places[at], sink);
+    if (!picture) {
+        has_failed = true;
+        is_running = false;
+        return false;
+    }
+    make_image(source, *picture, image);
+    return true;
 }
 
 bool Expander::State::read_table(const sema::TableSchema& schema, Slot path, std::uint32_t at,
@@ -818,6 +845,24 @@ op_LoadTable : {
         goto too_many_elements;
     KADR_NEXT;
 }
+op_LoadImage : {
+    if (heap.is_full()) [[unlikely]]
+        collect_garbage(r);
+    const sema::PictureSource& source =
+        code.pictures[static_cast<std::size_t>(ip->immediate.pair.first)];
+    make_image(source, source.picture, &A);
+    if (heap.elements() > options.limits.array_elements) [[unlikely]]
+        goto too_many_elements;
+    KADR_NEXT;
+}
+op_ReadImage:
+    if (heap.is_full()) [[unlikely]]
+        collect_garbage(r);
+    if (!read_image(code.pictures[static_cast<std::size_t>(ip->immediate.pair.first)], B, AT, &A))
+        goto stop;
+    if (heap.elements() > options.limits.array_elements) [[unlikely]]
+        goto too_many_elements;
+    KADR_NEXT;
 op_ReadTable:
     if (heap.is_full()) [[unlikely]]
         collect_garbage(r);

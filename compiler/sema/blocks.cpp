@@ -1,6 +1,7 @@
 // blocks.cpp — NC blocks in the source: words become a plan with values to fill in.
 #include <algorithm>
 
+#include "base/diagnostics/dialect.h"
 #include "base/diagnostics/sema.h"
 #include "base/numbers.h"
 #include "sema/checker.h"
@@ -53,13 +54,106 @@ void Checker::check_units_words(const nc::BlockPlan& plan, std::span<const Word>
         if (function != nc::Function::Inch && function != nc::Function::Metric) continue;
         SourceRange range = words[0].range;
         for (const Word& word : words) {
-            const bool is_units =
-                text(word.address) == "G" &&
-                (word.number == 20 || word.number == 21 || word.number == 70 || word.number == 71);
+            const bool is_units = text(word.address) == "G" &&
+                                  (word.number == 20 || word.number == 21 || word.number == 70 ||
+                                   word.number == 71 || word.number == 700 || word.number == 710);
             if (is_units) range = word.range;
         }
         check_units_function(function, range);
+        if (function == nc::Function::Inch && units_ == Units::Inch && plan.feed_stays_metric) {
+            report(diag::SourceFeedMetric, range)
+                .arg(sources_.text(range))
+                .fix("say the function that holds for feeds as well, `G700`");
+        }
     }
+}
+
+bool Checker::has_point(const Word& word) const {
+    const std::string_view written = sources_.text(word.range);
+    return written.find_first_of(".eE", text(word.address).size()) != std::string_view::npos;
+}
+
+bool Checker::check_points(const nc::BlockPlan& plan, std::span<const Word> words) {
+    const nc::Dialect& dialect = *modules_[module_].dialect;
+    bool is_good = true;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const Word& word = words[i];
+        const bool is_plain = word.form == Word::Form::Literal && word.unit == syntax::Unit::None;
+        if (!is_plain || word.number == 0 || has_point(word)) continue;
+        const bool is_factor = std::ranges::any_of(plan.holes, [i](const nc::Hole& hole) {
+            return hole.word == i && hole.dimension == nc::Dimension::Factor;
+        });
+        if (is_factor) continue;  // in thousandths, without a point
+        const std::string_view address = text(word.address);
+        const double one = nc::plain_number(dialect, address, units_ == Units::Inch).time;
+        if (one == 1) continue;
+        std::string means;
+        append_shortest(means, word.number * one);
+        report(diag::SourceNoPoint, word.range)
+            .arg(word_text(word))
+            .arg(dialect.name())
+            .arg(means)
+            .fix(word.range, word_text(word) + '.', "write the point");
+        is_good = false;
+    }
+    return is_good;
+}
+
+std::uint16_t Checker::customs_of(const Plan& plan, std::span<const Word> words) const {
+    const nc::Dialect& dialect = *modules_[module_].dialect;
+    std::uint16_t customs = 0;
+    const auto add = [&](bool is_so, std::uint16_t bit) {
+        if (is_so) customs = static_cast<std::uint16_t>(customs | bit);
+    };
+    for (const nc::Invocation& invocation : plan.functions) {
+        const nc::Group group = nc::info(invocation.function).group;
+        add(group == nc::Group::CycleMode || group == nc::Group::CycleReturn, custom::kCycleWords);
+        add(invocation.function == nc::Function::MirrorOff, custom::kMirrorAxes);
+    }
+    if (dialect.is_core()) return customs;
+    add(dialect.has_rule("incremental_frame", "traversed"), custom::kIncrementTravels);
+    for (const nc::Invocation& invocation : plan.functions) {
+        using nc::Function;
+        add(dialect.has_rule("rotation_is_innermost"), custom::kFrameOrder);
+        const bool by_tool = dialect.counts_offsets_by_tool();
+        switch (invocation.function) {
+            case Function::Shift:
+                add(dialect.has_rule("shift_keeps_unnamed"), custom::kShiftKeeps);
+                break;
+            case Function::Rotate:
+                add(dialect.has_rule("rotate_replaces"), custom::kRotateReplaces);
+                add(dialect.has_rule("frame_center_at_tool"), custom::kCenterAtTool);
+                break;
+            case Function::Scale:
+                add(dialect.has_rule("frame_center_at_tool"), custom::kCenterAtTool);
+                break;
+            case Function::FeedPerMinute:
+            case Function::FeedPerRevolution:
+            case Function::FeedInverseTime:
+                add(dialect.has_rule("feed_deleted_on_mode_change"), custom::kFeedDeleted);
+                break;
+            case Function::MachineCoordinates:
+                add(dialect.has_rule("machine_coordinates_rapid"), custom::kMachineRapid);
+                add(dialect.has_rule("machine_coordinates_keep_length"), custom::kMachineLength);
+                break;
+            case Function::LengthCompOn:
+            case Function::LengthCompOff:
+            case Function::RadiusOffset:
+            case Function::ToolEdge:
+            case Function::ToolChange:
+                add(true, by_tool ? custom::kOffsetsByTool : custom::kEdges);
+                break;
+            case Function::ReferenceReturn: add(true, custom::kReference); break;
+            default: break;
+        }
+    }
+    for (const Word& word : words) {
+        const bool is_plain = word.form == Word::Form::Literal && word.unit == syntax::Unit::None;
+        if (!is_plain || text(word.address) != "F" || has_point(word)) continue;
+        add(nc::plain_number(dialect, "F", units_ == Units::Inch).revolution != 1,
+            custom::kFeedCounts);
+    }
+    return customs;
 }
 
 /// Whole numbers that the planner has put into the block itself: `T1.5` is no tool.
@@ -259,7 +353,7 @@ std::string key_of(const Plan& plan) {
     for (const std::int64_t part :
          {std::int64_t(plan.motion), std::int64_t(plan.given), std::int64_t(plan.incremental),
           std::int64_t(plan.absolute), std::int64_t(plan.argument_count), std::int64_t(plan.skip),
-          std::int64_t(plan.cycle), std::int64_t(plan.number)}) {
+          std::int64_t(plan.cycle), std::int64_t(plan.number), std::int64_t(plan.customs)}) {
         append_key(key, part);
     }
     for (const nc::Invocation& invocation : plan.functions) {
@@ -325,24 +419,31 @@ bool is_stop(nc::Function function) {
     return function == nc::Function::SpindleStop || function == nc::Function::CoolantOff;
 }
 
-/// Takes M5 and M9 out of a block that moves. Controls differ in whether these act before the
-/// motion or after it; in the language they act after it, so they get a block of their own behind
-/// it.
-Plan take_stops(Plan& plan) {
-    Plan stops;
-    stops.skip = plan.skip;
+/// `ROT`, `SCALE` and `MIRROR` of some controls delete the frame before they make their own: that
+/// is a block by itself.
+bool deletes_frame(const Plan& plan, const nc::Invocation& invocation) {
+    return invocation.function == nc::Function::Shift && plan.functions.size() > 1;
+}
+
+/// Takes functions without arguments out of a block, into one of their own. M5 and M9: controls
+/// differ in whether these act before the motion or after it; in the language they act after it.
+template <typename Asked>
+Plan take_functions(Plan& plan, Asked is_asked) {
+    Plan taken;
+    taken.skip = plan.skip;
+    taken.customs = plan.customs;
     for (std::size_t i = 0; i < plan.functions.size();) {
-        if (!is_stop(plan.functions[i].function)) {
+        if (!is_asked(plan.functions[i])) {
             ++i;
             continue;
         }
-        stops.functions.push_back(plan.functions[i]);
+        taken.functions.push_back(plan.functions[i]);
         plan.functions.erase(plan.functions.begin() + static_cast<std::ptrdiff_t>(i));
         for (Filling& filling : plan.fillings) {
             if (filling.is_argument && filling.invocation > i) --filling.invocation;
         }
     }
-    return stops;
+    return taken;
 }
 
 }  // namespace
@@ -368,6 +469,7 @@ bool Checker::emit_words(std::span<const Word> words, ExprId point, const Source
     Plan plan;
     if (!words.empty()) {
         planned = plan_words(words);
+        if (planned && !check_points(*planned, words)) planned.reset();
         if (!planned) {
             for (const Word& word : words) {
                 if (word.value.is_valid()) expression(word.value);
@@ -378,6 +480,7 @@ bool Checker::emit_words(std::span<const Word> words, ExprId point, const Source
         check_units_words(*planned, words);
         check_counts(*planned, words);
         plan = compact(*planned);
+        plan.customs = customs_of(plan, words);
         plan.skip = skip;
         if (skip >= 0) check_skipped(plan, words);
     }
@@ -406,9 +509,21 @@ bool Checker::emit_words(std::span<const Word> words, ExprId point, const Source
     const auto is_target = [](const Filling& f) { return !f.is_argument && f.place < kAxes; };
     const bool moves = point_register != 0 || (plan.given & nc::kTargetSlots) != 0 ||
                        std::any_of(plan.fillings.begin(), plan.fillings.end(), is_target);
-    Plan stops = moves ? take_stops(plan) : Plan{};
+    const Plan deletion = take_functions(
+        plan, [&](const nc::Invocation& invocation) { return deletes_frame(plan, invocation); });
+    if (!deletion.functions.empty()) emit_plan(deletion, first, 0, range);
+    Plan stops;
+    if (moves) {
+        stops = take_functions(
+            plan, [](const nc::Invocation& invocation) { return is_stop(invocation.function); });
+    }
+    // … unless the source is written for a control on which they act before.
+    const nc::Dialect& dialect = *modules_[module_].dialect;
+    const bool is_before = !dialect.is_core() && !dialect.has_rule("stops_after_motion");
+    const bool has_stops = !stops.functions.empty();
+    if (has_stops && is_before) emit_plan(stops, first, 0, range);
     emit_plan(std::move(plan), first, point_register, range);
-    if (!stops.functions.empty()) emit_plan(std::move(stops), first, 0, range);
+    if (has_stops && !is_before) emit_plan(std::move(stops), first, 0, range);
     emit_.release_to(mark);
     return true;
 }

@@ -15,13 +15,13 @@ using syntax::ExprKind;
 
 namespace {
 
-constexpr std::array<std::string_view, 41> kNames = {
-    "abs",           "acos",   "asin",    "atan",         "atan2",    "attempt", "cbrt",
-    "ceil",          "cos",    "dialect", "dialects",     "distance", "execute", "exp",
-    "expect_error",  "floor",  "follow",  "follow_start", "hypot",    "inside",  "int",
-    "intersections", "ln",     "log",     "log10",        "max",      "min",     "mod",
-    "nearest",       "offset", "pow",     "real",         "reverse",  "round",   "sign",
-    "sin",           "sqrt",   "table",   "tan",          "text",     "trunc",
+constexpr std::array<std::string_view, 42> kNames = {
+    "abs",          "acos",          "asin",    "atan",         "atan2",    "attempt", "cbrt",
+    "ceil",         "cos",           "dialect", "dialects",     "distance", "execute", "exp",
+    "expect_error", "floor",         "follow",  "follow_start", "hypot",    "image",   "inside",
+    "int",          "intersections", "ln",      "log",          "log10",    "max",     "min",
+    "mod",          "nearest",       "offset",  "pow",          "real",     "reverse", "round",
+    "sign",         "sin",           "sqrt",    "table",        "tan",      "text",    "trunc",
 };
 
 }  // namespace
@@ -325,9 +325,9 @@ struct MathRow {
     Math function;
 };
 constexpr MathRow kOneNumber[] = {
-    {"abs", Math::Abs},      {"sign", Math::Sign}, {"asin", Math::AsinDeg}, {"acos", Math::AcosDeg},
-    {"atan", Math::AtanDeg}, {"exp", Math::Exp},   {"ln", Math::Ln},        {"log", Math::Ln},
-    {"log10", Math::Log10},
+    {"abs", Math::Abs},      {"sign", Math::Sign},    {"asin", Math::AsinDeg},
+    {"acos", Math::AcosDeg}, {"atan", Math::AtanDeg}, {"exp", Math::Exp},
+    {"ln", Math::Ln},        {"log", Math::Ln},       {"log10", Math::Log10},
 };
 
 }  // namespace
@@ -380,6 +380,12 @@ std::optional<Value> Checker::builtin(std::string_view name, const Expr& expr, R
         if (!count_arguments(expr, name, 1, 1)) return error_value();
         const ExprId item = ast().exprs(expr.list)[0];
         return text_of(require_given(expression(item), ast()[item].range, {}), ast()[item].range);
+    }
+    if (name == "image") {
+        report(diag::ImageType, expr.range)
+            .arg("image(…)")
+            .fix("name the struct that takes it: `image<picture>(…)`");
+        return error_value();
     }
     if (name == "distance") return distance_call(expr);
     return std::nullopt;

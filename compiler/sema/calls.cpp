@@ -2,10 +2,12 @@
 // arrays, tables.
 #include <algorithm>
 
+#include "base/diagnostics/dialect.h"
 #include "base/diagnostics/sema.h"
 #include "base/text.h"
 #include "sema/checker.h"
 #include "sema/csv.h"
+#include "sema/picture.h"
 
 namespace kadr::sema {
 
@@ -43,6 +45,17 @@ Value Checker::call(ExprId id, Reg hint) {
         return error_value();
     }
     if (is_lost(name)) return error_value();
+    // `MSG("…")` and `CYCLE81(…)`, as the control of the input dialect has them.
+    const nc::CallMeaning meaning = nc::call_meaning(*modules_[module_].dialect, name);
+    if (meaning.function == nc::Function::Cycle) {
+        report(diag::SourceCycle, callee.range)
+            .arg(name)
+            .fix("call the library's `" + modules_[module_].dialect->cycles()[meaning.cycle].name +
+                 "` at each place: it is written as the control's own cycle");
+        return error_value();
+    }
+    if (meaning.function != nc::Function::None)
+        return call_vocabulary(nc::info(meaning.function), expr);
     auto builder = report(diag::UnknownFunction, callee.range);
     builder.arg(name);
     const std::vector<std::string_view> names = known_names(true);
@@ -203,8 +216,16 @@ Value Checker::call_vocabulary(const nc::FunctionInfo& info, const Expr& expr) {
             filling.form = Filling::Form::Text;
         } else {
             const Reg inner = emit_.mark();
-            filling = fill_value(expression((*bound)[i]), parameter.dimension, range,
-                                 parameter.name, reg);
+            Value value = expression((*bound)[i]);
+            // `mirror(x: true)`: the axis is named, at 0.
+            const bool is_named = value.is_constant() && kind(value.type) == Kind::Bool &&
+                                  parameter.dimension == nc::Dimension::Length;
+            if (is_named && value.constant.integer == 0) {
+                emit_.release_to(inner);
+                continue;
+            }
+            if (is_named) value = constant_number(0, types::kReal);
+            filling = fill_value(value, parameter.dimension, range, parameter.name, reg);
             emit_.release_to(inner);
         }
         filling.is_argument = true;
@@ -372,7 +393,69 @@ void Checker::add_columns(TableSchema& schema, Type type, const std::string& pre
     }
 }
 
+/// Where names of files in the present file are relative to; ends in a slash or is empty.
+std::string Checker::folder_of_file() const {
+    const std::string_view file = sources_.name(ast().file);
+    const std::size_t slash = file.find_last_of("/\\");
+    return slash == std::string_view::npos ? "" : std::string(file.substr(0, slash + 1));
+}
+
+/// `image<picture>("part.pgm")`: a struct of width, height and brightness.
+Value Checker::image_call(const Expr& expr) {
+    if (!count_arguments(expr, "image", 1, 1)) return error_value();
+    const Type type = resolve_type(expr.type);
+    if (kind(type) == Kind::Error) return error_value();
+    PictureSource source;
+    if (!is_picture(type, source)) {
+        report(diag::ImageType, expr.range).arg(type_name(type));
+        return error_value();
+    }
+    const ExprId item = ast().exprs(expr.list)[0];
+    const ExprId argument = ast()[item].kind == ExprKind::Argument ? ast()[item].child[0] : item;
+    source.folder = folder_of_file();
+    source.layout = layout_constant(types::kReal);
+    const Value path =
+        convert(expression(argument, types::kString), types::kString, ast()[argument].range, {});
+    if (is_error(path)) return path;
+    const Reg reg = emit_.take(type_info(type).slots);
+    const auto index = static_cast<std::int64_t>(code_->pictures.size());
+    if (path.is_constant()) {
+        const std::string name = code_->texts[static_cast<std::size_t>(path.constant.integer)];
+        std::optional<Picture> picture =
+            read_picture(source.folder, name, ast()[argument].range, sink_);
+        if (!picture) return error_value();
+        source.picture = std::move(*picture);
+        emit_.emit_pair(Op::LoadImage, reg, 0, 0, index);
+    } else {
+        const Reg name = in_register(path);
+        emit_.emit_pair(Op::ReadImage, reg, name, 0, index);
+    }
+    code_->pictures.push_back(std::move(source));
+    Value value = in_registers(type, reg);
+    value.is_fresh = true;
+    return value;
+}
+
+/// Whether a struct has `int width`, `int height`, `real[] dots` and nothing else; notes where.
+bool Checker::is_picture(Type type, PictureSource& source) const {
+    if (kind(type) != Kind::Struct) return false;
+    const StructInfo& info = types_.struct_of(type);
+    unsigned found = 0;
+    for (const Member& member : info.members) {
+        const TypeInfo& member_type = type_info(member.type);
+        const bool is_count = member_type.kind == Kind::Int && !member_type.is_optional;
+        const bool is_dots = member_type.kind == Kind::Array && member_type.count < 0 &&
+                             member_type.element == types::kReal;
+        const auto at = static_cast<std::uint16_t>(member.offset);
+        if (member.name == "width" && is_count) source.width = at, found |= 1u;
+        if (member.name == "height" && is_count) source.height = at, found |= 2u;
+        if (member.name == "dots" && is_dots) source.dots = at, found |= 4u;
+    }
+    return found == 7u && info.members.size() == 3;
+}
+
 Value Checker::table(const Expr& expr) {
+    if (text(expr.text) == "image") return image_call(expr);
     if (text(expr.text) != "table") {
         report(diag::UnknownFunction, expr.range).arg(text(expr.text)).fix("did you mean `table`?");
         return error_value();
@@ -392,9 +475,7 @@ Value Checker::table(const Expr& expr) {
     schema.layout = layout_constant(row);
     schema.slots = type_info(row).slots;
     schema.units = units_;
-    const std::string_view file = sources_.name(ast().file);
-    const std::size_t slash = file.find_last_of("/\\");
-    schema.folder = slash == std::string_view::npos ? "" : std::string(file.substr(0, slash + 1));
+    schema.folder = folder_of_file();
     // Enums must be known where the table is read, which may be before the check is over.
     std::vector<EnumNames> enums;
     for (std::size_t i = 0; i < types_.enum_count(); ++i) {

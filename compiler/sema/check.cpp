@@ -138,6 +138,10 @@ void Checker::finish() {
                                                            : FunctionKind::Plain;
         entry.result_slots = type_info(function.result).slots;
         entry.units = units_of(function);
+        if (entry.kind == FunctionKind::Program) {
+            entry.motion = modules_[function.module].dialect->first_motion();
+            entry.work_offset = modules_[function.module].dialect->first_work_offset();
+        }
         entry.range = function.range;
         entry.is_main_file = function.module == 0;
         for (const ParameterDecl& parameter : function.parameters) {

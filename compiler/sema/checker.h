@@ -187,8 +187,7 @@ class Checker {
                      const SourceRange& range);
     Value vectors(syntax::Operator op, const Value& left, const Value& right,
                   const syntax::Expr& expr);
-    void check_same_parts(Reg left, syntax::ExprId left_text, Reg right,
-                          syntax::ExprId right_text);
+    void check_same_parts(Reg left, syntax::ExprId left_text, Reg right, syntax::ExprId right_text);
     Value bits(syntax::Operator op, const Value& left, const Value& right, const syntax::Expr& expr,
                Reg hint);
     Value truth(syntax::ExprId id, Reg hint);
@@ -242,6 +241,9 @@ class Checker {
     Value call_method(syntax::ExprId id, const syntax::Expr& callee, Reg hint);
     Value array_method(const Place& array, const syntax::Expr& callee, const syntax::Expr& expr);
     Value table(const syntax::Expr& expr);
+    Value image_call(const syntax::Expr& expr);
+    bool is_picture(Type type, PictureSource& source) const;
+    std::string folder_of_file() const;
     void add_columns(TableSchema& schema, Type type, const std::string& prefix, std::uint16_t slot);
     std::optional<std::vector<syntax::ExprId>> bind_arguments(
         const syntax::Expr& expr, std::string_view name, std::span<const std::string_view> names,
@@ -324,6 +326,12 @@ class Checker {
     void check_skipped(const Plan& plan, std::span<const syntax::Word> words);
     std::optional<nc::BlockPlan> plan_words(std::span<const syntax::Word> words);
     void check_units_function(nc::Function function, const SourceRange& range);
+    /// Numbers without a point where the control of the input dialect counts increments. False:
+    /// there is one.
+    bool check_points(const nc::BlockPlan& plan, std::span<const syntax::Word> words);
+    /// What the control of the input dialect does otherwise than the language (`custom`).
+    std::uint16_t customs_of(const Plan& plan, std::span<const syntax::Word> words) const;
+    bool has_point(const syntax::Word& word) const;
     void check_units_words(const nc::BlockPlan& plan, std::span<const syntax::Word> words);
     void check_counts(const nc::BlockPlan& plan, std::span<const syntax::Word> words);
     Filling fill_word(const syntax::Word& word, const nc::Hole& hole, Reg reg);

@@ -187,6 +187,27 @@ struct Filling {
     friend bool operator==(const Filling&, const Filling&) = default;
 };
 
+/// What the control of the input dialect does with a block where controls differ. The evaluator
+/// says it so that every target does the same.
+namespace custom {
+inline constexpr std::uint16_t kShiftKeeps = 1;      // a shift keeps the axes that it does not name
+inline constexpr std::uint16_t kRotateReplaces = 2;  // a rotation replaces the one before
+inline constexpr std::uint16_t kMachineRapid = 4;    // machine coordinates are reached at rapid
+inline constexpr std::uint16_t kMachineLength = 8;   // … with the tool length
+inline constexpr std::uint16_t kOffsetsByTool = 16;  // `D3`, `H3` are offsets of tool 3
+inline constexpr std::uint16_t kEdges = 32;          // `D1` is an edge; M6 activates the length
+inline constexpr std::uint16_t kFeedCounts = 64;     // F has no point: increments per revolution
+inline constexpr std::uint16_t kCycleWords = 128;    // G80, G98, G99: only beside its own cycles
+inline constexpr std::uint16_t kFrameOrder = 256;    // mirror, scale, rotation in this order only
+inline constexpr std::uint16_t kReference = 512;     // G28 goes over the programmed place
+inline constexpr std::uint16_t kCenterAtTool = 1024;  // a centre not named is where the tool stands
+inline constexpr std::uint16_t kFeedDeleted = 2048;   // another kind of feed deletes F
+// An increment counts from the coordinate that was programmed last, and so travels a change of the
+// frame as well.
+inline constexpr std::uint16_t kIncrementTravels = 4096;
+inline constexpr std::uint16_t kMirrorAxes = 8192;  // the mirrors of some axes end
+}  // namespace custom
+
 /// A block without its values: what the words say before the program runs.
 struct Plan {
     nc::Function motion = nc::Function::None;
@@ -198,6 +219,7 @@ struct Plan {
                             // target's own default
     nc::CycleId cycle = 0;
     std::int32_t number = -1;
+    std::uint16_t customs = 0;  // bits of `custom`
     std::vector<nc::Invocation> functions;
     std::vector<std::pair<std::uint8_t, double>> arguments;  // fixed by the dialect's words
     std::vector<std::pair<std::uint8_t, double>> values;     // likewise
@@ -252,6 +274,22 @@ struct TableRows {
 struct LoadedTable {
     std::uint32_t schema = 0;
     TableRows rows;
+};
+
+/// Grey values from a file, row by row from the top down: 0 black to 1 white.
+struct Picture {
+    std::size_t width = 0;
+    std::size_t height = 0;
+    std::vector<double> brightness;  // row by row, shape (height, width)
+};
+/// A call of `image`, and where the members of its struct stand.
+struct PictureSource {
+    std::string folder;        // of the file that names it
+    std::uint32_t layout = 0;  // of the array `dots`
+    std::uint16_t width = 0;   // registers behind the first one of the struct
+    std::uint16_t height = 0;
+    std::uint16_t dots = 0;
+    Picture picture;  // if it was read when the program was checked
 };
 
 struct EnumNames {
@@ -344,8 +382,10 @@ struct FunctionCode {
     /// Members of modal groups that `preserves` names: they must be active when the call begins.
     std::vector<nc::Function> needs;
     Units units = Units::Metric;
-    SourceRange range;          // of the name
-    bool is_main_file = false;  // a program of the file that was asked for
+    nc::Function motion = nc::Function::Rapid;  // that is modal where a program begins
+    int work_offset = 0;                        // that acts there; 0: what the target has
+    SourceRange range;                          // of the name
+    bool is_main_file = false;                  // a program of the file that was asked for
 };
 
 struct Code {
@@ -360,9 +400,10 @@ struct Code {
     std::vector<SourceRange> statements;  // by SourceId
     std::vector<TableSchema> schemas;
     std::vector<LoadedTable> tables;
+    std::vector<PictureSource> pictures;
     std::vector<EnumNames> enums;
     std::vector<TestCall> test_calls;
-    FileId main_file;  // the file that was asked for
+    FileId main_file;                // the file that was asked for
     std::string true_word = "true";  // in its keyword language
     std::string false_word = "false";
 };

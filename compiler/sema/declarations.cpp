@@ -68,9 +68,8 @@ void Checker::check_header(const syntax::Ast& ast) {
     const Decl* first = nullptr;
     for (const syntax::DeclId id : ast.top) {
         const Decl& decl = ast[id];
-        const auto* const header = std::ranges::find(kHeaders, decl.kind, [](const auto& row) {
-            return row.first;
-        });
+        const auto* const header =
+            std::ranges::find(kHeaders, decl.kind, [](const auto& row) { return row.first; });
         if (header == std::end(kHeaders)) {
             if (first == nullptr && decl.kind != DeclKind::Invalid) first = &decl;
             continue;
@@ -540,9 +539,7 @@ void Checker::check_defaults(const FunctionDecl& function) {
         visible_[function.parameters[i].name].pop_back();
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         const ParameterDecl parameter = function.parameters[i];
-        const auto show = [&] {
-            visible_[parameter.name].push_back(static_cast<std::int32_t>(i));
-        };
+        const auto show = [&] { visible_[parameter.name].push_back(static_cast<std::int32_t>(i)); };
         if (parameter.is_required) {
             show();
             continue;

@@ -515,8 +515,7 @@ Value Checker::arithmetic(Operator op, Value left, Value right, const Expr& expr
         settle(left);
         settle(right);
         // A feed times a speed is that of each tooth or turn times the turns of the spindle.
-        const bool is_per_turn =
-            op == Operator::Multiply && kind(left.type) != kind(right.type);
+        const bool is_per_turn = op == Operator::Multiply && kind(left.type) != kind(right.type);
         const auto plain = [&](const Value& v) {
             return plain_form(v, is_per_turn && kind(v.type) == Kind::Feed ? 1 : 0);
         };

@@ -53,8 +53,8 @@ struct Member {
     std::string name;
     Type type;
     std::uint16_t offset = 0;
-    std::uint32_t module = 0;  // of the default value
-    syntax::ExprId initial;    // default value, may be invalid
+    std::uint32_t module = 0;   // of the default value
+    syntax::ExprId initial;     // default value, may be invalid
     bool may_be_unset = false;  // a struct with `?`
 };
 

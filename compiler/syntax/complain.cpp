@@ -182,9 +182,11 @@ void Complaints::explain(const Place& place) {
     } else if (place.head == Token::Switch && place.expects_only(Token::CloseBrace)) {
         file_.sink.report(diag::CaseMissing, range).arg(quoted(place.offending));
     } else {
-        file_.sink.report(diag::Unexpected, range)
-            .arg(quoted(place.offending))
-            .arg(quoted(place.previous));
+        auto report = file_.sink.report(diag::Unexpected, range);
+        report.arg(quoted(place.offending)).arg(quoted(place.previous));
+        const bool is_comment =
+            place.offending.token == Token::OpenParen && place.previous.token == Token::LiteralWord;
+        if (is_comment) report.fix("a comment begins with `//`");
     }
 }
 

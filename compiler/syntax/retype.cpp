@@ -336,9 +336,8 @@ void Retyping::open_brace(Lexeme lexeme) {
 bool Retyping::is_declared_operator(std::size_t i, const Keyword& keyword) {
     if (keyword.token == Token::Not) return false;
     const Keyword* before = i > 0 ? keyword_of(in_[i - 1]) : nullptr;
-    const bool is_behind_type =
-        before != nullptr &&
-        (before->place == Keyword::Place::Type || before->token == Token::Auto);
+    const bool is_behind_type = before != nullptr && (before->place == Keyword::Place::Type ||
+                                                      before->token == Token::Auto);
     const Token after = at(i + 1).token;
     const bool ends_name = after == Token::Assign || after == Token::Semicolon ||
                            after == Token::Comma || after == Token::CloseParen ||

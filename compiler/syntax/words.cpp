@@ -261,14 +261,17 @@ void Merging::identifier() {
         out_.push_back(made);
         return;
     }
-    if (kind == nc::WordKind::Address) {
+    const Spelling s = take_apart(name);
+    // `X1=` of `G75` is an address of its own; `X1` by itself is X and a number.
+    const bool is_numbered = !s.digits.empty() && s.rest.empty() && next != Token::Assign &&
+                             kind_of(s.address) == nc::WordKind::Address;
+    if (kind == nc::WordKind::Address && !is_numbered) {
         made.token = Token::Address;
         std::string number;
         if (take_sign_and_number(made, number)) return word(made, number, "");
         out_.push_back(made);
         return;
     }
-    const Spelling s = take_apart(name);
     if (!s.digits.empty() && kind_of(s.address) == nc::WordKind::Address) {
         if (s.rest.empty() || find_unit(s.rest, "") != Unit::None) {
             made.text = file_.texts.intern(s.address);

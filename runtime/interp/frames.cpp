@@ -82,8 +82,19 @@ void Frames::scale_off() {
 
 void Frames::mirror(AxisMask axes) { append(Step::Kind::Mirror, path::mirroring(axes)); }
 
-void Frames::mirror_off() {
-    erase(Step::Kind::Mirror);
+void Frames::mirror_off(AxisMask axes) {
+    for (Step& step : steps_) {
+        if (step.kind != Step::Kind::Mirror) continue;
+        AxisMask mirrored = 0;
+        for (Eigen::Index i = 0; i < 3; ++i) {
+            if (step.frame.linear(i, i) < 0) mirrored |= static_cast<AxisMask>(1u << i);
+        }
+        const AxisMask left = axes == 0 ? AxisMask{0} : static_cast<AxisMask>(mirrored & ~axes);
+        step.frame = path::mirroring(left);
+    }
+    std::erase_if(steps_, [](const Step& step) {
+        return step.kind == Step::Kind::Mirror && step.frame.linear == path::Mat3::Identity();
+    });
     update();
 }
 

@@ -35,7 +35,8 @@ class Frames {
     void scale(const path::Vec3& factors, const FrameWords& center);
     void scale_off();
     void mirror(AxisMask axes);
-    void mirror_off();
+    /// No axes: all of them.
+    void mirror_off(AxisMask axes);
     /// The tool stands at `base`; the words given are the coordinates that it gets, `here` the
     /// others'. Moves the origin of every work offset.
     void set_position(const FrameWords& words, const AxisValues& here, const AxisValues& base);

@@ -175,8 +175,18 @@ void BlockWriter::check_arc_words(const Block& block) {
     }
 }
 
+/// Arcs that need other blocks; the plane and the dimensions that the block says hold for them.
+bool BlockWriter::write_other_arc(const Block& block, std::string& out) {
+    if (!is_arc(effective_motion(block))) return split_turns(block, out);
+    const ModalFunctions meant = modal_.meant;
+    follow_modal(block, modal_.meant);
+    if (split_turns(block, out) || straighten(block, out)) return true;
+    modal_.meant = meant;
+    return false;
+}
+
 void BlockWriter::write_block(const Block& block, std::string& out) {
-    if (split_turns(block, out) || straighten(block, out)) return;
+    if (write_other_arc(block, out)) return;
     if (modal_.waiting_edge != 0) write_waiting_edge(block, out);
     done_ = 0;
     choose_forms(block);
@@ -219,10 +229,9 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
     add_deferred(block, items);
     add_edge(block, items);
     collect_slots(block, targets, items);
-    if (items.count == 0 && block.comment.empty()) return;
     if (items.count == 0 && given_number_ < 0) {
-        write_comment(block, out);
-    } else {
+        if (!block.comment.empty()) write_comment(block, out);
+    } else if (items.count != 0 || !block.comment.empty()) {
         write_items(block, items, targets, out);
     }
     for (Pending& pending : pending_) pending.tool = own_offset(pending, block);

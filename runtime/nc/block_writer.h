@@ -152,6 +152,7 @@ class BlockWriter {
                             const PlanePoint& end) const;
     void drop_unchanged(const Block& block, const WrittenPosition& start, Targets& targets);
     bool are_turns_known(const Block& block);
+    bool write_other_arc(const Block& block, std::string& out);
     bool split_turns(const Block& block, std::string& out);
     bool is_distance(const Block& block, std::size_t axis) const;
     bool is_chord_known(const Block& block, const WrittenPosition& start) const;

@@ -1,6 +1,7 @@
 #include "nc/dialect.h"
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 
 #include "base/diagnostics/dialect.h"
@@ -29,6 +30,32 @@ std::optional<CycleId> Dialect::find_cycle(std::string_view name) const {
 }
 
 std::span<const RuleSetting> Dialect::rules() const { return tables_->rule_settings; }
+
+bool Dialect::has_rule(std::string_view name, std::string_view value) const {
+    bool is_set = false;
+    for (const RuleSetting& rule : tables_->rule_settings) {
+        if (rule.name == name) is_set = rule.value == value;
+    }
+    return is_set;
+}
+
+int Dialect::first_work_offset() const {
+    int number = 0;
+    for (const RuleSetting& rule : tables_->rule_settings) {
+        if (rule.name != "default_work_offset") continue;
+        std::from_chars(rule.value.data(), rule.value.data() + rule.value.size(), number);
+    }
+    return number;
+}
+
+Function Dialect::first_motion() const {
+    const Function function = tables_->power_on[static_cast<std::size_t>(Group::Motion)];
+    return function == Function::None ? Function::Rapid : function;
+}
+
+bool Dialect::is_core() const { return tables_->extends.empty(); }
+
+bool Dialect::counts_offsets_by_tool() const { return !tables_->deferred.empty(); }
 
 std::span<const Example> Dialect::examples() const { return tables_->examples; }
 

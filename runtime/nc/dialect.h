@@ -76,6 +76,17 @@ class Dialect {
     std::optional<AlarmText> alarm(const DiagnosticRow& row) const;
     /// Switches of the interpreter, in the order of the files: what extends comes last and wins.
     std::span<const RuleSetting> rules() const;
+    /// Whether the files set this switch to the value.
+    bool has_rule(std::string_view name, std::string_view value = "yes") const;
+    /// The work offset that acts where a program begins, before it says one; 0: none.
+    int first_work_offset() const;
+    /// The motion that is modal where a program begins, before it says one.
+    Function first_motion() const;
+    /// The common core, in which the library and most sources are written: it extends nothing.
+    bool is_core() const;
+    /// Offsets have the numbers of tools and are named apart from them (`T3 M6`, then `G43 H3`),
+    /// so `D3` means the third tool's radius; else `D` is an edge of the tool that is in.
+    bool counts_offsets_by_tool() const;
 
     /// Of this file; those of the files that it extends are checked with them.
     std::span<const Example> examples() const;
@@ -148,11 +159,27 @@ struct Hole {
 struct BlockPlan {
     Block block;
     std::vector<Hole> holes;
+    bool feed_stays_metric = false;  // it says inches, but F stays in mm (`G70` of some controls)
 };
 
 /// Recognises source words with the tables of the input dialect. Mistakes are reported at the word.
 std::optional<BlockPlan> plan_block(const Dialect& dialect, std::span<const SourceWord> words,
                                     DiagnosticSink& sink);
+
+/// What 1 means behind this address where the number has no decimal point, in the unit of the
+/// address: 0.001 if the control counts positions in increments; 1 if it says what it means.
+struct PlainNumber {
+    double time = 1;        // … and for a feed, a feed per minute
+    double revolution = 1;  // a feed per revolution
+};
+PlainNumber plain_number(const Dialect& dialect, std::string_view address, bool is_inch);
+
+/// What a call of the control (`MSG("…")`, `CYCLE81(…)`) says.
+struct CallMeaning {
+    Function function = Function::None;  // None: the control has no such call
+    CycleId cycle = 0;
+};
+CallMeaning call_meaning(const Dialect& dialect, std::string_view name);
 
 /// What an identifier of the source is in the input dialect, for the parser: an address that takes
 /// a value (`X`, `CR`, `G`), a word by itself (`TRANS`, `DIAMON`), or nothing.

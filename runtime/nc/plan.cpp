@@ -1,5 +1,6 @@
 // Words of source blocks → BlockPlan, with the tables of the input dialect.
 #include <algorithm>
+#include <cmath>
 
 #include "base/diagnostics/dialect.h"
 #include "base/numbers.h"
@@ -31,6 +32,7 @@ class Planner {
             report(*fault);
             return std::nullopt;
         }
+        if (is_refused(match)) return std::nullopt;
         for (std::size_t i = 0; i < match.claim_count; ++i) add_hole(match.claims[i]);
         if (!check_arc_words(std::span(match.claims).first(match.claim_count))) return std::nullopt;
         return std::move(plan_);
@@ -46,7 +48,10 @@ class Planner {
     bool take(std::size_t i) {
         const SourceWord& word = words_[i];
         const AddressId address = tables_.find_address(word.address);
-        if (address == kNoAddress) {
+        const bool is_removed = address != kNoAddress &&
+                                tables_.addresses[address].kind == Address::Kind::Word &&
+                                tables_.addresses[address].forms.empty();
+        if (address == kNoAddress || is_removed) {
             report_unknown(word);
             return false;
         }
@@ -68,10 +73,45 @@ class Planner {
         return true;
     }
 
+    /// What a control reads, but a block of a source cannot be: it would mean something else there.
+    bool is_refused(const Match& match) {
+        for (std::size_t i = 0; i < match.form_count; ++i) {
+            const Form& form = tables_.forms[match.forms[i]];
+            plan_.feed_stays_metric = plan_.feed_stays_metric || form.feed_stays_metric;
+            const bool is_cycle = form.function == Function::Cycle;
+            if (!is_cycle && !form.feed_by_radius) continue;
+            const SourceWord& word = head_of(form);
+            if (is_cycle) {
+                sink_.report(diag::SourceCycle, word.range)
+                    .arg(text_of(word))
+                    .fix("call the library's `" + tables_.cycles[form.cycle].name +
+                         "` at each place: it is written as the control's own cycle");
+            } else {
+                sink_.report(diag::SourceInverseTime, word.range)
+                    .arg(text_of(word))
+                    .arg(tables_.name)
+                    .fix("call `feed_inverse_time()`: then F is 1/min, of arcs too");
+            }
+            return true;
+        }
+        return false;
+    }
+
+    /// The word that a form begins with.
+    const SourceWord& head_of(const Form& form) const {
+        for (std::size_t i = 0; i < count_; ++i) {
+            const FormWord& head = form.words[0];
+            if (given_[i].address != head.address) continue;
+            if (std::fabs(given_[i].number - head.number) < 1e-9) return words_[source_[i]];
+        }
+        return words_[0];
+    }
+
     void report_unknown(const SourceWord& word) {
         std::vector<std::string_view> names;
         for (const Address& address : tables_.addresses) {
-            if (!address.name.empty() && address.kind != Address::Kind::Call)
+            const bool is_removed = address.kind == Address::Kind::Word && address.forms.empty();
+            if (!address.name.empty() && address.kind != Address::Kind::Call && !is_removed)
                 names.push_back(address.name);
         }
         auto report = std::move(
@@ -180,22 +220,9 @@ class Planner {
         }
     }
 
+    /// A code with a number like it means something else altogether: none is proposed.
     void report_code(const SourceWord& word) {
-        std::vector<std::string> known;
-        const auto address = tables_.find_address(word.address);
-        const auto& index = tables_.code_index[address];
-        for (std::size_t tenths = 0; tenths < index.size(); ++tenths) {
-            if (index[tenths] == 0) continue;
-            known.emplace_back(word.address);
-            append_shortest(known.back(), static_cast<double>(tenths) / 10);
-        }
-        const std::vector<std::string_view> views(known.begin(), known.end());
-        auto report = std::move(sink_.report(diag::BlockWordCodeUnknown, word.range)
-                                    .arg(text_of(word))
-                                    .arg(tables_.name));
-        if (const auto near = nearest_name(text_of(word), views.data(), views.size())) {
-            report.fix("is `" + std::string(*near) + "` meant?");
-        }
+        sink_.report(diag::BlockWordCodeUnknown, word.range).arg(text_of(word)).arg(tables_.name);
     }
 
     const DialectTables& tables_;
@@ -212,6 +239,27 @@ class Planner {
 std::optional<BlockPlan> plan_block(const Dialect& dialect, std::span<const SourceWord> words,
                                     DiagnosticSink& sink) {
     return Planner(dialect, words, sink).plan();
+}
+
+PlainNumber plain_number(const Dialect& dialect, std::string_view address, bool is_inch) {
+    const DialectTables& tables = dialect.tables();
+    const AddressId id = tables.find_address(address);
+    if (id == kNoAddress || tables.addresses[id].kind != Address::Kind::Value) return {};
+    const NumberFormat& format = tables.addresses[id].format;
+    PlainNumber plain;
+    if (format.increment != 0) plain.time = format.increment;
+    if (is_inch && format.inch_increment != 0) plain.time = format.inch_increment;
+    plain.revolution = format.revolution_increment != 0 ? format.revolution_increment : plain.time;
+    return plain;
+}
+
+CallMeaning call_meaning(const Dialect& dialect, std::string_view name) {
+    const DialectTables& tables = dialect.tables();
+    const AddressId id = tables.find_address(name);
+    if (id == kNoAddress || tables.addresses[id].kind != Address::Kind::Call) return {};
+    if (tables.addresses[id].forms.empty()) return {};
+    const Form& form = tables.forms[tables.addresses[id].forms[0]];
+    return {form.function, form.cycle};
 }
 
 WordKind word_kind(const Dialect& dialect, std::string_view identifier) {

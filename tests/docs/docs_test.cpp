@@ -63,7 +63,7 @@ class Docs : public testing::Test {
 TEST_F(Docs, ProgramsOfTheReferenceHaveNoMistake) {
     int programs = 0;
     for (const Fence& fence : fences("docs/language.md")) {
-        if (fence.info.starts_with("csv ")) {
+        if (fence.info.starts_with("csv ") || fence.info.starts_with("pgm ")) {
             ASSERT_TRUE(kadr::write_file_whole(fence.info.substr(4), fence.text));
         }
         if (fence.info != "c") continue;

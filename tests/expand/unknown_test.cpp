@@ -33,8 +33,7 @@ TEST(Unknown, RawTextMakesAllOfTheStateUnknown) {
          "1:51 K3212 what F means is not known here"},
         {"program p() { raw \"G18\"; G90 G94 G2 X5 Y6 CR=10 F100; }", "raw \"G18\"",
          "1:26 K3212 the plane is not known here"},
-        {"program p() { raw \"A\"; G41; }", "raw \"A\"",
-         "1:24 K3212 the plane is not known here"},
+        {"program p() { raw \"A\"; G41; }", "raw \"A\"", "1:24 K3212 the plane is not known here"},
         {"program p() { F100; raw \"G95\"; G90 G1 X5; }", "F100\nraw \"G95\"",
          "1:32 K3212 the feed is not known here"},
         {"program p() { raw \"G95\"; G90 G1 X5 F200; }", "raw \"G95\"",
@@ -47,7 +46,8 @@ TEST(Unknown, RawTextMakesAllOfTheStateUnknown) {
          "1:24 K3212 the frame is not known here"},
         {"program p() { tool(3); raw \"A\"; note \"{state.tool ?? 7}\"; }",
          "tool(tool=3)\nraw \"A\"\ncomment \"7\""},
-        {"program p() { G0; raw \"A\"; contour c = { G1 X0 Y0; X5; }; G90; follow(c, feed: 5mm/s); }",
+        {"program p() { G0; raw \"A\"; contour c = { G1 X0 Y0; X5; }; G90; follow(c, feed: 5mm/s); "
+         "}",
          "rapid\nraw \"A\"", "1:42 K3212 the plane is not known here"},
         // All of it said again.
         {"program p() { raw \"A\"; shift(); G17 G90 G94 G97; S500 M3; G0 X1; G1 X2 F100; "
@@ -63,10 +63,10 @@ TEST(Unknown, WithSetsBackOnlyWhatWasKnown) {
     expect_rows({
         {"program p() { F100; raw \"A\"; G90 G94; with F50 { G1 X3; } G1 X4; }",
          "F100\nraw \"A\"\nabsolute | feed_per_minute\nF50\nline X3",
-         "1:57 K3203 what was active in the group `F` before is not known, so it cannot be set back"},
+         "1:57 K3203 what was active in the group `F` before is not known, so it cannot be set "
+         "back"},
         {"program p() { G0 X1; raw \"G91\"; with G91 { X+=3; } }",
-         "rapid X1\nraw \"G91\"\nincremental",
-         "1:44 K3212 the motion is not known here"},
+         "rapid X1\nraw \"G91\"\nincremental", "1:44 K3212 the motion is not known here"},
         {"program p() { G0 X1; raw \"G91\"; with G91 { G0 X3; } X7; }",
          "rapid X1\nraw \"G91\"\nincremental\nrapid X3",
          "1:51 K3203 what was active in the group `distance` before is not known, so it cannot be "
@@ -157,7 +157,8 @@ TEST(Unknown, CoordinatesOfOnePointOnly) {
          "1:45 K3104 `{1mm, 1mm}.z` is not given"},
         {"program p() { point q = {1mm, 2mm}; q = q + {1mm, 1mm, 1mm}; }", "",
          "1:41 K3104 `q.z` is not given"},
-        {"program p() { point q = {1mm, 2mm}; point d = {1mm, 1mm}; q += d; G0 q; }", "rapid X2 Y3"},
+        {"program p() { point q = {1mm, 2mm}; point d = {1mm, 1mm}; q += d; G0 q; }",
+         "rapid X2 Y3"},
         {"program p() { G0 X=distance({0mm, 0mm}, {z: 5mm}); }", "",
          "1:20 K3104 `{z: 5mm}.x` is not given"},
         {"program p() { G0 X=distance({1mm, 2mm, 3mm}, {1mm, 2mm}); }", "",

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "base/text.h"
 #include "tests/common/process.h"
 #include "tests/golden/parts.h"
 
@@ -80,6 +81,48 @@ void expect_same(const std::vector<json>& a, const std::vector<json>& b, const s
     }
     ASSERT_EQ(a.size(), b.size()) << what;
 }
+
+// ---------------------------------------------------------------- the input dialect
+
+/// A source written the way of one control, and the text that it stands for there.
+struct Pair {
+    std::filesystem::path source;
+    std::filesystem::path text;
+    std::string dialect;  // of both
+};
+
+std::vector<Pair> all_pairs() {
+    std::vector<Pair> pairs;
+    for (const Part& part : golden::parts_of(golden::fs::path(KADR_ROOT) / "tests/golden/input")) {
+        const std::string code = kadr::read_file(part.source).value_or("");
+        const std::size_t at = code.find("\ndialect ") + 9;
+        Pair pair{part.source, part.source, code.substr(at, code.find(';', at) - at)};
+        pair.text.replace_extension(".nc");
+        pairs.push_back(pair);
+    }
+    return pairs;
+}
+
+/// Without what a control says of its own way to reach machine coordinates: the place is compared.
+std::vector<json> places_of(const std::filesystem::path& file, const std::string& dialect) {
+    std::vector<json> commands = commands_of({file, "mill"}, dialect, "native");
+    for (json& command : commands) command.erase("machine_coordinates");
+    return commands;
+}
+
+class InputDialect : public testing::TestWithParam<Pair> {};
+
+TEST_P(InputDialect, SourceMovesAsItsTextDoes) {
+    const Pair& pair = GetParam();
+    const std::vector<json> reference = places_of(pair.text, pair.dialect);
+    ASSERT_GT(reference.size(), 10u);
+    for (const char* target : {"iso", "sinumerik", "fanuc", "axioma"}) {
+        expect_same(reference, places_of(pair.source, target), pair.dialect + " for " + target);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Pairs, InputDialect, testing::ValuesIn(all_pairs()),
+                         [](const auto& pair) { return pair.param.source.stem().string(); });
 
 class SameMotion : public testing::TestWithParam<Part> {};
 

@@ -229,6 +229,10 @@ TEST(Writer, HelixTurnsBecomeBlocksWhereThereIsNoWord) {
     expect_text("fanuc",
                 {{"G0 X20 Y0 Z0\nG3 X0 Y20 I-20 J0 Z-9 TURN=2",
                   "X20. Y0. Z0.\nG03 Z-4. I-20. J0.\nZ-8. I-20. J0.\nX0. Y20. Z-9. I-20. J0.\n"}});
+    // The plane may be said beside them.
+    expect_text("fanuc",
+                {{"G18\nG0 X20 Y0 Z0\nG17 G3 X0 Y20 I-20 J0 Z-9 TURN=1",
+                  "G18\nX20. Y0. Z0.\nG03 G17 Z-7.2 I-20. J0.\nX0. Y20. Z-9. I-20. J0.\n"}});
     expect_text("sinumerik", {{"G0 X20 Y0 Z0\nG3 X0 Y20 I-20 J0 Z-9 TURN=2",
                                "G0 X20 Y0 Z0\nG3 X0 Y20 Z-9 I-20 J0 TURN=2\n"}});
 }
@@ -272,6 +276,9 @@ TEST(Writer, Frames) {
         EXPECT_EQ(write("fanuc", std::string("rotate(30)\nrotate_off()\n") + inside).codes, "");
     }
     EXPECT_EQ(write("fanuc", "raw G65 P1\nmirror(x: 0)").codes, "K4212");
+    // The control itself knows whether a rotation acts behind raw text.
+    EXPECT_EQ(write("fanuc", "raw G65 P1\nG54").codes, "");
+    EXPECT_EQ(write("fanuc", "raw G65 P1\nG18").codes, "");
 }
 
 TEST(Writer, FramesLeaveTheOtherAxesWhereTheyAre) {
@@ -341,6 +348,21 @@ TEST(Writer, Cycles) {
             {"tool(3)\ndrill(to: -5, retract: 2, initial: 50, dwell: 0)",
              "T03 M06\nG00 G43 H03 Z50.\nG98 G81 Z-5. R2.\nG80\n"},
         });
+}
+
+TEST(Writer, ABlockOfFramesAloneIsFollowed) {
+    DiagnosticList sink;
+    Writer writer(shipped("sinumerik"), {.number_blocks = false}, sink);
+    std::string text;
+    writer.begin({"part", 1, "", false}, text);
+    Block frames;
+    frames.add(Function::Shift);
+    frames.set_argument(*frames.add(Function::Mirror, 3), 0, 0);
+    for (const Block& block : {statement_block("G0 X10 Y0"), frames, statement_block("X10 Y5")}) {
+        writer.write(block, text);
+    }
+    EXPECT_EQ(text,
+              "%_N_PART_MPF\nG17 G71 G40 G64 G90 G94\nG0 X10 Y0\nTRANS\nAMIRROR X0\nX10 Y5\n");
 }
 
 TEST(Writer, Comments) {

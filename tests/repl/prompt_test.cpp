@@ -48,6 +48,19 @@ bool has(const std::string& text, std::string_view part) {
     return text.find(part) != std::string::npos;
 }
 
+TEST(Prompt, TakesBlocksAsTheInputDialectSays) {
+    Conversation talk("sinumerik");
+    EXPECT_EQ(talk.say("dialect fanuc;"), "");
+    talk.say("T03 M06;");
+    EXPECT_TRUE(has(talk.say("G43 H03 G00 X10. Y20. Z50.;"), "G0 X10 Y20 Z50 D1\n"));
+    EXPECT_TRUE(has(talk.say("G68 R30.;"), "ATRANS X10 Y20\n"));
+    EXPECT_TRUE(has(talk.say("G69;"), "TRANS\n"));
+    EXPECT_TRUE(has(talk.say("G52 X5. Y6.;"), "TRANS X5 Y6\n"));
+    EXPECT_TRUE(has(talk.say("G52 X7.;"), "TRANS X7 Y6\n"));
+    EXPECT_TRUE(has(talk.say("X10;"), "error[K4115]"));
+    EXPECT_TRUE(has(talk.say("X10.;"), "X10\n"));
+}
+
 TEST(Prompt, ABlockShowsItsTextAndWhatItChanged) {
     Conversation talk("fanuc");
     const std::string first = talk.say("G0 X10 Y20");

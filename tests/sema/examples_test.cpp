@@ -1,13 +1,13 @@
 // Every row of the diagnostics K2xxx and K3xxx explains itself by a wrong and a right example: the
 // wrong one must cause it, the right one must cause nothing. Rows whose examples are no programs
 // are shown by tests of their own; tests/house/table_test.cpp sees to it.
-#include "base/diagnostics/sema.h"
 #include "tests/common/examples.h"
 
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
+#include "base/diagnostics/sema.h"
 #include "tests/sema/running.h"
 
 namespace kadr::testing {

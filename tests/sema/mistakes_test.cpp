@@ -78,8 +78,9 @@ TEST(Mistakes, NamesOfSeveralImports) {
         EXPECT_EQ(check("import l;\n" + body, options).all_messages(), "") << use;
     }
     // A name of the file itself goes before both.
-    EXPECT_EQ(run("import l; import r;\nvoid f() { X3; }\nprogram p() { f(); }", options).all_blocks(),
-              "X3");
+    EXPECT_EQ(
+        run("import l; import r;\nvoid f() { X3; }\nprogram p() { f(); }", options).all_blocks(),
+        "X3");
 }
 
 TEST(Mistakes, OneMistakeIsOneMessage) {

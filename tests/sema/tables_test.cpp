@@ -78,5 +78,53 @@ TEST_F(Tables, MistakesHaveRowAndColumn) {
               (std::vector<std::string>{"2:1 K2409", "2:3 K2409"}));
 }
 
+/// A picture file read by name, by a constant one and by one that only the program knows.
+class Pictures : public Tables {
+  protected:
+    Outcome read_picture(const std::string& bytes) {
+        std::ofstream(folder_ / "p.pgm", std::ios::binary) << bytes;
+        RunOptions options;
+        options.file = (folder_ / "test.kadr").string();
+        return run(
+            "struct picture { int width; real[] dots; int height; }\n"
+            "program p() { string name = \"p\"; picture a = image<picture>(\"p.pgm\");\n"
+            "picture b = image<picture>(name + \".pgm\");\n"
+            "assert(a.dots.count == b.dots.count && a.width == b.width, \"the same\");\n"
+            "note \"{a.width} x {a.height}\"; for (real v : b.dots) note \"{v:.4}\"; }",
+            options);
+    }
+};
+
+TEST_F(Pictures, AreBrightnessFromTheTopDown) {
+    // 64/128 = 0.5; bytes of two: 0x0100 = 256 of 1024 = 0.25.
+    const Outcome text = read_picture("P2 # grey\n3 # wide\n1\n128 0 64\n128");
+    EXPECT_EQ(text.all_messages(), "");
+    EXPECT_EQ(text.all_blocks(),
+              "comment \"3 x 1\"\ncomment \"0.0000\"\ncomment \"0.5000\"\ncomment \"1.0000\"");
+    const Outcome bytes = read_picture(std::string("P5 1 2 200\n") + '\xc8' + '\x0a');
+    EXPECT_EQ(bytes.all_messages(), "");
+    EXPECT_EQ(bytes.all_blocks(), "comment \"1 x 2\"\ncomment \"1.0000\"\ncomment \"0.0500\"");
+    const Outcome wide = read_picture(std::string("P5\n#c\n2 1 1024\n") + '\x01' +
+                                      std::string(1, '\0') + "\x04" + std::string(1, '\0') + "\n");
+    EXPECT_EQ(wide.all_messages(), "");
+    EXPECT_EQ(wide.all_blocks(), "comment \"2 x 1\"\ncomment \"0.2500\"\ncomment \"1.0000\"");
+}
+
+bool is_only(const Outcome& outcome, const std::string& code) {
+    return outcome.messages.size() == 1 && outcome.messages[0].ends_with(code);
+}
+
+TEST_F(Pictures, AreNamedWithTheirMistakes) {
+    EXPECT_TRUE(is_only(read_picture(""), "K2413"));
+    EXPECT_TRUE(is_only(read_picture("P2"), "K2414"));
+    EXPECT_TRUE(is_only(read_picture("P2 2 2 -1"), "K2414"));
+    EXPECT_TRUE(is_only(read_picture("P2 2 2 65536 1 1 1 1"), "K2414"));
+    EXPECT_TRUE(is_only(read_picture("P2 99999999999999999999 2 1"), "K2414"));
+    EXPECT_TRUE(is_only(read_picture("P2 1 1 9 1.5"), "K2416"));
+    EXPECT_TRUE(is_only(read_picture("P5 2 2 255"), "K2417"));
+    EXPECT_TRUE(is_only(read_picture("P5 2 1 1024\n\x01\x01\x01"), "K2417"));
+    EXPECT_TRUE(is_only(read_picture("P2 50000000 1 9"), "K2417"));
+}
+
 }  // namespace
 }  // namespace kadr::testing

@@ -259,8 +259,7 @@ TEST(Values, Arrays) {
         {"feed fz = 0.1mm/rev; speed n = 1000rpm; feed f = fz*n; F=f; f = fz*1000rpm; F=f*2; "
          "speed vc = 100m/min; length d = 100mm; F=2*fz*(vc/d);",
          "F100\nF200\nF200"},
-        {"speed n = 1000rpm; length d = 50mm; G96; speed vc = d*n; S=vc;",
-         "cutting_speed_on\nS50"},
+        {"speed n = 1000rpm; length d = 50mm; G96; speed vc = d*n; S=vc;", "cutting_speed_on\nS50"},
         {"speed vc = 100m/min; length d = 100mm; speed n = 900rpm; note \"{vc/d > n} {vc/d < "
          "2000rpm}\"; S=min(vc/d, n);",
          "comment \"true true\"\nS900"},
@@ -295,6 +294,24 @@ TEST(Values, Optionals) {
         {"length? a; length? b = 5mm; G1 X=a ?? b ?? 1mm;", "line X5"},
         {"int n = 1; length? b; if (n > 0) b = 5mm; if (given b) G1 X=b;", "line X5"},
     });
+}
+
+TEST(Values, MembersBeginWithTheirDefaults) {
+    const std::string types =
+        "struct drill { length d = 6mm; int n; }\n"
+        "struct hole { point at; length d = 6mm; int[] list; drill tool; drill? spare; }\nhole "
+        "g;\n";
+    const auto body = [&](const std::string& text) {
+        return run(types + "program p() { " + text + " }");
+    };
+    EXPECT_EQ(body("hole h; h.at = {1mm, 2mm}; G0 X=h.d Y=h.tool.d Z=g.d;").all_blocks(),
+              "rapid X6 Y6 Z6");
+    EXPECT_EQ(
+        body("hole[3] hs; hs[1].list.append(4); G0 X=hs[2].d Y=hs[2].list.count;").all_blocks(),
+        "rapid X6 Y0");
+    EXPECT_EQ(body("hole h; X=h.tool.n;").all_messages(), "4:25 K3104 `h.tool.n` is not given");
+    EXPECT_EQ(body("hole h; if (!given h.spare) M8;").all_blocks(), "coolant_flood");
+    EXPECT_EQ(body("hole? h; if (!given h) M8;").all_blocks(), "coolant_flood");
 }
 
 TEST(Values, StructsAndEnums) {

@@ -37,6 +37,21 @@ std::string formatted_statements(const std::string& text) {
     return std::regex_replace(body, std::regex("(^|\n)    "), "$1");
 }
 
+TEST(Format, BlocksOfAnInputDialectStay) {
+    EXPECT_EQ(formatted("dialect   fanuc;\nprogram p( ) {\nG00   G17 G21 G40;   // start\n"
+                        " /G01 X10.   F100.;\n/2   G01 X-10.5 Y.5;\n N10 G54.1   P2;\n"
+                        "G51.1 X0.;  G04 P500;\nG01   X=5+3   Y= 2*3;\n}\n"),
+              "dialect fanuc;\n\nprogram p() {\n    G00 G17 G21 G40;    // start\n"
+              "    /G01 X10. F100.;\n    /2 G01 X-10.5 Y.5;\n    N10 G54.1 P2;\n"
+              "    G51.1 X0.; G04 P500;\n    G01 X=5 + 3 Y=2*3;\n}\n");
+    EXPECT_EQ(formatted("dialect sinumerik;\nprogram p( ) {\n G17   G500 G642 CFC;\n T3  D1;M6;\n"
+                        "G2 X10  Y10   I=AC( 5 ) J=IC(0);\nG0  SUPA Z0 D0; X1 Y1;\n"
+                        "AROT   RPL=30; ATRANS;\n MSG( \"hello\" );\n}\n"),
+              "dialect sinumerik;\n\nprogram p() {\n    G17 G500 G642 CFC;\n    T3 D1; M6;\n"
+              "    G2 X10 Y10 I=AC(5) J=IC(0);\n    G0 SUPA Z0 D0; X1 Y1;\n"
+              "    AROT RPL=30; ATRANS;\n    MSG(\"hello\");\n}\n");
+}
+
 TEST(Format, StatementsHaveOneLayout) {
     const std::vector<Row> rows = {
         // blanks

@@ -75,6 +75,9 @@ TEST(Words, TheInputDialectDecides) {
     const std::string program = "cycle a() { SUPA; }";
     EXPECT_EQ(parsed("dialect sinumerik;\n" + program),
               "(dialect sinumerik)\n(cycle a\n  (words SUPA))");
+    // `X1` is an address there, but only before `=`.
+    EXPECT_EQ(parsed("dialect sinumerik;\ncycle a() { G1 X1 Y1.5; }"),
+              parsed("dialect sinumerik;\ncycle a() { G1 X 1 Y 1.5; }"));
 }
 
 }  // namespace

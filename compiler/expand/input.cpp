@@ -1,0 +1,480 @@
+// input.cpp — blocks written the way of another control: the target shall do what that control
+// would have done with them, or the program ends with a message.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/diagnostics/dialect.h"
+#include "base/diagnostics/expand.h"
+#include "expand/plane.h"
+#include "expand/state.h"
+
+namespace kadr::expand {
+
+using nc::Block;
+using nc::Function;
+using nc::Group;
+using nc::Invocation;
+namespace custom = sema::custom;
+
+namespace {
+
+void erase(Block& block, std::size_t at) {
+    for (std::size_t i = at + 1; i < block.function_count; ++i)
+        block.functions[i - 1] = block.functions[i];
+    --block.function_count;
+}
+
+/// Makes another function of an invocation that has no arguments of use, with one argument.
+void become(Block& block, Invocation& invocation, Function function, double argument) {
+    invocation.function = function;
+    invocation.given = 0;
+    invocation.first = block.argument_count++;
+    block.set_argument(invocation, 0, argument);
+}
+
+bool is_cycle_word(Function function) {
+    const Group group = nc::info(function).group;
+    return group == Group::CycleMode || group == Group::CycleReturn;
+}
+
+}  // namespace
+
+bool Expander::State::needs_frame(const sema::Plan& plan) const {
+    return std::ranges::any_of(plan.functions, [&](const Invocation& invocation) {
+        switch (invocation.function) {
+            case Function::ShiftAdd:
+            case Function::RotateOff: return !target.can_write(invocation.function);
+            // Some of several mirrors: the others are said anew.
+            case Function::MirrorOff: {
+                ProgramFrame left = modal.frame;
+                left.remove_mirror(invocation.given);
+                return !target.can_write(invocation.function) || left.has_mirror();
+            }
+            // It has moved the origin, and where its centre was may not be known.
+            case Function::ScaleOff:
+                return !target.can_write(invocation.function) && modal.knows_unscaled();
+            case Function::Rotate:
+                return (plan.customs & custom::kRotateReplaces) != 0 && modal.frame.angle_deg != 0;
+            default: return false;
+        }
+    });
+}
+
+/// The first four arguments of a function, mm or degrees.
+bool Expander::State::read_arguments(const sema::Plan& plan, std::size_t invocation,
+                                     const Instruction& instruction, const sema::Slot* registers,
+                                     std::uint32_t at, std::array<double, 4>& values,
+                                     std::array<bool, 4>& given) {
+    const std::size_t first = plan.functions[invocation].first;
+    for (const auto& [place, value] : plan.arguments) {
+        if (place < first || place >= first + 4) continue;
+        values[place - first] = value;
+        given[place - first] = true;
+    }
+    const sema::Slot* numbers = registers + instruction.a;
+    for (std::size_t f = 0; f < plan.fillings.size(); ++f) {
+        const sema::Filling& filling = plan.fillings[f];
+        if (!filling.is_argument || filling.invocation != invocation) continue;
+        const double number = numbers[f].number;
+        if (!(std::fabs(number) < 1e15)) {
+            if (number != number) not_given({}, word_of(filling, at));
+            else math_fault(sema::MathFault::Overflow, at);
+            return false;
+        }
+        values[filling.parameter] = number;
+        given[filling.parameter] = true;
+    }
+    return true;
+}
+
+/// The frame that the functions leave is said by shift, rotation and mirrors; what else stands in
+/// the block comes behind it.
+bool Expander::State::emit_frame(const sema::Plan& plan, const Instruction& instruction,
+                                 const sema::Slot* registers, std::uint32_t at) {
+    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    sema::Plan rest = plan;
+    ProgramFrame next = modal.frame;
+    for (std::size_t i = 0; i < plan.functions.size(); ++i) {
+        const Function function = plan.functions[i].function;
+        if ((plan.customs & custom::kFrameOrder) != 0 && !is_frame_free(function, at)) return false;
+        if (function == Function::RotateOff) next.angle_deg = 0, next.center = {};
+        if (function == Function::MirrorOff) next.remove_mirror(plan.functions[i].given);
+        if (function == Function::ScaleOff && next.has_scale()) next = modal.unscaled;
+        if (function != Function::ShiftAdd && function != Function::Rotate) continue;
+        // These stand in blocks of their own: nothing is left to say.
+        std::array<double, 4> values{};
+        std::array<bool, 4> given{};
+        if (!read_arguments(plan, i, instruction, registers, at, values, given)) return false;
+        if (function == Function::ShiftAdd) {
+            next.add_shift({values[0], values[1], values[2]}, {given[0], given[1], given[2]});
+        } else {
+            const PlaneIndices plane = indices_of(plane_of(modal[Group::Plane]));
+            for (const std::size_t axis : {plane.first, plane.second}) {
+                if (given[1 + axis] || (plan.customs & custom::kCenterAtTool) == 0) continue;
+                center_unknown(function, axis, at);
+                return false;
+            }
+            next.angle_deg = 0;
+            next.center = {};
+            const FrameFault why = next.add_rotation(values[0], modal[Group::Plane],
+                                                     {values[1], values[2], values[3]});
+            if (why != FrameFault::None) {
+                fault(why == FrameFault::Planes ? diag::FramePlanes : diag::FrameStretched, at);
+                return false;
+            }
+        }
+        write_frame(next, source, at, instruction.c);
+        return !has_failed;
+    }
+    write_frame(next, source, at, instruction.c);
+    if (has_failed) return false;
+    for (std::size_t i = rest.functions.size(); i-- > 0;) {
+        const Function function = rest.functions[i].function;
+        const bool is_said = function == Function::RotateOff || function == Function::MirrorOff ||
+                             function == Function::ScaleOff;
+        const bool is_partial = function == Function::MirrorOff && rest.functions[i].given != 0;
+        if (!is_said || (target.can_write(function) && !is_partial)) continue;
+        rest.functions.erase(rest.functions.begin() + static_cast<std::ptrdiff_t>(i));
+        for (sema::Filling& filling : rest.fillings) {
+            if (filling.is_argument && filling.invocation > i) --filling.invocation;
+        }
+    }
+    const bool is_empty = rest.functions.empty() && rest.fillings.empty() && rest.given == 0 &&
+                          rest.motion == Function::None && instruction.b == 0;
+    return is_empty || emit_block(rest, instruction, registers, at);
+}
+
+bool Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t at) {
+    const std::uint16_t customs = plan.customs;
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        Invocation& invocation = block.functions[i];
+        bool is_good =
+            (customs & custom::kFrameOrder) == 0 || is_frame_free(invocation.function, at);
+        if ((customs & custom::kCenterAtTool) != 0 && is_good)
+            is_good = complete_center(block, invocation, at);
+        if ((customs & custom::kFeedDeleted) != 0) {
+            const Group group = nc::info(invocation.function).group;
+            if (group == Group::FeedMode && modal[group] != invocation.function)
+                modal.is_feed_deleted = true;
+        }
+        switch (invocation.function) {
+            case Function::Shift:
+                if (!is_good) break;
+                if ((customs & custom::kShiftKeeps) != 0) is_good = adapt_shift(block, invocation);
+                break;
+            case Function::MirrorOff: invocation.given = 0; break;  // none stays
+            case Function::MachineCoordinates:
+                is_good = is_good && adapt_machine(block, plan, at);
+                break;
+            default: break;
+        }
+        if (!is_good) return false;
+    }
+    if ((customs & custom::kEdges) != 0) {
+        for (std::size_t i = 0; i < block.function_count; ++i) {
+            const Invocation& invocation = block.functions[i];
+            if (invocation.function == Function::ToolChange) modal.is_edge_off = false;
+            if (invocation.function == Function::ToolEdge)
+                modal.is_edge_off = block.argument(invocation, 0) == 0;
+        }
+    }
+    const bool by_tool = (customs & custom::kOffsetsByTool) != 0;
+    if ((by_tool || (customs & custom::kEdges) != 0) &&
+        by_tool != target.counts_offsets_by_tool()) {
+        const bool takes =
+            by_tool ? take_offsets_as_edges(block, at) : take_edges_as_offsets(block, at);
+        if (!takes) return false;
+    }
+    // No block of a source is a cycle of the control, so these have nothing to do.
+    for (std::size_t i = block.function_count; i-- > 0;) {
+        const Function function = block.functions[i].function;
+        if (is_cycle_word(function) && !target.can_write(function)) erase(block, i);
+    }
+    return true;
+}
+
+/// Whether the function may change while the present frame acts: the control takes mirror, scale
+/// and rotation in this order, and inside them nothing before them.
+bool Expander::State::is_frame_free(Function function, std::uint32_t at) {
+    bool of_mirror = false;  // it cannot change inside this
+    bool of_scale = false;
+    bool of_rotation = true;
+    switch (function) {
+        case Function::Shift: of_mirror = of_scale = true; break;
+        case Function::Scale:
+        case Function::Mirror: of_scale = true; break;
+        case Function::WorkOffset:
+        case Function::MirrorOff:
+        case Function::SetPosition: break;
+        case Function::PlaneXy:
+        case Function::PlaneZx:
+        case Function::PlaneYz: of_rotation = function != modal[Group::Plane]; break;
+        default: return true;
+    }
+    const ProgramFrame& frame = modal.frame;
+    const char* inside = of_rotation && frame.angle_deg != 0 ? "rotation"
+                         : of_scale && frame.has_scale()     ? "scale"
+                         : of_mirror && frame.has_mirror()   ? "mirror"
+                                                             : nullptr;
+    if (inside == nullptr) return true;
+    fault(diag::SourceFrame, at).arg(nc::info(function).name).arg(inside);
+    return false;
+}
+
+/// The axes that are not named keep the shift that they have.
+bool Expander::State::adapt_shift(Block& block, Invocation& shift) {
+    if (shift.given == 0) return true;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const bool is_named = (shift.given >> i & 1u) != 0;
+        if (!is_named && modal.frame.is_shifted[i])
+            block.set_argument(shift, i, modal.frame.shift[i]);
+    }
+    return true;
+}
+
+/// Machine coordinates as the control reaches them: at rapid whatever acts, or with the tool
+/// length, which no other control does.
+bool Expander::State::adapt_machine(Block& block, const sema::Plan& plan, std::uint32_t at) {
+    if ((plan.customs & custom::kMachineLength) != 0 && modal.has_tool && !modal.is_edge_off) {
+        const Invocation* edge = block.find(Function::ToolEdge);
+        if (edge == nullptr || block.argument(*edge, 0) != 0) {
+            fault(diag::SourceMachine, at).fix("switch the tool length off in this block: `D0`");
+            return false;
+        }
+    }
+    if ((plan.customs & custom::kMachineRapid) == 0) return true;
+    if (modal[Group::Distance] == Function::Incremental &&
+        block.find(Function::Absolute) == nullptr) {
+        fault(diag::StateNeeded, at)
+            .arg("G53")
+            .arg(nc::info(Function::Absolute).name)
+            .arg(nc::info(Function::Incremental).name);
+        return false;
+    }
+    if (modal[Group::Motion] != Function::Rapid || plan.motion != Function::None)
+        block.motion = Function::Rapid;
+    return true;
+}
+
+/// On the control of the source a work offset acts from the start; the target has another one.
+void Expander::State::say_offset(const sema::Plan& plan, const Instruction& instruction,
+                                 std::uint32_t at) {
+    const bool moves = instruction.b != 0 || (plan.given & nc::kTargetSlots) != 0 ||
+                       std::ranges::any_of(plan.fillings, [](const sema::Filling& filling) {
+                           return !filling.is_argument && filling.place < kAxes;
+                       });
+    const bool is_elsewhere = std::ranges::any_of(plan.functions, [](const Invocation& invocation) {
+        return invocation.function == Function::MachineCoordinates ||
+               invocation.function == Function::ReferenceReturn ||
+               invocation.function == Function::WorkOffset;
+    });
+    if (!moves || is_elsewhere) return;
+    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    Block& block = next_block(source);
+    block.set_argument(*block.add(Function::WorkOffset, 1), 0, modal.due_offset);
+    modal.take_functions(block);
+    if (options.trace) keep_trace(at, instruction.c, source);
+}
+
+/// A centre that is not named is where the tool stands.
+bool Expander::State::complete_center(Block& block, Invocation& invocation, std::uint32_t at) {
+    const bool is_rotation = invocation.function == Function::Rotate;
+    if (!is_rotation && invocation.function != Function::Scale) return true;
+    const PlaneIndices plane = indices_of(plane_of(modal[Group::Plane]));
+    for (std::size_t i = 0; i < 3; ++i) {
+        const bool is_named = (invocation.given >> (1 + i) & 1u) != 0;
+        if (is_named || (is_rotation && i == plane.across)) continue;
+        // Inside another one the coordinates count otherwise than those of its centre.
+        const bool is_known =
+            (modal.known >> i & 1u) != 0 && modal.frame.angle_deg == 0 && !modal.frame.has_scale();
+        if (is_known) {
+            block.set_argument(invocation, 1 + i, modal.position[i]);
+            continue;
+        }
+        center_unknown(invocation.function, i, at);
+        return false;
+    }
+    return true;
+}
+
+void Expander::State::center_unknown(Function function, std::size_t axis, std::uint32_t at) {
+    fault(diag::SourceCenter, at)
+        .arg(nc::info(function).name)
+        .arg(kAxisNames[axis])
+        .fix("name the centre: `" + std::string(kAxisNames[axis]) + "0.`");
+}
+
+bool Expander::State::may_move(const Block& block, std::uint32_t at) {
+    constexpr nc::SlotMask kMoves = nc::kTargetSlots | nc::kCenterSlots;
+    if ((block.given & kMoves) == 0 || block.find(Function::MachineCoordinates) != nullptr)
+        return true;
+    // A move without tool length, where the target takes the length with the next move again.
+    if (modal.is_edge_off && target.counts_offsets_by_tool()) {
+        fault(diag::SourceOffset, at)
+            .arg(target.name())
+            .arg("a move with the edge")
+            .arg("0")
+            .fix("say `D1` before it");
+        return false;
+    }
+    const bool needs_feed =
+        modal[Group::Motion] != Function::Rapid && block.find(Function::ReferenceReturn) == nullptr;
+    if (!modal.is_feed_deleted || !needs_feed || block.has(nc::Slot::Feed)) return true;
+    auto builder = fault(diag::SourceFeedDeleted, at);
+    const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::FeedMode)];
+    if (by.is_valid() && by.index < code.statements.size())
+        builder.note(code.statements[by.index], "the kind of feed was changed here");
+    builder.fix("give the block a feed");
+    return false;
+}
+
+/// An increment behind a change of the frame: some controls travel the change as well.
+bool Expander::State::adapt_increments(Block& block, const sema::Plan& plan, std::uint32_t at) {
+    const bool source_travels = (plan.customs & custom::kIncrementTravels) != 0;
+    const bool target_travels = target.has_rule("incremental_frame", "traversed");
+    if (!source_travels && !target_travels) return true;
+    if (block.find(Function::MachineCoordinates) != nullptr ||
+        block.find(Function::ReferenceReturn) != nullptr)
+        return true;
+    const bool is_modal = modal[Group::Distance] == Function::Incremental;
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        const nc::SlotMask bit = nc::SlotMask{1} << i;
+        const bool is_increment =
+            (block.incremental & bit) != 0 || (is_modal && (block.absolute & bit) == 0);
+        if ((block.given & bit) == 0 || !is_increment) continue;
+        const bool is_lost = (modal.lost_drift >> i & 1u) != 0;
+        const double drift = modal.drift[i];
+        if (source_travels && target_travels) {
+            modal.position[i] -= drift;
+            if (is_lost) modal.known &= static_cast<AxisMask>(~bit);
+        } else if (is_lost) {
+            fault(diag::IncrementAfterFrame, at)
+                .arg(kAxisNames[i])
+                .arg(target.name())
+                .fix("name a coordinate of " + std::string(kAxisNames[i]) + " first");
+            return false;
+        } else if (source_travels) {
+            block.values[i] -= drift;
+        } else if ((modal.known >> i & 1u) != 0) {
+            block.values[i] += modal.position[i];
+            block.incremental &= ~bit;
+            if (is_modal) block.absolute |= bit;
+        } else {
+            block.values[i] += drift;
+        }
+    }
+    return true;
+}
+
+/// A return to the reference point that goes over no other place, for a target without words for
+/// the way there.
+void Expander::State::say_reference(Block& block) {
+    if (target.can_write(Function::ReferenceReturn) || !target.can_write(Function::ReferencePoint))
+        return;
+    const nc::SlotMask named = block.given & nc::kTargetSlots;
+    const bool is_modal = modal[Group::Distance] == Function::Incremental;
+    for (std::size_t i = 0; i < nc::kSlots; ++i) {
+        const nc::SlotMask bit = nc::SlotMask{1} << i;
+        if ((named & bit) == 0) continue;
+        const bool is_distance =
+            (block.incremental & bit) != 0 || (is_modal && (block.absolute & bit) == 0);
+        // What goes over a place the writer refuses.
+        if (i >= 3 || !is_distance || block.values[i] != 0) return;
+    }
+    if (named == 0) return;
+    for (std::size_t f = 0; f < block.function_count; ++f) {
+        Invocation& invocation = block.functions[f];
+        if (invocation.function != Function::ReferenceReturn) continue;
+        const double point = block.argument(invocation, 0, 1);
+        become(block, invocation, Function::ReferencePoint, point);
+        block.argument_count = static_cast<std::uint8_t>(block.argument_count + 3);
+        for (std::size_t i = 0; i < 3; ++i) {
+            if ((named >> i & 1u) != 0) block.set_argument(invocation, 1 + i, 0);
+        }
+    }
+    block.given &= ~named;
+    block.incremental &= ~named;
+    block.absolute &= ~named;
+}
+
+/// `H3` and `D3` of tool 3 are its first edge.
+bool Expander::State::take_offsets_as_edges(Block& block, std::uint32_t at) {
+    // The tool that is in, not one that waits for its change; before the first change the one that
+    // was called.
+    const Invocation* select = block.find(Function::ToolSelect);
+    const bool changes = block.find(Function::ToolChange) != nullptr;
+    const bool is_called = select != nullptr && (changes || !modal.has_tool_in);
+    const bool is_in = !is_called && !changes && modal.has_tool_in;
+    const bool has_tool = is_called || is_in || modal.has_tool;
+    const double tool = is_called ? block.argument(*select, 0) : is_in ? modal.tool_in : modal.tool;
+    bool is_said = false;
+    for (std::size_t i = 0; i < block.function_count;) {
+        Invocation& invocation = block.functions[i];
+        const bool is_length = invocation.function == Function::LengthCompOn;
+        const bool is_off = invocation.function == Function::LengthCompOff;
+        const bool is_radius = invocation.function == Function::RadiusOffset;
+        if (!is_length && !is_off && !is_radius) {
+            ++i;
+            continue;
+        }
+        // An edge that is switched off takes its radius along.
+        const bool is_plain = modal[Group::RadiusComp] == Function::RadiusCompOff ||
+                              block.find(Function::RadiusCompOff) != nullptr;
+        const double number = is_off ? 0 : block.argument(invocation, 0, -1);
+        const bool fits = number == 0 ? is_plain : has_tool && number == tool;
+        if (!fits) {
+            std::string shown = number < 0 ? "without H" : std::to_string(std::llround(number));
+            if (is_off) shown.clear();
+            auto builder = fault(diag::SourceOffset, at);
+            builder.arg(target.name())
+                .arg(is_length ? "the length offset"
+                     : is_off  ? "the end of the length offset"
+                               : "the radius offset")
+                .arg(shown);
+            builder.fix(is_off ? "switch the radius compensation off before it"
+                               : "give the offset the number of its tool, or say `tool(n)`");
+            return false;
+        }
+        if (is_said) {
+            erase(block, i);
+            continue;
+        }
+        is_said = true;
+        become(block, invocation, Function::ToolEdge, number == 0 ? 0 : 1);
+        ++i;
+    }
+    return true;
+}
+
+/// The first edge acts with the change of its tool; it has the offsets with the tool's number.
+bool Expander::State::take_edges_as_offsets(Block& block, std::uint32_t at) {
+    for (std::size_t i = block.function_count; i-- > 0;) {
+        if (block.functions[i].function != Function::ToolEdge) continue;
+        const double edge = block.argument(block.functions[i], 0);
+        const bool is_off = edge == 0 && block.find(Function::MachineCoordinates) != nullptr;
+        if (edge != 1 && !is_off) {
+            fault(diag::SourceOffset, at)
+                .arg(target.name())
+                .arg("the edge")
+                .arg(std::to_string(std::llround(edge)))
+                .fix("say what the target is to do where it is the target: `G49`, `G43 H…`");
+            return false;
+        }
+        erase(block, i);
+    }
+    if (target.has_rule("tool_change_activates_length")) return true;
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        if (block.functions[i].function != Function::ToolChange) continue;
+        const Invocation* select = block.find(Function::ToolSelect);
+        if (select == nullptr && !modal.has_tool) return true;
+        const double tool = select != nullptr ? block.argument(*select, 0) : modal.tool;
+        become(block, block.functions[i], Function::Tool, tool);
+        if (select != nullptr)
+            erase(block, static_cast<std::size_t>(select - block.functions.data()));
+        return true;
+    }
+    return true;
+}
+
+}  // namespace kadr::expand
