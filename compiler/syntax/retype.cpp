@@ -343,7 +343,7 @@ bool Retyping::is_declared_operator(std::size_t i, const Keyword& keyword) {
                            after == Token::Comma || after == Token::CloseParen ||
                            after == Token::Colon;
     const bool is_told = wrong_names_.contains(in_[i].text.index);
-    if (is_behind_type && ends_name) {
+    if ((is_behind_type && ends_name) || after == Token::Assign) {
         if (!is_told) {
             wrong_names_.insert(in_[i].text.index);
             file_.sink.report(diag::KeywordAsName, file_.range(in_[i]))
