@@ -56,6 +56,7 @@ std::optional<path::Curve> part_below(const path::Curve& curve, double height) {
     // Along a line, and along a helix about the tool axis, the height changes evenly with the way.
     const auto* helix = std::get_if<path::Helix>(&curve);
     if (helix != nullptr && !is_vertical(helix->normal)) return curve;
+    if (std::holds_alternative<path::Spline>(curve)) return curve;
     const double from = path::start(curve).z();
     const double to = path::end(curve).z();
     if (from == to) return curve;
@@ -97,6 +98,7 @@ bool Recording::Move::is_known() const {
 
 bool Recording::Move::is_in_plane() const {
     if (std::holds_alternative<path::Helix>(curve)) return true;
+    if (std::holds_alternative<path::Spline>(curve)) return true;
     const Vec3 way = end() - start();
     return std::hypot(way.x(), way.y()) > kBeyond;
 }
@@ -105,7 +107,8 @@ void Recording::add(const path::Command& command) {
     using path::Op;
     if (command.op == Op::Tool && command.source.is_valid())
         tools_.push_back(static_cast<double>(command.tool));
-    const bool moves = command.op == Op::Rapid || command.op == Op::Line || command.op == Op::Arc;
+    const bool moves = command.op == Op::Rapid || command.op == Op::Line || command.op == Op::Arc ||
+                       command.op == Op::Spline;
     if (!moves) return;
     const AxisMask before = known_;
     const auto moved = static_cast<AxisMask>(command.moved & (kXy | kZ));

@@ -34,12 +34,6 @@ constexpr std::size_t at(FollowSlot slot) { return static_cast<std::size_t>(slot
 
 bool is_given(Slot slot) { return slot.number == slot.number; }
 
-/// "X and Y", for messages.
-std::string axes_text(path::Plane plane) {
-    const PlaneIndices axes = indices_of(plane);
-    return std::string(kAxisNames[axes.first]) + " and " + std::string(kAxisNames[axes.second]);
-}
-
 std::string mm_text(double value) {
     std::string text;
     append_shortest(text, std::nearbyint(value * 1e6) / 1e6);
@@ -56,12 +50,41 @@ std::string_view describe(path::ArcFault fault) {
     }
 }
 
+/// How the points of a contour stand in a program: in which plane, and whether X is a diameter.
+struct Wording {
+    path::Plane plane = path::Plane::Xy;
+    bool is_diameter = false;
+
+    PlaneIndices axes() const { return indices_of(plane); }
+    /// What a millimetre along the first and the second axis is in a word.
+    Vec2 scale() const {
+        if (!is_diameter) return {1, 1};
+        const PlaneIndices indices = axes();
+        return {indices.first == index(Axis::X) ? 2 : 1, indices.second == index(Axis::X) ? 2 : 1};
+    }
+    Vec2 words(const Vec2& point) const { return point.cwiseProduct(scale()); }
+    Vec2 place(const Vec2& words) const { return words.cwiseQuotient(scale()); }
+};
+
+template <typename Kept>
+Wording wording_of(const Kept& contour) {
+    return {contour.plane, contour.is_diameter};
+}
+
 /// The point of a plane in the three registers of a point.
-void put_point(Slot* slots, path::Plane plane, const Vec2& point) {
-    const PlaneIndices axes = indices_of(plane);
-    slots[axes.first].number = point.x();
-    slots[axes.second].number = point.y();
+void put_point(Slot* slots, const Wording& wording, const Vec2& point) {
+    const PlaneIndices axes = wording.axes();
+    const Vec2 words = wording.words(point);
+    slots[axes.first].number = words.x();
+    slots[axes.second].number = words.y();
     slots[axes.across].number = sema::kNotGivenNumber;
+}
+
+/// "X and Y", for messages.
+std::string axes_text(const Wording& wording) {
+    const PlaneIndices axes = wording.axes();
+    return std::string(kAxisNames[axes.first]) + " and " + std::string(kAxisNames[axes.second]) +
+           (wording.is_diameter ? " (X a diameter)" : "");
 }
 
 /// A quarter turn is 90 degrees, not what remains of it after the way through radians.
@@ -70,12 +93,12 @@ double neat_degrees(double angle_deg) {
     return std::fabs(rounded - angle_deg) < 1e-12 ? rounded : angle_deg;
 }
 
-void put_element(Slot* slots, path::Plane plane, const Element& element) {
-    put_point(slots + at(ElementSlot::From), plane, element.from);
-    put_point(slots + at(ElementSlot::To), plane, element.to);
+void put_element(Slot* slots, const Wording& wording, const Element& element) {
+    put_point(slots + at(ElementSlot::From), wording, element.from);
+    put_point(slots + at(ElementSlot::To), wording, element.to);
     const bool is_arc = element.is_arc();
     if (is_arc) {
-        put_point(slots + at(ElementSlot::Center), plane, element.center);
+        put_point(slots + at(ElementSlot::Center), wording, element.center);
     } else {
         for (std::size_t i = 0; i < 3; ++i)
             slots[at(ElementSlot::Center) + i].number = sema::kNotGivenNumber;
@@ -84,10 +107,12 @@ void put_element(Slot* slots, path::Plane plane, const Element& element) {
     slots[at(ElementSlot::Sweep)].number = neat_degrees(deg_from_rad(element.sweep));
     slots[at(ElementSlot::Length)].number = path::length(element);
     slots[at(ElementSlot::IsArc)].integer = is_arc;
+    slots[at(ElementSlot::IsDiameter)].integer = wording.is_diameter;
 }
 
-Vec2 point_in(const Slot* slots, const PlaneIndices& axes) {
-    return {slots[axes.first].number, slots[axes.second].number};
+Vec2 point_in(const Slot* slots, const Wording& wording) {
+    const PlaneIndices axes = wording.axes();
+    return wording.place({slots[axes.first].number, slots[axes.second].number});
 }
 
 }  // namespace
@@ -103,13 +128,14 @@ Expander::State::PlaneContour Expander::State::read_contour(Slot handle) {
             // The coordinate that is not given is the one across the plane.
             if (!is_given(slots[1])) result.plane = path::Plane::Zx;
             else if (!is_given(slots[0])) result.plane = path::Plane::Yz;
+            result.is_diameter = slots[at(ElementSlot::IsDiameter)].integer != 0;
         }
-        const PlaneIndices axes = indices_of(result.plane);
+        const Wording wording = wording_of(result);
         Element element;
-        element.from = point_in(slots + at(ElementSlot::From), axes);
-        element.to = point_in(slots + at(ElementSlot::To), axes);
+        element.from = point_in(slots + at(ElementSlot::From), wording);
+        element.to = point_in(slots + at(ElementSlot::To), wording);
         if (slots[at(ElementSlot::IsArc)].integer != 0) {
-            element.center = point_in(slots + at(ElementSlot::Center), axes);
+            element.center = point_in(slots + at(ElementSlot::Center), wording);
             element.sweep = rad_from_deg(slots[at(ElementSlot::Sweep)].number);
         }
         result.elements.push_back(element);
@@ -121,7 +147,7 @@ std::int64_t Expander::State::make_contour(const PlaneContour& contour, std::uin
     const std::int64_t array = heap.new_array(layout);
     std::array<Slot, sema::kElementSlots> slots{};
     for (const Element& element : contour.elements) {
-        put_element(slots.data(), contour.plane, element);
+        put_element(slots.data(), wording_of(contour), element);
         heap.append(array, slots.data());
     }
     return array;
@@ -135,14 +161,32 @@ bool Expander::State::contour_value(const Instruction& instruction, Slot* regist
     const Slot* arguments = registers + instruction.b;
     const Slot handle = function == ContourFunction::IsInside ? arguments[3] : arguments[0];
     PlaneContour contour = read_contour(handle);
-    const PlaneIndices axes = indices_of(contour.plane);
+    const Wording wording = wording_of(contour);
+    const PlaneIndices axes = wording.axes();
     const auto point_argument = [&](const Slot* slots) -> std::optional<Vec2> {
         for (const std::size_t i : {axes.first, axes.second}) {
             if (is_given(slots[i])) continue;
             not_given("the coordinate " + std::string(kAxisNames[i]) + " of the point", where);
             return std::nullopt;
         }
-        return point_in(slots, axes);
+        return point_in(slots, wording);
+    };
+    // Of words that may be left out, as distances: what is not given is 0.
+    const auto vector_argument = [&](const Slot* slots) {
+        Vec2 words = Vec2::Zero();
+        if (is_given(slots[axes.first])) words.x() = slots[axes.first].number;
+        if (is_given(slots[axes.second])) words.y() = slots[axes.second].number;
+        return wording.place(words);
+    };
+    const auto put_points = [&](const std::vector<Vec2>& points) {
+        const std::int64_t list = heap.new_array(layout);
+        for (const Vec2& point : points) {
+            std::array<Slot, 3> slots{};
+            put_point(slots.data(), wording, point);
+            heap.append(list, slots.data());
+        }
+        result.integer = list;
+        return true;
     };
     const auto needs_elements = [&] {
         if (!contour.elements.empty()) return true;
@@ -172,11 +216,12 @@ bool Expander::State::contour_value(const Instruction& instruction, Slot* regist
             if (!needs_closed("the sense of rotation")) return false;
             result.integer = path::signed_area(contour.elements) < 0;
             return true;
+        case ContourFunction::IsDiameter: result.integer = contour.is_diameter; return true;
         case ContourFunction::Start:
         case ContourFunction::End: {
             if (!needs_elements()) return false;
             const bool is_start = function == ContourFunction::Start;
-            put_point(&result, contour.plane,
+            put_point(&result, wording,
                       is_start ? contour.elements.front().from : contour.elements.back().to);
             return true;
         }
@@ -184,8 +229,7 @@ bool Expander::State::contour_value(const Instruction& instruction, Slot* regist
         case ContourFunction::Max: {
             if (!needs_elements()) return false;
             const path::Rectangle box = path::bounds(contour.elements);
-            put_point(&result, contour.plane,
-                      function == ContourFunction::Min ? box.lower : box.upper);
+            put_point(&result, wording, function == ContourFunction::Min ? box.lower : box.upper);
             return true;
         }
         case ContourFunction::Reverse: return put_made(path::reversed(contour.elements));
@@ -200,23 +244,16 @@ bool Expander::State::contour_value(const Instruction& instruction, Slot* regist
             const std::uint32_t inner = code.layouts[layout].nested[0];
             for (const Contour& piece : *pieces) {
                 Slot slot{};
-                slot.integer = make_contour({piece, contour.plane}, inner);
+                slot.integer = make_contour({piece, contour.plane, contour.is_diameter}, inner);
                 heap.append(list, &slot);
             }
             result.integer = list;
             return true;
         }
-        case ContourFunction::Shift: {
-            Vec2 by = Vec2::Zero();
-            if (is_given(arguments[1 + axes.first])) by.x() = arguments[1 + axes.first].number;
-            if (is_given(arguments[1 + axes.second])) by.y() = arguments[1 + axes.second].number;
-            return put_made(path::shifted(contour.elements, by));
-        }
+        case ContourFunction::Shift:
+            return put_made(path::shifted(contour.elements, vector_argument(arguments + 1)));
         case ContourFunction::Rotate: {
-            Vec2 about = Vec2::Zero();
-            const Slot* slots = arguments + 2;
-            if (is_given(slots[axes.first])) about.x() = slots[axes.first].number;
-            if (is_given(slots[axes.second])) about.y() = slots[axes.second].number;
+            const Vec2 about = vector_argument(arguments + 2);
             const Contour turned = path::rotated(path::shifted(contour.elements, -about),
                                                  rad_from_deg(arguments[1].number));
             return put_made(path::shifted(turned, about));
@@ -235,30 +272,33 @@ bool Expander::State::contour_value(const Instruction& instruction, Slot* regist
             if (!needs_elements()) return false;
             const std::optional<Vec2> point = point_argument(arguments + 1);
             if (!point) return false;
-            put_point(&result, contour.plane, path::nearest(contour.elements, *point).point);
+            put_point(&result, wording, path::nearest(contour.elements, *point).point);
             return true;
         }
         case ContourFunction::Intersections: {
             const PlaneContour other = read_contour(arguments[1]);
             const bool both = !contour.elements.empty() && !other.elements.empty();
-            if (both && contour.plane != other.plane) {
+            if (both &&
+                (contour.plane != other.plane || contour.is_diameter != other.is_diameter)) {
                 fault(diag::ContourPlane, where)
                     .arg("a contour")
-                    .arg(axes_text(contour.plane))
+                    .arg(axes_text(wording))
                     .arg("another one")
-                    .arg(axes_text(other.plane));
+                    .arg(axes_text(wording_of(other)));
                 return false;
             }
-            const std::int64_t list = heap.new_array(layout);
-            if (both) {
-                for (const Vec2& point : path::intersections(contour.elements, other.elements)) {
-                    std::array<Slot, 3> slots{};
-                    put_point(slots.data(), contour.plane, point);
-                    heap.append(list, slots.data());
-                }
+            return put_points(path::intersections(contour.elements, other.elements));
+        }
+        case ContourFunction::Crossings: {
+            const Slot* words = arguments + 1;
+            const bool is_first = is_given(words[axes.first]);
+            if (is_first == is_given(words[axes.second]) || is_given(words[axes.across])) {
+                fault(diag::CrossingLine, where).arg(axes_text(wording));
+                return false;
             }
-            result.integer = list;
-            return true;
+            const Vec2 value = vector_argument(words);
+            return put_points(path::crossings(contour.elements, is_first ? 0 : 1,
+                                              is_first ? value.x() : value.y()));
         }
     }
     return true;
@@ -282,7 +322,7 @@ std::int64_t Expander::State::end_contour(std::uint32_t layout) {
     const Recording recording = std::move(recordings.back());
     recordings.pop_back();
     modal = recording.before;
-    return make_contour({recording.elements, recording.plane}, layout);
+    return make_contour({recording.elements, recording.plane, recording.is_diameter}, layout);
 }
 
 bool Expander::State::close_contour(std::uint32_t where) {
@@ -303,6 +343,10 @@ bool Expander::State::close_contour(std::uint32_t where) {
 bool Expander::State::keep_plan(const sema::Plan& plan, const Instruction& instruction,
                                 const Slot* registers, std::uint32_t where) {
     for (const nc::Invocation& invocation : plan.functions) {
+        if (invocation.function == Function::DiameterOn ||
+            invocation.function == Function::DiameterOff) {
+            continue;
+        }
         switch (nc::info(invocation.function).group) {
             case Group::Plane:
             case Group::Distance: continue;
@@ -324,8 +368,14 @@ bool Expander::State::keep(const Block& block, std::uint32_t where) {
     Recording& recording = recordings.back();
     const path::Plane plane = plane_of(modal[Group::Plane]);
     const PlaneIndices axes = indices_of(plane);
-    if (!recording.has_start) recording.plane = plane;
-    else if (recording.plane != plane) return refuse_block("another plane", where);
+    if (!recording.has_start) {
+        recording.plane = plane;
+        recording.is_diameter = modal.is_diameter;
+    } else if (recording.plane != plane) {
+        return refuse_block("another plane", where);
+    } else if (recording.is_diameter != modal.is_diameter) {
+        return refuse_block("a change between diameter and radius", where);
+    }
     if (block.has(nc::Slot::Feed)) return refuse_block("a feed", where);
     if (block.has(nc::Slot::Speed)) return refuse_block("a speed", where);
     if (block.has(nc::Slot::Turns)) return refuse_block("a helix", where);
@@ -345,7 +395,8 @@ bool Expander::State::keep(const Block& block, std::uint32_t where) {
         fault(diag::ContourComplete, where);
         return false;
     }
-    const Vec2 to(modal.position[axes.first], modal.position[axes.second]);
+    const Wording wording = wording_of(recording);
+    const Vec2 to = wording.place({modal.position[axes.first], modal.position[axes.second]});
     if (!recording.has_start) {
         const bool both =
             (modal.known >> axes.first & 1u) != 0 && (modal.known >> axes.second & 1u) != 0;
@@ -391,6 +442,7 @@ bool Expander::State::keep(const Block& block, std::uint32_t where) {
                 static_cast<nc::Slot>(static_cast<std::size_t>(nc::Slot::CenterX) + i);
             if (!block.has(slot)) continue;
             if (i == axes.across) return refuse_block("a centre across the plane", where);
+            // Of the part as it is: I is no diameter.
             double& value = center[static_cast<Eigen::Index>(i)];
             if ((block.absolute & nc::bit(slot)) != 0) value = block.at(slot);
             else value += block.at(slot);
@@ -479,7 +531,7 @@ bool Expander::State::follow_start(const Instruction& instruction, Slot* registe
                                    std::uint32_t where) {
     const auto contour = followed(registers + instruction.b, where);
     if (!contour) return false;
-    put_point(registers + instruction.a, contour->plane, contour->elements.front().from);
+    put_point(registers + instruction.a, wording_of(*contour), contour->elements.front().from);
     return true;
 }
 
@@ -492,20 +544,23 @@ bool Expander::State::follow_contour(const Instruction& instruction, const Slot*
     if (contour->plane != plane) {
         fault(diag::ContourPlane, where)
             .arg("a contour")
-            .arg(axes_text(contour->plane))
+            .arg(axes_text({contour->plane}))
             .arg("the program")
-            .arg(axes_text(plane));
+            .arg(axes_text({plane}));
         return false;
     }
     FollowedBlock next;
     next.source = {static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     next.depth = instruction.c;
     next.feed = arguments[at(FollowSlot::Feed)].number;
-    const PlaneIndices axes = indices_of(plane);
+    // In a contour that is being made, X is what its own words say.
+    const Wording wording{plane, recordings.empty() ? contour->is_diameter : modal.is_diameter};
+    next.is_diameter = wording.is_diameter;
+    const PlaneIndices axes = wording.axes();
     const Vec2 begin = contour->elements.front().from;
     const bool is_known =
         (modal.known >> axes.first & 1u) != 0 && (modal.known >> axes.second & 1u) != 0;
-    const Vec2 here(modal.position[axes.first], modal.position[axes.second]);
+    const Vec2 here = wording.place({modal.position[axes.first], modal.position[axes.second]});
     const bool is_there = is_known && (here - begin).norm() <= path::kSamePoint;
     if (!is_there) {
         if (!emit_element(path::line_element(here, begin), next, where)) return false;
@@ -522,7 +577,9 @@ bool Expander::State::follow_contour(const Instruction& instruction, const Slot*
 bool Expander::State::emit_element(const Element& element, const FollowedBlock& next,
                                    std::uint32_t where) {
     if (is_block_limit(where)) return false;
-    const PlaneIndices axes = indices_of(plane_of(modal[Group::Plane]));
+    const Wording wording{plane_of(modal[Group::Plane]), next.is_diameter};
+    const PlaneIndices axes = wording.axes();
+    const Vec2 words = wording.words(element.to);
     Block& block = next_block(next.source);
     block.motion = !element.is_arc()   ? Function::Line
                    : element.sweep > 0 ? Function::ArcCcw
@@ -532,7 +589,7 @@ bool Expander::State::emit_element(const Element& element, const FollowedBlock& 
     for (std::size_t i = 0; i < 2; ++i) {
         const auto component = static_cast<Eigen::Index>(i);
         const auto word = static_cast<nc::Slot>(plane_axes[i]);
-        block.set(word, element.to[component]);
+        block.set(word, words[component]);
         if (modal[Group::Distance] == Function::Incremental) block.absolute |= nc::bit(word);
         if (!element.is_arc()) continue;
         const auto center =

@@ -80,7 +80,7 @@ std::optional<path::CurveSample> Expander::State::curve_point(const Instruction&
     for (std::size_t i = 0; i < 3; ++i) {
         const double value = stack[base + axes[i]].number;
         const bool is_given = value == value;
-        if (!curve.fit) curve.is_given[i] = is_given;
+        if (!curve.has_coordinates) curve.is_given[i] = is_given;
         if (curve.is_given[i] != is_given) {
             fault(diag::CurveCoordinate, where)
                 .arg(function.name)
@@ -94,8 +94,10 @@ std::optional<path::CurveSample> Expander::State::curve_point(const Instruction&
             math_fault(sema::MathFault::Overflow, where);
             return std::nullopt;
         }
-        sample.position[static_cast<Eigen::Index>(i)] = value;
-        sample.derivative[static_cast<Eigen::Index>(i)] = slopes[base + axes[i]];
+        // The curve gives words; what is fitted is the way of the tool.
+        const double scale = word_scale(axes[i], modal.is_diameter);
+        sample.position[static_cast<Eigen::Index>(i)] = value / scale;
+        sample.derivative[static_cast<Eigen::Index>(i)] = slopes[base + axes[i]] / scale;
     }
     return sample;
 }
@@ -113,21 +115,22 @@ bool Expander::State::start_curve(const Instruction& instruction, std::uint32_t 
     curve.next.source = {static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     curve.next.depth = instruction.c;
     curve.next.feed = options_of[at(CurveSlot::Feed)].number;
+    curve.next.is_diameter = modal.is_diameter;
     path::FitOptions fit;
     fit.tolerance = tolerance;
     fit.from = options_of[at(CurveSlot::From)].number;
     fit.to = options_of[at(CurveSlot::To)].number;
     const bool wants_arcs = options_of[at(CurveSlot::Arcs)].integer != 0;
+    // Contours are made of lines and arcs.
+    const bool wants_nurbs = options_of[at(CurveSlot::Nurbs)].integer != 0 && recordings.empty();
     // The first point tells which coordinates the curve has.
     const std::optional<path::CurveSample> first = curve_point(instruction, where, fit.from);
     if (!first) return false;
+    curve.has_coordinates = true;
     const bool is_flat = curve.is_given[0] && curve.is_given[1] && !curve.is_given[2];
     const bool has_arcs = target.can_write(Function::ArcCw) && target.can_write(Function::ArcCcw);
     fit.kind = is_flat && has_arcs && wants_arcs ? path::FitKind::Biarcs : path::FitKind::Lines;
-    const Instruction* self = &instruction;
-    curve.fit = std::make_unique<path::CurveFit>(
-        [this, self, where](double parameter) { return curve_point(*self, where, parameter); },
-        fit);
+    if (!start_fit(instruction, where, wants_nurbs, fit)) return false;
     curve.at = first->position.head<2>();
     // To the start, unless the tool is there.
     const std::array<std::size_t, 3> axes = order_of(curve.plane);
@@ -135,13 +138,60 @@ bool Expander::State::start_curve(const Instruction& instruction, std::uint32_t 
     for (std::size_t i = 0; i < 3; ++i) {
         if (!curve.is_given[i]) continue;
         const bool is_known = (modal.known >> axes[i] & 1u) != 0;
-        const double way = modal.position[axes[i]] - first->position[static_cast<Eigen::Index>(i)];
+        const double way = modal.position[axes[i]] / word_scale(axes[i], modal.is_diameter) -
+                           first->position[static_cast<Eigen::Index>(i)];
         is_there = is_there && is_known && std::fabs(way) <= path::kSamePoint;
     }
     if (is_there) return true;
     if (!emit_line(first->position, curve.next, where)) return false;
     curve.next.feed = sema::kNotGivenNumber;
     return true;
+}
+
+/// As one spline if that is asked for and the control has it; else as lines or arcs, piece by
+/// piece.
+bool Expander::State::start_fit(const Instruction& instruction, std::uint32_t where,
+                                bool wants_nurbs, const path::FitOptions& fit) {
+    const bool has_splines =
+        target.can_write(Function::Spline) &&
+        (target.can_write(Function::SplineInterval) || target.can_write(Function::SplineKnot));
+    if (wants_nurbs && has_splines) return fit_spline(instruction, where, fit);
+    if (wants_nurbs && where != spline_warned_at) {
+        spline_warned_at = where;
+        fault(diag::SplineFallback, where)
+            .arg(target.name())
+            .arg(fit.kind == path::FitKind::Biarcs ? "arcs" : "lines");
+    }
+    const Instruction* self = &instruction;
+    following->fit = std::make_unique<path::CurveFit>(
+        [this, self, where](double parameter) { return curve_point(*self, where, parameter); },
+        fit);
+    return true;
+}
+
+bool Expander::State::fit_spline(const Instruction& instruction, std::uint32_t where,
+                                 const path::FitOptions& fit) {
+    path::SplineFitResult fitted = path::fit_spline(
+        [&](double parameter) { return curve_point(instruction, where, parameter); }, fit);
+    if (has_failed) return false;
+    if (fitted.fault) {
+        jump_fault(instruction, where, fitted.parameter);
+        return false;
+    }
+    following->spline = std::move(fitted.spline);
+    // By intervals the first pole is where the tool is anyway.
+    following->next_knot = target.can_write(Function::SplineInterval) ? 1 : 0;
+    return true;
+}
+
+void Expander::State::jump_fault(const Instruction& instruction, std::uint32_t where,
+                                 double parameter) {
+    const sema::FunctionCode& function =
+        code.functions[static_cast<std::size_t>(instruction.immediate.pair.first)];
+    fault(diag::CurveJump, where)
+        .arg(function.name)
+        .arg(function.parameters.back().name)
+        .arg(number_text(parameter));
 }
 
 Expander::State::Progress Expander::State::follow_curve(const Instruction& instruction,
@@ -155,6 +205,13 @@ Expander::State::Progress Expander::State::follow_curve(const Instruction& instr
         const bool has_room = !recordings.empty() || batch_count < batch_size;
         if (!has_room) return Progress::BatchFull;
         Following& curve = *following;
+        if (curve.fit == nullptr) {
+            if (curve.next_knot == block_count(curve.spline)) break;
+            if (!emit_pole(curve.next, where)) return Progress::Failed;
+            ++curve.next_knot;
+            curve.next.feed = sema::kNotGivenNumber;
+            continue;
+        }
         const std::optional<path::FitPiece> piece = curve.fit->next();
         if (!piece) break;
         const Vec2 to = piece->to.head<2>();
@@ -168,33 +225,65 @@ Expander::State::Progress Expander::State::follow_curve(const Instruction& instr
         curve.next.feed = sema::kNotGivenNumber;
     }
     if (has_failed) return Progress::Failed;
-    if (following->fit->fault() == path::FitFault::Jump) {
-        const sema::FunctionCode& function =
-            code.functions[static_cast<std::size_t>(instruction.immediate.pair.first)];
-        fault(diag::CurveJump, where)
-            .arg(function.name)
-            .arg(function.parameters.back().name)
-            .arg(number_text(following->fit->parameter()));
+    if (following->fit == nullptr) {
+        // A position by itself behind the spline is no further pole of it.
+        modal.active[static_cast<std::size_t>(Group::Motion)] = Function::Line;
+        modal.restate_motion = true;
+    } else if (following->fit->fault() == path::FitFault::Jump) {
+        jump_fault(instruction, where, following->fit->parameter());
         return Progress::Failed;
     }
     following.reset();
     return Progress::Done;
 }
 
+/// Blocks of a spline: by knots one for each of them; by intervals one for each pole but the first.
+std::size_t Expander::State::block_count(const path::Nurbs& spline) const {
+    return target.can_write(Function::SplineInterval) ? spline.poles.size() : spline.knots.size();
+}
+
+/// One block of the spline: a pole with its knot or its interval, or a knot alone.
+bool Expander::State::emit_pole(const FollowedBlock& next, std::uint32_t where) {
+    if (is_block_limit(where)) return false;
+    const path::Nurbs& spline = following->spline;
+    const std::size_t i = following->next_knot;
+    const bool by_intervals = target.can_write(Function::SplineInterval);
+    nc::Block& block = next_block(next.source);
+    if (i == (by_intervals ? 1 : 0)) {
+        block.motion = Function::Spline;
+        block.set_argument(*block.add(Function::SplineDegree, 1), 0, spline.degree);
+    }
+    modal.take_functions(block);
+    const auto degree = static_cast<std::size_t>(spline.degree);
+    if (by_intervals) {
+        const double interval = spline.knots[degree + i] - spline.knots[degree + i - 1];
+        block.set_argument(*block.add(Function::SplineInterval, 1), 0, interval);
+    } else {
+        block.set_argument(*block.add(Function::SplineKnot, 1), 0, spline.knots[i]);
+    }
+    if (i < spline.poles.size()) set_coordinates(block, spline.poles[i]);
+    return finish_followed(block, next, where);
+}
+
 /// A line in all coordinates that the curve has.
 bool Expander::State::emit_line(const Vec3& to, const FollowedBlock& next, std::uint32_t where) {
     if (is_block_limit(where)) return false;
-    const std::array<std::size_t, 3> axes = order_of(following->plane);
     nc::Block& block = next_block(next.source);
     block.motion = Function::Line;
     modal.take_functions(block);
+    set_coordinates(block, to);
+    return finish_followed(block, next, where);
+}
+
+void Expander::State::set_coordinates(nc::Block& block, const Vec3& to) const {
+    const std::array<std::size_t, 3> axes = order_of(following->plane);
     for (std::size_t i = 0; i < 3; ++i) {
         if (!following->is_given[i]) continue;
         const auto word = static_cast<nc::Slot>(axes[i]);
-        block.set(word, to[static_cast<Eigen::Index>(i)]);
+        block.set(word, to[static_cast<Eigen::Index>(i)] *
+                            word_scale(axes[i], following->next.is_diameter));
         if (modal[Group::Distance] == Function::Incremental) block.absolute |= nc::bit(word);
     }
-    return finish_followed(block, next, where);
 }
 
 }  // namespace kadr::expand

@@ -17,7 +17,7 @@
 #include "expand/modal.h"
 #include "path/command.h"
 #include "path/contour.h"
-#include "path/fit.h"
+#include "path/spline_fit.h"
 #include "sema/arithmetic.h"
 
 namespace kadr::expand {
@@ -58,15 +58,19 @@ class CallStack {
 /// What the blocks that follow a contour or a curve have in common.
 struct FollowedBlock {
     SourceId source;
-    unsigned depth = 0;  // loops around the statement
-    double feed = 0;     // of the block, second form included; NaN: none
+    unsigned depth = 0;        // loops around the statement
+    double feed = 0;           // of the block, second form included; NaN: none
+    bool is_diameter = false;  // the word X is a diameter
 };
 
 /// A curve that is being followed: its blocks may fill several batches.
 struct Following {
     std::unique_ptr<path::CurveFit> fit;
+    path::Nurbs spline;         // its poles are the blocks, if it has any; then there is no fit
+    std::size_t next_knot = 0;  // of the spline: block number
     path::Plane plane = path::Plane::Xy;
     std::array<bool, 3> is_given{};  // coordinates, in the order of the plane
+    bool has_coordinates = false;    // is_given holds
     path::Vec2 at = path::Vec2::Zero();
     FollowedBlock next;
 };
@@ -181,9 +185,11 @@ struct Expander::State {
 
     // ---- contours.cpp
     /// A contour outside of the heap, with the plane in which it lies.
+    /// Geometry as it is on the part; as words and as points of the program X may be a diameter.
     struct PlaneContour {
         path::Contour elements;
         path::Plane plane = path::Plane::Xy;
+        bool is_diameter = false;
     };
     PlaneContour read_contour(Slot handle);
     std::int64_t make_contour(const PlaneContour& contour, std::uint32_t layout);
@@ -206,10 +212,21 @@ struct Expander::State {
 
     // ---- curves.cpp
     enum class Progress : std::uint8_t { Failed, BatchFull, Done };
+    /// What a millimetre along an axis is in its word.
+    double word_scale(std::size_t axis, bool is_diameter) const {
+        return is_diameter && axis == index(Axis::X) ? 2 : 1;
+    }
     Progress follow_curve(const Instruction& instruction, std::uint32_t at);
     bool start_curve(const Instruction& instruction, std::uint32_t at);
     std::optional<path::CurveSample> curve_point(const Instruction& instruction, std::uint32_t at,
                                                  double parameter);
+    bool start_fit(const Instruction& instruction, std::uint32_t at, bool wants_nurbs,
+                   const path::FitOptions& fit);
+    bool fit_spline(const Instruction& instruction, std::uint32_t at, const path::FitOptions& fit);
+    std::size_t block_count(const path::Nurbs& spline) const;
+    void set_coordinates(nc::Block& block, const path::Vec3& to) const;
+    bool emit_pole(const FollowedBlock& next, std::uint32_t at);
+    void jump_fault(const Instruction& instruction, std::uint32_t at, double parameter);
     bool emit_line(const path::Vec3& to, const FollowedBlock& next, std::uint32_t at);
 
     // ---- faults.cpp: report with the call stack, end the program
@@ -271,6 +288,7 @@ struct Expander::State {
         ModalState before;
         path::Contour elements;
         path::Plane plane = path::Plane::Xy;
+        bool is_diameter = false;
         path::Vec2 start = path::Vec2::Zero();
         path::Vec2 at = path::Vec2::Zero();
         bool has_start = false;
@@ -280,8 +298,9 @@ struct Expander::State {
     nc::Block kept_block;               // takes the words of a block that is kept
 
     std::optional<Following> following;
-    bool is_in_curve = false;    // a point of a curve is being calculated
-    std::vector<double> slopes;  // beside `stack`, while one is
+    std::uint32_t spline_warned_at = 0;  // where a control without splines was reported last
+    bool is_in_curve = false;            // a point of a curve is being calculated
+    std::vector<double> slopes;          // beside `stack`, while one is
 
     nc::Block* batch = nullptr;
     std::size_t batch_size = 0;

@@ -113,6 +113,7 @@ std::string command_text(const path::Command& command) {
         case Op::Arc:
             return std::string(command.is_clockwise ? "arc clockwise to" : "arc to") +
                    axis_text(command);
+        case Op::Spline: return "spline to" + axis_text(command);
         case Op::Dwell: return fmt::format("dwell {:g} s", command.time);
         case Op::Spindle:
             if (command.spindle == path::SpindleMode::Stop) return "spindle stops";

@@ -100,8 +100,9 @@ enum class ElementSlot : std::uint8_t {
     Sweep = 10,  // degrees, counter-clockwise positive; 0 of a line
     Length = 11,
     IsArc = 12,
+    IsDiameter = 13,  // X of the points is a diameter
 };
-inline constexpr std::uint16_t kElementSlots = 13;
+inline constexpr std::uint16_t kElementSlots = 14;
 
 /// What can be asked of a contour and made of it. Arguments stand in the registers from b, the
 /// contour first; the layout is that of the result's elements.
@@ -110,6 +111,7 @@ enum class ContourFunction : std::uint8_t {
     Area,
     IsClosed,
     IsClockwise,
+    IsDiameter,
     Start,
     End,
     Min,
@@ -122,6 +124,7 @@ enum class ContourFunction : std::uint8_t {
     IsInside,       // point
     Nearest,        // point
     Intersections,  // another contour
+    Crossings,      // x, y, z: one of them is given
 };
 
 /// Arguments of `follow` in their registers.
@@ -146,6 +149,7 @@ enum class CurveSlot : std::uint8_t {
     Feed,       // as in FollowSlot
     Tolerance,  // mm
     Arcs,       // truth value: arcs where they are possible
+    Nurbs,      // truth value: one spline, if the control has them
     From,
     To,  // of the parameter
     Arguments,

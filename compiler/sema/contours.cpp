@@ -24,6 +24,7 @@ constexpr Property kProperties[] = {
     {"area", ContourFunction::Area},
     {"is_closed", ContourFunction::IsClosed},
     {"is_clockwise", ContourFunction::IsClockwise},
+    {"is_diameter", ContourFunction::IsDiameter},
     {"start", ContourFunction::Start},
     {"end", ContourFunction::End},
     {"min", ContourFunction::Min},
@@ -84,6 +85,7 @@ std::optional<Value> Checker::contour_property(const Value& contour, const Expr&
             case ContourFunction::Length: type = types::kLengthType; break;
             case ContourFunction::Area: type = types_.real(kArea); break;
             case ContourFunction::IsClosed:
+            case ContourFunction::IsDiameter:
             case ContourFunction::IsClockwise: type = types::kBool; break;
             default: break;
         }
@@ -159,6 +161,13 @@ constexpr ContourRow kFunctions[] = {
      ContourFunction::Intersections,
      false,
      {{{"a", types::kContour}, {"b", types::kContour}}}},
+    {"crossings",
+     ContourFunction::Crossings,
+     false,
+     {{{"contour", types::kContour},
+       {"x", types::kOptionalLength, false},
+       {"y", types::kOptionalLength, false},
+       {"z", types::kOptionalLength, false}}}},
 };
 
 }  // namespace
@@ -205,7 +214,8 @@ std::optional<Value> Checker::contour_function(std::string_view name, const Expr
             case ContourFunction::Offset: result = types_.array(types::kContour, -1); break;
             case ContourFunction::IsInside: result = types::kBool; break;
             case ContourFunction::Nearest: result = types::kPoint; break;
-            case ContourFunction::Intersections: result = types_.array(types::kPoint, -1); break;
+            case ContourFunction::Intersections:
+            case ContourFunction::Crossings: result = types_.array(types::kPoint, -1); break;
             default: break;
         }
         return contour_value(row.function, result, first, expr.range);

@@ -78,8 +78,8 @@ std::optional<ExprId> Checker::curve_argument(const Expr& expr) {
 }
 
 Value Checker::follow_curve(const Expr& expr, std::string_view name, ExprId curve) {
-    static constexpr std::array<std::string_view, 4> kNames = {"curve", "feed", "tolerance",
-                                                               "arcs"};
+    static constexpr std::array<std::string_view, 5> kNames = {"curve", "feed", "tolerance", "arcs",
+                                                               "nurbs"};
     const bool is_start = name == "follow_start";
     const Value none = is_start ? error_value() : in_registers(types::kVoid, 0);
     const auto bound = bind_arguments(expr, name, kNames, {});
@@ -128,6 +128,8 @@ Value Checker::follow_curve(const Expr& expr, std::string_view name, ExprId curv
         emit_.emit_number(Op::LoadF, reg_of(CurveSlot::Tolerance), 0, kCurveTolerance);
     if (!option(3, CurveSlot::Arcs, types::kBool))
         emit_.emit_integer(Op::LoadI, reg_of(CurveSlot::Arcs), 0, 1);
+    if (!option(4, CurveSlot::Nurbs, types::kBool))
+        emit_.emit_integer(Op::LoadI, reg_of(CurveSlot::Nurbs), 0, 0);
 
     // The limits; the window of a call is overwritten, so the arguments are copied into it.
     emit_.set_place(call.range);

@@ -59,7 +59,8 @@ TypeTable::TypeTable() {
                               {"radius", types::kOptionalLength, 0, 0, {}},
                               {"sweep", types::kAngleType, 0, 0, {}},
                               {"length", types::kLengthType, 0, 0, {}},
-                              {"is_arc", types::kBool, 0, 0, {}}});
+                              {"is_arc", types::kBool, 0, 0, {}},
+                              {"is_diameter", types::kBool, 0, 0, {}}});
     KADR_ASSERT(element == types::kElement && types_.size() == types::kContour.index + 1u &&
                     (*this)[element].slots == kElementSlots,
                 "built-in types moved");

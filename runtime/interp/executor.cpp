@@ -141,6 +141,8 @@ void Executor::execute_next() {
 }
 
 void Executor::end_of_blocks() {
+    if (spline_) finish_spline();
+    if (ended_) return;
     ended_ = true;
     // The reader has said already why it stopped.
     if (places_ != nullptr && places_->failed()) {
@@ -160,6 +162,10 @@ void Executor::execute(const Block& block) {
         return;
     }
     if (block.skip >= 0 && (options_.skip_levels >> block.skip & 1u) != 0) return;
+    if (spline_ && !continues_spline(block)) {
+        finish_spline();
+        if (ended_) return;
+    }
     ++block_count_;
     if (options_.max_blocks != 0 && block_count_ > options_.max_blocks) {
         --block_count_;
@@ -236,6 +242,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::ArcCcw:
         case Function::TapIn:
         case Function::TapOut:
+        case Function::Spline:
         case Function::PlaneXy:
         case Function::PlaneZx:
         case Function::PlaneYz:
@@ -287,6 +294,11 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             actions.tool_change = true;
             set_length_source(Tool::Source::Edge, actions);
             break;
+
+        case Function::SplineDegree: set_spline_degree(block, invocation); break;
+        case Function::SplineWeight:  // beside the pole, in splines.cpp
+        case Function::SplineInterval:
+        case Function::SplineKnot: break;
 
         case Function::ExactStopOnce: actions.exact_stop = true; break;
         case Function::MachineCoordinates: actions.machine_coordinates = true; break;

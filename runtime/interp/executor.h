@@ -15,6 +15,7 @@
 #include "interp/interpreter.h"
 #include "interp/output.h"
 #include "interp/rules.h"
+#include "interp/spline_run.h"
 #include "interp/state.h"
 #include "path/arc.h"
 
@@ -130,6 +131,17 @@ class Executor {
     void report_radius_arc(const nc::Block& block, path::ArcFault fault, const path::ArcEnds& ends);
     void report_center_arc(const nc::Block& block, path::ArcFault fault, const path::ArcEnds& ends,
                            const path::Vec3& center);
+    // splines.cpp
+    bool continues_spline(const nc::Block& block) const;
+    void set_spline_degree(const nc::Block& block, const nc::Invocation& invocation);
+    void spline(const nc::Block& block);
+    bool start_spline(const nc::Block& block, bool by_knots);
+    bool add_pole(const nc::Block& block, nc::SlotMask targets);
+    void move_along_spline();
+    void finish_spline();
+    void report_spline(const nc::Block& block, path::NurbsFault fault);
+
+    // motion.cpp: what is wrong or strange
     void warn_arc_word(const nc::Block& block, nc::SlotMask words);
     bool check_axes(const nc::Block& block, nc::SlotMask targets);
     bool check_feed(const nc::Block& block, std::string_view what);
@@ -138,6 +150,7 @@ class Executor {
     void check_units(const nc::Block& block, nc::Function units);
     bool check_limits(const nc::Block& block, const AxisValues& base, AxisMask moved);
     bool check_arc_limits(const nc::Block& block, const path::Arc& arc, const Target& target);
+    bool check_box(const nc::Block& block, const path::Box& box);
     void report_limit(const nc::Block& block, Axis axis, double at);
 
     // cycles.cpp
@@ -190,7 +203,10 @@ class Executor {
     nc::Function units_ = nc::Function::None;            // that the program said last
     std::vector<std::int64_t> unknown_tools_;            // each is reported once
     std::vector<std::int64_t> known_machine_functions_;  // so are these
-    bool taps_rigidly_ = false;                          // of the tapping cycles that follow
+    std::optional<SplineRun> spline_;                    // that is being read
+    nc::Block spline_end_{};                             // place of its latest block
+    int spline_degree_ = 3;
+    bool taps_rigidly_ = false;  // of the tapping cycles that follow
 
     // Of the machine, by logical axis; deg for rotary axes.
     AxisMask axes_ = 0;

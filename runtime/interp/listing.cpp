@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <span>
 
 #include "base/numbers.h"
 #include "base/render.h"
@@ -23,6 +24,7 @@ std::string_view op_name(Op op) {
         case Op::Rapid: return "rapid";
         case Op::Line: return "line";
         case Op::Arc: return "arc";
+        case Op::Spline: return "spline";
         case Op::Dwell: return "dwell";
         case Op::Spindle: return "spindle";
         case Op::SpeedLimit: return "speed_limit";
@@ -134,15 +136,37 @@ void append_target(std::string& out, const Command& command, AxisMask axes) {
     if (command.machine_coordinates) out += ",\"machine_coordinates\":true";
 }
 
-void append_arc(std::string& out, const Command& command) {
-    out += ",\"center\":";
+void append_numbers(std::string& out, std::span<const double> values) {
     char separator = '[';
-    for (const double value : {command.center.x(), command.center.y(), command.center.z()}) {
+    for (const double value : values) {
         out += separator;
         append_number(out, value);
         separator = ',';
     }
     out += ']';
+}
+
+/// The control points between the ends; the weights of all, unless they are all one.
+void append_spline(std::string& out, const path::SplineShape& shape) {
+    append_key(out, "degree");
+    append_number(out, shape.degree);
+    const auto count = static_cast<std::size_t>(shape.degree);
+    append_key(out, "poles");
+    out += '[';
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+        if (i > 0) out += ',';
+        append_numbers(out, {shape.inner[i].data(), 3});
+    }
+    out += ']';
+    const std::span<const double> weights(shape.weights.data(), count + 1);
+    if (std::all_of(weights.begin(), weights.end(), [](double w) { return w == 1; })) return;
+    append_key(out, "weights");
+    append_numbers(out, weights);
+}
+
+void append_arc(std::string& out, const Command& command) {
+    append_key(out, "center");
+    append_numbers(out, {command.center.data(), 3});
     append_word(out, "plane", plane_name(command.plane));
     append_word(out, "dir", command.is_clockwise ? "cw" : "ccw");
     if (command.turns != 0) append_field(out, "turns", command.turns);
@@ -187,6 +211,11 @@ void Listing::append(const Command& command, std::string_view source, std::strin
         case Op::Arc:
             append_target(out, command, axes_);
             append_arc(out, command);
+            append_feed(out, command);
+            break;
+        case Op::Spline:
+            append_target(out, command, axes_);
+            append_spline(out, command.spline);
             append_feed(out, command);
             break;
         case Op::Dwell:

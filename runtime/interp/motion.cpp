@@ -63,6 +63,9 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (actions.reference != nullptr) return return_to_reference(block, *actions.reference);
     if (actions.cycle != nullptr) return call_cycle(block, *actions.cycle);
     if (modal_cycle_.is_active && (targets | arc_words) != 0) return repeat_cycle(block);
+    if (modal_.motion == Function::Spline && !actions.machine_coordinates &&
+        (targets != 0 || block.find(Function::SplineKnot) != nullptr))
+        return spline(block);
     if (targets == 0 && (arc_words == 0 || !is_arc(modal_.motion))) {
         if (arc_words != 0) warn_arc_word(block, arc_words);
         if (actions.length_changed) move_length_alone(block);
@@ -539,8 +542,11 @@ bool Executor::check_arc_limits(const Block& block, const path::Arc& arc, const 
         is_far &= center - reach >= lower_[i] && center + reach <= upper_[i];
     }
     if (is_far) return true;
-    const path::Box box =
-        path::bounds(path::make_helix(arc.start, arc.end, arc.center, arc.normal, arc.sweep));
+    return check_box(block, path::bounds(path::make_helix(arc.start, arc.end, arc.center,
+                                                          arc.normal, arc.sweep)));
+}
+
+bool Executor::check_box(const Block& block, const path::Box& box) {
     for (std::size_t i = 0; i < 3; ++i) {
         const auto k = static_cast<Eigen::Index>(i);
         for (const double edge : {box.lower[k], box.upper[k]}) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/spline_pieces.h"
+
 namespace kadr::motion {
 
 namespace {
@@ -57,6 +59,17 @@ double greatest_rate(const path::Helix& helix, const CircleView& circle, std::si
     return std::max(std::abs(wave.lower), std::abs(wave.upper));
 }
 
+/// The greatest acceleration along the path that an axis has left. It sees |q'|·a + |q''|·v²; and
+/// as the two are across each other, never more than sqrt(a² + (k·v²)²).
+double acceleration_left(const SplineBend& bend, Eigen::Index axis, double speed, double limit) {
+    const double across = bend.curvature * speed * speed;
+    const double as_sum = bend.rate[axis] > 0
+                              ? (limit - bend.bend[axis] * speed * speed) / bend.rate[axis]
+                              : kInfinity;
+    const double as_vector = across < limit ? std::sqrt(limit * limit - across * across) : 0;
+    return std::max(as_sum, as_vector);
+}
+
 }  // namespace
 
 AxisTable::AxisTable(const machine::Machine& machine) {
@@ -90,7 +103,31 @@ AxisRates AxisTable::end_rates(const Segment& piece) const {
     return rates(path::evaluate(piece.curve, path::length(piece.curve)).tangent, piece);
 }
 
+/// The bend takes its share of the acceleration first, as on an arc.
+PathLimits AxisTable::spline_limits(const path::Spline& spline, double wanted) const {
+    const SplineBend bend = bend_of(spline);
+    PathLimits limits{wanted, kInfinity};
+    for (const Entry& axis : axes_) {
+        if (axis.coordinate >= 3) continue;
+        const auto i = static_cast<Eigen::Index>(axis.coordinate);
+        if (bend.rate[i] * limits.speed > axis.velocity)
+            limits.speed = axis.velocity / bend.rate[i];
+        const double most = kNormalShare * axis.acceleration;
+        if (bend.bend[i] * limits.speed * limits.speed > most)
+            limits.speed = std::sqrt(most / bend.bend[i]);
+    }
+    for (const Entry& axis : axes_) {
+        if (axis.coordinate >= 3) continue;
+        const auto i = static_cast<Eigen::Index>(axis.coordinate);
+        limits.acceleration = std::min(limits.acceleration,
+                                       acceleration_left(bend, i, limits.speed, axis.acceleration));
+    }
+    return limits;
+}
+
 PathLimits AxisTable::limits(const Segment& piece, double wanted) const {
+    if (const auto* spline = std::get_if<path::Spline>(&piece.curve))
+        return spline_limits(*spline, wanted);
     const auto* helix = std::get_if<path::Helix>(&piece.curve);
     if (helix == nullptr) {
         const AxisRates along = start_rates(piece);
@@ -149,6 +186,17 @@ AxisTable::Peaks AxisTable::peaks(const Segment& piece) const {
     const double speed = piece.profile.peak_speed;
     const double along = std::max(piece.profile.accelerating > 0 ? piece.profile.acceleration : 0.0,
                                   piece.profile.braking > 0 ? piece.profile.deceleration : 0.0);
+    if (const auto* spline = std::get_if<path::Spline>(&piece.curve)) {
+        const SplineBend bend = bend_of(*spline);
+        for (std::size_t i = 0; i < axes_.size(); ++i) {
+            if (axes_[i].coordinate >= 3) continue;
+            const auto c = static_cast<Eigen::Index>(axes_[i].coordinate);
+            peaks.velocity[i] = bend.rate[c] * speed;
+            peaks.acceleration[i] = std::min(bend.rate[c] * along + bend.bend[c] * speed * speed,
+                                             std::hypot(along, bend.curvature * speed * speed));
+        }
+        return peaks;
+    }
     const auto* helix = std::get_if<path::Helix>(&piece.curve);
     if (helix == nullptr) {
         const AxisRates rates = start_rates(piece);

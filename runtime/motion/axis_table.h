@@ -64,6 +64,7 @@ class AxisTable {
         double velocity;
         double acceleration;
     };
+    PathLimits spline_limits(const path::Spline& spline, double wanted) const;
     AxisRates rates(const path::Vec3& tangent, const Segment& piece) const;
 
     std::vector<Entry> axes_;

@@ -11,6 +11,7 @@
 #include "motion/axis_check.h"
 #include "motion/feed.h"
 #include "motion/spindle.h"
+#include "motion/spline_pieces.h"
 #include "motion/standing.h"
 
 namespace kadr::motion {
@@ -51,6 +52,8 @@ struct Preparer::State {
 
     void move(const Command& command);
     bool is_possible(const Command& command, const Segment& segment, double length);
+    void emit_spline(const Command& command, const Segment& whole, const path::Spline& spline);
+    void emit_feed_parts(const Command& command, const Segment& segment, double length);
     void emit_parts(const Command& command, const Segment& whole, double length, int parts);
     void emit(const Command& command, const Segment& segment, double length);
     double wanted_feed(const Command& command, const Segment& segment, double length);
@@ -131,7 +134,8 @@ void Preparer::State::execute(const Command& command) {
     switch (command.op) {
         case Op::Rapid:
         case Op::Line:
-        case Op::Arc: move(command); return;
+        case Op::Arc:
+        case Op::Spline: move(command); return;
         case Op::Dwell: dwell(command); return;
         case Op::Spindle: set_spindle(command); return;
         case Op::SpeedLimit: spindle.limit = speed_from_rpm(command.speed); return;
@@ -207,11 +211,10 @@ void Preparer::State::move(const Command& command) {
     segment.source = command.source;
     const double length = standing.lay_path(command, target, segment);
     if (length > 0 && is_possible(command, segment, length)) {
-        const int parts = command.op == Op::Rapid ? 1 : feed_parts(command, segment, spindle);
-        if (parts == 1) {
-            emit(command, segment, length);
+        if (const auto* spline = std::get_if<path::Spline>(&segment.curve)) {
+            emit_spline(command, segment, *spline);
         } else {
-            emit_parts(command, segment, length, parts);
+            emit_feed_parts(command, segment, length);
         }
         if (!has_ended) check.widen_travel(segment, length);
     }
@@ -226,6 +229,32 @@ bool Preparer::State::is_possible(const Command& command, const Segment& segment
     if (answer == AxisCheck::Answer::Possible) return true;
     alarm_raised();
     return answer == AxisCheck::Answer::Beyond && !has_ended;
+}
+
+/// The curvature of a span may change greatly; its pieces have each their own speed.
+void Preparer::State::emit_spline(const Command& command, const Segment& whole,
+                                  const path::Spline& spline) {
+    Command share = command;
+    for (const path::Curve& curve : evenly_bent(spline)) {
+        if (has_ended) return;
+        Segment piece = whole;
+        piece.curve = curve;
+        const double length = path::length(curve);
+        // Under inverse time the time of the block is shared out by length.
+        if (command.feed_mode == path::FeedMode::InverseTime)
+            share.feed = command.feed * spline.length / length;
+        emit_feed_parts(share, piece, length);
+    }
+}
+
+void Preparer::State::emit_feed_parts(const Command& command, const Segment& segment,
+                                      double length) {
+    const int parts = command.op == Op::Rapid ? 1 : feed_parts(command, segment, spindle);
+    if (parts == 1) {
+        emit(command, segment, length);
+    } else {
+        emit_parts(command, segment, length, parts);
+    }
 }
 
 /// A piece on which the spindle changes its speed goes as several, each with its own feed.

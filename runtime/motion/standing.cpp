@@ -65,6 +65,10 @@ double Standing::lay_path(const Command& command, const Target& target, Segment&
             path::make_helix(tip_, target.tip, command.center, command.normal, command.sweep);
         length = helix.length;
         segment.curve = helix;
+    } else if (command.op == Op::Spline) {
+        const path::Spline spline = path::make_spline(tip_, target.tip, command.spline);
+        length = spline.length;
+        segment.curve = spline;
     } else if ((target.tip - tip_).squaredNorm() > kStill * kStill) {
         const path::Line line = path::make_line(tip_, target.tip);
         length = line.length;

@@ -175,6 +175,15 @@ void BlockWriter::check_arc_words(const Block& block) {
     }
 }
 
+/// A control that counts knots needs one beside every control point.
+void BlockWriter::check_knot(const Block& block, Function motion) {
+    if (motion != Function::Spline || (block.given & kTargetSlots) == 0) return;
+    const bool has_intervals = dialect_.can_write(Function::SplineInterval);
+    if (has_intervals || !dialect_.can_write(Function::SplineKnot)) return;
+    if (block.find(Function::SplineKnot) == nullptr)
+        cannot_express(block, "a control point without its knot");
+}
+
 /// Arcs that need other blocks; the plane and the dimensions that the block says hold for them.
 bool BlockWriter::write_other_arc(const Block& block, std::string& out) {
     if (!is_arc(effective_motion(block))) return split_turns(block, out);
@@ -200,6 +209,7 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
     const WrittenPosition start = modal_.position;
     const Function motion = effective_motion(block);
     place_targets(block, targets);
+    check_knot(block, motion);
     if (is_arc(motion)) {
         place_arc(block, start, targets);
         place_arc_feed(block, start, targets);
@@ -438,7 +448,9 @@ bool BlockWriter::says(const Form& form, const Block& block, const Invocation& i
         // What the text does not agree upon with the program is said again in this block.
         const bool is_restored = group == Group::Distance && (block.given & kTargetSlots) != 0 &&
                                  modal_.meant[index_of(group)] == needed;
-        fits &= modal_.text[index_of(group)] == needed || is_restored;
+        const bool is_said = group == Group::Motion && effective_motion(block) == needed &&
+                             (block.motion == needed || (block.given & kTargetSlots) != 0);
+        fits &= modal_.text[index_of(group)] == needed || is_restored || is_said;
     }
     return fits && (invocation.given & ~said) == 0;
 }

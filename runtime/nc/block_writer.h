@@ -82,6 +82,7 @@ class BlockWriter {
     void write_long(const Block& block, std::string& out);
     void check_front(const Block& block);
     void check_arc_words(const Block& block);
+    void check_knot(const Block& block, Function motion);
 
     // The fast way, for straight moves
     struct FastAxis {
@@ -146,6 +147,7 @@ class BlockWriter {
     void place_center(const Block& block, const WrittenPosition& start, Targets& targets);
     void place_arc_as_given(const Block& block, const WrittenPosition& start, Targets& targets);
     void place_center_as_given(const Block& block, const WrittenPosition& start, Targets& targets);
+    ArcPoints arc_points(const WrittenPosition& start) const;
     bool place_radius(const Block& block, const WrittenPosition& start, Targets& targets);
     void place_arc_feed(const Block& block, const WrittenPosition& start, Targets& targets);
     PlanePoint meant_center(const Block& block, const PlanePoint& start,

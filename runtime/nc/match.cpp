@@ -179,14 +179,26 @@ class Matcher {
         return {};
     }
 
+    /// Whether the modal functions are active that the form needs, or nobody knows. A word that
+    /// means a slot under other motions takes the form only if the motion is known.
+    bool acts(const Form& form) const {
+        const FormWord& first = form.words[0];
+        const bool is_value = first.kind == FormWord::Kind::Value;
+        const bool has_slot = is_value && tables_.addresses[first.address].slot >= 0;
+        return std::ranges::all_of(form.during, [&](Function needed) {
+            const Group group = info(needed).group;
+            const bool is_said = group == Group::Motion && block_.motion != Function::None;
+            const Function active =
+                is_said ? block_.motion : modal_[static_cast<std::size_t>(group)];
+            return active == needed || (active == Function::None && !has_slot);
+        });
+    }
+
     Fit fit_form(std::size_t head, const Form& form) const {
         Fit fit;
         fit.taken[head] = true;
         fit.matched = 1;
-        for (const Function needed : form.during) {
-            const Function active = modal_[static_cast<std::size_t>(info(needed).group)];
-            if (active != Function::None && active != needed) fit.answer = Fit::Answer::Missing;
-        }
+        if (!acts(form)) fit.answer = Fit::Answer::Missing;
         fit_word(form, form.words[0], head, fit);
         for (std::size_t f = 1; f < form.words.size(); ++f) {
             const FormWord& wanted = form.words[f];
@@ -381,7 +393,9 @@ class Matcher {
         const GivenWord& word = words_[i];
         const Address& head = address(i);
         if (!word.has_value) return MatchFault{MatchFault::Kind::NoValue, i};
-        if (!head.forms.empty()) return take_form(i, head.forms);
+        const bool has_form =
+            std::ranges::any_of(head.forms, [&](FormId id) { return acts(tables_.forms[id]); });
+        if (has_form) return take_form(i, head.forms);
         if (head.slot < 0) return MatchFault{MatchFault::Kind::Unused, i};
         if (word.is_text) return MatchFault{MatchFault::Kind::NoNumber, i};
         const auto slot = static_cast<Slot>(head.slot);

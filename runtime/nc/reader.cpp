@@ -1,6 +1,7 @@
 #include "nc/reader.h"
 
 #include <algorithm>
+#include <bitset>
 #include <cstring>
 
 #include "base/diagnostics/iso.h"
@@ -140,6 +141,7 @@ struct Reader::State {
     DiagnosticSink& sink;
     std::array<FastLetter, 128> letters;
     ModalFunctions modal{};
+    std::bitset<kFunctions> closely_read;  // motions under which words have other meanings
     TextUnits units;
     std::array<double, static_cast<std::size_t>(Dimension::Text) + 1> slot_scales{};
     bool feed_stays_metric = false;
@@ -153,6 +155,16 @@ struct Reader::State {
     std::vector<Kept> kept;
     std::string kept_text;
 
+    /// Whether a word of the address means its slot but under certain motions, which are noted.
+    bool are_of_motions(const Address& address) {
+        for (const FormId id : address.forms) {
+            const std::vector<Function>& during = tables.forms[id].during;
+            const bool is_of_motion = during.size() == 1 && info(during[0]).group == Group::Motion;
+            if (!is_of_motion) return false;
+            closely_read.set(static_cast<std::size_t>(during[0]));
+        }
+        return true;
+    }
     void prepare(std::size_t letter) {
         const AddressId id = tables.letters[letter];
         FastLetter& fast = letters[letter];
@@ -166,7 +178,7 @@ struct Reader::State {
                 fast.kind = FastLetter::Kind::Number;
             } else if (address.kind == Address::Kind::Code) {
                 fast.kind = FastLetter::Kind::Code;
-            } else if (address.slot >= 0 && address.forms.empty() &&
+            } else if (address.slot >= 0 && are_of_motions(address) &&
                        tables.code_index[id].empty()) {
                 fast.kind = FastLetter::Kind::Slot;
                 fast.slot = static_cast<Slot>(address.slot);
@@ -248,6 +260,8 @@ bool Reader::State::read_fast(std::string_view line, Block& block) const {
     const char* const end = p + line.size();
     std::uint32_t groups = 0;
     bool has_word = false;
+    const Function motion = modal[static_cast<std::size_t>(Group::Motion)];
+    if (closely_read[static_cast<std::size_t>(motion)]) return false;
     while (true) {
         while (p != end && is_blank(*p)) ++p;
         if (p == end) return has_word;

@@ -37,7 +37,7 @@ void BlockWriter::collect_slots(const Block& block, const Targets& targets, Item
     }
     // Where F is not modal, every block at feed repeats it.
     const Function motion = effective_motion(block);
-    const bool is_cut = motion == Function::Line || is_arc(motion);
+    const bool is_cut = motion == Function::Line || motion == Function::Spline || is_arc(motion);
     if (feed_every_block_ && is_cut && has_address(Slot::Feed) && !block.has(Slot::Feed) &&
         modal_.has_meant_feed && (block.given & (kTargetSlots | kCenterSlots)) != 0) {
         items.add(Item::of_slot(address_of(Slot::Feed).order, Slot::Feed));

@@ -18,6 +18,43 @@ constexpr Slot center_slot(std::size_t axis) {
     return static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + axis);
 }
 
+constexpr std::size_t kX = 0;
+
+/// By how much the ends of an arc differ in their distance from its centre.
+double radius_miss(const ArcPoints& arc, const PlanePoint& center) {
+    return std::fabs(std::hypot(arc.start[0] - center[0], arc.start[1] - center[1]) -
+                     std::hypot(arc.end[0] - center[0], arc.end[1] - center[1]));
+}
+
+/// The points with one coordinate halved.
+ArcPoints halved(ArcPoints arc, std::size_t coordinate) {
+    for (PlanePoint* point : {&arc.start, &arc.end, &arc.text_start, &arc.text_end})
+        (*point)[coordinate] /= 2;
+    return arc;
+}
+
+/// An arc by its radius: the centre as meant and as the control makes it of the rounded words.
+struct RadiusArc {
+    ArcPoints points;
+    std::optional<PlanePoint> exact;
+    std::optional<PlanePoint> reached;
+    bool fits = false;  // the rounding leaves the centre where it is
+};
+
+RadiusArc radius_arc(const ArcPoints& points, double radius, int places, bool is_clockwise) {
+    RadiusArc arc{points, {}, {}};
+    const double rounded = round_to(radius, places);
+    arc.exact = center_of_radius(points.start, points.end, radius, is_clockwise);
+    arc.reached = center_of_radius(points.text_start, points.text_end, rounded, is_clockwise);
+    if (!arc.exact || !arc.reached) return arc;
+    const auto apart = [](const PlanePoint& a, const PlanePoint& b) {
+        return std::hypot(a[0] - b[0], a[1] - b[1]);
+    };
+    arc.fits = apart(*arc.exact, *arc.reached) <= 5 * std::pow(10.0, -places) &&
+               apart(points.text_start, points.text_end) <= 2 * std::fabs(rounded);
+    return arc;
+}
+
 }  // namespace
 
 const Address& BlockWriter::address_of(Slot slot) const {
@@ -192,23 +229,32 @@ void BlockWriter::place_center(const Block& block, const WrittenPosition& start,
         !is_chord_known(block, start)) {
         return place_center_as_given(block, start, targets);
     }
-    ArcPoints arc{};
-    PlanePoint center{};
+    ArcPoints arc = arc_points(start);
     std::array<bool, 2> fixed_zero{};
     bool is_absolute = false;
-    for (std::size_t i = 0; i < 2; ++i) {
-        const std::size_t axis = axes[i];
-        const Slot slot = center_slot(axis);
-        const double scale = to_text(static_cast<Slot>(axis), 1);
-        arc.start[i] = start.meant[axis] * scale;
-        arc.text_start[i] = start.text[axis] * scale;
-        arc.end[i] = modal_.position.meant[axis] * scale;
-        arc.text_end[i] = modal_.position.text[axis] * scale;
-        const bool is_coordinate = (block.absolute & bit(slot) & block.given) != 0;
-        is_absolute |= is_coordinate;
-        fixed_zero[i] = !block.has(slot);
-        center[i] = is_coordinate ? block.at(slot) * scale
-                                  : arc.start[i] + (block.has(slot) ? block.at(slot) * scale : 0.0);
+    const auto find_center = [&](const ArcPoints& from) {
+        PlanePoint found{};
+        for (std::size_t i = 0; i < 2; ++i) {
+            const Slot slot = center_slot(axes[i]);
+            const double scale = to_text(static_cast<Slot>(axes[i]), 1);
+            const bool is_coordinate = (block.absolute & bit(slot) & block.given) != 0;
+            is_absolute |= is_coordinate;
+            fixed_zero[i] = !block.has(slot);
+            found[i] = (is_coordinate ? 0.0 : from.start[i]) +
+                       (block.has(slot) ? block.at(slot) * scale : 0.0);
+        }
+        return found;
+    };
+    PlanePoint center = find_center(arc);
+    // On a lathe X is a diameter, but the centre is not, and no word need say so: the circle on
+    // which start and end lie does.
+    if (axes[1] == kX) {
+        const ArcPoints radii = halved(arc, 1);
+        const PlanePoint other = find_center(radii);
+        if (radius_miss(radii, other) < radius_miss(arc, center)) {
+            arc = radii;
+            center = other;
+        }
     }
     const SlotMask coordinates = block.absolute & block.given & in_plane;
     const bool writes_absolute = is_absolute && tables_.rules.has_modes;
@@ -230,6 +276,21 @@ void BlockWriter::place_center(const Block& block, const WrittenPosition& start,
     }
 }
 
+/// Start and end of the arc in the plane, in the text's units.
+ArcPoints BlockWriter::arc_points(const WrittenPosition& start) const {
+    const std::array<std::size_t, 3> axes = plane_axes();
+    ArcPoints arc{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::size_t axis = axes[i];
+        const double scale = to_text(static_cast<Slot>(axis), 1);
+        arc.start[i] = start.meant[axis] * scale;
+        arc.text_start[i] = start.text[axis] * scale;
+        arc.end[i] = modal_.position.meant[axis] * scale;
+        arc.text_end[i] = modal_.position.text[axis] * scale;
+    }
+    return arc;
+}
+
 /// A radius stays a radius where the control has the word and the rounded points still give the
 /// same centre; near half a turn they do not, and the centre is written instead.
 bool BlockWriter::place_radius(const Block& block, const WrittenPosition& start, Targets& targets) {
@@ -237,23 +298,14 @@ bool BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
     const double scale = to_text(static_cast<Slot>(axes[0]), 1);
     const double radius = block.at(Slot::Radius) * scale;
     const bool has_word = has_address(Slot::Radius);
-    PlanePoint from{}, to{}, text_from{}, text_to{};
-    for (std::size_t i = 0; i < 2; ++i) {
-        from[i] = start.meant[axes[i]] * scale;
-        text_from[i] = start.text[axes[i]] * scale;
-        to[i] = modal_.position.meant[axes[i]] * scale;
-        text_to[i] = modal_.position.text[axes[i]] * scale;
-    }
-    const bool is_cw = effective_motion(block) == Function::ArcCw;
-    const auto exact = center_of_radius(from, to, radius, is_cw);
     const int places = decimals(has_word ? Slot::Radius : center_slot(axes[0]));
-    const double increment = std::pow(10.0, -places);
-    const double rounded = round_to(radius, places);
-    const auto reached = center_of_radius(text_from, text_to, rounded, is_cw);
-    const bool fits =
-        exact && reached &&
-        std::hypot((*exact)[0] - (*reached)[0], (*exact)[1] - (*reached)[1]) <= 5 * increment &&
-        std::hypot(text_to[0] - text_from[0], text_to[1] - text_from[1]) <= 2 * std::fabs(rounded);
+    const bool is_cw = effective_motion(block) == Function::ArcCw;
+    RadiusArc arc = radius_arc(arc_points(start), radius, places, is_cw);
+    if (axes[1] == kX && !arc.fits) {  // on a lathe X is a diameter
+        const RadiusArc other = radius_arc(halved(arc.points, 1), radius, places, is_cw);
+        if (other.fits || !arc.exact) arc = other;
+    }
+    const auto& [points, exact, reached, fits] = arc;
     const bool has_center = has_address(center_slot(axes[0])) && has_address(center_slot(axes[1]));
     // Without a position of start and end nothing can be converted; the control judges.
     const bool is_comparable = is_chord_known(block, start);
@@ -261,7 +313,8 @@ bool BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
         if (!is_new_message(block, "an arc by its radius")) return true;
         sink_.report(diag::ArcRadiusImpossible, place(block))
             .arg(round_to(radius, 6))
-            .arg(round_to(std::hypot(to[0] - from[0], to[1] - from[1]), 6));
+            .arg(round_to(
+                std::hypot(points.end[0] - points.start[0], points.end[1] - points.start[1]), 6));
         return true;
     }
     if (has_word && (fits || !exact || !has_center || !is_comparable)) {
@@ -273,8 +326,7 @@ bool BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
         cannot_express(block, "an arc by radius from an unknown position");
         return true;
     }
-    const ArcPoints arc{from, to, text_from, text_to};
-    const PlanePoint words = center_words(arc, *exact, places, {false, false}, false);
+    const PlanePoint words = center_words(points, *exact, places, {false, false}, false);
     for (std::size_t i = 0; i < 2; ++i) {
         targets.written |= bit(center_slot(axes[i]));
         targets.number[static_cast<std::size_t>(center_slot(axes[i]))] = words[i];

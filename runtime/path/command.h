@@ -10,7 +10,7 @@
 
 #include "base/axes.h"
 #include "base/source.h"
-#include "path/vec3.h"
+#include "path/spline.h"
 
 namespace kadr::path {
 
@@ -18,6 +18,7 @@ enum class Op : std::uint8_t {
     Rapid,
     Line,
     Arc,
+    Spline,
     Dwell,
     Spindle,
     SpeedLimit,
@@ -57,6 +58,7 @@ struct Command {
     double sweep = 0;           // rad, > 0, additional turns included
     bool is_clockwise = false;  // in `plane` of the base system, mirrors worked in; for listings
     double turns = 0;           // additional full turns, as programmed
+    SplineShape spline;         // Spline: one span, from where the tool is to `to`
 
     double feed = 0;         // mm/min, mm/rev or 1/min, as feed_mode says
     double speed = 0;        // Spindle: rpm or m/min; SpeedLimit: rpm

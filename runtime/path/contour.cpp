@@ -357,6 +357,17 @@ std::vector<Vec2> intersections(const Contour& a, const Contour& b) {
     return points;
 }
 
+std::vector<Vec2> crossings(const Contour& contour, Eigen::Index coordinate, double value) {
+    // A line that is longer than the contour is as good as an endless one.
+    const Rectangle box = bounds(contour);
+    Vec2 from = box.lower - Vec2(1, 1);
+    Vec2 to = box.upper + Vec2(1, 1);
+    from[coordinate] = to[coordinate] = value;
+    std::vector<Vec2> points = intersections(contour, {line_element(from, to)});
+    for (Vec2& point : points) point[coordinate] = value;
+    return points;
+}
+
 Contour reversed(const Contour& contour) {
     Contour result;
     result.reserve(contour.size());

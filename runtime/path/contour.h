@@ -86,6 +86,9 @@ bool is_inside(const Contour& contour, const Vec2& point);
 Nearest nearest(const Contour& contour, const Vec2& point);
 /// Common points of two contours, in the order of the first one; each once.
 std::vector<Vec2> intersections(const Contour& a, const Contour& b);
+/// Where a contour meets the line on which one coordinate (0 the first, 1 the second) has a value:
+/// in the order of travel, each point once; of a piece that runs along the line, its ends.
+std::vector<Vec2> crossings(const Contour& contour, Eigen::Index coordinate, double value);
 
 Contour reversed(const Contour& contour);
 Contour shifted(const Contour& contour, const Vec2& by);

@@ -1,8 +1,8 @@
 // curve.h — one piece of path as geometry, walked by its arc length.
 //
 // Geometry only: no time (motion/profile.h), no axes (motion/limits.h), no text (nc/). The set of
-// kinds is closed: a new one is a file beside line.h and helix.h with the functions below, and one
-// entry in `Curve`; the compiler then finds what it forgot.
+// kinds is closed: a new one is a file beside line.h, helix.h and spline.h with the functions
+// below, and one entry in `Curve`; the compiler then finds what it forgot.
 //
 // Every kind has `length`, `start`, `end`, `position`, `evaluate`, `part` and `bounds`.
 #pragma once
@@ -11,12 +11,13 @@
 
 #include "path/helix.h"
 #include "path/line.h"
+#include "path/spline.h"
 #include "path/vec3.h"
 
 namespace kadr::path {
 
 /// A plain value without heap: segments are copied by the million.
-using Curve = std::variant<Point, Line, Helix>;
+using Curve = std::variant<Point, Line, Helix, Spline>;
 
 /// Arc length of the whole curve, mm.
 double length(const Curve& curve);

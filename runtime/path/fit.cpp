@@ -19,9 +19,6 @@ constexpr double kLeastShare = 1e-10;
 /// Measuring: neighbouring samples at first, and how often an interval may be halved.
 constexpr int kIntervals = 8;
 constexpr int kDeepest = 7;
-/// Where inside an interval the measure is checked: not the middle, which a periodic curve may
-/// meet in step.
-constexpr double kInside = 0.381966;
 /// An arc that is this flat is a line, mm: less than any control resolves.
 constexpr double kFlat = 1e-6;
 /// Controls take radii of six digits; a larger one is a line as well, if the tolerance allows.
@@ -46,36 +43,42 @@ std::optional<Element> arc_along(const Vec2& from, const Vec2& direction, const 
     return arc;
 }
 
-struct Extreme {
-    double lower;
-    double upper;
-};
+/// Greatest share of the tolerance that the error of the measure may have; below the smaller one
+/// closer samples would not change the answer.
+constexpr double kMeasured = 1.0 / 8;
+constexpr double kWellMeasured = 1.0 / 64;
+/// How often a cubic may be halved for closer bounds.
+constexpr int kHalvings = 16;
+/// Less than this before the start or behind the end is rounding, mm.
+constexpr double kAtEnd = 1e-9;
 
-/// Least and greatest value on 0 … 1 of the cubic with these values and slopes at its ends.
-Extreme cubic_extreme(double v0, double s0, double v1, double s1) {
-    Extreme e{std::min(v0, v1), std::max(v0, v1)};
-    const double b = 3 * (v1 - v0) - 2 * s0 - s1;
-    const double a = s0 + s1 - 2 * (v1 - v0);
-    const auto value = [&](double u) { return ((a * u + b) * u + s0) * u + v0; };
-    const auto look = [&](double u) {
-        if (!(u > 0 && u < 1)) return;
-        const double v = value(u);
-        e.lower = std::min(e.lower, v);
-        e.upper = std::max(e.upper, v);
-    };
-    // 3a·u² + 2b·u + s0 = 0, without cancellation.
-    const double root = b * b - 3 * a * s0;
-    if (root < 0) return e;
-    const double q = -(b + std::copysign(std::sqrt(root), b));
-    if (a != 0) look(q / (3 * a));
-    if (q != 0) look(s0 / q);
-    return e;
+Vec3 in_plane(const Vec2& point) { return {point.x(), point.y(), 0}; }
+
+/// Bounds of how far a cubic is along a direction from a point, mm.
+Range along(const Cubic& cubic, const Vec2& point, const Vec2& direction) {
+    Range range{0, 0};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double way = (flat(cubic[i]) - point).dot(direction);
+        if (i == 0 || way < range.lower) range.lower = way;
+        if (i == 0 || way > range.upper) range.upper = way;
+    }
+    return range;
 }
 
-double cubic_value(double v0, double s0, double v1, double s1, double u) {
-    const double b = 3 * (v1 - v0) - 2 * s0 - s1;
-    const double a = s0 + s1 - 2 * (v1 - v0);
-    return ((a * u + b) * u + s0) * u + v0;
+bool is_around(const Cubic& cubic, const Vec2& point, double limit) {
+    return std::all_of(cubic.begin(), cubic.end(),
+                       [&](const Vec3& c) { return (flat(c) - point).norm() <= limit; });
+}
+
+/// Whether every point of a cubic is this close to the endless line or the whole circle.
+bool is_along(const Cubic& cubic, const Element& element, double limit) {
+    if (element.is_arc()) {
+        const Range range = distance_range(cubic, in_plane(element.center));
+        const double r = radius(element);
+        return range.lower >= r - limit && range.upper <= r + limit;
+    }
+    const Range range = along(cubic, element.from, left_of(start_direction(element)));
+    return range.lower >= -limit && range.upper <= limit;
 }
 
 }  // namespace
@@ -97,6 +100,17 @@ std::optional<std::pair<Element, Element>> biarc(const Vec2& a, const Vec2& out_
     const std::optional<Element> back = arc_along(b, -into_b, junction);
     if (!first || !back) return std::nullopt;
     return std::pair(*first, reversed(*back));
+}
+
+MeasuredCubic measured_cubic(const CurveSample& begin, const CurveSample& inside,
+                             const CurveSample& end, double width) {
+    MeasuredCubic measured;
+    measured.cubic =
+        hermite(begin.position, begin.derivative * width, end.position, end.derivative * width);
+    const CubicPoint there = evaluate(measured.cubic, kInside);
+    measured.error = interpolation_error(kInside, inside.position - there.position,
+                                         inside.derivative * width - there.derivative);
+    return measured;
 }
 
 CurveFit::CurveFit(ParametricCurve curve, const FitOptions& options)
@@ -156,48 +170,41 @@ std::optional<CurveFit::Candidate> CurveFit::make(double to) {
     return candidate;
 }
 
-/// How far a point of the curve is beside the candidate, and how that changes with the parameter:
-/// of a chord in two directions across it, of a biarc to the left. Beyond an end, the distance to
-/// it counts.
-CurveFit::Deviation CurveFit::deviation(const Candidate& candidate, const CurveSample& at) const {
+double CurveFit::distance(const Candidate& candidate, const Vec3& point) const {
+    if (candidate.pieces == 1)
+        return distance_to_line(point, here_.position, candidate.end.position);
+    return std::min(nearest(candidate.elements[0], flat(point)).distance,
+                    nearest(candidate.elements[1], flat(point)).distance);
+}
+
+/// Whether all control points, and with them the cubic, are close enough; of a biarc: whether what
+/// may be before, beside and behind its arcs is.
+bool CurveFit::is_bounded(const Candidate& candidate, const Cubic& cubic, double limit) const {
     if (candidate.pieces == 1) {
-        const Vec3 chord = candidate.end.position - here_.position;
-        const double size = chord.norm();
-        const Vec3 way = at.position - here_.position;
-        if (size < 1e-12) return {{way.norm(), 0}, {0, 0}};
-        const Vec3 along = chord / size;
-        const double beyond = std::max({0.0, -way.dot(along), way.dot(along) - size});
-        const Vec3 across = along.unitOrthogonal();
-        const Vec3 other = along.cross(across);
-        return {{std::hypot(way.dot(across), beyond), way.dot(other)},
-                {at.derivative.dot(across), at.derivative.dot(other)}};
+        return std::all_of(cubic.begin(), cubic.end(),
+                           [&](const Vec3& point) { return distance(candidate, point) <= limit; });
     }
-    const Vec2 point = flat(at.position);
-    const Vec2 slope = flat(at.derivative);
+    // The arcs are of less than half a turn: what is behind the start of one and before its end is
+    // beside it.
     const Element& first = candidate.elements[0];
-    const bool is_second = (point - first.to).dot(end_direction(first)) > 0;
-    const Element& element = candidate.elements[is_second ? 1 : 0];
-    const Vec2 begin = start_direction(element);
-    const Vec2 end = end_direction(element);
-    const double before = -(point - element.from).dot(begin);
-    const double behind = (point - element.to).dot(end);
-    // Less than half a turn: what is before the start, or behind the end, is beyond it.
-    const double beyond = std::max({0.0, is_second ? 0.0 : before, is_second ? behind : 0.0});
-    double value = 0;
-    double change = 0;
-    if (!element.is_arc()) {
-        const Vec2 left = left_of(begin);
-        value = (point - element.from).dot(left);
-        change = slope.dot(left);
-    } else {
-        const Vec2 outwards = point - element.center;
-        const double apart = outwards.norm();
-        const double sign = element.sweep > 0 ? -1 : 1;  // outside is right of a ccw arc
-        value = sign * (apart - radius(element));
-        if (apart > 1e-12) change = sign * slope.dot(outwards) / apart;
-    }
-    if (beyond > 0) value = std::copysign(std::hypot(value, beyond), value);
-    return {{value, 0}, {change, 0}};
+    const Element& second = candidate.elements[1];
+    const Range start = along(cubic, first.from, start_direction(first));
+    const Range joint = along(cubic, first.to, end_direction(first));
+    const Range end = along(cubic, second.to, end_direction(second));
+    if (start.lower < -kAtEnd && !is_around(cubic, first.from, limit)) return false;
+    if (end.upper > kAtEnd && !is_around(cubic, second.to, limit)) return false;
+    if (joint.lower <= 0 && !is_along(cubic, first, limit)) return false;
+    return joint.upper < 0 || is_along(cubic, second, limit);
+}
+
+bool CurveFit::is_within(const Candidate& candidate, const Cubic& cubic, double limit,
+                         int depth) const {
+    if (is_bounded(candidate, cubic, limit)) return true;
+    if (depth >= kHalvings) return false;
+    const auto [left, right] = split(cubic, 0.5);
+    if (!(distance(candidate, right[0]) <= limit)) return false;
+    return is_within(candidate, left, limit, depth + 1) &&
+           is_within(candidate, right, limit, depth + 1);
 }
 
 bool CurveFit::is_within(const Candidate& candidate, double from, const CurveSample& begin,
@@ -211,28 +218,13 @@ bool CurveFit::is_within(const Candidate& candidate, double from, const CurveSam
         std::max({begin.derivative.norm(), middle->derivative.norm(), end.derivative.norm()});
     const double apart = (end.position - begin.position).norm();
     if (apart > 4 * speed * std::fabs(width) + options_.tolerance) return false;
-    const Deviation d0 = deviation(candidate, begin);
-    const Deviation d1 = deviation(candidate, end);
-    const Deviation dm = deviation(candidate, *middle);
-    double square = 0;
-    double miss = 0;
-    double seen = 0;
-    for (int i = 0; i < 2; ++i) {
-        const double s0 = d0.slope[i] * width;
-        const double s1 = d1.slope[i] * width;
-        const Extreme extreme = cubic_extreme(d0.value[i], s0, d1.value[i], s1);
-        const double error =
-            std::fabs(cubic_value(d0.value[i], s0, d1.value[i], s1, kInside) - dm.value[i]);
-        const double most = std::max(std::fabs(extreme.lower), std::fabs(extreme.upper));
-        square += (most + 2 * error) * (most + 2 * error);
-        miss = std::max(miss, error);
-        seen = std::hypot(seen, std::max({std::fabs(d0.value[i]), std::fabs(d1.value[i]),
-                                          std::fabs(dm.value[i])}));
-    }
-    if (!(seen <= options_.tolerance)) return false;  // also what is not a number
-    if (square <= options_.tolerance * options_.tolerance && miss <= options_.tolerance / 4)
+    if (!(distance(candidate, middle->position) <= options_.tolerance)) return false;
+    if (!(distance(candidate, end.position) <= options_.tolerance)) return false;
+    const auto [cubic, error] = measured_cubic(begin, *middle, end, width);
+    if (error <= kMeasured * options_.tolerance &&
+        is_within(candidate, cubic, options_.tolerance - 2 * error, 0))
         return true;
-    if (depth >= kDeepest) return false;
+    if (error <= kWellMeasured * options_.tolerance || depth >= kDeepest) return false;
     return is_within(candidate, from, begin, inside, *middle, depth + 1) &&
            is_within(candidate, inside, *middle, to, end, depth + 1);
 }

@@ -1,8 +1,8 @@
 // fit.h — a parametric curve as lines or as arcs that run into each other, within a tolerance.
 //
 // Knows points and tangents by the parameter and nothing else: what computes them is the caller's.
-// The pieces come one by one, so a curve of any length takes no memory. A control with NURBS would
-// get a third FitKind here.
+// The pieces come one by one, so a curve of any length takes no memory. A curve as one spline is
+// spline_fit.h.
 #pragma once
 
 #include <deque>
@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "path/contour.h"
+#include "path/cubic.h"
 #include "path/vec3.h"
 
 namespace kadr::path {
@@ -20,13 +21,26 @@ struct CurveSample {
     Vec3 derivative = Vec3::Zero();  // mm per unit of the parameter
 };
 
+/// The cubic through two samples with their slopes, and how far the curve may be from it.
+struct MeasuredCubic {
+    Cubic cubic{};
+    double error = 0;  // mm; counts twice where a tolerance is kept
+};
+/// inside   sample at the share kInside of the way between the others
+/// width    of the parameter between the two
+MeasuredCubic measured_cubic(const CurveSample& begin, const CurveSample& inside,
+                             const CurveSample& end, double width);
+/// Where inside an interval the measure is checked: not the middle, which a periodic curve may
+/// meet in step.
+inline constexpr double kInside = 0.381966;
+
 /// Nothing if the curve has no point there; who evaluates it has said why.
 using ParametricCurve = std::function<std::optional<CurveSample>(double parameter)>;
 
 enum class FitKind : std::uint8_t {
     Lines,   // chords, in space
     Biarcs,  // pairs of arcs in the plane of the first two coordinates, tangents continuous inside
-             // and from pair to pair; the third coordinate does not count
+             // and from pair to pair; the third coordinate is 0
 };
 
 struct FitOptions {
@@ -50,10 +64,11 @@ enum class FitFault : std::uint8_t {
 
 /// Cuts a curve into pieces, each as long as the tolerance lets it be.
 ///
-/// Whether a piece is good is measured: between neighbouring samples the deviation is the cubic
-/// through its values and slopes at both, and how far a further sample inside misses that cubic is
-/// the error of the measure, which counts twice. Where the miss is not small against the
-/// tolerance, the samples come closer.
+/// Whether a piece is good is measured: between neighbouring samples the curve is taken for the
+/// cubic through both points with both slopes, and the whole cubic, not points of it, is held
+/// against the piece. How far a further sample inside and its slope miss the cubic tells the error
+/// of the measure, which counts twice. Where it is not small against the tolerance, the samples
+/// come closer.
 class CurveFit {
   public:
     CurveFit(ParametricCurve curve, const FitOptions& options);
@@ -82,11 +97,9 @@ class CurveFit {
     bool is_within(const Candidate& candidate);
     bool is_within(const Candidate& candidate, double from, const CurveSample& begin, double to,
                    const CurveSample& end, int depth);
-    struct Deviation {
-        double value[2];
-        double slope[2];
-    };
-    Deviation deviation(const Candidate& candidate, const CurveSample& at) const;
+    bool is_within(const Candidate& candidate, const Cubic& cubic, double limit, int depth) const;
+    bool is_bounded(const Candidate& candidate, const Cubic& cubic, double limit) const;
+    double distance(const Candidate& candidate, const Vec3& point) const;
     std::optional<Candidate> longest();
 
     ParametricCurve curve_;

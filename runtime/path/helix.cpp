@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "base/assert.h"
+#include "path/quadrature.h"
 
 namespace kadr::path {
 
@@ -34,16 +35,7 @@ double spiral_length(const Helix& helix, double angle) {
 /// ∫ ds/dφ by Gauss-Legendre with five points; its error is far below the tolerance as long as
 /// the radius changes by less than a tenth (it falls with the tenth power of the change).
 double smooth_length(const Helix& helix, double angle) {
-    static constexpr double kNodes[] = {0.0, 0.5384693101056831, 0.9061798459386640};
-    static constexpr double kWeights[] = {0.5688888888888889, 0.4786286704993665,
-                                          0.2369268850561891};
-    const double half = 0.5 * angle;
-    double sum = kWeights[0] * length_rate(helix, half);
-    for (int i = 1; i < 3; ++i) {
-        sum += kWeights[i] * (length_rate(helix, half * (1 - kNodes[i])) +
-                              length_rate(helix, half * (1 + kNodes[i])));
-    }
-    return half * sum;
+    return gauss([&](double at) { return length_rate(helix, at); }, 0, angle);
 }
 
 double length_to(const Helix& helix, double angle) {

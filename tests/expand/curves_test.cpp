@@ -27,6 +27,12 @@ Count count(const Outcome& outcome) {
     return result;
 }
 
+RunOptions on(const std::string& control) {
+    RunOptions options;
+    options.target = control;
+    return options;
+}
+
 double word(const std::string& block, char address) {
     const std::size_t at = block.find(std::string(" ") + address);
     return at == std::string::npos ? std::nan("") : std::stod(block.substr(at + 2));
@@ -79,6 +85,57 @@ TEST(Curves, LinesInSpaceAndOnWish) {
     EXPECT_EQ(space.blocks.front(), "line X10 Y0 Z0");
     EXPECT_EQ(count(space).arcs, 0);
     EXPECT_EQ(word(space.blocks.back(), 'Z'), -10);
+}
+
+TEST(Curves, SplinesOnWish) {
+    const std::string program =
+        kEllipse +
+        "program p() { G0 X30 Y0; follow(ellipse(30mm, 20mm), feed: 400mm/min, "
+        "nurbs: true); X40; }";
+    const Outcome intervals = run(program, on("sinumerik"));
+    ASSERT_EQ(intervals.all_messages(), "");
+    EXPECT_EQ(intervals.blocks[1].substr(0, 11), "spline X30 ");
+    EXPECT_NE(intervals.blocks[1].find("F400"), std::string::npos);
+    EXPECT_NE(intervals.blocks[1].find("spline_degree(degree=3)"), std::string::npos);
+    EXPECT_LT(intervals.blocks.size(), 40u);
+    // A position behind the spline is no pole of it.
+    EXPECT_EQ(intervals.blocks.back(), "line X40");
+    const std::string& last = intervals.blocks[intervals.blocks.size() - 2];
+    EXPECT_EQ(last, "X30 Y0 | spline_interval(interval=0)");
+    // By knots: the first pole as well, and four knots more behind the last.
+    const Outcome knots = run(program, on("fanuc"));
+    ASSERT_EQ(knots.all_messages(), "");
+    EXPECT_EQ(knots.blocks.size(), intervals.blocks.size() + 5);
+    EXPECT_EQ(knots.blocks[1],
+              "spline X30 Y0 F400 | spline_degree(degree=3) | spline_knot(knot=0)");
+    EXPECT_EQ(knots.blocks[knots.blocks.size() - 2].substr(0, 12), "spline_knot(");
+    // Lines and arcs where the control has none, said once; and in a contour.
+    const Outcome none = run(kEllipse +
+                             "program p() { G0 X30 Y0; for (int i = 0; i < 2; i++) "
+                             "follow(ellipse(30mm, 20mm), feed: 400mm/min, nurbs: true); }");
+    EXPECT_EQ(none.messages.size(), 1u);
+    EXPECT_NE(none.all_messages().find("K3617"), std::string::npos);
+    EXPECT_GE(count(none).arcs, 32);
+    const Outcome contour =
+        run(kEllipse +
+                "program p() { contour c = { follow(ellipse(30mm), nurbs: true); close; }; "
+                "follow(c); }",
+            on("sinumerik"));
+    EXPECT_EQ(contour.all_messages(), "");
+    EXPECT_EQ(contour.all_blocks().find("spline"), std::string::npos);
+}
+
+TEST(Curves, SplinesUnderIncrementalDimensionsAndOfJumps) {
+    const Outcome incremental =
+        run(kEllipse + "program p() { G0 X30 Y0; G91; follow(ellipse(30mm), nurbs: true); }",
+            on("sinumerik"));
+    EXPECT_EQ(incremental.all_messages(), "");
+    EXPECT_NE(incremental.blocks[3].find("X=AC("), std::string::npos);
+    const Outcome jump =
+        run("curve c() over real t = 0 .. 10 { x = t*1mm; if (t < 5) y = 0mm; else y = 3mm; }\n"
+            "program p() { follow(c(), nurbs: true); }",
+            on("sinumerik"));
+    EXPECT_NE(jump.all_messages().find("K3615"), std::string::npos);
 }
 
 TEST(Curves, BodiesAreProgramsOfTheirOwn) {

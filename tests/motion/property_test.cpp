@@ -49,13 +49,22 @@ Command any_arc(const Vec3& from) {
     return arc_to(to, {center[0], center[1], 0}, sweep, any_number(500, 60000));
 }
 
-/// Lines of all lengths, arcs, rapids, exact stops and dwells, mixed.
+/// A span that goes on in about one direction, bent and weighted at random.
+Command any_spline(const Vec3& from) {
+    const Vec3 way(any_number(5, 60), 0, 0);
+    const auto pole = [&](double share) { return Vec3(from + way * share + any_point(4)); };
+    const double w1 = any_number(1, 3), w2 = any_number(1, 3);
+    return spline_to(from + way, pole(1.0 / 3), pole(2.0 / 3), any_number(500, 60000),
+                     {1, w1, w2, 1});
+}
+
+/// Lines of all lengths, arcs, splines, rapids, exact stops and dwells, mixed.
 std::vector<Command> any_program() {
     std::vector<Command> program;
     Vec3 at = Vec3::Zero();
     const int count = *rc::gen::inRange(1, 40);
     for (int i = 0; i < count; ++i) {
-        const int kind = *rc::gen::inRange(0, 10);
+        const int kind = *rc::gen::inRange(0, 11);
         Command command;
         if (kind < 5) {
             const int reach = *rc::gen::element(1, 5, 100);
@@ -65,6 +74,8 @@ std::vector<Command> any_program() {
             command = any_arc(at);
         } else if (kind < 9) {
             command = rapid_to(any_point(200));
+        } else if (kind < 10) {
+            command = any_spline(at);
         } else {
             command = simple(Op::Dwell);
             command.time = any_number(0, 1);
@@ -119,6 +130,22 @@ double miss(const Segment& segment, const Vec3& point) {
         const Vec3 out = point - helix->base;
         const double height = out.dot(helix->normal);
         return std::abs((out - height * helix->normal).norm() - helix->radius);
+    }
+    if (const auto* spline = std::get_if<path::Spline>(&segment.curve)) {
+        // The nearest of many points, then closer: the distance has one least value there.
+        double best = 0;
+        for (int i = 0; i <= 200; ++i) {
+            const double u = i / 200.0;
+            if ((path::point_at(*spline, u).position - point).norm() <
+                (path::point_at(*spline, best).position - point).norm())
+                best = u;
+        }
+        for (int pass = 0; pass < 20; ++pass) {
+            const path::SplinePoint near = path::point_at(*spline, best);
+            best += (point - near.position).dot(near.first) / near.first.squaredNorm();
+            best = std::clamp(best, 0.0, 1.0);
+        }
+        return (path::point_at(*spline, best).position - point).norm();
     }
     return (point - path::start(segment.curve)).norm();
 }

@@ -65,6 +65,15 @@ inline Command arc_to(const Vec3& to, const Vec3& center, double sweep, double f
     return command;
 }
 
+/// A span of a spline over two control points, with weights of all four.
+inline Command spline_to(const Vec3& to, const Vec3& first, const Vec3& second, double feed_mm_min,
+                         const std::array<double, 4>& weights = {1, 1, 1, 1}) {
+    Command command = line_to(to, feed_mm_min);
+    command.op = Op::Spline;
+    command.spline = {3, {first, second}, weights};
+    return command;
+}
+
 inline Command spindle_on(double speed_rpm) {
     Command command;
     command.op = Op::Spindle;

@@ -39,10 +39,12 @@ TEST(DialectFiles, ExamplesAreTrue) {
         const Dialect& dialect = testing::shipped(name);
         EXPECT_FALSE(dialect.examples().empty());
         for (const Example& example : dialect.examples()) {
-            SCOPED_TRACE(std::string(name) + ": " + example.source);
-            const Block block = testing::source_block(testing::shipped("iso"), example.source);
+            SCOPED_TRACE(std::string(name) + ": " + example.source + example.text);
+            std::vector<Block> blocks;
+            if (!example.source.empty())
+                blocks = {testing::source_block(testing::shipped("iso"), example.source)};
             DiagnosticList wrong;
-            check_example(dialect, example, std::span(&block, 1), wrong);
+            check_example(dialect, example, blocks, wrong);
             EXPECT_EQ(messages_of(wrong), "");
         }
     }

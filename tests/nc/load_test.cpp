@@ -1,5 +1,4 @@
 // Dialect files: inheritance, and every mistake with its line and column.
-#include "base/diagnostics/iso.h"
 #include "nc/load.h"
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/diagnostics/iso.h"
 #include "nc/tables.h"
 #include "tests/nc/nc_testing.h"
 

@@ -266,8 +266,8 @@ void add_cycle(Block& block, const Dialect& dialect) {
 /// A block in which every field may be set, also such as do not go together.
 Block any_crowded_block(const Dialect& dialect) {
     Block block;
-    block.motion = any_of(
-        {Function::None, Function::Rapid, Function::Line, Function::ArcCw, Function::ArcCcw});
+    block.motion = any_of({Function::None, Function::Rapid, Function::Line, Function::ArcCw,
+                           Function::ArcCcw, Function::Spline});
     const int crowd = *rc::gen::inRange(1, 14);  // one field in so many is set
     const auto is_set = [&] { return *rc::gen::inRange(0, crowd) == 0; };
     for (std::size_t i = 0; i < kSlots; ++i) {

@@ -147,6 +147,24 @@ TEST(Writer, ArcsFitTheRoundedPoints) {
                              });
 }
 
+// On a lathe X is a diameter, I and R are not, and no word need say so.
+TEST(Writer, ArcsOfLathes) {
+    for (const char* name : {"sinumerik", "iso"}) {
+        expect_text(
+            name, {
+                      // From the radius 10 to 12: the chord is 2.83, not 4.47.
+                      {"G18\nG0 X20 Z0\nG3 X24 Z-2 CR=2", "G18\nG0 X20 Z0\nG3 X24 Z-2 CR=2\n"},
+                      {"G18\nG0 X20 Z0\nG3 X24 Z-2 I0 K-2", "G18\nG0 X20 Z0\nG3 X24 Z-2 I0 K-2\n"},
+                      // A radius on a mill.
+                      {"G18\nG0 X10 Z0\nG3 X12 Z-2 CR=2", "G18\nG0 X10 Z0\nG3 X12 Z-2 CR=2\n"},
+                  });
+    }
+    // The end is rounded, and the centre moves along, as on a mill.
+    expect_text("fanuc", {{"G18\nG0 X20 Z0\nG3 X24.0005 Z-2.00025 I0 K-2.00025",
+                           "G18\nX20. Z0.\nG03 X24. Z-2. I0. K-2.\n"}});
+    EXPECT_EQ(write("fanuc", "G18\nG0 X20 Z0\nG3 X40 Z-2 CR=2").codes, "K4208");
+}
+
 TEST(Writer, ArcsFromUnknownPositionsKeepTheirWords) {
     expect_text("sinumerik",
                 {

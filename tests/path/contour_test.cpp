@@ -146,6 +146,33 @@ TEST(Contour, Intersections) {
     }
 }
 
+TEST(Contour, Crossings) {
+    const struct Row {
+        const char* name;
+        Contour contour;
+        Eigen::Index coordinate;
+        double value;
+        std::vector<Vec2> points;
+    } rows[] = {
+        {"rectangle", rectangle(10, 10), 0, 4, {{4, 0}, {4, 10}}},
+        {"circle", circle({0, 0}, 5), 1, 3, {{4, 3}, {-4, 3}}},  // 3, 4, 5
+        {"touched", circle({0, 0}, 5), 1, 5, {{0, 5}}},
+        {"beside", circle({0, 0}, 5), 1, 5.1, {}},
+        {"along a side", rectangle(10, 10), 1, 10, {{10, 10}, {0, 10}}},
+        {"a corner", polygon({{0, 0}, {5, 5}, {10, 0}}, false), 1, 5, {{5, 5}}},
+        {"nothing", {}, 0, 0, {}},
+    };
+    for (const Row& row : rows) {
+        SCOPED_TRACE(row.name);
+        const std::vector<Vec2> found = crossings(row.contour, row.coordinate, row.value);
+        ASSERT_EQ(found.size(), row.points.size());
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            EXPECT_LT((found[i] - row.points[i]).norm(), 1e-7) << found[i].transpose();
+            EXPECT_EQ(found[i][row.coordinate], row.value);
+        }
+    }
+}
+
 struct OffsetRow {
     const char* name;
     Contour contour;

@@ -248,43 +248,59 @@ TEST(Fit, LengthsOfTheOracle) {
     EXPECT_GT(polynomials, 0);
 }
 
-RC_GTEST_PROP(Fit, KeepsTheToleranceOnRandomCurves, ()) {
-    // Sums of three waves in each coordinate.
-    double a[2][3], f[2][3], p[2][3];
-    for (int i = 0; i < 2; ++i) {
-        for (int k = 0; k < 3; ++k) {
-            a[i][k] = (*rc::gen::inRange(-1000, 1001)) / 50.0;
-            f[i][k] = *rc::gen::inRange(0, 7);
-            p[i][k] = (*rc::gen::inRange(0, 628)) / 100.0;
-        }
-    }
-    const auto curve = [&](double t) -> std::optional<CurveSample> {
+/// Sums of three waves in each of two coordinates.
+struct Waves {
+    double amplitude[2][3];
+    double frequency[2][3];
+    double phase[2][3];
+
+    std::optional<CurveSample> operator()(double t) const {
         CurveSample sample;
         for (int i = 0; i < 2; ++i) {
             for (int k = 0; k < 3; ++k) {
-                sample.position[i] += a[i][k] * std::cos(f[i][k] * t + p[i][k]);
-                sample.derivative[i] -= a[i][k] * f[i][k] * std::sin(f[i][k] * t + p[i][k]);
+                const double angle = frequency[i][k] * t + phase[i][k];
+                sample.position[i] += amplitude[i][k] * std::cos(angle);
+                sample.derivative[i] -= amplitude[i][k] * frequency[i][k] * std::sin(angle);
             }
         }
         return sample;
-    };
+    }
+};
+
+/// Largest distance of evenly spread points of 0 … 3 from the pieces of the fit.
+double deviation_of_waves(const Waves& waves, const FitOptions& options) {
+    const Fitted fitted = fit(waves, options);
+    if (fitted.contour.empty() || length(fitted.contour) == 0) return 0;
+    double worst = 0;
+    for (int i = 0; i <= 2000; ++i) {
+        const Vec2 point = waves(3.0 * i / 2000)->position.head<2>();
+        worst = std::max(worst, nearest(fitted.contour, point).distance);
+    }
+    return worst;
+}
+
+TEST(Fit, HoldsTheWholeCurveAgainstThePieces) {
+    // The distance from this one has a kink behind the end of an arc: points beside it are within
+    // the tolerance, those between them were not.
+    const Waves waves{{{-9.1, -16.66, -11.16}, {5.04, -17.7, -7.3}},
+                      {{4, 1, 1}, {2, 1, 3}},
+                      {{1.48, 2.88, 4.39}, {4.65, 4.46, 2.2}}};
+    EXPECT_LE(deviation_of_waves(waves, {FitKind::Biarcs, 0.173, 0, 3}), 0.173 * (1 + 1e-9));
+}
+
+RC_GTEST_PROP(Fit, KeepsTheToleranceOnRandomCurves, ()) {
+    Waves waves{};
+    for (int i = 0; i < 2; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            waves.amplitude[i][k] = (*rc::gen::inRange(-1000, 1001)) / 50.0;
+            waves.frequency[i][k] = *rc::gen::inRange(0, 7);
+            waves.phase[i][k] = (*rc::gen::inRange(0, 628)) / 100.0;
+        }
+    }
     const bool arcs = *rc::gen::arbitrary<bool>();
     const FitOptions options{arcs ? FitKind::Biarcs : FitKind::Lines,
                              (*rc::gen::inRange(1, 200)) / 1000.0, 0, 3};
-    CurveFit fitting(curve, options);
-    Contour contour;
-    Vec2 from = fitting.start()->head<2>();
-    while (const auto piece = fitting.next()) {
-        const Vec2 to = piece->to.head<2>();
-        contour.push_back({from, to, piece->center, piece->sweep});
-        from = to;
-    }
-    RC_ASSERT(!fitting.fault().has_value());
-    if (contour.empty() || length(contour) == 0) return;
-    for (int i = 0; i <= 2000; ++i) {
-        const Vec2 point = curve(3.0 * i / 2000)->position.head<2>();
-        RC_ASSERT(nearest(contour, point).distance <= options.tolerance * (1 + 1e-9));
-    }
+    RC_ASSERT(deviation_of_waves(waves, options) <= options.tolerance * (1 + 1e-9));
 }
 
 }  // namespace

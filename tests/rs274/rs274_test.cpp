@@ -193,7 +193,8 @@ class Reduction {
                 coolant_.words += ' ';
                 break;
             case Op::SpeedLimit:
-            case Op::Message: break;  // rs274 says nothing about them
+            case Op::Message:
+            case Op::Spline: break;  // rs274 says nothing about them
         }
     }
 

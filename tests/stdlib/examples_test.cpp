@@ -27,7 +27,7 @@ TEST(Examples, OfTheLibrarysDocumentationRun) {
         if (code.find("program ") == std::string::npos) continue;  // a few lines of one
         ++programs;
         ASSERT_TRUE(kadr::write_file_whole(file.string(), code));
-        const bool is_lathe = code.find("cycles.turning") != std::string::npos;
+        const bool is_lathe = code.find("turning;") != std::string::npos;
         for (const char* dialect : {"sinumerik", "fanuc", "axioma"}) {
             const ProcessResult result =
                 run_process({KADR_BINARY, "run", file.string(), "-d", dialect, "-m",

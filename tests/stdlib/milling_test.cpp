@@ -1,21 +1,13 @@
 // What the milling cycles of the library leave behind, over many sets of parameters: nothing
 // outside the shape is touched, everything inside is at its depth, allowances are exact, no rapid
 // goes into material, no cut is deeper than its step.
-#include <cstdlib>
-#include <filesystem>
-#include <random>
-#include <sstream>
-
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include "base/text.h"
-#include "tests/common/process.h"
+#include "tests/stdlib/cycle_run.h"
 #include "tests/stdlib/stock.h"
 
 namespace {
 
-namespace fs = std::filesystem;
 using namespace stdlib_test;
 using nlohmann::json;
 
@@ -24,40 +16,13 @@ constexpr double kMargin = 0.03;  // inside: scallops of the simulation, cells n
 constexpr double kEdge = 0.004;   // outside: what rounding of the text may do
 constexpr int kSets = 12;         // parameter sets a cycle
 
-/// Draws parameters, always the same ones for a seed; a tenth of a millimetre is fine enough.
-class Dice {
-  public:
-    explicit Dice(unsigned seed) : engine_(seed) {}
-    double length(double low, double high) {
-        return std::round(std::uniform_real_distribution<>(low, high)(engine_) * 10) / 10;
-    }
-    bool coin() { return std::uniform_int_distribution<>(0, 1)(engine_) == 1; }
-
-  private:
-    std::mt19937 engine_;
-};
-
-std::string mm(double value) { return json(std::round(value * 1000) / 1000).dump() + "mm"; }
-
 /// The commands of a program that calls one cycle from (0, 0, 40).
 std::vector<json> commands_of(const std::string& module, const std::string& call) {
-    const fs::path file =
-        fs::temp_directory_path() / ("kadr-stdlib-" + std::to_string(::getpid()) + ".kadr");
     const std::string text = "import cycles." + module + ";\nprogram test() {\n    S5000 M3;\n" +
                              "    F600;\n    G0 X0 Y0 Z40;\n    " + call + ";\n    M30;\n}\n";
-    EXPECT_TRUE(kadr::write_file_whole(file.string(), text));
-    const ProcessResult result =
-        run_process({KADR_BINARY, "run", file.string(), "-d", "iso", "--commands", "-"});
-    EXPECT_EQ(result.status, 0) << text << result.err;
-    std::vector<json> commands;
-    std::istringstream lines(result.out);
-    for (std::string line; std::getline(lines, line);) {
-        json command = json::parse(line, nullptr, false);
-        if (command.is_object()) commands.push_back(std::move(command));
-    }
-    std::error_code ignored;
-    fs::remove(file, ignored);
-    return commands;
+    CycleRun run = run_text(text, "iso", "mill");
+    EXPECT_EQ(run.status, 0) << text << run.error;
+    return std::move(run.commands);
 }
 
 /// A large plate with its surface at Z 0.

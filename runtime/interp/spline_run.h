@@ -1,0 +1,68 @@
+// spline_run.h — a spline whose blocks are still coming: poles and knots as the text gives them.
+//
+// A control says knots in one of two ways, and the blocks show which. As intervals: the spline
+// begins where the tool is, block i brings pole i and the width of span i; both ends are clamped.
+// As knots: the first block repeats the place of the tool as the first pole, every pole has a knot,
+// and degree + 1 further knots close the spline.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+#include "base/axes.h"
+#include "base/source.h"
+#include "path/nurbs.h"
+
+namespace kadr::interp {
+
+/// What the block of a pole said beside it; its span is executed with that.
+struct PoleBlock {
+    std::uint32_t line = 0;
+    SourceId source;
+    double feed = 0;
+    AxisValues to{};  // of the pole, base coordinates
+};
+
+/// A span, and the block that completed it.
+struct SplineStep {
+    path::SplineSpan span;
+    PoleBlock block;
+    bool is_last = false;  // of the spline
+};
+
+class SplineRun {
+  public:
+    SplineRun(int degree, bool by_knots);
+
+    bool is_by_knots() const { return by_knots_; }
+    std::size_t poles() const { return spans_.poles(); }
+    int degree() const { return degree_; }
+
+    void add_pole(const path::Vec3& pole, double weight, const PoleBlock& block);
+    /// By knots: the next one.
+    std::optional<path::NurbsFault> add_knot(double knot);
+    /// By intervals: that of the pole added last, ≥ 0.
+    std::optional<path::NurbsFault> add_interval(double interval);
+    /// No further block belongs to the spline.
+    std::optional<path::NurbsFault> finish();
+
+    /// The next span that is known in full; the very last one only behind `finish`.
+    std::optional<SplineStep> next();
+
+    AxisMask moved = 0;  // axes that its blocks have named
+
+  private:
+    int degree_;
+    bool by_knots_;
+    bool is_finished_ = false;
+    path::SplineSpans spans_;
+    double knot_ = 0;               // the sum of the intervals
+    double known_knot_ = 0;         // the latest that a clamped end does not replace
+    std::deque<double> waiting_;    // knots that a clamped end would replace
+    std::deque<PoleBlock> blocks_;  // of poles from number first_block_ on
+    std::size_t first_block_ = 0;
+    std::optional<SplineStep> held_;
+};
+
+}  // namespace kadr::interp

@@ -1,0 +1,183 @@
+// splines.cpp — B-splines: their blocks are collected, their spans executed as soon as they are
+// known.
+#include <bit>
+
+#include "base/diagnostics/iso.h"
+#include "base/numbers.h"
+#include "interp/executor.h"
+#include "path/curve.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::SlotMask;
+using path::Command;
+using path::NurbsFault;
+using path::Op;
+using path::Vec3;
+
+namespace {
+
+constexpr AxisMask kXyz = bit(Axis::X) | bit(Axis::Y) | bit(Axis::Z);
+
+/// The first pole of a spline by knots is where the tool is, as far as texts can say it, mm.
+constexpr double kSamePlace = 0.002;
+
+Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
+
+bool is_spline_word(Function function) {
+    return function == Function::SplineDegree || function == Function::SplineWeight ||
+           function == Function::SplineInterval || function == Function::SplineKnot;
+}
+
+std::string_view words_of(NurbsFault fault) {
+    switch (fault) {
+        case NurbsFault::Decreasing: return "are decreasing";
+        case NurbsFault::Unclamped: return "do not stand degree + 1 times at both ends";
+        case NurbsFault::Gap: return "stand more often inside than the degree says";
+        case NurbsFault::Counts: return "are not as many as control points and degree + 1";
+        case NurbsFault::Degree:
+        case NurbsFault::Poles:
+        case NurbsFault::Weight: break;
+    }
+    return "are wrong";
+}
+
+/// The argument of a word beside a pole.
+std::optional<double> word(const Block& block, Function function) {
+    const nc::Invocation* invocation = block.find(function);
+    return invocation == nullptr ? std::nullopt : std::optional(block.argument(*invocation, 0));
+}
+
+}  // namespace
+
+/// Whether a block belongs to the spline that runs. By knots, the function said again begins
+/// another one.
+bool Executor::continues_spline(const Block& block) const {
+    const bool is_spline = block.motion == Function::None || block.motion == Function::Spline;
+    if (!is_spline || (block.motion == Function::Spline && spline_->is_by_knots())) return false;
+    bool has_knot = false;
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        const Function function = block.functions[i].function;
+        if (!is_spline_word(function) || function == Function::SplineDegree) return false;
+        has_knot |= function == Function::SplineKnot;
+    }
+    return has_knot || (block.given & nc::kTargetSlots) != 0;
+}
+
+void Executor::set_spline_degree(const Block& block, const nc::Invocation& invocation) {
+    const double degree = block.argument(invocation, 0);
+    if (degree >= 1 && degree <= 3) {
+        spline_degree_ = static_cast<int>(degree);
+        return;
+    }
+    report(diag::SplineValue, block, Function::SplineDegree)
+        .arg("degree")
+        .arg(degree)
+        .arg("1, 2 or 3");
+}
+
+/// A block under the spline function: a pole, a knot or both.
+void Executor::spline(const Block& block) {
+    const SlotMask targets = block.given & nc::kTargetSlots;
+    if ((targets & ~SlotMask{kXyz}) != 0) {
+        const auto other = static_cast<nc::Slot>(std::countr_zero(targets & ~SlotMask{kXyz}));
+        report(diag::SplineAxis, block, other).arg(nc::slot_name(other));
+        return;
+    }
+    const std::optional<double> knot = word(block, Function::SplineKnot);
+    if (!spline_ && !start_spline(block, knot.has_value())) return;
+    spline_end_.line = block.line;
+    spline_end_.source = block.source;
+    std::optional<NurbsFault> fault;
+    if (targets != 0) {
+        if (!add_pole(block, targets)) return;
+        if (!spline_->is_by_knots())
+            fault = spline_->add_interval(word(block, Function::SplineInterval).value_or(1));
+    }
+    if (knot && spline_->is_by_knots()) fault = spline_->add_knot(*knot);
+    if (fault) return report_spline(block, *fault);
+    move_along_spline();
+}
+
+bool Executor::start_spline(const Block& block, bool by_knots) {
+    const bool counts_knots =
+        dialect_.can_write(Function::SplineKnot) && !dialect_.can_write(Function::SplineInterval);
+    if (!by_knots && counts_knots) {
+        report(diag::SplineKnots, block).arg("are missing");
+        return false;
+    }
+    if (!check_feed(block, "spline")) return false;
+    if (tool_.has_changed) activate_length(block, kXyz);
+    spline_.emplace(spline_degree_, by_knots);
+    if (!by_knots) spline_->add_pole(linear(position_.base), 1, {});
+    return true;
+}
+
+bool Executor::add_pole(const Block& block, SlotMask targets) {
+    const double weight = word(block, Function::SplineWeight).value_or(1);
+    if (!(weight > 0)) {
+        report(diag::SplineValue, block, Function::SplineWeight)
+            .arg("weight")
+            .arg(weight)
+            .arg("above 0");
+        return false;
+    }
+    const Target target = target_of(block, targets);
+    const Vec3 pole = linear(target.base);
+    const bool is_start = spline_->poles() == 0;
+    if (is_start && (pole - linear(position_.base)).norm() > kSamePlace) {
+        report(diag::SplineStart, block).arg(round_to((pole - linear(position_.base)).norm(), 4));
+        return false;
+    }
+    spline_->moved = static_cast<AxisMask>(spline_->moved | target.moved);
+    spline_->add_pole(pole, weight, {block.line, block.source, modal_.feed, target.base});
+    arrive(target);
+    return true;
+}
+
+/// Puts out the spans that are known by now.
+void Executor::move_along_spline() {
+    while (!ended_) {
+        const std::optional<SplineStep> step = spline_->next();
+        if (!step) return;
+        Block at;  // whose place messages show
+        at.line = step->block.line;
+        at.source = step->block.source;
+        const path::SplineSpan& span = step->span;
+        if (!check_box(at, path::bounds(path::make_spline(span.start, span.end, span.shape))))
+            return;
+        has_moved_ = true;
+        Command& command = put(Op::Spline, at);
+        command.to = step->block.to;
+        for (std::size_t i = 0; i < 3; ++i) command.to[i] = span.end[static_cast<Eigen::Index>(i)];
+        command.moved = spline_->moved;
+        command.spline = span.shape;
+        command.feed = step->block.feed;
+        command.exact_stop = step->is_last && modal_.has_exact_stop;
+    }
+}
+
+/// Another block follows, or none: the spline ends where its last pole is.
+void Executor::finish_spline() {
+    if (const auto fault = spline_->finish()) {
+        report_spline(spline_end_, *fault);
+    } else {
+        move_along_spline();
+    }
+    spline_.reset();
+}
+
+void Executor::report_spline(const Block& block, NurbsFault fault) {
+    if (fault == NurbsFault::Poles) {
+        report(diag::SplinePoles, block)
+            .arg(spline_->degree())
+            .arg(spline_->degree() + 1)
+            .arg(static_cast<int>(spline_->poles()));
+    } else {
+        report(diag::SplineKnots, block).arg(words_of(fault));
+    }
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,104 @@
+#include "motion/spline_pieces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace kadr::motion {
+
+namespace {
+
+using path::CurvePoint;
+using path::Spline;
+using path::Vec3;
+
+constexpr std::size_t kSamples = 9;
+using Samples = std::array<CurvePoint, kSamples>;
+
+/// cos of the greatest turn from one sample to the next: 15 degrees.
+constexpr double kLeastCos = 0.9659258;
+/// Greatest and least curvature of a piece differ by no more than this, as a factor: 20 % of speed.
+constexpr double kBendRatio = 1.5;
+/// A piece that turns by less than this as a whole, rad, is cut for its curvature no more.
+constexpr double kLittleTurn = 0.02;
+/// A piece this short is not cut any more, mm: it passes in a tick. One that turns sharply is cut
+/// down to the second length, an increment of most controls.
+constexpr double kShort = 0.02;
+constexpr double kPoint = 1e-3;
+
+Samples sample(const Spline& spline) {
+    Samples samples;
+    for (std::size_t i = 0; i < kSamples; ++i) {
+        const double u = static_cast<double>(i) / static_cast<double>(kSamples - 1);
+        samples[i] = path::curvature_at(spline, u);
+    }
+    return samples;
+}
+
+bool turns_sharply(const Samples& samples) {
+    for (std::size_t i = 0; i + 1 < kSamples; ++i) {
+        if (!(samples[i].tangent.dot(samples[i + 1].tangent) >= kLeastCos)) return true;
+    }
+    return false;
+}
+
+bool is_evenly_bent(const Samples& samples, double length) {
+    double least = samples[0].curvature.norm();
+    double most = least;
+    for (const CurvePoint& point : samples) {
+        least = std::min(least, point.curvature.norm());
+        most = std::max(most, point.curvature.norm());
+    }
+    return most <= kBendRatio * least || most * length <= kLittleTurn;
+}
+
+void cut(const Spline& spline, std::vector<path::Curve>& out) {
+    const Samples samples = sample(spline);
+    const bool is_sharp = turns_sharply(samples);
+    const bool is_cut = is_sharp
+                            ? spline.length > kPoint
+                            : spline.length > kShort && !is_evenly_bent(samples, spline.length);
+    if (is_cut) {
+        const auto [before, behind] = path::split(spline, 0.5);
+        cut(before, out);
+        cut(behind, out);
+        return;
+    }
+    if (!is_sharp && spline.length > 0) {
+        out.emplace_back(spline);
+    } else if ((spline.end - spline.start).norm() > 0) {
+        out.emplace_back(path::make_line(spline.start, spline.end));
+    }
+}
+
+}  // namespace
+
+std::vector<path::Curve> evenly_bent(const Spline& spline) {
+    std::vector<path::Curve> pieces;
+    cut(spline, pieces);
+    return pieces;
+}
+
+SplineBend bend_of(const Spline& spline) {
+    const Samples samples = sample(spline);
+    SplineBend bend;
+    Vec3 rate_step = Vec3::Zero();
+    Vec3 bend_step = Vec3::Zero();
+    for (std::size_t i = 0; i < kSamples; ++i) {
+        bend.rate = bend.rate.cwiseMax(samples[i].tangent.cwiseAbs());
+        bend.bend = bend.bend.cwiseMax(samples[i].curvature.cwiseAbs());
+        bend.curvature = std::max(bend.curvature, samples[i].curvature.norm());
+        if (i == 0) continue;
+        const CurvePoint& before = samples[i - 1];
+        rate_step = rate_step.cwiseMax((samples[i].tangent - before.tangent).cwiseAbs());
+        bend_step = bend_step.cwiseMax((samples[i].curvature - before.curvature).cwiseAbs());
+    }
+    // A hump between two samples rises by an eighth of what the differences change at most, and
+    // these change by no more than twice the greatest.
+    bend.rate = (bend.rate + rate_step / 4).cwiseMin(1.0);
+    bend.bend += bend_step / 4;
+    bend.curvature += bend_step.norm() / 4;
+    return bend;
+}
+
+}  // namespace kadr::motion

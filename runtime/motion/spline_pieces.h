@@ -1,0 +1,24 @@
+// spline_pieces.h — spans of splines cut into pieces that one speed suits.
+#pragma once
+
+#include <vector>
+
+#include "path/curve.h"
+
+namespace kadr::motion {
+
+/// Pieces of a span, in order, on each of which the curvature is about the same and the direction
+/// turns by little between samples. A turn inside less than a thousandth of a millimetre, as in a
+/// cusp, becomes a straight piece: a corner at both its ends.
+std::vector<path::Curve> evenly_bent(const path::Spline& spline);
+
+/// What the limits of axes need to know of a piece: greatest |dq/ds| and |d²q/ds²| of X, Y, Z,
+/// from samples so close that what is between them is covered by their differences.
+struct SplineBend {
+    path::Vec3 rate = path::Vec3::Zero();
+    path::Vec3 bend = path::Vec3::Zero();  // 1/mm
+    double curvature = 0;                  // greatest |d²C/ds²|, 1/mm
+};
+SplineBend bend_of(const path::Spline& spline);
+
+}  // namespace kadr::motion

@@ -1,0 +1,237 @@
+#include "path/spline.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/assert.h"
+#include "path/casteljau.h"
+#include "path/helix.h"
+#include "path/homogeneous.h"
+#include "path/quadrature.h"
+
+namespace kadr::path {
+
+namespace {
+
+using Poles = std::array<Pole, 4>;
+
+constexpr double kShare = 1.0 / static_cast<double>(Spline::kParts);
+
+/// Below this part of the polygon's length the derivative is taken for zero: the curve stands.
+constexpr double kStands = 1e-7;
+
+Vec3 point_of(const Pole& pole) { return pole.head<3>() / pole[3]; }
+
+std::pair<Poles, Poles> split(const Poles& poles, double u) {
+    return Casteljau<Pole>(poles, u).halves();
+}
+
+double polygon(const Poles& poles) {
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) sum += (point_of(poles[i + 1]) - point_of(poles[i])).norm();
+    return sum;
+}
+
+/// |dC/du|.
+double speed(const Spline& spline, double u) {
+    const Poles& p = spline.poles;
+    const double v = 1 - u;
+    const Pole first =
+        3 * (v * v * (p[1] - p[0]) + 2 * u * v * (p[2] - p[1]) + u * u * (p[3] - p[2]));
+    if (!spline.is_rational) return first.head<3>().norm();
+    const Pole at =
+        v * v * v * p[0] + 3 * u * v * v * p[1] + 3 * u * u * v * p[2] + u * u * u * p[3];
+    return (first.head<3>() - at.head<3>() * (first[3] / at[3])).norm() / at[3];
+}
+
+/// Where the speed has a least value far below the mean. Quadrature has to end there: beside such a
+/// place, at the edge of an interval, the rule and its halves would both look past it.
+std::array<double, 2> slow_places(const Spline& spline) {
+    constexpr int kSteps = 32;
+    constexpr double kFarBelow = 0.1;
+    std::array<double, 2> found = {1, 1};
+    std::array<double, kSteps + 1> rate{};
+    double mean = 0;
+    for (int i = 0; i <= kSteps; ++i) {
+        rate[static_cast<std::size_t>(i)] = speed(spline, static_cast<double>(i) / kSteps);
+        mean += rate[static_cast<std::size_t>(i)] / (kSteps + 1);
+    }
+    std::size_t count = 0;
+    for (std::size_t i = 1; i < kSteps && count < found.size(); ++i) {
+        if (rate[i] > rate[i - 1] || rate[i] > rate[i + 1]) continue;
+        double lower = static_cast<double>(i - 1) / kSteps;
+        double upper = static_cast<double>(i + 1) / kSteps;
+        for (int pass = 0; pass < 80; ++pass) {
+            const double a = lower + (upper - lower) / 3;
+            const double b = upper - (upper - lower) / 3;
+            (speed(spline, a) < speed(spline, b) ? upper : lower) =
+                speed(spline, a) < speed(spline, b) ? b : a;
+        }
+        const double place = 0.5 * (lower + upper);
+        if (speed(spline, place) < kFarBelow * mean) found[count++] = place;
+    }
+    return found;
+}
+
+/// Arc length between two parameters inside one eighth.
+double careful_length(const Spline& spline, double from, double to) {
+    const auto rate = [&](double u) { return speed(spline, u); };
+    double sum = 0;
+    double begin = from;
+    for (const double place : spline.slow) {
+        if (place <= begin || place >= to) continue;
+        sum += integrate(rate, begin, place, 0.1 * kArcLengthTolerance).value;
+        begin = place;
+    }
+    sum += integrate(rate, begin, to, 0.1 * kArcLengthTolerance).value;
+    return sum;
+}
+
+double length_between(const Spline& spline, double from, double to) {
+    if (!spline.is_smooth) return careful_length(spline, from, to);
+    return gauss([&](double u) { return speed(spline, u); }, from, to);
+}
+
+void measure(Spline& spline) {
+    const auto rate = [&](double u) { return speed(spline, u); };
+    spline.slow = slow_places(spline);
+    spline.is_smooth = spline.slow[0] == 1;
+    spline.length = 0;
+    for (std::size_t i = 0; i < Spline::kParts; ++i) {
+        const double from = kShare * static_cast<double>(i);
+        const double part = careful_length(spline, from, from + kShare);
+        const double quick = gauss(rate, from, from + kShare);
+        spline.is_smooth &= std::fabs(quick - part) <= kArcLengthTolerance;
+        spline.length += part;
+        spline.reached[i] = spline.length;
+    }
+}
+
+Spline of_poles(const Poles& poles, const Vec3& start, const Vec3& end) {
+    Spline spline;
+    spline.poles = poles;
+    spline.start = start;
+    spline.end = end;
+    spline.is_rational = std::any_of(poles.begin(), poles.end(),
+                                     [&](const Pole& pole) { return pole[3] != poles[0][3]; });
+    if (!spline.is_rational) {
+        for (Pole& pole : spline.poles) pole /= pole[3];
+    }
+    measure(spline);
+    return spline;
+}
+
+}  // namespace
+
+Pole pole_of(const Vec3& point, double weight) {
+    Pole pole;
+    pole << point * weight, weight;
+    return pole;
+}
+
+Spline make_spline(const Vec3& start, const Vec3& end, const SplineShape& shape) {
+    KADR_ASSERT(shape.degree >= 1 && shape.degree <= 3, "a span of degree one to three");
+    const auto last = static_cast<std::size_t>(shape.degree);
+    const Pole first = pole_of(start, shape.weights[0]);
+    const Pole final = pole_of(end, shape.weights[last]);
+    const Pole inner = pole_of(shape.inner[0], shape.weights[1]);
+    switch (shape.degree) {
+        case 1:
+            return of_poles({first, (2 * first + final) / 3, (first + 2 * final) / 3, final}, start,
+                            end);
+        case 2:
+            return of_poles({first, (first + 2 * inner) / 3, (2 * inner + final) / 3, final}, start,
+                            end);
+        default:
+            return of_poles({first, inner, pole_of(shape.inner[1], shape.weights[2]), final}, start,
+                            end);
+    }
+}
+
+SplinePoint point_at(const Spline& spline, double u) {
+    const Casteljau<Pole> scheme(spline.poles, u);
+    return projected(scheme.at, scheme.derivative(), scheme.second_derivative());
+}
+
+double parameter_at(const Spline& spline, double s) {
+    if (s <= 0) return 0;
+    if (s >= spline.length) return 1;
+    const auto& reached = spline.reached;
+    const auto found = std::upper_bound(reached.begin(), reached.end() - 1, s);
+    const auto i = static_cast<std::size_t>(found - reached.begin());
+    const double from = kShare * static_cast<double>(i);
+    const double begin = i == 0 ? 0 : reached[i - 1];
+    double lower = from;
+    double upper = from + kShare;
+    // The first guess divides the eighth by length; Newton's step is kept in the bracket.
+    double u = from + kShare * (s - begin) / (reached[i] - begin);
+    for (int pass = 0; pass < 60; ++pass) {
+        const double miss = begin + length_between(spline, from, u) - s;
+        if (std::fabs(miss) <= 0.1 * kArcLengthTolerance) return u;
+        (miss > 0 ? upper : lower) = u;
+        const double next = u - miss / speed(spline, u);
+        u = next > lower && next < upper ? next : 0.5 * (lower + upper);
+    }
+    return u;
+}
+
+Vec3 position(const Spline& spline, double s) {
+    if (s <= 0) return spline.start;
+    if (s >= spline.length) return spline.end;
+    return point_at(spline, parameter_at(spline, s)).position;
+}
+
+CurvePoint curvature_at(const Spline& spline, double u) {
+    SplinePoint point = point_at(spline, u);
+    const double least = kStands * polygon(spline.poles);
+    if (!(point.first.norm() > least)) {
+        // It stands: the direction is that of the way on, or of the way there at the end.
+        const double beside = u < 0.5 ? u + 1e-3 : u - 1e-3;
+        const Vec3 way = (point_at(spline, beside).position - point.position) * (u < 0.5 ? 1 : -1);
+        const double size = way.norm();
+        return {point.position, size > 0 ? Vec3(way / size) : Vec3(Vec3::Zero()), Vec3::Zero()};
+    }
+    const double square = point.first.squaredNorm();
+    const Vec3 tangent = point.first / std::sqrt(square);
+    // d²C/ds² is the part of C'' across the tangent, divided by |C'|².
+    return {point.position, tangent, (point.second - point.second.dot(tangent) * tangent) / square};
+}
+
+CurvePoint evaluate(const Spline& spline, double s) {
+    CurvePoint point = curvature_at(spline, parameter_at(spline, s));
+    point.position = position(spline, s);
+    return point;
+}
+
+Spline part(const Spline& spline, double from, double to) {
+    const double first = parameter_at(spline, from);
+    const double last = parameter_at(spline, to);
+    const Poles behind = first > 0 ? split(spline.poles, first).second : spline.poles;
+    const double share = first < 1 ? (last - first) / (1 - first) : 1;
+    const Poles piece = last < 1 ? split(behind, share).first : behind;
+    return of_poles(piece, position(spline, from), position(spline, to));
+}
+
+std::pair<Spline, Spline> split(const Spline& spline, double u) {
+    const auto [before, behind] = split(spline.poles, u);
+    const Vec3 middle = point_of(behind[0]);
+    return {of_poles(before, spline.start, middle), of_poles(behind, middle, spline.end)};
+}
+
+Box bounds(const Spline& spline) {
+    Box box{spline.start.cwiseMin(spline.end), spline.start.cwiseMax(spline.end)};
+    // Sixteen pieces: their control points leave the curve by less than a hundredth of its height.
+    Poles rest = spline.poles;
+    constexpr int kPieces = 16;
+    for (int i = 0; i < kPieces; ++i) {
+        const auto [piece, behind] = split(rest, 1.0 / (kPieces - i));
+        for (const Pole& pole : piece) {
+            box.lower = box.lower.cwiseMin(point_of(pole));
+            box.upper = box.upper.cwiseMax(point_of(pole));
+        }
+        rest = behind;
+    }
+    return box;
+}
+
+}  // namespace kadr::path

@@ -1,0 +1,144 @@
+// B-splines: poles by intervals and by knots become the same spans; where they end, and what is
+// wrong with them.
+#include "tests/interp/bench.h"
+
+namespace kadr::interp {
+namespace {
+
+Words pole(double x, double y) { return Words().x(x).y(y); }
+Words begin(int degree) {
+    return fn(Function::SplineDegree, {{0, degree}}).motion(Function::Spline);
+}
+Words& interval(Words& words, double width) {
+    return words.fn(Function::SplineInterval, {{0, width}});
+}
+Words by_interval(double x, double y, double width) {
+    Words words = pole(x, y);
+    return interval(words, width);
+}
+Words by_knot(double x, double y, double knot) {
+    return pole(x, y).fn(Function::SplineKnot, {{0, knot}});
+}
+Words knot(double value) { return fn(Function::SplineKnot, {{0, value}}); }
+
+std::vector<path::Command> splines(const Ran& ran) {
+    std::vector<path::Command> found;
+    for (const path::Command& command : ran.commands) {
+        if (command.op == path::Op::Spline) found.push_back(command);
+    }
+    return found;
+}
+
+TEST(Splines, IntervalsAndKnotsAreTheSame) {
+    // Degree 3, knots 0 0 0 0 1 3 3 3 3: two spans.
+    const Ran intervals =
+        run({line().x(0).y(0).f(500), begin(3), by_interval(10, 10, 1), by_interval(20, 0, 2),
+             by_interval(30, 10, 0), by_interval(40, 0, 0)});
+    const Ran knots =
+        run({line().x(0).y(0).f(500), begin(3).x(0).y(0).fn(Function::SplineKnot, {{0, 0}}),
+             by_knot(10, 10, 0), by_knot(20, 0, 0), by_knot(30, 10, 0), by_knot(40, 0, 1), knot(3),
+             knot(3), knot(3), knot(3)});
+    EXPECT_EQ(intervals.codes(), "");
+    EXPECT_EQ(knots.codes(), "");
+    EXPECT_EQ(intervals.listing(), knots.listing());
+    const auto spans = splines(intervals);
+    ASSERT_EQ(spans.size(), 2u);
+    // By hand: the pole 20|0 is worth (0, 1, 3); between the poles of (0, 0, 1) and (0, 1, 3) the
+    // point of (0, 1, 1) divides 1 : 2, and so on.
+    EXPECT_NEAR(spans[0].spline.inner[0].x(), 10, 1e-12);
+    EXPECT_NEAR(spans[0].spline.inner[1].x(), 10 + 10.0 / 3, 1e-12);
+    EXPECT_NEAR(spans[0].spline.inner[1].y(), 10 - 10.0 / 3, 1e-12);
+    EXPECT_EQ(spans[1].to[0], 40);
+    EXPECT_EQ(spans[1].to[1], 0);
+    EXPECT_EQ(spans[0].line, 5u);  // of the last pole on which it depends
+    EXPECT_EQ(spans[1].line, 6u);
+}
+
+TEST(Splines, ClampedWhateverTheLastIntervalsSay) {
+    const auto listing = [](double second_last, double last) {
+        return run({line().x(0).y(0).f(500), begin(3), by_interval(10, 10, 1),
+                    by_interval(20, 0, 2), by_interval(30, 10, second_last),
+                    by_interval(40, 0, last)})
+            .listing();
+    };
+    EXPECT_EQ(listing(0, 0), listing(1, 7));
+    // Nothing said: widths of one.
+    EXPECT_EQ(
+        run({line().x(0).y(0).f(500), begin(2), pole(10, 10), pole(20, 0), pole(30, 5)}).listing(),
+        run({line().x(0).y(0).f(500), begin(2), by_interval(10, 10, 1), by_interval(20, 0, 1),
+             by_interval(30, 5, 1)})
+            .listing());
+}
+
+TEST(Splines, EndAtAnotherMotionOrFunction) {
+    for (const Words& next : {line().x(50), rapid().x(50), fn(Function::CoolantFlood),
+                              fn(Function::MachineFunction, {{0, 88}}), Words()}) {
+        const Ran ran = run({line().x(0).y(0).f(500), begin(2), pole(10, 10), pole(20, 0), next,
+                             line().x(20).y(0)});
+        EXPECT_FALSE(ran.alarmed) << ran.codes();
+        EXPECT_EQ(splines(ran).size(), 1u);
+    }
+    const Ran twice = run({line().x(0).y(0).f(500), begin(2), pole(10, 10), pole(20, 0),
+                           fn(Function::CoolantFlood), pole(30, 10), pole(40, 0)});
+    ASSERT_EQ(splines(twice).size(), 2u);
+    EXPECT_EQ(splines(twice)[1].spline.degree, 2);
+    EXPECT_EQ(splines(twice)[1].to[0], 40);
+    // At the end of the program, too.
+    EXPECT_EQ(splines(run({line().x(0).y(0).f(500), begin(2), pole(10, 10), pole(20, 0)})).size(),
+              1u);
+}
+
+TEST(Splines, FeedWeightsAndExactStop) {
+    Words heavy = pole(10, 10);
+    heavy.fn(Function::SplineWeight, {{0, 2}});
+    const Ran ran = run({fn(Function::ExactStop), line().x(0).y(0).f(500), begin(2), heavy,
+                         pole(20, 0), pole(30, 10).f(300), pole(40, 0)});
+    EXPECT_EQ(ran.codes(), "");
+    const auto spans = splines(ran);
+    ASSERT_EQ(spans.size(), 3u);
+    EXPECT_EQ(spans[0].feed, 500);
+    EXPECT_EQ(spans[1].feed, 300);
+    EXPECT_FALSE(spans[0].exact_stop);
+    EXPECT_FALSE(spans[1].exact_stop);
+    EXPECT_TRUE(spans[2].exact_stop);
+    EXPECT_EQ(spans[0].spline.weights[1], 2);
+    EXPECT_EQ(spans[2].spline.weights[2], 1);
+}
+
+TEST(Splines, IncrementalAndShifted) {
+    const Ran absolute = run({line().x(0).y(0).f(500), begin(2), pole(10, 10), pole(20, 0)});
+    const Ran incremental = run({line().x(0).y(0).f(500), fn(Function::Incremental), begin(2),
+                                 pole(10, 10), pole(10, -10)});
+    EXPECT_EQ(absolute.listing(), incremental.listing());
+    const Ran shifted = run({fn(Function::Shift, {{0, 100}}), line().x(0).y(0).f(500), begin(2),
+                             pole(10, 10), pole(20, 0)});
+    EXPECT_EQ(splines(shifted).at(0).to[0], 120);
+    EXPECT_EQ(splines(shifted).at(0).spline.inner[0].x(), 110);
+}
+
+TEST(Splines, WhatIsWrong) {
+    const auto codes = [](std::vector<Block> blocks) {
+        blocks.insert(blocks.begin(), line().x(0).y(0).f(500));
+        return run(blocks).codes();
+    };
+    EXPECT_EQ(codes({begin(3), pole(10, 10), pole(20, 0)}), "K5203");
+    EXPECT_EQ(codes({begin(2), by_interval(10, 10, -1), pole(20, 0)}), "K5204");
+    EXPECT_EQ(
+        codes({begin(1).x(0).y(0).fn(Function::SplineKnot, {{0, 0}}), by_knot(10, 0, 0), knot(1)}),
+        "K5204");
+    EXPECT_EQ(codes({begin(1).x(0).y(0).fn(Function::SplineKnot, {{0, 0}}), by_knot(10, 0, 1),
+                     knot(2), knot(2)}),
+              "K5204");
+    EXPECT_EQ(codes({begin(1).x(5).y(0).fn(Function::SplineKnot, {{0, 0}})}), "K5205");
+    EXPECT_EQ(codes({begin(4), pole(10, 10)}), "K5206");
+    Words weightless = pole(10, 10);
+    weightless.fn(Function::SplineWeight, {{0, 0}});
+    EXPECT_EQ(codes({begin(2), weightless, pole(20, 0)}), "K5206");
+    EXPECT_EQ(codes({begin(2), pole(10, 10).set(Slot::C, 20), pole(20, 0)}), "K5207");
+    // Beyond the limit of X between the poles; the poles themselves may be beyond it.
+    EXPECT_EQ(codes({begin(2), pole(1500, 0), pole(0, 100)}), "");
+    EXPECT_EQ(codes({begin(2), pole(2500, 0), pole(0, 100)}).substr(0, 2), "K5");
+}
+
+}  // namespace
+}  // namespace kadr::interp
