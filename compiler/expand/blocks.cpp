@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kMinute = 60;
 constexpr double kMmPerMeter = 1000;
+constexpr nc::SlotMask kPointSlots = 7;  // X, Y, Z
 
 /// Anything a control could be told; beyond it the calculation has run away.
 bool is_sane(double value) { return std::fabs(value) < 1e15; }
@@ -58,6 +59,7 @@ const char* feed_unit(Function mode) {
 /// The instruction that made the value of a word; its place is the word, not the whole block.
 std::uint32_t Expander::State::word_of(const Filling& filling, std::uint32_t at) const {
     const Instruction& emit = code.instructions[at];
+    if (emit.op != Op::Emit) return at;  // a feed of `follow`
     const sema::Plan& plan = code.plans[static_cast<std::size_t>(emit.immediate.pair.first)];
     const auto value = static_cast<std::uint16_t>(emit.a + (&filling - plan.fillings.data()));
     const SourceRange block = code.places[at];
@@ -163,6 +165,8 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
     for (const auto& [place, value] : plan.values) block.values[place] = value;
     // Values of functions before those of F and S: the feed mode decides what F means.
     const sema::Slot* values = registers + instruction.a;
+    if (modal.has_ended && recordings.empty()) [[unlikely]]
+        warn_after_end(at);
     const bool has_functions = block.function_count > 0 || block.motion != Function::None;
     if (has_functions) {
         for (std::size_t i = 0; i < plan.fillings.size(); ++i) {
@@ -202,6 +206,10 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
             }
             block.set(static_cast<nc::Slot>(i), point[i].number);
         }
+        if ((block.given & kPointSlots) == 0) {
+            not_given("the target", at);
+            return false;
+        }
     }
     if (modal.restate_motion && block.motion == Function::None &&
         (block.given & nc::kTargetSlots) != 0) {
@@ -222,9 +230,14 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
         fault(diag::ArcUnderScale, at);
         return false;
     }
+    if ((modal.lost | modal.restate) != 0 && !settle_unknown(block, at)) [[unlikely]]
+        return false;
+    if (nc::is_arc(modal[Group::Motion]) && recordings.empty() && !has_radius(block, at))
+        return false;
     modal.take_words(block);
     // Nobody knows here whether the operator lets the block run.
-    if (plan.skip >= 0) modal.known &= static_cast<AxisMask>(~(block.given & nc::kTargetSlots));
+    if (plan.skip >= 0) [[unlikely]]
+        modal.take_skipped(block);
     if (options.trace) keep_trace(at, instruction.c, source);
     return true;
 }
@@ -275,6 +288,8 @@ bool Expander::State::fill_feed(Block& block, const Filling& filling, double val
         not_given("F", word_of(filling, at));
         return false;
     }
+    if (modal.lost != 0 && !knows_feed_mode(word_of(filling, at))) [[unlikely]]
+        return false;
     const Function mode = modal[Group::FeedMode];
     Filling::Form form = filling.form;
     if (form == Filling::Form::Feed) {
@@ -311,6 +326,10 @@ bool Expander::State::fill_feed(Block& block, const Filling& filling, double val
         math_fault(sema::MathFault::Overflow, at);
         return false;
     }
+    if (!(value > 0)) {
+        fault(diag::FeedZero, word_of(filling, at)).arg(neat(value));
+        return false;
+    }
     block.set(nc::Slot::Feed, neat(value));
     return true;
 }
@@ -321,6 +340,8 @@ bool Expander::State::fill_speed(Block& block, const Filling& filling, double va
         not_given("S", word_of(filling, at));
         return false;
     }
+    if (modal.lost != 0 && !knows_speed_mode(word_of(filling, at))) [[unlikely]]
+        return false;
     const bool is_cutting = modal[Group::SpeedMode] == Function::CuttingSpeedOn;
     Filling::Form form = filling.form;
     if (form == Filling::Form::Speed) {
@@ -382,7 +403,10 @@ bool Expander::State::emit_text(const Instruction& instruction, const sema::Slot
         else block.comment = line;
         if (options.trace) keep_trace(at, instruction.c, source);
     } while (!rest.empty());
-    if (is_raw) modal.forget();
+    if (is_raw) {
+        doubt_promise(source, at);
+        modal.forget(source);
+    }
     return true;
 }
 
@@ -410,7 +434,9 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
     }
     if (!target.has_native_cycle(cycle, given, {values.data(), parameters.size()})) return false;
     const std::uint32_t at = frame.return_to > 0 ? frame.return_to - 1 : 0;
+    if (modal.lost != 0 && !knows_for_cycle(*frame.function, given, at)) return true;
     if (is_block_limit(at)) return true;
+    if (modal.has_ended) warn_after_end(at);
     const Instruction& call = code.instructions[at];
     const SourceId source{static_cast<std::uint32_t>(call.immediate.pair.first)};
     Block& block = next_block(source);
@@ -450,6 +476,7 @@ bool Expander::State::change_frame(const Instruction& instruction, const sema::S
     const std::size_t count = change == sema::FrameChange::Rotate  ? 4
                               : change == sema::FrameChange::Scale ? 7
                                                                    : 3;
+    if (modal.lost != 0 && !knows_frame(change == sema::FrameChange::Rotate, at)) return false;
     std::array<double, 7> numbers{};
     std::array<bool, 7> is_given{};
     for (std::size_t i = 0; i < count; ++i) {
@@ -496,7 +523,8 @@ bool Expander::State::change_frame(const Instruction& instruction, const sema::S
 void Expander::State::write_frame(const ProgramFrame& next, SourceId source, std::uint32_t at,
                                   unsigned depth) {
     const ProgramFrame from = modal.frame;
-    if (from == next) return;
+    const bool is_lost = (modal.lost & sema::kFrameBit) != 0;  // whatever acts is deleted
+    if (from == next && !is_lost) return;
     const auto add = [&](Function function, std::span<const double> values,
                          std::span<const bool> given) {
         if (has_failed || is_block_limit(at)) return;
@@ -511,14 +539,16 @@ void Expander::State::write_frame(const ProgramFrame& next, SourceId source, std
     // What is in force already need not be said anew, if nothing behind it has to go.
     const bool keeps_shift = from.shift == next.shift && from.is_shifted == next.is_shifted;
     const bool keeps_mirrors = !from.has_mirror() || from.is_mirrored == next.is_mirrored;
-    const bool adds_only = keeps_shift && keeps_mirrors && from.angle_deg == 0 && !from.has_scale();
+    const bool adds_only =
+        keeps_shift && keeps_mirrors && from.angle_deg == 0 && !from.has_scale() && !is_lost;
     if (!adds_only) {
         std::array<bool, 3> given = next.is_shifted;
         const bool is_zero = next.shift == std::array<double, 3>{};
         if (is_zero) given = none;
         // A component that was shifted before must be named to go back.
         else
-            for (std::size_t i = 0; i < 3; ++i) given[i] = given[i] || from.is_shifted[i];
+            for (std::size_t i = 0; i < 3; ++i)
+                given[i] = given[i] || from.is_shifted[i] || is_lost;
         add(Function::Shift, next.shift, given);
     }
     const auto add_rotation = [&] {
@@ -543,6 +573,7 @@ void Expander::State::write_frame(const ProgramFrame& next, SourceId source, std
     }
     if (!next.is_stretched(next.plane)) add_rotation();
     modal.set_frame(next, source);
+    modal.lost &= ~sema::kFrameBit;
 }
 
 // ---------------------------------------------------------------- with, preserves
@@ -566,6 +597,12 @@ bool Expander::State::leave_with(SourceId source, std::uint32_t at, unsigned dep
         fault(diag::StateUnknown, at).arg(nc::group_name(static_cast<Group>(i)));
         return false;
     }
+    const sema::ModalMask values = changed & before.lost & (sema::kFeedBit | sema::kSpeedBit);
+    if (values != 0) {
+        fault(diag::StateUnknown, at).arg((values & sema::kFeedBit) != 0 ? "F" : "S");
+        return false;
+    }
+    if ((changed & sema::kFeedBit) != 0 && !before.has_feed) modal.forget_feed(source);
     const bool feed = (changed & sema::kFeedBit) != 0 && before.has_feed;
     const bool speed = (changed & sema::kSpeedBit) != 0 && before.has_speed;
     const bool groups = (changed & ~(sema::kFeedBit | sema::kSpeedBit)) != 0;
@@ -600,8 +637,17 @@ bool Expander::State::check_needs(std::uint32_t at) {
     const CallFrame& frame = frames.back();
     for (const Function needed : frame.function->needs) {
         const Function active = modal[nc::info(needed).group];
-        if (active == needed || active == Function::None) continue;
+        const bool is_lost = (modal.lost & sema::group_bit(nc::info(needed).group)) != 0;
+        if (active == needed || (active == Function::None && !is_lost)) continue;
         const bool is_called = frames.size() > 1 && frame.return_to > 0;
+        if (is_lost) {
+            const std::string name(nc::info(needed).name);
+            tell_loss(is_called ? fault_in(diag::StateLost, frame.return_to - 1, frames.size() - 1)
+                                : fault(diag::StateLost, at),
+                      "whether `" + name + "` is active, as `" + frame.function->name + "` needs,",
+                      "say `" + name + "` before it");
+            return false;
+        }
         DiagnosticBuilder builder =
             is_called ? fault_in(diag::StateNeeded, frame.return_to - 1, frames.size() - 1)
                       : fault(diag::StateNeeded, at);
@@ -617,6 +663,7 @@ bool Expander::State::check_needs(std::uint32_t at) {
 
 bool Expander::State::check_preserves(std::uint32_t at) {
     const OpenWith& promise = promises.back();
+    if (modal.lost != 0) modal.trust(promise.before, promise.mask);
     const sema::ModalMask broken = difference(promise.before, modal, promise.mask);
     if (broken == 0) return true;
     const auto report = [&](std::string_view what, SourceId by) {

@@ -315,6 +315,7 @@ void Expander::State::begin_contour() {
     modal.restate_motion = false;
     modal.active[static_cast<std::size_t>(Group::Motion)] = Function::Line;
     modal.active[static_cast<std::size_t>(Group::Distance)] = Function::Absolute;
+    modal.lost &= ~(sema::group_bit(Group::Motion) | sema::group_bit(Group::Distance));
 }
 
 std::int64_t Expander::State::end_contour(std::uint32_t layout) {
@@ -612,6 +613,11 @@ bool Expander::State::finish_followed(Block& block, const FollowedBlock& next,
         drop_block(block);
         return false;
     }
+    if ((modal.lost | modal.restate) != 0 && !settle_unknown(block, where)) {
+        drop_block(block);
+        return false;
+    }
+    if (modal.has_ended && recordings.empty()) warn_after_end(where);
     modal.take_words(block);
     if (!recordings.empty()) return keep(block, where);
     if (options.trace) keep_trace(where, next.depth, next.source);

@@ -25,6 +25,7 @@ struct Limits {
     std::uint64_t loop_turns = 1'000'000'000;  // of all loops together, calls counted like turns
     std::uint64_t blocks = 100'000'000;
     std::uint64_t array_elements = 50'000'000;
+    double seconds = 0;  // of computing, counted from the expander's making; 0: no limit
 };
 
 /// One frame of the call stack behind a block, for messages and the source map.

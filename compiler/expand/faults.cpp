@@ -71,6 +71,19 @@ void Expander::State::not_given(std::string_view name, std::uint32_t at) {
         .arg(name.empty() ? std::string_view("the value of this word") : name);
 }
 
+void Expander::State::half_given(std::int32_t missing, std::int32_t given, std::uint32_t at) {
+    fault(diag::ValueNotGiven, at)
+        .arg(code.texts[static_cast<std::size_t>(missing)])
+        .note("but `" + code.texts[static_cast<std::size_t>(given)] + "` is")
+        .fix("give it, with 0 where it changes nothing");
+}
+
+void Expander::State::form_fault(unsigned needed, std::uint32_t at) {
+    static constexpr std::string_view kForms[] = {"per time", "per revolution", "of the spindle",
+                                                  "of cutting"};
+    fault(diag::FormWrong, at).arg(kForms[needed & 3u]).arg(kForms[(needed & 3u) ^ 1u]);
+}
+
 void Expander::State::index_fault(std::int64_t index, std::int64_t count, std::uint32_t at) {
     fault(diag::IndexFault, at).arg(index).arg(count);
 }

@@ -93,6 +93,7 @@ bool Expander::State::read_arguments(const sema::Plan& plan, std::size_t invocat
 bool Expander::State::emit_frame(const sema::Plan& plan, const Instruction& instruction,
                                  const sema::Slot* registers, std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    if (modal.lost != 0 && !knows_frame(false, at)) return false;
     sema::Plan rest = plan;
     ProgramFrame next = modal.frame;
     for (std::size_t i = 0; i < plan.functions.size(); ++i) {

@@ -44,6 +44,7 @@ void ModalState::set_frame(const ProgramFrame& next, SourceId source) {
         const auto bit = static_cast<AxisMask>(1u << i);
         known = static_cast<AxisMask>(moved.is_known[i] ? known | bit : known & ~bit);
     }
+    if ((lost & sema::kFrameBit) != 0) known &= static_cast<AxisMask>(~kLinearXYZ);
     frame = next;
     is_stretched = next.scale[0] != next.scale[1] || next.scale[1] != next.scale[2];
     frame_by = source;
@@ -92,6 +93,7 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
             next = {};
             next.add_shift(values, given);
             set_frame(next, block.source);
+            lost &= ~sema::kFrameBit;  // it replaces all frames
             return;
         case Function::ShiftAdd:
             vector(values, given);
@@ -190,11 +192,18 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
             lost_drift |= has_drift;
             return;
         }
+        case Function::End:
+        case Function::EndRewind:
+            has_ended = block.skip < 0;
+            ended_by = block.source;
+            return;
         default: break;
     }
     const Group group = nc::info(invocation.function).group;
     if (group == Group::Once) return;
     Function& member = active[static_cast<std::size_t>(group)];
+    lost &= ~sema::group_bit(group);
+    if (group == Group::Spindle) spindle_in_doubt = false;
     if (group == Group::FeedMode && member != invocation.function) has_feed = false;
     if (group == Group::SpeedMode && member != invocation.function) has_speed = false;
     member = invocation.function;
@@ -206,6 +215,7 @@ void ModalState::take_functions(const nc::Block& block) {
         active[static_cast<std::size_t>(Group::Motion)] = block.motion;
         changed_by[static_cast<std::size_t>(Group::Motion)] = block.source;
         restate_motion = false;
+        lost &= ~sema::group_bit(Group::Motion);
     }
     for (std::size_t i = 0; i < block.function_count; ++i) take(block, block.functions[i]);
 }
@@ -216,11 +226,15 @@ void ModalState::take_words(const nc::Block& block) {
         has_feed = true;
         is_feed_deleted = false;
         feed_by = block.source;
+        lost &= ~sema::kFeedBit;
+        if (block.skip < 0) restate &= ~sema::kFeedBit;
     }
     if (block.has(nc::Slot::Speed)) {
         speed = block.at(nc::Slot::Speed);
         has_speed = true;
         speed_by = block.source;
+        lost &= ~sema::kSpeedBit;
+        if (block.skip < 0) restate &= ~sema::kSpeedBit;
     }
     nc::SlotMask targets = block.given & nc::kTargetSlots;
     if (targets == 0) return;
@@ -247,11 +261,6 @@ void ModalState::take_words(const nc::Block& block) {
             known = static_cast<AxisMask>(known | bit);
         }
     }
-}
-
-void ModalState::forget() {
-    known = 0;
-    has_feed = has_speed = false;
 }
 
 sema::ModalMask difference(const ModalState& a, const ModalState& b, sema::ModalMask mask) {

@@ -13,6 +13,9 @@
 
 namespace kadr::expand {
 
+/// What has made modal state unknown.
+enum class Loss : std::uint8_t { RawText, SkippedBlock, EndOfWith };
+
 struct ModalState {
     std::array<nc::Function, nc::kGroups> active{};  // None: not known
     std::array<SourceId, nc::kGroups> changed_by{};  // statement behind the present member
@@ -46,6 +49,13 @@ struct ModalState {
     int due_offset = 0;            // of the control of a source, to be said before the first move
     bool is_edge_off = false;      // `D0` of a source that counts edges: no tool length
     bool is_feed_deleted = false;  // by a feed mode of a source whose control does that
+    sema::ModalMask lost = 0;      // what something has made unknown: it must be said again
+    SourceId lost_by;              // statement that did so last
+    Loss lost_in = Loss::RawText;
+    sema::ModalMask restate = 0;    // set by a block that may be left out: the output says it again
+    bool spindle_in_doubt = false;  // likewise, but the operator's choice
+    bool has_ended = false;         // behind M30
+    SourceId ended_by;
 
     nc::Function operator[](nc::Group group) const {
         return active[static_cast<std::size_t>(group)];
@@ -57,8 +67,14 @@ struct ModalState {
     void take_functions(const nc::Block& block);
     /// … and then its words.
     void take_words(const nc::Block& block);
-    /// Text of unknown meaning: where the tool stands is no longer known.
-    void forget();
+    /// Text of unknown meaning: nothing is known any more.
+    void forget(SourceId source);
+    /// Behind a `with` that set the first F: what held before it was none.
+    void forget_feed(SourceId source);
+    /// The block may be left out: what it changes, besides what the writer says again by itself.
+    void take_skipped(const nc::Block& block);
+    /// What of the mask is not known is as it was before: somebody has promised it.
+    void trust(const ModalState& before, sema::ModalMask mask);
     void set_frame(const ProgramFrame& frame, SourceId source);
     /// Whether it is known what is left of the frame without its scale.
     bool knows_unscaled() const { return !frame.has_scale() || frame == scaled; }

@@ -70,11 +70,14 @@ Expander::State::State(const sema::Code& program, const nc::Dialect& dialect,
 
 const FunctionCode* Expander::State::find_program(std::string_view name) {
     std::vector<std::string_view> names;
+    const FunctionCode* first = nullptr;
     for (const FunctionCode& function : code.functions) {
         if (function.kind != FunctionKind::Program || !function.is_main_file) continue;
-        if (name.empty() || function.name == name) return &function;
+        if (!name.empty() && function.name == name) return &function;
         names.push_back(function.name);
+        if (names.size() == 1) first = &function;
     }
+    if (name.empty() && names.size() == 1) return first;
     if (names.empty()) {
         DiagnosticBuilder builder = sink.report(diag::NoProgram, {code.main_file, 0, 0});
         const auto callable = std::find_if(
@@ -86,13 +89,19 @@ const FunctionCode* Expander::State::find_program(std::string_view name) {
         }
         return nullptr;
     }
-    DiagnosticBuilder builder = sink.report(diag::UnknownProgram);
-    builder.arg(name);
     std::string all;
     for (const std::string_view other : names) {
         if (!all.empty()) all += ", ";
         all += other;
     }
+    if (name.empty()) {
+        sink.report(diag::ProgramChoice, {code.main_file, 0, 0})
+            .arg(all)
+            .fix("name one: `--program " + std::string(names[0]) + '`');
+        return nullptr;
+    }
+    DiagnosticBuilder builder = sink.report(diag::UnknownProgram);
+    builder.arg(name);
     builder.note("it is asked for by the option `--program`");
     builder.note("the file has: " + all);
     return nullptr;
@@ -130,9 +139,11 @@ bool Expander::State::set_parameter(const FunctionCode& function, const Paramete
     };
     switch (parameter.kind) {
         case ParameterInfo::Kind::Bool:
-            if (value == "true" || value == "yes" || value == "1") slot.integer = 1;
-            else if (value == "false" || value == "no" || value == "0") slot.integer = 0;
-            else return wrong("true or false");
+            if (value == code.true_word || value == "true" || value == "yes" || value == "1")
+                slot.integer = 1;
+            else if (value == code.false_word || value == "false" || value == "no" || value == "0")
+                slot.integer = 0;
+            else return wrong(code.true_word + " or " + code.false_word);
             return true;
         case ParameterInfo::Kind::Integer: {
             const auto read =

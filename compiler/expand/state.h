@@ -1,10 +1,11 @@
 // state.h — a running program: registers, calls, modal state, the batch that is being filled.
 //
 // The chapters: vm.cpp (the instructions), blocks.cpp (blocks, frames, `with`), contours.cpp,
-// curves.cpp, faults.cpp (errors with the call stack), start.cpp (programs, parameters), tests.cpp,
-// text_format.cpp. For the room expand only.
+// unknown.cpp (modal state that is not known), curves.cpp, faults.cpp (errors with the call stack),
+// start.cpp (programs, parameters), tests.cpp, text_format.cpp. For the room expand only.
 #pragma once
 
+#include <chrono>
 #include <deque>
 #include <optional>
 #include <span>
@@ -164,6 +165,24 @@ struct Expander::State {
     bool is_block_limit(std::uint32_t at);
     double state_value(sema::StateValue which) const;
 
+    // ---- unknown.cpp: false where an error was reported
+    /// Checks what the block needs of the modal state, and says again what may have been left out.
+    bool settle_unknown(nc::Block& block, std::uint32_t at);
+    bool knows_state(const nc::Block& block, std::uint32_t at);
+    bool knows_for_cycle(const sema::FunctionCode& cycle, std::uint32_t given, std::uint32_t at);
+    bool knows_frame(bool turns, std::uint32_t at);
+    bool knows_feed_mode(std::uint32_t at);
+    bool knows_speed_mode(std::uint32_t at);
+    /// Reports; always false.
+    bool state_lost(std::string_view what, std::string_view fix, std::uint32_t at);
+    void tell_loss(DiagnosticBuilder builder, std::string_view what, std::string_view fix);
+    void say_again(nc::Block& block);
+    /// Raw text inside a cycle that `preserves` something.
+    void doubt_promise(SourceId source, std::uint32_t at);
+    void warn_after_end(std::uint32_t at);
+    /// Whether an arc's center is not its start.
+    bool has_radius(const nc::Block& block, std::uint32_t at);
+
     // ---- contours.cpp
     /// A contour outside of the heap, with the plane in which it lies.
     /// Geometry as it is on the part; as words and as points of the program X may be a diameter.
@@ -216,6 +235,10 @@ struct Expander::State {
     void fault_note(const DiagnosticRow& row, std::uint32_t at, const std::string& text);
     void math_fault(sema::MathFault why, std::uint32_t at);
     void not_given(std::string_view name, std::uint32_t at);
+    /// Of two coordinates that belong together only one is given; both by their texts.
+    void half_given(std::int32_t missing, std::int32_t given, std::uint32_t at);
+    /// A feed or speed is not of the form that is needed; see Op::FeedForm.
+    void form_fault(unsigned needed, std::uint32_t at);
     void index_fault(std::int64_t index, std::int64_t count, std::uint32_t at);
     void contract_failed(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     void keep_trace(std::uint32_t at, unsigned depth, SourceId source);
@@ -238,6 +261,9 @@ struct Expander::State {
     std::uint64_t turns_left = 1;     // of the present slice
     std::uint64_t turns_reserve = 0;  // of the slices to come
     bool was_stopped = false;         // from outside
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point began = Clock::now();
+    bool is_late = false;  // Limits::seconds are over
     std::uint64_t blocks_left = 0;
     bool is_running = false;
     bool has_failed = false;
@@ -254,7 +280,8 @@ struct Expander::State {
         ModalState before;
     };
     std::vector<OpenWith> withs;
-    std::vector<OpenWith> promises;  // of `preserves`
+    std::vector<OpenWith> promises;      // of `preserves`
+    std::vector<std::uint32_t> doubted;  // raw texts inside of them that have been reported
 
     /// A contour whose blocks are being kept.
     struct Recording {

@@ -24,6 +24,8 @@ using sema::SlotKind;
 
 namespace {
 
+constexpr auto kNumberSlot = static_cast<unsigned>(SlotKind::Number);
+
 bool is_given(Slot slot, unsigned kind) {
     return kind == static_cast<unsigned>(SlotKind::Number) ? slot.number == slot.number
                                                            : slot.integer != sema::kNotGivenInteger;
@@ -127,9 +129,11 @@ bool Expander::State::read_table(const sema::TableSchema& schema, Slot path, std
 /// The turn that used up a slice of them asks for the next one; it belongs to it. False: there is
 /// none, or somebody wants the evaluation to end.
 bool Expander::State::more_turns(std::uint64_t& turns) {
-    constexpr std::uint64_t kSlice = 1u << 16;  // turns between two looks at `stop`
+    constexpr std::uint64_t kSlice = 1u << 16;  // turns between two looks at `stop` and the clock
     was_stopped = options.stop != nullptr && options.stop->load(std::memory_order_relaxed);
-    if (was_stopped) return false;
+    is_late = options.limits.seconds > 0 &&
+              std::chrono::duration<double>(Clock::now() - began).count() > options.limits.seconds;
+    if (was_stopped || is_late) return false;
     turns = std::min(turns_reserve, kSlice);
     turns_reserve -= turns;
     return turns > 0;
@@ -512,6 +516,14 @@ op_CheckGiven:
         goto stop;
     }
     KADR_NEXT;
+op_SameGiven:
+    if (is_given(A, kNumberSlot) != is_given(B, kNumberSlot)) [[unlikely]] {
+        const auto [left, right] = ip->immediate.pair;
+        half_given(is_given(A, kNumberSlot) ? right : left, is_given(A, kNumberSlot) ? left : right,
+                   AT);
+        goto stop;
+    }
+    KADR_NEXT;
 op_SameForm:
     if (sema::is_second_form(A.number) != sema::is_second_form(B.number) && A.number != 0 &&
         B.number != 0) [[unlikely]] {
@@ -520,14 +532,12 @@ op_SameForm:
     }
     KADR_NEXT;
 op_FeedForm:
-    if (B.number != 0 && sema::is_second_form(B.number) != (ip->c == 1)) [[unlikely]] {
-        fault(diag::FormWrong, AT)
-            .arg(ip->c == 1 ? "per revolution" : "per time")
-            .arg(ip->c == 1 ? "per time" : "per revolution");
+    if (B.number != 0 && sema::is_second_form(B.number) != ((ip->c & 1u) == 1)) [[unlikely]] {
+        form_fault(ip->c, AT);
         goto stop;
     }
-    KADR_SLOPE(ip->c == 1 ? SLOPE_B / sema::kSecondForm : SLOPE_B);
-    A.number = ip->c == 1 ? B.number / sema::kSecondForm : B.number;
+    KADR_SLOPE((ip->c & 1u) == 1 ? SLOPE_B / sema::kSecondForm : SLOPE_B);
+    A.number = (ip->c & 1u) == 1 ? B.number / sema::kSecondForm : B.number;
     KADR_NEXT;
 
     // ---------------------------------------------------------------- jumps
@@ -1034,6 +1044,12 @@ too_many_elements:
 too_many_turns:
     if (was_stopped) {
         fault(diag::EvaluationStopped, AT);
+        goto stop;
+    }
+    if (is_late) {
+        fault(diag::TimeLimit, AT)
+            .arg(options.limits.seconds)
+            .fix("if it is to work longer, raise the limit: `--max-time`");
         goto stop;
     }
     fault(diag::LoopLimit, AT).arg(static_cast<std::int64_t>(options.limits.loop_turns));

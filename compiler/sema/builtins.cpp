@@ -154,29 +154,33 @@ Value Checker::trigonometric(Op op, const Expr& expr, std::string_view name, Reg
     return in_registers(types::kReal, reg);
 }
 
-Value Checker::square_root(const Expr& expr) {
-    if (!count_arguments(expr, "sqrt", 1, 1)) return error_value();
+/// `sqrt` and `cbrt`, with the dimension of the root.
+Value Checker::root_call(int degree, const Expr& expr, std::string_view name) {
+    if (!count_arguments(expr, name, 1, 1)) return error_value();
     const ExprId item = ast().exprs(expr.list)[0];
-    const std::optional<Value> argument = numeric_argument(item, "sqrt");
+    const std::optional<Value> argument = numeric_argument(item, name);
     if (!argument) return error_value();
     const Value value = to_real(*argument);
-    const std::optional<Quantity> quantity = root(type_info(value.type).quantity);
+    const std::optional<Quantity> quantity = root(type_info(value.type).quantity, degree);
     if (kind(value.type) != Kind::Real || !quantity) {
         report(diag::RootOfQuantity, ast()[item].range)
+            .arg(degree == 2 ? "square" : "cube")
             .arg(kind(value.type) == Kind::Real ? describe(type_info(value.type).quantity)
                                                 : type_name(value.type));
         return error_value();
     }
+    const Type type = types_.real(*quantity);
+    if (degree == 3) return math_value(Math::Cbrt, value, type, expr.range, kNoReg);
     if (value.is_constant()) {
         if (value.constant.number < 0) {
             report(diag::ConstantFault, expr.range).arg(describe(MathFault::NegativeRoot));
             return error_value();
         }
-        return constant_number(std::sqrt(value.constant.number), types_.real(*quantity));
+        return constant_number(std::sqrt(value.constant.number), type);
     }
     const Reg reg = emit_.take(1);
     emit_.emit(Op::Sqrt, reg, value.reg);
-    return in_registers(types_.real(*quantity), reg);
+    return in_registers(type, reg);
 }
 
 Value Checker::power_call(const Expr& expr) {
@@ -322,9 +326,9 @@ struct MathRow {
     Math function;
 };
 constexpr MathRow kOneNumber[] = {
-    {"abs", Math::Abs},      {"sign", Math::Sign}, {"asin", Math::AsinDeg}, {"acos", Math::AcosDeg},
-    {"atan", Math::AtanDeg}, {"exp", Math::Exp},   {"ln", Math::Ln},        {"log", Math::Ln},
-    {"log10", Math::Log10},  {"cbrt", Math::Cbrt},
+    {"abs", Math::Abs},      {"sign", Math::Sign},    {"asin", Math::AsinDeg},
+    {"acos", Math::AcosDeg}, {"atan", Math::AtanDeg}, {"exp", Math::Exp},
+    {"ln", Math::Ln},        {"log", Math::Ln},       {"log10", Math::Log10},
 };
 
 }  // namespace
@@ -340,7 +344,8 @@ std::optional<Value> Checker::builtin(std::string_view name, const Expr& expr, R
     if (name == "sin") return trigonometric(Op::SinDeg, expr, name, hint);
     if (name == "cos") return trigonometric(Op::CosDeg, expr, name, hint);
     if (name == "tan") return trigonometric(Op::Math1, expr, name, hint);
-    if (name == "sqrt") return square_root(expr);
+    if (name == "sqrt") return root_call(2, expr, name);
+    if (name == "cbrt") return root_call(3, expr, name);
     if (name == "pow") return power_call(expr);
     if (name == "floor") return round_call(Rounding::Floor, expr, name);
     if (name == "ceil") return round_call(Rounding::Ceil, expr, name);
@@ -387,19 +392,24 @@ std::optional<Value> Checker::builtin(std::string_view name, const Expr& expr, R
     return std::nullopt;
 }
 
-/// Distance of two points; components that neither has do not count.
+/// Distance of two points in the coordinates that they have: both the same ones.
 Value Checker::distance_call(const Expr& expr) {
     if (!count_arguments(expr, "distance", 2, 2)) return error_value();
     const auto arguments = ast().exprs(expr.list);
     const Reg a = expression_in(arguments[0], types::kPoint, kNoReg, "the first point");
     const Reg b = expression_in(arguments[1], types::kPoint, kNoReg, "the second point");
+    check_same_parts(a, arguments[0], b, arguments[1]);
+    Label any;
+    emit_.jump(Op::JumpIf, any, is_given(in_registers(types::kPoint, a)).reg);
+    emit_.emit_pair(Op::CheckGiven, a, 0, static_cast<unsigned>(SlotKind::Number),
+                    text_constant(sources_.text(ast()[arguments[0]].range)));
+    emit_.bind(any);
     const Reg sum = emit_.take(1);
     const Reg part = emit_.take(1);
     emit_.emit_number(Op::LoadF, sum, 0, 0);
     for (unsigned i = 0; i < 3; ++i) {
         Label next;
         emit_.jump(Op::JumpNotGiven, next, a + i, 0, static_cast<unsigned>(SlotKind::Number));
-        emit_.jump(Op::JumpNotGiven, next, b + i, 0, static_cast<unsigned>(SlotKind::Number));
         emit_.emit(Op::SubF, part, a + i, b + i);
         emit_.emit_pair(Op::Math2, sum, sum, part, static_cast<std::int64_t>(Math::Hypot));
         emit_.bind(next);

@@ -27,6 +27,7 @@ Value Checker::call(ExprId id, Reg hint) {
     const std::string_view name = text(callee.text);
     if (name.empty()) return error_value();
     const Found found = find(name);
+    if (found.symbol < 0 && found.name != nullptr) check_unambiguous(name, callee.range);
     if (found.symbol < 0 && found.name != nullptr && found.name->what == Name::What::Function) {
         return call_function(found.name->index, expr);
     }

@@ -63,6 +63,7 @@ class Checker {
     void declare_names(std::uint32_t module);
     void declare(std::uint32_t module, std::string_view name, Name entry);
     void declare_enum(std::uint32_t module, const syntax::Decl& decl);
+    void check_header(const syntax::Ast& ast);
     void declare_units(std::uint32_t module);
     void define_types(std::uint32_t module);
     void define_struct(std::uint32_t module, Type type, const syntax::Decl& decl);
@@ -86,6 +87,9 @@ class Checker {
     bool is_check(syntax::StmtId id) const;
     bool only_checks(const FunctionDecl& function) const;
     void emit_unset(Type type, Reg reg);
+    bool has_defaults(Type type) const;
+    void emit_member(const Member& member, Reg reg);
+    void emit_initial(Type type, Reg reg);
 
     // scope.cpp
     struct Found {
@@ -94,6 +98,7 @@ class Checker {
     };
     Found find(std::string_view name);
     const Name* find_global(std::uint32_t module, std::string_view name) const;
+    void check_unambiguous(std::string_view name, const SourceRange& range);
     Symbol& add_symbol(Symbol symbol);
     void check_new_name(std::string_view name, const SourceRange& range);
     void report_unknown(std::string_view name, const SourceRange& range);
@@ -142,6 +147,7 @@ class Checker {
                        std::string_view what);
     std::optional<Value> same_quantity(const Value& value, Type target);
     Value family_value(const Value& value, Type target, bool second);
+    bool settle(Value& value);
     void check_unset(const Value& value, std::string_view name, const SourceRange& range);
     /// The value of a name, member or element without the check that it is given; sets
     /// last_unset_ if the variable may be without a value.
@@ -181,10 +187,13 @@ class Checker {
                      const SourceRange& range);
     Value vectors(syntax::Operator op, const Value& left, const Value& right,
                   const syntax::Expr& expr);
+    void check_same_parts(Reg left, syntax::ExprId left_text, Reg right, syntax::ExprId right_text);
     Value bits(syntax::Operator op, const Value& left, const Value& right, const syntax::Expr& expr,
                Reg hint);
     Value truth(syntax::ExprId id, Reg hint);
     Value contains(const syntax::Expr& expr, Reg hint);
+    Value contains_struct(const Value& array, const Value& part);
+    void emit_equality(Type type, Reg left, Reg right, Reg all);
     struct Sides {
         Value left;
         Value right;
@@ -245,7 +254,7 @@ class Checker {
     Value math_call(Math function, const syntax::Expr& expr, std::string_view name, Reg hint);
     Value round_call(Rounding rounding, const syntax::Expr& expr, std::string_view name);
     Value extreme(Math function, const syntax::Expr& expr, std::string_view name);
-    Value square_root(const syntax::Expr& expr);
+    Value root_call(int degree, const syntax::Expr& expr, std::string_view name);
     Value power_call(const syntax::Expr& expr);
     Value trigonometric(Op op, const syntax::Expr& expr, std::string_view name, Reg hint);
     Value distance_call(const syntax::Expr& expr);
@@ -288,6 +297,9 @@ class Checker {
     bool statement(syntax::StmtId id);
     bool block(syntax::List statements);
     void variable(const syntax::Decl& decl);
+    bool is_optional_type(const syntax::Decl& decl) const {
+        return decl.type.is_valid() && ast()[decl.type].is_optional;
+    }
     bool if_statement(const syntax::Stmt& stmt);
     bool switch_statement(const syntax::Stmt& stmt);
     bool is_own_local(syntax::ExprId id);
@@ -423,6 +435,8 @@ class Checker {
     int contour_depth_ = 0;  // bodies of contours around
     const FunctionDecl* function_ = nullptr;
     bool has_preserves_ = false;
+    static constexpr std::size_t kNoDefault = ~std::size_t{0};
+    std::size_t defaults_from_ = kNoDefault;  // the parameter whose default is being checked
     struct Unused {
         SourceRange range;
         std::string_view name;
@@ -433,6 +447,7 @@ class Checker {
     Reg for_limit_ = kNoReg;  // register of the constant that ends a `for`
     bool last_unset_ = false;
     bool native_pending_ = false;  // the body's checks are still being emitted
+    SourceRange ambiguous_;        // name that was told last
     std::vector<Type> open_structs_;
     std::uint32_t statement_ = 0;      // SourceId of the statement
     std::uint32_t asked_figures_ = 0;  // of those that are functions

@@ -47,6 +47,8 @@ inline constexpr double kNotGivenNumber = std::numeric_limits<double>::quiet_NaN
 /// Which one is known only when the program runs: the second form is stored multiplied by this, a
 /// power of two far beyond any real value, so the two are told apart by size and nothing is lost.
 inline constexpr double kSecondForm = 0x1p600;
+/// Flag beside the form that an instruction asks for: it is one of a speed, not of a feed.
+inline constexpr std::uint16_t kSpeedForm = 2;
 inline bool is_second_form(double value) { return std::fabs(value) > 0x1p300; }
 
 struct Instruction {
@@ -407,7 +409,9 @@ struct Code {
     std::vector<PictureSource> pictures;
     std::vector<EnumNames> enums;
     std::vector<TestCall> test_calls;
-    FileId main_file;  // the file that was asked for
+    FileId main_file;                // the file that was asked for
+    std::string true_word = "true";  // in its keyword language
+    std::string false_word = "false";
 };
 
 /// The instructions of one function or of all, one a line, for tests and for the curious.

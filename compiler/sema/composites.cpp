@@ -102,20 +102,63 @@ void Checker::fill_members(ExprId id, Type type, Reg reg) {
         const auto target = static_cast<Reg>(reg + member.offset);
         if (values[i].is_valid()) {
             expression_in(values[i], member.type, target, member.name);
-        } else if (member.initial.is_valid()) {
-            const std::uint32_t here = std::exchange(module_, member.module);
-            const Units before = std::exchange(units_, modules_[member.module].units);
-            expression_in(member.initial, member.type, target, member.name);
-            module_ = here;
-            units_ = before;
         } else {
-            if (!type_info(member.type).is_optional && kind(member.type) != Kind::Array &&
-                !(kind(member.type) == Kind::Struct)) {
+            if (!member.initial.is_valid() && !type_info(member.type).is_optional &&
+                kind(member.type) != Kind::Array && kind(member.type) != Kind::Struct) {
                 report(diag::MemberMissing, expr.range).arg(info.name).arg(member.name);
             }
-            emit_unset(member.type, target);
+            emit_member(member, target);
         }
     }
+}
+
+bool Checker::has_defaults(Type type) const {
+    const TypeInfo& info = type_info(type);
+    if (info.kind == Kind::Array)
+        return !info.is_optional && info.count >= 0 && has_defaults(info.element);
+    if (info.kind != Kind::Struct) return false;
+    return std::ranges::any_of(types_.struct_of(type).members, [&](const Member& member) {
+        return member.initial.is_valid() || (!member.may_be_unset && has_defaults(member.type));
+    });
+}
+
+/// A member that got no value: its default, or what a variable of its type begins with.
+void Checker::emit_member(const Member& member, Reg reg) {
+    if (!member.initial.is_valid()) {
+        if (member.may_be_unset) emit_unset(member.type, reg);
+        else emit_initial(member.type, reg);
+        return;
+    }
+    const std::uint32_t here = std::exchange(module_, member.module);
+    const Units before = std::exchange(units_, modules_[member.module].units);
+    expression_in(member.initial, member.type, reg, member.name);
+    module_ = here;
+    units_ = before;
+}
+
+/// What a variable without a value holds: nothing but the defaults of a struct's members.
+void Checker::emit_initial(Type type, Reg reg) {
+    if (!has_defaults(type)) return emit_unset(type, reg);
+    if (kind(type) == Kind::Struct) {
+        const StructInfo info = types_.struct_of(type);
+        for (const Member& member : info.members)
+            emit_member(member, static_cast<Reg>(reg + member.offset));
+        return;
+    }
+    const TypeInfo info = type_info(type);
+    const Reg mark = emit_.mark();
+    const Reg index = emit_.take(2);  // and the number of elements
+    const Reg element = emit_.take(type_info(info.element).slots);
+    Label top;
+    emit_.emit_pair(Op::NewArray, reg, 0, 0, layout_constant(info.element));
+    emit_.emit_integer(Op::LoadI, index, 0, 0);
+    emit_.emit_integer(Op::LoadI, index + 1u, 0, info.count);
+    emit_.bind(top);
+    emit_initial(info.element, element);
+    emit_.emit(Op::Append, reg, element);
+    emit_.emit_integer(Op::AddIK, index, index, 1);
+    emit_.jump(Op::JumpLtI, top, index, index + 1u);
+    emit_.release_to(mark);
 }
 
 // ---------------------------------------------------------------- members
@@ -131,6 +174,7 @@ Value Checker::member(ExprId id) {
         }
         if (found.symbol < 0 && found.name != nullptr && found.name->what == Name::What::Type &&
             kind(found.name->type) == Kind::Enum) {
+            check_unambiguous(name, owner.range);
             for (const auto& [member, value] : types_.enum_of(found.name->type).members) {
                 if (member == text(expr.text)) return constant_integer(value, found.name->type);
             }

@@ -64,6 +64,20 @@ std::optional<Checker::Sides> Checker::compared_sides(const Expr& expr) {
     return Sides{left, right};
 }
 
+/// Equal if every part is; parts that are not given are equal to each other.
+void Checker::emit_equality(Type type, Reg left, Reg right, Reg all) {
+    const std::vector<SlotKind> layout = types_.layout(type);
+    const Reg part = emit_.take(1);
+    emit_.emit_integer(Op::LoadI, all, 0, 1);
+    for (std::size_t i = 0; i < layout.size(); ++i) {
+        emit_
+            .emit(Op::EqualPart, part, static_cast<unsigned>(left + i),
+                  static_cast<unsigned>(right + i))
+            .immediate.pair = {static_cast<std::int32_t>(layout[i]), 0};
+        emit_.emit(Op::AndI, all, all, part);
+    }
+}
+
 std::optional<Checker::Comparison> Checker::compare(const Expr& expr, Value left, Value right) {
     Comparison result;
     result.op = expr.op;
@@ -111,18 +125,8 @@ std::optional<Checker::Comparison> Checker::compare(const Expr& expr, Value left
     }
     if (is_equality && left.type == right.type && a == Kind::Struct &&
         !types_.holds_array(left.type)) {
-        // Equal if every part is; parts that are not given are equal to each other.
-        const std::vector<SlotKind> layout = types_.layout(left.type);
         const Reg all = emit_.take(1);
-        const Reg part = emit_.take(1);
-        emit_.emit_integer(Op::LoadI, all, 0, 1);
-        for (std::size_t i = 0; i < layout.size(); ++i) {
-            emit_
-                .emit(Op::EqualPart, part, static_cast<unsigned>(left.reg + i),
-                      static_cast<unsigned>(right.reg + i))
-                .immediate.pair = {static_cast<std::int32_t>(layout[i]), 0};
-            emit_.emit(Op::AndI, all, all, part);
-        }
+        emit_equality(left.type, left.reg, right.reg, all);
         result.left = in_registers(types::kBool, all);
         result.right = constant_integer(1, types::kBool);
         return result;
@@ -380,10 +384,41 @@ Value Checker::contains(const Expr& expr, Reg hint) {
         emit_.emit(Op::ContainsElement, reg, x, y);
         return in_registers(types::kBool, reg);
     }
+    if (kind(whole.type) == Kind::Array && kind(element) == Kind::Struct &&
+        !types_.holds_array(element)) {
+        part = convert(part, element, range, {});
+        return is_error(part) ? part : contains_struct(whole, part);
+    }
     report(diag::OperandType, ast()[expr.child[0]].range)
         .arg("contains")
         .arg(type_name(whole.type));
     return error_value();
+}
+
+/// One element after the other, until one is equal.
+Value Checker::contains_struct(const Value& array, const Value& part) {
+    const Type element = type_info(array.type).element;
+    const Reg wanted = in_register(part);
+    const Reg found = emit_.take(1);
+    const Reg index = emit_.take(2);  // and the number of elements
+    const auto count = static_cast<Reg>(index + 1);
+    const Reg item = emit_.take(type_info(element).slots);
+    Label top;
+    Label done;
+    emit_.emit_integer(Op::LoadI, found, 0, 0);
+    emit_.emit_integer(Op::LoadI, index, 0, 0);
+    emit_.emit(Op::CountArray, count, array.reg);
+    emit_.bind(top);
+    emit_.jump(Op::JumpLeI, done, count, index);
+    emit_.emit_pair(Op::LoadElementN, item, array.reg, index, 0, type_info(element).slots);
+    const Reg mark = emit_.mark();
+    emit_equality(element, item, wanted, found);
+    emit_.release_to(mark);
+    emit_.jump(Op::JumpIf, done, found);
+    emit_.emit_integer(Op::AddIK, index, index, 1);
+    emit_.jump(Op::Jump, top);
+    emit_.bind(done);
+    return in_registers(types::kBool, found);
 }
 
 }  // namespace kadr::sema

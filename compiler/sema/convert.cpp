@@ -117,38 +117,75 @@ Value Checker::whole_number(const Value& value, Type target, const SourceRange& 
     return error_value();
 }
 
-/// Between quantities: the same one, or a feed or speed in one of its two forms. Revolutions may be
-/// left out, as in 28m/min/(pi*d), and a length is a feed per revolution, as the pitch of a thread.
+namespace {
+
+bool is_family(Kind kind) { return kind == Kind::Feed || kind == Kind::Speed; }
+
+/// What a feed or speed measures in its first or second form.
+Quantity form_quantity(Kind family, int form) {
+    if (family == Kind::Feed) return form == 0 ? kFeedPerTime : kFeedPerTurn;
+    return form == 0 ? kSpindleSpeed : kFeedPerTime;
+}
+
+}  // namespace
+
+std::optional<int> form_of(Quantity quantity, Kind family) {
+    for (const int form : {0, 1}) {
+        if (quantity == form_quantity(family, form)) return form;
+    }
+    // Revolutions are a number: 28m/min/(pi*d) turns a spindle, pi*d*3000rpm cuts.
+    if (family == Kind::Speed && quantity == kPerTime) return 0;
+    if (family == Kind::Speed && quantity == kSpindleSpeed * kLength) return 1;
+    return std::nullopt;
+}
+
+/// Between quantities: the same one, or a feed or speed in one of its two forms; a length is a feed
+/// per revolution, as the pitch of a thread.
 std::optional<Value> Checker::same_quantity(const Value& value, Type target) {
     const TypeInfo from = type_info(value.type);
     const TypeInfo to = type_info(target);
-    const auto is_family = [](Kind k) { return k == Kind::Feed || k == Kind::Speed; };
-    const auto form = [](Kind family, int which) {
-        if (family == Kind::Feed) return which == 0 ? kFeedPerTime : kFeedPerTurn;
-        return which == 0 ? kSpindleSpeed : kFeedPerTime;
-    };
     if (from.kind == Kind::Real && to.kind == Kind::Real) {
         const bool same = from.quantity == to.quantity ||
                           (to.quantity == kSpindleSpeed && from.quantity == kPerTime);
         return same ? std::optional(retyped(value, target)) : std::nullopt;
     }
     if (is_family(from.kind) && to.kind == Kind::Real) {
-        for (const int which : {0, 1}) {
-            if (form(from.kind, which) * from.quantity == to.quantity)
-                return retyped(plain_form(value, which), target);
+        for (const int form : {0, 1}) {
+            if (form_quantity(from.kind, form) * from.quantity == to.quantity)
+                return retyped(plain_form(value, form), target);
         }
         return std::nullopt;
     }
-    if (from.kind == Kind::Real && is_family(to.kind) && to.quantity.is_number()) {
-        const bool is_feed = to.kind == Kind::Feed;
-        if (from.quantity == form(to.kind, 0) || (!is_feed && from.quantity == kPerTime)) {
-            return family_value(value, target, false);
-        }
-        if (from.quantity == form(to.kind, 1) || (is_feed && from.quantity == kLength)) {
+    if (!is_family(to.kind) || !to.quantity.is_number()) return std::nullopt;
+    if (from.kind == Kind::Real) {
+        if (const std::optional<int> form = form_of(from.quantity, to.kind))
+            return family_value(value, target, *form == 1);
+        if (to.kind == Kind::Feed && from.quantity == kLength)
             return family_value(value, target, true);
-        }
+        return std::nullopt;
+    }
+    // A calculation with a variable: at most one of its forms makes the target. A speed by itself
+    // is no feed, even if both are m/min.
+    if (!is_family(from.kind) || (to.kind == Kind::Feed && from.quantity.is_number()))
+        return std::nullopt;
+    for (const int form : {0, 1}) {
+        if (form_of(form_quantity(from.kind, form) * from.quantity, to.kind))
+            return same_quantity(plain_form(value, form), target);
     }
     return std::nullopt;
+}
+
+/// `vc/(pi*d)` of a `speed vc` as a speed of its own, for what is compared with or added to one.
+bool Checker::settle(Value& value) {
+    const TypeInfo& info = type_info(value.type);
+    if (!is_family(info.kind) || info.quantity.is_number()) return false;
+    for (const Type target : {types::kSpeed, types::kFeed}) {
+        if (std::optional<Value> settled = same_quantity(value, target)) {
+            value = *settled;
+            return true;
+        }
+    }
+    return false;
 }
 
 Value Checker::family_value(const Value& value, Type target, bool second) {
@@ -164,12 +201,12 @@ Value Checker::family_value(const Value& value, Type target, bool second) {
 }
 
 Value Checker::plain_form(const Value& value, int form) {
-    const Quantity first = kind(value.type) == Kind::Feed ? kFeedPerTime : kSpindleSpeed;
-    const Quantity second = kind(value.type) == Kind::Feed ? kFeedPerTurn : kFeedPerTime;
-    const Type type = types_.real((form == 0 ? first : second) * type_info(value.type).quantity);
+    const Kind family = kind(value.type);
+    const Type type = types_.real(form_quantity(family, form) * type_info(value.type).quantity);
     const Reg from = in_register(value);
     const Reg reg = emit_.take(1);
-    emit_.emit(Op::FeedForm, reg, from, static_cast<unsigned>(form));
+    const unsigned flags = family == Kind::Speed ? kSpeedForm : 0;
+    emit_.emit(Op::FeedForm, reg, from, static_cast<unsigned>(form) | flags);
     return in_registers(type, reg);
 }
 

@@ -1,5 +1,6 @@
 // declarations.cpp — files and what they declare: imports, types, functions, global variables.
 #include <algorithm>
+#include <array>
 
 #include "base/assert.h"
 #include "base/diagnostics/sema.h"
@@ -20,6 +21,7 @@ std::uint32_t Checker::load_module(const syntax::Ast& ast, const nc::Dialect& di
     scope.ast = &ast;
     scope.dialect = &dialect;
     modules_.push_back(std::move(scope));
+    check_header(ast);
     declare_units(module);
     for (const syntax::DeclId id : ast.top) {
         if (ast[id].kind == DeclKind::Import) import(module, ast[id]);
@@ -52,6 +54,37 @@ void Checker::import(std::uint32_t module, const Decl& decl) {
     std::vector<std::uint32_t>& imports = modules_[module].imports;
     if (std::find(imports.begin(), imports.end(), imported) == imports.end()) {
         imports.push_back(imported);
+    }
+}
+
+/// What says how a file is to be read stands in front of everything that is read so, and once.
+void Checker::check_header(const syntax::Ast& ast) {
+    static constexpr std::pair<DeclKind, std::string_view> kHeaders[] = {
+        {DeclKind::Units, "units"},
+        {DeclKind::Dialect, "dialect"},
+        {DeclKind::Language, "language"},
+    };
+    std::array<const Decl*, std::size(kHeaders)> said{};
+    const Decl* first = nullptr;
+    for (const syntax::DeclId id : ast.top) {
+        const Decl& decl = ast[id];
+        const auto* const header =
+            std::ranges::find(kHeaders, decl.kind, [](const auto& row) { return row.first; });
+        if (header == std::end(kHeaders)) {
+            if (first == nullptr && decl.kind != DeclKind::Invalid) first = &decl;
+            continue;
+        }
+        const Decl*& before = said[static_cast<std::size_t>(header - kHeaders)];
+        if (before != nullptr) {
+            report(diag::HeaderTwice, decl.range)
+                .arg(header->second)
+                .note(before->range, "it stands here");
+        } else if (first != nullptr) {
+            report(diag::HeaderLate, decl.range)
+                .arg(header->second)
+                .note(first->range, "the first declaration stands here");
+        }
+        before = &decl;
     }
 }
 
@@ -194,6 +227,7 @@ Type Checker::resolve_type(syntax::TypeId id) {
         type = *builtin;
     } else if (const Name* found = find_global(module_, name);
                found != nullptr && found->what == Name::What::Type) {
+        check_unambiguous(name, ref.range);
         type = found->type;
     } else if (name == "element") {
         type = types::kElement;  // not reserved: a program may have its own
@@ -292,7 +326,8 @@ void Checker::define_struct(std::uint32_t module, Type type, const Decl& decl) {
         if (field.type.is_valid() && tree[field.type].is_reference) {
             report(diag::ReferencePlace, field.range);
         }
-        members.push_back({std::string(name), member_type, 0, module, field.value});
+        const bool is_optional = field.type.is_valid() && tree[field.type].is_optional;
+        members.push_back({std::string(name), member_type, 0, module, field.value, is_optional});
     }
     if (members.empty()) {
         report(diag::EmptyStruct, decl.name_range).arg(types_.struct_of(type).name);
@@ -464,7 +499,8 @@ void Checker::check_global(std::uint32_t index, bool on_demand) {
             }
         } else {
             reg = emit_.take(slots);
-            emit_unset(symbol.type, reg);
+            if (is_optional_type(decl)) emit_unset(symbol.type, reg);
+            else emit_initial(symbol.type, reg);
         }
         if (slots > 0) emit_.emit_pair(Op::StoreGlobal, reg, 0, slots, symbol.global);
     }
@@ -499,9 +535,16 @@ void Checker::bind_parameters(const FunctionDecl& function) {
 /// The prologue: each default is evaluated if its argument was not given. A default may use the
 /// parameters before it.
 void Checker::check_defaults(const FunctionDecl& function) {
+    for (std::size_t i = function.parameters.size(); i-- > 0;)
+        visible_[function.parameters[i].name].pop_back();
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         const ParameterDecl parameter = function.parameters[i];
-        if (parameter.is_required) continue;
+        const auto show = [&] { visible_[parameter.name].push_back(static_cast<std::int32_t>(i)); };
+        if (parameter.is_required) {
+            show();
+            continue;
+        }
+        defaults_from_ = i;
         Label skip;
         emit_.set_place(parameter.range);
         emit_.jump(Op::SkipIfGiven, skip, 0, 0, static_cast<unsigned>(i));
@@ -525,7 +568,9 @@ void Checker::check_defaults(const FunctionDecl& function) {
         }
         emit_.release_to(mark);
         emit_.bind(skip);
+        show();
     }
+    defaults_from_ = kNoDefault;
 }
 
 void Checker::check_function(std::uint32_t index) {

@@ -102,6 +102,7 @@ Value Checker::name_value(ExprId id, Reg hint) {
         return symbol_value(found.symbol, expr.range, true);
     }
     if (found.symbol < 0 && found.name != nullptr) {
+        check_unambiguous(name, expr.range);
         switch (found.name->what) {
             case Name::What::EnumMember:
                 return constant_integer(found.name->member, found.name->type);

@@ -315,7 +315,9 @@ bool Checker::for_each(const Stmt& stmt) {
     if (!decl.type.is_valid()) symbol.type = element;
     const std::uint16_t slots = type_info(element).slots;
     const Reg handle = emit_.take(1);
-    emit_.emit(Op::Move, handle, list.reg);
+    // Without `&` the elements are those that the list has now, whatever the body does to it.
+    const bool may_change = !is_reference && source && !source->is_temporary && !source->is_const;
+    emit_.emit(may_change && !is_contour(list.type) ? Op::CopyArray : Op::Move, handle, list.reg);
     const Reg hidden = emit_.take(2);  // index, count
     const std::uint16_t symbol_slots =
         is_reference ? 1 : std::max<std::uint16_t>(1, type_info(symbol.type).slots);

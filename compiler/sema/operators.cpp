@@ -270,12 +270,24 @@ Value Checker::bits(Operator op, const Value& left, const Value& right, const Ex
     return in_registers(left.type, reg);
 }
 
+/// A coordinate that only one of two points has would get lost.
+void Checker::check_same_parts(Reg left, ExprId left_text, Reg right, ExprId right_text) {
+    for (unsigned i = 0; i < 3; ++i) {
+        const auto name = [&](ExprId id) {
+            return static_cast<std::int64_t>(
+                text_constant(std::string(sources_.text(ast()[id].range)) + '.' + "xyz"[i]));
+        };
+        emit_.emit_pair(Op::SameGiven, left + i, right + i, 0, name(left_text), name(right_text));
+    }
+}
+
 Value Checker::vectors(Operator op, const Value& left, const Value& right, const Expr& expr) {
     const auto is_vector = [&](const Value& v) {
         return v.type == types::kPoint || v.type == types::kVector;
     };
     const bool is_sum = op == Operator::Add || op == Operator::Subtract;
     if (is_sum && is_vector(left) && left.type == right.type) {
+        check_same_parts(left.reg, expr.child[0], right.reg, expr.child[1]);
         const Reg reg = emit_.take(3);
         for (unsigned i = 0; i < 3; ++i) {
             emit_.emit(op == Operator::Add ? Op::AddF : Op::SubF, reg + i, left.reg + i,
@@ -329,15 +341,11 @@ bool Checker::match_quantities(Value& left, Value& right, const Expr& expr) {
             return true;
         }
         if (kind(other.type) == Kind::Real) {
-            const Quantity first =
-                (kind(family.type) == Kind::Feed ? kFeedPerTime : kSpindleSpeed) *
-                type_info(family.type).quantity;
-            const Quantity second =
-                (kind(family.type) == Kind::Feed ? kFeedPerTurn : kFeedPerTime) *
-                type_info(family.type).quantity;
             const Quantity q = type_info(other.type).quantity;
-            if (q == first || q == second) {
-                family = plain_form(family, q == first ? 0 : 1);
+            if (const std::optional<int> form =
+                    form_of(q / type_info(family.type).quantity, kind(family.type))) {
+                family = plain_form(family, *form);
+                other = retyped(other, family.type);
                 return true;
             }
         }
@@ -354,6 +362,8 @@ bool Checker::match_quantities(Value& left, Value& right, const Expr& expr) {
             return true;
         }
     }
+    const bool is_settled = settle(left);
+    if (settle(right) || is_settled) return match_quantities(left, right, expr);
     const auto words = [&](const Value& v) {
         return is_family(v) ? type_name(v.type) : describe(type_info(v.type).quantity);
     };
@@ -502,8 +512,15 @@ Value Checker::arithmetic(Operator op, Value left, Value right, const Expr& expr
     if (is_family(left) && is_family(right)) {
         if (op == Operator::Divide && left.type == right.type)
             return families(op, left, right, expr, hint);
-        left = plain_form(left, 0);
-        right = plain_form(right, 0);
+        settle(left);
+        settle(right);
+        // A feed times a speed is that of each tooth or turn times the turns of the spindle.
+        const bool is_per_turn = op == Operator::Multiply && kind(left.type) != kind(right.type);
+        const auto plain = [&](const Value& v) {
+            return plain_form(v, is_per_turn && kind(v.type) == Kind::Feed ? 1 : 0);
+        };
+        left = plain(left);
+        right = plain(right);
     }
     left = to_real(left);
     right = to_real(right);

@@ -50,6 +50,7 @@ std::optional<Place> Checker::name_place(ExprId id) {
                                                                     : Place::Storage::Local;
         place.reg = local.reg;
     } else if (found.name != nullptr && found.name->what == Name::What::Variable) {
+        check_unambiguous(name, expr.range);
         check_global(found.name->index, is_startup_);
         symbol = &globals_[found.name->index].symbol;
         place.storage = Place::Storage::Global;

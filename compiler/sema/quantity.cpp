@@ -97,12 +97,13 @@ Quantity power(Quantity a, int exponent) {
             narrow(a.turns * exponent)};
 }
 
-std::optional<Quantity> root(Quantity a) {
-    if (a.length % 2 != 0 || a.time % 2 != 0 || a.angle % 2 != 0 || a.turns % 2 != 0) {
+std::optional<Quantity> root(Quantity a, int degree) {
+    if (a.length % degree != 0 || a.time % degree != 0 || a.angle % degree != 0 ||
+        a.turns % degree != 0) {
         return std::nullopt;
     }
-    return Quantity{narrow(a.length / 2), narrow(a.time / 2), narrow(a.angle / 2),
-                    narrow(a.turns / 2)};
+    return Quantity{narrow(a.length / degree), narrow(a.time / degree), narrow(a.angle / degree),
+                    narrow(a.turns / degree)};
 }
 
 std::string describe(Quantity q) {

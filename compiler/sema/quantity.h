@@ -35,8 +35,8 @@ inline constexpr Quantity kSpindleSpeed{0, -1, 0, 1};
 Quantity operator*(Quantity a, Quantity b);
 Quantity operator/(Quantity a, Quantity b);
 Quantity power(Quantity a, int exponent);
-/// The square root; nothing if an exponent is odd.
-std::optional<Quantity> root(Quantity a);
+/// The root of this degree, 2 or 3; nothing if an exponent is no multiple of it.
+std::optional<Quantity> root(Quantity a, int degree);
 
 /// `length`, `feed per revolution`, `area`, `length^2/time`: for messages.
 std::string describe(Quantity quantity);

@@ -29,6 +29,22 @@ const Name* Checker::find_global(std::uint32_t module, std::string_view name) co
     return nullptr;
 }
 
+/// Two imports that declare a name: whichever came first would decide.
+void Checker::check_unambiguous(std::string_view name, const SourceRange& range) {
+    const ModuleScope& scope = modules_[module_];
+    if (scope.names.contains(name) || range == ambiguous_) return;
+    std::vector<const Name*> all;
+    for (const std::uint32_t import : scope.imports) {
+        const auto found = modules_[import].names.find(name);
+        if (found != modules_[import].names.end()) all.push_back(&found->second);
+    }
+    if (all.size() < 2) return;
+    ambiguous_ = range;
+    DiagnosticBuilder builder = report(diag::AmbiguousName, range);
+    builder.arg(name);
+    for (const Name* declared : all) builder.note(declared->range, "it is declared here");
+}
+
 Checker::Found Checker::find(std::string_view name) {
     const auto local = visible_.find(name);
     if (local != visible_.end() && !local->second.empty()) return {local->second.back(), nullptr};
@@ -114,6 +130,16 @@ bool Checker::is_lost(std::string_view name) {
 
 void Checker::report_unknown(std::string_view name, const SourceRange& range) {
     if (is_lost(name)) return;
+    for (std::size_t i = defaults_from_; function_ != nullptr && i < function_->parameters.size();
+         ++i) {
+        if (function_->parameters[i].name != name) continue;
+        symbols_[i].is_read = true;
+        report(diag::DefaultOrder, range)
+            .arg(function_->parameters[defaults_from_].name)
+            .arg(name)
+            .note(function_->parameters[i].range, "it is declared here");
+        return;
+    }
     auto builder = report(diag::UnknownName, range);
     builder.arg(name);
     const std::vector<std::string_view> names = known_names(false);

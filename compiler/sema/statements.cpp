@@ -174,7 +174,8 @@ void Checker::variable(const Decl& decl) {
         }
     } else {
         symbol.reg = emit_.take(type_info(symbol.type).slots);
-        emit_unset(symbol.type, symbol.reg);
+        if (is_optional_type(decl)) emit_unset(symbol.type, symbol.reg);
+        else emit_initial(symbol.type, symbol.reg);
         const Kind k = kind(symbol.type);
         symbol.may_be_unset =
             k != Kind::Array && k != Kind::Error && !type_info(symbol.type).is_optional;

@@ -159,8 +159,11 @@ std::string TypeTable::name(Type type) const {
         case Kind::Real:
             text += info.quantity.is_number() ? "real" : describe(info.quantity);
             break;
-        case Kind::Feed: text += "feed"; break;
-        case Kind::Speed: text += "speed"; break;
+        case Kind::Feed:
+        case Kind::Speed:
+            text += info.kind == Kind::Feed ? "feed" : "speed";
+            if (!info.quantity.is_number()) text += " times " + describe(info.quantity);
+            break;
         case Kind::String: text += "string"; break;
         case Kind::Enum: text += enums_[info.definition].name; break;
         case Kind::Struct: text += structs_[info.definition].name; break;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,8 +53,9 @@ struct Member {
     std::string name;
     Type type;
     std::uint16_t offset = 0;
-    std::uint32_t module = 0;  // of the default value
-    syntax::ExprId initial;    // default value, may be invalid
+    std::uint32_t module = 0;   // of the default value
+    syntax::ExprId initial;     // default value, may be invalid
+    bool may_be_unset = false;  // a struct with `?`
 };
 
 struct StructInfo {
@@ -91,6 +93,9 @@ inline constexpr Type kExecution{16};
 inline constexpr Type kElement{17};  // of a contour; its registers: ElementSlot in code.h
 inline constexpr Type kContour{18};
 }  // namespace types
+
+/// The form of a feed or speed (0 or 1) that measures this; nothing if none does.
+std::optional<int> form_of(Quantity quantity, Kind family);
 
 class TypeTable {
   public:

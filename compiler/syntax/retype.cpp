@@ -1,6 +1,7 @@
 #include "syntax/retype.h"
 
 #include <unordered_map>
+#include <unordered_set>
 
 #include "base/diagnostics/syntax.h"
 #include "syntax/brackets.h"
@@ -75,6 +76,7 @@ class Retyping {
     void push(Lexeme lexeme, Token token);
 
     const Keyword* keyword_of(const Lexeme& lexeme);
+    bool is_declared_operator(std::size_t i, const Keyword& keyword);
     const Lexeme& at(std::size_t i) const { return in_[i < in_.size() ? i : in_.size() - 1]; }
     Token next() const { return at(i_ + 1).token; }
     Token previous() const { return out_.empty() ? Token::EndOfFile : out_.back().token; }
@@ -94,15 +96,16 @@ class Retyping {
     std::size_t statement_first_ = 0;    // index in out_
     bool has_assignment_ = false;        // the present statement has its `=` behind it
     std::unordered_map<std::uint32_t, const Keyword*> known_;  // by TextId
+    std::unordered_set<std::uint32_t> wrong_names_;            // operators that were declared
 };
 
 std::optional<Prepared> Retyping::run() {
     out_.reserve(in_.size() + 8);
-    for (Lexeme& lexeme : in_) {  // words for brackets and operators
-        const Keyword* keyword = keyword_of(lexeme);
-        if (keyword != nullptr && keyword->place == Keyword::Place::Operator) {
-            lexeme.token = keyword->token;
-        }
+    for (std::size_t i = 0; i < in_.size(); ++i) {  // words for brackets and operators
+        const Keyword* keyword = keyword_of(in_[i]);
+        if (keyword == nullptr || keyword->place != Keyword::Place::Operator) continue;
+        if (is_declared_operator(i, *keyword)) continue;
+        in_[i].token = keyword->token;
     }
     for (i_ = 0; in_[i_].token != Token::EndOfFile; ++i_) {
         step();
@@ -160,6 +163,11 @@ void Retyping::step() {
             end_statement();
             return;
         }
+        case Token::RawText:
+            // `raw { … }` ends with its brace, as a block does.
+            push(lexeme, lexeme.token);
+            if (next() != Token::Semicolon) end_statement();
+            return;
         case Token::Question:
             if (Bracket* top = brackets_.top()) ++top->questions;
             brackets_.add_head();  // what follows is nested in the choice
@@ -321,6 +329,30 @@ void Retyping::open_brace(Lexeme lexeme) {
                                                  : Bracket::Role::Block);
     push(lexeme, Token::OpenBrace);
     at_start_ = true;
+}
+
+/// `całkowita i = 0`, where `i` is the word for `&&`: told once, then a name where no operator can
+/// stand, so that the mistake is one message.
+bool Retyping::is_declared_operator(std::size_t i, const Keyword& keyword) {
+    if (keyword.token == Token::Not) return false;
+    const Keyword* before = i > 0 ? keyword_of(in_[i - 1]) : nullptr;
+    const bool is_behind_type = before != nullptr && (before->place == Keyword::Place::Type ||
+                                                      before->token == Token::Auto);
+    const Token after = at(i + 1).token;
+    const bool ends_name = after == Token::Assign || after == Token::Semicolon ||
+                           after == Token::Comma || after == Token::CloseParen ||
+                           after == Token::Colon;
+    const bool is_told = wrong_names_.contains(in_[i].text.index);
+    if ((is_behind_type && ends_name) || after == Token::Assign) {
+        if (!is_told) {
+            wrong_names_.insert(in_[i].text.index);
+            file_.sink.report(diag::KeywordAsName, file_.range(in_[i]))
+                .arg("`" + std::string(file_.texts.text(in_[i].text)) + "`")
+                .note("in this keyword language it means `" + std::string(keyword.name) + '`');
+        }
+        return true;
+    }
+    return is_told && (i == 0 || !ends_value(in_[i - 1].token));
 }
 
 const Keyword* Retyping::keyword_of(const Lexeme& lexeme) {

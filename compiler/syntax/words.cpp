@@ -186,7 +186,8 @@ void Merging::number() {
     } else if (next.token == Token::Percent && adjoins(i_, lexeme.end)) {
         const Token after = at(i_ + 1).token;
         if (after == Token::CloseParen || after == Token::Comma || after == Token::Semicolon ||
-            after == Token::CloseBracket || after == Token::CloseBrace) {
+            after == Token::CloseBracket || after == Token::CloseBrace ||
+            after == Token::TextMiddle || after == Token::TextClose) {
             lexeme.unit = Unit::Percent;
             lexeme.end = next.end;
             ++i_;

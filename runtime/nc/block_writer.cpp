@@ -36,6 +36,17 @@ constexpr bool is_quiet_group(Group group) {
     return false;
 }
 
+bool is_frame(Function function) {
+    switch (function) {
+        case Function::Shift:
+        case Function::ShiftAdd:
+        case Function::Rotate:
+        case Function::Scale:
+        case Function::Mirror: return true;
+        default: return false;
+    }
+}
+
 /// Code in a message.
 std::string quoted(std::string_view text) { return std::string("`").append(text).append("`"); }
 
@@ -608,7 +619,10 @@ Function BlockWriter::acting_around(const Form& form) const {
                                   : around == Function::Scale  ? modal_.scale
                                   : around == Function::Mirror ? modal_.mirror
                                                                : Activity::No;
-        if (activity != Activity::No) return around;
+        // Behind raw text nobody knows, and the control says so if it acts; but what a frame means
+        // depends on those around it.
+        if (activity == Activity::Yes) return around;
+        if (activity == Activity::Unknown && is_frame(form.function)) return around;
     }
     return Function::None;
 }

@@ -180,7 +180,8 @@ TEST_F(CommandLine, VariablesAreAnObject) {
 }
 
 TEST_F(CommandLine, AlarmInGeneratedTextNamesTheStatement) {
-    save("nofeed.kadr", "program nofeed() {\n    G0 X0;\n    raw \"G1 X20\";\n    G0 X30;\n}\n");
+    save("nofeed.kadr",
+         "program nofeed() {\n    G0 X0;\n    raw \"G1 X20\";\n    G90 G0 X30;\n}\n");
     const ProcessResult result =
         kadr({"run", file("nofeed.kadr"), "-d", "iso", "--commands", file("old.txt")});
     EXPECT_EQ(result.status, 3) << result.err;
@@ -226,6 +227,17 @@ TEST_F(CommandLine, RunWithoutOutputsTellsAPerson) {
     const ProcessResult result = kadr({"run", file("square.kadr")});
     EXPECT_TRUE(result.out.starts_with("square.kadr\n")) << result.out << result.err;
     EXPECT_EQ(kadr({"run", file("square.kadr"), "--plot", file("a.svg")}).out, "");
+}
+
+TEST_F(CommandLine, TruthIsSaidInTheWordsOfTheProgram) {
+    save("truth.kadr", "language ru;\nпрограмма p(логический ф) { если (ф) M8; иначе M9; M30; }\n");
+    const auto expand = [&](const char* value) {
+        return kadr({"expand", file("truth.kadr"), "-D", std::string("ф=") + value});
+    };
+    EXPECT_NE(expand("истина").out.find("M8"), std::string::npos);
+    EXPECT_NE(expand("ложь").out.find("M9"), std::string::npos);
+    EXPECT_NE(expand("false").out.find("M9"), std::string::npos);
+    EXPECT_NE(expand("нет").err.find("истина"), std::string::npos);
 }
 
 TEST_F(CommandLine, MissingModuleProposesOne) {

@@ -89,6 +89,9 @@ TEST(Blocks, Commands) {
 TEST(Blocks, TextsGoThrough) {
     expect_rows({
         {"note \"a {1 + 1}\";", "comment \"a 2\""},
+        // No `;` behind the brace, whatever comes next.
+        {"raw { A } length w = 3; raw { B } note \"{w}\"; raw { C } raw \"D\";",
+         "raw \"A\"\nraw \"B\"\ncomment \"3\"\nraw \"C\"\nraw \"D\""},
         {"raw \"G65 P9810 X{2.5mm}\";", "raw \"G65 P9810 X2.5\""},
         {"raw \"A\\nB\\nC\\nD\\nE\";", "raw \"A\"\nraw \"B\"\nraw \"C\"\nraw \"D\"\nraw \"E\""},
     });

@@ -45,6 +45,14 @@ TEST(Limits, ChainsOfAnyLength) {
               "X40000");
 }
 
+TEST(Limits, TimeActsInLoopsThatMakeNoBlocks) {
+    expand::Limits limits;
+    limits.seconds = 0.02;
+    const Outcome outcome =
+        run("program p() { int n = 0; while (true) n = 1 - n; }", with_limits(limits));
+    EXPECT_EQ(outcome.messages, std::vector<std::string>{"1:38 K3405"});
+}
+
 TEST(Limits, LoopTurns) {
     expand::Limits limits;
     limits.loop_turns = 100;

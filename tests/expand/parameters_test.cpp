@@ -72,9 +72,11 @@ TEST(Parameters, MistakesAreNamed) {
               "- K3007 `x` is `point` and cannot be set from outside");
 }
 
-TEST(Parameters, TheFirstProgramOrTheNamedOne) {
+TEST(Parameters, TheOnlyProgramOrTheNamedOne) {
     const char* source = "program a() { X1; }\nprogram b() { X2; }";
-    EXPECT_EQ(run(source).all_blocks(), "X1");
+    EXPECT_EQ(run("program a() { X1; }").all_blocks(), "X1");
+    EXPECT_EQ(run(source).all_messages(), "1:1 K3009 the file has several programs: a, b");
+    EXPECT_EQ(run(source, with({}, "a")).all_blocks(), "X1");
     EXPECT_EQ(run(source, with({}, "b")).all_blocks(), "X2");
     EXPECT_EQ(run(source, with({}, "c")).all_messages(), "- K3002 there is no program `c`");
     EXPECT_EQ(run("cycle a() { X1; }").all_messages(), "1:1 K3001 the file has no program");

@@ -344,6 +344,9 @@ TEST(Writer, Frames) {
         EXPECT_EQ(write("fanuc", std::string("rotate(30)\nrotate_off()\n") + inside).codes, "");
     }
     EXPECT_EQ(write("fanuc", "raw G65 P1\nmirror(x: 0)").codes, "K4212");
+    // The control itself knows whether a rotation acts behind raw text.
+    EXPECT_EQ(write("fanuc", "raw G65 P1\nG54").codes, "");
+    EXPECT_EQ(write("fanuc", "raw G65 P1\nG18").codes, "");
 }
 
 TEST(Writer, FramesLeaveTheOtherAxesWhereTheyAre) {

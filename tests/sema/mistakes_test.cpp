@@ -42,6 +42,47 @@ TEST(Mistakes, Names) {
     EXPECT_EQ(checked.messages->all().at(0).fixes.at(0).replacement, "radius");
 }
 
+TEST(Mistakes, DefaultsUseWhatStandsBeforeThem) {
+    expect_rows({
+        {"program p(int n = k, int k = 2) { X=n Y=k; }",
+         "1:19 K2019 the default of `n` uses `k`, which has no value yet"},
+        {"void f(int n = n) { X=n; }\nprogram p() { f(); }",
+         "1:16 K2019 the default of `n` uses `n`, which has no value yet"},
+        {"void f(int n = m, int k = 1) { X=n Y=k; }\nprogram p() { f(); }",
+         "1:16 K2001 `m` is not declared"},
+        {"program p(int k = 2, int n = k + 1) { X=n; }", ""},
+    });
+}
+
+TEST(Mistakes, HeadersStandAtTheTopAndOnce) {
+    expect_rows({
+        {"units mm; units inch; program p() { X1; }", "1:11 K2310 `units` is said twice"},
+        {"dialect iso; dialect iso; program p() { X1; }", "1:14 K2310 `dialect` is said twice"},
+        {"program p() { X1; } units inch;", "1:21 K2311 `units` stands behind a declaration"},
+        {"program p() { X1; } language en;", "1:21 K2311 `language` stands behind a declaration"},
+        {"units inch; program p() { X1; } language en; units mm;",
+         "1:33 K2311 `language` stands behind a declaration\n1:46 K2310 `units` is said twice"},
+        {"units inch; dialect iso; language en; program p() { X1; }", ""},
+    });
+}
+
+TEST(Mistakes, NamesOfSeveralImports) {
+    RunOptions options;
+    options.modules["l"] = "void f() { X1; }\nint n = 1;\nconst int k = 1;\nstruct s { int a; }";
+    options.modules["r"] = "void f() { X2; }\nint n = 2;\nconst int k = 2;\nstruct s { int a; }";
+    for (const char* use : {"f();", "X=n;", "X=k;", "n = 3;", "s v = {1};"}) {
+        const std::string body = std::string("program p() { ") + use + " }";
+        const Outcome outcome = check("import l; import r;\n" + body, options);
+        ASSERT_EQ(outcome.messages.size(), 1u) << use << outcome.all_messages();
+        EXPECT_EQ(outcome.messages[0], "2:15 K2020") << use;
+        EXPECT_EQ(check("import l;\n" + body, options).all_messages(), "") << use;
+    }
+    // A name of the file itself goes before both.
+    EXPECT_EQ(
+        run("import l; import r;\nvoid f() { X3; }\nprogram p() { f(); }", options).all_blocks(),
+        "X3");
+}
+
 TEST(Mistakes, OneMistakeIsOneMessage) {
     expect_rows({
         {"program p() { int n = wrong + 1; X=n*2; if (n > wrong) X=n; }",
@@ -66,6 +107,12 @@ TEST(Mistakes, Dimensions) {
         {"program p() { X=5deg; }", "1:15 K2102 `X` must be length, not angle"},
         {"program p() { X5deg; }", "1:15 K2102 `X` must be length, not angle"},
         {"program p() { F=5deg; }", "1:15 K2102 `F` must be feed, not angle"},
+        {"program p() { speed n = 1rpm; S=n*1mm*1mm; }",
+         "1:31 K2102 `S` must be speed, not speed times area"},
+        {"program p() { speed n = 1rpm; feed f = n; F=f; }",
+         "1:40 K2102 `f` must be feed, not speed"},
+        {"program p() { auto a = cbrt(5mm); X=a; }",
+         "1:29 K2110 the cube root of length has no dimension"},
         {"program p() { S=5mm; }", "1:15 K2102 `S` must be speed, not length"},
         {"program p() { dwell(5mm); }", "1:21 K2102 `time` must be time, not length"},
         {"program p() { X=sin(5mm); }", "1:21 K2102 `sin` must be angle, not length"},

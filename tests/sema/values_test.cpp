@@ -257,6 +257,26 @@ TEST(Values, Arrays) {
         {"int[] a = {1, 2}; a.clear(); note \"{a.count}\";", "comment \"0\""},
         {"real[3] a = {1, 2, 3}; a[1] = 7.5; note \"{a[1]} {a.count}\";", "comment \"7.5 3\""},
         {"int[3] a; a[0] = 1; a[1] = a[0] + 1; note \"{a[1]}\";", "comment \"2\""},
+        {"point[] q = {{1mm, 2mm}, {3mm, 4mm}}; point r = {3mm, 4mm}; note \"{q contains r}\"; "
+         "r.z = 0; note \"{q contains r}\";",
+         "comment \"true\"\ncomment \"false\""},
+        {"length a = cbrt(27mm*1mm*1mm); length v = 2; X=a Y=cbrt(v*v*v) Z=cbrt(8);", "X3 Y2 Z2"},
+        {"note \"{50%} {-25%}\";", "comment \"0.5 -0.25\""},
+        // Without `&` the elements are those that the list had.
+        {"int[] a = {1, 2, 3, 4}; for (int v : a) { if (v == 2) a.remove(1); X=v; }",
+         "X1\nX2\nX3\nX4"},
+        {"int[] a = {1, 2}; for (int v : a) { a.append(v); X=v; } X=a.count;", "X1\nX2\nX4"},
+        {"int[] a = {1, 2}; for (int& v : a) { a[1] = 7; X=v; }", "X1\nX7"},
+        // Cutting data of variables.
+        {"speed vc = 120m/min; length d = 30mm; S=vc/(pi*d)*pi; feed v = 120m/min; S=v/d;",
+         "S4000\nS4000"},
+        {"feed fz = 0.1mm/rev; speed n = 1000rpm; feed f = fz*n; F=f; f = fz*1000rpm; F=f*2; "
+         "speed vc = 100m/min; length d = 100mm; F=2*fz*(vc/d);",
+         "F100\nF200\nF200"},
+        {"speed n = 1000rpm; length d = 50mm; G96; speed vc = d*n; S=vc;", "cutting_speed_on\nS50"},
+        {"speed vc = 100m/min; length d = 100mm; speed n = 900rpm; note \"{vc/d > n} {vc/d < "
+         "2000rpm}\"; S=min(vc/d, n);",
+         "comment \"true true\"\nS900"},
         {"int[] a = {3, 5}; if (a contains 5) M8; if (a contains 4) M9;", "coolant_flood"},
         {"string[] a = {\"x\", \"y\"}; if (a contains \"y\") M8; note a[0] + a[1];",
          "coolant_flood\ncomment \"xy\""},
@@ -288,6 +308,24 @@ TEST(Values, Optionals) {
         {"length? a; length? b = 5mm; G1 X=a ?? b ?? 1mm;", "line X5"},
         {"int n = 1; length? b; if (n > 0) b = 5mm; if (given b) G1 X=b;", "line X5"},
     });
+}
+
+TEST(Values, MembersBeginWithTheirDefaults) {
+    const std::string types =
+        "struct drill { length d = 6mm; int n; }\n"
+        "struct hole { point at; length d = 6mm; int[] list; drill tool; drill? spare; }\nhole "
+        "g;\n";
+    const auto body = [&](const std::string& text) {
+        return run(types + "program p() { " + text + " }");
+    };
+    EXPECT_EQ(body("hole h; h.at = {1mm, 2mm}; G0 X=h.d Y=h.tool.d Z=g.d;").all_blocks(),
+              "rapid X6 Y6 Z6");
+    EXPECT_EQ(
+        body("hole[3] hs; hs[1].list.append(4); G0 X=hs[2].d Y=hs[2].list.count;").all_blocks(),
+        "rapid X6 Y0");
+    EXPECT_EQ(body("hole h; X=h.tool.n;").all_messages(), "4:25 K3104 `h.tool.n` is not given");
+    EXPECT_EQ(body("hole h; if (!given h.spare) M8;").all_blocks(), "coolant_flood");
+    EXPECT_EQ(body("hole? h; if (!given h) M8;").all_blocks(), "coolant_flood");
 }
 
 TEST(Values, StructsAndEnums) {

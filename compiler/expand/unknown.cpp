@@ -1,0 +1,277 @@
+// unknown.cpp — modal state that is not known: behind raw text, behind a block that the operator
+// may leave out. What needs it is said again, by the output where the program has said it, else by
+// the author.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/diagnostics/expand.h"
+#include "expand/plane.h"
+#include "expand/state.h"
+#include "nc/tables.h"
+
+namespace kadr::expand {
+
+using nc::Block;
+using nc::Function;
+using nc::Group;
+using sema::group_bit;
+
+namespace {
+
+constexpr const char* kDistanceFix = "say `G90` or `G91`";
+constexpr const char* kPlaneFix = "say `G17`, `G18` or `G19`";
+constexpr const char* kFrameFix = "`shift();` ends all frames";
+
+/// A center nearer to the start than this is the start, mm.
+constexpr double kNoRadius = 1e-9;
+
+bool is_cut(Function motion) { return motion == Function::Line || nc::is_arc(motion); }
+
+bool moves(const Block& block) {
+    return (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0;
+}
+
+bool has_group(const Block& block, Group group) {
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        if (nc::info(block.functions[i].function).group == group) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+// ---------------------------------------------------------------- what becomes unknown
+
+void ModalState::forget(SourceId source) {
+    known = 0;
+    active.fill(Function::None);
+    has_feed = has_speed = has_tool = has_tool_in = has_length_offset = false;
+    lost_drift |= has_drift;
+    restate_motion = false;
+    has_ended = spindle_in_doubt = false;
+    restate = 0;
+    lost = sema::kFrameBit | sema::kFeedBit | sema::kSpeedBit;
+    for (std::size_t i = 0; i < nc::kGroups; ++i) lost |= group_bit(static_cast<Group>(i));
+    lost_by = source;
+    lost_in = Loss::RawText;
+}
+
+void ModalState::forget_feed(SourceId source) {
+    has_feed = false;
+    lost |= sema::kFeedBit;
+    lost_by = source;
+    lost_in = Loss::EndOfWith;
+}
+
+void ModalState::take_skipped(const Block& block) {
+    known &= static_cast<AxisMask>(~(block.given & nc::kTargetSlots));
+    const auto forget_value = [&](sema::ModalMask bit) {
+        lost |= bit;
+        lost_by = block.source;
+        lost_in = Loss::SkippedBlock;
+    };
+    if (block.has(nc::Slot::Feed)) restate |= sema::kFeedBit;
+    if (block.has(nc::Slot::Speed)) restate |= sema::kSpeedBit;
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        const Group group = nc::info(block.functions[i].function).group;
+        switch (group) {
+            case Group::FeedMode:
+                restate |= group_bit(group);
+                if (!has_feed) forget_value(sema::kFeedBit);
+                break;
+            case Group::SpeedMode:
+                restate |= group_bit(group);
+                if (!has_speed) forget_value(sema::kSpeedBit);
+                break;
+            case Group::Spindle:
+            case Group::Coolant:
+                // The operator's choice: to say it again would take it away.
+                active[static_cast<std::size_t>(group)] = Function::None;
+                forget_value(group_bit(group));
+                spindle_in_doubt = spindle_in_doubt || group == Group::Spindle;
+                break;
+            default: break;  // said again by the writer
+        }
+    }
+}
+
+void ModalState::trust(const ModalState& before, sema::ModalMask mask) {
+    mask &= lost & ~before.lost;
+    for (std::size_t i = 0; i < nc::kGroups; ++i) {
+        if ((mask & group_bit(static_cast<Group>(i))) == 0) continue;
+        active[i] = before.active[i];
+        changed_by[i] = before.changed_by[i];
+    }
+    if ((mask & group_bit(Group::WorkOffsets)) != 0) work_offset = before.work_offset;
+    if ((mask & group_bit(Group::LengthComp)) != 0) {
+        has_length_offset = before.has_length_offset;
+        length_offset = before.length_offset;
+    }
+    if ((mask & sema::kFeedBit) != 0) {
+        has_feed = before.has_feed;
+        feed = before.feed;
+    }
+    if ((mask & sema::kSpeedBit) != 0) {
+        has_speed = before.has_speed;
+        speed = before.speed;
+    }
+    lost &= ~mask;
+}
+
+// ---------------------------------------------------------------- what needs it
+
+bool Expander::State::state_lost(std::string_view what, std::string_view fix, std::uint32_t at) {
+    tell_loss(fault(diag::StateLost, at), what, fix);
+    return false;
+}
+
+void Expander::State::tell_loss(DiagnosticBuilder builder, std::string_view what,
+                                std::string_view fix) {
+    builder.arg(what);
+    if (modal.lost_by.is_valid() && modal.lost_by.index < code.statements.size()) {
+        builder.note(code.statements[modal.lost_by.index],
+                     modal.lost_in == Loss::RawText ? "nobody knows what this text changes"
+                     : modal.lost_in == Loss::SkippedBlock
+                         ? "nobody knows whether this block is executed"
+                         : "what was set for the block of `with` ends here");
+    }
+    builder.fix(std::string(fix));
+}
+
+bool Expander::State::knows_state(const Block& block, std::uint32_t at) {
+    const auto lacks = [&](Group group) { return (modal.lost & group_bit(group)) != 0; };
+    const bool is_reference = block.find(Function::ReferenceReturn) != nullptr;
+    const Function motion = modal[Group::Motion];
+    const nc::SlotMask bare =
+        block.given & nc::kTargetSlots & ~(block.absolute | block.incremental);
+    if (bare != 0 && lacks(Group::Distance))
+        return state_lost("whether coordinates are absolute", kDistanceFix, at);
+    if (moves(block) && lacks(Group::Motion) && !is_reference)
+        return state_lost("the motion", "say `G0`, `G1`, `G2` or `G3`", at);
+    const bool needs_plane = (moves(block) && (nc::is_arc(motion) || !recordings.empty())) ||
+                             block.find(Function::Rotate) != nullptr ||
+                             block.find(Function::RadiusCompLeft) != nullptr ||
+                             block.find(Function::RadiusCompRight) != nullptr;
+    if (needs_plane && lacks(Group::Plane)) return state_lost("the plane", kPlaneFix, at);
+    const bool needs_frame =
+        block.find(Function::ShiftAdd) != nullptr || block.find(Function::Rotate) != nullptr ||
+        block.find(Function::Scale) != nullptr || block.find(Function::Mirror) != nullptr;
+    if (needs_frame && (modal.lost & sema::kFrameBit) != 0)
+        return state_lost("the frame", kFrameFix, at);
+    const bool needs_feed = moves(block) && is_cut(motion) && recordings.empty();
+    if (needs_feed && !block.has(nc::Slot::Feed) && (modal.lost & sema::kFeedBit) != 0)
+        return state_lost("the feed", "give the block an F", at);
+    return true;
+}
+
+bool Expander::State::knows_for_cycle(const sema::FunctionCode& cycle, std::uint32_t given,
+                                      std::uint32_t at) {
+    if ((modal.lost & group_bit(Group::Distance)) != 0)
+        return state_lost("whether coordinates are absolute", kDistanceFix, at);
+    if ((modal.lost & group_bit(Group::Plane)) != 0) return state_lost("the plane", kPlaneFix, at);
+    const auto feed = std::ranges::find(cycle.parameters, sema::ParameterInfo::Kind::Feed,
+                                        &sema::ParameterInfo::kind);
+    const bool lacks_feed =
+        feed != cycle.parameters.end() && (given >> (feed - cycle.parameters.begin()) & 1u) == 0;
+    if (lacks_feed && (modal.lost & sema::kFeedBit) != 0)
+        return state_lost("the feed", "say F before it", at);
+    return true;
+}
+
+bool Expander::State::knows_frame(bool turns, std::uint32_t at) {
+    if ((modal.lost & sema::kFrameBit) != 0) return state_lost("the frame", kFrameFix, at);
+    if (turns && (modal.lost & group_bit(Group::Plane)) != 0)
+        return state_lost("the plane", kPlaneFix, at);
+    return true;
+}
+
+bool Expander::State::knows_feed_mode(std::uint32_t at) {
+    if ((modal.lost & group_bit(Group::FeedMode)) == 0) return true;
+    return state_lost("what F means", "say `G94`, `G95` or `G93`", at);
+}
+
+bool Expander::State::knows_speed_mode(std::uint32_t at) {
+    if ((modal.lost & group_bit(Group::SpeedMode)) == 0) return true;
+    // A control without constant cutting speed knows one meaning of S.
+    const auto on = static_cast<std::size_t>(Function::CuttingSpeedOn);
+    if (target.tables().forms_of[on].empty()) return true;
+    return state_lost("what S means", "say `G96` or `G97`", at);
+}
+
+// ---------------------------------------------------------------- what is said again
+
+void Expander::State::say_again(Block& block) {
+    const auto say_mode = [&](Group group) {
+        if ((modal.restate & group_bit(group)) == 0 || has_group(block, group)) return;
+        if (modal[group] != Function::None) block.add(modal[group]);
+    };
+    say_mode(Group::FeedMode);
+    say_mode(Group::SpeedMode);
+    constexpr sema::ModalMask kFeed = sema::kFeedBit | group_bit(Group::FeedMode);
+    constexpr sema::ModalMask kSpeed = sema::kSpeedBit | group_bit(Group::SpeedMode);
+    if ((modal.restate & kFeed) != 0 && modal.has_feed && !block.has(nc::Slot::Feed))
+        block.set(nc::Slot::Feed, modal.feed);
+    if ((modal.restate & kSpeed) != 0 && modal.has_speed && !block.has(nc::Slot::Speed))
+        block.set(nc::Slot::Speed, modal.speed);
+    if (block.skip < 0) modal.restate = 0;
+}
+
+bool Expander::State::settle_unknown(Block& block, std::uint32_t at) {
+    if (modal.lost != 0 && !knows_state(block, at)) return false;
+    if (!recordings.empty() || !moves(block) || !is_cut(modal[Group::Motion])) return true;
+    if (modal.restate != 0) say_again(block);
+    if (modal.spindle_in_doubt) {
+        modal.spindle_in_doubt = false;  // said once
+        DiagnosticBuilder builder = fault(diag::SpindleInDoubt, at);
+        if (modal.lost_by.is_valid() && modal.lost_by.index < code.statements.size())
+            builder.note(code.statements[modal.lost_by.index], "this block may be left out");
+    }
+    return true;
+}
+
+// ---------------------------------------------------------------- promises, the end, arcs
+
+void Expander::State::doubt_promise(SourceId source, std::uint32_t at) {
+    if (promises.empty()) return;
+    if (std::ranges::find(doubted, source.index) != doubted.end()) return;
+    doubted.push_back(source.index);
+    const sema::FunctionCode* promiser = nullptr;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const std::size_t open = i + 1 < frames.size() ? frames[i + 1].promises : promises.size();
+        if (open > frames[i].promises) promiser = frames[i].function;
+    }
+    fault(diag::PromiseUnchecked, at).arg(promiser != nullptr ? promiser->name : std::string());
+}
+
+void Expander::State::warn_after_end(std::uint32_t at) {
+    modal.has_ended = false;  // said once
+    DiagnosticBuilder builder = fault(diag::BlockAfterEnd, at);
+    if (modal.ended_by.is_valid() && modal.ended_by.index < code.statements.size())
+        builder.note(code.statements[modal.ended_by.index], "the program ends here");
+}
+
+bool Expander::State::has_radius(const Block& block, std::uint32_t at) {
+    if (!moves(block)) return true;
+    bool is_point = block.has(nc::Slot::Radius) && block.at(nc::Slot::Radius) == 0;
+    if ((block.given & nc::kCenterSlots) != 0) {
+        const PlaneIndices axes = indices_of(plane_of(modal[Group::Plane]));
+        is_point = true;
+        for (const std::size_t axis : {axes.first, axes.second}) {
+            const auto slot =
+                static_cast<nc::Slot>(static_cast<std::size_t>(nc::Slot::CenterX) + axis);
+            if (!block.has(slot)) continue;
+            double distance = block.at(slot);
+            if ((block.absolute & nc::bit(slot)) != 0) {
+                if ((modal.known >> axis & 1u) == 0) return true;
+                distance -= modal.position[axis];
+            }
+            is_point = is_point && std::fabs(distance) < kNoRadius;
+        }
+    }
+    if (!is_point) return true;
+    fault(diag::ArcWithoutRadius, at);
+    return false;
+}
+
+}  // namespace kadr::expand
