@@ -34,6 +34,7 @@ const nc::Dialect* Bench::wanted_dialect(const CallUnderTest& call, const std::s
     auto builder = sink_->report(diag::ControlUnknown, call.range);
     builder.arg(name);
     std::vector<std::string_view> names;
+    names.reserve(known.size());
     for (const nc::DialectSummary& summary : known) names.push_back(summary.name);
     if (const auto near = nearest_name(name, names.data(), names.size())) {
         builder.fix("did you mean `" + std::string(*near) + "`?");

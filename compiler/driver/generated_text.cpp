@@ -76,7 +76,7 @@ bool GeneratedText::start() {
 
 bool GeneratedText::start(const Entry& entry) {
     if (!entry.start(expander_)) return false;
-    writer_.set_statements(program_.code->statements);
+    writer_.set_statements(program_.code->statements, &session_.sources());
     nc::ProgramInfo info;
     info.name = entry.name;
     info.is_inch = entry.is_inch;

@@ -107,9 +107,7 @@ void Recording::add(const path::Command& command) {
     using path::Op;
     if (command.op == Op::Tool && command.source.is_valid())
         tools_.push_back(static_cast<double>(command.tool));
-    const bool moves = command.op == Op::Rapid || command.op == Op::Line || command.op == Op::Arc ||
-                       command.op == Op::Spline;
-    if (!moves) return;
+    if (!path::is_motion(command.op)) return;
     const AxisMask before = known_;
     const auto moved = static_cast<AxisMask>(command.moved & (kXy | kZ));
     known_ = command.is_unshifted ? static_cast<AxisMask>(known_ & ~moved)

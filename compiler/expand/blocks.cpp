@@ -429,7 +429,7 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
         if (sema::is_second_form(values[i])) return false;
         values[i] = neat(values[i] * kMinute);
     }
-    if (!target.has_native_cycle(cycle, given)) return false;
+    if (!target.has_native_cycle(cycle, given, {values.data(), parameters.size()})) return false;
     const std::uint32_t at = frame.return_to > 0 ? frame.return_to - 1 : 0;
     if (modal.lost != 0 && !knows_for_cycle(*frame.function, given, at)) return true;
     if (is_block_limit(at)) return true;

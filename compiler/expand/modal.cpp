@@ -152,7 +152,9 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
             forget_drift(static_cast<AxisMask>(invocation.given >> 1 & kLinearXYZ));
             known = 0;
             return;
-        case Function::ReferenceReturn: known = 0; return;
+        case Function::ReferenceReturn:
+        case Function::OffsetToEdge:
+        case Function::OffsetToMiddle: known = 0; return;
         case Function::SetPosition: set_position(block, invocation); return;
         case Function::DiameterOn:
         case Function::DiameterOff:
@@ -241,10 +243,12 @@ void ModalState::take_words(const nc::Block& block) {
     const bool is_machine =
         block.function_count > 0 && (block.find(Function::MachineCoordinates) != nullptr ||
                                      block.find(Function::ReferenceReturn) != nullptr);
+    // Where the probe triggers, only the control knows.
+    const bool probes = block.function_count > 0 && block.find(Function::Probe) != nullptr;
     for (std::size_t i = 0; targets != 0; ++i, targets >>= 1) {
         if ((targets & 1u) == 0) continue;
         const nc::SlotMask bit = nc::SlotMask{1} << i;
-        if (is_machine) {
+        if (is_machine || probes) {
             known = static_cast<AxisMask>(known & ~bit);
             continue;
         }

@@ -30,7 +30,8 @@ std::string number(double value, const FormatPiece& piece) {
     return {text.data(), format_fixed(text.data(), value, piece.decimals)};
 }
 
-void pad(std::string text, const FormatPiece& piece, std::string& out) {
+/// The text in its width, its unit behind it.
+void pad(std::string text, const FormatPiece& piece, std::string& out, bool is_second = false) {
     if (piece.plus && !text.empty() && text[0] != '-') text.insert(0, 1, '+');
     const auto width = static_cast<std::size_t>(std::max<int>(0, piece.width));
     if (text.size() < width) {
@@ -40,6 +41,7 @@ void pad(std::string text, const FormatPiece& piece, std::string& out) {
         else text.insert(0, missing, ' ');
     }
     out += text;
+    out += is_second ? piece.second_unit : piece.unit;
 }
 
 }  // namespace
@@ -72,7 +74,7 @@ std::string Expander::State::format(const sema::FormatPattern& pattern, const Sl
                     const double plain = value.number / sema::kSecondForm;
                     shown_value = is_feed ? plain * piece.factor / 60 : plain * 0.06;
                 }
-                pad(number(shown_value, piece), piece, out);
+                pad(number(shown_value, piece), piece, out, second);
                 break;
             }
             case FormatPiece::Kind::Text: pad(heap.text(value.integer), piece, out); break;

@@ -110,6 +110,8 @@ std::string command_text(const path::Command& command) {
     switch (command.op) {
         case Op::Rapid: return "rapid to" + axis_text(command);
         case Op::Line: return "line to" + axis_text(command);
+        case Op::Thread: return "thread to" + axis_text(command);
+        case Op::Probe: return "probe to" + axis_text(command);
         case Op::Arc:
             return std::string(command.is_clockwise ? "arc clockwise to" : "arc to") +
                    axis_text(command);
@@ -174,7 +176,7 @@ void execute(driver::Execution& execution, Outcome& outcome, LineKeeper& keeper,
 std::string showing_statements(const std::vector<std::string>& expressions) {
     std::string out;
     for (const std::string& expression : expressions) {
-        out += "warn(\"" + std::string(kOpen) + '{' + expression + '}' + std::string(kClose) +
+        out += "warn(\"" + std::string(kOpen) + '{' + expression + ":u}" + std::string(kClose) +
                "\");\n";
     }
     return out;

@@ -49,7 +49,7 @@ struct ReplayRequest {
 inline constexpr std::size_t kFirstLines = 200;
 inline constexpr std::size_t kLastLines = 5;
 
-/// Statements that make the value of each expression known: `warn("…{expression}…");`.
+/// Statements that make the value of each expression known: `warn("…{expression:u}…");`.
 std::string showing_statements(const std::vector<std::string>& expressions);
 
 /// Evaluates the whole program. Nothing of it outlives the call but the outcome.

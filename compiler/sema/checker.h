@@ -287,6 +287,8 @@ class Checker {
     Value string(syntax::ExprId id, Reg hint);
     bool format_piece(const Value& value, std::string_view format, const SourceRange& range,
                       FormatPiece& piece);
+    /// Lets the piece show the unit of its values behind them, with `between` before it.
+    void add_unit(Type type, std::string_view between, FormatPiece& piece);
     Value text_of(const Value& value, const SourceRange& range);
     std::uint32_t text_constant(std::string_view text);
     std::uint32_t layout_constant(Type type);

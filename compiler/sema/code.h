@@ -240,6 +240,8 @@ struct FormatPiece {
     std::int16_t width = 0;
     bool zeros = false;  // filled with zeros instead of blanks
     bool plus = false;
+    std::string unit;         // stands behind the value; empty: none
+    std::string second_unit;  // … of a Feed or Speed of the second form
     std::uint32_t enumeration = 0;
 };
 using FormatPattern = std::vector<FormatPiece>;

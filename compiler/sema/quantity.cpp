@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <span>
 #include <string_view>
 
 #include "base/units.h"
@@ -45,6 +46,40 @@ constexpr std::array kUnits = {
 
 std::int8_t narrow(int value) { return static_cast<std::int8_t>(value); }
 
+struct Known {
+    Quantity quantity;
+    std::string_view name;
+};
+
+/// The known name, or the product of the four base names: `length^2/time`.
+std::string composed(Quantity q, std::span<const Known> known,
+                     const std::array<std::string_view, 4>& base) {
+    for (const Known& row : known) {
+        if (row.quantity == q) return std::string(row.name);
+    }
+    std::string above;
+    std::string below;
+    const auto factor = [&](int exponent, std::string_view name) {
+        if (exponent == 0) return;
+        std::string& side = exponent > 0 ? above : below;
+        if (!side.empty()) side += '*';
+        side += name;
+        if (std::abs(exponent) == 1) return;
+        side += '^';
+        side += std::to_string(std::abs(exponent));
+    };
+    factor(q.length, base[0]);
+    factor(q.time, base[1]);
+    factor(q.angle, base[2]);
+    factor(q.turns, base[3]);
+    if (above.empty()) above += '1';
+    if (!below.empty()) {
+        above += '/';
+        above += below;
+    }
+    return above;
+}
+
 }  // namespace
 
 Quantity operator*(Quantity a, Quantity b) {
@@ -72,10 +107,6 @@ std::optional<Quantity> root(Quantity a, int degree) {
 }
 
 std::string describe(Quantity q) {
-    struct Known {
-        Quantity quantity;
-        std::string_view name;
-    };
     constexpr std::array kKnown = {
         Known{kNumber, "number"},
         Known{kLength, "length"},
@@ -91,30 +122,24 @@ std::string describe(Quantity q) {
         Known{{1, -2, 0, 0}, "acceleration"},
         Known{{0, -1, 1, 0}, "angle per time"},
     };
-    for (const Known& known : kKnown) {
-        if (known.quantity == q) return std::string(known.name);
-    }
-    std::string above;
-    std::string below;
-    const auto factor = [&](int exponent, std::string_view name) {
-        if (exponent == 0) return;
-        std::string& side = exponent > 0 ? above : below;
-        if (!side.empty()) side += '*';
-        side += name;
-        if (std::abs(exponent) == 1) return;
-        side += '^';
-        side += std::to_string(std::abs(exponent));
+    return composed(q, kKnown, {"length", "time", "angle", "revolutions"});
+}
+
+std::string unit_text(Quantity q, Units units) {
+    constexpr std::array kMetric = {
+        Known{kNumber, ""},
+        Known{kFeedPerTime, "mm/min"},
+        Known{kSpindleSpeed, "rpm"},
+        Known{kPerTime, "1/min"},
     };
-    factor(q.length, "length");
-    factor(q.time, "time");
-    factor(q.angle, "angle");
-    factor(q.turns, "revolutions");
-    if (above.empty()) above += '1';
-    if (!below.empty()) {
-        above += '/';
-        above += below;
-    }
-    return above;
+    constexpr std::array kInch = {
+        Known{kNumber, ""},
+        Known{kFeedPerTime, "in/min"},
+        Known{kSpindleSpeed, "rpm"},
+        Known{kPerTime, "1/min"},
+    };
+    if (units == Units::Inch) return composed(q, kInch, {"in", "s", "deg", "rev"});
+    return composed(q, kMetric, {"mm", "s", "deg", "rev"});
 }
 
 double bare_factor(Quantity q, Units units) {

@@ -44,6 +44,9 @@ std::string describe(Quantity quantity);
 /// Units of a file: what its bare numbers mean, how its values print.
 enum class Units : std::uint8_t { Metric, Inch };
 
+/// The unit that values of a quantity print in: `mm`, `in/min`, `mm^2`; empty for numbers.
+std::string unit_text(Quantity quantity, Units units);
+
 /// What one bare number of this quantity is worth: `F 200` is 200/60 mm/s, `X 1` in an inch file
 /// 25.4 mm.
 double bare_factor(Quantity quantity, Units units);

@@ -29,27 +29,9 @@ constexpr FigureInfo kFigures[] = {
 #undef KADR_FIGURE
 };
 
-/// How values of a quantity are written: 200mm/min.
-struct ShownUnit {
-    Quantity quantity;
-    std::string_view metric;
-    std::string_view inch;
-};
-constexpr ShownUnit kShownUnits[] = {
-    {kLength, "mm", "in"},
-    {kAngle, "deg", "deg"},
-    {kTime, "s", "s"},
-    {kFeedPerTime, "mm/min", "in/min"},
-    {kFeedPerTurn, "mm/rev", "in/rev"},
-    {kSpindleSpeed, "rpm", "rpm"},
-    {kNumber, "", ""},
-};
-
-const ShownUnit* shown_unit(Quantity quantity) {
-    const auto* found =
-        std::find_if(std::begin(kShownUnits), std::end(kShownUnits),
-                     [&](const ShownUnit& row) { return row.quantity == quantity; });
-    return found == std::end(kShownUnits) ? nullptr : found;
+/// Whether the language has a unit for such values.
+bool can_be_written(Quantity quantity) {
+    return quantity.is_number() || find_unit(unit_text(quantity, Units::Metric));
 }
 
 /// Code in messages is one line, and not a long one.
@@ -188,7 +170,7 @@ void Checker::property_ranges(std::uint32_t index) {
         Quantity quantity = info.kind == Kind::Feed    ? kFeedPerTime
                             : info.kind == Kind::Speed ? kSpindleSpeed
                                                        : info.quantity;
-        if (!is_plain || !is_number || !has_range || shown_unit(quantity) == nullptr) {
+        if (!is_plain || !is_number || !has_range || !can_be_written(quantity)) {
             report(diag::PropertyValues, parameter.range).arg(parameter.name);
             continue;
         }
@@ -214,8 +196,7 @@ void Checker::property_ranges(std::uint32_t index) {
                 .arg(sources_.text(ast()[last].range));
         }
         if (is_second) quantity = info.kind == Kind::Feed ? kFeedPerTurn : kFeedPerTime;
-        const ShownUnit& unit = *shown_unit(quantity);
-        range.unit = units_ == Units::Inch ? unit.inch : unit.metric;
+        range.unit = unit_text(quantity, units_);
         range.factor = bare_factor(quantity, units_) * (is_second ? kSecondForm : 1.0);
     }
     code_->functions[index + 1].ranges = std::move(ranges);
@@ -633,10 +614,9 @@ void Checker::append_shown(const Value& value, FormatPattern& pattern) {
     FormatPiece piece;
     if (info.kind == Kind::String) literal("\"");
     if (!format_piece(value, {}, emit_.place(), piece)) return;
+    add_unit(value.type, "", piece);
     pattern.push_back(std::move(piece));
     if (info.kind == Kind::String) literal("\"");
-    const ShownUnit* unit = info.kind == Kind::Real ? shown_unit(info.quantity) : nullptr;
-    if (unit != nullptr) literal(units_ == Units::Inch ? unit->inch : unit->metric);
 }
 
 Reg Checker::shown(const Value& value) {

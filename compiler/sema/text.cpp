@@ -75,7 +75,7 @@ bool Checker::format_piece(const Value& value, std::string_view format, const So
             report(diag::NotPrintable, range).arg(type_name(value.type));
             return false;
     }
-    // [+][0][width][.decimals]
+    // [+][0][width][.decimals][u]
     const char* at = format.data();
     const char* end = at + format.size();
     bool is_good = true;
@@ -98,6 +98,10 @@ bool Checker::format_piece(const Value& value, std::string_view format, const So
                   read.ptr != at + 1;
         at = read.ptr;
     }
+    if (is_good && at != end && *at == 'u') {
+        add_unit(value.type, " ", piece);
+        ++at;
+    }
     const bool is_number = piece.kind == K::Integer || piece.kind == K::Number ||
                            piece.kind == K::Feed || piece.kind == K::Speed;
     if (!is_good || at != end ||
@@ -106,6 +110,23 @@ bool Checker::format_piece(const Value& value, std::string_view format, const So
         return false;
     }
     return true;
+}
+
+void Checker::add_unit(Type type, std::string_view between, FormatPiece& piece) {
+    const auto add = [&](Quantity quantity, std::string& unit) {
+        unit = unit_text(quantity, units_);
+        if (!unit.empty()) unit.insert(0, between);
+    };
+    const TypeInfo info = type_info(types_.given(type));
+    if (info.kind == Kind::Real) add(info.quantity, piece.unit);
+    if (info.kind == Kind::Feed) {
+        add(kFeedPerTime, piece.unit);
+        add(kFeedPerTurn, piece.second_unit);
+    }
+    if (info.kind == Kind::Speed) {
+        add(kSpindleSpeed, piece.unit);
+        piece.second_unit = std::string(between) + "m/min";
+    }
 }
 
 Value Checker::string(ExprId id, Reg hint) {

@@ -20,7 +20,7 @@ std::uint32_t closing_brace(std::string_view text, std::uint32_t open, std::uint
 }
 
 /// The place of the `:` that begins a format, or `end`. A `:` in brackets or behind `?` is part of
-/// the expression.
+/// the expression; `??` asks for none.
 std::uint32_t format_place(std::string_view text, std::uint32_t begin, std::uint32_t end) {
     int depth = 0;
     int questions = 0;
@@ -29,13 +29,14 @@ std::uint32_t format_place(std::string_view text, std::uint32_t begin, std::uint
         if (c == '(' || c == '[' || c == '{') ++depth;
         if (c == ')' || c == ']' || c == '}') --depth;
         if (depth != 0) continue;
-        if (c == '?') ++questions;
+        if (c == '?' && i + 1 < end && text[i + 1] == '?') ++i;
+        else if (c == '?') ++questions;
         if (c == ':' && questions-- == 0) return i;
     }
     return end;
 }
 
-/// `.3`, `03`, `8.3`, `+.1`: sign, width, decimals.
+/// `.3`, `03`, `8.3`, `+.1`, `u`, `.2u`: sign, width, decimals, with the unit.
 bool is_format(std::string_view format) {
     std::size_t i = 0;
     const auto skip_digits = [&] {
@@ -52,7 +53,9 @@ bool is_format(std::string_view format) {
         if (decimals == 0 || decimals > 2) return false;
         digits += decimals;
     }
-    return digits > 0 && i == format.size();
+    const bool has_unit = i < format.size() && format[i] == 'u';
+    if (has_unit) ++i;
+    return (digits > 0 || has_unit) && i == format.size();
 }
 
 class Splitter {

@@ -8,9 +8,9 @@
 namespace kadr {
 
 namespace diag {
-#define KADR_DIAGNOSTIC(name, code, severity, message, explanation, wrong, right)       \
+#define KADR_DIAGNOSTIC(name, code, severity, message, explanation, wrong, right)              \
     extern constexpr DiagnosticRow name{#name, code, Severity::severity, message, explanation, \
-                                 wrong, right};
+                                        wrong, right};
 #include "base/diagnostics/all.def"
 #undef KADR_DIAGNOSTIC
 }  // namespace diag

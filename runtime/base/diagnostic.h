@@ -2,8 +2,8 @@
 //
 // Every message is a row of one table (diagnostics/*.def): stable code, severity, wording, an
 // explanation with a wrong and a right example. Who reports a row includes the header of its
-// table (diagnostics/sema.h …), so that a new row builds one room again and not the house. A diagnostic adds the place, the arguments, notes
-// and fixes. It goes to a sink; who renders it is somebody else's matter (render.h).
+// table (diagnostics/sema.h …): a new row builds one room again and not the house. A diagnostic
+// adds place, arguments, notes and fixes, and goes to a sink; who renders it is render.h's matter.
 #pragma once
 
 #include <cstdint>

@@ -2,6 +2,8 @@
 //
 // What a cycle does is not known here: the expander runs its definition and hands back blocks, and
 // those are executed like any others, with the caller's frames and feed.
+#include <algorithm>
+
 #include "base/diagnostics/iso.h"
 #include "interp/executor.h"
 
@@ -31,6 +33,16 @@ void set_argument(ModalCycle& call, std::optional<std::size_t> parameter, double
     call.given |= 1u << *parameter;
 }
 
+/// The parameter of a cycle that is where its cut ends along the axis.
+std::string_view end_name(Axis axis) {
+    switch (axis) {
+        case Axis::X: return "x";
+        case Axis::Y: return "y";
+        case Axis::Z: return "z";
+        default: return "";
+    }
+}
+
 bool is_given(const ModalCycle& call, std::optional<std::size_t> parameter) {
     return parameter && (call.given >> *parameter & 1u) != 0;
 }
@@ -49,13 +61,35 @@ void Executor::call_cycle(const Block& block, const Invocation& invocation) {
     for (std::size_t i = 0; i < info.parameters.size(); ++i) {
         call.arguments[i] = block.argument(invocation, i);
     }
+    complete_call(call);
     // The level where the cycle mode begins stays the initial level until the mode ends.
     const Axis tool_axis = path::axes_of(cycle_plane()).normal;
     call.initial = modal_cycle_.is_active ? modal_cycle_.initial : position_.here[index(tool_axis)];
-    call.is_active = rules_.modal_cycles;
+    call.is_active = rules_.modal_cycles && info.is_modal;
     if (taps_rigidly_) set_argument(call, find_parameter(info, "floating"), 0);
     modal_cycle_ = call;
     start_cycle(block, call);
+}
+
+/// Keeps parameters for the calls that follow; each line says all of its own anew.
+void Executor::preset_cycle(const Block& block, const Invocation& invocation) {
+    const auto old = std::ranges::find(presets_, block.cycle, &ModalCycle::cycle);
+    ModalCycle& preset = old != presets_.end() ? *old : presets_.emplace_back();
+    preset.cycle = block.cycle;
+    preset.given = invocation.given;
+    const std::size_t count = dialect_.cycles()[block.cycle].parameters.size();
+    for (std::size_t i = 0; i < count; ++i) preset.arguments[i] = block.argument(invocation, i);
+}
+
+/// What the call does not give has been given before.
+void Executor::complete_call(ModalCycle& call) const {
+    for (const ModalCycle& preset : presets_) {
+        if (preset.cycle != call.cycle) continue;
+        const std::size_t count = dialect_.cycles()[call.cycle].parameters.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            if ((preset.given & ~call.given) >> i & 1u) set_argument(call, i, preset.arguments[i]);
+        }
+    }
 }
 
 void Executor::repeat_cycle(const Block& block) {
@@ -67,6 +101,19 @@ void Executor::repeat_cycle(const Block& block) {
     if (block.has(Slot::Radius)) {
         set_argument(modal_cycle_, find_parameter(info, "retract"), block.at(Slot::Radius));
     }
+    // Cycles of a lathe have their end in X and Z, and a taper.
+    for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
+        const Slot slot = nc::slot_of(axis);
+        const std::optional<std::size_t> end = find_parameter(info, end_name(axis));
+        if (!end || !block.has(slot)) continue;
+        const bool is_distance = modal_.is_incremental ? (block.absolute & bit(slot)) == 0
+                                                       : (block.incremental & bit(slot)) != 0;
+        const double from = is_distance ? position_in_cycle()[index(axis)] : 0;
+        set_argument(modal_cycle_, end, from + block.at(slot));
+    }
+    if (block.has(Slot::Radius)) {
+        set_argument(modal_cycle_, find_parameter(info, "taper"), block.at(Slot::Radius));
+    }
     start_cycle(block, modal_cycle_);
 }
 
@@ -76,7 +123,9 @@ void Executor::start_cycle(const Block& block, ModalCycle call) {
     const SlotMask place =
         block.given & nc::kTargetSlots & ~SlotMask{bit(nc::slot_of(plane.normal))};
     if (!check_axes(block, place)) return;
-    if (place != 0) line(block, target_of(block, place), path::Op::Rapid, modal_.has_exact_stop);
+    const bool has_end = find_parameter(dialect_.cycles()[call.cycle], "x").has_value();
+    if (place != 0 && !has_end)
+        line(block, target_of(block, place), path::Op::Rapid, modal_.has_exact_stop);
     if (ended_) return;
 
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
@@ -93,7 +142,7 @@ void Executor::start_cycle(const Block& block, ModalCycle call) {
         set_argument(call, initial, stays_low ? call.arguments[*retract] : call.initial);
     }
 
-    if (!complete_tap(block, call)) return;
+    if (!complete_tap(block, call) || !complete_thread(block, call)) return;
 
     CycleCall request;
     request.cycle = call.cycle;
@@ -137,6 +186,19 @@ bool Executor::complete_tap(const Block& block, ModalCycle& call) {
     }
     const bool is_pitch = modal_.feed_mode == path::FeedMode::PerRevolution;
     set_argument(call, pitch, is_pitch ? modal_.feed : modal_.feed / spindle_.speed);
+    return true;
+}
+
+/// Where F is the pitch of a thread, that of a cycle is F too. False: there is none, and it was
+/// said.
+bool Executor::complete_thread(const Block& block, ModalCycle& call) {
+    const std::optional<std::size_t> lead = find_parameter(dialect_.cycles()[call.cycle], "lead");
+    if (!lead || is_given(call, lead) || !rules_.thread_pitch_is_feed) return true;
+    if (!modal_.has_feed || !(modal_.feed > 0)) {
+        report(diag::ThreadPitchMissing, block).arg(kAxisNames[index(Axis::Z)]);
+        return false;
+    }
+    set_argument(call, lead, modal_.feed);
     return true;
 }
 

@@ -35,7 +35,8 @@ bool set_modal(Modal& modal, Function function) {
         case Function::ArcCw:
         case Function::ArcCcw:
         case Function::TapIn:
-        case Function::TapOut: modal.motion = function; return true;
+        case Function::TapOut:
+        case Function::Thread: modal.motion = function; return true;
         case Function::PlaneXy: modal.plane = Plane::Xy; return true;
         case Function::PlaneZx: modal.plane = Plane::Zx; return true;
         case Function::PlaneYz: modal.plane = Plane::Yz; return true;
@@ -243,6 +244,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::TapIn:
         case Function::TapOut:
         case Function::Spline:
+        case Function::Thread:
         case Function::PlaneXy:
         case Function::PlaneZx:
         case Function::PlaneYz:
@@ -287,6 +289,11 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::ToolSelect:
             tool_.selected = tool_number(block, invocation);
             actions.tool_change |= rules_.tool_select_changes;
+            if ((invocation.given & 2u) != 0) {
+                tool_.offset = std::llround(block.argument(invocation, 1));
+                set_length_source(tool_.offset == 0 ? Tool::Source::None : Tool::Source::Offset,
+                                  actions);
+            }
             break;
         case Function::ToolChange: actions.tool_change = true; break;
         case Function::Tool:
@@ -305,6 +312,14 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::ReferencePoint:
         case Function::ReferenceReturn: actions.reference = &invocation; break;
         case Function::TapFloating: actions.taps = true; break;
+        case Function::Probe: actions.probes = true; break;
+        // Here the part lies where the program expects it, and every probe finds it.
+        case Function::ProbeCheck:
+        case Function::ProbeClear:
+        case Function::ProbeKeep:
+        case Function::OffsetToEdge:
+        case Function::OffsetToMiddle: break;
+        case Function::ThreadStart: actions.thread_start_deg = block.argument(invocation, 0); break;
         case Function::TapRigid: taps_rigidly_ = true; break;
         case Function::DiameterOn: word_scale_[index(Axis::X)] = 0.5; break;
         case Function::DiameterOff: word_scale_[index(Axis::X)] = 1; break;
@@ -340,6 +355,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::CycleOff: modal_cycle_.is_active = taps_rigidly_ = false; break;
         case Function::CycleReturnInitial: returns_to_retract_ = false; break;
         case Function::CycleReturnRetract: returns_to_retract_ = true; break;
+        case Function::CyclePreset: preset_cycle(block, invocation); break;
         case Function::Cycle: actions.cycle = &invocation; break;
     }
 }

@@ -24,13 +24,15 @@ namespace kadr::interp {
 /// What the functions of one block ask for besides changing the modal state.
 struct Actions {
     bool machine_coordinates = false;
-    bool taps = false;  // a line of floating tapping
+    bool taps = false;    // a line of floating tapping
+    bool probes = false;  // a line that ends where the probe triggers
     bool exact_stop = false;
     bool length_changed = false;
     bool tool_change = false;
     bool flood = false;
     bool mist = false;
     bool coolant_off = false;
+    double thread_start_deg = 0;
     nc::Function spindle = nc::Function::None;
     nc::Function stop = nc::Function::None;
     nc::Function end = nc::Function::None;
@@ -122,6 +124,8 @@ class Executor {
     void rapid_to_machine_position(const nc::Block& block, const AxisValues& to, AxisMask moved);
     void return_to_reference(const nc::Block& block, const nc::Invocation& invocation);
     void tap(const nc::Block& block, const Target& target);
+    void thread(const nc::Block& block, const Target& target, const Actions& actions);
+    std::optional<double> thread_pitch(const nc::Block& block, const path::Vec3& way);
     Axis wanted_length_axis() const;
     double wanted_length(const nc::Block& block);
     void activate_length(const nc::Block& block, AxisMask moved);
@@ -145,6 +149,7 @@ class Executor {
     void warn_arc_word(const nc::Block& block, nc::SlotMask words);
     bool check_axes(const nc::Block& block, nc::SlotMask targets);
     bool check_feed(const nc::Block& block, std::string_view what);
+    bool check_probe(const nc::Block& block);
     void check_rapid(const nc::Block& block, const Target& target);
     void check_tool(const nc::Block& block);
     void check_units(const nc::Block& block, nc::Function units);
@@ -155,9 +160,12 @@ class Executor {
 
     // cycles.cpp
     void call_cycle(const nc::Block& block, const nc::Invocation& invocation);
+    void preset_cycle(const nc::Block& block, const nc::Invocation& invocation);
+    void complete_call(ModalCycle& call) const;
     void repeat_cycle(const nc::Block& block);
     void start_cycle(const nc::Block& block, ModalCycle call);
     bool complete_tap(const nc::Block& block, ModalCycle& call);
+    bool complete_thread(const nc::Block& block, ModalCycle& call);
     void finish_cycle();
     path::Plane cycle_plane() const;
     AxisValues position_in_cycle() const;
@@ -197,6 +205,7 @@ class Executor {
     path::CoolantMode coolant_ = path::CoolantMode::Off;
     bool warned_spindle_stopped_ = false;
     bool warned_rapid_ = false;
+    bool warned_thread_speed_ = false;
     bool has_called_tool_ = false;  // or was told that none was called
     bool has_moved_ = false;
     bool warned_units_ = false;
@@ -219,6 +228,7 @@ class Executor {
 
     // A cycle that runs: its blocks, who called it, and what to restore behind it.
     ModalCycle modal_cycle_;
+    std::vector<ModalCycle> presets_;  // parameters that the next calls need not give
     bool returns_to_retract_ = false;
     std::unique_ptr<Stream<nc::Block>> cycle_stream_;
     std::optional<BlockQueue> cycle_blocks_;

@@ -25,6 +25,8 @@ std::string_view op_name(Op op) {
         case Op::Line: return "line";
         case Op::Arc: return "arc";
         case Op::Spline: return "spline";
+        case Op::Thread: return "thread";
+        case Op::Probe: return "probe";
         case Op::Dwell: return "dwell";
         case Op::Spindle: return "spindle";
         case Op::SpeedLimit: return "speed_limit";
@@ -205,8 +207,14 @@ void Listing::append(const Command& command, std::string_view source, std::strin
     switch (command.op) {
         case Op::Rapid: append_target(out, command, axes_); break;
         case Op::Line:
+        case Op::Probe:
             append_target(out, command, axes_);
             append_feed(out, command);
+            break;
+        case Op::Thread:
+            append_target(out, command, axes_);
+            append_feed(out, command);
+            if (command.angle_deg != 0) append_field(out, "start", command.angle_deg);
             break;
         case Op::Arc:
             append_target(out, command, axes_);

@@ -77,6 +77,8 @@ void Executor::move(const Block& block, const Actions& actions) {
     const Target target = target_of(block, targets);
     const bool exact_stop = modal_.has_exact_stop || actions.exact_stop;
     if (actions.taps) return line(block, target, Op::Line, exact_stop);
+    if (actions.probes) return line(block, target, Op::Probe, true);
+    if (modal_.motion == Function::Thread) return thread(block, target, actions);
     if (is_tapping(modal_.motion)) return tap(block, target);
     if (is_arc(modal_.motion)) return arc(block, target, exact_stop);
     if (arc_words != 0) warn_arc_word(block, arc_words);
@@ -114,6 +116,7 @@ void Executor::arrive(const Target& target) {
 
 void Executor::line(const Block& block, const Target& target, Op op, bool exact_stop) {
     if (op == Op::Line && !check_feed(block, "line")) return;
+    if (op == Op::Probe && !check_probe(block)) return;
     if (op == Op::Rapid) check_rapid(block, target);
     if (tool_.has_changed) activate_length(block, target.moved);
     if (!check_limits(block, target.base, target.moved)) return;
@@ -122,7 +125,7 @@ void Executor::line(const Block& block, const Target& target, Op op, bool exact_
     command.to = target.base;
     command.moved = target.moved;
     command.exact_stop = exact_stop;
-    command.feed = op == Op::Line ? modal_.feed : 0;
+    command.feed = op == Op::Rapid ? 0 : modal_.feed;
     arrive(target);
 }
 
@@ -250,6 +253,63 @@ void Executor::tap(const Block& block, const Target& target) {
     arrive(target);
     spindle_.mode = SpindleMode::Stop;
     update_spindle(block);
+}
+
+// ------------------------------------------------------------------------------ threads
+
+/// A line geared to the spindle as it turns. Its pitch counts along the axis of the longer way, so
+/// a turn takes the tool so much farther along the line as that is longer.
+void Executor::thread(const Block& block, const Target& target, const Actions& actions) {
+    const Vec3 way = linear(target.here) - linear(position_.here);
+    const std::optional<double> pitch = thread_pitch(block, way);
+    if (!pitch) return;
+    if (spindle_.mode != SpindleMode::Cw && spindle_.mode != SpindleMode::Ccw) {
+        report(diag::RevolutionFeedStands, block);
+        return;
+    }
+    if (spindle_.has_cutting_speed && !warned_thread_speed_) {
+        warned_thread_speed_ = true;
+        report(diag::ThreadUnderCuttingSpeed, block);
+    }
+    check_tool(block);
+    if (tool_.has_changed) activate_length(block, target.moved);
+    if (!check_limits(block, target.base, target.moved)) return;
+    has_moved_ = true;
+    Command& command = put(Op::Thread, block);
+    command.to = target.base;
+    command.moved = target.moved;
+    command.exact_stop = modal_.has_exact_stop || actions.exact_stop;
+    command.feed_mode = FeedMode::PerRevolution;
+    const double length = (linear(target.base) - linear(position_.base)).norm();
+    const double along = way.cwiseAbs().maxCoeff();
+    command.feed = along > 0 ? *pitch * length / along : *pitch;
+    command.angle_deg = actions.thread_start_deg;
+    arrive(target);
+}
+
+/// The pitch that the block or, on some controls, F says; nothing if it was reported missing.
+std::optional<double> Executor::thread_pitch(const Block& block, const Vec3& way) {
+    constexpr double kEqualWays = 1e-6;  // mm: at 45 degrees either axis will do
+    const SlotMask words = block.given & nc::kCenterSlots;
+    Eigen::Index longest = 0;
+    const double most = way.cwiseAbs().maxCoeff(&longest);
+    const std::string_view name = kAxisNames[static_cast<std::size_t>(longest)];
+    // The blocks of a cycle are neutral ones: they say it in a word.
+    if (rules_.thread_pitch_is_feed && !cycle_blocks_) {
+        if (words != 0) warn_arc_word(block, words);
+        if (modal_.has_feed && modal_.feed > 0) return modal_.feed;
+        report(diag::ThreadPitchMissing, block).arg(name);
+        return std::nullopt;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto word = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + axis);
+        const bool is_long = std::abs(way[static_cast<Eigen::Index>(axis)]) >= most - kEqualWays;
+        if (is_long && block.has(word) && block.at(word) > 0) return block.at(word);
+    }
+    (words == 0 ? report(diag::ThreadPitchMissing, block)
+                : report(diag::ThreadPitchMissing, block, first_slot(words)))
+        .arg(name);
+    return std::nullopt;
 }
 
 // ------------------------------------------------------------------------------ tool length
@@ -481,6 +541,14 @@ bool Executor::check_feed(const Block& block, std::string_view what) {
         report(diag::FeedWithSpindleStopped, block);
     }
     return true;
+}
+
+/// A probe must not turn, so the spindle may stand; a feed per revolution would wait for ever then.
+bool Executor::check_probe(const Block& block) {
+    const bool turns = spindle_.mode == SpindleMode::Cw || spindle_.mode == SpindleMode::Ccw;
+    const bool has_feed = modal_.has_feed && modal_.feed > 0;
+    if (!turns && has_feed && modal_.feed_mode == FeedMode::PerMinute) return true;
+    return check_feed(block, "probing move");
 }
 
 /// A rapid that dives below the workpiece zero of a mill while the spindle stands. On a lathe, and

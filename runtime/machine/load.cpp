@@ -334,6 +334,7 @@ std::vector<MachineSummary> list(const SearchPath& folders) {
         }
     }
     std::vector<MachineSummary> sorted;
+    sorted.reserve(machines.size());
     for (auto& [name, summary] : machines) sorted.push_back(std::move(summary));
     return sorted;
 }

@@ -27,6 +27,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // To go on after a missing feed has been reported, mm/s; slow enough to be noticed in the time.
 constexpr double kFallbackFeed = 1;
 
+// Of two speeds, relative: rounding of products, far below what a pitch shows.
+constexpr double kSameSpeed = 1e-9;
+
 /// What a corner needs to know of the piece before it.
 struct CornerMemory {
     AxisRates rates{};              // dq/ds at its end
@@ -56,6 +59,7 @@ struct Preparer::State {
     void emit_feed_parts(const Command& command, const Segment& segment, double length);
     void emit_parts(const Command& command, const Segment& whole, double length, int parts);
     void emit(const Command& command, const Segment& segment, double length);
+    void report_thread_speed(const Command& command, double feed, double most);
     double wanted_feed(const Command& command, const Segment& segment, double length);
     double corner_speed(const Segment& segment, const AxisRates& in, double acceleration) const;
     void remember(const Segment& segment, const AxisRates& in, double acceleration);
@@ -135,6 +139,8 @@ void Preparer::State::execute(const Command& command) {
         case Op::Rapid:
         case Op::Line:
         case Op::Arc:
+        case Op::Thread:
+        case Op::Probe:
         case Op::Spline: move(command); return;
         case Op::Dwell: dwell(command); return;
         case Op::Spindle: set_spindle(command); return;
@@ -281,6 +287,10 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
         limits.speed *= options.rapid_override;
         feed = limits.speed;
     }
+    if (command.op == Op::Thread && limits.speed < feed * (1 - kSameSpeed)) {
+        report_thread_speed(command, feed, limits.speed);
+        if (has_ended) return;
+    }
     const AxisRates in = axes.start_rates(segment);
     Piece& piece = ready.emplace_back();
     piece.segment = segment;
@@ -290,6 +300,14 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     piece.acceleration = limits.acceleration;
     piece.entry_limit = corner_speed(segment, in, limits.acceleration);
     remember(segment, in, limits.acceleration);
+}
+
+/// The axes cannot follow the spindle: the thread would get another pitch.
+void Preparer::State::report_thread_speed(const Command& command, double feed, double most) {
+    sink.report(diag::ThreadTooFast, place_of(command, options))
+        .arg(round_to(mm_min_from_feed(feed), 3))
+        .arg(round_to(mm_min_from_feed(most), 3));
+    alarm_raised();
 }
 
 /// The path speed that the program asks for, override included; infinite at rapid.
@@ -306,6 +324,8 @@ double Preparer::State::wanted_feed(const Command& command, const Segment& segme
         alarm_raised();
         return kFallbackFeed;
     }
+    // A thread follows the spindle: neither an override nor a limit of the feed acts on it.
+    if (command.op == Op::Thread) return *feed;
     const double wanted = *feed * options.feed_override;
     return machine.max_feed > 0 && !segment.turns_only ? std::min(wanted, machine.max_feed)
                                                        : wanted;

@@ -56,7 +56,8 @@ void describe_slot(const Block& block, Slot slot, std::string& out) {
 void describe_invocation(const Block& block, const Invocation& invocation, std::string& out) {
     const FunctionInfo& function = info(invocation.function);
     out += function.name;
-    const bool is_cycle = invocation.function == Function::Cycle;
+    const bool is_cycle =
+        invocation.function == Function::Cycle || invocation.function == Function::CyclePreset;
     if (is_cycle) {
         out += '#';
         append_shortest(out, block.cycle);
@@ -118,7 +119,9 @@ bool operator==(const Block& a, const Block& b) {
         if ((a.given >> i & 1u) != 0 && a.values[i] != b.values[i]) return false;
     }
     if (!same_functions(a, b)) return false;
-    if (a.find(Function::Cycle) != nullptr && a.cycle != b.cycle) return false;
+    const bool has_cycle =
+        a.find(Function::Cycle) != nullptr || a.find(Function::CyclePreset) != nullptr;
+    if (has_cycle && a.cycle != b.cycle) return false;
     return a.skip == b.skip && a.number == b.number && a.text == b.text && a.comment == b.comment;
 }
 

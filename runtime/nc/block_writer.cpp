@@ -1,6 +1,7 @@
 #include "nc/block_writer.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -102,6 +103,8 @@ bool BlockWriter::is_standing(Slot slot, double value, const Standing& standing)
 // ---------------------------------------------------------------- blocks
 
 Function BlockWriter::effective_motion(const Block& block) const {
+    // Whatever the modal motion is.
+    if (block.function_count != 0 && block.find(Function::Probe) != nullptr) return Function::Line;
     return block.motion != Function::None ? block.motion : modal_.meant[index_of(Group::Motion)];
 }
 
@@ -148,8 +151,8 @@ void BlockWriter::check_arc_words(const Block& block) {
     const Function motion =
         block.find(Function::Cycle) != nullptr ? Function::Cycle : effective_motion(block);
     const bool has_centre = (block.given & kCenterSlots) != 0;
-    if (motion == Function::None || is_tapping(motion)) {
-        // After raw text the author knows; beside a tapping motion the centre word is the pitch.
+    if (motion == Function::None || takes_pitch(motion)) {
+        // After raw text the author knows; beside a motion of threads the centre word is the pitch.
     } else if (!is_arc(motion)) {
         for (std::size_t i = 0; i < kSlots; ++i) {
             const auto slot = static_cast<Slot>(i);
@@ -195,7 +198,7 @@ bool BlockWriter::write_other_arc(const Block& block, std::string& out) {
 }
 
 void BlockWriter::write_block(const Block& block, std::string& out) {
-    if (write_other_arc(block, out)) return;
+    if (write_other_arc(block, out) || write_thread(block, out)) return;
     if (modal_.waiting_edge != 0) write_waiting_edge(block, out);
     done_ = 0;
     choose_forms(block);
@@ -208,6 +211,8 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
     Targets targets;
     const WrittenPosition start = modal_.position;
     const Function motion = effective_motion(block);
+    if (block.motion != Function::None && block.motion != motion)
+        cannot_express(block, "a probing move that is no line at feed");
     place_targets(block, targets);
     check_knot(block, motion);
     if (is_arc(motion)) {
@@ -215,7 +220,7 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
         place_arc_feed(block, start, targets);
     } else if (motion == Function::None) {
         place_arc_as_given(block, start, targets);
-    } else if (is_tapping(motion)) {
+    } else if (takes_pitch(motion)) {
         for (const Slot slot : {Slot::CenterX, Slot::CenterY, Slot::CenterZ}) {
             if (!block.has(slot)) continue;
             targets.written |= bit(slot);
@@ -226,10 +231,13 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
     }
     // An incremental word that the control can only say under incremental dimensions.
     if (targets.written != 0 && modal_.text_of(Group::Distance) != Function::None &&
-        targets.needs_incremental) {
+        targets.needs_incremental && !tables_.has_incremental_letters) {
         add_code(block, Function::Incremental, items);
     }
-    if (block.motion != Function::None || (block.given & (kTargetSlots | kCenterSlots)) != 0) {
+    const bool probes = block.function_count != 0 && block.find(Function::Probe) != nullptr;
+    const bool says_motion = block.motion != Function::None ||
+                             (!probes && (block.given & (kTargetSlots | kCenterSlots)) != 0);
+    if (says_motion) {
         const bool is_new = modal_.text_of(Group::Motion) != motion;
         if (motion != Function::None &&
             (is_new || (options_.verbose_modal && block.motion != Function::None))) {
@@ -248,6 +256,67 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
     if (block.find(Function::Cycle) != nullptr) leave_cycle(block, out);
     for (std::size_t i = 0; i < block.function_count; ++i)
         follow_function(block, block.functions[i]);
+}
+
+// ---------------------------------------------------------------- threads
+
+/// The axis along which a straight move goes the longer way; nothing if the block does not tell.
+std::optional<std::size_t> BlockWriter::longer_way(const Block& block) const {
+    std::optional<std::size_t> longest;
+    double most = -1;
+    bool is_certain = true;
+    std::size_t count = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto slot = static_cast<Slot>(axis);
+        if (!block.has(slot)) continue;
+        ++count;
+        const bool is_way = is_distance(block, axis);
+        is_certain &= is_way || is_known(axis);
+        const double way =
+            std::fabs(is_way ? block.at(slot) : block.at(slot) - modal_.position.meant[axis]);
+        if (way > most) longest = axis, most = way;
+    }
+    return count == 1 || is_certain ? longest : std::nullopt;
+}
+
+/// The pitch of a thread stands where the control takes it: in F, or in the word of the axis that
+/// goes the longer way. True: the block is written.
+bool BlockWriter::write_thread(const Block& block, std::string& out) {
+    if (effective_motion(block) != Function::Thread || (block.given & kTargetSlots) == 0 ||
+        block.find(Function::Cycle) != nullptr)
+        return false;
+    const auto& forms = tables_.forms_of[static_cast<std::size_t>(Function::Thread)];
+    if (forms.empty()) return false;
+    const bool is_feed = tables_.forms[forms[0]].feed_is_pitch;
+    const SlotMask words = block.given & kCenterSlots;
+    if (words == 0 && !block.has(Slot::Feed)) {
+        if (is_new_message(block, "no pitch")) sink_.report(diag::ThreadSaidNowhere, place(block));
+        return true;
+    }
+    if (is_feed ? words == 0 : words != 0) return false;
+    Block said = block;
+    if (is_feed) {
+        const auto word = static_cast<Slot>(std::countr_zero(words));
+        said.given &= ~kCenterSlots;
+        said.set(Slot::Feed, block.at(word));
+    } else {
+        const std::optional<std::size_t> axis = longer_way(block);
+        if (!axis) {
+            position_unknown(block, "F");
+            return true;
+        }
+        said.given &= ~bit(Slot::Feed);
+        said.set(static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + *axis),
+                 block.at(Slot::Feed));
+    }
+    // The feed of the program, which the pitch is not, acts again behind the thread.
+    const double feed = block.has(Slot::Feed) ? block.at(Slot::Feed) : modal_.meant_feed;
+    const bool has_feed = block.has(Slot::Feed) || modal_.has_meant_feed;
+    write_block(said, out);
+    modal_.meant_feed = feed;
+    modal_.has_meant_feed = has_feed;
+    if (is_feed) modal_.feed_is_pitch = true;
+    return true;
 }
 
 // ---------------------------------------------------------------- cutting edges, cycles
@@ -404,45 +473,58 @@ void BlockWriter::choose_forms(const Block& block) {
 
 bool BlockWriter::is_suppressed(Function function) const {
     const Group group = info(function).group;
+    // Where the letters say it, no code does.
+    if (group == Group::Distance && tables_.has_incremental_letters) return true;
     return is_quiet_group(group) && !options_.verbose_modal &&
            modal_.text[index_of(group)] == function;
 }
 
-/// Whether the form says everything that was given, and has all it needs.
-bool BlockWriter::says(const Form& form, const Block& block, const Invocation& invocation) const {
+/// Why the form cannot say what was given, or lacks what it needs.
+BlockWriter::Misfit BlockWriter::misfit(const Form& form, const Block& block,
+                                        const Invocation& invocation) const {
+    Misfit misfit;
     std::uint32_t said = 0;
-    bool fits = true;
+    const auto argument = [&](int parameter, double fallback) {
+        return block.argument(invocation, static_cast<std::size_t>(parameter), fallback);
+    };
+    const auto expect = [&](int parameter, bool is_right) {
+        if (!is_right) misfit.parameters |= 1u << parameter;
+    };
     const auto look = [&](const auto& self, const std::vector<FormWord>& words) -> void {
         for (const FormWord& word : words) {
             self(self, word.arguments);
             if (word.parameter < 0) continue;
             said |= 1u << word.parameter;
+            if (word.tail_parameter >= 0) {
+                said |= 1u << word.tail_parameter;
+                expect(word.tail_parameter, (invocation.given >> word.tail_parameter & 1u) != 0);
+            }
             // The word's presence is all that the control takes: another value would be lost.
-            if (word.is_named_only)
-                fits &= block.argument(invocation, static_cast<std::size_t>(word.parameter)) == 0;
+            if (word.is_named_only) expect(word.parameter, argument(word.parameter, 0) == 0);
             const bool is_given = (invocation.given >> word.parameter & 1u) != 0;
             const bool has_text = !block.text.empty() && (word.kind == FormWord::Kind::Text ||
                                                           word.kind == FormWord::Kind::Quoted);
-            fits &= is_given || has_text || word.is_optional || word.has_default;
+            expect(word.parameter, is_given || has_text || word.is_optional || word.has_default);
         }
     };
     look(look, form.words);
     for (const std::vector<FormWord>& line : form.extra) look(look, line);
     look(look, form.lead);
     for (const int parameter : form.implied) said |= 1u << parameter;
+    for (const int parameter : form.drops) said |= 1u << parameter;
     for (const auto& [parameter, value] : form.fixed) {
         said |= 1u << parameter;
         const bool is_given = (invocation.given >> parameter & 1u) != 0;
         const bool may_lack =
             tables_.parameters(form)[static_cast<std::size_t>(parameter)].is_optional;
-        fits &= is_given ? block.argument(invocation, static_cast<std::size_t>(parameter)) == value
-                         : may_lack;
+        expect(parameter, is_given ? argument(parameter, 0) == value : may_lack);
     }
     for (const Constraint& c : form.when) {
-        const double value =
-            block.argument(invocation, static_cast<std::size_t>(c.parameter), c.least);
-        fits &= value >= c.least && value <= c.most;
+        const double value = argument(c.parameter, c.least);
+        expect(c.parameter, value >= c.least && value <= c.most);
     }
+    misfit.parameters |= invocation.given & ~said;
+    misfit.lacking = misfit.parameters & ~invocation.given;
     for (const Function needed : form.during) {
         const Group group = info(needed).group;
         // What the text does not agree upon with the program is said again in this block.
@@ -450,9 +532,9 @@ bool BlockWriter::says(const Form& form, const Block& block, const Invocation& i
                                  modal_.meant[index_of(group)] == needed;
         const bool is_said = group == Group::Motion && effective_motion(block) == needed &&
                              (block.motion == needed || (block.given & kTargetSlots) != 0);
-        fits &= modal_.text[index_of(group)] == needed || is_restored || is_said;
+        misfit.is_state |= modal_.text[index_of(group)] != needed && !is_restored && !is_said;
     }
-    return fits && (invocation.given & ~said) == 0;
+    return misfit;
 }
 
 /// Whether the further functions of a form are wanted by the block or in force anyway.
@@ -479,12 +561,19 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
                                  ? tables_.forms_of_cycle[block.cycle]
                                  : tables_.forms_of[static_cast<std::size_t>(invocation.function)];
     Function blocking = Function::None;  // acts where it must not
+    std::optional<Misfit> nearest;
     for (const bool allow_unknown : {false, true}) {
         for (const FormId id : candidates) {
             const Form& form = tables_.forms[id];
             // Parameters belong to the form's own function.
             const bool is_own = form.function == invocation.function;
-            if (is_own && !says(form, block, invocation)) continue;
+            if (is_own) {
+                const Misfit why = misfit(form, block, invocation);
+                if (!why.is_none()) {
+                    if (!nearest || why.count() < nearest->count()) nearest = why;
+                    continue;
+                }
+            }
             const Function around = acting_around(form);
             if (around != Function::None) blocking = around;
             else if (holds(form, block, invocation.function, allow_unknown)) return id;
@@ -502,9 +591,25 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
     }
     std::string what = quoted(name);
     if (is_cycle) what = "the cycle " + quoted(tables_.cycles[block.cycle].name);
-    if (!candidates.empty()) what += " with these values or in this modal state";
+    if (!candidates.empty()) {
+        const Form& any = tables_.forms[candidates.front()];
+        what += nearest && !nearest->is_state ? misfit_words(tables_.parameters(any), *nearest)
+                                              : " with these values or in this modal state";
+    }
     cannot_express(block, what);
     return kNoForm;
+}
+
+/// " with this `back`": what the control does not take as it was given.
+std::string BlockWriter::misfit_words(std::span<const Parameter> parameters, const Misfit& misfit) {
+    std::string words;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if ((misfit.parameters >> i & 1u) == 0) continue;
+        const bool is_lacking = (misfit.lacking >> i & 1u) != 0;
+        words += words.empty() ? " " : " and ";
+        words += (is_lacking ? "without " : "with this ") + quoted(parameters[i].name);
+    }
+    return words;
 }
 
 /// The frame function that acts and that the form must not stand inside of; None: there is none.
@@ -655,7 +760,8 @@ void BlockWriter::restore_modal(const Block& block, Items& items) {
         }
         add_code(block, meant, items);
     };
-    if ((block.given & kTargetSlots) != 0) restore(Group::Distance);
+    if ((block.given & kTargetSlots) != 0 && !tables_.has_incremental_letters)
+        restore(Group::Distance);
     if (is_arc(effective_motion(block)) && (block.given & (kTargetSlots | kCenterSlots)) != 0)
         restore(Group::Plane);
     if (block.has(Slot::Feed)) restore(Group::FeedMode);
@@ -765,7 +871,10 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
             modal_.mirror = Activity::No;
             modal_.position.known &= ~modal_.turned;
             break;
+        case Function::Probe: forget_motion(); [[fallthrough]];
         case Function::MachineCoordinates: modal_.position.known &= ~block.given; break;
+        case Function::OffsetToEdge:
+        case Function::OffsetToMiddle: modal_.position.forget(); break;
         case Function::SetPosition:
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 if ((invocation.given >> axis & 1u) == 0) continue;
@@ -855,6 +964,47 @@ SourceRange BlockWriter::place(const Block& block) const {
                                                    : SourceRange{};
 }
 
+/// The word of the statement that sets the address: `Z+=10`, `Z=h`, `Z5`. The statement, if no such
+/// word stands in it.
+SourceRange BlockWriter::word_place(const Block& block, std::string_view address) const {
+    SourceRange statement = place(block);
+    if (sources_ == nullptr || !statement.file.is_valid()) return statement;
+    const std::string_view text = sources_->text(statement);
+    const auto is_part_of_name = [](char c) {
+        return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+               c == '_' || c == '.' || (static_cast<unsigned char>(c) & 0x80u) != 0;
+    };
+    // A word stands outside brackets, and nothing in front of it waits for a value.
+    int depth = 0;
+    char before = ' ';
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == ' ' || c == '\t' || c == '\n') continue;
+        if (c == '(' || c == '[' || c == '{') ++depth;
+        if (c == ')' || c == ']' || c == '}') --depth;
+        const std::size_t behind = i + address.size();
+        const bool is_first = i == 0 || !is_part_of_name(text[i - 1]);
+        const bool is_operand =
+            std::string_view("=+-*/%<>?:,&|!").find(before) != std::string::npos;
+        before = c;
+        if (depth != 0 || !is_first || is_operand || behind >= text.size()) continue;
+        const bool is_word =
+            text.substr(i).starts_with(address) &&
+            std::string_view("=+-.0123456789").find(text[behind]) != std::string::npos;
+        if (!is_word) continue;
+        std::size_t end = behind;
+        int inside = 0;
+        for (; end < text.size(); ++end) {
+            if (text[end] == '(') ++inside;
+            if (text[end] == ')') --inside;
+            if (inside == 0 && (text[end] == ' ' || text[end] == ';' || text[end] == '\n')) break;
+        }
+        return {statement.file, statement.begin + static_cast<std::uint32_t>(i),
+                statement.begin + static_cast<std::uint32_t>(end)};
+    }
+    return statement;
+}
+
 /// The writing failed; whether the statement has not said this yet: a loop reports once.
 bool BlockWriter::is_new_message(const Block& block, std::string_view what) {
     failed_ = true;
@@ -865,7 +1015,7 @@ bool BlockWriter::is_new_message(const Block& block, std::string_view what) {
 
 void BlockWriter::position_unknown(const Block& block, std::string_view name) {
     if (!is_new_message(block, name)) return;
-    sink_.report(diag::WriterPositionUnknown, place(block)).arg(name);
+    sink_.report(diag::WriterPositionUnknown, word_place(block, name)).arg(name);
 }
 
 void BlockWriter::cannot_express(const Block& block, const std::string& what) {
@@ -879,15 +1029,15 @@ void BlockWriter::number_fault(const Block& block, NumberFault fault, double val
     switch (fault) {
         case NumberFault::None: break;
         case NumberFault::NotFinite:
-            sink_.report(diag::ValueNotFinite, place(block)).arg(name);
+            sink_.report(diag::ValueNotFinite, word_place(block, name)).arg(name);
             break;
         case NumberFault::TooLarge:
-            sink_.report(diag::ValueTooLarge, place(block)).arg(value).arg(name);
+            sink_.report(diag::ValueTooLarge, word_place(block, name)).arg(value).arg(name);
             break;
         case NumberFault::Negative:
         case NumberFault::Point:
         case NumberFault::NotReadBack:
-            sink_.report(diag::ValueNotReadBack, place(block)).arg(value).arg(name);
+            sink_.report(diag::ValueNotReadBack, word_place(block, name)).arg(value).arg(name);
             break;
     }
 }

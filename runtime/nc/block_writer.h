@@ -3,6 +3,7 @@
 // For writer.cpp, which puts the frame of the program around it.
 #pragma once
 
+#include <bit>
 #include <span>
 #include <string>
 #include <unordered_set>
@@ -17,7 +18,10 @@ class BlockWriter {
   public:
     BlockWriter(const Dialect& dialect, const WriteOptions& options, DiagnosticSink& sink);
 
-    void set_statements(std::span<const SourceRange> statements) { statements_ = statements; }
+    void set_statements(std::span<const SourceRange> statements, const Sources* sources) {
+        statements_ = statements;
+        sources_ = sources;
+    }
     void begin(const ProgramInfo& program);
 
     /// Appends the line or lines of the block; returns the number of the first one.
@@ -32,6 +36,14 @@ class BlockWriter {
     bool has_ended() const { return has_ended_; }
 
   private:
+    /// What a form cannot say, or lacks.
+    struct Misfit {
+        std::uint32_t parameters = 0;  // a bit each
+        std::uint32_t lacking = 0;     // those of them that were not given
+        bool is_state = false;         // the modal state is not what the form needs
+        bool is_none() const { return parameters == 0 && !is_state; }
+        int count() const { return std::popcount(parameters) + (is_state ? 32 : 0); }
+    };
     /// One piece of a line: a form with its parameters, deferred words, or the word of a slot.
     struct Item {
         int order;
@@ -80,6 +92,8 @@ class BlockWriter {
     void write_raw(const Block& block, std::string& out);
     void write_block(const Block& block, std::string& out);
     void write_long(const Block& block, std::string& out);
+    bool write_thread(const Block& block, std::string& out);
+    std::optional<std::size_t> longer_way(const Block& block) const;
     void check_front(const Block& block);
     void check_arc_words(const Block& block);
     void check_knot(const Block& block, Function motion);
@@ -107,7 +121,8 @@ class BlockWriter {
     void choose_forms(const Block& block);
     FormId choose_form(const Block& block, const Invocation& invocation);
     Function effective_motion(const Block& block) const;
-    bool says(const Form& form, const Block& block, const Invocation& invocation) const;
+    Misfit misfit(const Form& form, const Block& block, const Invocation& invocation) const;
+    static std::string misfit_words(std::span<const Parameter> parameters, const Misfit& misfit);
     bool holds(const Form& form, const Block& block, Function asked, bool allow_unknown) const;
     bool is_suppressed(Function function) const;
     void add_code(const Block& block, Function function, Items& items);
@@ -138,6 +153,7 @@ class BlockWriter {
         std::array<double, kSlots> number{};  // what stands there, in the text's units
         SlotMask wrapped_absolute = 0;        // AC()
         SlotMask wrapped_incremental = 0;     // IC()
+        SlotMask by_letter = 0;               // that are written with the letter of distances
         double feed_factor = 1;               // of F
         bool needs_incremental = false;       // all words are distances, the text is absolute
     };
@@ -170,6 +186,7 @@ class BlockWriter {
     bool is_standing(Slot slot, double value, const Standing& standing) const;
 
     // Lines
+    bool repeats_feed(const Block& block) const;
     void collect_slots(const Block& block, const Targets& targets, Items& items);
     void add_deferred(const Block& block, Items& items);
     void remove_said(const Deferred& deferred, Items& items) const;
@@ -177,6 +194,8 @@ class BlockWriter {
     void write_items(const Block& block, Items& items, const Targets& targets, std::string& out);
     void append_item(const Block& block, const Item& item, const Targets& targets,
                      std::string& out);
+    void append_verbatim(const Block& block, const Form& form, const Invocation& invocation,
+                         std::string& out);
     void append_words(const Block& block, const std::vector<FormWord>& words,
                       const Invocation* invocation, bool remembers, std::string& out);
     /// What a line has: words by address, groups of which it has a function.
@@ -192,6 +211,8 @@ class BlockWriter {
                      std::string& out);
     void append_parameter(const Block& block, const FormWord& word, const Invocation* invocation,
                           const NumberFormat& format, std::string_view name, std::string& out);
+    void append_whole(const Block& block, const FormWord& word, double value,
+                      const Invocation* invocation, std::string_view name, std::string& out);
     void append_factor(const Block& block, double number, bool in_thousandths,
                        std::string_view name, std::string& out);
     void append_slot(const Block& block, Slot slot, const Targets& targets, std::string& out);
@@ -206,6 +227,7 @@ class BlockWriter {
 
     // Messages
     SourceRange place(const Block& block) const;
+    SourceRange word_place(const Block& block, std::string_view address) const;
     void cannot_express(const Block& block, const std::string& what);
     bool is_new_message(const Block& block, std::string_view what);
     void position_unknown(const Block& block, std::string_view name);
@@ -216,6 +238,7 @@ class BlockWriter {
     WriteOptions options_;
     DiagnosticSink& sink_;
     std::span<const SourceRange> statements_;
+    const Sources* sources_ = nullptr;  // of the statements; may be missing
     WriterModal modal_;
     std::vector<Pending> pending_;
     std::unordered_set<std::uint64_t>

@@ -61,26 +61,55 @@ std::span<const Example> Dialect::examples() const { return tables_->examples; }
 
 namespace {
 
-void collect_parameters(const std::vector<FormWord>& words, std::uint32_t& said) {
+/// What a form does with parameters, a bit each.
+struct FormParameters {
+    std::uint32_t said = 0;
+    std::uint32_t needed = 0;  // the form cannot be written without them
+};
+
+void collect_parameters(const std::vector<FormWord>& words, FormParameters& parameters) {
     for (const FormWord& word : words) {
-        if (word.parameter >= 0) said |= 1u << word.parameter;
-        collect_parameters(word.arguments, said);
+        collect_parameters(word.arguments, parameters);
+        if (word.tail_parameter >= 0) parameters.said |= 1u << word.tail_parameter;
+        if (word.parameter < 0) continue;
+        parameters.said |= 1u << word.parameter;
+        if (!word.is_optional && !word.has_default) parameters.needed |= 1u << word.parameter;
     }
+}
+
+/// Whether the form takes the values of the parameters that are given.
+bool takes_values(const Form& form, std::uint32_t given, std::span<const double> values) {
+    const auto is_given = [&](int parameter) { return (given >> parameter & 1u) != 0; };
+    const auto value = [&](int parameter) { return values[static_cast<std::size_t>(parameter)]; };
+    return std::ranges::all_of(form.fixed,
+                               [&](const auto& fixed) {
+                                   return !is_given(fixed.first) ||
+                                          value(fixed.first) == fixed.second;
+                               }) &&
+           std::ranges::all_of(form.when, [&](const Constraint& c) {
+               return !is_given(c.parameter) ||
+                      (value(c.parameter) >= c.least && value(c.parameter) <= c.most);
+           });
 }
 
 }  // namespace
 
-bool Dialect::has_native_cycle(CycleId cycle, std::uint32_t given) const {
+bool Dialect::has_native_cycle(CycleId cycle, std::uint32_t given,
+                               std::span<const double> values) const {
     if (cycle >= tables_->forms_of_cycle.size()) return false;
+    const bool looks_at_values =
+        !values.empty() &&
+        std::ranges::find(tables_->cycles_else_moves, cycle) != tables_->cycles_else_moves.end();
     return std::ranges::any_of(tables_->forms_of_cycle[cycle], [&](FormId id) {
         const Form& form = tables_->forms[id];
-        std::uint32_t said = 0;
-        collect_parameters(form.words, said);
-        for (const std::vector<FormWord>& line : form.extra) collect_parameters(line, said);
-        collect_parameters(form.lead, said);
-        for (const int parameter : form.implied) said |= 1u << parameter;
-        for (const auto& [parameter, value] : form.fixed) said |= 1u << parameter;
-        return (given & ~said) == 0;
+        FormParameters parameters;
+        collect_parameters(form.words, parameters);
+        for (const std::vector<FormWord>& line : form.extra) collect_parameters(line, parameters);
+        collect_parameters(form.lead, parameters);
+        for (const int parameter : form.implied) parameters.said |= 1u << parameter;
+        for (const auto& [parameter, value] : form.fixed) parameters.said |= 1u << parameter;
+        if (looks_at_values && !takes_values(form, given, values)) return false;
+        return (given & ~parameters.said) == 0 && (parameters.needed & ~given) == 0;
     });
 }
 

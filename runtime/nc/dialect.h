@@ -24,6 +24,7 @@ struct CycleInfo {
     std::string name;                   // as in stdlib: "drill_peck"
     std::vector<Parameter> parameters;  // names live in the Dialect
     std::string meaning;
+    bool is_modal = true;  // where cycles are modal: a call is repeated by further axis words
 };
 
 /// A control's own alarm for an error that the interpreter raises.
@@ -66,8 +67,11 @@ class Dialect {
 
     std::span<const CycleInfo> cycles() const;
     std::optional<CycleId> find_cycle(std::string_view name) const;
-    /// Whether the control has a cycle of its own that can say these parameters (bit i: given).
-    bool has_native_cycle(CycleId cycle, std::uint32_t given) const;
+    /// Whether a cycle of the control takes these parameters (bit i: given), and needs no others.
+    /// Where the dialect wants moves otherwise, their values count too; elsewhere a value that the
+    /// control cannot take is an error of the writer.
+    bool has_native_cycle(CycleId cycle, std::uint32_t given,
+                          std::span<const double> values = {}) const;
     /// Whether the control can say this function at all.
     bool can_write(Function function) const;
     /// Member of a modal group at power-on; None if the dialect does not say.

@@ -21,7 +21,11 @@ class Explainer {
         for (std::size_t i = 0; i < tables_.cycles.size(); ++i) {
             if (tables_.cycles[i].name == word) explain_cycle(static_cast<CycleId>(i));
         }
-        explain_text(tables_.rules.ignores_case ? upper_ascii(word) : std::string(word));
+        const std::string text = tables_.rules.ignores_case ? upper_ascii(word) : std::string(word);
+        explain_text(text);
+        const std::string unsupported = tables_.unsupported_words(text);
+        if (lines_.empty() && !unsupported.empty())
+            lines_.push_back(unsupported + " is a word of the control; Kadr does not read it");
         return std::move(lines_);
     }
 
@@ -57,9 +61,10 @@ class Explainer {
             explain_form(form);
             ++spelled;
         }
-        if (spelled == 0)
+        if (spelled == 0) {
             lines_.push_back(tables_.name +
                              " has no such cycle of its own; it is written as moves");
+        }
         explain_examples(row.name);
     }
 
@@ -92,6 +97,7 @@ class Explainer {
             for (const Function also : form.sets) line.append(" ").append(info(also).name);
         }
         if (form.owns_block) line += ", in a block of its own";
+        if (form.is_preset) line += ", for the calls that follow";
         if (!form.note.empty()) line += "; " + form.note;
         if (std::find(lines_.begin(), lines_.end(), line) == lines_.end()) lines_.push_back(line);
         if (!form.doc.empty() &&

@@ -45,6 +45,10 @@ class Finisher {
                 continue;
             }
             if (!form.is_read) continue;
+            if (form.is_verbatim) {
+                tables_.verbatim_forms.push_back(id);
+                continue;
+            }
             const FormWord& first = form.words[0];
             if (first.kind != FormWord::Kind::Fixed)
                 tables_.addresses[first.address].forms.push_back(id);
@@ -114,10 +118,14 @@ class Finisher {
 
     void index_slots() {
         tables_.slot_address.fill(kNoAddress);
+        tables_.incremental_address.fill(kNoAddress);
         for (std::size_t i = 0; i < tables_.addresses.size(); ++i) {
             const Address& address = tables_.addresses[i];
             if (address.slot < 0) continue;
-            AddressId& writer = tables_.slot_address[static_cast<std::size_t>(address.slot)];
+            const auto slot = static_cast<std::size_t>(address.slot);
+            AddressId& writer = address.is_incremental ? tables_.incremental_address[slot]
+                                                       : tables_.slot_address[slot];
+            tables_.has_incremental_letters |= address.is_incremental;
             if (writer == kNoAddress) writer = static_cast<AddressId>(i);
         }
         tables_.slot_order.clear();
@@ -146,17 +154,20 @@ class Finisher {
     static void collect(const std::vector<FormWord>& words, std::uint32_t& said) {
         for (const FormWord& word : words) {
             if (word.parameter >= 0) said |= 1u << word.parameter;
+            if (word.tail_parameter >= 0) said |= 1u << word.tail_parameter;
             collect(word.arguments, said);
         }
     }
 
     void check_parameters(const Form& form) {
+        if (form.is_preset) return;  // the call says the rest
         const std::span<const Parameter> parameters = tables_.parameters(form);
         std::uint32_t said = 0;
         collect(form.words, said);
         for (const std::vector<FormWord>& line : form.extra) collect(line, said);
         collect(form.lead, said);
         for (const auto& [parameter, value] : form.fixed) said |= 1u << parameter;
+        for (const int parameter : form.drops) said |= 1u << parameter;
         for (std::size_t i = 0; i < parameters.size(); ++i) {
             if (parameters[i].is_optional || (said >> i & 1u) != 0) continue;
             failed_ = true;
@@ -171,11 +182,16 @@ class Finisher {
         std::vector<std::string> words;
         for (const FormWord& word : form.words) {
             std::string text = std::to_string(word.address);
+            if (form.is_verbatim) text += word.text;
             if (word.kind == FormWord::Kind::Fixed) {
                 text += '=';
                 append_shortest(text, word.number);
             }
             if (word.kind == FormWord::Kind::Call) add_arguments(text, word);
+            if (word.tail_digits > 0 && word.tail_parameter < 0) {
+                text += '_';
+                append_shortest(text, word.tail_value);
+            }
             if (word.kind == FormWord::Kind::Quoted) text += '"';
             if (word.kind == FormWord::Kind::Text) text += word.text;
             words.push_back(std::move(text));

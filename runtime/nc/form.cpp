@@ -48,6 +48,25 @@ class LineParser {
         return true;
     }
 
+    /// Letters and placeholders: each word is a placeholder and what stands before it, the last one
+    /// what stands at the end.
+    bool parse_verbatim(std::vector<FormWord>& words) {
+        while (at_ < line_.size()) {
+            FormWord word;
+            const std::size_t brace = std::min(line_.find('{', at_), line_.size());
+            word.text = line_.substr(at_, brace - at_);
+            word.kind = FormWord::Kind::Name;
+            at_ = brace;
+            if (at_ < line_.size()) {
+                word.kind = FormWord::Kind::Value;
+                if (!parse_placeholder(word)) return false;
+            }
+            words.push_back(std::move(word));
+        }
+        if (words[0].text.empty()) return fail("it begins with a placeholder");
+        return true;
+    }
+
     bool parse_text(FormWord& word) {
         word.kind = FormWord::Kind::Text;
         const std::size_t brace = line_.find('{');
@@ -125,8 +144,40 @@ class LineParser {
     bool parse_value(FormWord& word, std::string_view name, std::size_t begin) {
         word.kind = FormWord::Kind::Value;
         word.text = line_.substr(begin, at_ - begin);
-        if (!declared(word, name) || !parse_placeholder(word)) return false;
+        if (!declared(word, name) || !parse_placeholder(word) || !parse_tail(word)) return false;
         return at_blank() || fail("words stand between blanks");
+    }
+
+    /// `{offset:2}` or `0060` behind a value: the last digits of its number.
+    bool parse_tail(FormWord& word) {
+        if (at_blank()) return true;
+        if (!take('{')) return parse_fixed_tail(word);
+        const std::size_t close = std::min(line_.find('}', at_), line_.size());
+        const std::string_view inner = line_.substr(at_, close - at_);
+        at_ = std::min(close + 1, line_.size());
+        const std::string_view name = inner.substr(0, inner.find(':'));
+        word.tail_parameter = parameter_named(name);
+        if (word.tail_parameter < 0) return unknown_parameter(name);
+        const std::string_view digits = inner.substr(std::min(name.size() + 1, inner.size()));
+        if (digits.size() != 1 || digits[0] < '1' || digits[0] > '9') {
+            return fail("a second `{…}` says how many digits it has: `{offset:2}`");
+        }
+        word.tail_digits = digits[0] - '0';
+        return true;
+    }
+
+    bool parse_fixed_tail(FormWord& word) {
+        constexpr int kMost = 9;
+        while (at_ < line_.size() && is_digit(line_[at_]) && word.tail_digits < kMost) {
+            word.tail_value = word.tail_value * 10 + (line_[at_++] - '0');
+            ++word.tail_digits;
+        }
+        return true;
+    }
+
+    int parameter_named(std::string_view name) const {
+        const auto found = std::ranges::find(parameters_, name, &Parameter::name);
+        return found == parameters_.end() ? -1 : static_cast<int>(found - parameters_.begin());
     }
 
     bool parse_quoted(FormWord& word, std::string_view name) {
@@ -196,9 +247,7 @@ class LineParser {
         }
         const std::size_t sign = inner.find_first_of("+-=");
         const std::string_view name = inner.substr(0, std::min(sign, inner.size()));
-        for (std::size_t i = 0; i < parameters_.size(); ++i) {
-            if (parameters_[i].name == name) word.parameter = static_cast<int>(i);
-        }
+        word.parameter = parameter_named(name);
         if (word.parameter < 0) return unknown_parameter(name);
         const Parameter& parameter = parameters_[static_cast<std::size_t>(word.parameter)];
         word.dimension = parameter.dimension;
@@ -237,8 +286,13 @@ class LineParser {
 
     bool parse_unit(FormWord& word, std::string_view unit) {
         if (unit.empty()) return true;
-        if (unit == "named") {
-            word.is_named_only = true;
+        if (unit == "named" || unit == "lead") {
+            word.is_named_only = unit == "named";
+            word.is_lead = unit == "lead";
+            return true;
+        }
+        if (unit == "increments") {
+            word.in_increments = true;
             return true;
         }
         for (const Unit& known : kUnits) {
@@ -247,7 +301,7 @@ class LineParser {
             return true;
         }
         return fail("there is no unit " + quoted(unit) +
-                    "; known are s, ms, min, deg, mm, permille and named");
+                    "; known are s, ms, min, deg, mm, permille, increments, lead and named");
     }
 
     bool declared(FormWord& word, std::string_view name) {
@@ -322,7 +376,9 @@ std::vector<Form> expand_codes(Form form, DialectTables& tables, DiagnosticSink&
     }
     const auto place = static_cast<std::size_t>(open - form.words.begin());
     form.when.erase(range);
-    for (double n = limits.least; n <= limits.most; ++n) {
+    const auto count = static_cast<int>(limits.most - limits.least) + 1;
+    for (int i = 0; i < count; ++i) {
+        const double n = limits.least + i;
         Form one = form;
         FormWord& word = one.words[place];
         word.kind = FormWord::Kind::Fixed;
@@ -351,7 +407,8 @@ bool has_usual_codes(const std::vector<Form>& forms, DiagnosticSink& sink) {
 
 bool says(const std::vector<FormWord>& words, int parameter) {
     return std::ranges::any_of(words, [&](const FormWord& word) {
-        return word.parameter == parameter || says(word.arguments, parameter);
+        return word.parameter == parameter || word.tail_parameter == parameter ||
+               says(word.arguments, parameter);
     });
 }
 
@@ -392,6 +449,14 @@ std::vector<Form> parse_form(const Form& prototype, std::string_view text, Diale
         form.words.resize(1);
         if (!LineParser(inner, parameters, tables, form.range, sink).parse_text(form.words[0]))
             return {};
+        return {std::move(form)};
+    }
+    if (form.is_verbatim) {
+        if (!LineParser(form.pattern, parameters, tables, form.range, sink)
+                 .parse_verbatim(form.words))
+            return {};
+        form.owns_block = true;
+        fix_single_values(form);
         return {std::move(form)};
     }
     if (!LineParser(lines[0], parameters, tables, form.range, sink).parse(form.words)) return {};

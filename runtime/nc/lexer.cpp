@@ -55,6 +55,14 @@ class Lexer {
                            {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)},
                            std::move(arguments)};
     }
+    /// A word that the dialect does not declare; the control may have it all the same.
+    void fail_unknown(std::size_t begin, std::size_t end) {
+        const std::string written(line_.substr(begin, end - begin));
+        const std::string known =
+            tables_.unsupported_words(rules_.ignores_case ? upper_ascii(written) : written);
+        if (known.empty()) return fail(diag::IsoUnknownWord, begin, end, {written});
+        fail(diag::IsoNotSupported, begin, end, {known});
+    }
     void fail_here(const DiagnosticRow& row) {
         std::size_t end = at_ + 1;
         // A character of several bytes is shown whole.
@@ -147,11 +155,11 @@ class Lexer {
             skip_inner_blanks();
             while (at_ < line_.size() && (is_digit(peek()) || peek() == '.' || peek() == '-'))
                 ++at_;
-            if (peek() == '=')
+            if (peek() == '=') {
                 return fail(diag::IsoNotSupported, begin, at_,
                             {"the control's own parametric language"});
-            return fail(diag::IsoUnknownWord, begin, at_,
-                        {std::string(line_.substr(begin, at_ - begin))});
+            }
+            return fail_unknown(begin, at_);
         }
         if (tables_.addresses[address].is_block_number) return take_block_number(begin);
         skip_inner_blanks();
@@ -294,7 +302,7 @@ class Lexer {
                 }
             }
             at_ = end;
-            return fail(diag::IsoUnknownWord, begin, end, {std::string(written)});
+            return fail_unknown(begin, end);
         }
         const Address& head = tables_.addresses[address];
         if (head.kind == Address::Kind::Call && peek() == '(') return take_call(address, begin);

@@ -35,6 +35,7 @@ bool apply_dialect(const XmlElement& root, DialectTables& tables, DiagnosticSink
         if (e.name == "deferred") forms.load_deferred(e);
         if (e.name == "alarm") load_alarm(e, tables, attributes);
         if (e.name == "rule") load_rule(e, tables);
+        if (e.name == "unsupported") load_unsupported(e, tables);
         if (e.name == "example") load_example(e, tables);
     }
     return !attributes.has_failed();

@@ -46,6 +46,8 @@ Address& address_named(DialectTables& tables, std::string_view name) {
 void read_format(const XmlElement& element, NumberFormat& format, Attributes& attributes) {
     attributes.read_number(element, "decimals", format.decimals);
     attributes.read_number(element, "inch_decimals", format.inch_decimals);
+    attributes.read_number(element, "lead_decimals", format.lead_decimals);
+    attributes.read_number(element, "inch_lead_decimals", format.inch_lead_decimals);
     if (const auto point = attributes.choice(element, "point", {"needed", "always", "never"})) {
         format.point = static_cast<PointRule>(*point);
     }
@@ -61,12 +63,15 @@ void read_format(const XmlElement& element, NumberFormat& format, Attributes& at
 /// More decimals than the writer's scaled integers hold. True if there are no more.
 bool check_decimals(const XmlElement& element, const NumberFormat& format, Attributes& attributes) {
     constexpr int kMost = 9;
-    if (format.decimals > kMost) {
-        attributes.bad_value(needed(element, "decimals"), "at most 9 decimals");
-        return false;
-    }
-    if (format.inch_decimals > kMost) {
-        attributes.bad_value(needed(element, "inch_decimals"), "at most 9 decimals");
+    const std::pair<const char*, int> all[] = {
+        {"decimals", format.decimals},
+        {"inch_decimals", format.inch_decimals},
+        {"lead_decimals", format.lead_decimals},
+        {"inch_lead_decimals", format.inch_lead_decimals},
+    };
+    for (const auto& [name, decimals] : all) {
+        if (decimals <= kMost) continue;
+        attributes.bad_value(needed(element, name), "at most 9 decimals");
         return false;
     }
     return true;
@@ -109,6 +114,7 @@ void load_address(const XmlElement& element, DialectTables& tables, Attributes& 
             attributes.bad_value(*attribute, "a dimension of the vocabulary is expected");
         }
     }
+    attributes.read_flag(element, "incremental", address.is_incremental);
     attributes.read_number(element, "order", address.order);
     attributes.read_number(element, "write_max", address.write_max);
     attributes.read_number(element, "read_max", address.read_max);
@@ -141,6 +147,9 @@ void load_remove(const XmlElement& element, DialectTables& tables, Attributes& a
             }
         }
     }
+    bool clears_deferred = false;
+    attributes.read_flag(element, "deferred", clears_deferred);
+    if (clears_deferred) tables.deferred.clear();
     if (const XmlAttribute* cycles = element.find("cycles")) {
         for (const XmlWord& word : words_of(*cycles)) {
             if (const auto id = cycle_named(tables, word.text)) {

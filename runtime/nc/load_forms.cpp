@@ -120,13 +120,18 @@ void FormLoader::read_form_attributes(const XmlElement& element, Form& form) {
         form.is_written = *use != 2;
     }
     if (const auto feed = attributes_.choice(
-            element, "feed", {"scaled", "metric", "every_block", "every_block_by_radius"})) {
+            element, "feed",
+            {"scaled", "metric", "every_block", "every_block_by_radius", "pitch"})) {
         form.feed_stays_metric = *feed == 1;
-        form.feed_every_block = *feed >= 2;
+        form.feed_every_block = *feed == 2 || *feed == 3;
         form.feed_by_radius = *feed == 3;
+        form.feed_is_pitch = *feed == 4;
     }
     attributes_.read_flag(element, "own_block", form.owns_block);
     attributes_.read_flag(element, "remembers", form.remembers);
+    attributes_.read_flag(element, "preset", form.is_preset);
+    attributes_.read_flag(element, "verbatim", form.is_verbatim);
+    form.is_written &= !form.is_preset;
     attributes_.read_flag(element, "keeps_length", form.keeps_length);
     Attributes::read_text(element, "note", form.note);
     if (const XmlAttribute* attribute = element.find("lead")) {
@@ -135,7 +140,10 @@ void FormLoader::read_form_attributes(const XmlElement& element, Form& form) {
             attributes_.fail();
         }
     }
-    if (const XmlAttribute* attribute = element.find("implied")) read_implied(*attribute, form);
+    if (const XmlAttribute* attribute = element.find("implied"))
+        read_parameters(*attribute, form, form.implied);
+    if (const XmlAttribute* attribute = element.find("drops"))
+        read_parameters(*attribute, form, form.drops);
     if (const XmlAttribute* attribute = element.find("when")) read_constraints(*attribute, form);
 }
 
@@ -169,8 +177,9 @@ bool read_range(std::string_view text, Constraint& out) {
 
 }  // namespace
 
-/// Parameters that the control takes from the position at which it starts.
-void FormLoader::read_implied(const XmlAttribute& attribute, Form& form) {
+/// Names of parameters.
+void FormLoader::read_parameters(const XmlAttribute& attribute, const Form& form,
+                                 std::vector<int>& out) {
     const std::span<const Parameter> parameters = tables_.parameters(form);
     for (const XmlWord& word : words_of(attribute)) {
         const int parameter = parameter_named(parameters, word.text);
@@ -178,7 +187,7 @@ void FormLoader::read_implied(const XmlAttribute& attribute, Form& form) {
             attributes_.bad_name(word, attribute.name, names_of(parameters),
                                  "there is no such parameter");
         } else {
-            form.implied.push_back(parameter);
+            out.push_back(parameter);
         }
     }
 }
@@ -213,6 +222,11 @@ void FormLoader::load_cycle(const XmlElement& element) {
     if (!id) return;
     Attributes::read_text(element, "meaning", tables_.cycles[*id].meaning);
     if (seen_cycles_.insert(*id).second) clear_forms(tables_, Function::Cycle, *id);
+    attributes_.read_flag(element, "modal", tables_.cycles[*id].is_modal);
+    if (const auto otherwise = attributes_.choice(element, "otherwise", {"error", "moves"})) {
+        std::erase(tables_.cycles_else_moves, *id);
+        if (*otherwise == 1) tables_.cycles_else_moves.push_back(*id);
+    }
     Form prototype;
     prototype.function = Function::Cycle;
     prototype.cycle = *id;

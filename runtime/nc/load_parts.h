@@ -26,6 +26,7 @@ void load_remove(const XmlElement& element, DialectTables& tables, Attributes& a
 // load_references.cpp: what other rooms look up.
 void load_alarm(const XmlElement& element, DialectTables& tables, Attributes& attributes);
 void load_rule(const XmlElement& element, DialectTables& tables);
+void load_unsupported(const XmlElement& element, DialectTables& tables);
 void load_example(const XmlElement& element, DialectTables& tables);
 
 /// load_forms.cpp: the spellings of functions and cycles. The first time that a file spells a
@@ -50,7 +51,7 @@ class FormLoader {
     int group_named(std::string_view name);
     void add_forms(const Form& prototype, std::string_view text);
     void read_form_attributes(const XmlElement& element, Form& form);
-    void read_implied(const XmlAttribute& attribute, Form& form);
+    void read_parameters(const XmlAttribute& attribute, const Form& form, std::vector<int>& out);
     void read_constraints(const XmlAttribute& attribute, Form& form);
 
     DialectTables& tables_;

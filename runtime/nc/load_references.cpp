@@ -1,9 +1,32 @@
 // What other rooms look up in a dialect: the control's alarms, the interpreter's rules, examples.
 #include <algorithm>
 
+#include "base/numbers.h"
 #include "nc/load_parts.h"
 
 namespace kadr::nc {
+
+namespace {
+
+/// A code as its number is: `G5.1` for `G05.1`. Other words as they are.
+std::string normal_word(std::string_view word) {
+    const char* const begin = word.data() + 1;
+    const char* const end = word.data() + word.size();
+    if (word.size() < 2) return std::string(word);
+    const Decimal number = parse_decimal(begin, end);
+    if (number.end != end) return std::string(word);
+    std::string normal(word.substr(0, 1));
+    append_shortest(normal, number.value);
+    return normal;
+}
+
+}  // namespace
+
+std::string DialectTables::unsupported_words(std::string_view word) const {
+    const auto found = unsupported.find(normal_word(word));
+    if (found == unsupported.end()) return {};
+    return std::string("`").append(word).append("` (").append(found->second).append(")");
+}
 
 void load_alarm(const XmlElement& element, DialectTables& tables, Attributes& attributes) {
     const XmlAttribute& name = needed(element, "for");
@@ -28,6 +51,13 @@ void load_rule(const XmlElement& element, DialectTables& tables) {
     std::erase_if(tables.rule_settings,
                   [&](const RuleSetting& rule) { return rule.name == name.value; });
     tables.rule_settings.push_back({name.value, value.value, name.value_range, value.value_range});
+}
+
+void load_unsupported(const XmlElement& element, DialectTables& tables) {
+    const std::string& meaning = needed(element, "meaning").value;
+    for (const XmlWord& word : words_of(needed(element, "words"))) {
+        tables.unsupported.insert_or_assign(normal_word(word.text), meaning);
+    }
 }
 
 void load_example(const XmlElement& element, DialectTables& tables) {

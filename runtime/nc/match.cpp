@@ -4,6 +4,8 @@
 #include <bitset>
 #include <cmath>
 
+#include "nc/number_text.h"
+
 namespace kadr::nc {
 
 namespace {
@@ -243,6 +245,8 @@ class Matcher {
                 if (word.mode != GivenWord::Mode::Modal) refuse(fit, Fit::Answer::Mode, i);
                 if (word.is_known && !is_in_range(form, wanted, word.number))
                     refuse(fit, Fit::Answer::Value, i);
+                if (wanted.tail_digits > 0 && word.is_known && !has_tail(wanted, word.number))
+                    refuse(fit, Fit::Answer::Value, i);
                 break;
             case FormWord::Kind::Quoted:
                 if (!word.is_text) refuse(fit, Fit::Answer::Value, i);
@@ -253,8 +257,18 @@ class Matcher {
         }
     }
 
-    static bool is_in_range(const Form& form, const FormWord& wanted, double number) {
-        const double value = (number - wanted.offset) / wanted.factor;
+    /// Whether a whole number ends in the digits that the pattern wants.
+    static bool has_tail(const FormWord& wanted, double number) {
+        if (!(number >= 0) || number != std::floor(number)) return false;
+        return wanted.tail_parameter >= 0 ||
+               std::fmod(number, std::pow(10.0, wanted.tail_digits)) == wanted.tail_value;
+    }
+
+    bool is_in_range(const Form& form, const FormWord& wanted, double number) const {
+        if (form.when.empty()) return true;
+        double value = (number - wanted.offset) / wanted.factor;
+        if (wanted.in_increments) value *= increment_size(tables_, wanted.dimension, TextUnits{});
+        if (wanted.tail_digits > 0) value = std::floor(value / std::pow(10.0, wanted.tail_digits));
         return std::ranges::none_of(form.when, [&](const Constraint& c) {
             return c.parameter == wanted.parameter && (value < c.least || value > c.most);
         });
@@ -273,7 +287,7 @@ class Matcher {
         }
     }
 
-    static bool fits_argument(const Form& form, const FormWord& want, const GivenArgument& given) {
+    bool fits_argument(const Form& form, const FormWord& want, const GivenArgument& given) const {
         const bool is_empty = given.kind == GivenArgument::Kind::Empty;
         const bool is_number = given.kind == GivenArgument::Kind::Number;
         if (want.kind == FormWord::Kind::Empty) return is_empty;
@@ -298,7 +312,8 @@ class Matcher {
         for (const Function before : form.first) {
             if (Fault fault = say(before, head, info(before).parameters.size())) return fault;
         }
-        if (Fault fault = say(form.function, head, tables_.parameters(form).size())) return fault;
+        const Function said = form.is_preset ? Function::CyclePreset : form.function;
+        if (Fault fault = say(said, head, tables_.parameters(form).size())) return fault;
         if (form.function == Function::Cycle) block_.cycle = form.cycle;
         const auto invocation = static_cast<std::uint8_t>(block_.function_count - 1u);
         for (const auto& [parameter, value] : form.fixed) {
@@ -363,6 +378,10 @@ class Matcher {
         claim.dimension = wanted.dimension;
         claim.adds = wanted.adds;
         claim.is_named_only = wanted.is_named_only;
+        claim.is_lead = wanted.is_lead;
+        claim.in_increments = wanted.in_increments;
+        claim.tail_digits = wanted.tail_digits;
+        claim.tail_parameter = wanted.tail_parameter;
         claim.factor = wanted.factor;
         claim.offset = wanted.offset;
     }
@@ -408,6 +427,7 @@ class Matcher {
             (word.mode == GivenWord::Mode::Absolute ? block_.absolute : block_.incremental) |=
                 bit(slot);
         }
+        if (head.is_incremental) block_.incremental |= bit(slot);
         used_[i] = true;
         Claim& claim = match_.claims[match_.claim_count++];
         claim = {};

@@ -46,6 +46,10 @@ struct Claim {
     Dimension dimension = Dimension::Number;
     bool adds = false;
     bool is_named_only = false;
+    bool is_lead = false;
+    bool in_increments = false;  // the number counts least increments
+    int tail_digits = 0;         // that are another parameter, or none
+    int tail_parameter = -1;
     double factor = 1;  // number in the text = value · factor + offset
     double offset = 0;
 };

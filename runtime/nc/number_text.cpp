@@ -1,5 +1,6 @@
 #include "nc/number_text.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -27,6 +28,14 @@ double increment_of(const NumberFormat& format, Dimension dimension, const TextU
     return dimension == Dimension::Factor ? 0 : format.increment;
 }
 
+/// Decimals that the control takes. F is the lead of a thread under feed per revolution, if what it
+/// belongs to is one (`G84 F1.5875`); the word by itself does not tell.
+int read_decimals(const NumberFormat& format, Dimension dimension, const TextUnits& units) {
+    const int decimals = text_decimals(format, dimension, units);
+    if (dimension != Dimension::Feed || !units.per_revolution) return decimals;
+    return std::max(decimals, text_decimals(lead_format(format), dimension, units));
+}
+
 /// Whether the value in increments of its last decimal has more digits than the control takes.
 bool has_too_many_digits(double number, const NumberFormat& format, int decimals) {
     if (format.max_digits == 0) return false;
@@ -49,6 +58,13 @@ double truncated(double value, int written, int kept) {
 
 }  // namespace
 
+NumberFormat lead_format(const NumberFormat& format) {
+    NumberFormat lead = format;
+    if (format.lead_decimals >= 0) lead.decimals = format.lead_decimals;
+    if (format.inch_lead_decimals >= 0) lead.inch_decimals = format.inch_lead_decimals;
+    return lead;
+}
+
 double text_scale(Dimension dimension, const TextUnits& units, bool is_slot) {
     switch (dimension) {
         case Dimension::Length: return units.inch ? 1 / kMmPerInch : 1;
@@ -63,6 +79,12 @@ double text_scale(Dimension dimension, const TextUnits& units, bool is_slot) {
         case Dimension::Text: return 1;
     }
     return 1;
+}
+
+double increment_size(const DialectTables& tables, Dimension dimension, const TextUnits& units) {
+    const AddressId x = tables.slot_address[static_cast<std::size_t>(Slot::X)];
+    const NumberFormat format = x == kNoAddress ? NumberFormat{} : tables.addresses[x].format;
+    return 1 / power_of_ten(text_decimals(format, dimension, units));
 }
 
 char* write_scaled(char* out, std::uint64_t scaled, bool is_minus, int decimals, bool has_point) {
@@ -156,7 +178,7 @@ double read_meaning(const Decimal& decimal, const NumberFormat& format, Dimensio
         return increment > 0 ? round_to(value, 9) : value;
     }
     if (!format.truncates) return value;
-    const int decimals = text_decimals(format, dimension, units);
+    const int decimals = read_decimals(format, dimension, units);
     if (decimal.decimals <= decimals) return value;
     return truncated(value, decimal.decimals, decimals);
 }

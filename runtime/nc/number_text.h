@@ -31,6 +31,11 @@ inline int text_decimals(const NumberFormat& format, Dimension dimension, const 
     return is_inch ? format.inch_decimals : format.decimals;
 }
 
+/// The format for the lead of a thread.
+NumberFormat lead_format(const NumberFormat& format);
+/// What one least increment of the control is, in the text's units; 0.001 mm as a rule.
+double increment_size(const DialectTables& tables, Dimension dimension, const TextUnits& units);
+
 enum class NumberFault : std::uint8_t { None, NotFinite, TooLarge, NotReadBack, Negative, Point };
 
 /// Writes scaled·10^-decimals without zeros at its end, and past it; 24 bytes are enough. Its

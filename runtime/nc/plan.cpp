@@ -6,6 +6,7 @@
 #include "base/numbers.h"
 #include "base/text.h"
 #include "nc/match.h"
+#include "nc/number_text.h"
 
 namespace kadr::nc {
 
@@ -131,11 +132,13 @@ class Planner {
         }
         const double value = (source.number - claim.offset) / claim.factor;
         const bool is_literal = source.value == SourceWord::Value::Literal;
-        if (claim.is_parameter && claim.dimension == Dimension::Count && is_literal) {
+        if (claim.is_parameter && claim.tail_digits == 0 && claim.dimension == Dimension::Count &&
+            is_literal) {
             plan_.block.set_argument(plan_.block.functions[claim.invocation], claim.parameter,
                                      value);
             return;
         }
+        if (claim.tail_digits > 0) return take_apart(claim, source);
         Hole hole;
         hole.word = static_cast<std::uint16_t>(word);
         hole.dimension = claim.dimension;
@@ -143,9 +146,24 @@ class Planner {
         hole.place = claim.place;
         hole.invocation = claim.invocation;
         hole.parameter = claim.parameter;
-        hole.factor = 1 / claim.factor;
+        hole.factor = claim.in_increments ? increment_size(tables_, claim.dimension, TextUnits{})
+                                          : 1 / claim.factor;
         hole.offset = -claim.offset / claim.factor;
         plan_.holes.push_back(hole);
+    }
+
+    /// A number in two parts: `T0101` is tool 1 with offset 1.
+    void take_apart(const Claim& claim, const SourceWord& source) {
+        if (source.value != SourceWord::Value::Literal) {
+            sink_.report(diag::BlockWordCodeComputed, source.range).arg(source.address);
+            return;
+        }
+        Invocation& invocation = plan_.block.functions[claim.invocation];
+        const double front = std::pow(10.0, claim.tail_digits);
+        plan_.block.set_argument(invocation, claim.parameter, std::floor(source.number / front));
+        if (claim.tail_parameter < 0) return;
+        plan_.block.set_argument(invocation, static_cast<std::size_t>(claim.tail_parameter),
+                                 std::fmod(source.number, front));
     }
 
     /// Words of arcs beside a motion that is none, as far as the block itself says its motion.

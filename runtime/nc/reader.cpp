@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <bitset>
+#include <cmath>
 #include <cstring>
 
 #include "base/diagnostics/iso.h"
+#include "base/numbers.h"
 #include "base/text.h"
 #include "nc/lexer.h"
 #include "nc/number_text.h"
@@ -178,7 +180,7 @@ struct Reader::State {
                 fast.kind = FastLetter::Kind::Number;
             } else if (address.kind == Address::Kind::Code) {
                 fast.kind = FastLetter::Kind::Code;
-            } else if (address.slot >= 0 && are_of_motions(address) &&
+            } else if (address.slot >= 0 && !address.is_incremental && are_of_motions(address) &&
                        tables.code_index[id].empty()) {
                 fast.kind = FastLetter::Kind::Slot;
                 fast.slot = static_cast<Slot>(address.slot);
@@ -191,8 +193,11 @@ struct Reader::State {
     bool read(std::string_view line, Block& block);
     bool read_fast(std::string_view line, Block& block) const;
     bool read_slow(std::string_view line, Block& block);
+    bool read_verbatim(std::string_view line, Block& block) const;
+    bool match_verbatim(const Form& form, std::string_view text, Block& block) const;
     bool apply(Block& block, std::string_view line);
     bool apply_claim(const Claim& claim, Block& block, std::string_view line);
+    bool apply_whole(const Claim& claim, Block& block, std::string_view line);
     /// What a line is before its words are looked at.
     enum class LineKind : std::uint8_t { Nothing, Words, Misplaced };
     LineKind kind_of(std::string_view line);
@@ -329,7 +334,91 @@ bool Reader::State::read_fast(std::string_view line, Block& block) const {
     }
 }
 
+/// A line of the control's own language that the dialect knows by its letters.
+bool Reader::State::read_verbatim(std::string_view line, Block& block) const {
+    if (tables.verbatim_forms.empty()) return false;
+    const char* begin = line.data();
+    const char* const end = begin + line.size();
+    const auto skip_blanks = [&] {
+        while (begin != end && is_blank(*begin)) ++begin;
+    };
+    skip_blanks();
+    std::int8_t skip = -1;
+    if (begin != end && *begin == '/') {
+        ++begin;
+        skip = static_cast<std::int8_t>(tables.rules.default_skip);
+        if (begin != end && is_digit(*begin)) skip = static_cast<std::int8_t>(*begin++ - '0');
+        skip_blanks();
+    }
+    std::int32_t number = -1;
+    if (begin != end && *begin == 'N') {
+        const Decimal decimal = parse_decimal(begin + 1, end);
+        if (decimal.end == begin + 1 || decimal.has_point || decimal.value > 99999999) return false;
+        number = static_cast<std::int32_t>(decimal.value);
+        begin = decimal.end;
+    }
+    for (const FormId id : tables.verbatim_forms) {
+        const Form& form = tables.forms[id];
+        if (!match_verbatim(form, {begin, end}, block)) continue;
+        block.number = number;
+        block.skip = skip;
+        return true;
+    }
+    return false;
+}
+
+/// Fills the block if the text has the letters of the form and numbers between them; blanks do not
+/// count.
+bool Reader::State::match_verbatim(const Form& form, std::string_view text, Block& block) const {
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    const auto skip = [](const char*& p, const char* last) {
+        while (p != last && is_blank(*p)) ++p;
+    };
+    std::array<double, 32> values{};
+    std::uint32_t given = 0;
+    for (const FormWord& word : form.words) {
+        const char* letter = word.text.data();
+        const char* const last = letter + word.text.size();
+        for (skip(letter, last); letter != last; skip(letter, last)) {
+            skip(at, end);
+            if (at == end || *at != *letter) return false;
+            ++at;
+            ++letter;
+        }
+        if (word.parameter < 0) continue;
+        skip(at, end);
+        const Decimal decimal = parse_decimal(at, end);
+        if (decimal.end == at) return false;
+        at = decimal.end;
+        const auto parameter = static_cast<std::size_t>(word.parameter);
+        const double scale = text_scale(word.dimension, units, false);
+        const double value = (decimal.value / scale - word.offset) / word.factor;
+        const bool is_given = (given >> parameter & 1u) != 0;
+        if (is_given && value != values[parameter]) return false;
+        values[parameter] = value;
+        given |= 1u << parameter;
+    }
+    skip(at, end);
+    if (at != end) return false;
+    for (const Constraint& c : form.when) {
+        const double value = values[static_cast<std::size_t>(c.parameter)];
+        if (value < c.least || value > c.most) return false;
+    }
+    const std::size_t count = tables.parameters(form).size();
+    Invocation* invocation = block.add(form.function, count);
+    if (invocation == nullptr) return false;
+    for (std::size_t i = 0; i < count; ++i) {
+        if ((given >> i & 1u) != 0) block.set_argument(*invocation, i, values[i]);
+    }
+    for (const auto& [parameter, value] : form.fixed) {
+        block.set_argument(*invocation, static_cast<std::size_t>(parameter), value);
+    }
+    return true;
+}
+
 bool Reader::State::read_slow(std::string_view line, Block& block) {
+    if (read_verbatim(line, block)) return true;
     if (auto fault = lex_line(tables, line, lexed)) {
         report(line, *fault);
         return false;
@@ -398,8 +487,12 @@ bool Reader::State::apply_claim(const Claim& claim, Block& block, std::string_vi
         block.set_argument(*invocation, claim.parameter, 0);
         return true;
     }
-    const NumberFormat& format = tables.addresses[word.address].format;
     const Decimal& decimal = lexed.decimals[claim.word];
+    if (claim.in_increments || claim.tail_digits > 0) return apply_whole(claim, block, line);
+    const NumberFormat& own = tables.addresses[word.address].format;
+    NumberFormat lead;
+    if (claim.is_lead) lead = lead_format(own);
+    const NumberFormat& format = claim.is_lead ? lead : own;
     const double meaning = read_meaning(decimal, format, claim.dimension, units);
     const NumberFault fault =
         check_read(decimal, lexed.minus[claim.word], meaning, format, claim.dimension, units);
@@ -417,6 +510,32 @@ bool Reader::State::apply_claim(const Claim& claim, Block& block, std::string_vi
     }
     const double scaled = meaning / text_scale(claim.dimension, units, false);
     block.set_argument(*invocation, claim.parameter, (scaled - claim.offset) / claim.factor);
+    return true;
+}
+
+/// A whole number that counts increments, or holds two parameters.
+bool Reader::State::apply_whole(const Claim& claim, Block& block, std::string_view line) {
+    const Decimal& decimal = lexed.decimals[claim.word];
+    const DiagnosticRow* fault = decimal.has_point         ? &diag::IsoPointNotAllowed
+                                 : lexed.minus[claim.word] ? &diag::IsoMinusNotAllowed
+                                                           : nullptr;
+    if (fault != nullptr) {
+        report(line, LineFault{fault, lexed.spans[claim.word], {word_text(line, claim.word)}});
+        return false;
+    }
+    Invocation& invocation = block.functions[claim.invocation];
+    if (claim.in_increments) {
+        const double size = increment_size(tables, claim.dimension, units);
+        const double value = decimal.value * size / text_scale(claim.dimension, units, false);
+        block.set_argument(invocation, claim.parameter, round_to(value, 9));
+        return true;
+    }
+    const double front = std::pow(10.0, claim.tail_digits);
+    block.set_argument(invocation, claim.parameter, std::floor(decimal.value / front));
+    if (claim.tail_parameter >= 0) {
+        block.set_argument(invocation, static_cast<std::size_t>(claim.tail_parameter),
+                           std::fmod(decimal.value, front));
+    }
     return true;
 }
 
@@ -488,7 +607,12 @@ void Reader::State::report(std::string_view line, const MatchFault& fault) {
     out.span = lexed.spans[fault.word];
     switch (fault.kind) {
         case Kind::UnknownCode:
-        case Kind::CodeComputed: out.row = &diag::IsoUnknownCode, out.arguments = {word}; break;
+        case Kind::CodeComputed: {
+            const std::string known = tables.unsupported_words(word);
+            out.row = known.empty() ? &diag::IsoUnknownCode : &diag::IsoNotSupported;
+            out.arguments = {known.empty() ? word : known};
+            break;
+        }
         case Kind::NoValue:
         case Kind::NoNumber: out.row = &diag::IsoNoValue, out.arguments = {word}; break;
         case Kind::AddressTwice:

@@ -28,8 +28,10 @@ enum class PointRule : std::uint8_t {
 
 /// How the number of an address is written and what it means when it is read.
 struct NumberFormat {
-    int decimals = 3;       // written, metric
-    int inch_decimals = 4;  // written for lengths and feeds while lengths are inches
+    int decimals = 3;             // written, metric
+    int inch_decimals = 4;        // written for lengths and feeds while lengths are inches
+    int lead_decimals = -1;       // of the lead of a thread; -1: as other numbers
+    int inch_lead_decimals = -1;  // the same in inches
     PointRule point = PointRule::Needed;
     int digits = 1;        // least digits of a whole number: 2 gives `T03`
     int max_digits = 0;    // most digits after the value is in increments; 0: no limit
@@ -56,6 +58,7 @@ struct Address {
     std::uint8_t write_max = 1;  // words of it in a block: written
     std::uint8_t read_max = 1;   // … and read
     bool is_block_number = false;
+    bool is_incremental = false;  // its words are distances: U on a lathe is a way along X
     NumberFormat format;
     std::vector<FormId> forms;  // that begin with it, any value (Value, Word, Call)
 };
@@ -87,7 +90,14 @@ struct FormWord {
     Dimension dimension = Dimension::Number;
     double factor = 1;  // written = value · factor + offset
     double offset = 0;
+    bool in_increments = false;  // the number counts least increments and has no point
+    // The last digits of the number are another parameter (`T{tool}{offset:2}`), or always the same
+    // (`P{finish}0060`).
+    int tail_digits = 0;
+    int tail_parameter = -1;
+    int tail_value = 0;
     bool is_named_only = false;  // the word stands for itself, its number is always 0
+    bool is_lead = false;        // the lead of a thread, which counts on every turn
     bool adds = false;           // read: added to the parameter; written: 0
     bool has_default = false;    // written with `fallback` if the parameter was not given
     double fallback = 0;
@@ -111,6 +121,7 @@ struct Form {
     std::vector<FormWord> lead;                // a line that is written before it
     std::vector<Constraint> when;
     std::vector<std::pair<int, double>> fixed;  // parameters that the form says by itself
+    std::vector<int> drops;                     // parameters that the control needs not know
     std::vector<int> implied;       // parameters that the control takes from its position
     std::vector<Function> sets;     // further functions that it says
     std::vector<Function> first;    // functions that act before its own where it is read
@@ -125,9 +136,12 @@ struct Form {
     bool is_read = true;
     bool owns_block = false;         // stands alone
     bool remembers = false;          // parameters that are left out keep their value
+    bool is_verbatim = false;        // a line of the control's own language, letter by letter
     bool is_comment = false;         // stands between the comment signs
     bool feed_every_block = false;   // F has to be repeated in every block
     bool feed_by_radius = false;     // … and of an arc it is feed/radius
+    bool feed_is_pitch = false;      // of a `thread` code: F is the pitch
+    bool is_preset = false;          // gives parameters to the next call of the cycle
     bool feed_stays_metric = false;  // of an `inch` code: F is not an inch feed
     bool keeps_length = false;       // the tool length acts in its block unless edge 0 is said
     std::string doc;
@@ -216,9 +230,12 @@ struct DialectTables {
     std::vector<Form> forms;  // in the order of the file: the first that fits is written
     std::vector<DialectGroup> groups;
     std::vector<CycleInfo> cycles;
-    std::deque<std::string> texts;  // names of cycle parameters; stay where they are
+    std::vector<CycleId> cycles_else_moves;  // written as moves where no form takes their values
+    std::deque<std::string> texts;           // names of cycle parameters; stay where they are
     std::map<std::string, AlarmText, std::less<>> alarms;  // by row name
-    std::vector<RuleSetting> rule_settings;                // of the interpreter
+    std::map<std::string, std::string, std::less<>>
+        unsupported;  // words that the control has and Kadr does not read, with their meaning
+    std::vector<RuleSetting> rule_settings;  // of the interpreter
     std::vector<Deferred> deferred;
     std::vector<Example> examples;
     ProgramFrame program;
@@ -234,9 +251,12 @@ struct DialectTables {
     std::vector<Code> codes;
     std::array<std::vector<FormId>, kFunctions> forms_of;
     std::vector<std::vector<FormId>> forms_of_cycle;
-    std::array<AddressId, kSlots> slot_address{};  // that writes the slot; kNoAddress
-    std::vector<Slot> slot_order;                  // in which slots are written
+    std::array<AddressId, kSlots> slot_address{};         // that writes the slot; kNoAddress
+    std::array<AddressId, kSlots> incremental_address{};  // whose words are ways along the slot
+    bool has_incremental_letters = false;  // distances have letters of their own; no code says it
+    std::vector<Slot> slot_order;          // in which slots are written
     std::array<Function, kGroups> power_on{};
+    std::vector<FormId> verbatim_forms;        // in the order of the file
     std::vector<FormId> comment_forms;         // `(MSG,{text})`
     std::bitset<kFunctions> said_with_others;  // functions of forms that also set others
 
@@ -248,12 +268,15 @@ struct DialectTables {
         const auto found = names.find(std::string(text));
         return found == names.end() ? kNoAddress : found->second;
     }
+    /// "`MCALL` (modal call)": a word of the control that Kadr does not read; empty for others.
+    std::string unsupported_words(std::string_view word) const;
     /// The code with this number (`54.1`), nullptr if the control has none.
     const Code* find_code(AddressId address, double number) const {
         const std::vector<std::uint16_t>& index = code_index[address];
         const double tenths = number * 10;
         if (!(tenths >= 0) || tenths >= static_cast<double>(index.size())) return nullptr;
-        const auto whole = static_cast<std::size_t>(tenths + 0.5);
+        const double above = tenths + 0.5;  // not negative: cutting it off rounds
+        const auto whole = static_cast<std::size_t>(above);
         if (whole >= index.size() || index[whole] == 0) return nullptr;
         const double difference = tenths - static_cast<double>(whole);
         if (difference > 1e-6 || difference < -1e-6) return nullptr;

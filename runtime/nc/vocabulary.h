@@ -79,6 +79,8 @@ std::string_view dimension_name(Dimension dimension);
 std::optional<Dimension> find_dimension(std::string_view name);
 
 constexpr bool is_tapping(Function f) { return f == Function::TapIn || f == Function::TapOut; }
+/// Motions whose centre word is a pitch.
+constexpr bool takes_pitch(Function f) { return is_tapping(f) || f == Function::Thread; }
 constexpr bool is_arc(Function f) { return f == Function::ArcCw || f == Function::ArcCcw; }
 
 }  // namespace kadr::nc

@@ -98,8 +98,8 @@ Writer::Writer(const Dialect& dialect, WriteOptions options, DiagnosticSink& sin
     : state_(std::make_unique<State>(dialect, options, sink)) {}
 Writer::~Writer() = default;
 
-void Writer::set_statements(std::span<const SourceRange> statements) {
-    state_->blocks.set_statements(statements);
+void Writer::set_statements(std::span<const SourceRange> statements, const Sources* sources) {
+    state_->blocks.set_statements(statements, sources);
 }
 
 void Writer::begin(const ProgramInfo& program, std::string& out) {

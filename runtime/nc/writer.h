@@ -34,8 +34,9 @@ class Writer {
     Writer(const Writer&) = delete;
     Writer& operator=(const Writer&) = delete;
 
-    /// Statement ranges for messages, index SourceId. Outlive the writer; may be empty.
-    void set_statements(std::span<const SourceRange> statements);
+    /// Statement ranges for messages, index SourceId, and the texts that they lie in, so that a
+    /// message can point at one word. Outlive the writer; may be empty.
+    void set_statements(std::span<const SourceRange> statements, const Sources* sources = nullptr);
 
     void begin(const ProgramInfo& program, std::string& out);
     /// Appends the line or lines of the block and returns the number of the first one (from 1).

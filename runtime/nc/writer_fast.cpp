@@ -56,7 +56,7 @@ bool BlockWriter::is_fast(const Block& block) const {
     if (targets == 0 || (block.given & ~(fast_slots_ | bit(Slot::Feed))) != 0) return false;
     if (((block.incremental | block.absolute) & block.given) != 0) return false;
     if (!block.comment.empty() || !pending_.empty() || modal_.waiting_edge != 0 ||
-        modal_.units.inverse_time)
+        modal_.units.inverse_time || modal_.feed_is_pitch)
         return false;
     const Function motion = effective_motion(block);
     if (motion != Function::Rapid && motion != Function::Line) return false;
@@ -65,7 +65,7 @@ bool BlockWriter::is_fast(const Block& block) const {
     const auto feed_mode = static_cast<std::size_t>(Group::FeedMode);
     if (block.has(Slot::Feed) && modal_.text[feed_mode] != modal_.meant[feed_mode]) return false;
     return modal_.text[static_cast<std::size_t>(Group::Motion)] == motion &&
-           modal_.text[distance] == Function::Absolute &&
+           (modal_.text[distance] == Function::Absolute || tables_.has_incremental_letters) &&
            modal_.meant[distance] == Function::Absolute;
 }
 

@@ -35,13 +35,21 @@ void BlockWriter::collect_slots(const Block& block, const Targets& targets, Item
             cannot_express(block, '`' + std::string(slot_name(static_cast<Slot>(slot))) + '`');
         }
     }
-    // Where F is not modal, every block at feed repeats it.
-    const Function motion = effective_motion(block);
-    const bool is_cut = motion == Function::Line || motion == Function::Spline || is_arc(motion);
-    if (feed_every_block_ && is_cut && has_address(Slot::Feed) && !block.has(Slot::Feed) &&
-        modal_.has_meant_feed && (block.given & (kTargetSlots | kCenterSlots)) != 0) {
+    if (repeats_feed(block)) {
         items.add(Item::of_slot(address_of(Slot::Feed).order, Slot::Feed));
     }
+}
+
+/// Where F is not modal, every block at feed repeats it; where the F of a thread was its pitch, the
+/// first one behind it does.
+bool BlockWriter::repeats_feed(const Block& block) const {
+    if (!feed_every_block_ && !modal_.feed_is_pitch) return false;
+    if (!has_address(Slot::Feed) || block.has(Slot::Feed) || !modal_.has_meant_feed) return false;
+    const bool has_words = (block.given & (kTargetSlots | kCenterSlots)) != 0;
+    const Function motion = effective_motion(block);
+    const bool is_cut = motion == Function::Line || motion == Function::Spline || is_arc(motion);
+    if (has_words && is_cut) return true;
+    return modal_.feed_is_pitch && block.find(Function::Cycle) != nullptr;
 }
 
 /// Words that a tool change left for the block that moves the tool axis, or says a function.
@@ -120,9 +128,10 @@ void BlockWriter::write_items(const Block& block, Items& items, const Targets& t
     LineRoom room;
     open_line(block.skip, true, out);
     for (const Item& item : items.all()) {
-        if (item.form == kNoForm && item.words == nullptr)
+        if (item.form == kNoForm && item.words == nullptr) {
             ++room.words[tables_.slot_address[static_cast<std::size_t>(item.slot)] %
                          room.words.size()];
+        }
     }
     for (const Item& item : items.all()) {
         if (has_room(block, item, room)) {
@@ -204,7 +213,9 @@ void BlockWriter::append_item(const Block& block, const Item& item, const Target
     if (item.form != kNoForm) {
         const Form& form = tables_.forms[item.form];
         blank(out);
-        if (form.is_comment) {
+        if (form.is_verbatim) {
+            append_verbatim(block, form, *item.invocation, out);
+        } else if (form.is_comment) {
             out += tables_.comment.open;
             out += form.words[0].text;
             out += comment_text(block.text, tables_.comment);
@@ -221,6 +232,18 @@ void BlockWriter::append_item(const Block& block, const Item& item, const Target
         return;
     }
     append_slot(block, item.slot, targets, out);
+}
+
+/// A line of the control's own language: letters as they are, numbers as in arguments.
+void BlockWriter::append_verbatim(const Block& block, const Form& form,
+                                  const Invocation& invocation, std::string& out) {
+    const AddressId call = tables_.find_address("()");
+    const NumberFormat format =
+        call == kNoAddress ? NumberFormat{} : tables_.addresses[call].format;
+    for (const FormWord& word : form.words) {
+        out += word.text;
+        if (word.parameter >= 0) append_parameter(block, word, &invocation, format, "()", out);
+    }
 }
 
 void BlockWriter::append_edge(const Block& block, int edge, std::string& out) {
@@ -333,13 +356,49 @@ void BlockWriter::append_parameter(const Block& block, const FormWord& word,
     double value = invocation == nullptr ? deferred_tool_
                                          : block.argument(*invocation, parameter, word.fallback);
     if (word.is_named_only) value = 0;
+    if (word.in_increments || word.tail_digits > 0) {
+        append_whole(block, word, value, invocation, name, out);
+        return;
+    }
     const double number =
         (value * word.factor + word.offset) * text_scale(word.dimension, modal_.units, false);
     if (word.dimension == Dimension::Factor) {
         append_factor(block, number, std::abs(word.factor) == 1000, name, out);
         return;
     }
-    const NumberFault fault = append_number(out, number, format, word.dimension, modal_.units);
+    const NumberFault fault =
+        word.is_lead ? append_number(out, number, lead_format(format), word.dimension, modal_.units)
+                     : append_number(out, number, format, word.dimension, modal_.units);
+    if (fault != NumberFault::None) number_fault(block, fault, number, name);
+}
+
+/// A whole number without a point: so many increments, or a number in two parts, the first of two
+/// digits at least.
+void BlockWriter::append_whole(const Block& block, const FormWord& word, double value,
+                               const Invocation* invocation, std::string_view name,
+                               std::string& out) {
+    NumberFormat format;
+    format.decimals = format.inch_decimals = 0;
+    format.point = PointRule::Never;
+    format.max_digits = 8;
+    format.allows_minus = false;
+    double number = value;
+    if (word.in_increments) {
+        number *= text_scale(word.dimension, modal_.units, false) /
+                  increment_size(tables_, word.dimension, modal_.units);
+    } else {
+        const double front = std::pow(10.0, word.tail_digits);
+        const auto tail_at = static_cast<std::size_t>(std::max(word.tail_parameter, 0));
+        const double tail = word.tail_parameter < 0 ? word.tail_value
+                            : invocation == nullptr ? value
+                                                    : block.argument(*invocation, tail_at);
+        if (!(tail >= 0 && tail < front))
+            return number_fault(block, NumberFault::TooLarge, tail, name);
+        number = value * front + tail;
+        format.digits = word.tail_digits + 2;
+    }
+    const Dimension dimension = word.in_increments ? Dimension::Number : Dimension::Count;
+    const NumberFault fault = append_number(out, number, format, dimension, modal_.units);
     if (fault != NumberFault::None) number_fault(block, fault, number, name);
 }
 
@@ -360,7 +419,10 @@ void BlockWriter::append_factor(const Block& block, double number, bool in_thous
 
 void BlockWriter::append_slot(const Block& block, Slot slot, const Targets& targets,
                               std::string& out) {
-    const Address& address = address_of(slot);
+    const bool by_letter = (targets.by_letter & bit(slot)) != 0;
+    const Address& address =
+        by_letter ? tables_.addresses[tables_.incremental_address[static_cast<std::size_t>(slot)]]
+                  : address_of(slot);
     double number = 0;
     if ((targets.written & bit(slot)) != 0) {
         number = targets.number[static_cast<std::size_t>(slot)];
@@ -382,7 +444,10 @@ void BlockWriter::append_slot(const Block& block, Slot slot, const Targets& targ
         append_number(out, number, address.format, address.dimension, modal_.units);
     if (is_absolute || is_incremental) out += ')';
     if (fault != NumberFault::None) number_fault(block, fault, number, address.name);
-    if (slot == Slot::Feed) modal_.feed = {true, round_to(number, decimals(slot))};
+    if (slot == Slot::Feed) {
+        modal_.feed = {true, round_to(number, decimals(slot))};
+        modal_.feed_is_pitch = false;
+    }
     if (slot == Slot::Speed) modal_.speed = {true, round_to(number, decimals(slot))};
 }
 

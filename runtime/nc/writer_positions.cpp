@@ -136,6 +136,11 @@ void BlockWriter::place_target(const Block& block, std::size_t axis, Targets& ta
     bool writes_distance = is_distance;
     if (by_itself && tables_.rules.has_modes) {
         (is_distance ? targets.wrapped_incremental : targets.wrapped_absolute) |= mask;
+    } else if (tables_.has_incremental_letters) {
+        if (is_distance && tables_.incremental_address[axis] == kNoAddress) {
+            cannot_express(block, "a distance along " + std::string(kAxisNames[axis]));
+        }
+        if (is_distance) targets.by_letter |= mask;
     } else if (by_itself) {
         writes_distance = text_distance == Function::Incremental || targets.needs_incremental;
         if (writes_distance != is_distance && !was_known) position_unknown(block, kAxisNames[axis]);

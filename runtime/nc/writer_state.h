@@ -39,7 +39,8 @@ struct WriterModal {
     Standing speed;
     double meant_feed = 0;  // of the blocks; holds if has_meant_feed
     bool has_meant_feed = false;
-    double meant_speed = 0;  // holds if has_meant_speed
+    bool feed_is_pitch = false;  // F in the text is the pitch of a thread, not meant_feed
+    double meant_speed = 0;      // holds if has_meant_speed
     bool has_meant_speed = false;
     Standing tool;            // the last one that was called
     Standing edge;            // the cutting edge that the text has selected
@@ -65,6 +66,7 @@ struct WriterModal {
         };
         keep(feed, other.feed);
         keep(speed, other.speed);
+        feed_is_pitch |= other.feed_is_pitch;
         for (std::size_t i = 0; i < shift.size(); ++i) {
             keep(shift[i], other.shift[i]);
             keep(origin[i], other.origin[i]);

@@ -19,6 +19,8 @@ enum class Op : std::uint8_t {
     Line,
     Arc,
     Spline,
+    Thread,  // a line geared to the spindle
+    Probe,   // a line that ends where the probe triggers
     Dwell,
     Spindle,
     SpeedLimit,
@@ -30,6 +32,9 @@ enum class Op : std::uint8_t {
     Message,
     End,
 };
+
+/// Whether the tool moves along a path.
+constexpr bool is_motion(Op op) { return op <= Op::Probe; }
 
 enum class FeedMode : std::uint8_t { PerMinute, PerRevolution, InverseTime };
 enum class Plane : std::uint8_t { Xy, Zx, Yz };
@@ -60,9 +65,9 @@ struct Command {
     double turns = 0;           // additional full turns, as programmed
     SplineShape spline;         // Spline: one span, from where the tool is to `to`
 
-    double feed = 0;         // mm/min, mm/rev or 1/min, as feed_mode says
+    double feed = 0;         // mm/min, mm/rev or 1/min, as feed_mode says; of a thread mm/rev
     double speed = 0;        // Spindle: rpm or m/min; SpeedLimit: rpm
-    double angle_deg = 0;    // Spindle orient
+    double angle_deg = 0;    // Spindle orient; Thread: angle of the spindle at its start
     double time = 0;         // Dwell, s; 0 if revolutions
     double revolutions = 0;  // Dwell
     std::int64_t tool = 0;   // Tool, ToolLength: the tool or offset number

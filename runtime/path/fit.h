@@ -5,6 +5,7 @@
 // spline_fit.h.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <functional>
 #include <optional>
@@ -87,7 +88,7 @@ class CurveFit {
         CurveSample end;
         double to = 0;
         int pieces = 0;  // 1: a line; 2: a biarc; 0: none leads there
-        Element elements[2];
+        std::array<Element, 2> elements;
     };
 
     std::optional<CurveSample> sample(double parameter);

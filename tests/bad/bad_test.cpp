@@ -17,6 +17,7 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include "tests/common/process.h"
 
@@ -157,7 +158,9 @@ TEST_P(BadInput, GivesTheRightMessage) {
     const fs::path file = GetParam();
     const Case wanted = parse_case(file);
     ASSERT_FALSE(wanted.expected.empty()) << file << " says no `expect:`";
-    const fs::path out = fs::path(testing::TempDir()) / (file.stem().string() + ".out");
+    // The tests of another tree may run beside these.
+    const fs::path out = fs::path(testing::TempDir()) /
+                         (file.stem().string() + '.' + std::to_string(::getpid()) + ".out");
     const std::string before = "an existing file\n";
     std::ofstream(out, std::ios::binary) << before;
 

@@ -1,8 +1,9 @@
 // How a diagnostic looks to a person and to a program.
-#include "base/diagnostics/driver.h"
 #include "base/render.h"
 
 #include <gtest/gtest.h>
+
+#include "base/diagnostics/driver.h"
 
 namespace {
 

@@ -151,4 +151,50 @@ TEST_F(Docs, TheNewcomersPathCanBeWalked) {
     EXPECT_TRUE(fs::exists("plate.jsonl"));
 }
 
+/// The control that the page describes is written, checked, used and read, word for word.
+TEST_F(Docs, TheInventedControlWorks) {
+    int commands = 0;
+    int texts = 0;
+    std::string said;
+    for (const Fence& fence : fences("docs/dialects.md")) {
+        const std::size_t blank = fence.info.find(' ');
+        if (blank != std::string::npos) {
+            ASSERT_TRUE(kadr::write_file_whole(fence.info.substr(blank + 1), fence.text));
+        } else if (fence.info == "text") {
+            ++texts;
+            EXPECT_EQ(said, fence.text) << "docs/dialects.md:" << fence.line;
+        }
+        if (fence.info != "sh") continue;
+        std::istringstream in(fence.text);
+        for (std::string line; std::getline(in, line);) {
+            std::vector<std::string> words = words_of(line);
+            ++commands;
+            words[0] = KADR_BINARY;
+            const ProcessResult result = run_process(words);
+            const bool is_refused = line.find("# refused") != std::string::npos;
+            EXPECT_EQ(result.status, is_refused ? 1 : 0) << line << '\n' << result.err;
+            if (is_refused) {
+                EXPECT_NE(result.err.find("alarm[E12]: BAD CODE"), std::string::npos);
+            }
+            said = result.out;
+        }
+    }
+    EXPECT_GE(commands, 8);
+    EXPECT_EQ(texts, 2);
+}
+
+TEST_F(Docs, EveryRuleIsInThePageOnDialects) {
+    const std::string page = kadr::read_file(KADR_ROOT "/docs/dialects.md").value_or("");
+    std::istringstream table(kadr::read_file(KADR_ROOT "/runtime/interp/rules.def").value_or(""));
+    int rules = 0;
+    for (std::string line; std::getline(table, line);) {
+        if (!line.starts_with("KADR_RULE(")) continue;
+        ++rules;
+        const std::size_t begin = line.find(", ") + 2;
+        const std::string name = line.substr(begin, line.find(',', begin) - begin);
+        EXPECT_NE(page.find("| `" + name + "` |"), std::string::npos) << name;
+    }
+    EXPECT_GT(rules, 20);
+}
+
 }  // namespace

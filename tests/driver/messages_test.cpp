@@ -1,6 +1,4 @@
 // The sink behind a session: renders, counts, and does not drown the reader.
-#include "base/diagnostics/driver.h"
-#include "base/diagnostics/sema.h"
 #include "driver/messages.h"
 
 #include <string>
@@ -8,6 +6,9 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include "base/diagnostics/driver.h"
+#include "base/diagnostics/sema.h"
 
 namespace {
 

@@ -1,5 +1,4 @@
 // Results are written whole or not at all.
-#include "base/diagnostics/driver.h"
 #include "driver/output.h"
 
 #include <filesystem>
@@ -9,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/diagnostics/driver.h"
 #include "base/text.h"
 #include "driver/places.h"
 

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 class Golden : public testing::TestWithParam<Part> {};
 
 TEST_P(Golden, TextPerControl) {
-    for (const std::string& dialect : golden::kDialects) {
+    for (const std::string& dialect : GetParam().dialects()) {
         SCOPED_TRACE(dialect);
         const ProcessResult result =
             run_process({KADR_BINARY, "expand", GetParam().source.string(), "-d", dialect});

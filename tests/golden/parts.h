@@ -20,6 +20,12 @@ struct Part {
     fs::path source;
     std::string machine;
     std::string name() const { return source.stem().string(); }
+    /// The controls that it is written for: a lathe may have one of its own kind, too.
+    std::vector<std::string> dialects() const {
+        std::vector<std::string> names = kDialects;
+        if (machine == "lathe") names.emplace_back("fanuc-lathe");
+        return names;
+    }
 };
 
 /// Programs of a folder. A lathe part says `-m lathe` in its head comment.

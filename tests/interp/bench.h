@@ -33,6 +33,8 @@ using nc::Slot;
 /// A block under construction: `Words().g(Function::Line).x(10).f(200)`.
 class Words {
   public:
+    Words() = default;
+    explicit Words(Block block) : block_(std::move(block)) {}
     Words& motion(Function function) {
         block_.motion = function;
         return *this;

@@ -184,6 +184,151 @@ TEST(Frames, NoArcUnderUnequalScale) {
     EXPECT_EQ(run({fn(Function::Scale, {{0, 0}})}).codes(), "K5236");
 }
 
+// ------------------------------------------------------------------------------ threads
+
+Words thread() { return Words().motion(Function::Thread); }
+
+TEST(Threads, AreLinesGearedToTheSpindle) {
+    const Ran ran = run({rapid().x(20).z(5), thread().z(-30).k(1.5),
+                         fn(Function::ThreadStart, {{0, 90}}).z(-40).k(1.5), rapid().x(30)});
+    EXPECT_EQ(ran.codes(), "");
+    ASSERT_EQ(ran.commands.size(), 4u);
+    for (const std::size_t i : {1u, 2u}) {
+        EXPECT_EQ(ran.commands[i].op, Op::Thread) << "thread cutting is modal";
+        EXPECT_EQ(ran.commands[i].feed_mode, FeedMode::PerRevolution);
+        EXPECT_EQ(ran.commands[i].feed, 1.5);
+    }
+    EXPECT_EQ(ran.commands[1].angle_deg, 0);
+    EXPECT_EQ(ran.commands[2].angle_deg, 90);
+    EXPECT_EQ(ran.commands[2].to[2], -40);
+    EXPECT_NE(ran.listing().find("\"op\":\"thread\""), std::string::npos);
+    EXPECT_NE(ran.listing().find("\"start\":90"), std::string::npos);
+}
+
+TEST(Threads, ThePitchCountsAlongTheLongerWay) {
+    // 30 along X, 40 along Z: a path of 50; a turn of 2 along Z is 2.5 along the path.
+    const Ran taper = run({rapid().x(0).z(0), thread().x(30).z(-40).k(2)});
+    EXPECT_DOUBLE_EQ(taper.commands.back().feed, 2.5);
+    // Steeper than 45 degrees: along X. 40 and 30.
+    const Ran face = run({rapid().x(0).z(0), thread().x(40).z(-30).i(2)});
+    EXPECT_DOUBLE_EQ(face.commands.back().feed, 2.5);
+    EXPECT_EQ(run({rapid().x(0).z(0), thread().x(40).z(-30).k(2)}).codes(), "K5244");
+    // At 45 degrees either will do, and a thread of no way needs none in particular.
+    EXPECT_EQ(run({rapid().x(0).z(0), thread().x(30).z(-30).k(2)}).codes(), "");
+    EXPECT_EQ(run({rapid().x(0).z(0), thread().x(30).z(-30).i(2)}).codes(), "");
+    EXPECT_EQ(run({rapid().x(0).z(0), thread().z(0).k(2)}).codes(), "");
+}
+
+TEST(Threads, NeedAPitchAndATurningSpindle) {
+    EXPECT_EQ(run({thread().z(-30)}).codes(), "K5244");
+    EXPECT_EQ(run({thread().z(-30).k(0)}).codes(), "K5244");
+    EXPECT_EQ(run({thread().z(-30).f(1.5)}).codes(), "K5244") << "F is no pitch here";
+    EXPECT_EQ(run({fn(Function::SpindleStop), thread().z(-30).k(1)}).codes(), "K5214");
+    EXPECT_EQ(run({fn(Function::CuttingSpeedOn).s(100), thread().z(-30).k(1), Words().z(-50).k(1)})
+                  .codes(),
+              "K5245")
+        << "said once";
+}
+
+TEST(Threads, OfFanucHaveThePitchInF) {
+    const interp::Setup fanuc{.rules = R"(<rule name="thread_pitch_is_feed" value="yes"/>)"};
+    const Ran ran = run({thread().z(-30).f(1.5), Words().z(-40)}, fanuc);
+    EXPECT_EQ(ran.codes(), "");
+    EXPECT_EQ(ran.commands[0].feed, 1.5);
+    EXPECT_EQ(ran.commands[1].feed, 1.5) << "F is modal";
+    EXPECT_EQ(run({thread().z(-30)}, fanuc).codes(), "K5244");
+    EXPECT_EQ(run({thread().z(-30).k(2).f(1.5)}, fanuc).codes(), "K5226");
+}
+
+// ------------------------------------------------------------------------------ probes
+
+TEST(Probes, MoveAtFeedWhateverTheModalMotion) {
+    const Ran ran = run({rapid().z(5), fn(Function::Probe).z(-10).f(100), Words().z(2)});
+    EXPECT_EQ(ran.codes(), "");
+    ASSERT_EQ(ran.commands.size(), 3u);
+    EXPECT_EQ(ran.commands[1].op, Op::Probe);
+    EXPECT_EQ(ran.commands[1].feed, 100);
+    EXPECT_EQ(ran.commands[1].to[2], -10) << "the probe triggers at the end of its way";
+    EXPECT_TRUE(ran.commands[1].exact_stop);
+    EXPECT_EQ(ran.commands[2].op, Op::Rapid);
+    EXPECT_NE(ran.listing().find("\"op\":\"probe\""), std::string::npos);
+}
+
+TEST(Probes, DoNotNeedATurningSpindleButAFeed) {
+    const Words stop = fn(Function::SpindleStop);
+    EXPECT_EQ(run({stop, fn(Function::Probe).z(-10).f(100)}).codes(), "");
+    EXPECT_EQ(run({stop, fn(Function::Probe).z(-10)}).codes(), "K5210");
+    EXPECT_EQ(
+        run({stop, fn(Function::FeedPerRevolution), fn(Function::Probe).z(-10).f(0.1)}).codes(),
+        "K5214");
+}
+
+TEST(Probes, WhatTheyFoundChangesNothingHere) {
+    EXPECT_EQ(
+        end_of(run({fn(Function::WorkOffset, {{0, 1}}), fn(Function::Probe).x(10).f(100),
+                    fn(Function::ProbeCheck, {{0, 1}, {1, 10}}),
+                    fn(Function::OffsetToEdge, {{0, 1}, {1, 1}, {2, 7}}), rapid().x(0).y(0).z(0)})),
+        end_of(run({fn(Function::WorkOffset, {{0, 1}}), rapid().x(0).y(0).z(0)})));
+}
+
+// ------------------------------------------------------------------------------ presets
+
+// As in dialects/iso.xml: x, z, depth, first, lead, taper, infeed, least, finish, allowance …
+constexpr nc::CycleId kPasses = 11;
+constexpr std::size_t kPassParameters = 11;
+
+class Told final : public CycleExpander {
+  public:
+    std::unique_ptr<Stream<Block>> expand(const CycleCall& call) override {
+        given = call.given;
+        finish = call.arguments[8];
+        return std::make_unique<BlockList>(std::vector<Block>{});
+    }
+    std::uint32_t given = 0;
+    double finish = 0;
+};
+
+Words preset(double finish) {
+    Block block = Words();
+    block.cycle = kPasses;
+    nc::Invocation* invocation = block.add(Function::CyclePreset, kPassParameters);
+    block.set_argument(*invocation, 8, finish);
+    return Words(block);
+}
+
+TEST(CyclePresets, HoldForTheCallsThatFollow) {
+    Told told;
+    const Words call =
+        Words().cycle(kPasses, kPassParameters, {{0, 18}, {1, -20}, {2, 1}, {3, 0.3}, {4, 1.5}});
+    EXPECT_EQ(run({call}, {.cycles = &told}).codes(), "");
+    EXPECT_EQ(told.given, 0b11111u);
+    EXPECT_EQ(run({preset(2), call}, {.cycles = &told}).codes(), "");
+    EXPECT_EQ(told.given, 0b1'0001'1111u);
+    EXPECT_EQ(told.finish, 2);
+    EXPECT_EQ(run({preset(2), preset(3), call}, {.cycles = &told}).codes(), "");
+    EXPECT_EQ(told.finish, 3) << "the last one holds";
+    // What the call says itself is its own.
+    const Words own = Words().cycle(kPasses, kPassParameters, {{0, 18}, {8, 5}});
+    EXPECT_EQ(run({preset(2), own}, {.cycles = &told}).codes(), "");
+    EXPECT_EQ(told.finish, 5);
+}
+
+TEST(ToolSelect, MayBringItsOffset) {
+    // T0102: tool 1, whose offset 2 is 80 long; T0100 cancels it.
+    const interp::Setup lathe{.rules =
+                                  R"(<rule name="tool_select_changes" value="yes"/>
+                                   <rule name="tool_change_activates_length" value="no"/>)"};
+    const Ran ran = run({fn(Function::ToolSelect, {{0, 1}, {1, 2}}), rapid().z(10),
+                         fn(Function::ToolSelect, {{0, 1}, {1, 0}}), rapid().z(20)},
+                        lathe);
+    ASSERT_EQ(ran.commands.size(), 5u);
+    EXPECT_EQ(ran.commands[0].op, Op::Tool);
+    EXPECT_EQ(ran.commands[1].op, Op::ToolLength);
+    EXPECT_EQ(ran.commands[1].length, 80);
+    EXPECT_EQ(ran.commands[3].op, Op::ToolLength);
+    EXPECT_EQ(ran.commands[3].length, 0);
+}
+
 // ------------------------------------------------------------------------------ small words
 
 TEST(MachineFunctions, ArePassedOverAndSaidOnce) {

@@ -81,8 +81,8 @@ TEST(MachineFile, ValuesAreCanonical) {
         R"(<machine name="m" title="t &amp; t" tick="0.5 ms" max_feed="20 m/min" max_speed="6000 rpm"
                      orient_time="300 ms" tool_change_time="4 s">
               <axis name="X" limits="-0.5..0.25 m" velocity="30 m/min" acceleration="5 m/s2"
-                    jerk="100 m/s3" home="1in"/>
-              <axis name="C" velocity="60 rpm" acceleration="180 deg/s2" home="90 deg"/>
+                    jerk="100 m/s3" home="1in" home2="-50 mm" home4="0.2 m"/>
+              <axis name="C" velocity="60 rpm" acceleration="180 deg/s2" home="90 deg" home3="0.5 rad"/>
               <tool number="3" name="drill" length="120.5 mm" radius="4250 um"/>
               <offset number="2" x="-10 mm" c="45 deg"/>
             </machine>)",
@@ -103,11 +103,17 @@ TEST(MachineFile, ValuesAreCanonical) {
     EXPECT_DOUBLE_EQ(x.acceleration, 5000);
     EXPECT_DOUBLE_EQ(x.jerk, 1e5);
     EXPECT_DOUBLE_EQ(x.home, 25.4);
+    EXPECT_EQ(x.further_homes[0], -50);
+    EXPECT_EQ(x.further_homes[1], std::nullopt);
+    ASSERT_TRUE(x.further_homes[2]);
+    EXPECT_DOUBLE_EQ(*x.further_homes[2], 200);
     const MachineAxis& c = machine.axes[1];
     EXPECT_TRUE(c.is_rotary);
     EXPECT_DOUBLE_EQ(c.velocity, 2 * std::numbers::pi);
     EXPECT_DOUBLE_EQ(c.acceleration, std::numbers::pi);
     EXPECT_DOUBLE_EQ(c.home, std::numbers::pi / 2);
+    ASSERT_TRUE(c.further_homes[1]);
+    EXPECT_DOUBLE_EQ(*c.further_homes[1], 0.5);
     EXPECT_EQ(c.lower, -std::numeric_limits<double>::infinity());
     EXPECT_EQ(c.jerk, std::numeric_limits<double>::infinity());
     ASSERT_NE(machine.find_tool(3), nullptr);

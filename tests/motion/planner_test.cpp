@@ -430,6 +430,28 @@ TEST(PlannerMistakes, FeedMissing) {
     EXPECT_TRUE(run(machine_of(), {line_to({10, 0, 0}, 0)}).segments.empty());
 }
 
+TEST(PlannerMistakes, ThreadFasterThanTheAxes) {
+    // X reaches 500 mm/s = 30000 mm/min: 10 mm a turn at 3000 rpm, not at 3100.
+    Command spindle = simple(Op::Spindle);
+    spindle.spindle = path::SpindleMode::Cw;
+    spindle.speed = 3000;
+    Command thread = line_to({300, 0, 0}, 10);
+    thread.op = Op::Thread;
+    thread.feed_mode = path::FeedMode::PerRevolution;
+    PlannerOptions slow;
+    slow.feed_override = 0.1;
+    auto machine = machine_of();
+    machine.max_feed = 100;
+    const Motion cut = run(machine, {spindle, thread}, slow);
+    EXPECT_TRUE(cut.diagnostics.all().empty());
+    ASSERT_EQ(cut.segments.size(), 1u);
+    EXPECT_NEAR(cut.segments[0].feed, 500, 1e-9) << "no override and no limit of the feed acts";
+    spindle.speed = 3100;
+    const Motion fast = run(machine_of(), {spindle, thread});
+    ASSERT_EQ(fast.diagnostics.all().size(), 1u);
+    EXPECT_EQ(fast.diagnostics.all()[0].row->code, "K6107");
+}
+
 TEST(PlannerMistakes, SpindleStands) {
     Command move = line_to({10, 0, 0}, 0.2);
     move.feed_mode = path::FeedMode::PerRevolution;

@@ -8,7 +8,8 @@
 namespace kadr::nc {
 namespace {
 
-constexpr std::array<const char*, 4> kShipped = {"iso", "sinumerik", "fanuc", "axioma"};
+constexpr std::array<const char*, 5> kShipped = {"iso", "sinumerik", "fanuc", "fanuc-lathe",
+                                                 "axioma"};
 
 TEST(DialectFiles, Load) {
     for (const char* name : kShipped) {

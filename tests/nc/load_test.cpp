@@ -157,6 +157,33 @@ TEST(Load, WhatAFileSaysReplacesWhatItExtends) {
     EXPECT_EQ(tolerance, "0.5");  // said once, whatever iso says
 }
 
+TEST(Load, ANativeCycleNeedsItsParameters) {
+    Loaded loaded;
+    load(loaded,
+         with("<cycle name=\"drill\"><form>G81 Z{to} R{retract} P{dwell:ms}</form></cycle>\n"
+              "<cycle name=\"bore\"><form>G85 Z{to} R{retract} P{dwell=0}</form></cycle>"));
+    ASSERT_TRUE(loaded.dialect) << testing::rendered(loaded.messages, loaded.sources);
+    const Dialect& dialect = *loaded.dialect;
+    constexpr unsigned kTo = 1, kRetract = 2, kInitial = 4, kDwell = 8;
+    const CycleId drill = *dialect.find_cycle("drill");
+    EXPECT_TRUE(dialect.has_native_cycle(drill, kTo | kRetract | kDwell));
+    EXPECT_FALSE(dialect.has_native_cycle(drill, kTo | kRetract)) << "P would lack its value";
+    EXPECT_FALSE(dialect.has_native_cycle(drill, kTo | kRetract | kInitial | kDwell));
+    EXPECT_TRUE(dialect.has_native_cycle(*dialect.find_cycle("bore"), kTo | kRetract));
+}
+
+/// A word cannot be read and be said not to be.
+TEST(Load, WhatIsNotSupportedIsNotSpelled) {
+    for (const char* name : {"sinumerik", "fanuc"}) {
+        const DialectTables& tables = testing::shipped(name).tables();
+        EXPECT_GT(tables.unsupported.size(), 20u);
+        for (const auto& [word, meaning] : tables.unsupported) {
+            const auto read = testing::read_blocks(testing::shipped(name), word + "\n");
+            EXPECT_EQ(testing::codes(read.messages), "K5018") << name << ": " << word;
+        }
+    }
+}
+
 TEST(Load, TheShippedFilesFollowTheSchema) {
     if (std::system("command -v xmllint > /dev/null") != 0)
         GTEST_SKIP() << "xmllint is not installed";
@@ -187,6 +214,13 @@ TEST(Load, Questions) {
     EXPECT_EQ(list[0].name, "axioma");
     EXPECT_EQ(list[0].extends, "sinumerik");
     EXPECT_TRUE(list[0].is_valid);
+}
+
+TEST(Load, ExplainsWhatIsNotRead) {
+    const std::vector<std::string> lines = explain(testing::shipped("sinumerik"), "MCALL");
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0],
+              "`MCALL` (modal subprogram call) is a word of the control; Kadr does not read it");
 }
 
 TEST(Load, Explanations) {

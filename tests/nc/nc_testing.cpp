@@ -120,8 +120,9 @@ Block command_block(const Dialect& dialect, std::string_view name, std::string_v
             block.text = std::string(arguments.substr(1, arguments.size() - 2));
             break;
         }
-        block.set_argument(*invocation, next,
-                           parse_decimal(part.data(), part.data() + part.size()).value);
+        const double number =
+            part == "true" ? 1 : parse_decimal(part.data(), part.data() + part.size()).value;
+        block.set_argument(*invocation, next, number);
         ++next;
     }
     return block;

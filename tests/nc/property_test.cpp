@@ -315,6 +315,16 @@ Block any_crowded_block(const Dialect& dialect) {
 
 constexpr double kHalfIncrement = 0.5 * 25.4e-4 + 1e-9;  // mm; of the coarsest, 0.0001 inch
 
+/// Parameters that the control says nothing of, as its file knows (`drops`).
+std::uint32_t dropped(Function function, const Dialect& dialect) {
+    std::uint32_t mask = 0;
+    const DialectTables& tables = dialect.tables();
+    for (const FormId id : tables.forms_of[static_cast<std::size_t>(function)]) {
+        for (const int parameter : tables.forms[id].drops) mask |= 1u << parameter;
+    }
+    return mask;
+}
+
 /// The first field of `meant` that none of the blocks has; empty: all of them are there.
 std::string lost_field(const Block& meant, std::span<const Block> blocks, const Dialect& dialect) {
     ModalFunctions modal = dialect.tables().power_on;
@@ -357,7 +367,8 @@ std::string lost_field(const Block& meant, std::span<const Block> blocks, const 
                         return false;
             }
             // What a cycle takes from its position has no word.
-            return function == Function::Cycle || (invocation.given & ~found->given) == 0;
+            const std::uint32_t unsaid = invocation.given & ~found->given;
+            return function == Function::Cycle || (unsaid & ~dropped(function, dialect)) == 0;
         });
         const bool is_in_force = modal[static_cast<std::size_t>(info(function).group)] == function;
         if (!is_there && !is_in_force) return std::string(info(function).name);

@@ -144,6 +144,26 @@ TEST(Reader, SinumerikWords) {
         });
 }
 
+TEST(Reader, FanucLatheWords) {
+    // Reference fanuc.md chapters 2.3, 2.5, 3.6 and 5.6.
+    expect_blocks("fanuc-lathe",
+                  {
+                      {"G00 X40. W-5.", "rapid X40 Z=IC(-5)"},
+                      {"T0101\nT1203\nT0100",
+                       "tool_select(tool=1, offset=1)\ntool_select(tool=12, offset=3)\n"
+                       "tool_select(tool=1, offset=0)"},
+                      {"G50 S2500\nG96 S180 M03",
+                       "speed_limit(limit=2500)\nS180 | cutting_speed_on | spindle_cw"},
+                      {"G98 G01 Z-5. F200.\nG99 F0.2",
+                       "line Z-5 F200 | feed_per_minute\nF0.2 | feed_per_revolution"},
+                      {"G28 U0 W0", "X=IC(0) Z=IC(0) | reference_return(point=1)"},
+                      {"G32 Z-20. F1.5 Q90000", "thread Z-20 F1.5 | thread_start(angle=90)"},
+                      {"G76 P010060 Q100 R0.1\nG76 X18.16 Z-30. P920 Q350 F1.5",
+                       "cycle_preset#11(6=30, 7=0.1, 8=1, 9=0.1)\n"
+                       "F1.5 | cycle#11(0=18.16, 1=-30, 2=0.92, 3=0.35)"},
+                  });
+}
+
 struct WrongRow {
     const char* text;
     const char* alarm;
@@ -231,6 +251,31 @@ TEST(Reader, WhatIsNotReadYetSaysSo) {
     for (const char* text : {"#1=5", "G01 X#1", "G01 X[1+2]"}) {
         EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), text).messages), "K5018") << text;
     }
+}
+
+TEST(Reader, WordsOfTheControlThatKadrLacksAreNotTheProgramsMistake) {
+    const auto said = [](const char* dialect, const char* text) {
+        const auto read = read_blocks(shipped(dialect), text);
+        return testing::rendered(read.messages, {});
+    };
+    EXPECT_NE(said("sinumerik", "CYCLE832(0.01,1,1)")
+                  .find("`CYCLE832` (high-speed settings) is not supported by Kadr yet"),
+              std::string::npos);
+    EXPECT_NE(said("sinumerik", "G1 X10 rnd=2").find("`RND` (rounding between two blocks)"),
+              std::string::npos);
+    EXPECT_NE(said("fanuc", "G05.4 Q1").find("`G05.4` (high-speed machining)"), std::string::npos);
+    EXPECT_EQ(testing::codes(read_blocks(shipped("sinumerik"), "FOOBAR=2").messages), "K5001");
+    EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "G777").messages), "K5002");
+}
+
+TEST(Reader, ALeadHasItsOwnDecimals) {
+    const auto block = [](const char* text) {
+        const auto read = read_blocks(shipped("fanuc"), text);
+        return read.blocks.empty() ? std::string() : describe(read.blocks.back());
+    };
+    EXPECT_EQ(block("G95 G01 Z-5. F1.5875"), "line Z-5 F1.5875 | feed_per_revolution");
+    EXPECT_EQ(block("G94 G01 Z-5. F1.5875"), "line Z-5 F1.587 | feed_per_minute");
+    EXPECT_EQ(block("G20 G95 G01 F0.059055"), "line F1.499997 | inch | feed_per_revolution");
 }
 
 TEST(Reader, WordsWithoutEffectAreAccepted) {

@@ -89,6 +89,56 @@ TEST(Writer, ModalWordsAreWrittenOnce) {
     EXPECT_EQ(verbose.text, "G01 X0. F200.\nG01 X10. F200.\n");
 }
 
+TEST(Writer, ThreadsHaveTheirPitchWhereTheControlTakesIt) {
+    expect_text("sinumerik", {{"G0 X20 Z5\nG33 Z-20 K1.5\nZ-30 K1.5 SF=90\nG0 X30",
+                               "G0 X20 Z5\nG33 Z-20 K1.5\nZ-30 K1.5 SF=90\nG0 X30\n"}});
+    // F is the pitch, and the feed of the program comes back with the next cut, also where nothing
+    // but its number would be written.
+    expect_text("fanuc", {
+                             {"G1 X25 Z5 F200\nG33 Z-20 K1.5\nG0 X30\nG1 Z-30\nX25",
+                              "G01 X25. Z5. F200.\nG33 Z-20. F1.5\nG00 X30.\nG01 Z-30. F200.\n"
+                              "X25.\n"},
+                             {"F200\nG0 X20 Z5\nG33 Z-20 K3 SF=120.5\nG33 X25 Z-40 K3 SF=0",
+                              "F200.\nX20. Z5.\nG33 Z-20. Q120500 F3.\nX25. Z-40. Q0\n"},
+                         });
+    expect_text("fanuc-lathe", {{"G0 X20 Z5\nG33 Z-20 K1.0583", "X20. Z5.\nG32 Z-20. F1.0583\n"}});
+    EXPECT_EQ(write("fanuc", "G0 X20 Z5\nG33 Z-20").codes, "K4214");
+    EXPECT_EQ(write("sinumerik", "G0 X20 Z5\nG33 Z-20").codes, "K4214");
+}
+
+TEST(Writer, APitchThatWasSaidAsFGoesAlongTheLongerWay) {
+    // As the source `dialect fanuc;` has it.
+    DiagnosticList sink;
+    Writer writer(shipped("sinumerik"), {.number_blocks = false}, sink);
+    std::string text;
+    writer.begin({"test", 1, "", false}, text);
+    for (const char* source : {"G0 X0 Z0", "G33 X30 Z-20 F2", "G33 X35 Z-60 F2", "G33 Z-70 F2"}) {
+        writer.write(testing::source_block(shipped("fanuc"), source), text);
+    }
+    EXPECT_EQ(testing::codes(sink), "");
+    EXPECT_NE(text.find("G33 X30 Z-20 I2\nX35 Z-60 K2\nZ-70 K2\n"), std::string::npos) << text;
+}
+
+TEST(Writer, ProbesMoveAtFeedAndLoseThePosition) {
+    expect_text("sinumerik",
+                {{"G0 X0\nG31 X10 F100\nX10\nX0", "G0 X0\nG1 X10 MEAS=1 F100\nG0 X10\nX0\n"}});
+    expect_text("fanuc", {{"G0 X0\nG31 X10 F100\nX10\nX0", "X0.\nG31 X10. F100.\nG00 X10.\nX0.\n"},
+                          {"G31 P2 X10 F100", "G31 P2 X10. F100.\n"}});
+    // A probing move is a line at feed: another motion beside it says two things at once.
+    EXPECT_EQ(write("sinumerik", "G0 G31 X10 F100").codes, "K4201");
+}
+
+TEST(Writer, DistancesHaveTheirLettersOnALathe) {
+    expect_text("fanuc-lathe", {
+                                   {"G0 X20 Z5\nX=IC(4) Z-10\nG91\nX2 Z-1\nG90\nX0",
+                                    "X20. Z5.\nU4. Z-10.\nU2. W-1.\nX0.\n"},
+                                   {"G28 X=IC(0) Z=IC(0)", "G28 U0. W0.\n"},
+                                   {"G95\nG1 Z-5 F0.1234", "G99\nG01 Z-5. F0.1234\n"},
+                                   {"tool(3)\nG0 Z5", "T0303\nG00 Z5.\n"},
+                               });
+    EXPECT_EQ(write("fanuc-lathe", "G43 H3").codes, "K4201");
+}
+
 TEST(Writer, AfterRawTextNothingIsKnown) {
     expect_text("fanuc", {{"G1 X10 F200\nraw G65 P9810\nG1 X10 F200",
                            "G01 X10. F200.\nG65 P9810\nG01 X10. F200.\n"}});
@@ -491,6 +541,53 @@ TEST(Writer, ANumberThatWouldReadOtherwiseIsNeverWritten) {
     block.set(Slot::X, 10);
     writer.write(block, text);
     EXPECT_EQ(testing::codes(sink), "K4206");
+}
+
+TEST(Writer, ALeadKeepsItsDecimals) {
+    const char* tap =
+        "tap(to: -10, pitch: 1.58754, retract: 2, initial: 50, dwell: 0, left: 0, floating: 0, at: "
+        "600, back: 0, after: 3)";
+    const std::string program = std::string("G0 Z50\n") + tap;
+    EXPECT_NE(write("fanuc", program).text.find("G84 Z-10. R2. F1.5875\n"), std::string::npos)
+        << write("fanuc", program).text;
+    EXPECT_NE(write("sinumerik", program).text.find("3,,1.58754,0,600,0)"), std::string::npos)
+        << write("sinumerik", program).text;
+    EXPECT_NE(write("fanuc", program, {}, true).text.find("F0.062502\n"), std::string::npos)
+        << write("fanuc", program, {}, true).text;
+}
+
+TEST(Writer, WhatACycleCannotSayIsNamed) {
+    DiagnosticList sink;
+    Writer writer(shipped("fanuc"), {}, sink);
+    std::string text;
+    writer.begin({"test", 1, "", false}, text);
+    writer.write(testing::source_block(
+                     shipped("iso"),
+                     "tap(to: -10, pitch: 1.5, retract: 2, initial: 50, dwell: 0, left: 0, "
+                     "floating: 0, at: 600, back: 800, after: 3)"),
+                 text);
+    ASSERT_EQ(sink.all().size(), 1u);
+    EXPECT_NE(testing::rendered(sink, {}).find("the cycle `tap` with this `back`"),
+              std::string::npos)
+        << testing::rendered(sink, {});
+}
+
+TEST(Writer, MessagesNameTheWord) {
+    Sources sources;
+    const std::string_view program = "G0 X=Z0*2 Y=(Z+1) Z+=10;";
+    const FileId file = sources.add("part.kadr", std::string(program));
+    const std::vector<SourceRange> statements = {
+        {file, 0, static_cast<std::uint32_t>(program.size())}};
+    DiagnosticList sink;
+    Writer writer(shipped("fanuc"), {}, sink);
+    writer.set_statements(statements, &sources);
+    Block block = testing::source_block(shipped("iso"), "G0 X2 Y1 Z=IC(10)");
+    block.source = SourceId{0};
+    std::string text;
+    writer.begin({"test", 1, "", false}, text);
+    writer.write(block, text);
+    ASSERT_EQ(sink.all().size(), 1u);
+    EXPECT_EQ(sources.text(sink.all()[0].range), "Z+=10");
 }
 
 TEST(Writer, MessagesNameTheStatement) {

@@ -78,13 +78,44 @@ TEST(Prompt, ExpressionsShowTheirValue) {
     Conversation talk;
     EXPECT_EQ(talk.say("2 + 3"), "5\n");
     EXPECT_EQ(talk.say("length r = 25mm"), "");
-    EXPECT_EQ(talk.say("r*2;"), "50\n");
-    EXPECT_EQ(talk.say("1in"), "25.4\n");
+    EXPECT_EQ(talk.say("r*2;"), "50 mm\n");
+    EXPECT_EQ(talk.say("1in"), "25.4 mm\n");
     EXPECT_EQ(talk.say("sqrt(16)"), "4\n");
     EXPECT_EQ(talk.say("length twice(length a) { return 2*a; }"), "");
-    EXPECT_EQ(talk.say("twice(4mm)"), "8\n");
+    EXPECT_EQ(talk.say("twice(4mm)"), "8 mm\n");
     EXPECT_EQ(talk.say("r = 3mm"), "");
-    EXPECT_EQ(talk.say("r"), "3\n");
+    EXPECT_EQ(talk.say("r"), "3 mm\n");
+}
+
+TEST(Prompt, ValuesShowTheirUnit) {
+    struct Row {
+        const char* expression;
+        const char* answer;
+    };
+    Conversation metric;
+    for (const Row& row : {
+             Row{"180deg/6", "30 deg\n"},
+             {"0.5s", "0.5 s\n"},
+             {"200mm/min", "200 mm/min\n"},
+             {"0.1mm/rev", "0.1 mm/rev\n"},
+             {"1500rpm", "1500 rpm\n"},
+             {"120m/min", "120000 mm/min\n"},
+             {"2mm*3mm", "6 mm^2\n"},
+             {"3mm/2mm", "1.5\n"},
+             {"7/2", "3.5\n"},
+             {"true", "true\n"},
+         }) {
+        EXPECT_EQ(metric.say(row.expression), row.answer) << row.expression;
+    }
+    metric.say("feed f = 0.2mm/rev");
+    metric.say("speed v = 120m/min");
+    EXPECT_EQ(metric.say(":vars"), "f = 0.2 mm/rev\nv = 120 m/min\n");
+    metric.say("f = 300mm/min");
+    EXPECT_EQ(metric.say("f"), "300 mm/min\n");
+    Conversation inch;
+    inch.say("units inch;");
+    EXPECT_EQ(inch.say("50.8mm"), "2 in\n");
+    EXPECT_EQ(inch.say("254mm/min"), "10 in/min\n");
 }
 
 TEST(Prompt, AnInputMayHaveSeveralLines) {

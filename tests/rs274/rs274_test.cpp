@@ -194,7 +194,9 @@ class Reduction {
                 break;
             case Op::SpeedLimit:
             case Op::Message:
-            case Op::Spline: break;  // rs274 says nothing about them
+            case Op::Spline:
+            case Op::Thread:
+            case Op::Probe: break;  // rs274 says nothing about them
         }
     }
 

@@ -134,6 +134,20 @@ TEST(Values, AnglesAreDegreesAndExact) {
     });
 }
 
+TEST(Values, FormatsShowTheUnitIfAsked) {
+    expect_rows({
+        {"length d = 10; note \"{d:u} {d*d:u} {d:8.2u} {d/2mm:u}\";",
+         "comment \"10 mm 100 mm^2    10.00 mm 5\""},
+        {"units inch; length d = 25.4mm; note \"{d:.1u}\";", "comment \"1.0 in\""},
+        {"feed f = 200; note \"{f:u}\"; f = 0.1mm/rev; note \"{f:u}\";",
+         "comment \"200 mm/min\"\ncomment \"0.1 mm/rev\""},
+        {"units inch; feed f = 0.254mm/rev; note \"{f:u}\";", "comment \"0.01 in/rev\""},
+        {"speed s = 1500; note \"{s:u}\"; s = 120m/min; note \"{s:u}\";",
+         "comment \"1500 rpm\"\ncomment \"120 m/min\""},
+        {"int n = 3; bool b = true; note \"{n:02u} {b:u}\";", "comment \"03 true\""},
+    });
+}
+
 TEST(Values, VariablesComputeAsConstantsDo) {
     expect_rows({
         {"int a = 7; int b = 2; note \"{a/b} {a%b} {a*b} {a-b} {-a} {a<<b} {a>>b} {a&b} {a|b} "

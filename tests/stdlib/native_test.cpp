@@ -18,12 +18,13 @@ using nlohmann::json;
 
 /// What moves, turns and waits, without where it stands in the text.
 std::vector<json> commands_of(const std::string& suffix, const std::string& text,
-                              const std::string& dialect) {
+                              const std::string& dialect, const std::string& machine = "mill") {
     const fs::path file =
         fs::temp_directory_path() / ("kadr-native-" + std::to_string(::getpid()) + suffix);
     EXPECT_TRUE(kadr::write_file_whole(file.string(), text));
-    const ProcessResult result = run_process(
-        {KADR_BINARY, "run", file.string(), "-d", dialect, "--cycles", "moves", "--commands", "-"});
+    const ProcessResult result =
+        run_process({KADR_BINARY, "run", file.string(), "-d", dialect, "-m", machine, "--cycles",
+                     "moves", "--commands", "-"});
     EXPECT_EQ(result.status, 0) << text << result.err;
     std::error_code ignored;
     fs::remove(file, ignored);
@@ -92,6 +93,27 @@ TEST(Native, CyclesOfTheControlsMoveAsTheLibraryDoes) {
         ASSERT_EQ(native.size(), moves.size());
         for (std::size_t i = 0; i < moves.size(); ++i) EXPECT_EQ(native[i], moves[i]) << i;
     }
+}
+
+// A FANUC lathe's single cycles are repeated by every block with axis words, until a code of their
+// group; each runs as the library's cycle of one cut.
+TEST(Native, SingleCyclesOfALatheAreRepeated) {
+    const std::string text =
+        "%\nO0001\nG97 S500 M03\nG99 F0.2\nG00 X50. Z5.\nG90 X46. Z-20.\nX42.\n"
+        "U-10. R-1.\nG94 X20. Z2.\nW-6.\nG92 X38. Z-30. F1.5\nX37.\nG00 X60.\nM30\n%\n";
+    const std::string program =
+        "import cycles.turning;\nimport cycles.threading;\nprogram test() {\nG97 S500 M3;\nG95 "
+        "F0.2;\n"
+        "G0 X50 Z5;\nturn_once(x: 46mm, z: -20mm);\nturn_once(x: 42mm, z: -20mm);\n"
+        "turn_once(x: 40mm, z: -20mm, taper: -1mm);\nface_once(x: 20mm, z: 2mm);\n"
+        "face_once(x: 20mm, z: -1mm);\nthread_once(x: 38mm, z: -30mm, lead: 1.5mm);\n"
+        "thread_once(x: 37mm, z: -30mm, lead: 1.5mm);\nG0 X60;\nM30;\n}\n";
+    const auto native = commands_of(".nc", text, "fanuc-lathe", "lathe");
+    const auto moves = commands_of(".kadr", program, "iso", "lathe");
+    ASSERT_GT(moves.size(), 25u);
+    ASSERT_EQ(native.size(), moves.size());
+    for (std::size_t i = 0; i < moves.size(); ++i) EXPECT_EQ(native[i], moves[i]) << i;
+    EXPECT_EQ(commands_of(".kadr", program, "fanuc-lathe", "lathe"), moves);
 }
 
 }  // namespace

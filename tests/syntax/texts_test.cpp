@@ -15,6 +15,7 @@ TEST(Texts, Strings) {
              {R"("a {x} b {y:03} c")", R"((text "a " x " b " (format y 03) " c"))"},
              {R"("{a ? b : c}")", "(text (? a b c))"},
              {R"("{(a ? b : c):.1}")", "(text (format (? a b c) .1))"},
+             {R"("{a ?? 2mm:.1u}")", "(text (format (?? a 2mm) .1u))"},
              {R"("{f(k: 2):+.1}")", "(text (format (call f k: 2) +.1))"},
              {R"("{p.x + 2mm:8.2}")", "(text (format (+ (. p x) 2mm) 8.2))"},
              {R"("Ø{d} мм")", R"((text "Ø" d " мм"))"},

@@ -1,4 +1,4 @@
-// dialect.h — the rows of dialect.def, for those who report them: K4xxx: dialect files (K40xx), words of blocks in a source (K41xx), and blocks that
+// dialect.h — the rows of dialect.def: dialect files, words of blocks in a source, writing.
 #pragma once
 
 #include "base/diagnostic.h"

@@ -1,4 +1,4 @@
-// expand.h — the rows of expand.def, for those who report them: K3xxx: what happens while a program is evaluated.
+// expand.h — the rows of expand.def: K3xxx, what happens while a program is evaluated.
 #pragma once
 
 #include "base/diagnostic.h"

@@ -1,4 +1,4 @@
-// machine.h — the rows of machine.def, for those who report them: K6xxx: machine files (K60xx) and motion (K61xx).
+// machine.h — the rows of machine.def: machine files (K60xx) and motion (K61xx).
 #pragma once
 
 #include "base/diagnostic.h"

@@ -1,4 +1,4 @@
-// syntax.h — the rows of syntax.def, for those who report them: K1xxx: the shape of a Kadr program. K10xx characters, numbers, texts; K11xx brackets
+// syntax.h — the rows of syntax.def: K1xxx, the shape of a Kadr program.
 #pragma once
 
 #include "base/diagnostic.h"

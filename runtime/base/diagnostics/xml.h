@@ -1,4 +1,4 @@
-// xml.h — the rows of xml.def, for those who report them: K91xx: what is wrong with an XML file as a file, whatever it describes: dialects, machines,
+// xml.h — the rows of xml.def: K91xx, what is wrong with an XML file as a file.
 #pragma once
 
 #include "base/diagnostic.h"

@@ -3,5 +3,5 @@ O0001
 G65 P9100 A1.
 M30
 %
-(expect: 3:1 PS0010 IMPROPER G-CODE: `G65` has no meaning on this control)
+(expect: 3:1 K5018 `G65` (macro call) is not supported by Kadr yet)
 (exit: 3)
