@@ -26,9 +26,9 @@ constexpr const char* kFrameFix = "`shift();` ends all frames";
 /// A center nearer to the start than this is the start, mm.
 constexpr double kNoRadius = 1e-9;
 
-/// Motions that need F; a tapping motion follows the spindle.
+/// Motions that need F; threads and taps follow the spindle.
 bool is_cut(Function motion) {
-    return motion != Function::None && motion != Function::Rapid && !nc::is_tapping(motion);
+    return motion == Function::Line || motion == Function::Spline || nc::is_arc(motion);
 }
 
 bool moves(const Block& block) {
