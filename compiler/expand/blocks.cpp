@@ -403,10 +403,7 @@ bool Expander::State::emit_text(const Instruction& instruction, const sema::Slot
         else block.comment = line;
         if (options.trace) keep_trace(at, instruction.c, source);
     } while (!rest.empty());
-    if (is_raw) {
-        doubt_promise(source, at);
-        modal.forget(source);
-    }
+    if (is_raw) modal.forget(source);
     return true;
 }
 
@@ -581,6 +578,11 @@ void Expander::State::write_frame(const ProgramFrame& next, SourceId source, std
 bool Expander::State::leave_with(SourceId source, std::uint32_t at, unsigned depth) {
     const OpenWith scope = withs.back();
     withs.pop_back();
+    return set_back(scope, source, at, depth);
+}
+
+bool Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint32_t at,
+                               unsigned depth) {
     const ModalState& before = scope.before;
     if ((scope.mask & sema::kFrameBit) != 0) {
         write_frame(before.frame, source, at, depth);
@@ -663,7 +665,7 @@ bool Expander::State::check_needs(std::uint32_t at) {
 
 bool Expander::State::check_preserves(std::uint32_t at) {
     const OpenWith& promise = promises.back();
-    if (modal.lost != 0) modal.trust(promise.before, promise.mask);
+    if (modal.lost != 0 && !keep_promise(promise, at)) return false;
     const sema::ModalMask broken = difference(promise.before, modal, promise.mask);
     if (broken == 0) return true;
     const auto report = [&](std::string_view what, SourceId by) {

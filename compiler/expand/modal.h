@@ -73,8 +73,6 @@ struct ModalState {
     void forget_feed(SourceId source);
     /// The block may be left out: what it changes, besides what the writer says again by itself.
     void take_skipped(const nc::Block& block);
-    /// What of the mask is not known is as it was before: somebody has promised it.
-    void trust(const ModalState& before, sema::ModalMask mask);
     void set_frame(const ProgramFrame& frame, SourceId source);
     /// Whether it is known what is left of the frame without its scale.
     bool knows_unscaled() const { return !frame.has_scale() || frame == scaled; }

@@ -75,6 +75,12 @@ struct Following {
     FollowedBlock next;
 };
 
+/// What a `with` or a promise of a cycle found, and which of it holds again behind it.
+struct OpenWith {
+    sema::ModalMask mask = 0;
+    ModalState before;
+};
+
 struct Expander::State {
     State(const sema::Code& program, const nc::Dialect& dialect, const ExpandOptions& wanted,
           DiagnosticSink& messages);
@@ -159,6 +165,7 @@ struct Expander::State {
     bool emit_cycle(nc::CycleId cycle, const Slot* registers);
     bool change_frame(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     void write_frame(const ProgramFrame& next, SourceId source, std::uint32_t at, unsigned depth);
+    bool set_back(const OpenWith& scope, SourceId source, std::uint32_t at, unsigned depth);
     bool leave_with(SourceId source, std::uint32_t at, unsigned depth);
     bool check_needs(std::uint32_t at);
     bool check_preserves(std::uint32_t at);
@@ -177,8 +184,7 @@ struct Expander::State {
     bool state_lost(std::string_view what, std::string_view fix, std::uint32_t at);
     void tell_loss(DiagnosticBuilder builder, std::string_view what, std::string_view fix);
     void say_again(nc::Block& block);
-    /// Raw text inside a cycle that `preserves` something.
-    void doubt_promise(SourceId source, std::uint32_t at);
+    bool keep_promise(const OpenWith& promise, std::uint32_t at);
     void warn_after_end(std::uint32_t at);
     /// Whether an arc's center is not its start.
     bool has_radius(const nc::Block& block, std::uint32_t at);
@@ -275,13 +281,8 @@ struct Expander::State {
     SourceId reason_at;
 
     ModalState modal;
-    struct OpenWith {
-        sema::ModalMask mask = 0;
-        ModalState before;
-    };
     std::vector<OpenWith> withs;
-    std::vector<OpenWith> promises;      // of `preserves`
-    std::vector<std::uint32_t> doubted;  // raw texts inside of them that have been reported
+    std::vector<OpenWith> promises;  // of `preserves`
 
     /// A contour whose blocks are being kept.
     struct Recording {

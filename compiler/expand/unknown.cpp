@@ -26,7 +26,10 @@ constexpr const char* kFrameFix = "`shift();` ends all frames";
 /// A center nearer to the start than this is the start, mm.
 constexpr double kNoRadius = 1e-9;
 
-bool is_cut(Function motion) { return motion == Function::Line || nc::is_arc(motion); }
+/// Motions that need F; threads and taps follow the spindle.
+bool is_cut(Function motion) {
+    return motion == Function::Line || motion == Function::Spline || nc::is_arc(motion);
+}
 
 bool moves(const Block& block) {
     return (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0;
@@ -94,29 +97,6 @@ void ModalState::take_skipped(const Block& block) {
             default: break;  // said again by the writer
         }
     }
-}
-
-void ModalState::trust(const ModalState& before, sema::ModalMask mask) {
-    mask &= lost & ~before.lost;
-    for (std::size_t i = 0; i < nc::kGroups; ++i) {
-        if ((mask & group_bit(static_cast<Group>(i))) == 0) continue;
-        active[i] = before.active[i];
-        changed_by[i] = before.changed_by[i];
-    }
-    if ((mask & group_bit(Group::WorkOffsets)) != 0) work_offset = before.work_offset;
-    if ((mask & group_bit(Group::LengthComp)) != 0) {
-        has_length_offset = before.has_length_offset;
-        length_offset = before.length_offset;
-    }
-    if ((mask & sema::kFeedBit) != 0) {
-        has_feed = before.has_feed;
-        feed = before.feed;
-    }
-    if ((mask & sema::kSpeedBit) != 0) {
-        has_speed = before.has_speed;
-        speed = before.speed;
-    }
-    lost &= ~mask;
 }
 
 // ---------------------------------------------------------------- what needs it
@@ -232,16 +212,17 @@ bool Expander::State::settle_unknown(Block& block, std::uint32_t at) {
 
 // ---------------------------------------------------------------- promises, the end, arcs
 
-void Expander::State::doubt_promise(SourceId source, std::uint32_t at) {
-    if (promises.empty()) return;
-    if (std::ranges::find(doubted, source.index) != doubted.end()) return;
-    doubted.push_back(source.index);
-    const sema::FunctionCode* promiser = nullptr;
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        const std::size_t open = i + 1 < frames.size() ? frames[i + 1].promises : promises.size();
-        if (open > frames[i].promises) promiser = frames[i].function;
+/// What raw text in a cycle may have changed is set back where the cycle ends.
+bool Expander::State::keep_promise(const OpenWith& promise, std::uint32_t at) {
+    const ModalState& before = promise.before;
+    const sema::ModalMask lost = promise.mask & modal.lost & ~before.lost;
+    for (std::size_t i = 0; i < nc::kGroups; ++i) {
+        const auto group = static_cast<Group>(i);
+        if ((lost & group_bit(group)) == 0 || before[group] != Function::None) continue;
+        fault(diag::StateUnknown, at).arg(nc::group_name(group));
+        return false;
     }
-    fault(diag::PromiseUnchecked, at).arg(promiser != nullptr ? promiser->name : std::string());
+    return lost == 0 || set_back({lost, before}, modal.lost_by, at, 0);
 }
 
 void Expander::State::warn_after_end(std::uint32_t at) {

@@ -918,7 +918,7 @@ op_EnterPreserves:
 op_CheckPreserves:
     if (!check_preserves(AT)) [[unlikely]]
         goto stop;
-    KADR_NEXT;
+    goto batch_or_next;
 op_Position:
     KADR_SLOPE(0);
     A.number = (modal.known >> ip->c & 1u) != 0 ? modal.position[ip->c] : sema::kNotGivenNumber;
