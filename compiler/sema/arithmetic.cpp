@@ -6,6 +6,13 @@ namespace kadr::sema {
 
 namespace {
 
+/// The C library's root may miss by a bit in the last place, also that of a cube.
+double cube_root(double a) {
+    const double root = std::cbrt(a);
+    const double whole = std::round(root);
+    return whole * whole * whole == a ? whole : root;
+}
+
 double tan_deg(double angle_deg) {
     const detail::Reduced r = detail::reduce(angle_deg);
     if (std::fabs(r.angle) == 45.0) return (r.angle < 0) != ((r.quarter & 1u) != 0) ? -1.0 : 1.0;
@@ -67,7 +74,7 @@ MathResult evaluate(Math function, double a) {
         case Math::Log10:
             if (!(a > 0)) return MathFault::NotPositive;
             return function == Math::Ln ? std::log(a) : std::log10(a);
-        case Math::Cbrt: return std::cbrt(a);
+        case Math::Cbrt: return cube_root(a);
         case Math::Pow:
         case Math::Atan2Deg:
         case Math::Hypot:

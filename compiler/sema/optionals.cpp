@@ -1,4 +1,7 @@
 // optionals.cpp — not given is not zero: what is known about it, how it is asked and supplied.
+#include <algorithm>
+#include <iterator>
+
 #include "base/diagnostics/sema.h"
 #include "sema/checker.h"
 
@@ -76,11 +79,17 @@ Value Checker::is_given(const Value& value) {
     if (is_error(value)) return value;
     const std::vector<SlotKind> layout = types_.layout(value.type);
     const Reg reg = emit_.take(1);
-    emit_.emit(Op::IsGiven, reg, value.reg, static_cast<unsigned>(layout[0]));
-    if (kind(value.type) != Kind::Struct) return in_registers(types::kBool, reg);
-    // A point is given as soon as one of its components is.
+    if (kind(value.type) != Kind::Struct) {
+        emit_.emit(Op::IsGiven, reg, value.reg, static_cast<unsigned>(layout[0]));
+        return in_registers(types::kBool, reg);
+    }
+    // A point is given as soon as one of its components is. A list in a struct is there from the
+    // start and says nothing, unless there is nothing else.
+    const bool has_lists_only = std::ranges::count(layout, SlotKind::Array) == std::ssize(layout);
+    emit_.emit_integer(Op::LoadI, reg, 0, 0);
     const Reg part = emit_.take(1);
-    for (std::size_t i = 1; i < layout.size(); ++i) {
+    for (std::size_t i = 0; i < layout.size(); ++i) {
+        if (layout[i] == SlotKind::Array && !has_lists_only) continue;
         emit_.emit(Op::IsGiven, part, static_cast<unsigned>(value.reg + i),
                    static_cast<unsigned>(layout[i]));
         emit_.emit(Op::OrI, reg, reg, part);

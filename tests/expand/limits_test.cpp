@@ -50,7 +50,7 @@ TEST(Limits, TimeActsInLoopsThatMakeNoBlocks) {
     limits.seconds = 0.02;
     const Outcome outcome =
         run("program p() { int n = 0; while (true) n = 1 - n; }", with_limits(limits));
-    EXPECT_EQ(outcome.messages, std::vector<std::string>{"1:38 K3405"});
+    EXPECT_EQ(outcome.messages, std::vector<std::string>{"1:33 K3405"});
 }
 
 TEST(Limits, LoopTurns) {

@@ -98,7 +98,7 @@ TEST(Unknown, PromisesAreKeptBehindRawText) {
         {"cycle c() preserves frames { raw \"A\"; }\nprogram p() { with shift(x: 5mm) { c(); } }",
          "shift(x=5)\nraw \"A\"\nshift(x=5, y=0, z=0)\nshift"},
         {"cycle c() preserves G54 { raw \"A\"; }\nprogram p() { c(); }", "raw \"A\"",
-         "1:36 K3203 what was active in the group `work_offset` before is not known, so it cannot "
+         "1:36 K3203 what was active in the group `work_offsets` before is not known, so it cannot "
          "be set back"},
         // What a cycle needs must be known where it is called.
         {"cycle c() preserves G90 { G0 X1; }\nprogram p() { raw \"A\"; c(); }", "raw \"A\"",

@@ -70,11 +70,11 @@ TEST(Mistakes, NamesOfSeveralImports) {
     RunOptions options;
     options.modules["l"] = "void f() { X1; }\nint n = 1;\nconst int k = 1;\nstruct s { int a; }";
     options.modules["r"] = "void f() { X2; }\nint n = 2;\nconst int k = 2;\nstruct s { int a; }";
-    for (const char* use : {"f();", "X=n;", "X=k;", "n = 3;", "s v = {1};"}) {
+    for (const char* use : {"f();", "X=n;", "X=k;", "n = 3;", "s v = {1}; X=v.a;"}) {
         const std::string body = std::string("program p() { ") + use + " }";
         const Outcome outcome = check("import l; import r;\n" + body, options);
         ASSERT_EQ(outcome.messages.size(), 1u) << use << outcome.all_messages();
-        EXPECT_EQ(outcome.messages[0], "2:15 K2020") << use;
+        EXPECT_EQ(outcome.messages[0], *use == 'X' ? "2:17 K2020" : "2:15 K2020") << use;
         EXPECT_EQ(check("import l;\n" + body, options).all_messages(), "") << use;
     }
     // A name of the file itself goes before both.
