@@ -82,8 +82,8 @@ class GeneratedText final : public nc::TextSource {
     std::uint32_t body_lines_ = 0;
 };
 
-/// The program of the file that is run: the one with this name, or the only one if none is asked for.
-/// Null if there is none.
+/// The program of the file that is run: the one with this name, or the only one if none is asked
+/// for. Null if there is none.
 const sema::FunctionCode* chosen_program(const sema::Code& code, std::string_view name);
 
 }  // namespace kadr::driver
