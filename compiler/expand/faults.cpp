@@ -71,8 +71,9 @@ void Expander::State::not_given(std::string_view name, std::uint32_t at) {
         .arg(name.empty() ? std::string_view("the value of this word") : name);
 }
 
-void Expander::State::index_fault(std::int64_t index, std::int64_t count, std::uint32_t at) {
-    fault(diag::IndexFault, at).arg(index).arg(count);
+void Expander::State::index_fault(std::int64_t index, std::int64_t count, std::uint32_t at,
+                                  std::string_view whole) {
+    fault(diag::IndexFault, at).arg(index).arg(whole).arg(count);
 }
 
 void Expander::State::contract_failed(const Instruction& instruction, const Slot* registers,

@@ -138,7 +138,11 @@ struct Expander::State {
         path::Plane plane = path::Plane::Xy;
     };
     PlaneContour read_contour(Slot handle);
+    std::int64_t split_text(std::int64_t text, std::uint32_t layout);
     std::int64_t make_contour(const PlaneContour& contour, std::uint32_t layout);
+    std::int64_t make_contours(const std::vector<path::Contour>& contours, path::Plane plane,
+                               std::uint32_t layout);
+    bool offset_all(const Instruction& instruction, Slot* registers, std::uint32_t at);
     bool contour_value(const Instruction& instruction, Slot* registers, std::uint32_t at);
     void begin_contour();
     bool close_contour(std::uint32_t at);
@@ -169,7 +173,8 @@ struct Expander::State {
     void fault_note(const DiagnosticRow& row, std::uint32_t at, const std::string& text);
     void math_fault(sema::MathFault why, std::uint32_t at);
     void not_given(std::string_view name, std::uint32_t at);
-    void index_fault(std::int64_t index, std::int64_t count, std::uint32_t at);
+    void index_fault(std::int64_t index, std::int64_t count, std::uint32_t at,
+                     std::string_view whole = "the array");
     void contract_failed(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     void keep_trace(std::uint32_t at, unsigned depth, SourceId source);
 

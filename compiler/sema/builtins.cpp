@@ -15,8 +15,9 @@ using syntax::ExprKind;
 
 namespace {
 
-constexpr std::array<std::string_view, 41> kNames = {
-    "abs",           "acos",   "asin",    "atan",         "atan2",    "attempt", "cbrt",
+constexpr std::array<std::string_view, 42> kNames = {
+    "abs",           "acos",   "asin",    "atan",         "atan2",    "attempt", "begun_near",
+    "cbrt",
     "ceil",          "cos",    "dialect", "dialects",     "distance", "execute", "exp",
     "expect_error",  "floor",  "follow",  "follow_start", "hypot",    "inside",  "int",
     "intersections", "ln",     "log",     "log10",        "max",      "min",     "mod",

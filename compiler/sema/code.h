@@ -120,6 +120,8 @@ enum class ContourFunction : std::uint8_t {
     IsInside,       // point
     Nearest,        // point
     Intersections,  // another contour
+    OffsetAll,      // distance; an array of contours is in the place of the contour
+    BegunNear,      // point
 };
 
 /// Arguments of `follow` in their registers.

@@ -202,6 +202,12 @@ void Lexing::text(Token token, std::uint32_t begin, std::uint32_t end, Reading& 
         reading.go_on_at(end);
         return;
     }
+    // Quotes in the braces of a text do not end it.
+    const std::uint32_t whole = end_of_text(file_.text, begin, reading.end);
+    if (whole > end) {
+        end = whole;
+        reading.go_on_at(end);
+    }
     split_text(file_, begin, end, true, lex_piece, out_);
 }
 

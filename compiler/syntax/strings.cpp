@@ -9,10 +9,28 @@ namespace kadr::syntax {
 
 namespace {
 
-/// The place of the `}` that closes the brace at `open`, or `end`.
+/// Whether a value may begin behind what stands in the braces of a text so far: only there a quote
+/// opens a text and does not close the one around.
+bool expects_value(std::string_view before) {
+    while (!before.empty() && (before.back() == ' ' || before.back() == '\t')) {
+        before.remove_suffix(1);
+    }
+    if (before.empty() || before.ends_with(" contains")) return true;
+    return std::string_view("([{,+?:=<>&|!").find(before.back()) != std::string_view::npos;
+}
+
+/// The place of the `}` that closes the brace at `open`, or `end`. Texts inside are skipped.
 std::uint32_t closing_brace(std::string_view text, std::uint32_t open, std::uint32_t end) {
     int depth = 0;
     for (std::uint32_t i = open; i < end; ++i) {
+        if (text[i] == '\n') return end;
+        if (text[i] == '"') {
+            if (!expects_value(text.substr(open + 1, i - open - 1))) return end;
+            const std::uint32_t inner = end_of_text(text, i, end);
+            if (inner == i) return end;
+            i = inner - 1;
+            continue;
+        }
         if (text[i] == '{') ++depth;
         if (text[i] == '}' && --depth == 0) return i;
     }
@@ -26,6 +44,10 @@ std::uint32_t format_place(std::string_view text, std::uint32_t begin, std::uint
     int questions = 0;
     for (std::uint32_t i = begin; i < end; ++i) {
         const char c = text[i];
+        if (c == '"') {
+            i = std::max(i, end_of_text(text, i, end) - 1);
+            continue;
+        }
         if (c == '(' || c == '[' || c == '{') ++depth;
         if (c == ')' || c == ']' || c == '}') --depth;
         if (depth != 0) continue;
@@ -115,6 +137,14 @@ class Splitter {
                         const std::function<void(std::uint32_t, std::uint32_t)>& lex_piece) {
         const std::uint32_t close = closing_brace(file_.text, open, last);
         if (close == last) {
+            const std::size_t quote = file_.text.substr(0, last).find("\\\"", open);
+            const std::size_t end = file_.text.substr(0, last).find('}', open);
+            if (quote < end && end < last) {
+                const auto at = static_cast<std::uint32_t>(quote);
+                file_.sink.report(diag::TextInnerQuote, file_.range(at, at + 2))
+                    .fix(file_.range(at, at + 1), "", "leave out the backslashes");
+                return static_cast<std::uint32_t>(end) + 1;
+            }
             file_.sink.report(diag::TextBrace, file_.range(open, open + 1))
                 .arg("{")
                 .fix(file_.range(open, open), "{", "write a brace of the text twice");
@@ -162,6 +192,19 @@ class Splitter {
 };
 
 }  // namespace
+
+std::uint32_t end_of_text(std::string_view text, std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t i = begin + 1; i < end && text[i] != '\n'; ++i) {
+        const bool is_double = i + 1 < end && text[i + 1] == text[i];
+        if (text[i] == '"') return i + 1;
+        if (text[i] == '\\' || (text[i] == '{' && is_double)) {
+            ++i;
+        } else if (text[i] == '{') {
+            i = closing_brace(text, i, end);
+        }
+    }
+    return begin;
+}
 
 void split_text(const SourceFile& file, std::uint32_t begin, std::uint32_t end, bool is_closed,
                 const std::function<void(std::uint32_t, std::uint32_t)>& lex_piece,
