@@ -1,0 +1,46 @@
+#include "tests/stdlib/cycle_run.h"
+
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "tests/common/process.h"
+
+namespace stdlib_test {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::string mm(double value) { return json(std::round(value * 1000) / 1000).dump() + "mm"; }
+
+CycleRun run_cycle(const std::string& module, const std::string& call,
+                   const std::string& dialect) {
+    const fs::path file =
+        fs::temp_directory_path() / ("kadr-stdlib-" + std::to_string(::getpid()) + ".kadr");
+    const std::string text = "import " + module + ";\nprogram test() {\n    S5000 M3;\n" +
+                             "    F600;\n    G0 X0 Y0 Z40;\n    " + call + ";\n    M30;\n}\n";
+    EXPECT_TRUE(kadr::write_file_whole(file.string(), text));
+    const ProcessResult result =
+        run_process({KADR_BINARY, "run", file.string(), "-d", dialect, "--commands", "-"});
+    CycleRun run{result.status, result.err, {}};
+    std::istringstream lines(result.out);
+    for (std::string line; std::getline(lines, line);) {
+        json command = json::parse(line, nullptr, false);
+        if (command.is_object()) run.commands.push_back(std::move(command));
+    }
+    std::error_code ignored;
+    fs::remove(file, ignored);
+    return run;
+}
+
+std::vector<json> commands_of(const std::string& module, const std::string& call) {
+    CycleRun run = run_cycle(module, call);
+    EXPECT_EQ(run.status, 0) << call << run.messages;
+    return std::move(run.commands);
+}
+
+}  // namespace stdlib_test
