@@ -265,8 +265,8 @@ bool Expander::State::contour_value(const Instruction& instruction, Slot* regist
     return true;
 }
 
-std::int64_t Expander::State::make_contours(const std::vector<Contour>& contours,
-                                            path::Plane plane, std::uint32_t layout) {
+std::int64_t Expander::State::make_contours(const std::vector<Contour>& contours, path::Plane plane,
+                                            std::uint32_t layout) {
     const std::int64_t list = heap.new_array(layout);
     const std::uint32_t inner = code.layouts[layout].nested[0];
     for (const Contour& contour : contours) {

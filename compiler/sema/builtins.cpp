@@ -16,13 +16,12 @@ using syntax::ExprKind;
 namespace {
 
 constexpr std::array<std::string_view, 42> kNames = {
-    "abs",           "acos",   "asin",    "atan",         "atan2",    "attempt", "begun_near",
-    "cbrt",
-    "ceil",          "cos",    "dialect", "dialects",     "distance", "execute", "exp",
-    "expect_error",  "floor",  "follow",  "follow_start", "hypot",    "inside",  "int",
-    "intersections", "ln",     "log",     "log10",        "max",      "min",     "mod",
-    "nearest",       "offset", "pow",     "real",         "reverse",  "round",   "sign",
-    "sin",           "sqrt",   "table",   "tan",          "text",     "trunc",
+    "abs",  "acos",          "asin",   "atan",    "atan2",        "attempt",  "begun_near",
+    "cbrt", "ceil",          "cos",    "dialect", "dialects",     "distance", "execute",
+    "exp",  "expect_error",  "floor",  "follow",  "follow_start", "hypot",    "inside",
+    "int",  "intersections", "ln",     "log",     "log10",        "max",      "min",
+    "mod",  "nearest",       "offset", "pow",     "real",         "reverse",  "round",
+    "sign", "sin",           "sqrt",   "table",   "tan",          "text",     "trunc",
 };
 
 }  // namespace

@@ -356,8 +356,8 @@ Value Checker::string_method(const Place& string, const Expr& callee, const Expr
     }
     static constexpr std::string_view kPart[] = {"from", "count"};
     static constexpr std::string_view kFind[] = {"text"};
-    const auto bound = bind_arguments(
-        expr, name, is_part ? std::span<const std::string_view>(kPart) : kFind, {});
+    const auto bound =
+        bind_arguments(expr, name, is_part ? std::span<const std::string_view>(kPart) : kFind, {});
     if (!bound) return error_value();
     if (!(*bound)[0].is_valid()) {
         report(diag::ArgumentMissing, expr.range).arg(name).arg(is_part ? "from" : "text");

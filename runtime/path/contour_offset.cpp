@@ -426,7 +426,7 @@ class Offsetting {
         if (std::fabs(fitted.sweep - element.sweep) < 0.1) element.sweep = fitted.sweep;
     }
 
-    Contour source_;  // all contours, one behind the other
+    Contour source_;                                           // all contours, one behind the other
     std::vector<std::pair<std::size_t, std::size_t>> chains_;  // first and past-last of each
     std::vector<Rectangle> boxes_;
     double distance_ = 0;

@@ -376,8 +376,9 @@ RC_GTEST_PROP(ContourOffset, IsTheOffsetOfAWallAndItsIslands, ()) {
     for (int k = *rc::gen::inRange(1, 4); k > 0; --k) {
         const Vec2 share(number(0, 1), number(0, 1));
         const Vec2 center = box.lower + share.cwiseProduct(Vec2(box.upper - box.lower));
-        const Contour island = *rc::gen::arbitrary<bool>() ? circle(center, number(0.5, 6), true)
-                                                           : shifted(reversed(rectangle(5, 3)), center);
+        const Contour island = *rc::gen::arbitrary<bool>()
+                                   ? circle(center, number(0.5, 6), true)
+                                   : shifted(reversed(rectangle(5, 3)), center);
         // Apart from what is there, and inside the wall.
         const bool is_apart = std::all_of(walls.begin(), walls.end(), [&](const Contour& other) {
             return intersections(other, island).empty() && !is_inside(island, other[0].from);

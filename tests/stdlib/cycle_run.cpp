@@ -17,8 +17,7 @@ using nlohmann::json;
 
 std::string mm(double value) { return json(std::round(value * 1000) / 1000).dump() + "mm"; }
 
-CycleRun run_cycle(const std::string& module, const std::string& call,
-                   const std::string& dialect) {
+CycleRun run_cycle(const std::string& module, const std::string& call, const std::string& dialect) {
     const fs::path file =
         fs::temp_directory_path() / ("kadr-stdlib-" + std::to_string(::getpid()) + ".kadr");
     const std::string text = "import " + module + ";\nprogram test() {\n    S5000 M3;\n" +
@@ -35,6 +34,39 @@ CycleRun run_cycle(const std::string& module, const std::string& call,
     std::error_code ignored;
     fs::remove(file, ignored);
     return run;
+}
+
+namespace {
+
+std::vector<json> places_of(const std::vector<json>& commands) {
+    std::vector<json> result;
+    for (const json& command : commands) {
+        if (!command.contains("to")) continue;
+        if (result.empty() || result.back() != command["to"]) result.push_back(command["to"]);
+    }
+    return result;
+}
+
+}  // namespace
+
+std::string motion_difference(const std::vector<json>& commands, const std::string& module,
+                              const std::string& call, const std::string& dialect) {
+    const CycleRun run = run_cycle(module, call, dialect);
+    if (run.status != 0) return run.messages;
+    const std::vector<json> wanted = places_of(commands), got = places_of(run.commands);
+    if (got.size() != wanted.size()) {
+        return dialect + ": " + std::to_string(got.size()) + " moves, not " +
+               std::to_string(wanted.size());
+    }
+    for (std::size_t i = 0; i < got.size(); ++i) {
+        for (const char* axis : {"X", "Y", "Z"}) {
+            if (!wanted[i].contains(axis) || !got[i].contains(axis)) continue;
+            const double apart = got[i][axis].get<double>() - wanted[i][axis].get<double>();
+            if (std::fabs(apart) > 0.0011)
+                return dialect + ": " + got[i].dump() + ", not " + wanted[i].dump();
+        }
+    }
+    return "";
 }
 
 std::vector<json> commands_of(const std::string& module, const std::string& call) {

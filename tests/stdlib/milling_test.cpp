@@ -43,6 +43,14 @@ void expect_clean(const Stock& stock) {
     EXPECT_NEAR(stock.position().z, 40, 1e-9) << "the cycle ends where it began";
 }
 
+/// One of the other controls, each in its turn.
+void expect_same_everywhere(const std::string& module, const std::string& call,
+                            const std::vector<json>& commands) {
+    static int turn = 0;
+    const char* dialects[] = {"sinumerik", "fanuc", "axioma"};
+    EXPECT_EQ(motion_difference(commands, module, call, dialects[turn++ % 3]), "");
+}
+
 /// A cavity is cut as a whole, and again roughed only: what is left is the allowance.
 struct Cavity {
     std::string module, call;  // the call without `make`, its last argument open
@@ -55,7 +63,9 @@ struct Cavity {
 void expect_cavity(const Cavity& cavity) {
     SCOPED_TRACE(cavity.call);
     Stock whole = plate();
-    whole.cut(commands_of(cavity.module, cavity.call + ")"), cavity.tool_d);
+    const std::vector<json> commands = commands_of(cavity.module, cavity.call + ")");
+    expect_same_everywhere(cavity.module, cavity.call + ")", commands);
+    whole.cut(commands, cavity.tool_d);
     expect_clean(whole);
     EXPECT_EQ(whole.difference(cavity.shape, cavity.floor, kMargin, kEdge), "");
     EXPECT_NEAR(whole.lowest(), cavity.floor, 1e-6);
@@ -186,7 +196,9 @@ void expect_spigot(const std::string& call, const Shape& shape, const Shape& bla
                    double floor, double step, double allowance) {
     SCOPED_TRACE(call);
     Stock whole(40, kCell, 0, blank);
-    whole.cut(commands_of("cycles.spigots", call + ")"), tool_d);
+    const std::vector<json> commands = commands_of("cycles.spigots", call + ")");
+    expect_same_everywhere("cycles.spigots", call + ")", commands);
+    whole.cut(commands, tool_d);
     expect_clean(whole);
     EXPECT_EQ(whole.spigot_difference(shape, floor, kMargin, kEdge), "");
 
@@ -279,19 +291,23 @@ TEST(Milling, ThreadsLeaveCoreAndWall) {
         const double d = dice.length(8, 40), pitch = std::max(0.5, std::floor(d * 1.2) / 10);
         const bool is_outside = dice.coin();
         const double core = d - (is_outside ? 1.22687 : 1.0825) * pitch;
-        const double tool_d = is_outside ? dice.length(4, 16) : dice.length(0.4 * core, 0.85 * core);
+        const double tool_d =
+            is_outside ? dice.length(4, 16) : dice.length(0.4 * core, 0.85 * core);
         const double floor = -dice.length(2, 15);
-        const std::string call =
-            std::string(is_outside ? "thread_mill_outside" : "thread_mill") + "(d: " + mm(d) +
-            ", pitch: " + mm(pitch) + ", to: " + mm(floor) + ", tool_d: " + mm(tool_d) +
-            ", cut: 200mm/min" + (dice.coin() ? ", left: true" : "") +
-            (dice.coin() ? ", passes: 3" : "") + ")";
+        const std::string call = std::string(is_outside ? "thread_mill_outside" : "thread_mill") +
+                                 "(d: " + mm(d) + ", pitch: " + mm(pitch) + ", to: " + mm(floor) +
+                                 ", tool_d: " + mm(tool_d) + ", cut: 200mm/min" +
+                                 (dice.coin() ? ", left: true" : "") +
+                                 (dice.coin() ? ", passes: 3" : "") + ")";
         SCOPED_TRACE(call);
-        // A spigot, or a plate with a bore; what must stay is inside the core, or outside the thread.
+        // A spigot, or a plate with a bore; what must stay is inside the core, or outside the
+        // thread.
         const Shape thread = disc(is_outside ? d : core);
         const double side = is_outside ? 1 : -1;
         Stock stock(40, kCell, 0, [&](double x, double y) { return side * thread(x, y); });
-        stock.cut(commands_of("threads", call), tool_d);
+        const std::vector<json> commands = commands_of("threads", call);
+        expect_same_everywhere("threads", call, commands);
+        stock.cut(commands, tool_d);
         expect_clean(stock);
         const Shape keep = disc(is_outside ? core : d);
         const Shape kept = [&](double x, double y) {

@@ -1,5 +1,5 @@
-// The properties of the library's cycles that are written in Kadr, in the folder properties/: each is run
-// for every control, over random parameters.
+// The properties of the library's cycles that are written in Kadr, in the folder properties/: each
+// is run for every control, over random parameters.
 #include <filesystem>
 #include <string>
 
@@ -13,7 +13,8 @@ namespace fs = std::filesystem;
 
 TEST(Properties, OfTheLibraryHold) {
     int files = 0;
-    for (const auto& entry : fs::directory_iterator(fs::path(KADR_ROOT) / "tests/stdlib/properties")) {
+    for (const auto& entry :
+         fs::directory_iterator(fs::path(KADR_ROOT) / "tests/stdlib/properties")) {
         if (entry.path().extension() != ".kadr") continue;
         ++files;
         const ProcessResult result =
