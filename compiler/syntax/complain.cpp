@@ -540,6 +540,14 @@ static std::size_t state_that_calls_block(const antlr4::Parser& parser) {
     KADR_ASSERT(false, "the grammar has no rule that calls block");
 }
 
+/// Reads the block that comes next, whose mistakes are told, wherever the parser stands.
+static void read_block(antlr4::Parser& parser) {
+    const std::size_t state = parser.getState();
+    parser.setState(state_that_calls_block(parser));
+    static_cast<KadrParser&>(parser).block();
+    parser.setState(state);
+}
+
 /// Goes on behind the `;` of the statement, or behind its body, which is read on the way. Stops
 /// before a `}` of the block around and before a line that is not indented deeper.
 void Complaints::skip_statement(antlr4::Parser& parser, const antlr4::ParserRuleContext& context) {
@@ -555,8 +563,7 @@ void Complaints::skip_statement(antlr4::Parser& parser, const antlr4::ParserRule
         const Token token = lexeme.token;
         if (open.empty()) {
             if (token == Token::OpenBrace) {
-                parser.setState(state_that_calls_block(parser));
-                static_cast<KadrParser&>(parser).block();
+                read_block(parser);
                 if (start.token != Token::If || token_of(stream_.LA(1)) != Token::Else) return;
                 continue;
             }
@@ -619,7 +626,7 @@ void Complaints::skip_start(antlr4::Parser& parser, bool is_file) {
         const Token token = token_of(stream_.LA(1));
         const bool has_members = first == Token::Struct || first == Token::Enum;
         if (depth == 0 && token == Token::OpenBrace && !has_members) {
-            static_cast<KadrParser&>(parser).block();
+            read_block(parser);
             last = Token::CloseBrace;
             if (!is_file) return;
             continue;

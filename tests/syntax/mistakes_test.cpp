@@ -247,6 +247,10 @@ TEST(Mistakes, Values) {
 
 TEST(Mistakes, Several) {
     expect_messages({
+        // A body outside of everything, with a mistake behind which the parser looks far ahead.
+        {"++{if(p;else",
+         "1:8 K1102 `)` is missing\n"
+         "1:13 K1102 `}` is missing"},
         {"program p(length w length h) { G0 Z5 }",
          "1:19 K1113 `,` is missing between `w` and `length`\n"
          "1:37 K1101 `;` is missing behind this block"},
