@@ -4,38 +4,11 @@
 #include <string>
 
 #include "base/diagnostics/syntax.h"
+#include "syntax/quotes.h"
 
 namespace kadr::syntax {
 
 namespace {
-
-/// Whether a value may begin behind what stands in the braces of a text so far: only there a quote
-/// opens a text and does not close the one around.
-bool expects_value(std::string_view before) {
-    while (!before.empty() && (before.back() == ' ' || before.back() == '\t')) {
-        before.remove_suffix(1);
-    }
-    if (before.empty() || before.ends_with(" contains")) return true;
-    return std::string_view("([{,+?:=<>&|!").find(before.back()) != std::string_view::npos;
-}
-
-/// The place of the `}` that closes the brace at `open`, or `end`. Texts inside are skipped.
-std::uint32_t closing_brace(std::string_view text, std::uint32_t open, std::uint32_t end) {
-    int depth = 0;
-    for (std::uint32_t i = open; i < end; ++i) {
-        if (text[i] == '\n') return end;
-        if (text[i] == '"') {
-            if (!expects_value(text.substr(open + 1, i - open - 1))) return end;
-            const std::uint32_t inner = end_of_text(text, i, end);
-            if (inner == i) return end;
-            i = inner - 1;
-            continue;
-        }
-        if (text[i] == '{') ++depth;
-        if (text[i] == '}' && --depth == 0) return i;
-    }
-    return end;
-}
 
 /// The place of the `:` that begins a format, or `end`. A `:` in brackets or behind `?` is part of
 /// the expression.
@@ -192,19 +165,6 @@ class Splitter {
 };
 
 }  // namespace
-
-std::uint32_t end_of_text(std::string_view text, std::uint32_t begin, std::uint32_t end) {
-    for (std::uint32_t i = begin + 1; i < end && text[i] != '\n'; ++i) {
-        const bool is_double = i + 1 < end && text[i + 1] == text[i];
-        if (text[i] == '"') return i + 1;
-        if (text[i] == '\\' || (text[i] == '{' && is_double)) {
-            ++i;
-        } else if (text[i] == '{') {
-            i = closing_brace(text, i, end);
-        }
-    }
-    return begin;
-}
 
 void split_text(const SourceFile& file, std::uint32_t begin, std::uint32_t end, bool is_closed,
                 const std::function<void(std::uint32_t, std::uint32_t)>& lex_piece,

@@ -15,10 +15,6 @@ void split_text(const SourceFile& file, std::uint32_t begin, std::uint32_t end, 
                 const std::function<void(std::uint32_t, std::uint32_t)>& lex_piece,
                 std::vector<Lexeme>& out);
 
-/// Past the quote that closes the text which the quote at `begin` opens, or `begin` if none does in
-/// its line. Inside `{ … }` a quote opens a text of its own where a value may stand.
-std::uint32_t end_of_text(std::string_view text, std::uint32_t begin, std::uint32_t end);
-
 /// The lines between the braces of `raw { … }`, without the first and the last line end and without
 /// the indentation that all of them share.
 std::string raw_lines(std::string_view between);
