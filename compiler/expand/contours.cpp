@@ -159,6 +159,7 @@ bool Expander::State::contour_value(const Instruction& instruction, Slot* regist
     const auto layout = static_cast<std::uint32_t>(instruction.immediate.pair.second);
     Slot& result = registers[instruction.a];
     const Slot* arguments = registers + instruction.b;
+    if (function == ContourFunction::OffsetAll) return offset_all(instruction, registers, where);
     const Slot handle = function == ContourFunction::IsInside ? arguments[3] : arguments[0];
     PlaneContour contour = read_contour(handle);
     const Wording wording = wording_of(contour);
@@ -240,14 +241,7 @@ bool Expander::State::contour_value(const Instruction& instruction, Slot* regist
                 fault(diag::OffsetUnresolved, where).arg(mm_text(distance));
                 return false;
             }
-            const std::int64_t list = heap.new_array(layout);
-            const std::uint32_t inner = code.layouts[layout].nested[0];
-            for (const Contour& piece : *pieces) {
-                Slot slot{};
-                slot.integer = make_contour({piece, contour.plane, contour.is_diameter}, inner);
-                heap.append(list, &slot);
-            }
-            result.integer = list;
+            result.integer = make_contours(*pieces, contour, layout);
             return true;
         }
         case ContourFunction::Shift:
@@ -275,6 +269,13 @@ bool Expander::State::contour_value(const Instruction& instruction, Slot* regist
             put_point(&result, wording, path::nearest(contour.elements, *point).point);
             return true;
         }
+        case ContourFunction::BegunNear: {
+            if (!needs_elements() || !needs_closed("another beginning")) return false;
+            const std::optional<Vec2> point = point_argument(arguments + 1);
+            if (!point) return false;
+            return put_made(path::begun_near(contour.elements, *point));
+        }
+        case ContourFunction::OffsetAll: return false;  // above
         case ContourFunction::Intersections: {
             const PlaneContour other = read_contour(arguments[1]);
             const bool both = !contour.elements.empty() && !other.elements.empty();
@@ -301,6 +302,55 @@ bool Expander::State::contour_value(const Instruction& instruction, Slot* regist
                                               is_first ? value.x() : value.y()));
         }
     }
+    return true;
+}
+
+std::int64_t Expander::State::make_contours(const std::vector<Contour>& contours,
+                                            const PlaneContour& like, std::uint32_t layout) {
+    const std::int64_t list = heap.new_array(layout);
+    const std::uint32_t inner = code.layouts[layout].nested[0];
+    for (const Contour& contour : contours) {
+        Slot slot{};
+        slot.integer = make_contour({contour, like.plane, like.is_diameter}, inner);
+        heap.append(list, &slot);
+    }
+    return list;
+}
+
+/// Beside several contours together.
+bool Expander::State::offset_all(const Instruction& instruction, Slot* registers,
+                                 std::uint32_t where) {
+    const Slot* arguments = registers + instruction.b;
+    std::vector<Contour> contours;
+    PlaneContour like;
+    const std::int64_t count = heap.array(arguments[0].integer).count;
+    for (std::int64_t i = 0; i < count; ++i) {
+        PlaneContour one = read_contour(heap.array(arguments[0].integer).slots[i]);
+        if (one.elements.empty()) continue;
+        if (!path::is_closed(one.elements)) {
+            fault(diag::ContourOpen, where).arg("the offset of several contours, one");
+            return false;
+        }
+        if (!contours.empty() && (one.plane != like.plane || one.is_diameter != like.is_diameter)) {
+            fault(diag::ContourPlane, where)
+                .arg("a contour")
+                .arg(axes_text(wording_of(like)))
+                .arg("another one")
+                .arg(axes_text(wording_of(one)));
+            return false;
+        }
+        contours.push_back(std::move(one.elements));
+        like.plane = one.plane;
+        like.is_diameter = one.is_diameter;
+    }
+    const double distance = arguments[1].number;
+    const auto pieces = path::offset(contours, distance);
+    if (!pieces) {
+        fault(diag::OffsetUnresolved, where).arg(mm_text(distance));
+        return false;
+    }
+    const auto layout = static_cast<std::uint32_t>(instruction.immediate.pair.second);
+    registers[instruction.a].integer = make_contours(*pieces, like, layout);
     return true;
 }
 

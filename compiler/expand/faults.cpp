@@ -84,8 +84,9 @@ void Expander::State::form_fault(unsigned needed, std::uint32_t at) {
     fault(diag::FormWrong, at).arg(kForms[needed & 3u]).arg(kForms[(needed & 3u) ^ 1u]);
 }
 
-void Expander::State::index_fault(std::int64_t index, std::int64_t count, std::uint32_t at) {
-    fault(diag::IndexFault, at).arg(index).arg(count);
+void Expander::State::index_fault(std::int64_t index, std::int64_t count, std::uint32_t at,
+                                  std::string_view whole) {
+    fault(diag::IndexFault, at).arg(index).arg(whole).arg(count);
 }
 
 void Expander::State::contract_failed(const Instruction& instruction, const Slot* registers,

@@ -198,7 +198,11 @@ struct Expander::State {
         bool is_diameter = false;
     };
     PlaneContour read_contour(Slot handle);
+    std::int64_t split_text(std::int64_t text, std::uint32_t layout);
     std::int64_t make_contour(const PlaneContour& contour, std::uint32_t layout);
+    std::int64_t make_contours(const std::vector<path::Contour>& contours, const PlaneContour& like,
+                               std::uint32_t layout);
+    bool offset_all(const Instruction& instruction, Slot* registers, std::uint32_t at);
     bool contour_value(const Instruction& instruction, Slot* registers, std::uint32_t at);
     void begin_contour();
     bool close_contour(std::uint32_t at);
@@ -245,7 +249,8 @@ struct Expander::State {
     void half_given(std::int32_t missing, std::int32_t given, std::uint32_t at);
     /// A feed or speed is not of the form that is needed; see Op::FeedForm.
     void form_fault(unsigned needed, std::uint32_t at);
-    void index_fault(std::int64_t index, std::int64_t count, std::uint32_t at);
+    void index_fault(std::int64_t index, std::int64_t count, std::uint32_t at,
+                     std::string_view whole = "the array");
     void contract_failed(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     void keep_trace(std::uint32_t at, unsigned depth, SourceId source);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/numbers.h"
+#include "base/text.h"
 #include "expand/state.h"
 
 namespace kadr::expand {
@@ -34,8 +35,9 @@ std::string number(double value, const FormatPiece& piece) {
 void pad(std::string text, const FormatPiece& piece, std::string& out, bool is_second = false) {
     if (piece.plus && !text.empty() && text[0] != '-') text.insert(0, 1, '+');
     const auto width = static_cast<std::size_t>(std::max<int>(0, piece.width));
-    if (text.size() < width) {
-        const std::size_t missing = width - text.size();
+    const std::size_t places = count_code_points(text);
+    if (places < width) {
+        const std::size_t missing = width - places;
         const bool has_sign = !text.empty() && (text[0] == '-' || text[0] == '+');
         if (piece.zeros) text.insert(has_sign ? 1 : 0, missing, '0');
         else text.insert(0, missing, ' ');

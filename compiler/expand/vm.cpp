@@ -52,6 +52,20 @@ void Expander::State::collect_garbage(const Slot* registers) {
     heap.collect(std::span<const Slot>(stack.data(), std::min(top, stack.size())));
 }
 
+/// The characters of a text as an array.
+std::int64_t Expander::State::split_text(std::int64_t text, std::uint32_t layout) {
+    const std::int64_t list = heap.new_array(layout);
+    const std::string whole = heap.text(text);
+    for (std::string_view rest = whole; !rest.empty();) {
+        const std::string_view character = code_points(rest, 0, 1);
+        Slot slot{};
+        slot.integer = heap.new_text(std::string(character));
+        heap.append(list, &slot);
+        rest.remove_prefix(character.size());
+    }
+    return list;
+}
+
 std::int64_t Expander::State::make_table(const sema::TableSchema& schema,
                                          const sema::TableRows& rows) {
     const std::int64_t table = heap.new_array(schema.layout);
@@ -715,6 +729,54 @@ op_ContainsText:
 op_CountText:
     A.integer = static_cast<std::int64_t>(count_code_points(heap.text(B.integer)));
     KADR_NEXT;
+op_CharacterOf : {
+    if (heap.is_full()) [[unlikely]]
+        collect_garbage(r);
+    const std::string& text = heap.text(B.integer);
+    const auto index = static_cast<std::size_t>(C.integer);
+    const std::string_view character =
+        C.integer >= 0 ? code_points(text, index, 1) : std::string_view();
+    if (character.empty()) [[unlikely]] {
+        index_fault(C.integer, static_cast<std::int64_t>(count_code_points(text)), AT,
+                    "the string");
+        goto stop;
+    }
+    A.integer = heap.new_text(std::string(character));
+    KADR_NEXT;
+}
+op_PartOfText : {
+    if (heap.is_full()) [[unlikely]]
+        collect_garbage(r);
+    const std::string& text = heap.text(B.integer);
+    const auto total = static_cast<std::int64_t>(count_code_points(text));
+    const std::int64_t from = C.integer;
+    const bool is_open = (&C)[1].integer == sema::kNotGivenInteger;
+    const std::int64_t count = is_open ? total - from : (&C)[1].integer;
+    if (from < 0 || from > total || count < 0 || count > total - from) [[unlikely]] {
+        fault(diag::TextPart, AT).arg(count).arg(from).arg(total);
+        goto stop;
+    }
+    A.integer = heap.new_text(std::string(
+        code_points(text, static_cast<std::size_t>(from), static_cast<std::size_t>(count))));
+    KADR_NEXT;
+}
+op_FindText : {
+    const std::string_view text = heap.text(B.integer);
+    const std::size_t at = text.find(heap.text(C.integer));
+    A.integer = at == std::string_view::npos
+                    ? -1
+                    : static_cast<std::int64_t>(count_code_points(text.substr(0, at)));
+    KADR_NEXT;
+}
+op_SplitText : {
+    if (heap.is_full()) [[unlikely]]
+        collect_garbage(r);
+    const std::int64_t source = B.integer;
+    A.integer = split_text(source, static_cast<std::uint32_t>(ip->immediate.pair.first));
+    if (heap.elements() > options.limits.array_elements) [[unlikely]]
+        goto too_many_elements;
+    KADR_NEXT;
+}
 
     // ---------------------------------------------------------------- arrays
 op_NewArray:

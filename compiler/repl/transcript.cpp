@@ -5,6 +5,7 @@
 
 #include "driver/modules.h"
 #include "syntax/parse.h"
+#include "syntax/quotes.h"
 
 namespace kadr::repl {
 
@@ -88,7 +89,12 @@ bool is_incomplete(std::string_view text) {
     int depth = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
-        if (c == '"') {
+        const auto at = static_cast<std::uint32_t>(i);
+        const auto size = static_cast<std::uint32_t>(text.size());
+        const std::uint32_t closed = c == '"' ? syntax::end_of_text(text, at, size) : at;
+        if (closed > at) {
+            i = closed - 1;
+        } else if (c == '"') {
             for (++i; i < text.size() && text[i] != '"' && text[i] != '\n'; ++i) {
                 if (text[i] == '\\') ++i;
             }

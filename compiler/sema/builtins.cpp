@@ -15,14 +15,14 @@ using syntax::ExprKind;
 
 namespace {
 
-constexpr std::array<std::string_view, 43> kNames = {
-    "abs",    "acos",         "asin",          "atan",    "atan2",        "attempt",  "cbrt",
-    "ceil",   "cos",          "crossings",     "dialect", "dialects",     "distance", "execute",
-    "exp",    "expect_error", "floor",         "follow",  "follow_start", "hypot",    "image",
-    "inside", "int",          "intersections", "ln",      "log",          "log10",    "max",
-    "min",    "mod",          "nearest",       "offset",  "pow",          "real",     "reverse",
-    "round",  "sign",         "sin",           "sqrt",    "table",        "tan",      "text",
-    "trunc",
+constexpr std::array<std::string_view, 44> kNames = {
+    "abs",     "acos",   "asin",         "atan",          "atan2",   "attempt",      "begun_near",
+    "cbrt",    "ceil",   "cos",          "crossings",     "dialect", "dialects",     "distance",
+    "execute", "exp",    "expect_error", "floor",         "follow",  "follow_start", "hypot",
+    "image",   "inside", "int",          "intersections", "ln",      "log",          "log10",
+    "max",     "min",    "mod",          "nearest",       "offset",  "pow",          "real",
+    "reverse", "round",  "sign",         "sin",           "sqrt",    "table",        "tan",
+    "text",    "trunc",
 };
 
 }  // namespace

@@ -277,6 +277,7 @@ Value Checker::call_method(ExprId id, const Expr& callee, Reg hint) {
     if (!owner) return error_value();
     if (kind(owner->type) == Kind::Array) return array_method(*owner, callee, expr);
     if (kind(owner->type) == Kind::Execution) return figure(*owner, callee, &expr);
+    if (kind(owner->type) == Kind::String) return string_method(*owner, callee, expr);
     report(diag::UnknownMethod, callee.range).arg(type_name(owner->type)).arg(text(callee.text));
     return error_value();
 }
@@ -356,6 +357,49 @@ Value Checker::array_method(const Place& array, const Expr& callee, const Expr& 
     Value value = in_registers(element, result);
     value.is_fresh = true;
     return value;
+}
+
+Value Checker::string_method(const Place& string, const Expr& callee, const Expr& expr) {
+    const std::string_view name = text(callee.text);
+    const bool is_part = name == "part";
+    if (name == "count") {
+        if (!count_arguments(expr, name, 0, 0)) return error_value();
+        const std::optional<Value> count = property_value(string, callee);
+        return count ? *count : error_value();
+    }
+    if (!is_part && name != "find") {
+        auto builder = report(diag::UnknownMethod, callee.range);
+        builder.arg(type_name(string.type)).arg(name);
+        static constexpr std::string_view kMethods[] = {"part", "find", "count"};
+        if (const auto near = nearest_name(name, kMethods, std::size(kMethods))) {
+            builder.fix("did you mean " + quoted(*near) + "?");
+        }
+        return error_value();
+    }
+    static constexpr std::string_view kPart[] = {"from", "count"};
+    static constexpr std::string_view kFind[] = {"text"};
+    const auto bound =
+        bind_arguments(expr, name, is_part ? std::span<const std::string_view>(kPart) : kFind, {});
+    if (!bound) return error_value();
+    if (!(*bound)[0].is_valid()) {
+        report(diag::ArgumentMissing, expr.range).arg(name).arg(is_part ? "from" : "text");
+        return error_value();
+    }
+    const Value whole = require_given(load(string, callee.range, true, kNoReg), callee.range, {});
+    if (is_error(whole)) return whole;
+    const Reg from = in_register(whole);
+    const Reg first = emit_.take(is_part ? 2 : 1);
+    expression_in((*bound)[0], is_part ? types::kInt : types::kString, first,
+                  is_part ? "from" : "text");
+    if (is_part) {
+        const auto count = static_cast<Reg>(first + 1);
+        if ((*bound)[1].is_valid()) expression_in((*bound)[1], types::kInt, count, "count");
+        else emit_unset(types_.optional(types::kInt), count);
+    }
+    const Reg reg = emit_.take(1);
+    emit_.set_place(expr.range);
+    emit_.emit(is_part ? Op::PartOfText : Op::FindText, reg, from, first);
+    return in_registers(is_part ? types::kString : types::kInt, reg);
 }
 
 // ---------------------------------------------------------------- tables

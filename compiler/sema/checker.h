@@ -223,6 +223,7 @@ class Checker {
     std::optional<Place> name_place(syntax::ExprId id);
     std::optional<Place> member_place(syntax::ExprId id);
     std::optional<Place> element_place(syntax::ExprId id);
+    std::optional<Place> character_place(const Place& whole, const syntax::Expr& expr);
     /// A place, or the temporary that an expression leaves.
     std::optional<Place> owner_place(syntax::ExprId id);
     /// The member `expr.text` of a struct that stands somewhere.
@@ -240,6 +241,7 @@ class Checker {
     Value call_vocabulary(const nc::FunctionInfo& info, const syntax::Expr& expr);
     Value call_method(syntax::ExprId id, const syntax::Expr& callee, Reg hint);
     Value array_method(const Place& array, const syntax::Expr& callee, const syntax::Expr& expr);
+    Value string_method(const Place& string, const syntax::Expr& callee, const syntax::Expr& expr);
     Value table(const syntax::Expr& expr);
     Value image_call(const syntax::Expr& expr);
     bool is_picture(Type type, PictureSource& source) const;
@@ -316,6 +318,8 @@ class Checker {
     bool for_statement(const syntax::Stmt& stmt);
     bool counting_loop(const syntax::Stmt& stmt, Label& top, int depth);
     bool for_each(const syntax::Stmt& stmt);
+    Value characters(const Value& string, bool is_reference, const syntax::Decl& decl,
+                     const SourceRange& range);
     bool for_range(const syntax::Stmt& stmt, const syntax::Decl& decl);
     void jump_if_quietly(syntax::ExprId condition, Label& top, int depth);
     bool is_plain_constant(syntax::ExprId id);

@@ -125,6 +125,8 @@ enum class ContourFunction : std::uint8_t {
     Nearest,        // point
     Intersections,  // another contour
     Crossings,      // x, y, z: one of them is given
+    OffsetAll,      // distance; an array of contours is in the place of the contour
+    BegunNear,      // point
 };
 
 /// Arguments of `follow` in their registers.

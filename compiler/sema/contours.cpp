@@ -129,6 +129,10 @@ constexpr ContourRow kFunctions[] = {
      ContourFunction::Offset,
      false,
      {{{"contour", types::kContour}, {"distance", types::kLengthType}}}},
+    {"begun_near",
+     ContourFunction::BegunNear,
+     false,
+     {{{"contour", types::kContour}, {"point", types::kPoint}}}},
     {"shift",
      ContourFunction::Shift,
      true,
@@ -186,17 +190,23 @@ std::optional<Value> Checker::contour_function(std::string_view name, const Expr
         }
         const auto bound = bind_arguments(expr, name, names, {});
         if (!bound) return error_value();
+        // `offset` takes several contours together as well.
+        const Type contours = types_.array(types::kContour, -1);
+        const bool takes_all = row.function == ContourFunction::Offset && (*bound)[0].is_valid() &&
+                               (ast()[(*bound)[0]].kind == ExprKind::Braces ||
+                                types_.given(type_of((*bound)[0])) == contours);
         const Reg first = emit_.take(slots);
         Reg reg = first;
         for (std::size_t i = 0; i < names.size(); ++i) {
-            const ContourParameter& parameter = row.parameters[i];
+            ContourParameter parameter = row.parameters[i];
+            if (takes_all && i == 0) parameter.type = contours;
             if ((*bound)[i].is_valid()) {
                 // A contour is only looked at here: no copy.
                 const Reg mark = emit_.mark();
                 const Value value = convert(expression((*bound)[i], parameter.type), parameter.type,
                                             ast()[(*bound)[i]].range, parameter.name);
                 if (is_error(value)) return value;
-                if (is_contour(parameter.type)) emit_.emit(Op::Move, reg, value.reg);
+                if (kind(parameter.type) == Kind::Array) emit_.emit(Op::Move, reg, value.reg);
                 else copy_value(value, reg);
                 emit_.release_to(mark);
             } else if (parameter.is_required) {
@@ -218,7 +228,8 @@ std::optional<Value> Checker::contour_function(std::string_view name, const Expr
             case ContourFunction::Crossings: result = types_.array(types::kPoint, -1); break;
             default: break;
         }
-        return contour_value(row.function, result, first, expr.range);
+        return contour_value(takes_all ? ContourFunction::OffsetAll : row.function, result, first,
+                             expr.range);
     }
     return std::nullopt;
 }

@@ -266,6 +266,20 @@ bool Checker::for_range(const Stmt& stmt, const Decl& decl) {
     return true;
 }
 
+/// The characters of a string as an array for `for`.
+Value Checker::characters(const Value& string, bool is_reference, const Decl& decl,
+                          const SourceRange& range) {
+    if (is_reference) {
+        report(diag::NotAPlace, decl.range);
+        return error_value();
+    }
+    const Reg from = in_register(string);
+    const Reg reg = emit_.take(1);
+    emit_.set_place(range);
+    emit_.emit_pair(Op::SplitText, reg, from, 0, layout_constant(types::kString));
+    return in_registers(types_.array(types::kString, -1), reg);
+}
+
 bool Checker::for_each(const Stmt& stmt) {
     const std::size_t symbols = symbols_.size();
     const std::size_t scope = std::exchange(scope_begin_, symbols);
@@ -291,6 +305,7 @@ bool Checker::for_each(const Stmt& stmt) {
                  : source  ? load(*source, range, true, kNoReg)
                            : error_value();
     list = require_given(list, range, {});
+    if (kind(list.type) == Kind::String) list = characters(list, is_reference, decl, range);
     Symbol symbol;
     symbol.name = text(decl.name);
     symbol.range = decl.name_range;

@@ -165,6 +165,7 @@ std::optional<Place> Checker::element_place(ExprId id) {
         expression(expr.child[1], types::kInt);
         return std::nullopt;
     }
+    if (kind(array->type) == Kind::String) return character_place(*array, expr);
     if (kind(array->type) != Kind::Array) {
         if (kind(array->type) != Kind::Error) {
             report(diag::NotAnArray, ast()[expr.child[0]].range).arg(type_name(array->type));
@@ -201,6 +202,29 @@ std::optional<Place> Checker::element_place(ExprId id) {
     place.root = array->root;
     place.root_range = array->root_range;
     if (kind(place.type) == Kind::Error) return std::nullopt;
+    return place;
+}
+
+/// A character of a string: a string of its own, which cannot be assigned.
+std::optional<Place> Checker::character_place(const Place& whole, const Expr& expr) {
+    Value string = load(whole, ast()[expr.child[0]].range, true, kNoReg);
+    string = require_given(string, ast()[expr.child[0]].range, {});
+    const SourceRange index_range = ast()[expr.child[1]].range;
+    const Value index =
+        convert(expression(expr.child[1], types::kInt), types::kInt, index_range, "the index");
+    if (is_error(string) || is_error(index)) return std::nullopt;
+    if (index.is_constant() && index.constant.integer < 0) {
+        report(diag::IndexRange, index_range).arg(index.constant.integer).arg("0 and more");
+        return std::nullopt;
+    }
+    Place place;
+    place.type = types::kString;
+    const Reg from = in_register(string);
+    const Reg at = in_register(index);
+    place.reg = emit_.take(1);
+    place.is_temporary = true;
+    emit_.set_place(expr.range);
+    emit_.emit(Op::CharacterOf, place.reg, from, at);
     return place;
 }
 

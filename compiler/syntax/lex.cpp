@@ -7,6 +7,7 @@
 #include "base/diagnostics/syntax.h"
 #include "base/text.h"
 #include "syntax/antlr.h"
+#include "syntax/quotes.h"
 #include "syntax/strings.h"
 
 namespace kadr::syntax {
@@ -201,6 +202,15 @@ void Lexing::text(Token token, std::uint32_t begin, std::uint32_t end, Reading& 
         split_text(file_, begin, end, false, lex_piece, out_);
         reading.go_on_at(end);
         return;
+    }
+    // Quotes in the braces of a text do not end it. Only so far is looked: what does not close must
+    // not cost the square of its length.
+    constexpr std::uint32_t kLook = 2000;
+    const std::uint32_t whole =
+        end_of_text(file_.text, begin, begin + std::min(kLook, reading.end - begin));
+    if (whole > end) {
+        end = whole;
+        reading.go_on_at(end);
     }
     split_text(file_, begin, end, true, lex_piece, out_);
 }

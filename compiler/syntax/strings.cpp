@@ -4,20 +4,11 @@
 #include <string>
 
 #include "base/diagnostics/syntax.h"
+#include "syntax/quotes.h"
 
 namespace kadr::syntax {
 
 namespace {
-
-/// The place of the `}` that closes the brace at `open`, or `end`.
-std::uint32_t closing_brace(std::string_view text, std::uint32_t open, std::uint32_t end) {
-    int depth = 0;
-    for (std::uint32_t i = open; i < end; ++i) {
-        if (text[i] == '{') ++depth;
-        if (text[i] == '}' && --depth == 0) return i;
-    }
-    return end;
-}
 
 /// The place of the `:` that begins a format, or `end`. A `:` in brackets or behind `?` is part of
 /// the expression; `??` asks for none.
@@ -26,6 +17,10 @@ std::uint32_t format_place(std::string_view text, std::uint32_t begin, std::uint
     int questions = 0;
     for (std::uint32_t i = begin; i < end; ++i) {
         const char c = text[i];
+        if (c == '"') {
+            i = std::max(i, end_of_text(text, i, end) - 1);
+            continue;
+        }
         if (c == '(' || c == '[' || c == '{') ++depth;
         if (c == ')' || c == ']' || c == '}') --depth;
         if (depth != 0) continue;
@@ -118,6 +113,14 @@ class Splitter {
                         const std::function<void(std::uint32_t, std::uint32_t)>& lex_piece) {
         const std::uint32_t close = closing_brace(file_.text, open, last);
         if (close == last) {
+            const std::size_t quote = file_.text.substr(0, last).find("\\\"", open);
+            const std::size_t end = file_.text.substr(0, last).find('}', open);
+            if (quote < end && end < last) {
+                const auto at = static_cast<std::uint32_t>(quote);
+                file_.sink.report(diag::TextInnerQuote, file_.range(at, at + 2))
+                    .fix(file_.range(at, at + 1), "", "leave out the backslashes");
+                return static_cast<std::uint32_t>(end) + 1;
+            }
             file_.sink.report(diag::TextBrace, file_.range(open, open + 1))
                 .arg("{")
                 .fix(file_.range(open, open), "{", "write a brace of the text twice");

@@ -19,6 +19,19 @@ std::size_t count_code_points(std::string_view text) {
     }));
 }
 
+std::string_view code_points(std::string_view text, std::size_t from, std::size_t count) {
+    const auto past = [](std::string_view rest, std::size_t points) {
+        std::size_t at = 0;
+        for (; points > 0 && at < rest.size(); --points) {
+            do ++at;
+            while (at < rest.size() && (static_cast<unsigned char>(rest[at]) & 0xC0) == 0x80);
+        }
+        return at;
+    };
+    text.remove_prefix(past(text, from));
+    return text.substr(0, past(text, count));
+}
+
 std::optional<std::string> read_file(const std::string& path) {
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) return std::nullopt;

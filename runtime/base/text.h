@@ -11,6 +11,9 @@ namespace kadr {
 /// Number of code points of a UTF-8 text; every malformed byte counts as one.
 std::size_t count_code_points(std::string_view text);
 
+/// `count` code points of a UTF-8 text from the one at `from` on; fewer if it has no more.
+std::string_view code_points(std::string_view text, std::size_t from, std::size_t count);
+
 /// The whole file as bytes, or nothing if it cannot be read (missing, a folder, no permission).
 std::optional<std::string> read_file(const std::string& path);
 

@@ -74,8 +74,24 @@ std::vector<std::pair<std::size_t, std::size_t>> near_pairs(const std::vector<El
 
 class Offsetting {
   public:
-    Offsetting(const Contour& contour, double distance)
-        : distance_(distance), is_closed_(path::is_closed(contour)) {
+    Offsetting(std::span<const Contour> contours, double distance)
+        : distance_(distance), is_closed_(path::is_closed(contours.front())) {
+        for (const Contour& contour : contours) add_source(contour);
+        for (const Element& element : source_) boxes_.push_back(bounds(element));
+    }
+
+    std::optional<std::vector<Contour>> run() {
+        make_candidates();
+        cut();
+        cancel_opposites();
+        return join();
+    }
+
+  private:
+    double size() const { return std::fabs(distance_); }
+
+    void add_source(const Contour& contour) {
+        const std::size_t first = source_.size();
         // Halves of circles: what follows needs ends that differ.
         for (const Element& element : contour) {
             if (length(element) <= kShort) continue;
@@ -90,24 +106,16 @@ class Offsetting {
             scale_ = std::max(
                 {scale_, box.upper.cwiseAbs().maxCoeff(), box.lower.cwiseAbs().maxCoeff()});
         }
-        for (const Element& element : source_) boxes_.push_back(bounds(element));
+        chains_.emplace_back(first, source_.size());
     }
-
-    std::optional<std::vector<Contour>> run() {
-        make_candidates();
-        cut();
-        cancel_opposites();
-        return join();
-    }
-
-  private:
-    double size() const { return std::fabs(distance_); }
 
     void make_candidates() {
-        for (std::size_t i = 0; i < source_.size(); ++i) {
-            add_parallel(source_[i]);
-            const bool has_next = i + 1 < source_.size() || is_closed_;
-            if (has_next) add_corner(source_[i], source_[(i + 1) % source_.size()]);
+        for (const auto& [first, end] : chains_) {
+            for (std::size_t i = first; i < end; ++i) {
+                add_parallel(source_[i]);
+                const std::size_t next = i + 1 < end ? i + 1 : first;
+                if (next != first || is_closed_) add_corner(source_[i], source_[next]);
+            }
         }
     }
 
@@ -418,7 +426,8 @@ class Offsetting {
         if (std::fabs(fitted.sweep - element.sweep) < 0.1) element.sweep = fitted.sweep;
     }
 
-    Contour source_;
+    Contour source_;                                           // all contours, one behind the other
+    std::vector<std::pair<std::size_t, std::size_t>> chains_;  // first and past-last of each
     std::vector<Rectangle> boxes_;
     double distance_ = 0;
     bool is_closed_ = false;
@@ -430,17 +439,23 @@ class Offsetting {
 
 }  // namespace
 
-Result<std::vector<Contour>, OffsetFault> offset(const Contour& contour, double distance) {
-    if (contour.empty()) return std::vector<Contour>{};
-    if (distance == 0) return std::vector<Contour>{contour};
+Result<std::vector<Contour>, OffsetFault> offset(std::span<const Contour> contours,
+                                                 double distance) {
+    std::vector<Contour> given(contours.begin(), contours.end());
+    std::erase_if(given, [](const Contour& contour) { return contour.empty(); });
+    if (given.empty() || distance == 0) return given;
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
         // 0, +1, −1, +2 …: away from what was degenerate, to both sides.
         const int step = (attempt + 1) / 2 * (attempt % 2 == 1 ? 1 : -1);
         std::optional<std::vector<Contour>> result =
-            Offsetting(contour, distance + step * kNudge).run();
+            Offsetting(given, distance + step * kNudge).run();
         if (result) return std::move(*result);
     }
     return OffsetFault::Unresolved;
+}
+
+Result<std::vector<Contour>, OffsetFault> offset(const Contour& contour, double distance) {
+    return offset(std::span(&contour, 1), distance);
 }
 
 }  // namespace kadr::path

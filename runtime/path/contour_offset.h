@@ -1,6 +1,8 @@
 // contour_offset.h — the path of a tool's centre beside a contour, exact for lines and arcs.
 #pragma once
 
+#include <span>
+
 #include "base/result.h"
 #include "path/contour.h"
 
@@ -26,5 +28,12 @@ inline constexpr double kOffsetTolerance = 1e-6;
 ///           corners. These are cut where they meet, and the pieces whose distance is right are
 ///           kept and joined.
 Result<std::vector<Contour>, OffsetFault> offset(const Contour& contour, double distance);
+
+/// The curves at a distance beside several contours together: a wall and the islands within it.
+///
+/// contours  one, or several that are closed; those that bound one region have it on the same side
+/// promise   as of one contour, with the distance to all of them
+Result<std::vector<Contour>, OffsetFault> offset(std::span<const Contour> contours,
+                                                 double distance);
 
 }  // namespace kadr::path

@@ -394,6 +394,56 @@ RC_GTEST_PROP(ContourOffset, IsTheOffsetOfRandomContours, ()) {
     check_offset(is_reversed ? reversed(contour) : contour, d);
 }
 
+/// A wall and islands in it together: beside all of them, everywhere far enough from each.
+RC_GTEST_PROP(ContourOffset, IsTheOffsetOfAWallAndItsIslands, ()) {
+    std::vector<Contour> walls = {random_contour()};
+    RC_PRE(!crosses_itself(walls[0]));
+    if (signed_area(walls[0]) < 0) walls[0] = reversed(walls[0]);
+    const Rectangle box = bounds(walls[0]);
+    for (int k = *rc::gen::inRange(1, 4); k > 0; --k) {
+        const Vec2 share(number(0, 1), number(0, 1));
+        const Vec2 center = box.lower + share.cwiseProduct(Vec2(box.upper - box.lower));
+        const Contour island = *rc::gen::arbitrary<bool>()
+                                   ? circle(center, number(0.5, 6), true)
+                                   : shifted(reversed(rectangle(5, 3)), center);
+        // Apart from what is there, and inside the wall.
+        const bool is_apart = std::all_of(walls.begin(), walls.end(), [&](const Contour& other) {
+            return intersections(other, island).empty() && !is_inside(island, other[0].from);
+        });
+        const Vec2 start = island[0].from;
+        if (is_apart && is_inside(walls[0], start) &&
+            std::none_of(walls.begin() + 1, walls.end(),
+                         [&](const Contour& other) { return is_inside(other, start); })) {
+            walls.push_back(island);
+        }
+    }
+    const double d = number(0.1, 6);
+    const auto result = offset(walls, d);
+    RC_ASSERT(result.has_value());
+    const auto apart = [&](const Vec2& point) {
+        double least = 1e9;
+        for (const Contour& wall : walls) least = std::min(least, nearest(wall, point).distance);
+        return least;
+    };
+    for (const Contour& piece : *result) {
+        RC_ASSERT(is_closed(piece));
+        for (const Element& element : piece) {
+            for (const double share : {0.0, 0.3, 0.7})
+                RC_ASSERT(std::fabs(apart(point_at(element, share)) - d) < 1e-5);
+        }
+    }
+    for (int k = 0; k < 400; ++k) {
+        const Vec2 share(number(0, 1), number(0, 1));
+        const Vec2 point = box.lower + share.cwiseProduct(Vec2(box.upper - box.lower));
+        if (std::fabs(apart(point) - d) < 1e-4) continue;
+        int sides = 0;
+        for (const Contour& wall : walls) sides += turns_around(wall, point);
+        int turns = 0;
+        for (const Contour& piece : *result) turns += turns_around(piece, point);
+        RC_ASSERT(turns == (sides == 1 && apart(point) > d ? 1 : 0));
+    }
+}
+
 RC_GTEST_PROP(ContourOffset, IsTheOffsetOfCombsOnAGrid, ()) {
     const Contour contour = random_grid_contour();
     RC_PRE(!crosses_itself(contour));

@@ -40,4 +40,49 @@ CycleRun run_text(const std::string& text, const std::string& dialect, const std
     return run;
 }
 
+CycleRun run_cycle(const std::string& module, const std::string& call, const std::string& dialect) {
+    return run_text("import " + module + ";\nprogram test() {\n    S5000 M3;\n    F600;\n" +
+                        "    G0 X0 Y0 Z40;\n    " + call + ";\n    M30;\n}\n",
+                    dialect, "mill");
+}
+
+namespace {
+
+std::vector<json> places_of(const std::vector<json>& commands) {
+    std::vector<json> result;
+    for (const json& command : commands) {
+        if (!command.contains("to")) continue;
+        if (result.empty() || result.back() != command["to"]) result.push_back(command["to"]);
+    }
+    return result;
+}
+
+}  // namespace
+
+std::string motion_difference(const std::vector<json>& commands, const std::string& module,
+                              const std::string& call, const std::string& dialect) {
+    const CycleRun run = run_cycle(module, call, dialect);
+    if (run.status != 0) return run.error;
+    const std::vector<json> wanted = places_of(commands), got = places_of(run.commands);
+    if (got.size() != wanted.size()) {
+        return dialect + ": " + std::to_string(got.size()) + " moves, not " +
+               std::to_string(wanted.size());
+    }
+    for (std::size_t i = 0; i < got.size(); ++i) {
+        for (const char* axis : {"X", "Y", "Z"}) {
+            if (!wanted[i].contains(axis) || !got[i].contains(axis)) continue;
+            const double apart = got[i][axis].get<double>() - wanted[i][axis].get<double>();
+            if (std::fabs(apart) > 0.0011)
+                return dialect + ": " + got[i].dump() + ", not " + wanted[i].dump();
+        }
+    }
+    return "";
+}
+
+std::vector<json> commands_of(const std::string& module, const std::string& call) {
+    CycleRun run = run_cycle(module, call);
+    EXPECT_EQ(run.status, 0) << call << run.error;
+    return std::move(run.commands);
+}
+
 }  // namespace stdlib_test

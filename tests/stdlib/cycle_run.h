@@ -33,4 +33,17 @@ struct CycleRun {
 };
 CycleRun run_text(const std::string& text, const std::string& dialect, const std::string& machine);
 
+/// A program that does `call` from (0, 0, 40), on a control.
+CycleRun run_cycle(const std::string& module, const std::string& call,
+                   const std::string& dialect = "iso");
+
+/// The commands of a call that must succeed.
+std::vector<nlohmann::json> commands_of(const std::string& module, const std::string& call);
+
+/// How the motion of a call on another control differs from these commands of `iso`: the places of
+/// all moves in order, within a thousandth. Empty if it does not.
+std::string motion_difference(const std::vector<nlohmann::json>& commands,
+                              const std::string& module, const std::string& call,
+                              const std::string& dialect);
+
 }  // namespace stdlib_test

@@ -19,6 +19,11 @@ TEST(Texts, Strings) {
              {R"("{f(k: 2):+.1}")", "(text (format (call f k: 2) +.1))"},
              {R"("{p.x + 2mm:8.2}")", "(text (format (+ (. p x) 2mm) 8.2))"},
              {R"("Ø{d} мм")", R"((text "Ø" d " мм"))"},
+             // Texts in the braces of a text.
+             {R"x("{f("a")}")x", R"x((text (call f "a")))x"},
+             {R"x("{f("a:b"):.1} c")x", R"x((text (format (call f "a:b") .1) " c"))x"},
+             {R"x("{a ? "x {b}" : "y"}")x", R"x((text (? a (text "x " b) "y")))x"},
+             {R"x("{s contains "{{" + "\""}")x", R"x((text (contains s (+ "{" "\""))))x"},
          }) {
         EXPECT_EQ(expression(row.text), row.expected) << row.text;
     }
