@@ -65,8 +65,10 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::ActiveAdditionalOffset: return number(std::max<std::int64_t>(0, work_offset_ - 6));
         case Quantity::Feed: return modal_.has_feed ? modal_.feed : 0;
         case Quantity::Speed:
+            if (first > 1) return std::nullopt;  // of another spindle
             return spindle_.has_cutting_speed ? spindle_.cutting_speed : spindle_.speed;
         case Quantity::SpindleDirection:
+            if (first > 1) return std::nullopt;
             switch (spindle_.mode) {
                 case path::SpindleMode::Cw: return 3;
                 case path::SpindleMode::Ccw: return 4;

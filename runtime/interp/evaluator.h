@@ -4,7 +4,9 @@
 // as a fault. Numbers never touch the heap.
 #pragma once
 
+#include <deque>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -84,7 +86,7 @@ class Evaluator {
     Variables& variables_;
     std::vector<Value> stack_;
     std::size_t size_ = 0;
-    std::vector<std::string> texts_;
+    std::deque<std::string> texts_;  // views of them stay valid
     nc::LineFault fault_;
     nc::Span place_;
     std::string_view name_;  // of the operation, for messages

@@ -331,8 +331,7 @@ class LineCompiler final : public ValueCompiler {
     // ------------------------------------------------------------ names
 
     bool take_name(const Word& word) {
-        const std::string name = words_.normal(word.text);
-        if (symbols_.find(name) != nullptr) return take_variable();
+        if (begins_reference(word.begin)) return take_variable();
         for (const FunctionForm& form : language_.functions) {
             if (words_.says(word, form.name)) return take_function(word, form);
         }
