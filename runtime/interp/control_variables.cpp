@@ -439,7 +439,8 @@ std::vector<ControlVariable> ControlVariables::list() const {
         for (std::uint32_t i = 0; i < symbol.count(); ++i) {
             const Value& value = store.values[symbol.slot + i];
             if (value.is_vacant()) continue;
-            const std::string_view text = value.is_text() ? store.texts[value.text] : "";
+            const std::string_view text =
+                value.is_text() ? std::string_view(store.texts[value.text]) : std::string_view();
             out.push_back(shown(
                 element_name(symbol, i, language_.index_open, language_.index_close), value, text));
         }
