@@ -43,6 +43,7 @@ struct CompiledLine {
     bool is_compiled = false;  // `line` holds
     bool is_nothing = false;
     nc::ControlLine line;
+    nc::MatchedLine matched;
     CompiledLine* next = nullptr;  // the line behind it, if that one is kept as well
 };
 
@@ -383,7 +384,9 @@ Program::State::Done Program::State::read_words(CompiledLine& line, Block& out) 
         word.number = value.number;
         word.text = evaluator.text(value);
     }
-    return lines.read_words(line.text, line.line, values, out) ? Done::Block : Done::Nothing;
+    nc::MatchedLine* const known = &line == &scratch ? nullptr : &line.matched;
+    return lines.read_words(line.text, line.line, values, out, known) ? Done::Block
+                                                                      : Done::Nothing;
 }
 
 // ------------------------------------------------------------------------------ faults

@@ -131,7 +131,9 @@ class Lexer {
     void take_piece() {
         if (line_.compare(at_, open_.size(), open_) == 0) return take_comment();
         const char c = peek();
-        if (c == '#' || c == '[' || c == '$') {
+        const bool is_index = c == '[' && compiler_ != nullptr;
+        if (is_index) return fail(diag::IsoNotSupported, at_, at_ + 1, {"an address with an index"});
+        if ((c == '#' || c == '[' || c == '$') && compiler_ == nullptr) {
             return fail(diag::IsoNotSupported, at_, at_ + 1,
                         {"the control's own parametric language"});
         }

@@ -153,16 +153,64 @@ bool LineReader::read(std::string_view line, std::uint64_t number, Block& block)
 }
 
 bool LineReader::read_words(std::string_view line, ControlLine& compiled,
-                            std::span<const WordValue> values, Block& block) {
+                            std::span<const WordValue> values, Block& block,
+                            MatchedLine* known) {
     lexed_ = &compiled.words;
     set_values(compiled, values);
     has_content_ = true;
-    if (!fill(line, block)) {
+    const bool is_whole = std::ranges::none_of(
+        values, [](const WordValue& value) { return value.kind == WordValue::Kind::Vacant; });
+    const bool is_known = known != nullptr && known->is_valid && is_whole && known->before == modal_;
+    if (is_known) recall(*known, block);
+    const bool is_fine = is_known ? apply(block, line)
+                                  : fill(line, block, is_whole ? known : nullptr, &compiled);
+    if (!is_fine) {
         note_fault();
         return false;
     }
     follow_modal(block, modal_);
     return true;
+}
+
+/// The block as the words were understood before; the values are to be put in.
+void LineReader::recall(const MatchedLine& known, Block& block) {
+    const Block& shape = known.shape;
+    block.skip = shape.skip;
+    block.number = shape.number;
+    block.motion = shape.motion;
+    block.incremental = shape.incremental;
+    block.absolute = shape.absolute;
+    block.cycle = shape.cycle;
+    block.function_count = shape.function_count;
+    block.argument_count = shape.argument_count;
+    std::copy_n(shape.functions.begin(), shape.function_count, block.functions.begin());
+    std::copy_n(shape.arguments.begin(), shape.argument_count, block.arguments.begin());
+    if (!lexed_->comment.empty()) block.comment = lexed_->comment;
+    if (!lexed_->text.empty()) block.text = lexed_->text;
+    std::ranges::copy(known.claims, match_.claims.begin());
+    std::ranges::copy(known.forms, match_.forms.begin());
+    match_.claim_count = known.claims.size();
+    match_.form_count = known.forms.size();
+}
+
+/// Only lines of which no computed value decides what they say.
+void LineReader::remember(const ControlLine& compiled, const Block& block,
+                          MatchedLine& known) const {
+    known.is_valid = !compiled.words.words.empty() &&
+                     std::ranges::all_of(compiled.computed, [&](const ComputedValue& computed) {
+                         if (computed.argument >= 0) return false;
+                         const AddressId id = compiled.words.words[computed.word].address;
+                         const Address& address = tables_.addresses[id];
+                         return address.kind == Address::Kind::Value && address.slot >= 0 &&
+                                address.forms.empty() && tables_.code_index[id].empty();
+                     });
+    if (!known.is_valid) return;
+    known.before = modal_;
+    known.shape = block;
+    known.claims.assign(match_.claims.begin(),
+                        match_.claims.begin() + static_cast<std::ptrdiff_t>(match_.claim_count));
+    known.forms.assign(match_.forms.begin(),
+                       match_.forms.begin() + static_cast<std::ptrdiff_t>(match_.form_count));
 }
 
 /// Puts computed values into the words; a word that is vacant is none.
@@ -416,7 +464,8 @@ bool LineReader::read_slow(std::string_view line, Block& block) {
 }
 
 /// The words of `lexed_` as a block.
-bool LineReader::fill(std::string_view line, Block& block) {
+bool LineReader::fill(std::string_view line, Block& block, MatchedLine* known,
+                      const ControlLine* compiled) {
     block.skip = lexed_->skip;
     block.number = lexed_->number;
     block.comment = lexed_->comment;
@@ -434,6 +483,7 @@ bool LineReader::fill(std::string_view line, Block& block) {
         report(line, *fault);
         return false;
     }
+    if (known != nullptr) remember(*compiled, block, *known);
     return apply(block, line);
 }
 

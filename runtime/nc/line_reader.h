@@ -34,6 +34,16 @@ struct WordValue {
     std::string_view text;
 };
 
+/// What was found of the words of a line when it ran first, for the next time. Holds as long as the
+/// modal functions are the same, and if no computed value says what the block does.
+struct MatchedLine {
+    bool is_valid = false;
+    ModalFunctions before{};
+    std::vector<Claim> claims;
+    std::vector<FormId> forms;
+    Block shape;  // functions and modes, without values
+};
+
 class LineReader {
   public:
     /// `name` is shown in messages. A mistake is reported as the control's alarm.
@@ -56,8 +66,10 @@ class LineReader {
     /// A line of the control's own language that the dialect knows by its letters.
     bool read_known(std::string_view line, Block& block);
     /// The words of a compiled line with the values that were computed for it.
+    ///
+    /// known  what an earlier run of the line has found; null: nobody keeps it
     bool read_words(std::string_view line, ControlLine& compiled,
-                    std::span<const WordValue> values, Block& block);
+                    std::span<const WordValue> values, Block& block, MatchedLine* known = nullptr);
     /// The decimals to which the control rounds a value of the line.
     int value_decimals(const ControlLine& line, std::size_t computed) const;
     void report_fault(std::string_view line, const LineFault& fault) { report(line, fault); }
@@ -84,7 +96,10 @@ class LineReader {
     bool read_fast(std::string_view line, Block& block) const;
     bool match_verbatim(const Form& form, std::string_view text, Block& block) const;
     bool read_verbatim(std::string_view line, Block& block) const;
-    bool fill(std::string_view line, Block& block);
+    bool fill(std::string_view line, Block& block, MatchedLine* known = nullptr,
+              const ControlLine* compiled = nullptr);
+    void recall(const MatchedLine& known, Block& block);
+    void remember(const ControlLine& compiled, const Block& block, MatchedLine& known) const;
     void set_values(ControlLine& compiled, std::span<const WordValue> values);
     double whole_if_needed(AddressId id, double value) const;
     bool has_decimal_codes(AddressId id) const;
