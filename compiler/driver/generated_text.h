@@ -40,6 +40,9 @@ class GeneratedText final : public nc::TextSource {
     bool start();
     bool start(const Entry& entry);
 
+    /// The text is not run: what the interpreter would warn of is looked for here.
+    void warn_of_cuts() { expander_.warn_of_cuts(); }
+
     std::string_view next() override;
 
     /// Gets every piece of the text as it is made. To be set before `start`.

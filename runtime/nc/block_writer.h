@@ -132,6 +132,9 @@ class BlockWriter {
     void write_lead(const Form& form, const Block& block, const Invocation& invocation,
                     std::string& out);
     void leave_cycle(const Block& block, std::string& out);
+    double cycle_speed(const Block& block, const Invocation& invocation) const;
+    Function spindle_behind(const Form& form, const Block& block,
+                            const Invocation& invocation) const;
     bool says_speed(const Block& block, const Invocation& invocation) const;
     Function acting_around(const Form& form) const;
     void defer_length(const Block& block, const Invocation& invocation);

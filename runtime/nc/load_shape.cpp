@@ -73,7 +73,7 @@ const std::vector<XmlRule>& dialect_rules() {
         {"form",
          {"when", "sets", "needs", "before", "during", "outside", "first", "lead", "use",
           "own_block", "remembers", "keeps_length", "implied", "drops", "preset", "verbatim",
-          "feed", "note"},
+          "leaves", "spindle", "feed", "note"},
          {},
          Text},
         {"cycle",
