@@ -84,7 +84,7 @@ TEST(Reader, FanucWords) {
                        "X1 | reference_return(point=3)\nY1 | reference_return(point=2)"},
                       {"M29 S800\nG98 G84 Z-10. R2. F800.",
                        "S800 | tap_rigid\n"
-                       "F800 | cycle_return_initial | cycle#3(0=-10, 2=2, 5=0, 6=1)"},
+                       "F800 | cycle_return_initial | cycle#3(0=-10, 2=2, 5=0, 6=1, 9=3)"},
                       {"G41 D21 X5.", "X5 | radius_comp_left | radius_offset(offset=21)"},
                       {"M88", "machine_function(number=88)"},
                       {"G98 G83 X5. Z-12. R2. Q3. F180.",
@@ -283,7 +283,7 @@ TEST(Reader, WordsWithoutEffectAreAccepted) {
                   {{"G40G49G80G69G50G15",
                     "radius_comp_off | length_comp_off | cycle_off | rotate_off | scale_off"},
                    {"G05.1 Q1\nG01 X1.", "line X1"}});
-    expect_blocks("sinumerik", {{"G1 SOFT G601 X5 NORM", "line X5"}, {"STOPRE", ""}});
+    expect_blocks("sinumerik", {{"G1 SOFT G601 X5 CUT2D", "line X5"}, {"STOPRE", ""}});
     // Repeats of a cycle are not executed, so they are not passed over either.
     EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "G81 X1. Z-5. R2. K3").messages),
               "K5010");
