@@ -239,8 +239,8 @@ void Execution::connect(DiagnosticSink& sink) {
     held_ = std::make_unique<HeldMessages>(*sink_);
     interp::ProgramOptions program_options{.skip_levels = options.skip_levels};
     if (options.max_blocks != 0) program_options.max_repeated = options.max_blocks;
-    reader_ = std::make_unique<interp::Program>(*dialect_, text, text_name_, program_options,
-                                                *held_);
+    reader_ =
+        std::make_unique<interp::Program>(*dialect_, text, text_name_, program_options, *held_);
     tagged_ =
         std::make_unique<Tagger>(*reader_, *held_, generated_ ? &generated_->lines() : nullptr);
     // A cycle that a test executes by itself runs with the tool of its caller.
@@ -271,11 +271,14 @@ std::size_t Execution::pull(std::span<path::Command> out) {
 }
 
 void Execution::read_rest() {
+    reader_->check_only();
     std::vector<nc::Block> batch(kBatch);
     while (tagged_->pull(batch) > 0) continue;
 }
 
-bool Execution::failed() const { return reader_->has_fault() || (generated_ && generated_->failed()); }
+bool Execution::failed() const {
+    return reader_->has_fault() || (generated_ && generated_->failed());
+}
 
 SourceRange Execution::statement(SourceId source) const {
     if (program_ == nullptr || !source.is_valid() ||

@@ -62,7 +62,8 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
             return i < work_offsets_.size() ? work_offsets_[i][index(*axis)] : 0.0;
         }
         case Quantity::ActiveWorkOffset: return number(work_offset_);
-        case Quantity::ActiveAdditionalOffset: return number(std::max<std::int64_t>(0, work_offset_ - 6));
+        case Quantity::ActiveAdditionalOffset:
+            return number(std::max<std::int64_t>(0, work_offset_ - 6));
         case Quantity::Feed: return modal_.has_feed ? modal_.feed : 0;
         case Quantity::Speed:
             if (first > 1) return std::nullopt;  // of another spindle
@@ -81,9 +82,8 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::LengthOffset: return number(tool_.offset);
         case Quantity::RadiusOffset: return number(tool_.radius_offset);
         case Quantity::ToolRadius: {
-            const auto tool = std::ranges::find_if(machine_.tools, [this](const auto& t) {
-                return t.number == tool_.current;
-            });
+            const auto tool = std::ranges::find_if(
+                machine_.tools, [this](const auto& t) { return t.number == tool_.current; });
             return tool == machine_.tools.end() ? 0 : tool->radius;
         }
         case Quantity::None:

@@ -23,6 +23,8 @@ class ControlState {
     /// where X is a diameter).
     virtual bool is_length(std::int64_t axis) const = 0;
     virtual double word_factor(std::int64_t axis) const = 0;
+    /// Whether the tool stands beside the programmed contour.
+    virtual bool is_compensated() const = 0;
 };
 
 }  // namespace kadr::interp

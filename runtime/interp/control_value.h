@@ -33,9 +33,7 @@ struct Store {
     std::vector<Value> values;
     std::vector<std::string> texts;  // of the text variables among them, one for each slot
 
-    void grow(std::size_t count) {
-        values.resize(std::max(values.size(), count));
-    }
+    void grow(std::size_t count) { values.resize(std::max(values.size(), count)); }
     void set_text(std::uint32_t slot, std::string_view text) {
         texts.resize(std::max<std::size_t>(texts.size(), slot + std::size_t{1}));
         texts[slot] = text;

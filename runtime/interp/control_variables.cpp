@@ -51,10 +51,7 @@ std::string_view type_name(nc::ValueType type) {
 }  // namespace
 
 ControlVariables::ControlVariables(const nc::Dialect& dialect, const nc::LineReader& reader)
-    : dialect_(dialect),
-      tables_(dialect.tables()),
-      language_(tables_.language),
-      reader_(reader) {
+    : dialect_(dialect), tables_(dialect.tables()), language_(tables_.language), reader_(reader) {
     globals_.grow(language_.global_slots);
     level_.locals.grow(language_.local_slots);
 }
@@ -113,6 +110,10 @@ Variables::Answer ControlVariables::system(Quantity quantity, std::int64_t first
     }
     if (state_ == nullptr) return Answer::Unsupported;
     if (!in_step_) return Answer::Later;
+    const bool is_of_tool = quantity == Quantity::WorkPosition ||
+                            quantity == Quantity::HeadPosition ||
+                            quantity == Quantity::MachinePosition;
+    if (is_of_tool && state_->is_compensated()) return Answer::Compensated;
     const auto value = state_->quantity(quantity, first, second);
     if (!value) return Answer::Missing;
     out = to_text_units(quantity, {first, second}, *value);
@@ -352,9 +353,8 @@ ControlVariables::Fault ControlVariables::store_system(Quantity quantity, const 
         return {&diag::IsoNotSupported, {std::string(info(quantity).name)}};
     if (value.is_text()) return {&diag::TypesDiffer, {"a work offset", "a text"}};
     const double factor = text_factor(indices, indices.second);
-    const bool is_set = state_->set_work_offset(indices.first, indices.second,
-                                                value.number / factor,
-                                                language_.rules.offsets_act_at_once);
+    const bool is_set = state_->set_work_offset(
+        indices.first, indices.second, value.number / factor, language_.rules.offsets_act_at_once);
     if (is_set) return {};
     return {&diag::VariableNumber, {"of this work offset"}};
 }
@@ -364,8 +364,7 @@ bool ControlVariables::load(const Instruction& from, std::span<const std::int64_
     switch (from.kind) {
         case Instruction::Kind::Global: out = globals_.values[from.index]; return true;
         case Instruction::Kind::Local: out = level_.locals.values[from.index]; return true;
-        case Instruction::Kind::Family:
-            return family(from.index, indices[0], out) == Answer::Value;
+        case Instruction::Kind::Family: return family(from.index, indices[0], out) == Answer::Value;
         case Instruction::Kind::Element: {
             const auto slot = Evaluator::element(level_.symbols.at(from.index), indices);
             if (slot) out = level_.locals.values[*slot];

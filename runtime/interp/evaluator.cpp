@@ -81,8 +81,8 @@ Evaluator::Outcome Evaluator::run(const nc::ControlLine& line, const nc::Express
     return outcome;
 }
 
-Evaluator::Outcome Evaluator::execute(const nc::ControlLine& line,
-                                      const nc::Expression& expression, int decimals) {
+Evaluator::Outcome Evaluator::execute(const nc::ControlLine& line, const nc::Expression& expression,
+                                      int decimals) {
     size_ = 0;
     is_later_ = false;
     if (stack_.size() < expression.count + 1) stack_.resize(expression.count + 8);
@@ -148,7 +148,11 @@ bool Evaluator::answer(Variables::Answer answer) {
         case Variables::Answer::Value: return true;
         case Variables::Answer::Later: is_later_ = true; return false;
         case Variables::Answer::Missing: return fail(diag::VariableNumber, {"with this index"});
-        case Variables::Answer::NotReadable: return fail(diag::VariableWriteOnly, {"this variable"});
+        case Variables::Answer::NotReadable:
+            return fail(diag::VariableWriteOnly, {"this variable"});
+        case Variables::Answer::Compensated:
+            return fail(diag::IsoNotSupported,
+                        {"the position of the tool under cutter radius compensation"});
         case Variables::Answer::Unsupported:
             return fail(diag::IsoNotSupported, {"this system variable"});
     }
@@ -160,8 +164,8 @@ bool Evaluator::load_family(const Instruction& instruction) {
     if (stack_[size_ - 1].is_text()) return fail(diag::TypesDiffer, {"an index", "a text"});
     if (!(std::fabs(number) < 1e9)) return fail(diag::VariableNumber, {shown(number)});
     Value value;
-    const auto answered = variables_.family(
-        instruction.index, static_cast<std::int64_t>(rounded_away(number)), value);
+    const auto answered = variables_.family(instruction.index,
+                                            static_cast<std::int64_t>(rounded_away(number)), value);
     if (answered == Variables::Answer::Missing)
         return fail(diag::VariableNumber, {shown(rounded_away(number))});
     stack_[size_ - 1] = value;
@@ -176,8 +180,8 @@ bool Evaluator::load_system(const Instruction& instruction) {
                    : 0;
     };
     double number = 0;
-    const auto answered = variables_.system(static_cast<nc::Quantity>(instruction.index), index(0),
-                                            index(1), number);
+    const auto answered =
+        variables_.system(static_cast<nc::Quantity>(instruction.index), index(0), index(1), number);
     push(Value::of(number, instruction.type));
     return answer(answered);
 }
@@ -383,8 +387,8 @@ bool Evaluator::function(Operation operation, Value* a, int decimals) {
         case Operation::SquareRoot: return x < 0 ? out_of_range() : real(*a, std::sqrt(x));
         case Operation::Square: return real(*a, x * x);
         case Operation::Absolute:
-            *a = was_whole ? Value::of(std::fabs(x), nc::ValueType::Int)
-                           : Value::real(std::fabs(x));
+            *a =
+                was_whole ? Value::of(std::fabs(x), nc::ValueType::Int) : Value::real(std::fabs(x));
             return true;
         case Operation::Round: {
             if (decimals < 0) return whole_result(rounded_away(x));
@@ -444,9 +448,7 @@ bool Evaluator::arc_function(Operation operation, Value* a) {
             break;
         case Operation::Arccosine: angle = deg_from_rad(std::acos(x)); break;
         case Operation::Arctangent: angle = deg_from_rad(std::atan(x)); break;
-        default:
-            angle = deg_from_rad(std::atan2(x, a[1].number));
-            range = rules_.arctangent_range;
+        default: angle = deg_from_rad(std::atan2(x, a[1].number)); range = rules_.arctangent_range;
     }
     if (range == 360 && angle < 0) angle += 360;
     return real(*a, angle);
@@ -473,8 +475,10 @@ std::string Evaluator::written(const Value& value) const {
 }
 
 bool Evaluator::text_function(Operation operation, Value* a, int count) {
-    const bool takes_numbers = operation == Operation::Concatenate || operation == Operation::ToText;
-    if (!takes_numbers && !a->is_text()) return fail(diag::TypesDiffer, {"a text function", "a number"});
+    const bool takes_numbers =
+        operation == Operation::Concatenate || operation == Operation::ToText;
+    if (!takes_numbers && !a->is_text())
+        return fail(diag::TypesDiffer, {"a text function", "a number"});
     const std::string subject = takes_numbers ? written(*a) : std::string(text(*a));
     const auto place = [&](std::size_t found) {
         const bool is_missing = found == std::string::npos;

@@ -1,7 +1,7 @@
 // evaluator.h — expressions of the control's own language → values.
 //
-// Works on the compiled code of a line and changes nothing; what a control would alarm on comes back
-// as a fault. Numbers never touch the heap.
+// Works on the compiled code of a line and changes nothing; what a control would alarm on comes
+// back as a fault. Numbers never touch the heap.
 #pragma once
 
 #include <deque>
@@ -20,7 +20,14 @@ namespace kadr::interp {
 class Variables {
   public:
     virtual ~Variables() = default;
-    enum class Answer : std::uint8_t { Value, Missing, NotReadable, Unsupported, Later };
+    enum class Answer : std::uint8_t {
+        Value,
+        Missing,
+        NotReadable,
+        Unsupported,
+        Compensated,
+        Later
+    };
     /// A variable of a family by its number.
     virtual Answer family(std::uint32_t form, std::int64_t number, Value& out) = 0;
     /// `Later`: the blocks before have to be executed first.

@@ -78,8 +78,8 @@ class BlockQueue {
 class Executor {
   public:
     Executor(const nc::Dialect& dialect, const machine::Machine& machine, Stream<nc::Block>& blocks,
-             const nc::BlockPlaces* places, CycleExpander* cycles, const InterpreterOptions& options,
-             DiagnosticSink& sink);
+             const nc::BlockPlaces* places, CycleExpander* cycles,
+             const InterpreterOptions& options, DiagnosticSink& sink);
 
     std::size_t pull(std::span<path::Command> out);
     bool alarmed() const { return alarmed_; }
@@ -92,6 +92,7 @@ class Executor {
     bool set_work_offset(std::int64_t number, std::int64_t axis, double value, bool acts_at_once);
     bool is_length(std::int64_t axis) const;
     double word_factor(std::int64_t axis) const;
+    bool is_compensated() const { return compensation_.is_on(); }
 
   private:
     std::optional<Axis> axis_of(std::int64_t index) const;

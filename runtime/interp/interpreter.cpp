@@ -9,8 +9,9 @@ struct Interpreter::State {
 };
 
 Interpreter::Interpreter(const nc::Dialect& dialect, const machine::Machine& machine,
-                         Stream<nc::Block>& blocks, const nc::BlockPlaces* places, CycleExpander* cycles,
-                         const InterpreterOptions& options, DiagnosticSink& sink)
+                         Stream<nc::Block>& blocks, const nc::BlockPlaces* places,
+                         CycleExpander* cycles, const InterpreterOptions& options,
+                         DiagnosticSink& sink)
     : state_(new State{Executor(dialect, machine, blocks, places, cycles, options, sink)}) {}
 
 Interpreter::~Interpreter() = default;
@@ -30,6 +31,7 @@ bool Interpreter::set_work_offset(std::int64_t number, std::int64_t axis, double
     return state_->executor.set_work_offset(number, axis, value, acts_at_once);
 }
 bool Interpreter::is_length(std::int64_t axis) const { return state_->executor.is_length(axis); }
+bool Interpreter::is_compensated() const { return state_->executor.is_compensated(); }
 double Interpreter::word_factor(std::int64_t axis) const {
     return state_->executor.word_factor(axis);
 }

@@ -81,6 +81,7 @@ class Interpreter final : public Stream<path::Command>, public ControlState {
                          bool acts_at_once) override;
     bool is_length(std::int64_t axis) const override;
     double word_factor(std::int64_t axis) const override;
+    bool is_compensated() const override;
 
   private:
     struct State;

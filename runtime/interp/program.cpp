@@ -38,10 +38,14 @@ constexpr std::int64_t kMostPasses = 9999;  // of a section that is repeated; S 
 struct CompiledLine {
     std::string text;
     Place place;
-    bool is_plain = false;     // words and numbers: the reader's way
-    bool is_known = false;     // a line that the dialect knows by its letters
-    bool is_compiled = false;  // `line` holds
-    bool is_nothing = false;
+    enum class Kind : std::uint8_t {
+        New,       // nobody has looked at it
+        Plain,     // words and numbers: the reader's way
+        Known,     // the dialect knows it by its letters
+        Compiled,  // `line` holds
+        Nothing,   // nothing stands there
+    };
+    Kind kind = Kind::New;
     nc::ControlLine line;
     nc::MatchedLine matched;
     CompiledLine* next = nullptr;  // the line behind it, if that one is kept as well
@@ -54,7 +58,7 @@ struct OpenStructure {
     Place head;
     Place end;
     std::optional<Place> otherwise;
-    double last = 0;                         // For
+    double last = 0;                          // For
     std::unique_ptr<nc::ControlLine> counts;  // … its head
 };
 
@@ -103,20 +107,21 @@ struct Program::State {
     ControlVariables variables;
     Evaluator evaluator;
 
-    Position here;      // of the line that is next
-    Position frontier;  // of the first line that was never executed
-    Position goes_on;   // behind the line that is executed
+    Position here;                      // of the line that is next
+    Position frontier;                  // of the first line that was never executed
+    Position goes_on;                   // behind the line that is executed
     CompiledLine* next_line = nullptr;  // if the next line is kept
     CompiledLine scratch;
     std::unordered_map<std::uint64_t, std::unique_ptr<CompiledLine>> compiled;
     std::vector<OpenStructure> structures;
     std::vector<OpenRepeat> repeats;
     std::vector<nc::WordValue> values;
-    std::size_t resume = 0;         // statements of the line that are executed already
-    std::size_t given = 0;          // blocks of this batch
-    std::uint64_t turns = 0;        // jumps back since the last block
-    std::uint64_t repeated = 0;     // blocks of lines that ran again
+    std::size_t resume = 0;      // statements of the line that are executed already
+    std::size_t given = 0;       // blocks of this batch
+    std::uint64_t turns = 0;     // jumps back since the last block
+    std::uint64_t repeated = 0;  // blocks of lines that ran again
     std::uint64_t most_line = 0;
+    bool is_waiting = false;        // the line in `scratch` is to be run again
     bool has_executed = false;      // something besides declarations
     bool is_only_checking = false;  // the program has ended; lines behind are read for mistakes
     bool has_ended = false;
@@ -126,9 +131,10 @@ struct Program::State {
     std::size_t pull(std::span<Block> out);
     Done step(Block& out);
     Done first_time(Block& out);
+    Done finish_first(Done done, std::string_view text, const Place& place, Block& out);
     Done run(CompiledLine& line, Block& out);
     CompiledLine* line_at(const Position& position);
-    bool compile(CompiledLine& line);
+    void compile(CompiledLine& line, Block& out);
     void deliver(Block& block, std::string_view text, std::uint64_t number, bool again);
     void advance();
     Done read_words(CompiledLine& line, Block& out);
@@ -216,6 +222,11 @@ Program::State::Done Program::State::step(Block& out) {
 
 /// The line that nobody has executed yet: most are plain words, and go straight out.
 Program::State::Done Program::State::first_time(Block& out) {
+    if (is_waiting) {
+        goes_on = scratch.place.next;
+        lines.begin(here.line);
+        return finish_first(run(scratch, out), scratch.text, scratch.place, out);
+    }
     if (source.offset() != here.offset && !source.seek(here.offset)) {
         lines.begin(here.line);
         scratch.text.clear();
@@ -237,19 +248,19 @@ Program::State::Done Program::State::first_time(Block& out) {
         return Done::Nothing;
     }
     lines.begin(here.line);
-    Done done = Done::Block;
-    if (!lines.read_plain(text, out)) {
-        if (!lines.has_words(text)) {
-            here = frontier = place.next;
-            return Done::Nothing;
-        }
-        scratch.text = text;
-        scratch.place = place;
-        scratch.is_plain = scratch.is_nothing = scratch.is_compiled = scratch.is_known = false;
-        done = run(scratch, out);
-        if (done == Done::Wait) return done;
-        text = scratch.text;
-    }
+    if (lines.read_plain(text, out)) return finish_first(Done::Block, text, place, out);
+    scratch.text = text;
+    scratch.place = place;
+    compile(scratch, out);
+    const bool is_readable = scratch.kind != CompiledLine::Kind::New;
+    const Done done = is_readable ? run(scratch, out) : Done::Nothing;
+    return finish_first(done, scratch.text, place, out);
+}
+
+Program::State::Done Program::State::finish_first(Done done, std::string_view text,
+                                                  const Place& place, Block& out) {
+    is_waiting = done == Done::Wait;
+    if (is_waiting) return done;
     resume = 0;
     frontier = place.next;
     here = goes_on;
@@ -266,8 +277,8 @@ void Program::State::deliver(Block& block, std::string_view text, std::uint64_t 
     turns = 0;
     if (block.number >= 0) variables.set_block_number(block.number);
     if (again && ++repeated > options.max_repeated) {
-        lines.report_fault(text, LineFault{&diag::RepeatedBlocks, {0, 1},
-                                           {std::to_string(options.max_repeated)}});
+        lines.report_fault(
+            text, LineFault{&diag::RepeatedBlocks, {0, 1}, {std::to_string(options.max_repeated)}});
         has_ended = true;
     }
     if (block.function_count != 0) end_after(block);
@@ -290,12 +301,12 @@ CompiledLine* Program::State::line_at(const Position& position) {
     const bool is_there = source.seek(position.offset) && source.next(text, is_too_long);
     CompiledLine* line = &scratch;
     if (compiled.size() < kMostCompiled && is_there) {
-        line = compiled.emplace(position.offset, std::make_unique<CompiledLine>())
-                   .first->second.get();
+        line =
+            compiled.emplace(position.offset, std::make_unique<CompiledLine>()).first->second.get();
     }
     line->text = text;
     line->place = {position, {source.offset(), position.line + 1}};
-    line->is_plain = line->is_nothing = line->is_compiled = line->is_known = false;
+    line->kind = CompiledLine::Kind::New;
     line->next = nullptr;
     if (is_there) return line;
     lines.begin(position.line);
@@ -321,21 +332,23 @@ void Program::State::advance() {
 // ------------------------------------------------------------------------------ a line
 
 Program::State::Done Program::State::run(CompiledLine& line, Block& out) {
-    if (line.is_nothing) return Done::Nothing;
-    if (line.is_plain && lines.read_plain(line.text, out)) return Done::Block;
-    if (!line.is_compiled) {
+    using Kind = CompiledLine::Kind;
+    if (line.kind == Kind::New || line.kind == Kind::Plain) {
         if (lines.read_plain(line.text, out)) {
-            line.is_plain = true;
+            line.kind = Kind::Plain;
             return Done::Block;
         }
-        if (lines.read_known(line.text, out)) return Done::Block;
-        if (!compile(line)) return Done::Nothing;
-        if (line.is_nothing) return Done::Nothing;
+        compile(line, out);
     }
+    if (line.kind == Kind::Nothing || line.kind == Kind::New) return Done::Nothing;
+    if (line.kind == Kind::Known)
+        return lines.read_known(line.text, out) ? Done::Block : Done::Nothing;
     const nc::LexedLine& words = line.line.words;
     if (words.skip >= 0 && (options.skip_levels >> words.skip & 1u) != 0) return Done::Nothing;
     const std::vector<ControlStatement>& statements = line.line.statements;
-    if (!statements.empty() && !is_only_checking) {
+    // Names are declared for the sake of the lines that are only checked.
+    const bool is_declaration = !statements.empty() && statements[0].kind == Statement::Declare;
+    if (!statements.empty() && (!is_only_checking || is_declaration)) {
         if (statements[0].kind != Statement::Declare) has_executed = true;
         while (resume < statements.size()) {
             evaluator.forget();
@@ -345,25 +358,22 @@ Program::State::Done Program::State::run(CompiledLine& line, Block& out) {
             ++resume;
         }
     }
-    const bool has_nothing_else =
-        words.words.empty() && words.comment_form == nc::kNoForm &&
-        (!statements.empty() || words.number < 0);
+    const bool has_nothing_else = words.words.empty() && words.comment_form == nc::kNoForm &&
+                                  (!statements.empty() || words.number < 0);
     if (has_nothing_else) return Done::Nothing;
     return read_words(line, out);
 }
 
-bool Program::State::compile(CompiledLine& line) {
-    if (!lines.has_words(line.text)) {
-        line.is_nothing = true;
-        return true;
-    }
-    auto fault = compile_line(tables, variables.level().symbols, line.text, line.line);
-    if (fault) {
-        lines.report_fault(line.text, *fault);
-        return false;
-    }
-    line.is_compiled = true;
-    return true;
+/// What kind of line it is; one that cannot be read stays New.
+void Program::State::compile(CompiledLine& line, Block& out) {
+    line.kind = CompiledLine::Kind::Nothing;
+    if (!lines.has_words(line.text)) return;
+    line.kind = CompiledLine::Kind::Known;
+    if (lines.knows(line.text, out)) return;
+    line.kind = CompiledLine::Kind::New;
+    const auto fault = compile_line(tables, variables.level().symbols, line.text, line.line);
+    if (!fault) line.kind = CompiledLine::Kind::Compiled;
+    if (fault) lines.report_fault(line.text, *fault);
 }
 
 Program::State::Done Program::State::read_words(CompiledLine& line, Block& out) {
@@ -385,8 +395,7 @@ Program::State::Done Program::State::read_words(CompiledLine& line, Block& out) 
         word.text = evaluator.text(value);
     }
     nc::MatchedLine* const known = &line == &scratch ? nullptr : &line.matched;
-    return lines.read_words(line.text, line.line, values, out, known) ? Done::Block
-                                                                      : Done::Nothing;
+    return lines.read_words(line.text, line.line, values, out, known) ? Done::Block : Done::Nothing;
 }
 
 // ------------------------------------------------------------------------------ faults
@@ -549,8 +558,7 @@ Program::State::Done Program::State::declare(CompiledLine& line,
         const Done done = evaluate(line, statement.type_size, size);
         if (done == Done::Wait || lines.failed()) return done;
         if (size.number < 1 || size.number > language.rules.most_text)
-            return fail(line, diag::SizeWrong, statement.type_size.span,
-                        {evaluator.written(size)});
+            return fail(line, diag::SizeWrong, statement.type_size.span, {evaluator.written(size)});
     }
     for (const nc::Declaration& declaration : statement.declarations) {
         nc::Symbol symbol;
@@ -609,7 +617,7 @@ Program::State::Done Program::State::raise(CompiledLine& line, const Span& span,
 }
 
 Program::State::Done Program::State::stop_with_message(std::string_view text, Block& out) {
-    out.add(Function::Message, 1);
+    if (!text.empty()) out.add(Function::Message, 1);
     out.add(Function::Stop);
     out.text = text;
     return Done::Block;
@@ -664,11 +672,10 @@ Program::State::Done Program::State::jump(CompiledLine& line, const ControlState
     return go(line, found, statement.span);
 }
 
-Program::State::Done Program::State::go(CompiledLine& line, const Place& target,
-                                        const Span& span) {
+Program::State::Done Program::State::go(CompiledLine& line, const Place& target, const Span& span) {
     const std::uint64_t to = target.line.offset;
-    while (!structures.empty() && (to <= structures.back().head.line.offset ||
-                                   to > structures.back().end.line.offset))
+    while (!structures.empty() &&
+           (to <= structures.back().head.line.offset || to > structures.back().end.line.offset))
         structures.pop_back();
     goes_on = target.line;
     // A section that is repeated is left for good by a jump out of it.
@@ -708,8 +715,7 @@ Program::State::Done Program::State::choose_case(CompiledLine& line,
 // ------------------------------------------------------------------------------ structures
 
 Program::State::Done Program::State::enter(CompiledLine& line, const ControlStatement& statement) {
-    const bool is_known = !structures.empty() &&
-                          structures.back().head.line == line.place.line &&
+    const bool is_known = !structures.empty() && structures.back().head.line == line.place.line &&
                           statement.kind == Statement::While;
     bool is_true = true;
     if (statement.kind == Statement::If || statement.kind == Statement::While) {
@@ -729,8 +735,8 @@ Program::State::Done Program::State::enter(CompiledLine& line, const ControlStat
         if (static_cast<int>(structures.size()) >= language.rules.most_levels)
             return fail(line, diag::StructuresTooDeep, statement.span,
                         {std::to_string(language.rules.most_levels)});
-        structures.push_back({statement.kind, statement.loop, line.place, found->end,
-                              found->otherwise, 0, nullptr});
+        structures.push_back(
+            {statement.kind, statement.loop, line.place, found->end, found->otherwise, 0, nullptr});
         if (statement.kind == Statement::For)
             structures.back().counts = std::make_unique<nc::ControlLine>(line.line);
     }
@@ -761,9 +767,7 @@ Program::State::Done Program::State::enter(CompiledLine& line, const ControlStat
 
 /// The end of a structure, or of one pass.
 Program::State::Done Program::State::leave(CompiledLine& line, const ControlStatement& statement) {
-    const auto is_own = [&](const OpenStructure& open) {
-        return open.end.line == line.place.line;
-    };
+    const auto is_own = [&](const OpenStructure& open) { return open.end.line == line.place.line; };
     while (!structures.empty() && !is_own(structures.back())) structures.pop_back();
     if (structures.empty()) return fail(line, diag::StructureBeginMissing, statement.span);
     OpenStructure& open = structures.back();
@@ -836,8 +840,7 @@ Program::State::Done Program::State::repeat_section(CompiledLine& line,
         if (done == Done::Wait || lines.failed()) return done;
         passes = std::llround(count.number);
         if (passes < 0 || passes > kMostPasses)
-            return fail(line, diag::RepeatCount, statement.count.span,
-                        {std::to_string(passes)});
+            return fail(line, diag::RepeatCount, statement.count.span, {std::to_string(passes)});
     }
     Target target;
     Done done = Done::Nothing;
@@ -860,9 +863,8 @@ Program::State::Done Program::State::repeat_section(CompiledLine& line,
         if (!resolve(line, statement.to, last, done)) return done;
         Place end;
         fault = map.find(last, Direction::Forward, begin, end);
-        const bool is_before_end =
-            fault == ProgramMap::Fault::None &&
-            (is_behind || end.line.offset < line.place.line.offset);
+        const bool is_before_end = fault == ProgramMap::Fault::None &&
+                                   (is_behind || end.line.offset < line.place.line.offset);
         if (is_before_end) repeat.end = end.next;
         if (fault != ProgramMap::Fault::None && is_behind) return missing(fault, statement.to);
     } else if (!language.end_label.empty()) {
@@ -889,6 +891,7 @@ Program::Program(const nc::Dialect& dialect, nc::TextSource& text, std::string n
     : state_(std::make_unique<State>(dialect, text, std::move(name), options, sink)) {}
 Program::~Program() = default;
 
+void Program::check_only() { state_->is_only_checking = true; }
 void Program::follow(ControlState& state) { state_->variables.follow(state); }
 std::size_t Program::pull(std::span<Block> out) { return state_->pull(out); }
 LinePlace Program::place(const Block& block) const { return state_->kept.place(block); }

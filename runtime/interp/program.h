@@ -17,9 +17,9 @@
 namespace kadr::interp {
 
 struct ProgramOptions {
-    std::uint16_t skip_levels = 0;  // bit n: blocks with skip level n are left out
-    std::uint64_t max_turns = 10'000'000;   // jumps back without a block between them
-    std::uint64_t max_repeated = 20'000'000;  // blocks that lines give when they run again
+    std::uint16_t skip_levels = 0;                 // bit n: blocks with skip level n are left out
+    std::uint64_t max_turns = 10'000'000;          // jumps back without a block between them
+    std::uint64_t max_repeated = 20'000'000;       // blocks that lines give when they run again
     std::size_t kept_text = std::size_t{4} << 20;  // bytes kept of a text that cannot be read again
 };
 
@@ -39,6 +39,8 @@ class Program final : public Stream<nc::Block>, public nc::BlockPlaces {
             const ProgramOptions& options, DiagnosticSink& sink);
     ~Program() override;
 
+    /// From here on lines are only read, for their mistakes: nothing is worked out, no jump goes.
+    void check_only();
     /// Who executes the blocks. Without one, asking for its state is an alarm.
     void follow(ControlState& state);
 

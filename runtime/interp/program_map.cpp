@@ -108,14 +108,14 @@ ProgramMap::Fault ProgramMap::find_end(const Place& head, const nc::LineFront& f
         const nc::LineFront here = nc::front_of(tables_, line);
         if (begins_structure(here.statement)) {
             is_numbered_twice |= here.loop != 0 && std::ranges::any_of(open, [&](const auto& o) {
-                return o.loop == here.loop;
-            });
+                                     return o.loop == here.loop;
+                                 });
             open.push_back(here);
             return !is_numbered_twice;
         }
         if (here.statement == Statement::Else) {
-            is_wrong = open.back().statement != Statement::If ||
-                       (open.size() == 1 && structure.otherwise);
+            is_wrong =
+                open.back().statement != Statement::If || (open.size() == 1 && structure.otherwise);
             if (open.size() == 1) structure.otherwise = place;
             return !is_wrong;
         }

@@ -52,7 +52,7 @@ class LineCompiler final : public ValueCompiler {
           out_(out) {}
 
     std::optional<LineFault> run() {
-        auto fault = lex_line(tables_, line_, out_.words, this);
+        auto fault = lex_line(tables_, line_, out_.words, language_.is_present ? this : nullptr);
         if (!fault) fault = check_whole();
         return fault;
     }
@@ -60,6 +60,8 @@ class LineCompiler final : public ValueCompiler {
     // ------------------------------------------------------------ what the lexer asks
 
     std::optional<LineFault> take_piece(std::size_t& at, bool& was_taken) override {
+        was_taken = false;
+        if (is_plain_word(at)) return {};
         begin(at);
         was_taken = take_main_number() || take_statement() || take_assignment();
         return finish(at, was_taken);
@@ -93,6 +95,16 @@ class LineCompiler final : public ValueCompiler {
     }
 
   private:
+    /// A letter with its number, as most words are: nothing of the language begins so.
+    bool is_plain_word(std::size_t at) const {
+        const auto is_letter = [](char c) {
+            return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
+        };
+        const char next = at + 1 < line_.size() ? line_[at + 1] : '\0';
+        return is_letter(line_[at]) && !is_letter(next) &&
+               !language_.variable_starts[static_cast<unsigned char>(line_[at])];
+    }
+
     // ------------------------------------------------------------ the cursor
 
     void begin(std::size_t at) {
@@ -118,8 +130,9 @@ class LineCompiler final : public ValueCompiler {
         const std::size_t end = std::clamp<std::size_t>(span.end, begin, line_.size());
         std::string shown(line_.substr(begin, end - begin));
         if (shown.empty()) shown = "the end of the line";
-        fault_ = LineFault{&row, {static_cast<std::uint32_t>(begin),
-                                  static_cast<std::uint32_t>(std::max(end, begin + 1))},
+        fault_ = LineFault{&row,
+                           {static_cast<std::uint32_t>(begin),
+                            static_cast<std::uint32_t>(std::max(end, begin + 1))},
                            {std::move(shown)}};
         return false;
     }
@@ -127,7 +140,8 @@ class LineCompiler final : public ValueCompiler {
         skip();
         const Word word = words_.word_at(at_);
         const std::size_t length = std::max<std::size_t>(1, word.text.size());
-        return fail(row, {static_cast<std::uint32_t>(at_), static_cast<std::uint32_t>(at_ + length)});
+        return fail(row,
+                    {static_cast<std::uint32_t>(at_), static_cast<std::uint32_t>(at_ + length)});
     }
 
     // ------------------------------------------------------------ code
@@ -164,11 +178,13 @@ class LineCompiler final : public ValueCompiler {
         return true;
     }
     bool take_expression(Expression& out) {
-        return take_as_expression(
-            out, [this](bool& is_logical) { return take_level(language_.lowest_level, is_logical); });
+        return take_as_expression(out, [this](bool& is_logical) {
+            return take_level(language_.lowest_level, is_logical);
+        });
     }
     bool take_operand(Expression& out) {
-        return take_as_expression(out, [this](bool& is_logical) { return take_level(0, is_logical); });
+        return take_as_expression(out,
+                                  [this](bool& is_logical) { return take_level(0, is_logical); });
     }
     /// A value that is no comparison where the control does not store such.
     bool take_stored(Expression& out) {
@@ -304,7 +320,9 @@ class LineCompiler final : public ValueCompiler {
         double value = 0;
         for (std::size_t i = begin + 2; i < close; ++i) {
             const char c = words_.upper(line_[i]);
-            const int digit = c >= '0' && c <= '9' ? c - '0' : c >= 'A' && c <= 'F' ? c - 'A' + 10 : 99;
+            const int digit = c >= '0' && c <= '9'   ? c - '0'
+                              : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                                     : 99;
             if ((kind != 'H' && kind != 'B') || digit >= base || value > 4294967295.0)
                 return fail_here(diag::ExpressionSyntax);
             value = value * base + digit;
@@ -342,8 +360,8 @@ class LineCompiler final : public ValueCompiler {
         const std::string known = tables_.unsupported_words(words_.normal(word.text));
         const auto end = static_cast<std::uint32_t>(word.begin + word.text.size());
         if (!known.empty()) {
-            fault_ = LineFault{&diag::IsoNotSupported, {static_cast<std::uint32_t>(word.begin), end},
-                               {known}};
+            fault_ = LineFault{
+                &diag::IsoNotSupported, {static_cast<std::uint32_t>(word.begin), end}, {known}};
             return false;
         }
         return fail(diag::NameUnknown, {static_cast<std::uint32_t>(word.begin), end});
@@ -446,8 +464,8 @@ class LineCompiler final : public ValueCompiler {
             for (; end < line_.size() && line_[end] >= '0' && line_[end] <= '9'; ++end)
                 number = std::min<std::int64_t>(number * 10 + (line_[end] - '0'), 1'000'000'000);
             if (end == at) continue;
-            const bool is_name_longer = !words_.is_blank_insensitive() &&
-                                        word.begin + word.text.size() > end;
+            const bool is_name_longer =
+                !words_.is_blank_insensitive() && word.begin + word.text.size() > end;
             if (is_name_longer) continue;
             at_ = end;
             return place_in_family(form, i, number, begin, out.load);
@@ -467,8 +485,7 @@ class LineCompiler final : public ValueCompiler {
             load.index = range->slot + static_cast<std::uint32_t>(number - range->first);
             return true;
         }
-        if (range->kind == VariableRange::Kind::Unsupported)
-            return fail_unsupported(*range, begin);
+        if (range->kind == VariableRange::Kind::Unsupported) return fail_unsupported(*range, begin);
         // Constants and quantities: by their number, as an index that is computed is.
         emit_number(static_cast<double>(number), ValueType::Int, begin);
         load.kind = Instruction::Kind::Family;
@@ -479,7 +496,8 @@ class LineCompiler final : public ValueCompiler {
     bool fail_unsupported(const VariableRange& range, std::size_t begin) {
         const Span span = span_from(begin);
         const std::string written(line_.substr(span.begin, span.end - span.begin));
-        fault_ = LineFault{&diag::IsoNotSupported, span, {'`' + written + "` (" + range.meaning + ')'}};
+        fault_ =
+            LineFault{&diag::IsoNotSupported, span, {'`' + written + "` (" + range.meaning + ')'}};
         return false;
     }
 
@@ -498,8 +516,8 @@ class LineCompiler final : public ValueCompiler {
             switch (range.kind) {
                 case VariableRange::Kind::Unsupported: return fail_unsupported(range, begin);
                 case VariableRange::Kind::Constant:
-                    load.kind = range.is_vacant ? Instruction::Kind::Vacant
-                                                : Instruction::Kind::Number;
+                    load.kind =
+                        range.is_vacant ? Instruction::Kind::Vacant : Instruction::Kind::Number;
                     load.number = range.value;
                     break;
                 case VariableRange::Kind::System:
@@ -512,9 +530,10 @@ class LineCompiler final : public ValueCompiler {
                                 : range.kind == VariableRange::Kind::Global
                                     ? Instruction::Kind::Global
                                     : Instruction::Kind::Local;
-                    load.index = load.count != 0
-                                     ? static_cast<std::uint32_t>(&form - language_.variables.data())
-                                     : range.slot;
+                    load.index =
+                        load.count != 0
+                            ? static_cast<std::uint32_t>(&form - language_.variables.data())
+                            : range.slot;
                     break;
             }
             return true;
@@ -547,7 +566,8 @@ class LineCompiler final : public ValueCompiler {
             if (axis == kAxisNames.end()) return fail_here(diag::NameUnknown);
             at_ += word.text.size();
             // A name stands below zero, the count of an axis above.
-            emit_number(-1.0 - static_cast<double>(axis - kAxisNames.begin()), ValueType::Int, begin);
+            emit_number(-1.0 - static_cast<double>(axis - kAxisNames.begin()), ValueType::Int,
+                        begin);
             return true;
         }
         bool is_logical = false;
@@ -647,7 +667,8 @@ class LineCompiler final : public ValueCompiler {
             if (!out.empty()) ++at_;
             out.emplace_back();
             skip();
-            if (peek() != ',' && peek() != language_.close && !take_stored(out.back())) return false;
+            if (peek() != ',' && peek() != language_.close && !take_stored(out.back()))
+                return false;
             skip();
         } while (peek() == ',');
         return take_close(language_.close);
@@ -833,7 +854,8 @@ class LineCompiler final : public ValueCompiler {
         while (peek() >= '0' && peek() <= '9' && number < 100000)
             number = number * 10 + (line_[at_++] - '0');
         if (at_ == begin || number < 1 || number > rules_.loop_numbers)
-            return at_ == begin ? fail_here(diag::LoopNumber) : fail(diag::LoopNumber, span_from(begin));
+            return at_ == begin ? fail_here(diag::LoopNumber)
+                                : fail(diag::LoopNumber, span_from(begin));
         out.loop = number;
         return true;
     }
@@ -974,9 +996,8 @@ class LineCompiler final : public ValueCompiler {
         if (!rules_.mixes_words && (has_words || statements.size() > 1))
             return fault(diag::MixedStatement,
                          statements.size() > 1 ? statements[1].span : statements[0].span);
-        const bool are_jumps = std::ranges::all_of(statements, [](const ControlStatement& s) {
-            return s.kind == Statement::IfDo;
-        });
+        const bool are_jumps = std::ranges::all_of(
+            statements, [](const ControlStatement& s) { return s.kind == Statement::IfDo; });
         if (!are_assignments && (has_words || (statements.size() > 1 && !are_jumps)))
             return fault(diag::MixedStatement, statements.back().span);
         const bool is_structure =

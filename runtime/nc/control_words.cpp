@@ -107,7 +107,8 @@ std::int64_t ControlWords::block_number(std::string_view name) const {
     const AddressId address = tables_.find_address(name.substr(0, 1));
     if (address == kNoAddress || !tables_.addresses[address].is_block_number) return -1;
     std::int64_t number = 0;
-    for (const char c : name.substr(1)) number = std::min<std::int64_t>(number * 10 + (c - '0'), 1'000'000'000);
+    for (const char c : name.substr(1))
+        number = std::min<std::int64_t>(number * 10 + (c - '0'), 1'000'000'000);
     return number;
 }
 

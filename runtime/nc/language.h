@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -114,10 +115,10 @@ struct VariableRange {
     bool is_vacant = false;  // Constant: the value is "vacant"
     double value = 0;        // Constant
     Quantity quantity = Quantity::None;
-    std::int64_t start = 1;    // System: the index that `first` stands for
-    std::int64_t stride = 0;   // System with two indices: so many numbers an index
-    std::uint32_t slot = 0;    // Global, Local: of `first` in its store
-    std::string meaning;       // for explanations and messages
+    std::int64_t start = 1;   // System: the index that `first` stands for
+    std::int64_t stride = 0;  // System with two indices: so many numbers an index
+    std::uint32_t slot = 0;   // Global, Local: of `first` in its store
+    std::string meaning;      // for explanations and messages
 };
 
 /// One index of a named variable.
@@ -188,9 +189,9 @@ struct CodeList {
 /// The whole language of a control.
 struct Language {
     bool is_present = false;
-    char open = '(';         // brackets of expressions
+    char open = '(';  // brackets of expressions
     char close = ')';
-    char index_open = '[';   // of indices
+    char index_open = '[';  // of indices
     char index_close = ']';
     std::string label_sign;  // behind a label, `:`; empty: block numbers are the only targets
     std::string end_label;   // ends the section of a repeat
@@ -204,7 +205,8 @@ struct Language {
     // Made when it is loaded.
     std::uint32_t global_slots = 0;
     std::uint32_t local_slots = 0;
-    int lowest_level = 0;  // of the operators: the number of the weakest
+    int lowest_level = 0;              // of the operators: the number of the weakest
+    std::bitset<128> variable_starts;  // first letters of variables
 };
 
 /// The range that holds the number; nullptr if the family has no such variable.

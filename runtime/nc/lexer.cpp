@@ -132,7 +132,8 @@ class Lexer {
         if (line_.compare(at_, open_.size(), open_) == 0) return take_comment();
         const char c = peek();
         const bool is_index = c == '[' && compiler_ != nullptr;
-        if (is_index) return fail(diag::IsoNotSupported, at_, at_ + 1, {"an address with an index"});
+        if (is_index)
+            return fail(diag::IsoNotSupported, at_, at_ + 1, {"an address with an index"});
         if ((c == '#' || c == '[' || c == '$') && compiler_ == nullptr) {
             return fail(diag::IsoNotSupported, at_, at_ + 1,
                         {"the control's own parametric language"});

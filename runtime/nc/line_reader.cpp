@@ -89,8 +89,7 @@ void LineReader::prepare(std::size_t letter) {
             fast.slot = static_cast<Slot>(address.slot);
         }
     }
-    if (letter >= 'A' && letter <= 'Z' && tables_.rules.ignores_case)
-        letters_[letter + 32] = fast;
+    if (letter >= 'A' && letter <= 'Z' && tables_.rules.ignores_case) letters_[letter + 32] = fast;
 }
 
 // ---------------------------------------------------------------- lines
@@ -153,17 +152,17 @@ bool LineReader::read(std::string_view line, std::uint64_t number, Block& block)
 }
 
 bool LineReader::read_words(std::string_view line, ControlLine& compiled,
-                            std::span<const WordValue> values, Block& block,
-                            MatchedLine* known) {
+                            std::span<const WordValue> values, Block& block, MatchedLine* known) {
     lexed_ = &compiled.words;
     set_values(compiled, values);
     has_content_ = true;
     const bool is_whole = std::ranges::none_of(
         values, [](const WordValue& value) { return value.kind == WordValue::Kind::Vacant; });
-    const bool is_known = known != nullptr && known->is_valid && is_whole && known->before == modal_;
+    const bool is_known =
+        known != nullptr && known->is_valid && is_whole && known->before == modal_;
     if (is_known) recall(*known, block);
-    const bool is_fine = is_known ? apply(block, line)
-                                  : fill(line, block, is_whole ? known : nullptr, &compiled);
+    const bool is_fine =
+        is_known ? apply(block, line) : fill(line, block, is_whole ? known : nullptr, &compiled);
     if (!is_fine) {
         note_fault();
         return false;
@@ -277,9 +276,8 @@ double LineReader::rounded(double value, const NumberFormat& format, Dimension d
 void LineReader::report_too_long(std::string_view line, std::uint64_t number) {
     begin(number);
     const auto shown = static_cast<std::uint32_t>(std::min<std::size_t>(line.size(), 1));
-    report(line.substr(0, 80), LineFault{&diag::IsoLineTooLong,
-                                         {0, shown},
-                                         {std::to_string(tables_.rules.max_line)}});
+    report(line.substr(0, 80),
+           LineFault{&diag::IsoLineTooLong, {0, shown}, {std::to_string(tables_.rules.max_line)}});
 }
 
 /// Gives up on anything that needs a second look; the slow way reads the line again from its start.
@@ -511,7 +509,8 @@ bool LineReader::apply_claim(const Claim& claim, Block& block, std::string_view 
     if (claim.dimension == Dimension::Text) return true;
     if (claim.argument >= 0) {
         const double number =
-            lexed_->arguments[word.first_argument + static_cast<std::size_t>(claim.argument)].number;
+            lexed_->arguments[word.first_argument + static_cast<std::size_t>(claim.argument)]
+                .number;
         const double value =
             (number / text_scale(claim.dimension, units_, false) - claim.offset) / claim.factor;
         const double old = claim.adds ? block.argument(*invocation, claim.parameter) : 0;
@@ -561,9 +560,9 @@ bool LineReader::apply_whole(const Claim& claim, Block& block, std::string_view 
         decimal.value = std::round(decimal.value);
         decimal.has_point = false;
     }
-    const DiagnosticRow* fault = decimal.has_point         ? &diag::IsoPointNotAllowed
+    const DiagnosticRow* fault = decimal.has_point           ? &diag::IsoPointNotAllowed
                                  : lexed_->minus[claim.word] ? &diag::IsoMinusNotAllowed
-                                                           : nullptr;
+                                                             : nullptr;
     if (fault != nullptr) {
         report(line, LineFault{fault, lexed_->spans[claim.word], {word_text(line, claim.word)}});
         return false;
@@ -612,8 +611,7 @@ void LineReader::follow_units() {
 
 // ---------------------------------------------------------------- messages
 
-LinePlace LineReader::place(std::string_view line, std::uint64_t number,
-                               const Span& span) const {
+LinePlace LineReader::place(std::string_view line, std::uint64_t number, const Span& span) const {
     constexpr std::size_t kShown = 400;  // bytes of a line that a message keeps
     LinePlace place;
     place.file = name_;

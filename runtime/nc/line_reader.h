@@ -65,11 +65,17 @@ class LineReader {
     bool has_words(std::string_view line);
     /// A line of the control's own language that the dialect knows by its letters.
     bool read_known(std::string_view line, Block& block);
+    /// Whether it is one; the block is empty before and after.
+    bool knows(std::string_view line, Block& block) const {
+        const bool is_known = read_verbatim(line, block);
+        block.reset();
+        return is_known;
+    }
     /// The words of a compiled line with the values that were computed for it.
     ///
     /// known  what an earlier run of the line has found; null: nobody keeps it
-    bool read_words(std::string_view line, ControlLine& compiled,
-                    std::span<const WordValue> values, Block& block, MatchedLine* known = nullptr);
+    bool read_words(std::string_view line, ControlLine& compiled, std::span<const WordValue> values,
+                    Block& block, MatchedLine* known = nullptr);
     /// The decimals to which the control rounds a value of the line.
     int value_decimals(const ControlLine& line, std::size_t computed) const;
     void report_fault(std::string_view line, const LineFault& fault) { report(line, fault); }

@@ -20,8 +20,7 @@ bool LineSource::next(std::string_view& line, bool& is_too_long) {
             }
         }
         const char* const begin = piece_.data() + at_;
-        const auto* end =
-            static_cast<const char*>(std::memchr(begin, '\n', piece_.size() - at_));
+        const auto* end = static_cast<const char*>(std::memchr(begin, '\n', piece_.size() - at_));
         const std::size_t length =
             end == nullptr ? piece_.size() - at_ : static_cast<std::size_t>(end - begin);
         at_ += length + (end == nullptr ? 0 : 1);
@@ -40,7 +39,6 @@ bool LineSource::next(std::string_view& line, bool& is_too_long) {
         return true;
     }
 }
-
 
 bool LineSource::seek(std::uint64_t offset) {
     if (offset >= base_ && offset - base_ <= piece_.size() && !piece_.empty()) {

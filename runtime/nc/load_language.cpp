@@ -65,11 +65,10 @@ class LanguageLoader {
         const XmlAttribute& name = needed(element, "name");
         const XmlAttribute& value = needed(element, "value");
         if (set_language_rule(language_.rules, name.value, value.value)) return;
-        const auto row = row_named(all_language_rules(), name,
-                                   "the language has no such rule", attributes_);
+        const auto row =
+            row_named(all_language_rules(), name, "the language has no such rule", attributes_);
         if (!row) return;
-        const std::string why =
-            "it takes: " + std::string(all_language_rules()[*row].values);
+        const std::string why = "it takes: " + std::string(all_language_rules()[*row].values);
         attributes_.bad_value(value, why);
     }
 
@@ -114,11 +113,10 @@ class LanguageLoader {
         const std::string between = std::string{language_.close} + '/' + language_.open;
         form.is_divided = text.value.find(between) != std::string::npos;
         const OperationInfo& operation = info(form.operation);
-        const bool fits = !form.name.empty() && at < text.value.size() &&
-                          text.value[at] == language_.open &&
-                          text.value.back() == language_.close &&
-                          form.arguments >= operation.least_arguments &&
-                          form.arguments <= operation.most_arguments;
+        const bool fits =
+            !form.name.empty() && at < text.value.size() && text.value[at] == language_.open &&
+            text.value.back() == language_.close && form.arguments >= operation.least_arguments &&
+            form.arguments <= operation.most_arguments;
         if (!fits)
             return attributes_.bad_value(
                 text, "a name and its arguments in brackets are expected, as `SIN[{a}]`");
@@ -191,8 +189,8 @@ class LanguageLoader {
         const XmlAttribute* quantity = element.find("quantity");
         if (scope != nullptr) {
             const auto found = attributes_.choice(element, "scope", {"global", "local"});
-            range.kind = found == std::size_t{1} ? VariableRange::Kind::Local
-                                                 : VariableRange::Kind::Global;
+            range.kind =
+                found == std::size_t{1} ? VariableRange::Kind::Local : VariableRange::Kind::Global;
             allot(range);
         } else if (constant != nullptr) {
             range.kind = VariableRange::Kind::Constant;
@@ -214,7 +212,8 @@ class LanguageLoader {
         std::uint32_t& slots = range.kind == VariableRange::Kind::Global ? language_.global_slots
                                                                          : language_.local_slots;
         range.slot = slots;
-        slots += static_cast<std::uint32_t>(std::max<std::int64_t>(0, range.last - range.first)) + 1;
+        slots +=
+            static_cast<std::uint32_t>(std::max<std::int64_t>(0, range.last - range.first)) + 1;
     }
 
     // ---------------------------------------------------------------- statements
@@ -271,8 +270,7 @@ class LanguageLoader {
                 if (token.is_optional) name.remove_suffix(1);
                 const auto found = std::ranges::find(kHoleNames, name);
                 if (found == std::end(kHoleNames)) return false;
-                token.hole =
-                    static_cast<StatementToken::Hole>(found - std::begin(kHoleNames));
+                token.hole = static_cast<StatementToken::Hole>(found - std::begin(kHoleNames));
             } else if (is_name_char(c)) {
                 while (end < text.size() && is_name_char(text[end])) ++end;
                 token.text = text.substr(at, end - at);
@@ -323,6 +321,13 @@ void load_language(const XmlElement& element, DialectTables& tables, Attributes&
     language.lowest_level = 0;
     for (const OperatorForm& form : language.operators)
         language.lowest_level = std::max(language.lowest_level, form.level);
+    language.variable_starts.reset();
+    for (const VariableForm& form : language.variables) {
+        const auto first = static_cast<unsigned char>(form.name[0]);
+        if (first < 128) language.variable_starts.set(first);
+        if (first < 128 && tables.rules.ignores_case)
+            language.variable_starts.set(static_cast<unsigned char>(std::tolower(first)));
+    }
     // The longest first: `GOTOF` before `GOTO`, `<=` before `<`.
     std::ranges::stable_sort(language.operators, [](const OperatorForm& a, const OperatorForm& b) {
         return a.text.size() > b.text.size();

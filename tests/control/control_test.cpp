@@ -69,7 +69,8 @@ Expected parse(const std::string& text) {
             const std::size_t at = line.find(key);
             if (at == std::string::npos) return "";
             std::string value = line.substr(at + key.size());
-            while (!value.empty() && (value.back() == '\r' || value.back() == ' ')) value.pop_back();
+            while (!value.empty() && (value.back() == '\r' || value.back() == ' '))
+                value.pop_back();
             if (line.starts_with('(') && value.ends_with(')')) value.pop_back();
             return value;
         };
@@ -165,7 +166,8 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
                 command.op == path::Op::Arc)
                 outcome.motions.push_back(command);
             if (command.op == path::Op::Message)
-                outcome.shown.push_back(command.text.empty() ? "message" : "message " + command.text);
+                outcome.shown.push_back(command.text.empty() ? "message"
+                                                             : "message " + command.text);
             if (command.op == path::Op::Stop) outcome.shown.emplace_back("stop");
         }
     }
