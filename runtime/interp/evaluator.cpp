@@ -32,6 +32,11 @@ double cosine(double degrees) { return sine(std::fmod(degrees, 360.0) + 90); }
 
 double rounded_away(double value) { return std::round(value); }
 
+/// The nearest whole number; what is too large for any index stays too large.
+std::int64_t index_of(double value) {
+    return static_cast<std::int64_t>(rounded_away(std::clamp(value, -1e15, 1e15)));
+}
+
 /// Whole but for the last bits: 6101.9999999999991 is 6102.
 double truncated_near(double value) {
     const double nearest = std::round(value);
@@ -108,8 +113,7 @@ Evaluator::Outcome Evaluator::indices(const nc::ControlLine& line, const nc::Ref
                                       std::span<std::int64_t> out) {
     const Outcome outcome = execute(line, reference.indices, -1);
     if (outcome != Outcome::Done) return outcome;
-    for (std::size_t i = 0; i < size_ && i < out.size(); ++i)
-        out[i] = static_cast<std::int64_t>(rounded_away(stack_[i].number));
+    for (std::size_t i = 0; i < size_ && i < out.size(); ++i) out[i] = index_of(stack_[i].number);
     return Outcome::Done;
 }
 
@@ -175,9 +179,7 @@ bool Evaluator::load_family(const Instruction& instruction) {
 bool Evaluator::load_system(const Instruction& instruction) {
     size_ -= instruction.count;
     const auto index = [&](std::size_t i) {
-        return i < instruction.count
-                   ? static_cast<std::int64_t>(rounded_away(stack_[size_ + i].number))
-                   : 0;
+        return i < instruction.count ? index_of(stack_[size_ + i].number) : 0;
     };
     double number = 0;
     const auto answered =
@@ -201,7 +203,7 @@ bool Evaluator::load_element(const Instruction& instruction) {
     std::array<std::int64_t, 4> indices{};
     size_ -= instruction.count;
     for (std::size_t i = 0; i < instruction.count; ++i)
-        indices[i] = static_cast<std::int64_t>(rounded_away(stack_[size_ + i].number));
+        indices[i] = index_of(stack_[size_ + i].number);
     const auto slot = element(symbol, indices);
     if (!slot) return fail(diag::IndexWrong, {'`' + symbol.name + '`'});
     const Store& store = level_->locals;
@@ -513,7 +515,7 @@ bool Evaluator::text_function(Operation operation, Value* a, int count) {
         case Operation::FindText: return place(subject.find(written(a[1])));
         case Operation::PartOfText: {
             const double from = a[1].number;
-            const double length = count > 2 ? a[2].number : 1e9;
+            const double length = count > 2 ? std::min(a[2].number, 1e6) : 1e6;
             if (from < 0 || length < 0) return fail(diag::IndexWrong, {"a text"});
             const auto begin = static_cast<std::size_t>(std::min(from, 1e6));
             *a = keep_text(begin >= subject.size()

@@ -30,7 +30,7 @@ namespace {
 
 /// Lines that are kept compiled; a longer loop is read again each time.
 constexpr std::size_t kMostCompiled = 20'000;
-constexpr std::int64_t kMostPasses = 9999;  // of a section that is repeated; S 8.7
+constexpr double kMostPasses = 9999;  // of a section that is repeated; S 8.7
 
 }  // namespace
 
@@ -604,7 +604,7 @@ Program::State::Done Program::State::raise(CompiledLine& line, const Span& span,
     const nc::LanguageRules& rules = language.rules;
     const double rounded = std::round(number);
     if (!(rounded >= rules.least_alarm && rounded <= rules.most_alarm))
-        return fail(line, diag::AlarmNumber, span, {std::to_string(std::llround(number))});
+        return fail(line, diag::AlarmNumber, span, {evaluator.written(Value::real(number))});
     if (given > 0) return Done::Wait;
     const std::string shown = std::to_string(std::llround(rounded) + rules.alarm_base);
     const LinePlace place = lines.place(line.text, line.place.line.line, span);
@@ -838,9 +838,10 @@ Program::State::Done Program::State::repeat_section(CompiledLine& line,
         Value count;
         const Done done = evaluate(line, statement.count, count);
         if (done == Done::Wait || lines.failed()) return done;
-        passes = std::llround(count.number);
-        if (passes < 0 || passes > kMostPasses)
-            return fail(line, diag::RepeatCount, statement.count.span, {std::to_string(passes)});
+        const double wanted = std::round(count.number);
+        if (!(wanted >= 0 && wanted <= kMostPasses))
+            return fail(line, diag::RepeatCount, statement.count.span, {evaluator.written(count)});
+        passes = static_cast<std::int64_t>(wanted);
     }
     Target target;
     Done done = Done::Nothing;
