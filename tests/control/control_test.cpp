@@ -8,6 +8,8 @@
 //   expect: alarm PS0115 K5410 at 3:4   the alarm that ends it, its row, line and column
 //   skip: 1                  blocks of this level are left out
 // What is not told must not happen: a program without `alarm` ends without one.
+#include "base/diagnostics/control.h"
+
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -206,6 +208,27 @@ void check(const Expected& expected, const Outcome& outcome) {
         EXPECT_TRUE(is_at(outcome.motions[i], expected.way[i]))
             << "motion " << i + 1 << ": " << place_of(outcome.motions[i]) << ", not "
             << expected.way[i];
+    }
+}
+
+/// Of a text that cannot be read again the last part is kept, and a jump to what is gone says so.
+TEST(ControlText, JumpsBackAsFarAsTextIsKept) {
+    const std::string text = "N10 #1=#1+1\n" + std::string(200, '\n') + "IF[#1LT3]GOTO10\nM30\n";
+    for (const std::size_t kept : {std::size_t{100}, std::size_t{1000}}) {
+        DiagnosticList messages;
+        PiecedText source(text, false);
+        ProgramOptions options;
+        options.kept_text = kept;
+        Program program(dialect_named("fanuc"), source, "test", options, messages);
+        std::vector<nc::Block> blocks(8);
+        while (program.pull(blocks) > 0) continue;
+        if (kept > text.size()) {
+            EXPECT_TRUE(messages.all().empty());
+            EXPECT_EQ(shown(program.variables().at(0)), "3");
+        } else {
+            ASSERT_EQ(messages.all().size(), 1u);
+            EXPECT_EQ(messages.all()[0].row, &diag::TextGone);
+        }
     }
 }
 
