@@ -131,6 +131,7 @@ struct Program::State {
     std::size_t pull(std::span<Block> out);
     Done step(Block& out);
     Done first_time(Block& out);
+    Done lose_text();
     Done finish_first(Done done, std::string_view text, const Place& place, Block& out);
     Done run(CompiledLine& line, Block& out);
     CompiledLine* line_at(const Position& position);
@@ -201,7 +202,7 @@ Program::State::Done Program::State::step(Block& out) {
     goes_on = here;
     if (here.offset >= frontier.offset) return first_time(out);
     CompiledLine* const line = next_line != nullptr ? next_line : line_at(here);
-    if (line == nullptr) return Done::Nothing;
+    if (line == nullptr) return lose_text();
     lines.begin(here.line);
     goes_on = line->place.next;
     const Done done = run(*line, out);
@@ -220,6 +221,15 @@ Program::State::Done Program::State::step(Block& out) {
     return done;
 }
 
+/// The next line cannot be read again.
+Program::State::Done Program::State::lose_text() {
+    has_ended = true;
+    if (is_only_checking) return Done::Nothing;  // an alarm has stopped the program already
+    lines.begin(here.line);
+    lines.report_fault({}, LineFault{&diag::TextGone, {}, {"line " + std::to_string(here.line)}});
+    return Done::Nothing;
+}
+
 /// The line that nobody has executed yet: most are plain words, and go straight out.
 Program::State::Done Program::State::first_time(Block& out) {
     if (is_waiting) {
@@ -228,10 +238,7 @@ Program::State::Done Program::State::first_time(Block& out) {
         return finish_first(run(scratch, out), scratch.text, scratch.place, out);
     }
     if (source.offset() != here.offset && !source.seek(here.offset)) {
-        lines.begin(here.line);
-        scratch.text.clear();
-        scratch.place = {here, here};
-        return fail(scratch, diag::TextGone, {}, {"line " + std::to_string(here.line)});
+        return lose_text();
     }
     std::string_view text;
     bool is_too_long = false;
@@ -309,8 +316,7 @@ CompiledLine* Program::State::line_at(const Position& position) {
     line->kind = CompiledLine::Kind::New;
     line->next = nullptr;
     if (is_there) return line;
-    lines.begin(position.line);
-    fail(*line, diag::TextGone, {}, {"line " + std::to_string(position.line)});
+    if (line != &scratch) compiled.erase(position.offset);
     return nullptr;
 }
 
