@@ -20,7 +20,8 @@ expand::ExpandOptions expand_options(const Options& options, bool has_map) {
     return {.limits = limits,
             .native_cycles = options.native_cycles,
             .trace = has_map,
-            .stop = options.stop};
+            .stop = options.stop,
+            .shown = options.shown};
 }
 
 nc::WriteOptions write_options(const Options& options) {

@@ -46,6 +46,7 @@ struct ExpandOptions {
     bool native_cycles = true;                // a call of a mapped cycle stays one block
     bool trace = false;                       // keep a Trace for every block of the batch
     const std::atomic<bool>* stop = nullptr;  // set from outside: the evaluation ends with an error
+    std::vector<std::string>* shown = nullptr;  // gets the values that the code shows; null: nobody
 };
 
 /// Evaluates a program, batch by batch. Errors while it runs are reported with the call stack and

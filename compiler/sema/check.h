@@ -1,6 +1,7 @@
 // check.h — Ast → Code: names, types, dimensions.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -35,9 +36,13 @@ struct Define {
     std::string value;
 };
 
+inline constexpr std::uint32_t kNothingShown = 0xffffffffu;
+
 /// Checks the file and everything it imports. Mistakes are reported, all of them; the code is
-/// returned only if there was no error.
+/// returned only if there was no error. An expression that is a statement of the main file and
+/// begins at the byte `shown_from` or later shows its value (Op::Show), as at the prompt.
 std::unique_ptr<Code> check(const syntax::Ast& main, const nc::Dialect& dialect,
-                            ModuleLoader& modules, const Sources& sources, DiagnosticSink& sink);
+                            ModuleLoader& modules, const Sources& sources, DiagnosticSink& sink,
+                            std::uint32_t shown_from = kNothingShown);
 
 }  // namespace kadr::sema

@@ -53,7 +53,8 @@ struct LoopScope {
 
 class Checker {
   public:
-    Checker(ModuleLoader& modules, const Sources& sources, DiagnosticSink& sink);
+    Checker(ModuleLoader& modules, const Sources& sources, DiagnosticSink& sink,
+            std::uint32_t shown_from);
     std::unique_ptr<Code> run(const syntax::Ast& main, const nc::Dialect& dialect);
 
   private:
@@ -292,6 +293,9 @@ class Checker {
     /// Lets the piece show the unit of its values behind them, with `between` before it.
     void add_unit(Type type, std::string_view between, FormatPiece& piece);
     Value text_of(const Value& value, const SourceRange& range);
+    /// Makes the value of an expression known at the prompt, given or not.
+    void show(syntax::ExprId id);
+    std::uint32_t shown_form(Type type, bool is_part);
     std::uint32_t text_constant(std::string_view text);
     std::uint32_t layout_constant(Type type);
 
@@ -417,6 +421,7 @@ class Checker {
     ModuleLoader& loader_;
     const Sources& sources_;
     CountingSink sink_;
+    std::uint32_t shown_from_;  // byte of the main file, see check()
     std::unique_ptr<Code> code_;
     Emitter emit_;
     TypeTable types_;
@@ -460,6 +465,7 @@ class Checker {
     std::unordered_map<std::string, std::uint32_t> text_index_;
     std::unordered_map<std::string, std::uint32_t> plan_index_;
     std::unordered_map<std::uint16_t, std::uint32_t> layout_index_;  // by type
+    std::unordered_map<std::uint32_t, std::uint32_t> shown_index_;   // by type, parts apart
 };
 
 /// In backticks, as code stands in messages.
