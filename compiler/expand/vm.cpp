@@ -815,6 +815,12 @@ op_RemoveAt : {
     heap.remove(A.integer, B.integer);
     KADR_NEXT;
 }
+op_CheckFilled:
+    if (A.integer == 0) [[unlikely]] {
+        fault(diag::EmptyArray, AT);
+        goto stop;
+    }
+    KADR_NEXT;
 op_ClearArray:
     heap.clear(A.integer);
     KADR_NEXT;

@@ -26,8 +26,8 @@ std::string without_lines(std::string_view message) {
         const std::string_view line = message.substr(begin, end - begin);
         const std::size_t gutter = line.find_first_not_of(" 0123456789");
         const std::size_t place = line.find(':');
-        const bool is_source = line.starts_with(' ') && gutter != std::string_view::npos &&
-                               line[gutter] == '|';
+        const bool is_source =
+            line.starts_with(' ') && gutter != std::string_view::npos && line[gutter] == '|';
         if (is_source) {
             out += line.substr(gutter);
         } else if (place != std::string_view::npos) {

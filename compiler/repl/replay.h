@@ -41,8 +41,8 @@ struct Outcome {
 };
 
 struct ReplayRequest {
-    std::string program;            // its text
-    std::uint32_t known_lines = 0;  // lines up to here are not kept
+    std::string program;                             // its text
+    std::uint32_t known_lines = 0;                   // lines up to here are not kept
     std::uint32_t shown_from = sema::kNothingShown;  // expressions from this byte on are shown
 };
 

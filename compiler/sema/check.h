@@ -28,6 +28,11 @@ class ModuleLoader {
     /// found or not parsed; the loader has reported it at `place`. The same file is loaded once.
     virtual Module load(std::string_view import, bool is_file, FileId from,
                         const SourceRange& place) = 0;
+    /// The module of the library that declares this function or cycle, as an import names it; for
+    /// messages. Nothing: none does, or there is no library.
+    virtual std::optional<std::string> library_module_of(std::string_view /*function*/) {
+        return std::nullopt;
+    }
 };
 
 /// A value for a parameter of the program, from the command line: `width=100mm`.

@@ -103,6 +103,9 @@ class Checker {
     Symbol& add_symbol(Symbol symbol);
     void check_new_name(std::string_view name, const SourceRange& range);
     void report_unknown(std::string_view name, const SourceRange& range);
+    bool report_unit(std::string_view name, const SourceRange& range);
+    bool report_foreign(std::string_view name, const SourceRange& range);
+    bool is_numbered_word(std::string_view word) const;
     /// Whether a mistake that is told already has taken this name away.
     bool is_lost(std::string_view name);
     std::vector<std::string_view> known_names(bool functions) const;
@@ -331,6 +334,7 @@ class Checker {
 
     // blocks.cpp
     void words_statement(const syntax::Stmt& stmt);
+    Value target_value(syntax::ExprId point, std::span<const syntax::Word> words);
     bool emit_words(std::span<const syntax::Word> words, syntax::ExprId point,
                     const SourceRange& range, std::int8_t skip = -1);
     void check_skipped(const Plan& plan, std::span<const syntax::Word> words);
@@ -457,6 +461,7 @@ class Checker {
     bool last_unset_ = false;
     bool native_pending_ = false;  // the body's checks are still being emitted
     SourceRange ambiguous_;        // name that was told last
+    SourceRange unit_;             // apart from its number, told last
     std::vector<Type> open_structs_;
     std::uint32_t statement_ = 0;      // SourceId of the statement
     std::uint32_t asked_figures_ = 0;  // of those that are functions

@@ -327,8 +327,8 @@ void Formatting::values_block(Pieces head, std::size_t level) {
     if (is_short && end > at_ + 1) {
         const Pieces names(pieces_.begin() + static_cast<long>(at_),
                            pieces_.begin() + static_cast<long>(end - 1));
-        const std::string line = in_lines(head, level).front() + ' ' +
-                                 in_lines(names, 0).front() + " }";
+        const std::string line =
+            in_lines(head, level).front() + ' ' + in_lines(names, 0).front() + " }";
         if (text_width(line) <= width_) {
             at_ = end;
             lines_.push_back({line, {}});

@@ -237,7 +237,8 @@ bool CurveFit::is_within(const Candidate& candidate, double from, const CurveSam
 bool CurveFit::is_within(const Candidate& candidate) {
     if (candidate.pieces == 0) return false;
     const double share = (candidate.to - at_) / (options_.to - options_.from);
-    const int intervals = std::max(kLeastIntervals, static_cast<int>(std::ceil(share * kIntervals)));
+    const int intervals =
+        std::max(kLeastIntervals, static_cast<int>(std::ceil(share * kIntervals)));
     const double width = (candidate.to - at_) / intervals;
     CurveSample begin = here_;
     for (int i = 0; i < intervals; ++i) {

@@ -211,8 +211,9 @@ TEST(Prompt, ValuesOfEveryTypeAreShown) {
              {"int[] numbers", ""},
              {"numbers", "{}\n"},
              {"for (int i = 1; i <= 30; i++) numbers.append(i);", ""},
-             {"numbers", "{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, "
-                         "… 30 in all}\n"},
+             {"numbers",
+              "{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, "
+              "… 30 in all}\n"},
              {"numbers.pop()", "30\n"},
              {"numbers.count", "29\n"},
              {"numbers.clear()", ""},
