@@ -233,7 +233,9 @@ bool Expander::State::start(std::string_view name, const std::vector<sema::Defin
         sink.report(diag::DefineMissing, parameter.range)
             .arg(function->name)
             .arg(parameter.name)
-            .fix("give it on the command line: `-D " + parameter.name + "=…`");
+            .fix(parameter.kind == ParameterInfo::Kind::Other
+                     ? "give it a default value: no option can set `" + parameter.type_name + '`'
+                     : "give it on the command line: `-D " + parameter.name + "=…`");
         is_good = false;
     }
     if (!is_good) return false;

@@ -267,6 +267,10 @@ struct Expander::State {
 
     // ---- text_format.cpp
     std::string format(const sema::FormatPattern& pattern, const Slot* values) const;
+    /// A value as the prompt shows it; `is_part`: inside of another one.
+    std::string shown(std::uint32_t form, const Slot* value, bool is_part = false);
+    std::string shown_list(const sema::ShownForm& form, Slot list);
+    std::string shown_contour(const sema::ShownForm& form, Slot contour);
 
     const sema::Code& code;
     const nc::Dialect& target;

@@ -462,6 +462,23 @@ void Checker::emit_plan(Plan plan, Reg first, unsigned point, const SourceRange&
                     statement_id(range));
 }
 
+/// The point behind the words. `Y=r sin(30)` has none: an operator was forgotten.
+Value Checker::target_value(ExprId point, std::span<const Word> words) {
+    const SourceRange range = ast()[point].range;
+    const Value value = expression(point, types::kPoint);
+    const bool is_number = types_.is_numeric(value.type) && kind(value.type) != Kind::Error;
+    const bool is_behind_value = !words.empty() && words.back().form != Word::Form::Literal &&
+                                 words.back().form != Word::Form::Bare;
+    if (is_number && is_behind_value) {
+        report(diag::OperatorMissing, range)
+            .arg(sources_.text(words.back().range))
+            .arg(sources_.text(range))
+            .fix("`*` multiplies; a word of its own begins with its address");
+        return error_value();
+    }
+    return convert(value, types::kPoint, range, "the target");
+}
+
 bool Checker::emit_words(std::span<const Word> words, ExprId point, const SourceRange& range,
                          std::int8_t skip) {
     const Reg mark = emit_.mark();
@@ -495,8 +512,7 @@ bool Checker::emit_words(std::span<const Word> words, ExprId point, const Source
     unsigned point_register = 0;
     if (point.is_valid()) {
         const SourceRange point_range = ast()[point].range;
-        const Value value =
-            convert(expression(point, types::kPoint), types::kPoint, point_range, "the target");
+        const Value value = target_value(point, words);
         if (!is_error(value)) {
             point_register = in_register(value) + 1u;
             const auto is_linear = [](const Filling& f) { return !f.is_argument && f.place <= 2; };

@@ -56,8 +56,13 @@ Value Checker::call(ExprId id, Reg hint) {
     }
     if (meaning.function != nc::Function::None)
         return call_vocabulary(nc::info(meaning.function), expr);
+    if (report_foreign(name, callee.range)) return error_value();
     auto builder = report(diag::UnknownFunction, callee.range);
     builder.arg(name);
+    if (const auto module = loader_.library_module_of(name)) {
+        builder.fix("it is in the library: `import " + *module + ";`");
+        return error_value();
+    }
     const std::vector<std::string_view> names = known_names(true);
     if (const auto near = nearest_name(name, names.data(), names.size())) {
         builder.fix(callee.range, std::string(*near), "did you mean " + quoted(*near) + "?");
@@ -346,7 +351,9 @@ Value Checker::array_method(const Place& array, const Expr& callee, const Expr& 
         at = expression_in(value_of(0), types::kInt, kNoReg, "the index");
     } else {
         at = emit_.take(1);
+        emit_.set_place(expr.range);
         emit_.emit(Op::CountArray, at, handle.reg);
+        emit_.emit(Op::CheckFilled, at);
         emit_.emit_integer(Op::AddIK, at, at, -1);
     }
     emit_.set_place(expr.range);

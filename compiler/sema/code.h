@@ -51,6 +51,12 @@ inline constexpr double kSecondForm = 0x1p600;
 inline constexpr std::uint16_t kSpeedForm = 2;
 inline bool is_second_form(double value) { return std::fabs(value) > 0x1p300; }
 
+/// Whether a register that holds such a value (a SlotKind) holds one.
+inline bool is_given(Slot slot, unsigned kind) {
+    return kind == static_cast<unsigned>(SlotKind::Number) ? slot.number == slot.number
+                                                           : slot.integer != kNotGivenInteger;
+}
+
 struct Instruction {
     struct Pair {
         std::int32_t first;  // a jump target, a table index
@@ -248,6 +254,20 @@ struct FormatPiece {
 };
 using FormatPattern = std::vector<FormatPiece>;
 
+/// How the prompt shows a value of any type: a plain one by its piece, others by their parts.
+struct ShownForm {
+    enum class Kind : std::uint8_t { Plain, Members, List, Contour };
+    struct Part {
+        std::string name;        // of a member
+        std::uint16_t slot = 0;  // its first register, from the first of the whole
+        std::uint32_t form = 0;
+    };
+    Kind kind = Kind::Plain;
+    SlotKind slot = SlotKind::Number;  // of its first register
+    FormatPiece piece;                 // of a Plain one
+    std::vector<Part> parts;           // of a List its element
+};
+
 /// What each register of an array's element holds; `nested` the layout of a register that is an
 /// array itself.
 struct Layout {
@@ -403,6 +423,7 @@ struct Code {
     std::uint32_t globals = 0;            // registers of file-level variables
     std::vector<std::string> texts;
     std::vector<FormatPattern> formats;
+    std::vector<ShownForm> shown_forms;
     std::vector<Layout> layouts;
     std::vector<Plan> plans;
     std::vector<SourceRange> statements;  // by SourceId

@@ -232,7 +232,7 @@ Type Checker::resolve_type(syntax::TypeId id) {
     } else if (name == "element") {
         type = types::kElement;  // not reserved: a program may have its own
     } else if (!name.empty()) {
-        if (is_lost(name)) return types::kError;
+        if (is_lost(name) || report_foreign(name, ref.range)) return types::kError;
         auto builder = report(diag::UnknownType, ref.range);
         builder.arg(name);
         std::vector<std::string_view> known = {"bool",   "int",   "real",   "length",
