@@ -962,6 +962,25 @@ op_NativeCycle:
         turns_left = turns;
         return;
     }
+op_SayCycle:
+    if (!say_cycle(*ip, r, AT)) [[unlikely]]
+        goto stop;
+    KADR_NEXT;
+op_RunCycle:
+    if (!said_cycle.is_due) [[likely]] {
+        ++ip;  // nothing is to be left
+        KADR_NEXT;
+    }
+    if (!call_cycle(*ip, r, AT)) goto stop;
+    r = stack.data() + frames.back().base;
+    KADR_GO(frames.back().function->entry);
+op_LeaveCycle:
+    leave_cycle(*ip, AT);
+    if (has_failed) goto stop;
+    goto batch_or_next;
+op_EndCycle:
+    said_cycle.is_active = false;
+    KADR_NEXT;
 op_EnterWith:
     withs.push_back({static_cast<sema::ModalMask>(ip->immediate.pair.first), modal});
     KADR_NEXT;

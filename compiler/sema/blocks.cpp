@@ -109,8 +109,10 @@ std::uint16_t Checker::customs_of(const Plan& plan, std::span<const Word> words)
         const nc::Group group = nc::info(invocation.function).group;
         add(group == nc::Group::CycleMode || group == nc::Group::CycleReturn, custom::kCycleWords);
         add(invocation.function == nc::Function::MirrorOff, custom::kMirrorAxes);
+        add(invocation.function == nc::Function::TapRigid, custom::kCycleWords);
     }
     if (dialect.is_core()) return customs;
+    add(!cycle_modules_.empty(), custom::kPlaces);
     add(dialect.has_rule("incremental_frame", "traversed"), custom::kIncrementTravels);
     for (const nc::Invocation& invocation : plan.functions) {
         using nc::Function;
@@ -415,6 +417,11 @@ Plan compact(const nc::BlockPlan& source) {
     return plan;
 }
 
+bool is_of_cycle(const nc::Block& block, const nc::Hole& hole) {
+    return hole.is_argument &&
+           block.functions[hole.invocation].function == nc::Function::Cycle;
+}
+
 bool is_stop(nc::Function function) {
     return function == nc::Function::SpindleStop || function == nc::Function::CoolantOff;
 }
@@ -496,6 +503,10 @@ bool Checker::emit_words(std::span<const Word> words, ExprId point, const Source
         }
         check_units_words(*planned, words);
         check_counts(*planned, words);
+        // The arguments of a cycle stand behind the values of the block itself.
+        std::ranges::stable_partition(planned->holes, [&](const nc::Hole& hole) {
+            return !is_of_cycle(planned->block, hole);
+        });
         plan = compact(*planned);
         plan.customs = customs_of(plan, words);
         plan.skip = skip;
@@ -522,6 +533,8 @@ bool Checker::emit_words(std::span<const Word> words, ExprId point, const Source
         }
     }
     emit_.set_place(range);
+    const std::optional<SourceCycle> cycle =
+        planned ? take_cycle(plan, *planned, words) : std::nullopt;
     const auto is_target = [](const Filling& f) { return !f.is_argument && f.place < kAxes; };
     const bool moves = point_register != 0 || (plan.given & nc::kTargetSlots) != 0 ||
                        std::any_of(plan.fillings.begin(), plan.fillings.end(), is_target);
@@ -538,7 +551,10 @@ bool Checker::emit_words(std::span<const Word> words, ExprId point, const Source
     const bool is_before = !dialect.is_core() && !dialect.has_rule("stops_after_motion");
     const bool has_stops = !stops.functions.empty();
     if (has_stops && is_before) emit_plan(stops, first, 0, range);
+    const std::size_t own_values = plan.fillings.size();
     emit_plan(std::move(plan), first, point_register, range);
+    if (cycle) emit_cycle(*cycle, static_cast<Reg>(first + own_values), range);
+    else if (!cycle_modules_.empty() && !dialect.is_core()) emit_run_cycle(range);
     if (has_stops && !is_before) emit_plan(std::move(stops), first, 0, range);
     emit_.release_to(mark);
     return true;
@@ -564,6 +580,7 @@ void Checker::check_skipped(const Plan& plan, std::span<const Word> words) {
             case nc::Function::LengthCompOn:
             case nc::Function::LengthCompOff:
             case nc::Function::LengthOffset:
+            case nc::Function::Cycle:
                 report(diag::SkipState, words[0].range).arg(nc::info(invocation.function).name);
                 return;
             default: break;
@@ -572,6 +589,7 @@ void Checker::check_skipped(const Plan& plan, std::span<const Word> words) {
 }
 
 void Checker::words_statement(const Stmt& stmt) {
+    if (is_modal_call(ast().word_run(stmt.words))) return modal_call(stmt);
     emit_words(ast().word_run(stmt.words), stmt.expression[0], stmt.range, stmt.skip);
 }
 

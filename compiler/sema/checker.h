@@ -366,6 +366,23 @@ class Checker {
     void frame_call(syntax::ExprId id);
     std::string word_text(const syntax::Word& word) const;
 
+    // cycle_blocks.cpp
+    void load_cycles(std::uint32_t module);
+    const Name* cycle_function(nc::CycleId cycle) const;
+    bool is_modal_call(std::span<const syntax::Word> words) const;
+    void modal_call(const syntax::Stmt& stmt);
+    Value cycle_call(const syntax::Expr& expr, SourceCycle::Kind kind);
+    std::vector<nc::SourceArgument> source_arguments(std::span<const syntax::ExprId> items,
+                                                     std::vector<Value>& values);
+    void fill_cycle(const nc::BlockPlan& plan, std::span<const Value> values,
+                    std::span<const syntax::ExprId> items, Reg first, SourceCycle& cycle);
+    /// Takes the cycle out of a block; its fillings become those of the cycle.
+    std::optional<SourceCycle> take_cycle(Plan& plan, const nc::BlockPlan& planned,
+                                          std::span<const syntax::Word> words);
+    bool begin_cycle(SourceCycle& cycle, nc::CycleId id, const SourceRange& range);
+    void emit_cycle(SourceCycle cycle, Reg first, const SourceRange& range);
+    void emit_run_cycle(const SourceRange& range);
+
     // tests.cpp
     void declare_test(std::uint32_t module, syntax::DeclId id);
     void property_ranges(std::uint32_t function);
@@ -434,6 +451,7 @@ class Checker {
     std::vector<GlobalVariable> globals_;
     std::vector<std::uint32_t> wanted_;  // functions whose bodies are to be checked
     std::uint32_t prelude_ = 0xffffffffu;
+    std::map<nc::CycleId, std::uint32_t> cycle_modules_;  // of the cycles that are blocks somewhere
 
     // Where the checker is.
     std::uint32_t module_ = 0;

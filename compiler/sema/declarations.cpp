@@ -26,6 +26,7 @@ std::uint32_t Checker::load_module(const syntax::Ast& ast, const nc::Dialect& di
     for (const syntax::DeclId id : ast.top) {
         if (ast[id].kind == DeclKind::Import) import(module, ast[id]);
     }
+    load_cycles(module);
     if (prelude_ == 0xffffffffu) {
         // The first file asks for the prelude before anything else needs it; the prelude itself
         // finds the mark below and does not import itself.

@@ -588,7 +588,9 @@ std::vector<Piece> pieces_of(const Sources& sources, FileId id, const KeywordTab
     const Lines lines(*clean);
     const SourceFile file{id, *clean, limit, interner, lines};
     std::vector<Comment> comments;
-    const auto prepared = prepare(file, keywords, dialect, limit, comments);
+    auto prepared = prepare(file, keywords, dialect, limit, comments);
+    std::erase_if(prepared->lexemes,
+                  [](const Lexeme& lexeme) { return lexeme.token == Token::NoArgument; });
     return pieces_of(file, prepared->lexemes, comments);
 }
 

@@ -274,6 +274,11 @@ class Matcher {
         });
     }
 
+    static bool is_constrained(const Form& form, const FormWord& wanted) {
+        return std::ranges::find(form.when, wanted.parameter, &Constraint::parameter) !=
+               form.when.end();
+    }
+
     void fit_call(const Form& form, const FormWord& wanted, std::size_t i, Fit& fit) const {
         const GivenWord& word = words_[i];
         for (std::size_t a = 0; a < word.argument_count || a < wanted.arguments.size(); ++a) {
@@ -290,11 +295,14 @@ class Matcher {
     bool fits_argument(const Form& form, const FormWord& want, const GivenArgument& given) const {
         const bool is_empty = given.kind == GivenArgument::Kind::Empty;
         const bool is_number = given.kind == GivenArgument::Kind::Number;
+        const bool is_text = given.kind == GivenArgument::Kind::Text;
         if (want.kind == FormWord::Kind::Empty) return is_empty;
-        if (want.kind == FormWord::Kind::Text) return !is_number && (!is_empty || want.is_optional);
+        if (want.kind == FormWord::Kind::Text) return is_text || (is_empty && want.is_optional);
         if (want.kind == FormWord::Kind::Fixed)
             return is_empty ? want.number == 0 : is_number && near(given.number, want.number);
         if (is_empty) return want.is_optional || want.has_default;
+        // Which form it is cannot wait for the value.
+        if (given.kind == GivenArgument::Kind::Computed) return !is_constrained(form, want);
         return is_number && is_in_range(form, want, given.number);
     }
 
