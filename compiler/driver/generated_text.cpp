@@ -16,20 +16,6 @@ namespace {
 constexpr std::size_t kPiece = 64;
 constexpr std::size_t kPieceBytes = std::size_t{1} << 13;  // text handed on at a time
 
-<<<<<<< HEAD
-=======
-expand::ExpandOptions expand_options(const Options& options, bool has_map) {
-    expand::Limits limits;
-    limits.blocks = options.max_blocks > 0 ? options.max_blocks : kMaxBlocks;
-    limits.seconds = options.max_time;
-    return {.limits = limits,
-            .native_cycles = options.native_cycles,
-            .trace = has_map,
-            .stop = options.stop,
-            .shown = options.shown};
-}
-
->>>>>>> w27
 nc::WriteOptions write_options(const Options& options) {
     return {.verbose_modal = options.verbose_modal,
             .number_blocks = true,
@@ -78,7 +64,8 @@ expand::ExpandOptions GeneratedText::expand_options(bool has_trace) const {
     return {.limits = limits,
             .native_cycles = options.native_cycles,
             .trace = has_trace,
-            .stop = options.stop};
+            .stop = options.stop,
+            .shown = options.shown};
 }
 
 bool GeneratedText::start() {

@@ -193,7 +193,7 @@ Value Checker::call_vocabulary(const nc::FunctionInfo& info, const Expr& expr) {
     std::vector<std::string_view> names;
     for (const nc::Parameter& parameter : info.parameters) names.push_back(parameter.name);
     const auto bound = bind_arguments(expr, info.name, names, {});
-    if (!bound || !check_scale(info, *bound, expr)) return in_registers(types::kVoid, 0);
+    if (!bound || !check_least(info, *bound, expr)) return in_registers(types::kVoid, 0);
     const Reg mark = emit_.mark();
     Plan plan;
     nc::Invocation invocation;

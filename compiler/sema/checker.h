@@ -361,7 +361,7 @@ class Checker {
     bool with_statement(const syntax::Stmt& stmt);
     ModalMask modal_mask(const nc::BlockPlan& plan, bool& is_modal) const;
     ModalMask words_mask(std::span<const syntax::Word> words, bool is_preserves);
-    bool check_scale(const nc::FunctionInfo& info, std::span<const syntax::ExprId> bound,
+    bool check_least(const nc::FunctionInfo& info, std::span<const syntax::ExprId> bound,
                      const syntax::Expr& expr);
     void frame_call(syntax::ExprId id);
     std::string word_text(const syntax::Word& word) const;

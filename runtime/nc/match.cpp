@@ -190,10 +190,21 @@ class Matcher {
         return std::ranges::all_of(form.during, [&](Function needed) {
             const Group group = info(needed).group;
             const bool is_said = group == Group::Motion && block_.motion != Function::None;
-            const Function active =
-                is_said ? block_.motion : modal_[static_cast<std::size_t>(group)];
+            const Function active = is_said ? block_.motion : active_of(group);
             return active == needed || (active == Function::None && !has_slot);
         });
+    }
+
+    /// The member of the group that acts in the block: its own (`G90 G53`), else the modal one.
+    Function active_of(Group group) const {
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            if (!is_code(i) || !words_[i].is_known) continue;
+            const Code* code = tables_.find_code(words_[i].address, words_[i].number);
+            if (code == nullptr || code->simple == kNoForm) continue;
+            const Function said = tables_.forms[code->simple].function;
+            if (info(said).group == group) return said;
+        }
+        return modal_[static_cast<std::size_t>(group)];
     }
 
     Fit fit_form(std::size_t head, const Form& form) const {
