@@ -25,8 +25,7 @@ constexpr double kSpindleStop = 5;                 // as in M5
 
 std::optional<std::size_t> find_parameter(const sema::FunctionCode& function,
                                           std::string_view name) {
-    const auto found =
-        std::ranges::find(function.parameters, name, &sema::ParameterInfo::name);
+    const auto found = std::ranges::find(function.parameters, name, &sema::ParameterInfo::name);
     if (found == function.parameters.end()) return std::nullopt;
     return static_cast<std::size_t>(found - function.parameters.begin());
 }
@@ -65,7 +64,7 @@ bool Expander::State::cycle_active(std::string_view what, std::uint32_t at) {
         .arg(said_cycle.said->word)
         .arg(what)
         .fix(said_cycle.said->kind == SourceCycle::Kind::Called ? "end it before: `MCALL;`"
-                                                           : "end it before: `G80;`");
+                                                                : "end it before: `G80;`");
     return false;
 }
 
@@ -88,7 +87,8 @@ bool Expander::State::take_place(Block& block, const sema::Plan& plan, std::uint
     const bool begins = (plan.customs & custom::kCyclePlace) != 0;
     const bool ends = plan.motion != Function::None || has(plan, Function::CycleOff);
     if (ends) said_cycle.taps_rigidly = false;
-    const bool is_called = said_cycle.is_active && said_cycle.said->kind == SourceCycle::Kind::Called;
+    const bool is_called =
+        said_cycle.is_active && said_cycle.said->kind == SourceCycle::Kind::Called;
     if (begins && is_called) return cycle_active("another cycle", at);
     if (!begins && !said_cycle.is_active) return true;
     if (ends && !is_called) {
@@ -130,8 +130,8 @@ bool Expander::State::take_levels(Block& block, std::uint32_t at) {
     }
     if (block.has(nc::Slot::Z)) {
         const nc::SlotMask depth = bit(nc::Slot::Z);
-        const bool is_distance = (block.incremental & depth) != 0 ||
-                                 (is_modal && (block.absolute & depth) == 0);
+        const bool is_distance =
+            (block.incremental & depth) != 0 || (is_modal && (block.absolute & depth) == 0);
         double level = block.at(nc::Slot::Z);
         if (is_distance && is_given(said_cycle, retract)) level += said_cycle.arguments[*retract];
         set_argument(said_cycle, find_parameter(function, "to"), level);
@@ -148,7 +148,8 @@ bool Expander::State::say_cycle(const Instruction& instruction, const sema::Slot
     if (!recordings.empty()) return refuse_block("a cycle", at);
     const SourceCycle& said =
         code.cycles[static_cast<std::size_t>(instruction.immediate.pair.first)];
-    const bool goes_on = said_cycle.is_active && said_cycle.said->kind == SourceCycle::Kind::Modal &&
+    const bool goes_on = said_cycle.is_active &&
+                         said_cycle.said->kind == SourceCycle::Kind::Modal &&
                          said.kind == SourceCycle::Kind::Modal;
     if (said_cycle.is_active && !goes_on && said.kind != SourceCycle::Kind::Called)
         return cycle_active("another cycle", at);
@@ -184,7 +185,8 @@ bool Expander::State::say_cycle(const Instruction& instruction, const sema::Slot
 
 /// Under incremental dimensions the retract level counts from the initial one, the depth from it.
 bool Expander::State::take_distances(std::uint32_t at) {
-    if (!said_cycle.said->has_distances || modal[Group::Distance] != Function::Incremental) return true;
+    if (!said_cycle.said->has_distances || modal[Group::Distance] != Function::Incremental)
+        return true;
     const sema::FunctionCode& function = code.functions[said_cycle.said->function];
     const std::optional<std::size_t> retract = find_parameter(function, "retract");
     const std::optional<std::size_t> to = find_parameter(function, "to");
@@ -213,8 +215,8 @@ std::optional<double> Expander::State::initial_level(std::uint32_t at) {
 /// divided by the speed.
 bool Expander::State::complete_pitch(std::size_t pitch, std::uint32_t at) {
     const bool is_pitch = modal[Group::FeedMode] == Function::FeedPerRevolution;
-    const bool has_speed = modal.has_speed && modal.speed > 0 &&
-                           modal[Group::SpeedMode] != Function::CuttingSpeedOn;
+    const bool has_speed =
+        modal.has_speed && modal.speed > 0 && modal[Group::SpeedMode] != Function::CuttingSpeedOn;
     const bool is_known = modal.has_feed && (is_pitch || has_speed) &&
                           modal[Group::FeedMode] != Function::FeedInverseTime;
     if (!is_known) {
@@ -232,8 +234,8 @@ bool Expander::State::complete_cycle(const sema::FunctionCode& function, std::ui
             set_argument(said_cycle, find_parameter(function, "after"), kSpindleStop);
     }
     const std::optional<std::size_t> pitch = find_parameter(function, "pitch");
-    const bool is_said = std::ranges::any_of(
-        said_cycle.said->arguments, [&](const SourceCycle::Argument& argument) {
+    const bool is_said =
+        std::ranges::any_of(said_cycle.said->arguments, [&](const SourceCycle::Argument& argument) {
             return argument.parameter == pitch.value_or(nc::kMaxArguments);
         });
     if (pitch && !is_said && !complete_pitch(*pitch, at)) return false;

@@ -83,7 +83,7 @@ struct SaidCycle {
     bool is_due = false;      // RunCycle calls it
     bool is_running = false;  // its blocks are being made
     std::array<double, nc::kMaxArguments> arguments{};
-    std::uint32_t given = 0;  // bit i: argument i
+    std::uint32_t given = 0;    // bit i: argument i
     bool returns_low = false;   // G99: to the retract level, not to where the mode began
     bool taps_rigidly = false;  // M29
     // Where the mode began, along the tool axis.
@@ -345,7 +345,7 @@ struct Expander::State {
     std::vector<OpenWith> withs;
     std::vector<OpenWith> promises;  // of `preserves`
     SaidCycle said_cycle;
-    bool warned_of_feed = false;     // each is said once
+    bool warned_of_feed = false;  // each is said once
     bool warned_of_spindle = false;
 
     /// A contour whose blocks are being kept.

@@ -418,8 +418,7 @@ Plan compact(const nc::BlockPlan& source) {
 }
 
 bool is_of_cycle(const nc::Block& block, const nc::Hole& hole) {
-    return hole.is_argument &&
-           block.functions[hole.invocation].function == nc::Function::Cycle;
+    return hole.is_argument && block.functions[hole.invocation].function == nc::Function::Cycle;
 }
 
 bool is_stop(nc::Function function) {

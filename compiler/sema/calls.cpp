@@ -47,8 +47,7 @@ Value Checker::call(ExprId id, Reg hint) {
     if (is_lost(name)) return error_value();
     // `MSG("…")` and `CYCLE81(…)`, as the control of the input dialect has them.
     const nc::CallMeaning meaning = nc::call_meaning(*modules_[module_].dialect, name);
-    if (meaning.function == nc::Function::Cycle)
-        return cycle_call(expr, SourceCycle::Kind::Once);
+    if (meaning.function == nc::Function::Cycle) return cycle_call(expr, SourceCycle::Kind::Once);
     if (meaning.function != nc::Function::None)
         return call_vocabulary(nc::info(meaning.function), expr);
     if (report_foreign(name, callee.range)) return error_value();

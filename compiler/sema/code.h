@@ -217,7 +217,7 @@ inline constexpr std::uint16_t kFeedDeleted = 2048;   // another kind of feed de
 // An increment counts from the coordinate that was programmed last, and so travels a change of the
 // frame as well.
 inline constexpr std::uint16_t kIncrementTravels = 4096;
-inline constexpr std::uint16_t kMirrorAxes = 8192;  // the mirrors of some axes end
+inline constexpr std::uint16_t kMirrorAxes = 8192;   // the mirrors of some axes end
 inline constexpr std::uint16_t kCyclePlace = 16384;  // the cycle of the block begins at its place
 inline constexpr std::uint16_t kPlaces = 32768;      // while a cycle is modal, a place of it
 }  // namespace custom
@@ -244,8 +244,8 @@ struct Plan {
 /// library's cycle it says.
 struct SourceCycle {
     enum class Kind : std::uint8_t {
-        Once,    // `CYCLE81(…)`
-        Modal,   // `G81 …`: at every place, its block a positioning at rapid, until G80 or a motion
+        Once,   // `CYCLE81(…)`
+        Modal,  // `G81 …`: at every place, its block a positioning at rapid, until G80 or a motion
         Called,  // `MCALL CYCLE81(…)`: behind every motion, until `MCALL`
     };
     struct Argument {
@@ -253,11 +253,11 @@ struct SourceCycle {
         bool is_count = false;  // a whole number in its register
     };
     Kind kind = Kind::Once;
-    std::uint32_t function = 0;         // of the library, index into Code::functions
-    bool has_distances = false;         // under incremental dimensions its levels are distances
-    bool stops_rigid_spindle = false;   // a rigid tap leaves the spindle standing
-    std::string word;                   // `G83`, `CYCLE81`
-    std::vector<Argument> arguments;    // of the registers, in their order; not given: NaN
+    std::uint32_t function = 0;        // of the library, index into Code::functions
+    bool has_distances = false;        // under incremental dimensions its levels are distances
+    bool stops_rigid_spindle = false;  // a rigid tap leaves the spindle standing
+    std::string word;                  // `G83`, `CYCLE81`
+    std::vector<Argument> arguments;   // of the registers, in their order; not given: NaN
     std::vector<std::pair<std::uint8_t, double>> fixed;  // parameters that the word itself says
 };
 

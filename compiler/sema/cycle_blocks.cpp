@@ -95,15 +95,15 @@ void Checker::emit_run_cycle(const SourceRange& range) {
 
 std::optional<SourceCycle> Checker::take_cycle(Plan& plan, const nc::BlockPlan& planned,
                                                std::span<const Word> words) {
-    const auto found = std::ranges::find(plan.functions, nc::Function::Cycle,
-                                         &nc::Invocation::function);
+    const auto found =
+        std::ranges::find(plan.functions, nc::Function::Cycle, &nc::Invocation::function);
     if (found == plan.functions.end()) return std::nullopt;
     const nc::Dialect& dialect = *modules_[module_].dialect;
     const auto invocation = static_cast<std::size_t>(found - plan.functions.begin());
     const std::span<const nc::Parameter> parameters = dialect.cycles()[plan.cycle].parameters;
     SourceCycle cycle;
-    cycle.kind = dialect.has_rule("modal_cycles") ? SourceCycle::Kind::Modal
-                                                  : SourceCycle::Kind::Once;
+    cycle.kind =
+        dialect.has_rule("modal_cycles") ? SourceCycle::Kind::Modal : SourceCycle::Kind::Once;
     SourceRange range = words[0].range;
     for (const Word& word : words) {
         if (word.form != Word::Form::Literal ||
@@ -179,14 +179,14 @@ void Checker::fill_cycle(const nc::BlockPlan& plan, std::span<const Value> value
     for (const nc::Hole& hole : plan.holes) {
         const SourceRange range = ast()[items[hole.word]].range;
         const Reg mark = emit_.mark();
-        const auto known = std::ranges::find(cycle.arguments, hole.parameter,
-                                             &SourceCycle::Argument::parameter);
+        const auto known =
+            std::ranges::find(cycle.arguments, hole.parameter, &SourceCycle::Argument::parameter);
         const auto place = static_cast<Reg>(first + (known - cycle.arguments.begin()));
         const bool adds = hole.adds && known != cycle.arguments.end();
         const Reg reg = adds ? emit_.take(1) : place;
         emit_.set_place(range);
-        const Filling filling = fill_value(values[hole.word], hole.dimension, range,
-                                           sources_.text(range), reg);
+        const Filling filling =
+            fill_value(values[hole.word], hole.dimension, range, sources_.text(range), reg);
         // A sign of the pattern holds for values with units as well (`{-pitch}`).
         const bool is_count = filling.form == Filling::Form::Count;
         if (hole.factor != 1 && !is_count) emit_.emit_number(Op::MulFK, reg, reg, hole.factor);
@@ -230,8 +230,8 @@ Value Checker::cycle_call(const Expr& expr, SourceCycle::Kind kind) {
 bool Checker::is_modal_call(std::span<const Word> words) const {
     const std::string_view name = modules_[module_].dialect->modal_call();
     return !name.empty() && std::ranges::any_of(words, [&](const Word& word) {
-               return word.form == Word::Form::Bare && text(word.address) == name;
-           });
+        return word.form == Word::Form::Bare && text(word.address) == name;
+    });
 }
 
 /// `MCALL CYCLE81(…);` and `MCALL;`. What stands behind the word is a point to the parser.

@@ -331,8 +331,7 @@ List TreeBuilder::arguments(KadrParser::ArgumentsContext* context) {
         expr.range = range_of(*argument);
         if (auto* given_name = argument->ArgumentName()) expr.text = lexeme(given_name).text;
         // A call of the control may leave arguments out.
-        if (argument->expression() != nullptr)
-            expr.child[0] = expression(*argument->expression());
+        if (argument->expression() != nullptr) expr.child[0] = expression(*argument->expression());
         ids.push_back(add(expr));
     }
     return list(ids);

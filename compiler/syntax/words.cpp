@@ -124,7 +124,7 @@ class Merging {
     int depth_ = 0;             // of brackets in the statement
     std::vector<int> calls_;    // depths inside the calls of the control that are open
     bool begins_call_ = false;  // the name of one stands in front
-    std::size_t i_ = 0;  // the next lexeme to look at
+    std::size_t i_ = 0;         // the next lexeme to look at
     std::unordered_map<std::string, nc::WordKind> kinds_;
 };
 
@@ -146,8 +146,8 @@ std::vector<Lexeme> Merging::run() {
     return std::move(out_);
 }
 
-/// `CYCLE81(50,2,,-10)`: where a call of the control leaves an argument out, a token of no width says
-/// so. In the language's own calls that is a mistake.
+/// `CYCLE81(50,2,,-10)`: where a call of the control leaves an argument out, a token of no width
+/// says so. In the language's own calls that is a mistake.
 void Merging::bracket(const Lexeme& lexeme) {
     const bool begins_call = std::exchange(begins_call_, false);
     const bool is_in_call = !calls_.empty() && calls_.back() == depth_;

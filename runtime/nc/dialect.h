@@ -24,7 +24,7 @@ struct CycleInfo {
     std::string name;                   // as in stdlib: "drill_peck"
     std::vector<Parameter> parameters;  // names live in the Dialect
     std::string meaning;
-    std::string module;     // of the library that has it, if a block of a source can be this cycle
+    std::string module;    // of the library that has it, if a block of a source can be this cycle
     bool is_modal = true;  // where cycles are modal: a call is repeated by further axis words
 };
 

@@ -332,12 +332,7 @@ std::optional<CycleId> cycle_of(const Dialect& dialect, std::string_view address
 }
 
 bool can_be_source(const Dialect& dialect, CycleId cycle) {
-    const DialectTables& tables = dialect.tables();
-    // A form that is only read leaves something to the machine.
-    return !tables.cycles[cycle].module.empty() &&
-           std::ranges::any_of(tables.forms, [cycle](const Form& form) {
-               return form.function == Function::Cycle && form.cycle == cycle && form.is_written;
-           });
+    return !dialect.tables().cycles[cycle].module.empty();
 }
 
 PlainNumber plain_number(const Dialect& dialect, std::string_view address, bool is_inch) {

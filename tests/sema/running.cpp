@@ -137,9 +137,9 @@ Checked check_program(const std::string& source, const RunOptions& options) {
     auto parts = std::make_shared<Parts>();
     parts->modules = std::make_unique<TestModules>(options, *checked.sources, *checked.messages);
     parts->ast =
-        syntax::parse(*checked.sources, file, keywords(), dialect("iso"), *checked.messages);
+        syntax::parse(*checked.sources, file, keywords(), dialect(options.source), *checked.messages);
     if (!checked.messages->has_errors()) {
-        checked.code = sema::check(parts->ast, dialect("iso"), *parts->modules, *checked.sources,
+        checked.code = sema::check(parts->ast, dialect(options.source), *parts->modules, *checked.sources,
                                    *checked.messages);
     }
     checked.modules = parts;

@@ -80,5 +80,18 @@ TEST(Words, TheInputDialectDecides) {
               parsed("dialect sinumerik;\ncycle a() { G1 X 1 Y 1.5; }"));
 }
 
+// Calls of the control may leave arguments out; the language's own may not.
+TEST(Words, ArgumentsLeftOut) {
+    const std::string call = "dialect sinumerik;\ncycle a() { CYCLE81(50,2,,-10); }";
+    EXPECT_EQ(parsed(call),
+              "(dialect sinumerik)\n(cycle a\n  (expr (call CYCLE81 50 2  (- 10))))");
+    EXPECT_EQ(parsed("dialect sinumerik;\ncycle a() { MCALL CYCLE82(, f(1, 2), {1, 2}, ,); }"),
+              "(dialect sinumerik)\n(cycle a\n  (words MCALL CYCLE82))");
+    for (const char* wrong : {"f(1,,2);", "CYCLE81(f(1,,2));", "CYCLE81({1,,2});", "f(,);"}) {
+        const std::string text = std::string("dialect sinumerik;\ncycle a() { ") + wrong + " }";
+        EXPECT_NE(mistakes_of(text), "") << wrong;
+    }
+}
+
 }  // namespace
 }  // namespace kadr::syntax
