@@ -831,7 +831,7 @@ void BlockWriter::restore_modal(const Block& block, Items& items) {
     // Modal codes outlive the program on many machines: none ends under G91 that did not mean to.
     const bool is_end = block.function_count != 0 && (block.find(Function::End) != nullptr ||
                                                       block.find(Function::EndRewind) != nullptr);
-    const bool acts = (block.given & kTargetSlots) != 0 || is_end ||
+    const bool acts = is_end || (block.given & kTargetSlots) != 0 ||
                       needs_distance(block, modal_.meant_of(Group::Distance));
     if (acts && !tables_.has_incremental_letters) restore(Group::Distance);
     if (is_arc(effective_motion(block)) && (block.given & (kTargetSlots | kCenterSlots)) != 0)
