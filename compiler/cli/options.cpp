@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "base/numbers.h"
+#include "machine/machine.h"
 
 namespace kadr::cli {
 
@@ -23,19 +24,28 @@ constexpr const char* kEpilogue =
     "Exit status: 0 done, 1 the program has errors, 2 wrong usage or unreadable file,\n"
     "3 an alarm while running. `man kadr` says more.";
 
-/// Seconds of `1ms`, `0.002s`, `500us`; a bare number is seconds. Throws what CLI11 expects.
+/// Seconds of `1ms`, `0.002s`, `500us`. A bare number could be either: it is none. Throws what
+/// CLI11 expects.
 double parse_time(const std::string& text, const char* option) {
     const Decimal number = parse_decimal(text.data(), text.data() + text.size());
     const std::string_view unit(number.end, text.data() + text.size());
-    const double factor = unit == "s" || unit.empty() ? 1.0
-                          : unit == "ms"              ? 1e-3
-                          : unit == "us"              ? 1e-6
-                          : unit == "min"             ? 60.0
-                                                      : 0.0;
+    const double factor = unit == "s"     ? 1.0
+                          : unit == "ms"  ? 1e-3
+                          : unit == "us"  ? 1e-6
+                          : unit == "min" ? 60.0
+                                          : 0.0;
     if (number.end == text.data() || factor == 0 || number.value <= 0) {
         throw CLI::ValidationError(option, "`" + text + "` is not a time; write `1ms` or `0.002s`");
     }
     return number.value * factor;
+}
+
+/// As for the tick of a machine: the path between two setpoints says nothing beyond a second.
+double parse_tick(const std::string& text) {
+    const double tick = parse_time(text, "--tick");
+    if (tick > machine::kLongestTick)
+        throw CLI::ValidationError("--tick", "`" + text + "` is more than 1 s");
+    return tick;
 }
 
 sema::Define parse_define(const std::string& text) {
@@ -267,7 +277,7 @@ CommandLine Parser::parse(int count, const char* const* arguments) {
     driver::Options& options = line_.options;
     for (const std::string& define : defines_) options.defines.push_back(parse_define(define));
     for (const int level : skips_) options.skip_levels |= static_cast<std::uint16_t>(1u << level);
-    if (!tick_.empty()) options.tick = parse_time(tick_, "--tick");
+    if (!tick_.empty()) options.tick = parse_tick(tick_);
     if (!max_time_.empty()) options.max_time = parse_time(max_time_, "--max-time");
     options.native_cycles = cycles_ == "native";
     line_.expand.source = line_.run.source = source_;

@@ -1,15 +1,19 @@
 #include "driver/check.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "driver/execution.h"
 #include "driver/file_text.h"
+#include "driver/generated_text.h"
 
 namespace kadr::driver {
 
 namespace {
+
+constexpr const char* kDefaultTarget = "iso";
 
 /// Interprets ISO-7bit text to its end; what it commands is nobody's concern.
 void interpret(Session& session, const std::string& source, std::unique_ptr<FileText> text) {
@@ -22,6 +26,23 @@ void interpret(Session& session, const std::string& source, std::unique_ptr<File
     execution->read_rest();
 }
 
+/// Makes the text of a program that needs no values from outside, and throws it away: what comes to
+/// light only then is a mistake as well.
+void try_out(Session& session, const Program& program) {
+    const Options& options = session.options();
+    const sema::FunctionCode* chosen = chosen_program(*program.code, options.program);
+    if (chosen == nullptr) return;
+    const bool is_complete = std::ranges::all_of(
+        chosen->parameters, [](const auto& parameter) { return parameter.has_default; });
+    if (!is_complete && options.defines.empty()) return;
+    const nc::Dialect* target = session.chosen_dialect(kDefaultTarget);
+    if (target == nullptr) return;
+    GeneratedText text(session, program, *target, nullptr);
+    text.warn_of_cuts();
+    if (!text.start()) return;
+    while (!text.next().empty()) session.tell({.blocks = text.blocks(), .setpoints = 0, .time = 0});
+}
+
 }  // namespace
 
 Status check(Session& session, std::span<const std::string> sources) {
@@ -29,7 +50,8 @@ Status check(Session& session, std::span<const std::string> sources) {
         auto text = open_source(session, source);
         if (!text) continue;
         if (is_kadr_source(source, *text)) {
-            load_program(session, keep_source(session, source, *text));
+            const auto program = load_program(session, keep_source(session, source, *text));
+            if (program) try_out(session, *program);
         } else {
             interpret(session, source, std::move(text));
         }

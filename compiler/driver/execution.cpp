@@ -21,19 +21,45 @@ bool has_suffix(std::string_view list, std::string_view suffix) {
     return all.find(' ' + upper_ascii(suffix) + ' ') != std::string::npos;
 }
 
-/// The dialect whose files end as this one does, else the common core. Where several do, one that
-/// extends the core itself stands before those that vary another control.
-std::string dialect_by_suffix(const Session& session, const std::string& source) {
+/// Dialects whose files have this suffix, without those that only vary another one of them.
+std::vector<nc::DialectSummary> dialects_of_suffix(const Session& session,
+                                                   std::string_view suffix) {
+    std::vector<nc::DialectSummary> found;
+    for (const nc::DialectSummary& summary : nc::list_dialects(session.share().dialects)) {
+        if (has_suffix(summary.suffix, suffix)) found.push_back(summary);
+    }
+    std::vector<nc::DialectSummary> own;
+    for (const nc::DialectSummary& summary : found) {
+        const bool is_variant = std::ranges::any_of(
+            found, [&](const nc::DialectSummary& other) { return other.name == summary.extends; });
+        if (!is_variant) own.push_back(summary);
+    }
+    return own;
+}
+
+/// The dialect whose files end as this one does, else the common core. Of several the one whose
+/// header the text has. Empty: reported.
+std::string dialect_of_text(Session& session, const std::string& source, std::string_view text) {
     std::string suffix = std::filesystem::path(source).extension().string();
     if (suffix.size() < 2) return kDefaultDialect;
     suffix.erase(0, 1);
-    std::string variant;
-    for (const nc::DialectSummary& summary : nc::list_dialects(session.share().dialects)) {
-        if (!has_suffix(summary.suffix, suffix)) continue;
-        if (summary.extends == kDefaultDialect) return summary.name;
-        if (variant.empty()) variant = summary.name;
+    const std::vector<nc::DialectSummary> found = dialects_of_suffix(session, suffix);
+    if (found.empty()) return kDefaultDialect;
+    if (found.size() == 1) return found[0].name;
+    std::vector<std::string> with_header;
+    std::string names;
+    std::string choices;
+    for (const nc::DialectSummary& summary : found) {
+        const nc::Dialect* dialect = session.dialect(summary.name, {});
+        if (dialect != nullptr && dialect->has_header(text)) with_header.push_back(summary.name);
+        if (!names.empty()) names += " or ", choices += " or ";
+        names += summary.name;
+        choices += "`-d " + summary.name + '`';
     }
-    return variant.empty() ? kDefaultDialect : variant;
+    if (with_header.size() == 1) return with_header[0];
+    session.messages().report(diag::DialectAmbiguous).arg(source).arg(names).fix("say " + choices);
+    session.mark_usage();
+    return {};
 }
 
 /// The name of the text that a program would be written to: "part.mpf".
@@ -169,7 +195,9 @@ std::unique_ptr<Execution> Execution::open(Session& session, const Subject& subj
 
 bool Execution::open_text(const std::string& source, std::unique_ptr<FileText> text) {
     const bool is_named = !session_.options().dialect.empty();
-    dialect_ = session_.chosen_dialect(is_named ? "" : dialect_by_suffix(session_, source));
+    const std::string guess = is_named ? "" : dialect_of_text(session_, source, text->peek());
+    if (!is_named && guess.empty()) return false;
+    dialect_ = session_.chosen_dialect(guess);
     text_name_ = shown_name(source);
     file_ = std::move(text);
     return dialect_ != nullptr;

@@ -35,6 +35,20 @@ bool is_special(const std::string& path) {
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
+/// The standard stream that writes to the same file: `/dev/stdout`, or the file that a shell has
+/// opened for it. Replaced by a rename, that file would lose what the shell writes behind us.
+std::FILE* standard_stream(const std::string& path) {
+    struct stat named {};
+    if (::stat(path.c_str(), &named) != 0) return nullptr;
+    for (std::FILE* stream : {stdout, stderr}) {
+        struct stat open {};
+        const bool is_same = ::fstat(::fileno(stream), &open) == 0 && open.st_dev == named.st_dev &&
+                             open.st_ino == named.st_ino;
+        if (is_same) return stream;
+    }
+    return nullptr;
+}
+
 /// Whether the place is free or holds a file of ours to write. A rename would also replace a file
 /// that is write-protected; that is not what its owner wanted.
 bool may_replace(const std::string& path) {
@@ -70,10 +84,11 @@ bool give_name(std::FILE* file, const std::string& name) {
 
 std::unique_ptr<Output> Output::open(const std::string& path, DiagnosticSink& sink) {
     const std::string target = path == "-" ? path : behind_links(path);
-    const bool is_spool = path == "-" || is_special(target);
+    std::FILE* const stream = path == "-" ? stdout : standard_stream(target);
+    const bool is_spool = stream != nullptr || is_special(target);
     std::unique_ptr<Output> output(new Output(path, is_spool ? Kind::Spool : Kind::File));
     if (is_spool) {
-        output->destination_ = path == "-" ? stdout : std::fopen(target.c_str(), "wb");
+        output->destination_ = stream != nullptr ? stream : std::fopen(target.c_str(), "wb");
         if (output->destination_ != nullptr) return output;
     } else if (may_replace(target)) {
         output->final_path_ = target;
@@ -95,7 +110,8 @@ Output::~Output() {
         std::fclose(stream_);
         if (kind_ == Kind::File && !is_nameless_) std::remove(draft_.c_str());
     }
-    if (destination_ != nullptr && destination_ != stdout) std::fclose(destination_);
+    const bool is_standard = destination_ == stdout || destination_ == stderr;
+    if (destination_ != nullptr && !is_standard) std::fclose(destination_);
 }
 
 void Output::write(std::string_view text) {

@@ -7,6 +7,7 @@
 #include "base/assert.h"
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/expand.h"
+#include "base/diagnostics/iso.h"
 #include "expand/state.h"
 #include "nc/tables.h"
 #include "syntax/ast.h"
@@ -235,6 +236,8 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
     if (nc::is_arc(modal[Group::Motion]) && recordings.empty() && !has_radius(block, at))
         return false;
     modal.take_words(block);
+    if (recordings.empty() && is_cut_doubtful() && !check_cut(block, at)) [[unlikely]]
+        return false;
     // Nobody knows here whether the operator lets the block run.
     if (plan.skip >= 0) [[unlikely]]
         modal.take_skipped(block);
@@ -367,6 +370,43 @@ bool Expander::State::fill_speed(Block& block, const Filling& filling, double va
     return true;
 }
 
+bool Expander::State::check_cut(const Block& block, std::uint32_t at) {
+    const Function motion = modal[Group::Motion];
+    const bool is_cut = motion == Function::Line || nc::is_arc(motion);
+    const bool moves = (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0;
+    if (!is_cut || !moves || block.find(Function::ReferenceReturn) != nullptr) return true;
+    if (modal.is_feed_lost) return feed_lost(at, frames.size());
+    if (options.warns_of_cuts) warn_of_cut(at);
+    return true;
+}
+
+/// A number of millimetres per minute would cut as millimetres per revolution.
+bool Expander::State::feed_lost(std::uint32_t at, std::size_t depth) {
+    const Function mode = modal[Group::FeedMode];
+    DiagnosticBuilder builder = fault_in(diag::FeedLost, at, depth);
+    builder.arg(feed_word(mode));
+    const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::FeedMode)];
+    if (by.is_valid() && by.index < code.statements.size())
+        builder.note(code.statements[by.index], "the feed mode was set here");
+    builder.fix(std::string("say F in ") + feed_unit(mode) + " behind `" + feed_code(mode) + '`');
+    return false;
+}
+
+/// What the interpreter finds when the text is run, said where only the text is made.
+void Expander::State::warn_of_cut(std::uint32_t at) {
+    if (!modal.has_feed && !warned_of_feed) {
+        warned_of_feed = true;
+        fault(diag::FeedNeverSet, at);
+    }
+    if (modal.is_spindle_turning() || warned_of_spindle) return;
+    warned_of_spindle = true;
+    DiagnosticBuilder builder = fault(diag::FeedWithSpindleStopped, at);
+    const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::Spindle)];
+    if (modal[Group::Spindle] == Function::SpindleStop && by.is_valid() &&
+        by.index < code.statements.size())
+        builder.note(code.statements[by.index], "it stands from here on");
+}
+
 double Expander::State::state_value(sema::StateValue which) const {
     if (which == sema::StateValue::Feed) {
         if (!modal.has_feed) return sema::kNotGivenNumber;
@@ -381,6 +421,16 @@ double Expander::State::state_value(sema::StateValue which) const {
         return modal.speed * kMmPerMeter / kMinute * sema::kSecondForm;
     }
     return modal.speed / kMinute;
+}
+
+std::int64_t Expander::State::spindle_code() const {
+    switch (modal[Group::Spindle]) {
+        case Function::SpindleCw: return 3;
+        case Function::SpindleCcw: return 4;
+        case Function::SpindleStop:
+        case Function::SpindleOrient: return 5;
+        default: return sema::kNotGivenInteger;
+    }
 }
 
 bool Expander::State::emit_text(const Instruction& instruction, const sema::Slot* registers,
@@ -432,6 +482,11 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
     if (!target.has_native_cycle(cycle, given, {values.data(), parameters.size()})) return false;
     const std::uint32_t at = frame.return_to > 0 ? frame.return_to - 1 : 0;
     if (modal.lost != 0 && !knows_for_cycle(*frame.function, given, at)) return true;
+    // A cycle with a pitch has its feed from it.
+    const bool has_own_feed =
+        std::ranges::find(parameters, "pitch", &sema::ParameterInfo::name) != parameters.end();
+    if (!has_own_feed && modal.is_feed_lost) return !feed_lost(at, frames.size() - 1);
+    if (!has_own_feed && options.warns_of_cuts && is_cut_doubtful()) warn_of_cut(at);
     if (is_block_limit(at)) return true;
     if (modal.has_ended) warn_after_end(at);
     const Instruction& call = code.instructions[at];
@@ -448,9 +503,13 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
     modal.changed_by[static_cast<std::size_t>(Group::Motion)] = source;
     modal.restate_motion = true;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
-        if (parameters[i].name != "initial" || (given >> i & 1u) == 0) continue;
-        modal.position[2] = values[i];
-        modal.known = static_cast<AxisMask>(modal.known | bit(Axis::Z));
+        if ((given >> i & 1u) == 0) continue;
+        if (parameters[i].name == "initial") {
+            modal.position[2] = values[i];
+            modal.known = static_cast<AxisMask>(modal.known | bit(Axis::Z));
+        } else if (parameters[i].name == "after") {
+            modal.set_spindle(values[i], source);
+        }
     }
     if (options.trace) {
         // As if the block stood at the call.
@@ -605,8 +664,11 @@ bool Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint
         return false;
     }
     if ((changed & sema::kFeedBit) != 0 && !before.has_feed) modal.forget_feed(source);
-    const bool feed = (changed & sema::kFeedBit) != 0 && before.has_feed;
-    const bool speed = (changed & sema::kSpeedBit) != 0 && before.has_speed;
+    // The same number means something else in another mode, so it goes back with the mode.
+    const sema::ModalMask of_feed = sema::kFeedBit | sema::group_bit(Group::FeedMode);
+    const sema::ModalMask of_speed = sema::kSpeedBit | sema::group_bit(Group::SpeedMode);
+    const bool feed = (changed & of_feed) != 0 && before.has_feed;
+    const bool speed = (changed & of_speed) != 0 && before.has_speed;
     const bool groups = (changed & ~(sema::kFeedBit | sema::kSpeedBit)) != 0;
     if (!groups && !feed && !speed) return true;
     if (is_block_limit(at)) return false;

@@ -670,6 +670,10 @@ bool Expander::State::finish_followed(Block& block, const FollowedBlock& next,
     if (modal.has_ended && recordings.empty()) warn_after_end(where);
     modal.take_words(block);
     if (!recordings.empty()) return keep(block, where);
+    if (is_cut_doubtful() && !check_cut(block, where)) {
+        drop_block(block);
+        return false;
+    }
     if (options.trace) keep_trace(where, next.depth, next.source);
     return true;
 }

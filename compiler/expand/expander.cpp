@@ -33,6 +33,8 @@ std::optional<std::vector<sema::Slot>> Expander::read_values(
 
 bool Expander::start_call(const CallUnderTest& call) { return state_->start_call(call); }
 
+void Expander::warn_of_cuts() { state_->options.warns_of_cuts = true; }
+
 std::size_t Expander::pull(std::span<nc::Block> out) { return state_->pull(out); }
 
 bool Expander::failed() const { return state_->has_failed; }

@@ -45,6 +45,7 @@ struct ExpandOptions {
     Limits limits;
     bool native_cycles = true;                // a call of a mapped cycle stays one block
     bool trace = false;                       // keep a Trace for every block of the batch
+    bool warns_of_cuts = false;               // without a feed or with the spindle off
     const std::atomic<bool>* stop = nullptr;  // set from outside: the evaluation ends with an error
     std::vector<std::string>* shown = nullptr;  // gets the values that the code shows; null: nobody
 };
@@ -75,6 +76,9 @@ class Expander final : public Stream<nc::Block> {
     /// Starts the call that a test has executed, as a program of its own: globals are fresh. A
     /// cycle or a function begins with the spindle on, a feed set, at a place that the test names.
     bool start_call(const CallUnderTest& call);
+
+    /// Warns of cuts that the interpreter would warn of, for whom only makes the text.
+    void warn_of_cuts();
 
     std::size_t pull(std::span<nc::Block> out) override;
     /// An error ended the program; of a test: something did not hold.

@@ -178,6 +178,7 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
             has_tool = has_tool_in = true;
             tool = tool_in = block.argument(invocation, 0);
             known = 0;  // the changer stands somewhere else
+            change_tool(block.source);
             lost_drift |= has_drift;
             return;
         case Function::ToolSelect:
@@ -190,6 +191,7 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
             tool_in = select != nullptr ? block.argument(*select, 0) : tool;
             known = 0;
             lost_drift |= has_drift;
+            change_tool(block.source);
             return;
         }
         case Function::End:
@@ -204,10 +206,27 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
     Function& member = active[static_cast<std::size_t>(group)];
     lost &= ~sema::group_bit(group);
     if (group == Group::Spindle) spindle_in_doubt = false;
-    if (group == Group::FeedMode && member != invocation.function) has_feed = false;
+    if (group == Group::FeedMode && member != invocation.function) {
+        is_feed_lost |= has_feed;
+        has_feed = false;
+    }
     if (group == Group::SpeedMode && member != invocation.function) has_speed = false;
     member = invocation.function;
     changed_by[static_cast<std::size_t>(group)] = block.source;
+}
+
+void ModalState::set_spindle(double code, SourceId source) {
+    active[static_cast<std::size_t>(Group::Spindle)] = code == 3   ? Function::SpindleCw
+                                                       : code == 4 ? Function::SpindleCcw
+                                                                   : Function::SpindleStop;
+    changed_by[static_cast<std::size_t>(Group::Spindle)] = source;
+}
+
+/// The changer takes the spindle over. A turret does not: what turns in G18 is the part.
+void ModalState::change_tool(SourceId source) {
+    if (!stops_at_tool_change || (*this)[Group::Plane] == Function::PlaneZx) return;
+    active[static_cast<std::size_t>(Group::Spindle)] = Function::SpindleStop;
+    changed_by[static_cast<std::size_t>(Group::Spindle)] = source;
 }
 
 void ModalState::take_functions(const nc::Block& block) {
@@ -224,6 +243,7 @@ void ModalState::take_words(const nc::Block& block) {
     if (block.has(nc::Slot::Feed)) {
         feed = block.at(nc::Slot::Feed);
         has_feed = true;
+        is_feed_lost = false;
         is_feed_deleted = false;
         feed_by = block.source;
         lost &= ~sema::kFeedBit;

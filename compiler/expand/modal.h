@@ -24,7 +24,9 @@ struct ModalState {
     bool has_length_offset = false;
     bool has_feed = false;
     bool has_speed = false;
-    double feed = 0;  // as in Block
+    bool is_feed_lost = false;          // it was given, and then the feed mode changed
+    bool stops_at_tool_change = false;  // of the target: the spindle stands behind a tool change
+    double feed = 0;                    // as in Block
     double speed = 0;
     bool has_tool = false;
     double tool = 0;  // that was called last
@@ -67,6 +69,13 @@ struct ModalState {
     void take_functions(const nc::Block& block);
     /// … and then its words.
     void take_words(const nc::Block& block);
+    /// Whether the spindle turns, as far as the program says.
+    bool is_spindle_turning() const {
+        const nc::Function spindle = (*this)[nc::Group::Spindle];
+        const bool is_on = spindle == nc::Function::SpindleCw ||
+                           spindle == nc::Function::SpindleCcw || spindle == nc::Function::None;
+        return is_on && !(has_speed && speed == 0);
+    }
     /// Text of unknown meaning: nothing is known any more.
     void forget(SourceId source);
     /// Behind a `with` that set the first F: what held before it was none.
@@ -74,12 +83,15 @@ struct ModalState {
     /// The block may be left out: what it changes, besides what the writer says again by itself.
     void take_skipped(const nc::Block& block);
     void set_frame(const ProgramFrame& frame, SourceId source);
+    /// 3, 4, 5 as in M3, M4, M5.
+    void set_spindle(double code, SourceId source);
     /// Whether it is known what is left of the frame without its scale.
     bool knows_unscaled() const { return !frame.has_scale() || frame == scaled; }
 
   private:
     void take(const nc::Block& block, const nc::Invocation& invocation);
     void set_position(const nc::Block& block, const nc::Invocation& invocation);
+    void change_tool(SourceId source);
     void note_drift(std::size_t axis, bool is_known, double by);
     void forget_drift(AxisMask axes);
 };

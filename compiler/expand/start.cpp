@@ -193,7 +193,7 @@ bool Expander::State::start(std::string_view name, const std::vector<sema::Defin
     if (function == nullptr) return false;
     reserve_stack(std::max(kFirstStack, std::size_t{code.globals} + function->registers +
                                             code.functions[0].registers + 16));
-    modal = ModalState::at_start(*function);
+    modal = first_state(*function);
     if (function->work_offset != target.first_work_offset())
         modal.due_offset = function->work_offset;
     bool is_good = true;
@@ -244,6 +244,12 @@ bool Expander::State::start(std::string_view name, const std::vector<sema::Defin
     return true;
 }
 
+ModalState Expander::State::first_state(const FunctionCode& function) const {
+    ModalState state = ModalState::at_start(function);
+    state.stops_at_tool_change = target.has_rule("tool_change_stops_spindle");
+    return state;
+}
+
 bool Expander::State::start_cycle(std::string_view name, std::span<const double> arguments,
                                   std::uint32_t given, const AxisValues& position, double feed,
                                   double speed) {
@@ -260,7 +266,7 @@ bool Expander::State::start_cycle(std::string_view name, std::span<const double>
     reserve_stack(std::max(kFirstStack, std::size_t{code.globals} + function.registers +
                                             code.functions[0].registers + 16));
     options.native_cycles = false;  // this is the body of a native one
-    modal = ModalState::at_start(function);
+    modal = first_state(function);
     modal.position = position;
     modal.known = static_cast<AxisMask>((1u << kAxes) - 1u);
     modal.has_feed = feed > 0;

@@ -93,6 +93,7 @@ struct Expander::State {
     bool set_parameter(const sema::FunctionCode& function, const sema::ParameterInfo& parameter,
                        const std::string& text, Slot& slot);
     void enter(const sema::FunctionCode& function, std::uint32_t given);
+    ModalState first_state(const sema::FunctionCode& function) const;
 
     // ---- tests.cpp
     bool start_test(std::uint32_t index, std::span<const Slot> values, TestBench& asked);
@@ -160,6 +161,13 @@ struct Expander::State {
     bool fill(nc::Block& block, const sema::Filling& filling, Slot value, std::uint32_t at);
     bool fill_feed(nc::Block& block, const sema::Filling& filling, double value, std::uint32_t at);
     bool fill_speed(nc::Block& block, const sema::Filling& filling, double value, std::uint32_t at);
+    /// Whether the block may cut: a feed that belonged to another feed mode does not count.
+    bool check_cut(const nc::Block& block, std::uint32_t at);
+    void warn_of_cut(std::uint32_t at);
+    bool is_cut_doubtful() const {
+        return !modal.has_feed || (options.warns_of_cuts && !modal.is_spindle_turning());
+    }
+    bool feed_lost(std::uint32_t at, std::size_t depth);
     bool emit_text(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     /// True if the control has the cycle and a block stands for it now.
     bool emit_cycle(nc::CycleId cycle, const Slot* registers);
@@ -171,6 +179,7 @@ struct Expander::State {
     bool check_preserves(std::uint32_t at);
     bool is_block_limit(std::uint32_t at);
     double state_value(sema::StateValue which) const;
+    std::int64_t spindle_code() const;  // 3, 4, 5 as in M3, M4, M5
 
     // ---- unknown.cpp: false where an error was reported
     /// Checks what the block needs of the modal state, and says again what may have been left out.
@@ -292,6 +301,8 @@ struct Expander::State {
     ModalState modal;
     std::vector<OpenWith> withs;
     std::vector<OpenWith> promises;  // of `preserves`
+    bool warned_of_feed = false;     // each is said once
+    bool warned_of_spindle = false;
 
     /// A contour whose blocks are being kept.
     struct Recording {

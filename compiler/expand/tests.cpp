@@ -51,7 +51,7 @@ bool Expander::State::start_test(std::uint32_t index, std::span<const Slot> valu
     const FunctionCode& function = code.functions[index];
     reserve_stack(std::max(kFirstStack, std::size_t{code.globals} + function.registers +
                                             code.functions[0].registers + 16));
-    modal = ModalState::at_start(function);
+    modal = first_state(function);
     bench = &asked;
     std::copy(values.begin(), values.end(), stack.begin() + code.globals);
     has_failed = false;
@@ -264,7 +264,7 @@ bool Expander::State::start_call(const CallUnderTest& call) {
     const FunctionCode& startup = code.functions[0];
     reserve_stack(std::max(
         kFirstStack, std::size_t{code.globals} + function.registers + startup.registers + 16));
-    modal = ModalState::at_start(function);
+    modal = first_state(function);
     if (function.kind != FunctionKind::Program) set_up(call);
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         const sema::ParameterInfo& parameter = function.parameters[i];

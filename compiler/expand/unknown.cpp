@@ -52,7 +52,7 @@ void ModalState::forget(SourceId source) {
     has_feed = has_speed = has_tool = has_tool_in = has_length_offset = false;
     lost_drift |= has_drift;
     restate_motion = false;
-    has_ended = spindle_in_doubt = false;
+    has_ended = spindle_in_doubt = is_feed_lost = false;
     restate = 0;
     lost = sema::kFrameBit | sema::kFeedBit | sema::kSpeedBit;
     for (std::size_t i = 0; i < nc::kGroups; ++i) lost |= group_bit(static_cast<Group>(i));

@@ -991,6 +991,8 @@ op_State:
     KADR_SLOPE(0);
     if (static_cast<sema::StateValue>(ip->c) == sema::StateValue::Tool) {
         A.integer = modal.has_tool ? static_cast<std::int64_t>(modal.tool) : sema::kNotGivenInteger;
+    } else if (static_cast<sema::StateValue>(ip->c) == sema::StateValue::Spindle) {
+        A.integer = spindle_code();
     } else {
         A.number = state_value(static_cast<sema::StateValue>(ip->c));
     }

@@ -95,7 +95,7 @@ enum class Math : std::uint8_t {
 };
 
 /// What `state.…` reads.
-enum class StateValue : std::uint8_t { Feed, Speed, Tool };
+enum class StateValue : std::uint8_t { Feed, Speed, Tool, Spindle };
 
 /// Registers of a contour's element, in the order of its members.
 enum class ElementSlot : std::uint8_t {

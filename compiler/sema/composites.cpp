@@ -226,6 +226,10 @@ Value Checker::position_member(const Expr& expr, bool is_position) {
         emit_.emit(Op::State, reg, 0, static_cast<unsigned>(StateValue::Tool));
         return in_registers(types_.optional(types::kInt), reg);
     }
+    if (name == "spindle") {
+        emit_.emit(Op::State, reg, 0, static_cast<unsigned>(StateValue::Spindle));
+        return in_registers(types_.optional(types::kInt), reg);
+    }
     report(diag::UnknownMember, expr.range).arg("state").arg(name);
     return error_value();
 }

@@ -66,7 +66,12 @@ void Executor::call_cycle(const Block& block, const Invocation& invocation) {
     const Axis tool_axis = path::axes_of(cycle_plane()).normal;
     call.initial = modal_cycle_.is_active ? modal_cycle_.initial : position_.here[index(tool_axis)];
     call.is_active = rules_.modal_cycles && info.is_modal;
-    if (taps_rigidly_) set_argument(call, find_parameter(info, "floating"), 0);
+    if (taps_rigidly_) {
+        constexpr double kStop = 5;  // M5
+        set_argument(call, find_parameter(info, "floating"), 0);
+        if (rules_.rigid_tap_stops_spindle)
+            set_argument(call, find_parameter(info, "after"), kStop);
+    }
     modal_cycle_ = call;
     start_cycle(block, call);
 }

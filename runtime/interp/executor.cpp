@@ -217,6 +217,10 @@ bool Executor::is_too_late(Function function) const {
         case Function::ShiftAdd:
         case Function::Mirror:
         case Function::MirrorOff:
+        case Function::Scale:
+        case Function::ReferencePoint:
+        case Function::ReferenceReturn:
+        case Function::MachineCoordinates:
         case Function::SetPosition: return true;
         case Function::PlaneXy: return modal_.plane != Plane::Xy;
         case Function::PlaneZx: return modal_.plane != Plane::Zx;
@@ -509,6 +513,10 @@ void Executor::change_tool(const Block& block) {
     if (tool_.selected != tool_.current) {
         tool_.current = tool_.selected;
         put(Op::Tool, block).tool = tool_.current;
+    }
+    if (rules_.tool_change_stops_spindle && !machine_.is_lathe) {
+        spindle_.mode = SpindleMode::Stop;
+        update_spindle(block);
     }
     if (rules_.tool_change_activates_length) tool_.source = Tool::Source::Edge;
     tool_.has_changed |= tool_.source == Tool::Source::Edge;

@@ -106,12 +106,20 @@ class MachineBuilder {
         machine_.title = reader.text("title");
         machine_.is_lathe = reader.choice("kind", kKinds).value_or(0) == 1;
         machine_.tick = reader.positive("tick", Dimension::Time).value_or(machine_.tick);
+        check_tick();
         machine_.max_feed = reader.magnitude("max_feed", Dimension::Velocity).value_or(0);
         machine_.max_speed = reader.magnitude("max_speed", Dimension::AngularVelocity).value_or(0) /
                              (2 * std::numbers::pi);
         machine_.orient_time = reader.magnitude("orient_time", Dimension::Time).value_or(0);
         machine_.tool_change_time =
             reader.magnitude("tool_change_time", Dimension::Time).value_or(0);
+    }
+
+    void check_tick() {
+        const XmlAttribute* attribute = root_.find("tick");
+        if (attribute == nullptr || machine_.tick <= kLongestTick) return;
+        sink_.report(diag::MachineTickLong, attribute->value_range).arg(attribute->value);
+        machine_.tick = kLongestTick;
     }
 
     /// Elements that are not known have been reported by the check of the shape.

@@ -37,10 +37,13 @@ struct ToolData {
     std::string name;
 };
 
+/// Longest interpolation period, s: limits hold from tick to tick.
+inline constexpr double kLongestTick = 1;
+
 struct Machine {
     std::string name;
     std::string title;
-    double tick = 0.001;            // s, interpolation period
+    double tick = 0.001;            // s, interpolation period, up to kLongestTick
     double corner_tolerance = 0;    // reserved for blending, mm; 0: corners stay sharp
     double max_feed = 0;            // mm/s, path; 0: no limit of its own
     double max_speed = 0;           // rev/s of the spindle; 0: no limit

@@ -181,45 +181,53 @@ PathLimits AxisTable::limits(const Segment& piece, double wanted) const {
     return {speed, acceleration};
 }
 
-AxisTable::Peaks AxisTable::peaks(const Segment& piece) const {
-    Peaks peaks;
-    const double speed = piece.profile.peak_speed;
-    const double along = std::max(piece.profile.accelerating > 0 ? piece.profile.acceleration : 0.0,
-                                  piece.profile.braking > 0 ? piece.profile.deceleration : 0.0);
+AxisTable::Loads AxisTable::loads(const Segment& piece) const {
+    Loads loads;
     if (const auto* spline = std::get_if<path::Spline>(&piece.curve)) {
         const SplineBend bend = bend_of(*spline);
         for (std::size_t i = 0; i < axes_.size(); ++i) {
             if (axes_[i].coordinate >= 3) continue;
             const auto c = static_cast<Eigen::Index>(axes_[i].coordinate);
-            peaks.velocity[i] = bend.rate[c] * speed;
-            peaks.acceleration[i] = std::min(bend.rate[c] * along + bend.bend[c] * speed * speed,
-                                             std::hypot(along, bend.curvature * speed * speed));
+            loads.rising[i] = bend.rate[c];
+            loads.bend[i] = bend.bend[c];
         }
-        return peaks;
+        loads.curvature = bend.curvature;
+        return loads;
     }
     const auto* helix = std::get_if<path::Helix>(&piece.curve);
     if (helix == nullptr) {
         const AxisRates rates = start_rates(piece);
-        for (std::size_t i = 0; i < axes_.size(); ++i) {
-            peaks.velocity[i] = std::abs(rates[i]) * speed;
-            peaks.acceleration[i] = std::abs(rates[i]) * along;
-        }
-        return peaks;
+        for (std::size_t i = 0; i < axes_.size(); ++i) loads.turning[i] = std::abs(rates[i]);
+        return loads;
     }
     const CircleView circle(*helix);
-    const double normal = circle.curvature * speed * speed;
     for (std::size_t i = 0; i < axes_.size(); ++i) {
         const std::size_t c = axes_[i].coordinate;
         if (c >= 3) {
-            const double rate = std::abs(piece.follower_rate[c - 3]);
-            peaks.velocity[i] = rate * speed;
-            peaks.acceleration[i] = rate * along;
+            loads.turning[i] = std::abs(piece.follower_rate[c - 3]);
             continue;
         }
-        const double rise = circle.rising * std::abs(helix->normal[static_cast<Eigen::Index>(c)]);
-        peaks.velocity[i] = greatest_rate(*helix, circle, c) * speed;
-        peaks.acceleration[i] =
-            amplitude(*helix, c) * std::hypot(circle.turning * along, normal) + rise * along;
+        const double seen = amplitude(*helix, c);
+        loads.turning[i] = seen * circle.turning;
+        loads.bend[i] = seen * circle.curvature;
+        loads.rising[i] = circle.rising * std::abs(helix->normal[static_cast<Eigen::Index>(c)]);
+    }
+    return loads;
+}
+
+AxisTable::Peaks AxisTable::peaks(const Segment& piece) const {
+    Peaks peaks;
+    const double speed = piece.profile.peak_speed;
+    const double along = path_acceleration(piece.profile);
+    const auto* helix = std::get_if<path::Helix>(&piece.curve);
+    const Loads loads = this->loads(piece);
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+        const std::size_t c = axes_[i].coordinate;
+        const double rate = helix == nullptr || c >= 3
+                                ? loads.turning[i] + loads.rising[i]
+                                : greatest_rate(*helix, CircleView(*helix), c);
+        peaks.velocity[i] = rate * speed;
+        peaks.acceleration[i] = loads.at(i, speed, along);
     }
     return peaks;
 }

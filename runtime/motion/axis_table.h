@@ -5,7 +5,9 @@
 // into axes.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "base/axes.h"
@@ -40,6 +42,25 @@ class AxisTable {
     /// an axis has, so that enough is left to reach the speed at all. source       reference motion
     /// §2.1
     PathLimits limits(const Segment& piece, double wanted) const;
+
+    /// What the acceleration of each axis is made of on a piece: at the path speed v and the path
+    /// acceleration a it is at most hypot(turning·a, bend·v²) + rising·a, and at most
+    /// hypot(a, curvature·v²) where a curvature is given.
+    struct Loads {
+        AxisRates turning{};
+        AxisRates bend{};
+        AxisRates rising{};
+        double curvature = 0;
+
+        double at(std::size_t i, double speed, double along) const {
+            if (bend[i] == 0) return turning[i] * along + rising[i] * along;
+            const double sum =
+                std::hypot(turning[i] * along, bend[i] * speed * speed) + rising[i] * along;
+            if (curvature == 0) return sum;
+            return std::min(sum, std::hypot(along, curvature * speed * speed));
+        }
+    };
+    Loads loads(const Segment& piece) const;
 
     /// Greatest axis velocities and accelerations of a piece under its profile.
     struct Peaks {

@@ -26,6 +26,26 @@ double axis_jump_speed(std::span<const double> in, std::span<const double> out,
     return worst > 0 ? 1 / worst : kInfinity;
 }
 
+// The second difference of setpoints, divided by the tick T squared, is the acceleration averaged
+// with a triangle of the width 2T. A jump J·T at a distance x·T from its middle counts J·(1 − x);
+// with y = 1 − x the ramp R of the nearer side counts R·(1 − y²/2), that of the other side r·y²/2.
+// J·y + R − (R − r)·y²/2 is greatest at y = J/(R − r), or at y = 1 if that is beyond.
+double corner_acceleration(double before, double behind, double jump) {
+    const double more = std::max(before, behind);
+    const double difference = std::abs(before - behind);
+    if (jump >= difference) return jump + (before + behind) / 2;
+    return more + jump * jump / (2 * difference);
+}
+
+double jump_share(double before, double behind, bool is_alone) {
+    const double more = std::min(1.0, std::max(before, behind));
+    // Corners nearer to each other share the triangle: their jumps add up to one of full weight.
+    if (!is_alone) return 1 - more;
+    const double difference = more - std::min({1.0, before, behind});
+    const double at_middle = 1 - (more + more - difference) / 2;
+    return at_middle >= difference ? at_middle : std::sqrt(2 * difference * (1 - more));
+}
+
 double junction_deviation_speed(const path::Vec3& in, const path::Vec3& out, double deviation,
                                 double acceleration) {
     // θ is the inner angle of the corner: π straight on, 0 turning back. A circle of radius r that

@@ -24,6 +24,21 @@ using AxisRates = std::array<double, kAxes>;
 double axis_jump_speed(std::span<const double> in, std::span<const double> out,
                        std::span<const double> jump);
 
+/// How much of an axis' acceleration a jump of its velocity may take at a corner, so that the
+/// change of velocity from one tick to the next stays within the limit: the jump comes on top of
+/// the ramps before and behind it.
+///
+/// before, behind  acceleration of the axis on both sides, parts of its limit, 0 to 1
+/// is_alone        no other corner lies within two ticks
+/// returns         jump / (limit · tick), 0 to 1
+/// source          derived in the .cpp
+double jump_share(double before, double behind, bool is_alone);
+
+/// Greatest change of velocity from tick to tick at a corner, per tick, as `jump_share` bounds it.
+///
+/// before, behind, jump  accelerations, the jump divided by the tick; all in one unit
+double corner_acceleration(double before, double behind, double jump);
+
 /// Speed of an arc that touches both legs and misses the corner by `deviation`.
 ///
 /// in, out       directions of travel, unit vectors

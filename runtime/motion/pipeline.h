@@ -49,13 +49,13 @@ struct Totals {
     std::array<double, kAxes> travel_min{};  // per machine axis, mm or rad; start included
     std::array<double, kAxes> travel_max{};
     std::array<double, kAxes> max_velocity{};      // mm/s or rad/s
-    std::array<double, kAxes> max_acceleration{};  // inside pieces and at corners (jump / tick)
+    std::array<double, kAxes> max_acceleration{};  // from tick to tick: ramps, arcs, corners
     std::array<double, kAxes> max_jerk{};          // infinite under trapezoidal profiles
 };
 
 /// How fast a corner may be taken.
 enum class CornerRule : std::uint8_t {
-    AxisJump,           // no axis jumps by more than `velocity_jump`
+    AxisJump,           // no axis changes its velocity from tick to tick by more than its limit
     JunctionDeviation,  // as if an arc missed the corner by `junction_deviation`
 };
 
@@ -67,7 +67,7 @@ struct PlannerOptions {
     CornerRule corner_rule = CornerRule::AxisJump;
     double junction_deviation = 0.01;  // mm
     std::array<double, kAxes>
-        velocity_jump{};        // per machine axis, mm/s or rad/s; 0: acceleration · tick
+        velocity_jump{};        // per machine axis, mm/s or rad/s; 0: what the ramps leave
     bool stop_at_alarm = true;  // false: report and go on with a sensible value
     /// The place of a line of the ISO-7bit text, for messages; may be empty.
     std::function<LinePlace(std::uint32_t line, SourceId source)> place_of;

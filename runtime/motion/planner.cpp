@@ -21,6 +21,7 @@ class PieceRing {
         return pieces_[(first_ + count_++) & (pieces_.size() - 1)];
     }
     void drop_back() { --count_; }
+    Piece& back(std::size_t i) { return pieces_[(first_ + count_ - 1 - i) & (pieces_.size() - 1)]; }
     Piece& front() { return pieces_[first_]; }
     void pop_front() {
         first_ = (first_ + 1) & (pieces_.size() - 1);
@@ -57,6 +58,7 @@ struct Planner::State {
 
     bool next(Segment& segment);
     void fill();
+    void hand_on(const Piece& piece);
     void plan(Piece& piece, const JunctionSpeeds& speeds);
     void record(const Piece& piece);
     void record_corner(const Segment& segment);
@@ -69,9 +71,12 @@ struct Planner::State {
     PieceRing pieces;
     double tick;
     bool has_ended = false;
+    bool is_waiting = false;  // the last piece, for the corner behind it
 
     Totals totals;
     AxisRates last_rates{};  // of the piece delivered last, at its end
+    AxisTable::Loads last_loads;
+    double last_along = 0;  // its acceleration along the path
 };
 
 void Planner::State::fill() {
@@ -79,12 +84,23 @@ void Planner::State::fill() {
         Piece& piece = pieces.push_back();
         if (!preparer.next(piece)) {
             pieces.drop_back();
+            if (is_waiting) hand_on(pieces.back(0));
             lookahead.finish();
             has_ended = true;
             return;
         }
-        lookahead.append({piece.length, piece.speed, piece.acceleration, piece.entry_limit});
+        // The corner behind a piece has its say in the piece's acceleration.
+        if (is_waiting) {
+            Piece& before = pieces.back(1);
+            before.acceleration *= std::min(1.0, piece.ramp_before / before.ramp);
+            hand_on(before);
+        }
+        is_waiting = true;
     }
+}
+
+void Planner::State::hand_on(const Piece& piece) {
+    lookahead.append({piece.length, piece.speed, piece.acceleration, piece.entry_limit});
 }
 
 bool Planner::State::next(Segment& segment) {
@@ -140,17 +156,24 @@ void Planner::State::record(const Piece& piece) {
     record_corner(segment);
 }
 
-/// An axis that jumps in its velocity at a corner does so within one tick.
+/// What setpoints show at a corner: the jump of the velocity and the ramps beside it.
 void Planner::State::record_corner(const Segment& segment) {
     const AxisRates in = axes.start_rates(segment);
     const double speed = segment.profile.entry_speed;
+    const AxisTable::Loads loads = axes.loads(segment);
+    const double along = path_acceleration(segment.profile);
     if (speed > 0) {
         for (std::size_t i = 0; i < axes.size(); ++i) {
-            totals.max_acceleration[i] = std::max(totals.max_acceleration[i],
-                                                  std::abs(in[i] - last_rates[i]) * speed / tick);
+            const double jump = std::abs(in[i] - last_rates[i]) * speed / tick;
+            if (jump == 0) continue;
+            const double reached = corner_acceleration(last_loads.at(i, speed, last_along),
+                                                       loads.at(i, speed, along), jump);
+            totals.max_acceleration[i] = std::max(totals.max_acceleration[i], reached);
         }
     }
     last_rates = axes.end_rates(segment);
+    last_loads = loads;
+    last_along = along;
 }
 
 void Planner::State::record_travel() {

@@ -24,6 +24,13 @@ using path::Vec3;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+// How a corner and the ramps beside it share the acceleration of an axis (corner.h).
+constexpr double kMostRamp = 0.9;    // the jump has up to 42 % then
+constexpr double kSharedRamp = 0.5;  // half and half
+// Corners of equal distance below a tick weigh up to 1.125 times as much as their mean.
+constexpr double kCrowding = 1.125;
+constexpr double kStraight = 1e-9;  // as in corner.cpp
+
 // To go on after a missing feed has been reported, mm/s; slow enough to be noticed in the time.
 constexpr double kFallbackFeed = 1;
 
@@ -32,7 +39,10 @@ constexpr double kSameSpeed = 1e-9;
 
 /// What a corner needs to know of the piece before it.
 struct CornerMemory {
-    AxisRates rates{};              // dq/ds at its end
+    AxisRates rates{};  // dq/ds at its end
+    AxisTable::Loads loads;
+    double length = 0;
+    double speed = 0;               // limit inside
     Vec3 direction = Vec3::Zero();  // at its end
     double acceleration = 0;
     bool turns_only = false;
@@ -62,7 +72,12 @@ struct Preparer::State {
     void report_thread_speed(const Command& command, double feed, double most);
     double wanted_feed(const Command& command, const Segment& segment, double length);
     double corner_speed(const Segment& segment, const AxisRates& in, double acceleration) const;
-    void remember(const Segment& segment, const AxisRates& in, double acceleration);
+    void take_corner(Piece& piece, const AxisRates& in, const AxisTable::Loads& loads) const;
+    bool is_alone(const Piece& piece) const;
+    double time_beside(const Piece& piece, double speed, double ramp) const;
+    double shared_speed(const Piece& piece, const AxisRates& in, const AxisTable::Loads& loads,
+                        double ramp) const;
+    void remember(const Piece& piece, const AxisRates& in, const AxisTable::Loads& loads);
 
     void alarm_raised();
 
@@ -71,6 +86,7 @@ struct Preparer::State {
     const AxisTable& axes;
     const PlannerOptions& options;
     DiagnosticSink& sink;
+    double tick = 0;   // s
     AxisRates jump{};  // by how much an axis may change its velocity at a corner
 
     std::vector<Command> batch = std::vector<Command>(kBatch);
@@ -100,7 +116,7 @@ Preparer::State::State(Stream<Command>& commands_in, const machine::Machine& mac
       sink(sink_in),
       standing(machine_in),
       check(machine_in, axes_in, options_in, sink_in) {
-    const double tick = options.tick > 0 ? options.tick : machine.tick;
+    tick = options.tick > 0 ? options.tick : machine.tick;
     for (std::size_t i = 0; i < axes.size(); ++i) {
         jump[i] =
             options.velocity_jump[i] > 0 ? options.velocity_jump[i] : axes.acceleration(i) * tick;
@@ -299,7 +315,9 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     piece.speed = limits.speed;
     piece.acceleration = limits.acceleration;
     piece.entry_limit = corner_speed(segment, in, limits.acceleration);
-    remember(segment, in, limits.acceleration);
+    const AxisTable::Loads loads = axes.loads(segment);
+    take_corner(piece, in, loads);
+    remember(piece, in, loads);
 }
 
 /// The axes cannot follow the spindle: the thread would get another pitch.
@@ -351,13 +369,85 @@ double Preparer::State::corner_speed(const Segment& segment, const AxisRates& in
                                              std::min(acceleration, last.acceleration)));
 }
 
-void Preparer::State::remember(const Segment& segment, const AxisRates& in, double acceleration) {
+/// The speed at which a corner may be taken, beside the ramps on both sides of it. What is left to
+/// the ramps makes the approach faster, what is left to the jump the corner: the quicker of two
+/// ways to share is taken.
+void Preparer::State::take_corner(Piece& piece, const AxisRates& in,
+                                  const AxisTable::Loads& loads) const {
+    const bool is_jump_given =
+        std::ranges::any_of(options.velocity_jump, [](double given) { return given > 0; });
+    const bool is_free = options.corner_rule != CornerRule::AxisJump || is_jump_given ||
+                         piece.entry_limit == 0 || std::isinf(piece.entry_limit);
+    if (is_free) return;
+    double ramp = kSharedRamp;
+    double speed = shared_speed(piece, in, loads, kSharedRamp);
+    if (is_alone(piece)) {
+        const double slower = shared_speed(piece, in, loads, kMostRamp);
+        if (time_beside(piece, slower, kMostRamp) <= time_beside(piece, speed, kSharedRamp)) {
+            ramp = kMostRamp;
+            speed = slower;
+        }
+    }
+    piece.entry_limit = speed;
+    piece.ramp = piece.ramp_before = ramp;
+    piece.acceleration *= ramp;
+}
+
+/// Time for half of the shorter piece beside a corner that is left at this speed.
+double Preparer::State::time_beside(const Piece& piece, double speed, double ramp) const {
+    const double way = std::min(last.length, piece.length) / 2;
+    const double most = std::min(last.speed, piece.speed);
+    const double along = ramp * std::min(last.acceleration, piece.acceleration);
+    const double from = std::min(speed, most);
+    const double reached = std::sqrt(from * from + 2 * along * way);
+    if (reached <= most) return (reached - from) / along;
+    const double ramp_way = (most * most - from * from) / (2 * along);
+    return (most - from) / along + (way - ramp_way) / most;
+}
+
+/// Whether no other corner comes within two ticks.
+bool Preparer::State::is_alone(const Piece& piece) const {
+    const double full = std::min({piece.entry_limit, last.speed, piece.speed});
+    const double gain = tick * std::max(last.acceleration, piece.acceleration);
+    return std::min(last.length, piece.length) >= 2 * tick * (full + gain);
+}
+
+/// … if the pieces on both sides use the part `ramp` of their acceleration.
+double Preparer::State::shared_speed(const Piece& piece, const AxisRates& in,
+                                     const AxisTable::Loads& loads, double ramp) const {
+    const double full = std::min({piece.entry_limit, last.speed, piece.speed});
+    const double reach = std::min(last.length, piece.length);
+    const double gain = tick * std::max(last.acceleration, piece.acceleration);
+    const bool alone = is_alone(piece);
+    double speed = piece.entry_limit;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        const double change = std::abs(in[i] - last.rates[i]);
+        if (change < kStraight) continue;
+        const double limit = axes.acceleration(i);
+        const double before = last.loads.at(i, full, ramp * last.acceleration) / limit;
+        const double behind = loads.at(i, full, ramp * piece.acceleration) / limit;
+        const double share = jump_share(before, behind, alone);
+        speed = std::min(speed, share * jump[i] / change);
+        if (alone) continue;
+        // v·(v + gain) = most: between this corner and the next the speed may still rise.
+        const double most = share * limit * reach / (kCrowding * change);
+        speed = std::min(speed, std::sqrt(gain * gain / 4 + most) - gain / 2);
+    }
+    return speed;
+}
+
+void Preparer::State::remember(const Piece& piece, const AxisRates& in,
+                               const AxisTable::Loads& loads) {
+    const Segment& segment = piece.segment;
     const bool is_straight = std::holds_alternative<path::Line>(segment.curve);
     last.rates = is_straight ? in : axes.end_rates(segment);
     if (options.corner_rule == CornerRule::JunctionDeviation) {
         last.direction = path::evaluate(segment.curve, path::length(segment.curve)).tangent;
     }
-    last.acceleration = acceleration;
+    last.loads = loads;
+    last.length = piece.length;
+    last.speed = piece.speed;
+    last.acceleration = piece.acceleration / piece.ramp;
     last.turns_only = segment.turns_only;
     last.must_stop = false;
 }

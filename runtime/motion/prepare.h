@@ -20,6 +20,8 @@ struct Piece {
     double speed = 0;         // limit inside the piece
     double acceleration = 0;  // along the path
     double entry_limit = 0;   // of the corner before it; 0: the path comes to rest there
+    double ramp = 1;          // part of its acceleration that the corner before it leaves
+    double ramp_before = 1;   // part of its acceleration that the corner leaves to the piece before
 };
 
 class Preparer {

@@ -33,6 +33,13 @@ struct Profile {
     double duration() const { return accelerating + cruising + braking; }
 };
 
+/// Greatest acceleration along the path of a profile, either way.
+constexpr double path_acceleration(const Profile& profile) {
+    const double up = profile.accelerating > 0 ? profile.acceleration : 0;
+    const double down = profile.braking > 0 ? profile.deceleration : 0;
+    return up > down ? up : down;
+}
+
 /// Distance, speed and acceleration at one moment.
 struct ProfileState {
     double distance = 0;

@@ -354,6 +354,17 @@ void BlockWriter::add_edge(const Block& block, Items& items) {
     }
 }
 
+/// The first speed among a cycle's arguments; 0 if it has none.
+double BlockWriter::cycle_speed(const Block& block, const Invocation& invocation) const {
+    const std::vector<Parameter>& parameters = tables_.cycles[block.cycle].parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const bool is_given = (invocation.given >> i & 1u) != 0;
+        if (is_given && parameters[i].dimension == Dimension::Speed)
+            return block.argument(invocation, i);
+    }
+    return 0;
+}
+
 /// Whether a cycle's block tells the control a spindle speed, in a word S or as an argument.
 bool BlockWriter::says_speed(const Block& block, const Invocation& invocation) const {
     const std::vector<Parameter>& parameters = tables_.cycles[block.cycle].parameters;
@@ -364,6 +375,19 @@ bool BlockWriter::says_speed(const Block& block, const Invocation& invocation) c
         if (speed != 0 && speed != modal_.meant_speed) return true;
     }
     return false;
+}
+
+/// What the spindle has to be told behind a cycle that leaves it otherwise than it was asked to.
+Function BlockWriter::spindle_behind(const Form& form, const Block& block,
+                                     const Invocation& invocation) const {
+    if (form.spindle_parameter < 0) return Function::None;
+    const auto parameter = static_cast<std::size_t>(form.spindle_parameter);
+    if ((invocation.given >> parameter & 1u) == 0) return Function::None;
+    const auto code = static_cast<int>(block.argument(invocation, parameter));
+    const Function wanted = code == 3   ? Function::SpindleCw
+                            : code == 4 ? Function::SpindleCcw
+                                        : Function::SpindleStop;
+    return wanted == form.leaves ? Function::None : wanted;
 }
 
 /// A cycle of the control may bring a feed and a speed of its own; those of the program act behind
@@ -392,9 +416,14 @@ void BlockWriter::leave_cycle(const Block& block, std::string& out) {
         modal_.feed.is_known = false;
         if (modal_.has_meant_feed) back.set(Slot::Feed, modal_.meant_feed);
     }
-    if (says_speed(block, *cycle)) {
+    const Function spindle = spindle_behind(form, block, *cycle);
+    if (spindle != Function::None) back.add(spindle);
+    if (says_speed(block, *cycle) || spindle != Function::None) {
         modal_.speed.is_known = false;
         if (modal_.has_meant_speed) back.set(Slot::Speed, modal_.meant_speed);
+        else if (const double speed = cycle_speed(block, *cycle);
+                 spindle != Function::None && speed > 0)
+            back.set(Slot::Speed, speed);
     }
     if (back.function_count == 0 && back.given == 0) return;
     write_block(back, out);
@@ -511,6 +540,7 @@ BlockWriter::Misfit BlockWriter::misfit(const Form& form, const Block& block,
     for (const std::vector<FormWord>& line : form.extra) look(look, line);
     look(look, form.lead);
     for (const int parameter : form.implied) said |= 1u << parameter;
+    if (form.spindle_parameter >= 0) said |= 1u << form.spindle_parameter;
     for (const int parameter : form.drops) said |= 1u << parameter;
     for (const auto& [parameter, value] : form.fixed) {
         said |= 1u << parameter;
@@ -532,7 +562,8 @@ BlockWriter::Misfit BlockWriter::misfit(const Form& form, const Block& block,
                                  modal_.meant[index_of(group)] == needed;
         const bool is_said = group == Group::Motion && effective_motion(block) == needed &&
                              (block.motion == needed || (block.given & kTargetSlots) != 0);
-        misfit.is_state |= modal_.text[index_of(group)] != needed && !is_restored && !is_said;
+        const bool is_active = modal_.text[index_of(group)] == needed;
+        if (!is_active && !is_restored && !is_said) misfit.state = needed;
     }
     return misfit;
 }
@@ -593,14 +624,15 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
     if (is_cycle) what = "the cycle " + quoted(tables_.cycles[block.cycle].name);
     if (!candidates.empty()) {
         const Form& any = tables_.forms[candidates.front()];
-        what += nearest && !nearest->is_state ? misfit_words(tables_.parameters(any), *nearest)
-                                              : " with these values or in this modal state";
+        what += nearest ? misfit_words(tables_.parameters(any), *nearest)
+                        : " with these values or in this modal state";
     }
     cannot_express(block, what);
     return kNoForm;
 }
 
-/// " with this `back`": what the control does not take as it was given.
+/// " with this `back`": what the control does not take as it was given; " unless `absolute` is
+/// active": when it does not take it.
 std::string BlockWriter::misfit_words(std::span<const Parameter> parameters, const Misfit& misfit) {
     std::string words;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -609,6 +641,8 @@ std::string BlockWriter::misfit_words(std::span<const Parameter> parameters, con
         words += words.empty() ? " " : " and ";
         words += (is_lacking ? "without " : "with this ") + quoted(parameters[i].name);
     }
+    if (misfit.state != Function::None)
+        words += " unless " + quoted(info(misfit.state).name) + " is active";
     return words;
 }
 
@@ -760,7 +794,10 @@ void BlockWriter::restore_modal(const Block& block, Items& items) {
         }
         add_code(block, meant, items);
     };
-    if ((block.given & kTargetSlots) != 0 && !tables_.has_incremental_letters)
+    // Modal codes outlive the program on many machines: none ends under G91 that did not mean to.
+    const bool is_end = block.function_count != 0 && (block.find(Function::End) != nullptr ||
+                                                      block.find(Function::EndRewind) != nullptr);
+    if (!tables_.has_incremental_letters && (is_end || (block.given & kTargetSlots) != 0))
         restore(Group::Distance);
     if (is_arc(effective_motion(block)) && (block.given & (kTargetSlots | kCenterSlots)) != 0)
         restore(Group::Plane);

@@ -61,6 +61,31 @@ std::span<const Example> Dialect::examples() const { return tables_->examples; }
 
 namespace {
 
+/// Whether a line could come from a header's template: `O{number:04}[({name})]`, `%`.
+bool is_of_template(std::string_view line, std::string_view header) {
+    const std::size_t fixed = header.find_first_of("{[");
+    if (fixed == std::string_view::npos) return line == header;
+    if (fixed == 0 || header[fixed] == '[' || !line.starts_with(header.substr(0, fixed)))
+        return false;
+    const char next = fixed < line.size() ? line[fixed] : ' ';
+    const bool is_digit = next >= '0' && next <= '9';
+    const bool is_letter = (next >= 'A' && next <= 'Z') || (next >= 'a' && next <= 'z');
+    return is_digit || (is_letter && !header.substr(fixed).starts_with("{number"));
+}
+
+}  // namespace
+
+bool Dialect::has_header(std::string_view text) const {
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    if (begin == std::string_view::npos) return false;
+    std::string_view line = text.substr(begin, text.find_first_of("\r\n", begin) - begin);
+    while (line.ends_with(' ')) line.remove_suffix(1);
+    return std::ranges::any_of(tables_->program.header, [&](const std::string& header) {
+        return is_of_template(line, header);
+    });
+}
+
+namespace {
 /// What a form does with parameters, a bit each.
 struct FormParameters {
     std::uint32_t said = 0;
@@ -108,6 +133,7 @@ bool Dialect::has_native_cycle(CycleId cycle, std::uint32_t given,
         collect_parameters(form.lead, parameters);
         for (const int parameter : form.implied) parameters.said |= 1u << parameter;
         for (const auto& [parameter, value] : form.fixed) parameters.said |= 1u << parameter;
+        if (form.spindle_parameter >= 0) parameters.said |= 1u << form.spindle_parameter;
         if (looks_at_values && !takes_values(form, given, values)) return false;
         return (given & ~parameters.said) == 0 && (parameters.needed & ~given) == 0;
     });

@@ -94,6 +94,8 @@ class Dialect {
 
     /// Of this file; those of the files that it extends are checked with them.
     std::span<const Example> examples() const;
+    /// Whether a text that begins so has the header of this control (`O0001`, `%_N_PART_MPF`).
+    bool has_header(std::string_view text) const;
 
     const DialectTables& tables() const { return *tables_; }
 

@@ -144,6 +144,7 @@ void FormLoader::read_form_attributes(const XmlElement& element, Form& form) {
         read_parameters(*attribute, form, form.implied);
     if (const XmlAttribute* attribute = element.find("drops"))
         read_parameters(*attribute, form, form.drops);
+    read_spindle(element, form);
     if (const XmlAttribute* attribute = element.find("when")) read_constraints(*attribute, form);
 }
 
@@ -190,6 +191,20 @@ void FormLoader::read_parameters(const XmlAttribute& attribute, const Form& form
             out.push_back(parameter);
         }
     }
+}
+
+/// How the spindle turns behind a cycle, and the parameter that says how it should.
+void FormLoader::read_spindle(const XmlElement& element, Form& form) {
+    std::vector<Function> left;
+    attributes_.read_functions(element, "leaves", left);
+    if (!left.empty()) form.leaves = left[0];
+    const XmlAttribute* attribute = element.find("spindle");
+    if (attribute == nullptr) return;
+    const std::span<const Parameter> parameters = tables_.parameters(form);
+    form.spindle_parameter = parameter_named(parameters, attribute->value);
+    if (form.spindle_parameter >= 0) return;
+    attributes_.bad_name({attribute->value, attribute->value_range}, attribute->name,
+                         names_of(parameters), "there is no such parameter");
 }
 
 /// `number 1..6` or several of them, separated by `;`

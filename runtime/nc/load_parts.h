@@ -52,6 +52,7 @@ class FormLoader {
     void add_forms(const Form& prototype, std::string_view text);
     void read_form_attributes(const XmlElement& element, Form& form);
     void read_parameters(const XmlAttribute& attribute, const Form& form, std::vector<int>& out);
+    void read_spindle(const XmlElement& element, Form& form);
     void read_constraints(const XmlAttribute& attribute, Form& form);
 
     DialectTables& tables_;

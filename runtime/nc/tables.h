@@ -121,13 +121,15 @@ struct Form {
     std::vector<FormWord> lead;                // a line that is written before it
     std::vector<Constraint> when;
     std::vector<std::pair<int, double>> fixed;  // parameters that the form says by itself
-    std::vector<int> drops;                     // parameters that the control needs not know
-    std::vector<int> implied;       // parameters that the control takes from its position
-    std::vector<Function> sets;     // further functions that it says
-    std::vector<Function> first;    // functions that act before its own where it is read
-    std::vector<Function> needs;    // modal functions that are written before it in the line
-    std::vector<Function> before;   // functions that are written on lines of their own before it
-    std::vector<Function> during;   // modal functions of which one must be active
+    std::vector<int> implied;    // parameters that the control takes from its position
+    std::vector<int> drops;      // parameters that the control needs not know
+    int spindle_parameter = -1;  // asks for the spindle behind a cycle: 3, 4, 5; -1: none does
+    Function leaves = Function::None;  // what the spindle does behind it
+    std::vector<Function> sets;        // further functions that it says
+    std::vector<Function> first;       // functions that act before its own where it is read
+    std::vector<Function> needs;       // modal functions that are written before it in the line
+    std::vector<Function> before;      // functions that are written on lines of their own before it
+    std::vector<Function> during;      // modal functions of which one must be active
     std::vector<Function> outside;  // rotate, scale, mirror that must not act where it is written
     int group = -1;                 // modal group of the dialect; -1 none
     std::uint64_t excludes = 0;     // groups of the form and of the codes in it, a bit each

@@ -67,7 +67,7 @@ TEST_F(CommandLine, ExitStatusSaysHowItEnded) {
              Row{"help", {"--help"}, 0},
              Row{"help of a command", {"run", "--help"}, 0},
              Row{"version", {"--version"}, 0},
-             Row{"check", {"check", file("square.kadr"), file("flat.nc")}, 0},
+             Row{"check", {"check", file("square.kadr"), file("flat.nc"), "-d", "iso"}, 0},
              Row{"wrong program", {"expand", file("wrong.kadr")}, 1},
              Row{"wrong program, checked", {"check", file("square.kadr"), file("wrong.kadr")}, 1},
              Row{"error while it runs", {"expand", file("failing.kadr")}, 1},
@@ -83,10 +83,15 @@ TEST_F(CommandLine, ExitStatusSaysHowItEnded) {
              Row{"unknown control", {"expand", file("square.kadr"), "-d", "nosuch"}, 2},
              Row{"unknown machine", {"run", file("square.kadr"), "-m", "nosuch"}, 2},
              Row{"not a time", {"run", file("square.kadr"), "--tick", "1mm"}, 2},
+             Row{"a number without a unit", {"run", file("square.kadr"), "--tick", "5"}, 2},
+             Row{"a tick of a minute", {"run", file("square.kadr"), "--tick", "1min"}, 2},
              Row{"not a definition", {"run", file("square.kadr"), "-D", "side"}, 2},
              Row{"later command", {"repl", file("square.kadr")}, 2},
              Row{"map of ISO text", {"run", file("flat.nc"), "--map", file("map")}, 2},  // K9011
-             Row{"no time", {"run", file("flat.nc"), "--max-time", "1us"}, 3},           // K5263
+             Row{"no time",
+                 {"run", file("flat.nc"), "-d", "iso", "--max-time", "1us"},
+                 3},                                                   // K5263
+             Row{"of several controls", {"run", file("flat.nc")}, 2},  // K9015
              Row{"not a number of blocks", {"run", file("flat.nc"), "--max-blocks", "0"}, 2},
              Row{"two results to standard output",
                  {"run", file("flat.nc"), "--commands", "-", "--summary", "json"},
@@ -132,6 +137,70 @@ TEST_F(CommandLine, ErrorsLeaveOutputsAsTheyWere) {
         EXPECT_EQ(kadr({"expand", file(source)}).out, "");
     }
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 5);
+}
+
+TEST_F(CommandLine, TheFileBehindStandardOutputIsNotReplaced) {
+    const std::string run = std::string(KADR_BINARY) + " run " + file("flat.nc") +
+                            " -d iso --commands /dev/stdout --summary text; echo after";
+    const ProcessResult result =
+        run_process({"/bin/sh", "-c", '(' + run + ") > " + file("all.txt")});
+    EXPECT_EQ(result.err, "");
+    const std::string all = read_file(file("all.txt")).value();
+    EXPECT_NE(all.find("{\"op\":\"rapid\""), std::string::npos) << all;
+    EXPECT_NE(all.find("flat.nc\n"), std::string::npos) << all;
+    EXPECT_TRUE(all.ends_with("after\n")) << all;
+}
+
+TEST_F(CommandLine, CutsWithoutFeedOrSpindleAreWarnedOf) {
+    struct Row {
+        const char* name;
+        const char* body;
+        const char* message;  // in `expand` and `check`; empty: none
+    };
+    for (const Row& row :
+         {Row{"feed", "S1000 M3; G0 X0; G1 X1; G1 X2;", "warning[K3222]"},
+          Row{"spindle", "F100; G0 X0; G1 X1; G1 X2;", "warning[K5213]"},
+          Row{"speed", "S0 M3; F100; G0 X0; G1 X1;", "warning[K5213]"},
+          Row{"tool change", "S500 M3; F100; tool(2); G0 X0; G1 X1;", "warning[K5213]"},
+          Row{"turret", "G18; S500 M3; F100; tool(2); G0 X0; G1 X1;", ""},
+          Row{"again", "tool(2); S500 M3; F100; G0 X0; G1 X1;", ""}}) {
+        SCOPED_TRACE(row.name);
+        save("cut.kadr", std::string("program cut() { ") + row.body + " M30; }\n");
+        for (const char* command : {"expand", "check"}) {
+            const ProcessResult result = kadr({command, file("cut.kadr"), "-d", "sinumerik"});
+            EXPECT_EQ(result.status, 0);
+            const std::size_t at = result.err.find("warning[");
+            EXPECT_EQ(result.err.empty(), *row.message == 0) << result.err;
+            if (*row.message == 0) continue;
+            EXPECT_NE(result.err.find(row.message), std::string::npos) << result.err;
+            // Each is said once.
+            EXPECT_EQ(result.err.find("warning[", at + 1), std::string::npos) << result.err;
+        }
+    }
+}
+
+TEST_F(CommandLine, AHeaderTellsControlsOfOneSuffixApart) {
+    struct Row {
+        const char* name;
+        const char* text;
+        const char* first;  // coordinate that X10 means; null: the text is refused
+    };
+    for (const Row& row : {Row{"fanuc", "%\nO0001\nG0 X10\nM30\n%\n", "\"X\":0.01"},
+                           Row{"without its percent sign", "O0001(A)\nG0 X10\nM30\n", "\"X\":0.01"},
+                           Row{"axioma", "%_N_A_MPF\nN10 G0 X10\nN20 M30\n", "\"X\":10"},
+                           Row{"nothing", "N10 G0 X10\nN20 M30\n", nullptr}}) {
+        SCOPED_TRACE(row.name);
+        save("part.nc", row.text);
+        const ProcessResult result = kadr({"run", file("part.nc"), "--commands", "-"});
+        if (row.first == nullptr) {
+            EXPECT_EQ(result.status, 2);
+            EXPECT_NE(result.err.find("error[K9015]"), std::string::npos) << result.err;
+            EXPECT_NE(result.err.find("`-d axioma` or `-d fanuc`"), std::string::npos)
+                << result.err;
+        } else {
+            EXPECT_NE(result.out.find(row.first), std::string::npos) << result.out << result.err;
+        }
+    }
 }
 
 TEST_F(CommandLine, UnwritableOutputsAreRefused) {

@@ -27,6 +27,20 @@ bool stands_still(const json& command, const std::vector<json>& before) {
     return last != before.rend() && (*last)["to"] == command["to"];
 }
 
+/// What the spindle does while the tool moves at rapid is the control's: only the last word before
+/// a cut counts. Behind rigid tapping one control stops it, another lets it turn with the tap's
+/// speed.
+void join_spindle_words(std::vector<json>& commands) {
+    for (std::size_t i = commands.size(); i-- > 0;) {
+        if (commands[i]["op"] != "spindle") continue;
+        std::size_t next = i + 1;
+        while (next < commands.size() && commands[next]["op"] == "rapid") ++next;
+        if (next == commands.size() || commands[next]["op"] != "spindle") continue;
+        commands[i] = commands[next];
+        commands.erase(commands.begin() + static_cast<std::ptrdiff_t>(next));
+    }
+}
+
 std::vector<json> commands_of(const Part& part, const std::string& dialect,
                               const std::string& cycles) {
     const ProcessResult result =
@@ -44,6 +58,7 @@ std::vector<json> commands_of(const Part& part, const std::string& dialect,
         if (stands_still(command, commands)) continue;
         commands.push_back(std::move(command));
     }
+    join_spindle_words(commands);
     return commands;
 }
 

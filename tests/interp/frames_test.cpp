@@ -235,7 +235,7 @@ TEST(Frames, MachineCoordinates) {
                                        rapid().x(0).z(50),           g53,       Words().x(1)};
     {
         SCOPED_TRACE("without the tool length: Z0 is the spindle nose, 100 above the tip");
-        const Ran ran = run(blocks);
+        const Ran ran = run(blocks, {.spindle_runs = false});
         const Command& command = ran.commands.at(3);
         EXPECT_TRUE(command.machine_coordinates);
         EXPECT_EQ(command.to[2], 0);
@@ -246,8 +246,9 @@ TEST(Frames, MachineCoordinates) {
     }
     {
         SCOPED_TRACE("with the tool length");
-        const Ran ran = run(
-            blocks, {.rules = "<rule name=\"machine_coordinates_keep_length\" value=\"yes\"/>"});
+        const Ran ran =
+            run(blocks, {.rules = "<rule name=\"machine_coordinates_keep_length\" value=\"yes\"/>",
+                         .spindle_runs = false});
         EXPECT_FALSE(ran.commands.at(3).machine_coordinates);
         EXPECT_EQ(ran.commands.at(3).to[2], 0);
         EXPECT_EQ(ran.commands.at(4).to[2], 0);

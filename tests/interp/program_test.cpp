@@ -82,6 +82,16 @@ TEST(Program, Dwell) {
     EXPECT_EQ(run({fn(Function::Dwell, {{1, 3}})}, kQuiet).codes(), "K5218");
 }
 
+TEST(Program, ToolChangeStopsTheSpindle) {
+    const std::vector<Block> blocks = {fn(Function::Tool, {{0, 1}}), line().x(1).f(100)};
+    const Ran ran = run(blocks);
+    EXPECT_EQ(ops(ran), "tool spindle line");
+    EXPECT_EQ(ran.codes(), "K5213") << "a cut with the spindle standing";
+    const std::string_view kRunsOn = "<rule name=\"tool_change_stops_spindle\" value=\"no\"/>";
+    EXPECT_EQ(ops(run(blocks, {.rules = kRunsOn})), "tool line");
+    EXPECT_EQ(ops(run(blocks, kQuiet)), "tool line") << "it stood before";
+}
+
 TEST(Program, ToolLengthActsWithTheToolAxis) {
     const Block tool1 = fn(Function::Tool, {{0, 1}});
     const Block select2 = fn(Function::ToolSelect, {{0, 2}});
@@ -141,7 +151,7 @@ TEST(Program, ToolLengthActsWithTheToolAxis) {
              {"H while off", {}, {fn(Function::LengthOffset, {{0, 1}}), rapid().z(1)}, "rapid"},
              {"a turret", kTurret, {select2}, "tool"}}) {
         SCOPED_TRACE(row.name);
-        EXPECT_EQ(ops(run(row.blocks, {.rules = row.rules})), row.ops);
+        EXPECT_EQ(ops(run(row.blocks, {.rules = row.rules, .spindle_runs = false})), row.ops);
     }
     const Ran ran = run({g43});
     EXPECT_EQ(ran.listing(),

@@ -317,6 +317,7 @@ TEST(ToolSelect, MayBringItsOffset) {
     // T0102: tool 1, whose offset 2 is 80 long; T0100 cancels it.
     const interp::Setup lathe{.rules =
                                   R"(<rule name="tool_select_changes" value="yes"/>
+                                   <rule name="tool_change_stops_spindle" value="no"/>
                                    <rule name="tool_change_activates_length" value="no"/>)"};
     const Ran ran = run({fn(Function::ToolSelect, {{0, 1}, {1, 2}}), rapid().z(10),
                          fn(Function::ToolSelect, {{0, 1}, {1, 0}}), rapid().z(20)},

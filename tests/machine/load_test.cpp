@@ -222,10 +222,12 @@ TEST(MachineFile, MistakesOfValues) {
     const std::string axis = std::string(kAxisX) + "</machine>";
     const std::string kind = R"(<machine name="m" kind="lath">)" + axis;
     const std::string tick = R"(<machine name="m" tick="0 ms">)" + axis;
+    const std::string long_tick = R"(<machine name="m" tick="100 s">)" + axis;
     const std::string time = R"(<machine name="m" tool_change_time="-1 s">)" + axis;
     for (const Mistake& mistake :
          {Mistake{"kind", kind.c_str(), "K6017", "lath", "lathe"},
           {"tick", tick.c_str(), "K6011", "0 ms", ""},
+          {"long tick", long_tick.c_str(), "K6019", "100 s", ""},
           {"negative time", time.c_str(), "K6012", "-1 s", ""},
           {"negative radius", R"(<tool number="1" radius="-1 mm"/>)", "K6012", "-1 mm", ""},
           {"offset G54", R"(<offset number="G54"/>)", "K6018", "G54", ""},

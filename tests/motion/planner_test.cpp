@@ -69,19 +69,23 @@ TEST(Planner, MachineLimitsTheFeed) {
 }
 
 TEST(Planner, CornersOfTheDefaultRule) {
-    // A square corner: each axis jumps by the path speed, at most 5000 mm/s² · 1 ms = 5 mm/s.
+    // A square corner: each axis jumps by the path speed v, beside a ramp of 0.9 · 5000 mm/s² on
+    // one side. From tick to tick it changes by 0.9 + j²/1.8 of its acceleration, j = v / (5000
+    // mm/s² · 1 ms); that is 1 for j = sqrt(0.18).
+    const double corner = 5 * std::sqrt(0.18);
     const Motion result = run(machine_of(), {line_to({10, 0, 0}, 6000), line_to({10, 10, 0}, 6000),
                                              line_to({20, 10, 0}, 6000)});
     EXPECT_EQ(result.segments[0].profile.entry_speed, 0);
-    EXPECT_NEAR(result.segments[0].profile.exit_speed, 5, 1e-12);
-    EXPECT_NEAR(result.segments[1].profile.entry_speed, 5, 1e-12);
+    EXPECT_NEAR(result.segments[0].profile.exit_speed, corner, 1e-12);
+    EXPECT_NEAR(result.segments[1].profile.entry_speed, corner, 1e-12);
+    EXPECT_NEAR(result.segments[1].profile.acceleration, 4500, 1e-9);
     EXPECT_EQ(result.segments[2].profile.exit_speed, 0);
     // The tick of the run, not of the machine.
     PlannerOptions options;
     options.tick = 0.002;
     const Motion slow_tick =
         run(machine_of(), {line_to({10, 0, 0}, 6000), line_to({10, 10, 0}, 6000)}, options);
-    EXPECT_NEAR(slow_tick.segments[0].profile.exit_speed, 10, 1e-12);
+    EXPECT_NEAR(slow_tick.segments[0].profile.exit_speed, 2 * corner, 1e-12);
 }
 
 TEST(Planner, ExactStopEndsAtRest) {
@@ -155,8 +159,9 @@ TEST(Planner, BlocksWithoutWayAreNothing) {
 
 TEST(Planner, ArcKeepsItsCentripetalAcceleration) {
     // Radius 10: v² / 10 ≤ 0.866 · 5000 mm/s², so v ≤ 208.1 mm/s.
-    const Motion result = run(
-        machine_of(), {line_to({10, 0, 0}, 60000), arc_to({10, 0, 0}, {0, 0, 0}, 20 * kPi, 60000)});
+    Command way = line_to({10, 0, 0}, 60000);
+    way.exact_stop = true;
+    const Motion result = run(machine_of(), {way, arc_to({10, 0, 0}, {0, 0, 0}, 20 * kPi, 60000)});
     const Profile& profile = result.segments[1].profile;
     EXPECT_NEAR(profile.peak_speed, std::sqrt(10 * 0.8660254037844386 * 5000), 1e-6);
     EXPECT_NEAR(profile.acceleration, 2500, 1e-6);
@@ -164,8 +169,8 @@ TEST(Planner, ArcKeepsItsCentripetalAcceleration) {
     EXPECT_NEAR(result.totals.travel_min[0], -10, 1e-12);
     EXPECT_NEAR(result.totals.travel_max[1], 10, 1e-12);
     // At a crawl almost everything is left for the way along the path.
-    const Motion slow =
-        run(machine_of(), {line_to({10, 0, 0}, 60), arc_to({10, 0, 0}, {0, 0, 0}, -2 * kPi, 60)});
+    way.feed = 60;
+    const Motion slow = run(machine_of(), {way, arc_to({10, 0, 0}, {0, 0, 0}, -2 * kPi, 60)});
     EXPECT_NEAR(slow.segments[1].profile.acceleration, 5000, 1e-3);
 }
 

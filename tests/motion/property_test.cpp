@@ -188,15 +188,57 @@ RC_GTEST_PROP(MotionProperty, SampledAxesKeepTheirLimits, ()) {
             const double v2 = (setpoints[i].axis[a] - setpoints[i - 1].axis[a]) / machine.tick;
             // A difference of positions of some hundred mm has 1e-13 mm of rounding.
             RC_ASSERT(std::abs(v2) <= machine.axes[a].velocity * (1 + kRelative) + 1e-9);
-            // Two ticks average over what lies in them. One corner gives at most what one tick of
-            // acceleration gives, so twice the limit if the path holds one corner a tick; short
-            // blocks can put more corners into a tick, and are bounded as a path, not here.
-            const bool one_line = setpoints[i].line == setpoints[i - 2].line;
-            if (one_line) {
-                RC_ASSERT(std::abs(v2 - v1) / machine.tick <=
-                          machine.axes[a].acceleration * (1 + kRelative) + 1e-3);
-            }
+            // Two ticks average over what lies in them, corners and ramps.
+            RC_ASSERT(std::abs(v2 - v1) / machine.tick <=
+                      machine.axes[a].acceleration * (1 + kRelative) + 1e-3);
         }
+    }
+}
+
+/// Greatest second difference of an axis, as a part of its acceleration.
+double greatest_share(const machine::Machine& machine, const std::vector<Command>& program) {
+    const auto setpoints = sample(machine, program);
+    double greatest = 0;
+    for (std::size_t i = 2; i < setpoints.size(); ++i) {
+        for (std::size_t a = 0; a < 3; ++a) {
+            const double change =
+                setpoints[i].axis[a] - 2 * setpoints[i - 1].axis[a] + setpoints[i - 2].axis[a];
+            greatest = std::max(greatest, std::abs(change) / (machine.tick * machine.tick) /
+                                              machine.axes[a].acceleration);
+        }
+    }
+    return greatest;
+}
+
+TEST(Corners, JumpAndRampsTogetherKeepTheAcceleration) {
+    std::vector<Command> wave;
+    for (int i = 1; i <= 600; ++i) {
+        const double x = 0.1 * i;
+        wave.push_back(line_to({x, 5 * std::sin(x), 0}, 20000));
+    }
+    struct Row {
+        const char* name;
+        std::vector<Command> program;
+    };
+    for (const Row& row : {Row{"square", {line_to({50, 0, 0}, 6000), line_to({50, 50, 0}, 6000)}},
+                           {"reversal", {line_to({50, 0, 0}, 6000), line_to({0, 0, 0}, 6000)}},
+                           {"rapid", {rapid_to({50, 0, 0}), rapid_to({50, 50, 40})}},
+                           {"blunt", {line_to({50, 0, 0}, 9000), line_to({99, 9, 0}, 9000)}},
+                           {"wave", wave}}) {
+        SCOPED_TRACE(row.name);
+        const machine::Machine machine = machine_of();
+        const double share = greatest_share(machine, row.program);
+        EXPECT_LE(share, 1 + kRelative);
+        EXPECT_GE(share, 0.5);
+        // The summary's figure is not below what the setpoints show.
+        const Motion planned = run(machine, row.program);
+        double told = 0;
+        for (std::size_t a = 0; a < 3; ++a) {
+            told =
+                std::max(told, planned.totals.max_acceleration[a] / machine.axes[a].acceleration);
+        }
+        EXPECT_GE(told, share * (1 - 1e-3));
+        EXPECT_LE(told, 1 + kRelative);
     }
 }
 

@@ -2,6 +2,7 @@
 #include "nc/load.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -166,10 +167,10 @@ TEST(Load, ANativeCycleNeedsItsParameters) {
     const Dialect& dialect = *loaded.dialect;
     constexpr unsigned kTo = 1, kRetract = 2, kInitial = 4, kDwell = 8;
     const CycleId drill = *dialect.find_cycle("drill");
-    EXPECT_TRUE(dialect.has_native_cycle(drill, kTo | kRetract | kDwell));
-    EXPECT_FALSE(dialect.has_native_cycle(drill, kTo | kRetract)) << "P would lack its value";
-    EXPECT_FALSE(dialect.has_native_cycle(drill, kTo | kRetract | kInitial | kDwell));
-    EXPECT_TRUE(dialect.has_native_cycle(*dialect.find_cycle("bore"), kTo | kRetract));
+    EXPECT_TRUE(dialect.has_native_cycle(drill, kTo | kRetract | kDwell, {}));
+    EXPECT_FALSE(dialect.has_native_cycle(drill, kTo | kRetract, {})) << "P would lack its value";
+    EXPECT_FALSE(dialect.has_native_cycle(drill, kTo | kRetract | kInitial | kDwell, {}));
+    EXPECT_TRUE(dialect.has_native_cycle(*dialect.find_cycle("bore"), kTo | kRetract, {}));
 }
 
 /// A word cannot be read and be said not to be.
@@ -200,9 +201,12 @@ TEST(Load, Questions) {
     const Dialect& iso = testing::shipped("iso");
     const auto peck = fanuc.find_cycle("drill_peck");
     ASSERT_TRUE(peck);
-    EXPECT_TRUE(fanuc.has_native_cycle(*peck, 0b11111));
-    EXPECT_FALSE(iso.has_native_cycle(*peck, 0b11111));
-    EXPECT_TRUE(testing::shipped("sinumerik").has_native_cycle(*peck, 0b11111));
+    const std::array<double, 5> values = {-10, 3, 2, 50, 0};  // to, peck, retract, initial, dwell
+    const std::array<double, 5> dwells = {-10, 3, 2, 50, 1};
+    EXPECT_TRUE(fanuc.has_native_cycle(*peck, 0b11111, values));
+    EXPECT_FALSE(fanuc.has_native_cycle(*peck, 0b11111, dwells));  // G83 has no dwell
+    EXPECT_FALSE(iso.has_native_cycle(*peck, 0b11111, values));
+    EXPECT_TRUE(testing::shipped("sinumerik").has_native_cycle(*peck, 0b11111, dwells));
     EXPECT_FALSE(fanuc.find_cycle("knit"));
     EXPECT_TRUE(fanuc.can_write(Function::LengthCompOn));
     EXPECT_FALSE(testing::shipped("sinumerik").can_write(Function::LengthCompOn));

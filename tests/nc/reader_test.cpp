@@ -84,7 +84,7 @@ TEST(Reader, FanucWords) {
                        "X1 | reference_return(point=3)\nY1 | reference_return(point=2)"},
                       {"M29 S800\nG98 G84 Z-10. R2. F800.",
                        "S800 | tap_rigid\n"
-                       "F800 | cycle_return_initial | cycle#3(0=-10, 2=2, 5=0, 6=1)"},
+                       "F800 | cycle_return_initial | cycle#3(0=-10, 2=2, 5=0, 6=1, 9=3)"},
                       {"G41 D21 X5.", "X5 | radius_comp_left | radius_offset(offset=21)"},
                       {"M88", "machine_function(number=88)"},
                       {"G98 G83 X5. Z-12. R2. Q3. F180.",

@@ -279,7 +279,9 @@ TEST(Writer, WhatAnOperatorMaySkipIsNotKnown) {
         if (block.motion == Function::Line) block.skip = 2;
         writer.write(block, text);
     }
-    EXPECT_EQ(text, "G00 G17 G21 G40 G49 G80 G90 G94\nX1. Z5.\n/2 G01 X2. F100.\nG01 X3. F100.\n");
+    EXPECT_EQ(text,
+              "G69 G50\nG00 G17 G21 G40 G49 G80 G90 G94 G97\nG50.1 X0. Y0. Z0.\nG52 X0. Y0. "
+              "Z0.\nX1. Z5.\n/2 G01 X2. F100.\nG01 X3. F100.\n");
     Block block = testing::source_block(shipped("iso"), "G0 X1");
     block.skip = 0;  // `/` is level 1 here, and there is none below
     writer.write(block, text);
@@ -458,10 +460,12 @@ TEST(Writer, ProgramFrame) {
     for (const Row& row : {
              Row{"fanuc",
                  {"bracket", 12, "Flange (A)", false},
-                 "%\nO0012(BRACKET)\n(FLANGE [A])\nG00 G17 G21 G40 G49 G80 G90 G94\nX1.\nM30\n%\n"},
+                 "%\nO0012(BRACKET)\n(FLANGE [A])\nG69 G50\nG00 G17 G21 G40 G49 G80 G90 G94 "
+                 "G97\nG50.1 X0. Y0. Z0.\nG52 X0. Y0. Z0.\nX1.\nM30\n%\n"},
              {"fanuc",
               {"bracket", 12, "", true},
-              "%\nO0012(BRACKET)\nG00 G17 G20 G40 G49 G80 G90 G94\nX0.0394\nM30\n%\n"},
+              "%\nO0012(BRACKET)\nG69 G50\nG00 G17 G20 G40 G49 G80 G90 G94 G97\nG50.1 X0. Y0. "
+              "Z0.\nG52 X0. Y0. Z0.\nX0.0394\nM30\n%\n"},
              {"sinumerik",
               {"3 holes", 1, "", false},
               "%_N_NC_3_HOLES_MPF\nN10 G17 G71 G40 G64 G90 G94\nN20 G0 X1\nN30 M30\n"},

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/diagnostics/expand.h"
 #include "base/diagnostics/sema.h"
 #include "tests/sema/running.h"
 
@@ -44,13 +45,15 @@ TEST(Examples, WrongOnesCauseTheMessageAndRightOnesNone) {
         const bool is_ours = row->code.starts_with("K2") || row->code.starts_with("K3");
         if (!is_ours || !is_program(row->wrong)) continue;
         SCOPED_TRACE(std::string(row->code) + ' ' + std::string(row->name));
-        const Outcome wrong = without_unused(run(std::string(row->wrong), small_limits()), *row);
+        RunOptions options = small_limits();
+        options.expand.warns_of_cuts = row == &diag::FeedNeverSet;
+        const Outcome wrong = without_unused(run(std::string(row->wrong), options), *row);
         EXPECT_TRUE(has_code(wrong, row->code))
             << row->wrong << "\ngives: " << wrong.all_messages();
         // One mistake, one message.
         EXPECT_EQ(wrong.messages.size(), 1u) << row->wrong << "\ngives: " << wrong.all_messages();
         if (!is_program(row->right)) continue;
-        const Outcome right = without_unused(run(std::string(row->right), small_limits()), *row);
+        const Outcome right = without_unused(run(std::string(row->right), options), *row);
         EXPECT_EQ(right.all_messages(), "") << row->right;
     }
 }

@@ -1,0 +1,9 @@
+%
+O0001
+G68 X0. Y0. R30.
+G28 Z50.
+G69
+M30
+%
+(expect: 4:1 K5234 `reference_return` stands inside a rotation)
+(exit: 3)
