@@ -137,7 +137,9 @@ void GeneratedText::write_batch() {
 std::vector<Diagnostic::Note> GeneratedText::calls_of_block(std::uint64_t number) const {
     std::vector<Diagnostic::Note> notes;
     DiagnosticList said_before;
-    expand::Expander again(*program_.code, target_, expand_options(true), said_before);
+    expand::ExpandOptions options = expand_options(true);
+    options.shown = nullptr;
+    expand::Expander again(*program_.code, target_, options, said_before);
     if (!start_ || !start_(again)) return notes;
     std::vector<nc::Block> batch(kPiece);
     std::uint64_t first = 0;
