@@ -74,8 +74,8 @@ std::optional<std::pair<nc::Function, FrameChange>> frame_change(std::string_vie
 bool Checker::check_least(const nc::FunctionInfo& info, std::span<const ExprId> bound,
                           const Expr& expr) {
     const bool is_scale = info.function == nc::Function::Scale;
-    const bool names_axes = info.function == nc::Function::Mirror ||
-                            info.function == nc::Function::ReferencePoint;
+    const bool names_axes =
+        info.function == nc::Function::Mirror || info.function == nc::Function::ReferencePoint;
     if (!is_scale && !names_axes) return true;
     const auto wanted = is_scale ? nc::Dimension::Factor : nc::Dimension::Length;
     std::string_view first;

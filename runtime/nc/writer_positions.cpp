@@ -93,8 +93,8 @@ void BlockWriter::place_targets(const Block& block, Targets& targets) {
         block.function_count != 0 && block.find(Function::ReferenceReturn) != nullptr;
     const bool is_machine =
         block.function_count != 0 && block.find(Function::MachineCoordinates) != nullptr;
-    if (!is_machine && !tables_.rules.has_modes && is_absolute_text && given != 0 && distances == given &&
-        (is_return || (modal_.position.known & given) != given)) {
+    if (!is_machine && !tables_.rules.has_modes && is_absolute_text && given != 0 &&
+        distances == given && (is_return || (modal_.position.known & given) != given)) {
         targets.needs_incremental = true;
     }
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
