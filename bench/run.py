@@ -150,6 +150,22 @@ class Bench:
             speed = self.items(room, flat, "iso")
             self.add(f"… `bench_runtime {room}`", rate(speed, "blocks"))
 
+    def macro(self):
+        """A loop of the control's own language with one move a pass."""
+        passes = {"nc": BLOCKS, "mpf": BLOCKS, "ngc": BLOCKS // 10}
+        other = None
+        if self.has("rs274"):
+            cost = self.cost(["rs274", "-g", str(PROGRAMS / "macro.ngc")], runs=2)
+            other = passes["ngc"] / cost.cpu
+        for suffix, dialect in {"nc": "fanuc", "mpf": "sinumerik"}.items():
+            mine = self.cost(self.kadr("check", PROGRAMS / f"macro.{suffix}", "-d", dialect,
+                                       "-m", HERE / "machine.xml"))
+            moves = passes[suffix] / mine.cpu
+            ratio = moves / other if other else 0
+            self.add(f"macro loops, {dialect}, against rs274 O-words", rate(moves, "moves"),
+                     rate(other, "moves") if other else "", f"{ratio:.0f}" if other else "",
+                     *(reached(ratio, (20, 50)) if other else ("", "")))
+
     def parse(self):
         """Sources of 10,000 lines: what parsing and checking take, and what Lua's compiler does."""
         for shape, write in {"statements": statements, "one sum": one_sum}.items():
@@ -348,7 +364,7 @@ def main():
     parser.add_argument("--only", default="", help="rows whose group contains this word")
     parser.add_argument("--readme", action="store_true", help="write the table into README.md")
     options = parser.parse_args()
-    groups = ("parse", "expand", "interpret", "evaluate", "motion", "memory", "start")
+    groups = ("parse", "expand", "interpret", "macro", "evaluate", "motion", "memory", "start")
     failed = False
     with tempfile.TemporaryDirectory() as folder:
         bench = Bench(options.build.resolve(), Path(folder))

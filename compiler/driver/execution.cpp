@@ -237,7 +237,10 @@ void Execution::connect(DiagnosticSink& sink) {
     sink_ = std::make_unique<StatementNotes>(*this, sink);
     nc::TextSource& text = generated_ ? static_cast<nc::TextSource&>(*generated_) : *file_;
     held_ = std::make_unique<HeldMessages>(*sink_);
-    reader_ = std::make_unique<nc::Reader>(*dialect_, text, text_name_, *held_);
+    interp::ProgramOptions program_options{.skip_levels = options.skip_levels};
+    if (options.max_blocks != 0) program_options.max_repeated = options.max_blocks;
+    reader_ =
+        std::make_unique<interp::Program>(*dialect_, text, text_name_, program_options, *held_);
     tagged_ =
         std::make_unique<Tagger>(*reader_, *held_, generated_ ? &generated_->lines() : nullptr);
     // A cycle that a test executes by itself runs with the tool of its caller.
@@ -248,6 +251,7 @@ void Execution::connect(DiagnosticSink& sink) {
                                                          .asks_for_tool = !is_subject};
     interpreter_ = std::make_unique<interp::Interpreter>(
         *dialect_, *machine_, *tagged_, reader_.get(), cycles_, interpreter_options, *sink_);
+    reader_->follow(*interpreter_);
 }
 
 std::size_t Execution::pull(std::span<path::Command> out) {
@@ -267,11 +271,14 @@ std::size_t Execution::pull(std::span<path::Command> out) {
 }
 
 void Execution::read_rest() {
+    reader_->check_only();
     std::vector<nc::Block> batch(kBatch);
     while (tagged_->pull(batch) > 0) continue;
 }
 
-bool Execution::failed() const { return reader_->failed() || (generated_ && generated_->failed()); }
+bool Execution::failed() const {
+    return reader_->has_fault() || (generated_ && generated_->failed());
+}
 
 SourceRange Execution::statement(SourceId source) const {
     if (program_ == nullptr || !source.is_valid() ||

@@ -15,6 +15,7 @@
 #include "driver/program.h"
 #include "driver/session.h"
 #include "interp/interpreter.h"
+#include "interp/program.h"
 
 namespace kadr::driver {
 
@@ -69,6 +70,9 @@ class Execution final : public Stream<path::Command> {
     /// The modal state and the position behind what was pulled so far.
     const interp::Interpreter& interpreter() const { return *interpreter_; }
 
+    /// Variables of the control that the program has set.
+    std::vector<interp::ControlVariable> variables() const { return reader_->variables(); }
+
     const nc::Dialect& dialect() const { return *dialect_; }
     const machine::Machine& machine() const { return *machine_; }
     /// The name of the ISO-7bit text: of the file, or of the one that would be written.
@@ -103,7 +107,7 @@ class Execution final : public Stream<path::Command> {
     std::unique_ptr<FileText> file_;
     std::unique_ptr<StatementNotes> sink_;
     std::unique_ptr<HeldMessages> held_;
-    std::unique_ptr<nc::Reader> reader_;
+    std::unique_ptr<interp::Program> reader_;
     std::unique_ptr<Stream<nc::Block>> tagged_;
     std::unique_ptr<LibraryCycles> own_cycles_;
     LibraryCycles* cycles_ = nullptr;

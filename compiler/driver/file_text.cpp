@@ -35,6 +35,13 @@ std::string_view FileText::next() {
     return {piece_.data(), filled_};
 }
 
+bool FileText::seek(std::uint64_t offset) {
+    if (file_ == stdin || fseeko(file_, static_cast<off_t>(offset), SEEK_SET) != 0) return false;
+    was_peeked_ = false;
+    filled_ = 0;
+    return true;
+}
+
 std::string FileText::read_all() {
     std::string text;
     for (std::string_view piece = next(); !piece.empty(); piece = next()) text += piece;

@@ -21,6 +21,7 @@ class FileText final : public nc::TextSource {
     FileText& operator=(const FileText&) = delete;
 
     std::string_view next() override;
+    bool seek(std::uint64_t offset) override;
 
     /// The first piece, without taking it.
     std::string_view peek() const { return {piece_.data(), filled_}; }

@@ -18,6 +18,7 @@
 #include "driver/plot_svg.h"
 #include "driver/setpoints.h"
 #include "driver/summary.h"
+#include "driver/variables.h"
 #include "motion/pipeline.h"
 
 namespace kadr::driver {
@@ -189,8 +190,7 @@ void Run::finish(const RunFigures& figures) {
         outputs_.setpoints->write("# not complete, ended by " + figures.alarm + '\n');
     }
     if (outputs_.plot) write_plot(figures);
-    // Statements that set a variable of the control are alarms so far, so that none is ever set.
-    if (outputs_.variables) outputs_.variables->write("{}\n");
+    if (outputs_.variables) outputs_.variables->write(variables_json(execution_->variables()));
     if (outputs_.summary) {
         const bool is_json = job_.summary == SummaryFormat::Json;
         outputs_.summary->write(is_json ? summary_json(figures, machine)

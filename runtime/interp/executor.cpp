@@ -73,10 +73,11 @@ std::int64_t count_of(const Block& block, const Invocation& invocation) {
 // ------------------------------------------------------------------------------ the run
 
 Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
-                   Stream<Block>& blocks, const nc::Reader* places, CycleExpander* cycles,
+                   Stream<Block>& blocks, const nc::BlockPlaces* places, CycleExpander* cycles,
                    const InterpreterOptions& options, DiagnosticSink& sink)
     : dialect_(dialect),
       machine_(machine),
+      work_offsets_(machine.work_offsets),
       places_(places),
       cycles_(cycles),
       options_(options),
@@ -109,9 +110,8 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
     }
     returns_to_retract_ = dialect.power_on(Group::CycleReturn) == Function::CycleReturnRetract;
     const auto offset = static_cast<std::size_t>(rules_.default_work_offset);
-    if (offset < machine.work_offsets.size()) {
-        frames_.select_work_offset(machine.work_offsets[offset]);
-    }
+    if (offset < work_offsets_.size()) frames_.select_work_offset(work_offsets_[offset]);
+    work_offset_ = rules_.default_work_offset;
     frame_changed();
     position_.programmed = position_.here;
 }
@@ -134,7 +134,7 @@ void Executor::execute_next() {
     }
     const Block* block = program_.next();
     if (block == nullptr) return end_of_blocks();
-    if (places_ != nullptr && places_->failed() && block->line > places_->first_fault()) {
+    if (places_ != nullptr && places_->is_behind_fault(*block)) {
         ended_ = alarmed_ = true;  // the control stops at the line that could not be read
         return;
     }
@@ -540,8 +540,8 @@ void Executor::select_work_offset(const Block& block, std::int64_t number) {
     }
     // Offsets that the machine file does not name are zero, as in a new control.
     const auto i = static_cast<std::size_t>(number);
-    frames_.select_work_offset(i < machine_.work_offsets.size() ? machine_.work_offsets[i]
-                                                                : AxisValues{});
+    frames_.select_work_offset(i < work_offsets_.size() ? work_offsets_[i] : AxisValues{});
+    work_offset_ = number;
     frame_changed();
 }
 

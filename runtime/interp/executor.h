@@ -78,8 +78,8 @@ class BlockQueue {
 class Executor {
   public:
     Executor(const nc::Dialect& dialect, const machine::Machine& machine, Stream<nc::Block>& blocks,
-             const nc::Reader* places, CycleExpander* cycles, const InterpreterOptions& options,
-             DiagnosticSink& sink);
+             const nc::BlockPlaces* places, CycleExpander* cycles,
+             const InterpreterOptions& options, DiagnosticSink& sink);
 
     std::size_t pull(std::span<path::Command> out);
     bool alarmed() const { return alarmed_; }
@@ -87,7 +87,16 @@ class Executor {
     std::vector<StateItem> state() const;  // describe.cpp
     const AxisValues& position() const { return position_.here; }
 
+    // answers.cpp: what a program asks while it runs
+    std::optional<double> quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second);
+    bool set_work_offset(std::int64_t number, std::int64_t axis, double value, bool acts_at_once);
+    bool is_length(std::int64_t axis) const;
+    double word_factor(std::int64_t axis) const;
+    bool is_compensated() const { return compensation_.is_on(); }
+
   private:
+    std::optional<Axis> axis_of(std::int64_t index) const;
+    std::optional<double> place_of(nc::Quantity quantity, Axis axis) const;
     // executor.cpp: the order of things
     void execute_next();
     void execute(const nc::Block& block);
@@ -198,7 +207,9 @@ class Executor {
 
     const nc::Dialect& dialect_;
     const machine::Machine& machine_;
-    const nc::Reader* places_;
+    std::vector<AxisValues> work_offsets_;  // as the machine has them, until the program sets one
+    std::int64_t work_offset_ = 0;          // that acts
+    const nc::BlockPlaces* places_;
     CycleExpander* cycles_;
     InterpreterOptions options_;
     DiagnosticSink& sink_;

@@ -9,8 +9,9 @@ struct Interpreter::State {
 };
 
 Interpreter::Interpreter(const nc::Dialect& dialect, const machine::Machine& machine,
-                         Stream<nc::Block>& blocks, const nc::Reader* places, CycleExpander* cycles,
-                         const InterpreterOptions& options, DiagnosticSink& sink)
+                         Stream<nc::Block>& blocks, const nc::BlockPlaces* places,
+                         CycleExpander* cycles, const InterpreterOptions& options,
+                         DiagnosticSink& sink)
     : state_(new State{Executor(dialect, machine, blocks, places, cycles, options, sink)}) {}
 
 Interpreter::~Interpreter() = default;
@@ -20,5 +21,19 @@ bool Interpreter::alarmed() const { return state_->executor.alarmed(); }
 std::vector<StateItem> Interpreter::state() const { return state_->executor.state(); }
 const AxisValues& Interpreter::position() const { return state_->executor.position(); }
 std::uint64_t Interpreter::blocks() const { return state_->executor.blocks(); }
+
+std::optional<double> Interpreter::quantity(nc::Quantity quantity, std::int64_t first,
+                                            std::int64_t second) {
+    return state_->executor.quantity(quantity, first, second);
+}
+bool Interpreter::set_work_offset(std::int64_t number, std::int64_t axis, double value,
+                                  bool acts_at_once) {
+    return state_->executor.set_work_offset(number, axis, value, acts_at_once);
+}
+bool Interpreter::is_length(std::int64_t axis) const { return state_->executor.is_length(axis); }
+bool Interpreter::is_compensated() const { return state_->executor.is_compensated(); }
+double Interpreter::word_factor(std::int64_t axis) const {
+    return state_->executor.word_factor(axis);
+}
 
 }  // namespace kadr::interp

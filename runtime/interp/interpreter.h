@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/stream.h"
+#include "interp/control_state.h"
 #include "machine/machine.h"
 #include "nc/dialect.h"
 #include "nc/reader.h"
@@ -56,12 +57,12 @@ struct StateItem {
     friend bool operator==(const StateItem&, const StateItem&) = default;
 };
 
-class Interpreter final : public Stream<path::Command> {
+class Interpreter final : public Stream<path::Command>, public ControlState {
   public:
     /// All references outlive the interpreter. `place_of` gives the place of a block for messages.
     /// `cycles` may be null: a cycle call is then an alarm.
     Interpreter(const nc::Dialect& dialect, const machine::Machine& machine,
-                Stream<nc::Block>& blocks, const nc::Reader* places, CycleExpander* cycles,
+                Stream<nc::Block>& blocks, const nc::BlockPlaces* places, CycleExpander* cycles,
                 const InterpreterOptions& options, DiagnosticSink& sink);
     ~Interpreter() override;
 
@@ -72,6 +73,15 @@ class Interpreter final : public Stream<path::Command> {
     std::vector<StateItem> state() const;
     /// Where the tool stands in the programmed system; mm, deg.
     const AxisValues& position() const;
+
+    // What a program asks while it runs.
+    std::optional<double> quantity(nc::Quantity quantity, std::int64_t first,
+                                   std::int64_t second) override;
+    bool set_work_offset(std::int64_t number, std::int64_t axis, double value,
+                         bool acts_at_once) override;
+    bool is_length(std::int64_t axis) const override;
+    double word_factor(std::int64_t axis) const override;
+    bool is_compensated() const override;
 
   private:
     struct State;

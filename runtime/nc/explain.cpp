@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/text.h"
+#include "nc/explain_parts.h"
 #include "nc/tables.h"
 
 namespace kadr::nc {
@@ -23,6 +24,7 @@ class Explainer {
         }
         const std::string text = tables_.rules.ignores_case ? upper_ascii(word) : std::string(word);
         explain_text(text);
+        explain_language(tables_.language, text, lines_);
         const std::string unsupported = tables_.unsupported_words(text);
         if (lines_.empty() && !unsupported.empty())
             lines_.push_back(unsupported + " is a word of the control; Kadr does not read it");

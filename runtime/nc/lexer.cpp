@@ -17,8 +17,9 @@ char upper(char c) { return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c; 
 
 class Lexer {
   public:
-    Lexer(const DialectTables& tables, std::string_view line, LexedLine& out)
-        : tables_(tables), rules_(tables.rules), line_(line), out_(out) {
+    Lexer(const DialectTables& tables, std::string_view line, LexedLine& out,
+          ValueCompiler* compiler)
+        : tables_(tables), rules_(tables.rules), line_(line), out_(out), compiler_(compiler) {
         open_ = tables.comment.open;
         while (open_.ends_with(' ')) open_.remove_suffix(1);
         for (const auto& [name, id] : tables.names) has_names_ |= name.size() > 1 && name != "()";
@@ -27,7 +28,9 @@ class Lexer {
     std::optional<LineFault> run() {
         out_.clear();
         take_skip();
-        while (!fault_ && skip_blanks()) take_piece();
+        while (!fault_ && skip_blanks()) {
+            if (!take_language()) take_piece();
+        }
         return std::move(fault_);
     }
 
@@ -93,12 +96,45 @@ class Lexer {
         if (peek() == '/') fail_here(diag::IsoSyntax);
     }
 
+    // ------------------------------------------------------------ the control's language
+
+    bool take_language() {
+        bool was_taken = false;
+        if (compiler_ != nullptr) fault_ = compiler_->take_piece(at_, was_taken);
+        return was_taken || fault_;
+    }
+
+    /// A value that is computed when the line runs.
+    void take_computed(AddressId address, std::size_t begin) {
+        const auto word = static_cast<std::uint16_t>(out_.words.size());
+        fault_ = compiler_->take_value(at_, word, -1);
+        if (fault_) return;
+        add_word(address, begin);
+        out_.words.back().has_value = true;
+    }
+
+    /// Whether what stands here is more than one number.
+    bool is_computed(std::size_t at) const {
+        if (compiler_ == nullptr) return false;
+        const Decimal decimal = parse_decimal(line_.data() + at, line_.data() + line_.size());
+        auto end = static_cast<std::size_t>(decimal.end - line_.data());
+        if (end == at) return true;
+        if (line_.substr(end).starts_with("EX") || line_.substr(end).starts_with("ex")) {
+            end = line_.find_first_not_of("0123456789+-", end + 2);
+            end = std::min(end, line_.size());
+        }
+        return compiler_->continues(end);
+    }
+
     // ------------------------------------------------------------ pieces
 
     void take_piece() {
         if (line_.compare(at_, open_.size(), open_) == 0) return take_comment();
         const char c = peek();
-        if (c == '#' || c == '[' || c == '$') {
+        const bool is_index = c == '[' && compiler_ != nullptr;
+        if (is_index)
+            return fail(diag::IsoNotSupported, at_, at_ + 1, {"an address with an index"});
+        if ((c == '#' || c == '[' || c == '$') && compiler_ == nullptr) {
             return fail(diag::IsoNotSupported, at_, at_ + 1,
                         {"the control's own parametric language"});
         }
@@ -163,6 +199,8 @@ class Lexer {
         }
         if (tables_.addresses[address].is_block_number) return take_block_number(begin);
         skip_inner_blanks();
+        if (compiler_ != nullptr && compiler_->begins_value(at_))
+            return take_computed(address, begin);
         if (peek() == '#' || peek() == '[' || peek() == '$') return take_piece();
         if (rules_.has_assignment) {
             const std::size_t next = line_.find_first_not_of(" \t", at_);
@@ -319,13 +357,20 @@ class Lexer {
     void take_assigned(AddressId address, std::size_t begin) {
         ++at_;
         skip_blanks();
-        if (peek() == '"') return take_quoted(address, begin);
+        if (peek() == '"' && !is_computed_text()) return take_quoted(address, begin);
+        if (peek() == '"') return take_computed(address, begin);
         const bool is_absolute = peek() == 'A' && peek(1) == 'C';
         const bool is_incremental = peek() == 'I' && peek(1) == 'C';
         if (rules_.has_modes && (is_absolute || is_incremental) && peek(2) == '(') {
             at_ += 3;
             skip_blanks();
-            if (!take_number(address, begin)) return;
+            if (is_computed(at_)) {
+                take_computed(address, begin);
+            } else if (!take_number(address, begin)) {
+                return;
+            }
+            if (fault_) return;
+            skip_blanks();
             out_.words.back().mode =
                 is_absolute ? GivenWord::Mode::Absolute : GivenWord::Mode::Incremental;
             skip_blanks();
@@ -334,6 +379,7 @@ class Lexer {
             out_.spans.back().end = static_cast<std::uint32_t>(at_);
             return;
         }
+        if (is_computed(at_)) return take_computed(address, begin);
         if (is_letter(peek()) || peek() == '(' || peek() == '$') {
             std::size_t end = line_.find_first_of(" \t;", at_);
             end = std::min(end, line_.size());
@@ -344,6 +390,13 @@ class Lexer {
         if (peek() == '+' || peek() == '-' || peek() == '*' || peek() == '/') {
             fail(diag::IsoNotSupported, begin, at_, {"a computed value"});
         }
+    }
+
+    /// Whether more than one text stands here: `"X="<<R1`.
+    bool is_computed_text() const {
+        if (compiler_ == nullptr) return false;
+        const std::size_t close = line_.find('"', at_ + 1);
+        return close != std::string_view::npos && compiler_->continues(close + 1);
     }
 
     bool take_text(std::size_t begin) {
@@ -382,7 +435,12 @@ class Lexer {
                 return fail(diag::IsoTooManyWords, begin, at_, {});
             }
             GivenArgument argument;
-            if (peek() == '"') {
+            if (peek() == '"' ? is_computed_text() : peek() != ',' && is_computed(at_)) {
+                fault_ = compiler_->take_value(at_, static_cast<std::uint16_t>(out_.words.size()),
+                                               static_cast<std::int32_t>(out_.arguments.size()));
+                if (fault_) return;
+                argument.kind = GivenArgument::Kind::Number;
+            } else if (peek() == '"') {
                 if (!take_text(begin)) return;
                 argument.kind = GivenArgument::Kind::Text;
             } else if (peek() != ',') {
@@ -424,6 +482,7 @@ class Lexer {
     const Rules& rules_;
     std::string_view line_;
     LexedLine& out_;
+    ValueCompiler* compiler_;
     std::string_view open_;
     std::string compact_;
     bool has_names_ = false;
@@ -449,8 +508,8 @@ void LexedLine::clear() {
 }
 
 std::optional<LineFault> lex_line(const DialectTables& tables, std::string_view line,
-                                  LexedLine& out) {
-    return Lexer(tables, line, out).run();
+                                  LexedLine& out, ValueCompiler* compiler) {
+    return Lexer(tables, line, out, compiler).run();
 }
 
 }  // namespace kadr::nc

@@ -43,9 +43,27 @@ struct LineFault {
     std::vector<std::string> arguments;
 };
 
+/// Compiles what stands in a line besides words with numbers: the control's own language. Each call
+/// begins at `at` and moves it behind what was taken.
+class ValueCompiler {
+  public:
+    virtual ~ValueCompiler() = default;
+    /// A statement, an assignment or a main block's number where a word could begin.
+    virtual std::optional<LineFault> take_piece(std::size_t& at, bool& was_taken) = 0;
+    /// Whether a computed value stands here, directly behind an address.
+    virtual bool begins_value(std::size_t at) const = 0;
+    /// Whether an operator stands here, behind a number.
+    virtual bool continues(std::size_t at) const = 0;
+    /// The value of a word, or of an argument of a call (index into LexedLine::arguments).
+    virtual std::optional<LineFault> take_value(std::size_t& at, std::uint16_t word,
+                                                std::int32_t argument) = 0;
+};
+
 /// Splits `line`. The words are in the order of the text; a message that is written as a comment is
 /// a word as well.
+///
+/// compiler  takes what belongs to the control's language; null: it is a fault
 std::optional<LineFault> lex_line(const DialectTables& tables, std::string_view line,
-                                  LexedLine& out);
+                                  LexedLine& out, ValueCompiler* compiler = nullptr);
 
 }  // namespace kadr::nc

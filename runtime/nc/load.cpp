@@ -37,6 +37,7 @@ bool apply_dialect(const XmlElement& root, DialectTables& tables, DiagnosticSink
         if (e.name == "rule") load_rule(e, tables);
         if (e.name == "unsupported") load_unsupported(e, tables);
         if (e.name == "example") load_example(e, tables);
+        if (e.name == "language") load_language(e, tables, attributes);
     }
     return !attributes.has_failed();
 }

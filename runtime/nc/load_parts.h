@@ -29,6 +29,9 @@ void load_rule(const XmlElement& element, DialectTables& tables);
 void load_unsupported(const XmlElement& element, DialectTables& tables);
 void load_example(const XmlElement& element, DialectTables& tables);
 
+// load_language.cpp: the control's own parametric language.
+void load_language(const XmlElement& element, DialectTables& tables, Attributes& attributes);
+
 /// load_forms.cpp: the spellings of functions and cycles. The first time that a file spells a
 /// function, the spellings of the files it extends are dropped.
 class FormLoader {

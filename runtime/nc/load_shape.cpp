@@ -14,7 +14,7 @@ const std::vector<XmlRule>& dialect_rules() {
         {"dialect",
          {{"name", Filled}, "extends", {"title", Filled}, {"suffix", Filled}},
          {"doc", "program", "blocks", "comment", "rules", "address", "number", "group", "command",
-          "cycle", "deferred", "alarm", "rule", "remove", "unsupported", "example"}},
+          "cycle", "deferred", "alarm", "rule", "remove", "unsupported", "example", "language"}},
         {"doc", {}, {}, Text},
         {"program",
          {"name_length", "name_letters", "least_number", "most_number"},
@@ -85,6 +85,18 @@ const std::vector<XmlRule>& dialect_rules() {
         {"remove", {"commands", "addresses", "cycles", "deferred"}, {}},
         {"unsupported", {{"words", Filled}, {"meaning", Filled}}, {}},
         {"example", {"source", {"text", Filled}, "block", "meaning"}, {}},
+        {"language",
+         {"open", "close", "index_open", "index_close", "label_sign", "end_label"},
+         {"doc", "rule", "operator", "function", "variable", "statement", "type", "codes"}},
+        {"operator", {{"name", Filled}, {"text", Filled}, {"level", Filled}, "prefix"}, {}},
+        {"function", {{"name", Filled}, {"form", Filled}, "doc"}, {}},
+        {"variable", {{"form", Filled}}, {"range"}},
+        {"range",
+         {"first", "last", "type", "scope", "constant", "quantity", "start", "stride", "meaning"},
+         {}},
+        {"statement", {{"name", Filled}, "closes", "repeats", "doc"}, {}, Text},
+        {"type", {{"name", Filled}, {"type", Filled}}, {}},
+        {"codes", {{"group", Filled}, {"list", Filled}}, {}},
     };
     return rules;
 }

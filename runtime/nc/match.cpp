@@ -39,6 +39,7 @@ class Matcher {
 
     Fault run() {
         if (words_.size() > kMaxWords) return MatchFault{MatchFault::Kind::Full};
+        for (std::size_t i = 0; i < words_.size(); ++i) used_[i] = words_[i].is_left_out;
         if (Fault fault = check_repeated_addresses()) return fault;
         if (Fault fault = check_repeated_groups()) return fault;
         for (std::size_t i = 0; i < words_.size(); ++i) {
@@ -60,6 +61,7 @@ class Matcher {
 
     Fault check_repeated_addresses() {
         for (std::size_t i = 1; i < words_.size(); ++i) {
+            if (used_[i]) continue;
             std::size_t count = 1;
             std::size_t first = i;
             for (std::size_t j = i; j-- > 0;) {
@@ -461,6 +463,7 @@ class Matcher {
         if (block_.find(Function::Cycle) == nullptr) return {};
         const SlotMask of_arcs = kCenterSlots | bit(Slot::Radius) | bit(Slot::Turns);
         for (std::size_t i = 0; i < words_.size(); ++i) {
+            if (words_[i].is_left_out) continue;
             const int slot = address(i).slot;
             const bool is_slot =
                 slot >= 0 && (seen_slots_ & of_arcs & bit(static_cast<Slot>(slot))) != 0;

@@ -23,6 +23,8 @@ struct GivenWord {
     bool is_known = false;  // the number is known now
     bool is_text = false;   // the value is a text
     bool is_call = false;
+    bool is_computed = false;  // the number was worked out by the control's own language
+    bool is_left_out = false;  // … and came to nothing: the word does not stand there
     Mode mode = Mode::Modal;
     std::uint16_t first_argument = 0;  // of a call
     std::uint16_t argument_count = 0;

@@ -19,9 +19,30 @@ class TextSource {
     virtual ~TextSource() = default;
     /// The next piece, valid until the next call; empty: the end. Pieces may end inside a line.
     virtual std::string_view next() = 0;
+    /// The next piece begins so many bytes behind the head of the text; false: it cannot be read
+    /// again.
+    virtual bool seek(std::uint64_t offset) {
+        static_cast<void>(offset);
+        return false;
+    }
 };
 
-class Reader final : public Stream<Block> {
+/// Where blocks of the latest batch stand in their text, and whether a mistake ended it.
+class BlockPlaces {
+  public:
+    virtual ~BlockPlaces() = default;
+    /// The line of the block and the column of its first word or, if a slot or a function is named,
+    /// of the word that set it.
+    virtual LinePlace place(const Block& block) const = 0;
+    virtual LinePlace place(const Block& block, Slot slot) const = 0;
+    virtual LinePlace place(const Block& block, Function function) const = 0;
+    virtual bool failed() const = 0;
+    /// Whether the control stopped at a mistake before this block.
+    virtual bool is_behind_fault(const Block& block) const = 0;
+    virtual std::uint64_t lines() const = 0;  // read so far
+};
+
+class Reader final : public Stream<Block>, public BlockPlaces {
   public:
     /// `name` is shown in messages. A mistake is reported as the control's alarm, the block is
     /// left out, and `failed()` says so.
@@ -29,16 +50,17 @@ class Reader final : public Stream<Block> {
     ~Reader() override;
 
     std::size_t pull(std::span<Block> out) override;
-    bool failed() const;
-    std::uint64_t lines() const;  // read so far
+    bool failed() const override;
+    std::uint64_t lines() const override;
     /// Line of the first mistake, where the control would stop; 0: none so far.
     std::uint64_t first_fault() const;
+    bool is_behind_fault(const Block& block) const override {
+        return failed() && block.line > first_fault();
+    }
 
-    /// Place of a block of the latest batch: its line, the column of the first word or, if the slot
-    /// was given, of the word that set it.
-    LinePlace place(const Block& block) const;
-    LinePlace place(const Block& block, Slot slot) const;
-    LinePlace place(const Block& block, Function function) const;
+    LinePlace place(const Block& block) const override;
+    LinePlace place(const Block& block, Slot slot) const override;
+    LinePlace place(const Block& block, Function function) const override;
 
   private:
     struct State;

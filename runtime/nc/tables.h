@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "nc/dialect.h"
+#include "nc/language.h"
 
 namespace kadr::nc {
 
@@ -245,6 +246,7 @@ struct DialectTables {
     BlockNumbers block_numbers;
     CommentStyle comment;
     Rules rules;
+    Language language;
 
     // Made from the above when the file is loaded.
     std::array<AddressId, 128> letters{};              // single-letter addresses; kNoAddress

@@ -1,5 +1,6 @@
 // What the documentation says is so: its programs are checked, the newcomer's path is walked.
 #include <filesystem>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -195,6 +196,21 @@ TEST_F(Docs, EveryRuleIsInThePageOnDialects) {
         EXPECT_NE(page.find("| `" + name + "` |"), std::string::npos) << name;
     }
     EXPECT_GT(rules, 20);
+}
+
+TEST_F(Docs, EveryRowOfTheLanguageIsInThePageOnDialects) {
+    const std::string page = kadr::read_file(KADR_ROOT "/docs/dialects.md").value_or("");
+    const std::string file = kadr::read_file(KADR_ROOT "/runtime/nc/language.def").value_or("");
+    // The rules are named as a field, the others between quotes.
+    const std::regex row(R"(KADR_\w+\((?:\w+, "(\w+)\"|\w+, (\w+), )");
+    int rows = 0;
+    for (std::sregex_iterator at(file.begin(), file.end(), row), end; at != end; ++at) {
+        const std::string name = (*at)[1].matched ? (*at)[1] : (*at)[2];
+        if (name == "name" || name == "none" || name == "field") continue;
+        ++rows;
+        EXPECT_NE(page.find("| `" + name + "` |"), std::string::npos) << name;
+    }
+    EXPECT_GT(rows, 100);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "base/diagnostics/driver.h"
 #include "base/render.h"
 #include "interp/interpreter.h"
+#include "interp/program.h"
 #include "motion/pipeline.h"
 
 namespace kadr::fuzz {
@@ -120,11 +121,15 @@ expand::Limits small_limits() {
 void execute(const nc::Dialect& dialect, std::string_view text) {
     DiagnosticList messages;
     Pieces pieces(text);
-    nc::Reader reader(dialect, pieces, "fuzz", messages);
+    interp::ProgramOptions program_options;
+    program_options.max_turns = 2000;
+    program_options.max_repeated = kExecutedBlocks;
+    interp::Program program(dialect, pieces, "fuzz", program_options, messages);
     interp::InterpreterOptions options;
     options.max_blocks = kExecutedBlocks;
-    interp::Interpreter interpreter(dialect, world().mill, reader, &reader, nullptr, options,
+    interp::Interpreter interpreter(dialect, world().mill, program, &program, nullptr, options,
                                     messages);
+    program.follow(interpreter);
     motion::Planner planner(interpreter, world().mill, {}, messages);
     motion::Sampler sampler(planner, world().mill, 0.01);
     std::vector<motion::Setpoint> setpoints(256);

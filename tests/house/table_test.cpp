@@ -92,7 +92,7 @@ Expectations all_expectations() {
         const std::string text = kadr::read_file(entry.path()).value_or("");
         if (entry.path().extension() == ".cpp") {
             all.code += without_comments(text);
-        } else if (room == "bad") {
+        } else if (room == "bad" || room == "control") {
             all.lines += lines_with(text, "expect: ");
         } else if (room == "programs") {
             all.lines += lines_with(text, "//!");

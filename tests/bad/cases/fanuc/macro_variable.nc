@@ -1,9 +1,8 @@
 %
 O0001
 #1=5
-G00 X#1
+#50=#1
 M30
 %
-(expect: 3:1 K5018 the control's own parametric language is not supported by Kadr yet)
-(expect: 4:6 K5018 the control's own parametric language is not supported by Kadr yet)
+(expect: 4:1 PS0115 there is no variable #50)
 (exit: 3)

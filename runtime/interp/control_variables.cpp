@@ -1,0 +1,450 @@
+#include "interp/control_variables.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "base/diagnostics/control.h"
+#include "base/diagnostics/iso.h"
+#include "base/numbers.h"
+#include "base/units.h"
+
+namespace kadr::interp {
+
+using nc::Instruction;
+using nc::Quantity;
+using nc::VariableRange;
+
+namespace {
+
+/// Whether the last index of the quantity is an axis, so that it is a length or an angle.
+bool is_of_axis(Quantity quantity) {
+    switch (quantity) {
+        case Quantity::EndPosition:
+        case Quantity::WorkPosition:
+        case Quantity::HeadPosition:
+        case Quantity::MachinePosition:
+        case Quantity::ToolLength:
+        case Quantity::WorkOffset: return true;
+        default: return false;
+    }
+}
+
+std::optional<std::int64_t> number_of(std::string_view text) {
+    std::int64_t number = 0;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool is_whole = result.ec == std::errc() && result.ptr == text.data() + text.size();
+    return is_whole ? std::optional(number) : std::nullopt;
+}
+
+std::string_view type_name(nc::ValueType type) {
+    switch (type) {
+        case nc::ValueType::Real: return "a real";
+        case nc::ValueType::Int: return "a whole number";
+        case nc::ValueType::Bool: return "a truth value";
+        case nc::ValueType::Char: return "a character";
+        case nc::ValueType::Text: return "a text";
+    }
+    return "";
+}
+
+}  // namespace
+
+ControlVariables::ControlVariables(const nc::Dialect& dialect, const nc::LineReader& reader)
+    : dialect_(dialect), tables_(dialect.tables()), language_(tables_.language), reader_(reader) {
+    globals_.grow(language_.global_slots);
+    level_.locals.grow(language_.local_slots);
+}
+
+const nc::Symbol& ControlVariables::declare(nc::Symbol symbol) {
+    symbol.slot = static_cast<std::uint32_t>(level_.locals.values.size());
+    level_.locals.grow(symbol.slot + std::size_t{symbol.count()});
+    level_.symbols.add(std::move(symbol));
+    return level_.symbols.all().back();
+}
+
+// ---------------------------------------------------------------- read
+
+ControlVariables::Indices ControlVariables::indices_of(const VariableRange& range,
+                                                       std::int64_t number) {
+    const std::int64_t place = number - range.first;
+    if (range.stride == 0) return {place + range.start, 0};
+    return {place / range.stride + range.start, place % range.stride + 1};
+}
+
+Variables::Answer ControlVariables::family(std::uint32_t form, std::int64_t number, Value& out) {
+    const VariableRange* range = find_range(language_.variables[form], number);
+    if (range == nullptr) return Answer::Missing;
+    const auto slot = static_cast<std::size_t>(range->slot + (number - range->first));
+    switch (range->kind) {
+        case VariableRange::Kind::Global: out = globals_.values[slot]; break;
+        case VariableRange::Kind::Local: out = level_.locals.values[slot]; break;
+        case VariableRange::Kind::Constant:
+            out = range->is_vacant ? Value{} : Value::of(range->value, range->type);
+            return Answer::Value;
+        case VariableRange::Kind::Unsupported: return Answer::Unsupported;
+        case VariableRange::Kind::System: {
+            const Indices indices = indices_of(*range, number);
+            double value = 0;
+            const Answer answer = system(range->quantity, indices.first, indices.second, value);
+            out = Value::of(value, range->type);
+            return answer;
+        }
+    }
+    if (out.is_vacant() && !language_.rules.has_vacant) out = Value::of(0, range->type);
+    return Answer::Value;
+}
+
+Variables::Answer ControlVariables::system(Quantity quantity, std::int64_t first,
+                                           std::int64_t second, double& out) {
+    if (info(quantity).access == nc::QuantityInfo::Access::Write) return Answer::NotReadable;
+    if (quantity == Quantity::ModalCode || quantity == Quantity::ModalNumber) {
+        const auto code = modal_code(first, quantity == Quantity::ModalNumber);
+        if (!code) return Answer::Missing;
+        out = *code;
+        return Answer::Value;
+    }
+    if (quantity == Quantity::BlockNumber) {
+        out = static_cast<double>(block_number_);
+        return Answer::Value;
+    }
+    if (state_ == nullptr) return Answer::Unsupported;
+    if (!in_step_) return Answer::Later;
+    const bool is_of_tool = quantity == Quantity::WorkPosition ||
+                            quantity == Quantity::HeadPosition ||
+                            quantity == Quantity::MachinePosition;
+    if (is_of_tool && state_->is_compensated()) return Answer::Compensated;
+    const auto value = state_->quantity(quantity, first, second);
+    if (!value) return Answer::Missing;
+    out = to_text_units(quantity, {first, second}, *value);
+    return Answer::Value;
+}
+
+/// How many units of the text 1 mm, or 1 degree, of the axis is.
+double ControlVariables::text_factor(const Indices& indices, std::int64_t axis) const {
+    static_cast<void>(indices);
+    const bool is_inch = reader_.units().inch && state_->is_length(axis);
+    return state_->word_factor(axis) / (is_inch ? kMmPerInch : 1);
+}
+
+double ControlVariables::to_text_units(Quantity quantity, const Indices& indices,
+                                       double value) const {
+    if (is_of_axis(quantity)) {
+        const bool is_offset = quantity == Quantity::WorkOffset;
+        return value * text_factor(indices, is_offset ? indices.second : indices.first);
+    }
+    if (quantity == Quantity::Feed)
+        return value * text_scale(nc::Dimension::Feed, reader_.units(), true);
+    if (quantity == Quantity::ToolRadius)
+        return value * text_scale(nc::Dimension::Length, reader_.units(), true);
+    return value;
+}
+
+// ---------------------------------------------------------------- active codes
+
+/// The code of the group that acts: the one said last, if what it says still acts.
+const nc::Form* ControlVariables::active_form(std::size_t group) const {
+    const auto acts = [&](const nc::Form& form) {
+        const nc::Group of = info(form.function).group;
+        if (of == nc::Group::Once) return false;
+        nc::Function active = reader_.modal()[static_cast<std::size_t>(of)];
+        if (of == nc::Group::Motion && active == nc::Function::None)
+            active = dialect_.first_motion();
+        return active == form.function;
+    };
+    const nc::FormId last = reader_.last_form(group);
+    if (last != nc::kNoForm) {
+        const nc::Form& form = tables_.forms[last];
+        if (form.function == nc::Function::None || acts(form)) return &form;
+    }
+    for (const nc::Form& form : tables_.forms) {
+        if (form.group != static_cast<int>(group) || !form.is_read || !acts(form)) continue;
+        const bool is_first_offset =
+            form.function != nc::Function::WorkOffset ||
+            (!form.fixed.empty() && form.fixed[0].second == dialect_.first_work_offset());
+        if (is_first_offset) return &form;
+    }
+    // Nothing of the group was said, and nothing acts by itself: what the file calls its default.
+    for (const nc::Form& form : tables_.forms) {
+        if (form.group != static_cast<int>(group) || !form.is_read) continue;
+        const bool is_offset = form.function == nc::Function::WorkOffset && !form.fixed.empty() &&
+                               form.fixed[0].second == dialect_.first_work_offset();
+        const auto& defaults = tables_.groups[group].power_on;
+        const bool is_default = std::ranges::find(defaults, form.function) != defaults.end();
+        if (is_offset || is_default) return &form;
+    }
+    return nullptr;
+}
+
+std::optional<double> ControlVariables::modal_code(std::int64_t number, bool by_place) const {
+    for (std::size_t group = 0; group < tables_.groups.size(); ++group) {
+        if (number_of(tables_.groups[group].name) != number) continue;
+        const nc::Form* form = active_form(group);
+        if (form == nullptr) return std::nullopt;
+        const nc::FormWord& word = form->words[0];
+        if (!by_place) return word.number;
+        for (const nc::CodeList& list : language_.code_lists) {
+            if (list.group != tables_.groups[group].name) continue;
+            const auto found = std::ranges::find(list.codes, word.text);
+            if (found == list.codes.end()) return std::nullopt;
+            return static_cast<double>(found - list.codes.begin() + 1);
+        }
+        return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+// ---------------------------------------------------------------- write
+
+ControlVariables::Fault ControlVariables::convert(nc::ValueType type, Value& value,
+                                                  std::string_view text) {
+    if (value.is_vacant()) return {};
+    if (type == nc::ValueType::Text) {
+        if (value.kind == Value::Kind::Real || value.kind == Value::Kind::Int)
+            return {&diag::TypesDiffer, {"a text", "a number"}};
+        return {};
+    }
+    if (value.is_text()) {
+        if (type == nc::ValueType::Bool) {
+            value = Value::of(text.empty() ? 0 : 1, type);
+            return {};
+        }
+        if (type != nc::ValueType::Char || text.size() != 1)
+            return {&diag::TypesDiffer, {std::string(type_name(type)), "a text"}};
+        value = Value::of(static_cast<unsigned char>(text[0]), type);
+        return {};
+    }
+    double number = value.number;
+    const auto range_fault = [&] {
+        std::string shown;
+        append_shortest(shown, value.number);
+        return Fault{&diag::ValueForType, {shown, std::string(type_name(type))}};
+    };
+    switch (type) {
+        case nc::ValueType::Int:
+            number = std::floor(number + 0.5);
+            if (!(number >= -2147483648.0 && number <= 2147483647.0)) return range_fault();
+            break;
+        case nc::ValueType::Char:
+            number = std::floor(number + 0.5);
+            if (!(number >= 0 && number <= 255)) return range_fault();
+            break;
+        case nc::ValueType::Bool: number = number != 0 ? 1 : 0; break;
+        default: break;
+    }
+    value = Value::of(number, type);
+    return {};
+}
+
+Quantity ControlVariables::quantity_of(std::uint32_t form, std::int64_t number) const {
+    const VariableRange* range = find_range(language_.variables[form], number);
+    const bool is_system = range != nullptr && range->kind == VariableRange::Kind::System;
+    return is_system ? range->quantity : Quantity::None;
+}
+
+bool ControlVariables::must_wait(const Instruction& target,
+                                 std::span<const std::int64_t> indices) const {
+    if (in_step_) return false;
+    if (target.kind == Instruction::Kind::System) return true;
+    return target.kind == Instruction::Kind::Family &&
+           quantity_of(target.index, indices[0]) != Quantity::None;
+}
+
+ControlVariables::Fault ControlVariables::store(const Instruction& target,
+                                                std::span<const std::int64_t> indices,
+                                                const Value& value, std::string_view text) {
+    Value converted = value;
+    switch (target.kind) {
+        case Instruction::Kind::Global:
+        case Instruction::Kind::Local: {
+            if (Fault fault = convert(target.type, converted, text); fault.row != nullptr)
+                return fault;
+            Store& store = target.kind == Instruction::Kind::Global ? globals_ : level_.locals;
+            store.values[target.index] = converted;
+            return {};
+        }
+        case Instruction::Kind::Family: return store_family(target.index, indices[0], value);
+        case Instruction::Kind::System:
+            return store_system(static_cast<Quantity>(target.index), {indices[0], indices[1]},
+                                value);
+        case Instruction::Kind::Element: {
+            const nc::Symbol& symbol = level_.symbols.at(target.index);
+            const auto slot = Evaluator::element(symbol, indices);
+            if (!slot) return {&diag::IndexWrong, {'`' + symbol.name + '`'}};
+            if (target.count == symbol.dimensions) return store_element(symbol, *slot, value, text);
+            // One character of a text; the code 0 cuts it there.
+            const std::int64_t place = indices[symbol.dimensions];
+            if (Fault fault = convert(nc::ValueType::Char, converted, text); fault.row != nullptr)
+                return fault;
+            const Value& old = level_.locals.values[*slot];
+            std::string whole = old.is_text() ? level_.locals.texts[old.text] : std::string();
+            if (place < 0 || place >= symbol.text_size)
+                return {&diag::IndexWrong, {'`' + symbol.name + '`'}};
+            const auto at = static_cast<std::size_t>(place);
+            if (converted.number == 0) {
+                whole.resize(std::min(whole.size(), at));
+            } else if (at < whole.size()) {
+                whole[at] = static_cast<char>(converted.number);
+            } else {
+                whole.resize(at, ' ');
+                whole += static_cast<char>(converted.number);
+            }
+            level_.locals.set_text(*slot, whole);
+            return {};
+        }
+        case Instruction::Kind::Number:
+        case Instruction::Kind::Vacant:
+        case Instruction::Kind::Text:
+        case Instruction::Kind::Operate: break;
+    }
+    return {&diag::VariableReadOnly, {"this constant"}};
+}
+
+ControlVariables::Fault ControlVariables::store_element(const nc::Symbol& symbol,
+                                                        std::uint32_t slot, const Value& value,
+                                                        std::string_view text) {
+    Value converted = value;
+    if (Fault fault = convert(symbol.type, converted, text); fault.row != nullptr) return fault;
+    if (symbol.type != nc::ValueType::Text) {
+        level_.locals.values[slot] = converted;
+        return {};
+    }
+    std::string written(text);
+    if (value.kind == Value::Kind::Char) written = {static_cast<char>(value.number)};
+    if (value.kind == Value::Kind::Bool) written = value.number != 0 ? "1" : "0";
+    if (written.size() > symbol.text_size)
+        return {&diag::TextTooLong,
+                {std::to_string(written.size()), std::to_string(symbol.text_size)}};
+    level_.locals.set_text(slot, written);
+    return {};
+}
+
+ControlVariables::Fault ControlVariables::store_family(std::uint32_t form, std::int64_t number,
+                                                       const Value& value) {
+    const nc::VariableForm& family = language_.variables[form];
+    const VariableRange* range = find_range(family, number);
+    const std::string name = family.name + std::to_string(number);
+    if (range == nullptr) return {&diag::VariableNumber, {name}};
+    if (value.is_text()) return {&diag::TypesDiffer, {name, "a text"}};
+    const auto slot = static_cast<std::size_t>(range->slot + (number - range->first));
+    Value converted = value;
+    switch (range->kind) {
+        case VariableRange::Kind::Global:
+        case VariableRange::Kind::Local: {
+            if (Fault fault = convert(range->type, converted, {}); fault.row != nullptr)
+                return fault;
+            const bool is_global = range->kind == VariableRange::Kind::Global;
+            (is_global ? globals_ : level_.locals).values[slot] = converted;
+            return {};
+        }
+        case VariableRange::Kind::Constant: return {&diag::VariableReadOnly, {name}};
+        case VariableRange::Kind::Unsupported:
+            return {&diag::IsoNotSupported, {'`' + name + "` (" + range->meaning + ')'}};
+        case VariableRange::Kind::System: break;
+    }
+    return store_system(range->quantity, indices_of(*range, number), value);
+}
+
+ControlVariables::Fault ControlVariables::store_system(Quantity quantity, const Indices& indices,
+                                                       const Value& value) {
+    if (info(quantity).access == nc::QuantityInfo::Access::Read)
+        return {&diag::VariableReadOnly, {std::string(info(quantity).name)}};
+    if (quantity != Quantity::WorkOffset || state_ == nullptr)
+        return {&diag::IsoNotSupported, {std::string(info(quantity).name)}};
+    if (value.is_text()) return {&diag::TypesDiffer, {"a work offset", "a text"}};
+    const double factor = text_factor(indices, indices.second);
+    const bool is_set = state_->set_work_offset(
+        indices.first, indices.second, value.number / factor, language_.rules.offsets_act_at_once);
+    if (is_set) return {};
+    return {&diag::VariableNumber, {"of this work offset"}};
+}
+
+bool ControlVariables::load(const Instruction& from, std::span<const std::int64_t> indices,
+                            Value& out) {
+    switch (from.kind) {
+        case Instruction::Kind::Global: out = globals_.values[from.index]; return true;
+        case Instruction::Kind::Local: out = level_.locals.values[from.index]; return true;
+        case Instruction::Kind::Family: return family(from.index, indices[0], out) == Answer::Value;
+        case Instruction::Kind::Element: {
+            const auto slot = Evaluator::element(level_.symbols.at(from.index), indices);
+            if (slot) out = level_.locals.values[*slot];
+            return slot.has_value();
+        }
+        default: return false;
+    }
+}
+
+// ---------------------------------------------------------------- the list
+
+namespace {
+
+ControlVariable shown(std::string name, const Value& value, std::string_view text) {
+    ControlVariable variable;
+    variable.name = std::move(name);
+    variable.number = value.number;
+    variable.text = text;
+    switch (value.kind) {
+        case Value::Kind::Bool: variable.kind = ControlVariable::Kind::Bool; break;
+        case Value::Kind::Int:
+        case Value::Kind::Char: variable.kind = ControlVariable::Kind::Int; break;
+        case Value::Kind::Text: variable.kind = ControlVariable::Kind::Text; break;
+        default: variable.kind = ControlVariable::Kind::Real;
+    }
+    return variable;
+}
+
+std::string element_name(const nc::Symbol& symbol, std::uint32_t place, char open, char close) {
+    if (symbol.dimensions == 0) return symbol.name;
+    std::array<std::uint32_t, 3> indices{};
+    for (std::size_t i = symbol.dimensions; i-- > 0;) {
+        indices[i] = place % symbol.sizes[i];
+        place /= symbol.sizes[i];
+    }
+    std::string name = symbol.name + open;
+    for (std::size_t i = 0; i < symbol.dimensions; ++i) {
+        if (i > 0) name += ',';
+        name += std::to_string(indices[i]);
+    }
+    return name + close;
+}
+
+}  // namespace
+
+void ControlVariables::list_family(const nc::VariableForm& form,
+                                   std::vector<ControlVariable>& out) const {
+    for (const VariableRange& range : form.ranges) {
+        const bool is_global = range.kind == VariableRange::Kind::Global;
+        if (!is_global && range.kind != VariableRange::Kind::Local) continue;
+        const Store& store = is_global ? globals_ : level_.locals;
+        for (std::int64_t number = range.first; number <= range.last; ++number) {
+            const auto slot = static_cast<std::size_t>(range.slot + (number - range.first));
+            const Value& value = store.values[slot];
+            if (value.is_vacant()) continue;
+            std::string name = form.name;
+            const std::string digits = std::to_string(number);
+            if (form.is_family) name += digits;
+            if (!form.indices.empty())
+                name += language_.index_open + digits + language_.index_close;
+            out.push_back(shown(std::move(name), value, {}));
+        }
+    }
+}
+
+std::vector<ControlVariable> ControlVariables::list() const {
+    std::vector<ControlVariable> out;
+    for (const nc::VariableForm& form : language_.variables) list_family(form, out);
+    const Store& store = level_.locals;
+    for (const nc::Symbol& symbol : level_.symbols.all()) {
+        for (std::uint32_t i = 0; i < symbol.count(); ++i) {
+            const Value& value = store.values[symbol.slot + i];
+            if (value.is_vacant()) continue;
+            const std::string_view text =
+                value.is_text() ? std::string_view(store.texts[value.text]) : std::string_view();
+            out.push_back(shown(
+                element_name(symbol, i, language_.index_open, language_.index_close), value, text));
+        }
+    }
+    return out;
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,78 @@
+// control_variables.h — the variables of a program: its own, the control's, and those that show the
+// state of the control.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "interp/control_state.h"
+#include "interp/evaluator.h"
+#include "interp/program.h"
+#include "nc/line_reader.h"
+
+namespace kadr::interp {
+
+class ControlVariables final : public Variables {
+  public:
+    /// Why a variable did not take a value; `row` is null if it did.
+    struct Fault {
+        const DiagnosticRow* row = nullptr;
+        std::vector<std::string> arguments;
+    };
+
+    ControlVariables(const nc::Dialect& dialect, const nc::LineReader& reader);
+
+    void follow(ControlState& state) { state_ = &state; }
+    void begin_batch() { in_step_ = true; }
+    /// Whether everything that was given is executed.
+    void set_in_step(bool in_step) { in_step_ = in_step; }
+    void set_block_number(std::int64_t number) { block_number_ = number; }
+
+    Answer family(std::uint32_t form, std::int64_t number, Value& out) override;
+    Answer system(nc::Quantity quantity, std::int64_t first, std::int64_t second,
+                  double& out) override;
+
+    const Store& globals() const { return globals_; }
+    Level& level() { return level_; }
+    const nc::Symbol& declare(nc::Symbol symbol);
+
+    /// What the number of a family stands for; None: a variable that holds something.
+    nc::Quantity quantity_of(std::uint32_t form, std::int64_t number) const;
+    /// Whether writing it has to wait for the blocks before.
+    bool must_wait(const nc::Instruction& target, std::span<const std::int64_t> indices) const;
+    Fault store(const nc::Instruction& target, std::span<const std::int64_t> indices,
+                const Value& value, std::string_view text);
+    Fault store_element(const nc::Symbol& symbol, std::uint32_t slot, const Value& value,
+                        std::string_view text);
+    /// The counter of a loop; false: it cannot be read.
+    bool load(const nc::Instruction& from, std::span<const std::int64_t> indices, Value& out);
+
+    std::vector<ControlVariable> list() const;
+
+  private:
+    struct Indices {
+        std::int64_t first = 0;
+        std::int64_t second = 0;
+    };
+    static Indices indices_of(const nc::VariableRange& range, std::int64_t number);
+    Fault store_family(std::uint32_t form, std::int64_t number, const Value& value);
+    Fault store_system(nc::Quantity quantity, const Indices& indices, const Value& value);
+    static Fault convert(nc::ValueType type, Value& value, std::string_view text);
+    double to_text_units(nc::Quantity quantity, const Indices& indices, double value) const;
+    double text_factor(const Indices& indices, std::int64_t axis) const;
+    std::optional<double> modal_code(std::int64_t group, bool by_place) const;
+    const nc::Form* active_form(std::size_t group) const;
+    void list_family(const nc::VariableForm& form, std::vector<ControlVariable>& out) const;
+
+    const nc::Dialect& dialect_;
+    const nc::DialectTables& tables_;
+    const nc::Language& language_;
+    const nc::LineReader& reader_;
+    ControlState* state_ = nullptr;
+    Store globals_;
+    Level level_;
+    std::int64_t block_number_ = 0;
+    bool in_step_ = true;
+};
+
+}  // namespace kadr::interp

@@ -1,0 +1,535 @@
+#include "interp/evaluator.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "base/diagnostics/control.h"
+#include "base/diagnostics/iso.h"
+#include "base/numbers.h"
+#include "base/text.h"
+#include "base/units.h"
+
+namespace kadr::interp {
+
+using nc::Instruction;
+using nc::Operation;
+
+namespace {
+
+constexpr std::size_t kLongestText = 400;  // that is put together; S 8.4, alarm 14099
+
+/// Sine of degrees, exact where the circle crosses its axes.
+double sine(double degrees) {
+    const double turned = std::fmod(degrees, 360.0);
+    if (turned == 0 || std::fabs(turned) == 180) return 0;
+    if (turned == 90 || turned == -270) return 1;
+    if (turned == 270 || turned == -90) return -1;
+    return std::sin(rad_from_deg(turned));
+}
+double cosine(double degrees) { return sine(std::fmod(degrees, 360.0) + 90); }
+
+double rounded_away(double value) { return std::round(value); }
+
+/// The nearest whole number; what is too large for any index stays too large.
+std::int64_t index_of(double value) {
+    return static_cast<std::int64_t>(rounded_away(std::clamp(value, -1e15, 1e15)));
+}
+
+/// Whole but for the last bits: 6101.9999999999991 is 6102.
+double truncated_near(double value) {
+    const double nearest = std::round(value);
+    const double tolerance = 1e-12 * std::max(1.0, std::fabs(value));
+    return std::fabs(value - nearest) <= tolerance ? nearest : std::trunc(value);
+}
+
+/// A whole number of 32 bits; false: it is too large.
+bool whole(double value, std::int32_t& out) {
+    const double rounded = rounded_away(value);
+    // Bit patterns with the first bit set may be written as large numbers.
+    if (!(rounded >= -2147483648.0 && rounded <= 4294967295.0)) return false;
+    out = static_cast<std::int32_t>(static_cast<std::uint32_t>(static_cast<std::int64_t>(rounded)));
+    return true;
+}
+
+std::string shown(double value) {
+    std::string out;
+    append_shortest(out, value);
+    return out;
+}
+
+/// `12.5`, `-3`, `1.5EX-3`; the whole text.
+std::optional<double> number_in(std::string_view text) {
+    const Decimal decimal = parse_decimal(text.data(), text.data() + text.size());
+    if (text.empty() || decimal.end == text.data()) return std::nullopt;
+    std::string_view rest = text.substr(static_cast<std::size_t>(decimal.end - text.data()));
+    if (rest.empty()) return decimal.value;
+    if (!upper_ascii(rest).starts_with("EX")) return std::nullopt;
+    rest.remove_prefix(2);
+    if (rest.starts_with('+')) rest.remove_prefix(1);
+    int exponent = 0;
+    const auto result = std::from_chars(rest.data(), rest.data() + rest.size(), exponent);
+    const bool is_whole = result.ec == std::errc() && result.ptr == rest.data() + rest.size();
+    if (!is_whole || std::abs(exponent) > 308) return std::nullopt;
+    return decimal.value * std::pow(10.0, exponent);
+}
+
+}  // namespace
+
+// ---------------------------------------------------------------- the run
+
+Evaluator::Outcome Evaluator::run(const nc::ControlLine& line, const nc::Expression& expression,
+                                  Value& out, int decimals) {
+    const Outcome outcome = execute(line, expression, decimals);
+    if (outcome == Outcome::Done) out = stack_[0];
+    return outcome;
+}
+
+Evaluator::Outcome Evaluator::execute(const nc::ControlLine& line, const nc::Expression& expression,
+                                      int decimals) {
+    size_ = 0;
+    is_later_ = false;
+    if (stack_.size() < expression.count + 1) stack_.resize(expression.count + 8);
+    const std::size_t end = expression.first + expression.count;
+    for (std::size_t at = expression.first; at < end; ++at) {
+        const Instruction& instruction = line.code[at];
+        bool is_fine = true;
+        if (instruction.kind == Instruction::Kind::Number) {
+            push(Value::of(instruction.number, instruction.type));
+        } else if (instruction.kind == Instruction::Kind::Operate) {
+            place_ = line.places[at];
+            is_fine = operate(instruction, decimals);
+        } else {
+            place_ = line.places[at];
+            is_fine = load(line, at);
+        }
+        if (!is_fine) return is_later_ ? Outcome::Later : Outcome::Fault;
+    }
+    return Outcome::Done;
+}
+
+Evaluator::Outcome Evaluator::indices(const nc::ControlLine& line, const nc::Reference& reference,
+                                      std::span<std::int64_t> out) {
+    const Outcome outcome = execute(line, reference.indices, -1);
+    if (outcome != Outcome::Done) return outcome;
+    for (std::size_t i = 0; i < size_ && i < out.size(); ++i) out[i] = index_of(stack_[i].number);
+    return Outcome::Done;
+}
+
+bool Evaluator::fail(const DiagnosticRow& row, std::vector<std::string> arguments) {
+    fault_ = nc::LineFault{&row, place_, std::move(arguments)};
+    return false;
+}
+
+// ---------------------------------------------------------------- loads
+
+bool Evaluator::load(const nc::ControlLine& line, std::size_t at) {
+    const Instruction& instruction = line.code[at];
+    const auto from = [&](const Store& store) {
+        Value value = store.values[instruction.index];
+        if (value.is_vacant() && !rules_.has_vacant) value = Value::of(0, instruction.type);
+        if (value.is_text()) value = keep_text(store.texts[value.text]);
+        push(value);
+        return true;
+    };
+    switch (instruction.kind) {
+        case Instruction::Kind::Global: return from(globals_);
+        case Instruction::Kind::Local: return from(level_->locals);
+        case Instruction::Kind::Text: push(keep_text(line.texts[instruction.index])); return true;
+        case Instruction::Kind::Vacant: push({}); return true;
+        case Instruction::Kind::Family: return load_family(instruction);
+        case Instruction::Kind::System: return load_system(instruction);
+        case Instruction::Kind::Element: return load_element(instruction);
+        case Instruction::Kind::Number:
+        case Instruction::Kind::Operate: break;
+    }
+    return false;
+}
+
+bool Evaluator::answer(Variables::Answer answer) {
+    switch (answer) {
+        case Variables::Answer::Value: return true;
+        case Variables::Answer::Later: is_later_ = true; return false;
+        case Variables::Answer::Missing: return fail(diag::VariableNumber, {"with this index"});
+        case Variables::Answer::NotReadable:
+            return fail(diag::VariableWriteOnly, {"this variable"});
+        case Variables::Answer::Compensated:
+            return fail(diag::IsoNotSupported,
+                        {"the position of the tool under cutter radius compensation"});
+        case Variables::Answer::Unsupported:
+            return fail(diag::IsoNotSupported, {"this system variable"});
+    }
+    return false;
+}
+
+bool Evaluator::load_family(const Instruction& instruction) {
+    const double number = stack_[size_ - 1].number;
+    if (stack_[size_ - 1].is_text()) return fail(diag::TypesDiffer, {"an index", "a text"});
+    if (!(std::fabs(number) < 1e9)) return fail(diag::VariableNumber, {shown(number)});
+    Value value;
+    const auto answered = variables_.family(instruction.index,
+                                            static_cast<std::int64_t>(rounded_away(number)), value);
+    if (answered == Variables::Answer::Missing)
+        return fail(diag::VariableNumber, {shown(rounded_away(number))});
+    stack_[size_ - 1] = value;
+    return answer(answered);
+}
+
+bool Evaluator::load_system(const Instruction& instruction) {
+    size_ -= instruction.count;
+    const auto index = [&](std::size_t i) {
+        return i < instruction.count ? index_of(stack_[size_ + i].number) : 0;
+    };
+    double number = 0;
+    const auto answered =
+        variables_.system(static_cast<nc::Quantity>(instruction.index), index(0), index(1), number);
+    push(Value::of(number, instruction.type));
+    return answer(answered);
+}
+
+std::optional<std::uint32_t> Evaluator::element(const nc::Symbol& symbol,
+                                                std::span<const std::int64_t> indices) {
+    std::uint32_t place = 0;
+    for (std::size_t i = 0; i < symbol.dimensions; ++i) {
+        if (indices[i] < 0 || indices[i] >= symbol.sizes[i]) return std::nullopt;
+        place = place * symbol.sizes[i] + static_cast<std::uint32_t>(indices[i]);
+    }
+    return symbol.slot + place;
+}
+
+bool Evaluator::load_element(const Instruction& instruction) {
+    const nc::Symbol& symbol = level_->symbols.at(instruction.index);
+    std::array<std::int64_t, 4> indices{};
+    size_ -= instruction.count;
+    for (std::size_t i = 0; i < instruction.count; ++i)
+        indices[i] = index_of(stack_[size_ + i].number);
+    const auto slot = element(symbol, indices);
+    if (!slot) return fail(diag::IndexWrong, {'`' + symbol.name + '`'});
+    const Store& store = level_->locals;
+    Value value = store.values[*slot];
+    if (symbol.type != nc::ValueType::Text) {
+        push(value.is_vacant() ? Value::of(0, symbol.type) : value);
+        return true;
+    }
+    const std::string text = value.is_text() ? store.texts[value.text] : std::string();
+    if (instruction.count == symbol.dimensions) {
+        push(keep_text(text));
+        return true;
+    }
+    const std::int64_t place = indices[symbol.dimensions];
+    if (place < 0 || place >= symbol.text_size)
+        return fail(diag::IndexWrong, {'`' + symbol.name + '`'});
+    const auto i = static_cast<std::size_t>(place);
+    const auto code = i < text.size() ? static_cast<unsigned char>(text[i]) : 0;
+    push(Value::of(code, nc::ValueType::Char));
+    return true;
+}
+
+// ---------------------------------------------------------------- operations
+
+bool Evaluator::real(Value& out, double number) {
+    if (!std::isfinite(number)) return fail(diag::NumberTooLarge);
+    out = Value::real(number);
+    return true;
+}
+
+bool Evaluator::operate(const Instruction& instruction, int decimals) {
+    const Operation operation = instruction.operation;
+    name_ = info(operation).name;
+    size_ -= instruction.count;
+    Value* const a = &stack_[size_];
+    const Value& b = a[1];
+    bool is_fine = false;
+    switch (operation) {
+        case Operation::Add:
+        case Operation::Subtract:
+        case Operation::Multiply:
+        case Operation::Divide:
+        case Operation::Quotient:
+        case Operation::Remainder:
+        case Operation::RoundedRemainder: is_fine = arithmetic(operation, *a, b); break;
+        case Operation::Equal:
+        case Operation::NotEqual:
+        case Operation::Greater:
+        case Operation::GreaterEqual:
+        case Operation::Less:
+        case Operation::LessEqual: is_fine = compare(operation, *a, b); break;
+        case Operation::BitAnd:
+        case Operation::BitOr:
+        case Operation::BitXor:
+        case Operation::BitNot:
+        case Operation::And:
+        case Operation::Or:
+        case Operation::Xor:
+        case Operation::Not: is_fine = bits(operation, *a, b); break;
+        case Operation::Concatenate:
+        case Operation::ToText:
+        case Operation::TextLength:
+        case Operation::UpperCase:
+        case Operation::LowerCase:
+        case Operation::FindFirst:
+        case Operation::FindLast:
+        case Operation::FindAny:
+        case Operation::FindText:
+        case Operation::PartOfText:
+        case Operation::IsNumber:
+        case Operation::ToNumber: is_fine = text_function(operation, a, instruction.count); break;
+        default: is_fine = function(operation, a, decimals);
+    }
+    ++size_;
+    return is_fine;
+}
+
+bool Evaluator::arithmetic(Operation operation, Value& a, const Value& b) {
+    if (a.is_text() || b.is_text()) return fail(diag::TypesDiffer, {"a calculation", "a text"});
+    const bool is_whole = a.is_whole() && b.is_whole();
+    double x = a.number;
+    double y = b.number;
+    if (operation == Operation::RoundedRemainder) x = rounded_away(x), y = rounded_away(y);
+    const bool divides = operation >= Operation::Divide && operation <= Operation::RoundedRemainder;
+    if (divides && y == 0) return fail(diag::ZeroDivide);
+    double result = 0;
+    switch (operation) {
+        case Operation::Add: result = x + y; break;
+        case Operation::Subtract: result = x - y; break;
+        case Operation::Multiply: result = x * y; break;
+        case Operation::Divide: return real(a, x / y);
+        case Operation::Quotient: result = truncated_near(x / y); break;
+        default: result = std::fmod(x, y);
+    }
+    if (!is_whole) {
+        const bool is_cut = operation == Operation::Quotient && rules_.has_types;
+        if (is_cut && std::fabs(result) <= 2147483647.0) {
+            a = Value::of(result, nc::ValueType::Int);
+            return true;
+        }
+        return real(a, result);
+    }
+    if (std::fabs(result) > 2147483648.0) return fail(diag::NumberTooLarge);
+    a = Value::of(result, nc::ValueType::Int);
+    return true;
+}
+
+bool Evaluator::compare(Operation operation, Value& a, const Value& b) {
+    if (a.is_text() != b.is_text())
+        return fail(diag::TypesDiffer, {"a comparison with a text", "a number"});
+    bool is_equal = false;
+    bool is_less = false;
+    if (a.is_text()) {
+        is_equal = text(a) == text(b);
+        is_less = text(a) < text(b);
+    } else {
+        const double scale = std::max(std::fabs(a.number), std::fabs(b.number));
+        is_equal = std::fabs(a.number - b.number) <= rules_.comparison_tolerance * scale;
+        is_less = a.number < b.number && !is_equal;
+    }
+    const bool is_told_apart = a.is_vacant() != b.is_vacant();
+    switch (operation) {
+        case Operation::Equal: a = Value::truth(is_equal && !is_told_apart); break;
+        case Operation::NotEqual: a = Value::truth(!is_equal || is_told_apart); break;
+        case Operation::Greater: a = Value::truth(!is_equal && !is_less); break;
+        case Operation::GreaterEqual: a = Value::truth(!is_less); break;
+        case Operation::Less: a = Value::truth(is_less); break;
+        default: a = Value::truth(is_less || is_equal);
+    }
+    return true;
+}
+
+bool Evaluator::bits(Operation operation, Value& a, const Value& b) {
+    const bool is_single = operation == Operation::Not || operation == Operation::BitNot;
+    if (a.is_text() || (!is_single && b.is_text()))
+        return fail(diag::TypesDiffer, {"a logical operation", "a text"});
+    const bool p = a.number != 0;
+    const bool q = !is_single && b.number != 0;
+    switch (operation) {
+        case Operation::And: a = Value::truth(p && q); return true;
+        case Operation::Or: a = Value::truth(p || q); return true;
+        case Operation::Xor: a = Value::truth(p != q); return true;
+        case Operation::Not: a = Value::truth(!p); return true;
+        default: break;
+    }
+    std::int32_t x = 0;
+    std::int32_t y = 0;
+    if (!whole(a.number, x) || (!is_single && !whole(b.number, y)))
+        return fail(diag::NumberTooLarge);
+    const std::int32_t result = operation == Operation::BitAnd   ? x & y
+                                : operation == Operation::BitOr  ? x | y
+                                : operation == Operation::BitXor ? x ^ y
+                                                                 : ~x;
+    a = Value::of(result, nc::ValueType::Int);
+    return true;
+}
+
+bool Evaluator::function(Operation operation, Value* a, int decimals) {
+    if (a->is_text()) return fail(diag::TypesDiffer, {"a function of numbers", "a text"});
+    const double x = a->number;
+    const bool was_whole = a->is_whole();
+    const auto out_of_range = [&] {
+        return fail(diag::ArgumentRange, {std::string(name_), shown(x)});
+    };
+    const auto whole_result = [&](double number) {
+        if (!rules_.has_types || std::fabs(number) > 2147483647.0) return real(*a, number);
+        *a = Value::of(number, nc::ValueType::Int);
+        return true;
+    };
+    switch (operation) {
+        case Operation::Negate:
+            *a = was_whole ? Value::of(-x, nc::ValueType::Int) : Value::real(-x);
+            return true;
+        case Operation::Sine: return real(*a, sine(x));
+        case Operation::Cosine: return real(*a, cosine(x));
+        case Operation::Tangent:
+            if (cosine(x) == 0) return out_of_range();
+            return real(*a, sine(x) / cosine(x));
+        case Operation::Arcsine:
+        case Operation::Arccosine:
+        case Operation::Arctangent:
+        case Operation::ArctangentOfTwo: return arc_function(operation, a);
+        case Operation::SquareRoot: return x < 0 ? out_of_range() : real(*a, std::sqrt(x));
+        case Operation::Square: return real(*a, x * x);
+        case Operation::Absolute:
+            *a =
+                was_whole ? Value::of(std::fabs(x), nc::ValueType::Int) : Value::real(std::fabs(x));
+            return true;
+        case Operation::Round: {
+            if (decimals < 0) return whole_result(rounded_away(x));
+            const double power = std::pow(10.0, decimals);
+            return real(*a, std::round(x * power) / power);
+        }
+        case Operation::Truncate: return whole_result(std::trunc(x));
+        case Operation::TruncateNear: return whole_result(truncated_near(x));
+        case Operation::RoundAway: return whole_result(x < 0 ? std::floor(x) : std::ceil(x));
+        case Operation::RoundUp: return whole_result(std::ceil(x));
+        case Operation::Logarithm: return x <= 0 ? out_of_range() : real(*a, std::log(x));
+        case Operation::Exponential: return real(*a, std::exp(x));
+        case Operation::Power: {
+            const double result = std::pow(x, a[1].number);
+            return std::isnan(result) ? out_of_range() : real(*a, result);
+        }
+        case Operation::Minimum:
+            if (a[1].number < x) *a = a[1];
+            return true;
+        case Operation::Maximum:
+            if (a[1].number > x) *a = a[1];
+            return true;
+        case Operation::Bound:
+            // least, most, value
+            *a = a[2].number < x ? *a : a[2].number > a[1].number ? a[1] : a[2];
+            return true;
+        case Operation::FromBcd:
+        case Operation::ToBcd: {
+            if (!(x >= 0 && x <= 99999999.0 * 4096)) return out_of_range();
+            const bool is_to = operation == Operation::ToBcd;
+            const std::uint64_t from = is_to ? 10 : 16;
+            const std::uint64_t to = is_to ? 16 : 10;
+            std::uint64_t result = 0;
+            std::uint64_t place = 1;
+            for (auto rest = static_cast<std::uint64_t>(rounded_away(x)); rest != 0;
+                 rest /= from, place *= to) {
+                if (rest % from > 9) return out_of_range();
+                result += rest % from * place;
+            }
+            return real(*a, static_cast<double>(result));
+        }
+        default: return fail(diag::ExpressionSyntax, {std::string(name_)});
+    }
+}
+
+bool Evaluator::arc_function(Operation operation, Value* a) {
+    const double x = a->number;
+    const bool is_outside = operation != Operation::Arctangent &&
+                            operation != Operation::ArctangentOfTwo && std::fabs(x) > 1;
+    if (is_outside) return fail(diag::ArgumentRange, {std::string(name_), shown(x)});
+    double angle = 0;
+    int range = 0;
+    switch (operation) {
+        case Operation::Arcsine:
+            angle = deg_from_rad(std::asin(x));
+            range = rules_.arcsine_range;
+            break;
+        case Operation::Arccosine: angle = deg_from_rad(std::acos(x)); break;
+        case Operation::Arctangent: angle = deg_from_rad(std::atan(x)); break;
+        default: angle = deg_from_rad(std::atan2(x, a[1].number)); range = rules_.arctangent_range;
+    }
+    if (range == 360 && angle < 0) angle += 360;
+    return real(*a, angle);
+}
+
+// ---------------------------------------------------------------- texts
+
+std::string Evaluator::written(const Value& value) const {
+    if (value.is_text()) return std::string(text(value));
+    if (value.kind == Value::Kind::Char) return {static_cast<char>(value.number)};
+    if (value.kind != Value::Kind::Real) return shown(value.number);
+    std::array<char, kMaxFixedLength> digits;
+    char* end = format_fixed(digits.data(), std::round(value.number * 1e10) / 1e10, 9);
+    if (std::fabs(value.number) < 1e5) {  // the tenth decimal has a place
+        std::array<char, 64> fine;
+        const auto result = std::to_chars(fine.data(), fine.data() + fine.size(), value.number,
+                                          std::chars_format::fixed, 10);
+        end = std::copy(fine.data(), result.ptr, digits.data());
+    }
+    while (end[-1] == '0') --end;
+    if (end[-1] == '.') --end;
+    std::string out(digits.data(), end);
+    return out == "-0" ? "0" : out;
+}
+
+bool Evaluator::text_function(Operation operation, Value* a, int count) {
+    const bool takes_numbers =
+        operation == Operation::Concatenate || operation == Operation::ToText;
+    if (!takes_numbers && !a->is_text())
+        return fail(diag::TypesDiffer, {"a text function", "a number"});
+    const std::string subject = takes_numbers ? written(*a) : std::string(text(*a));
+    const auto place = [&](std::size_t found) {
+        const bool is_missing = found == std::string::npos;
+        *a = Value::of(is_missing ? -1.0 : static_cast<double>(found), nc::ValueType::Int);
+        return true;
+    };
+    switch (operation) {
+        case Operation::ToText: *a = keep_text(subject); return true;
+        case Operation::Concatenate: {
+            std::string joined = subject + written(a[1]);
+            if (joined.size() > kLongestText)
+                return fail(diag::TextTooLong,
+                            {std::to_string(joined.size()), std::to_string(kLongestText)});
+            *a = keep_text(std::move(joined));
+            return true;
+        }
+        case Operation::TextLength:
+            *a = Value::of(static_cast<double>(subject.size()), nc::ValueType::Int);
+            return true;
+        case Operation::UpperCase: *a = keep_text(upper_ascii(subject)); return true;
+        case Operation::LowerCase: {
+            std::string lower = subject;
+            for (char& c : lower) {
+                if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+            }
+            *a = keep_text(std::move(lower));
+            return true;
+        }
+        case Operation::FindFirst: return place(subject.find(written(a[1]).substr(0, 1)));
+        case Operation::FindLast: return place(subject.rfind(written(a[1]).substr(0, 1)));
+        case Operation::FindAny: return place(subject.find_first_of(written(a[1])));
+        case Operation::FindText: return place(subject.find(written(a[1])));
+        case Operation::PartOfText: {
+            const double from = a[1].number;
+            const double length = count > 2 ? std::min(a[2].number, 1e6) : 1e6;
+            if (from < 0 || length < 0) return fail(diag::IndexWrong, {"a text"});
+            const auto begin = static_cast<std::size_t>(std::min(from, 1e6));
+            *a = keep_text(begin >= subject.size()
+                               ? std::string()
+                               : subject.substr(begin, static_cast<std::size_t>(length)));
+            return true;
+        }
+        case Operation::IsNumber: *a = Value::truth(number_in(subject).has_value()); return true;
+        default: {
+            const auto number = number_in(subject);
+            if (!number) return fail(diag::NoNumberText, {subject});
+            return real(*a, *number);
+        }
+    }
+}
+
+}  // namespace kadr::interp

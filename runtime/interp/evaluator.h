@@ -1,0 +1,103 @@
+// evaluator.h — expressions of the control's own language → values.
+//
+// Works on the compiled code of a line and changes nothing; what a control would alarm on comes
+// back as a fault. Numbers never touch the heap.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "interp/control_value.h"
+#include "nc/lexer.h"
+
+namespace kadr::interp {
+
+/// What expressions read: variables, and the state of the control.
+class Variables {
+  public:
+    virtual ~Variables() = default;
+    enum class Answer : std::uint8_t {
+        Value,
+        Missing,
+        NotReadable,
+        Unsupported,
+        Compensated,
+        Later
+    };
+    /// A variable of a family by its number.
+    virtual Answer family(std::uint32_t form, std::int64_t number, Value& out) = 0;
+    /// `Later`: the blocks before have to be executed first.
+    virtual Answer system(nc::Quantity quantity, std::int64_t first, std::int64_t second,
+                          double& out) = 0;
+};
+
+class Evaluator {
+  public:
+    Evaluator(const nc::LanguageRules& rules, const Store& globals, const Level& level,
+              Variables& variables)
+        : rules_(rules), globals_(globals), level_(&level), variables_(variables) {}
+
+    enum class Outcome : std::uint8_t { Done, Fault, Later };
+
+    /// decimals  to which the function round goes; -1: to whole numbers
+    Outcome run(const nc::ControlLine& line, const nc::Expression& expression, Value& out,
+                int decimals = -1);
+    /// Why it came to no value.
+    const nc::LineFault& fault() const { return fault_; }
+    /// A text that a value holds; valid until the next `forget`.
+    std::string_view text(const Value& value) const {
+        return value.is_text() ? std::string_view(texts_[value.text]) : std::string_view();
+    }
+    Value keep_text(std::string text) {
+        texts_.push_back(std::move(text));
+        return {0, static_cast<std::uint32_t>(texts_.size() - 1), Value::Kind::Text};
+    }
+    void forget() { texts_.clear(); }
+    void enter(const Level& level) { level_ = &level; }
+
+    /// The indices that the code of a reference has put on the stack.
+    Outcome indices(const nc::ControlLine& line, const nc::Reference& reference,
+                    std::span<std::int64_t> out);
+
+    /// As `<<` writes it.
+    std::string written(const Value& value) const;
+    /// The slot of an element of a declared variable; nothing: an index does not fit.
+    static std::optional<std::uint32_t> element(const nc::Symbol& symbol,
+                                                std::span<const std::int64_t> indices);
+
+  private:
+    Outcome execute(const nc::ControlLine& line, const nc::Expression& expression, int decimals);
+    bool load(const nc::ControlLine& line, std::size_t at);
+    bool load_family(const nc::Instruction& instruction);
+    bool load_system(const nc::Instruction& instruction);
+    bool load_element(const nc::Instruction& instruction);
+    bool answer(Variables::Answer answer);
+    bool operate(const nc::Instruction& instruction, int decimals);
+    bool arithmetic(nc::Operation operation, Value& a, const Value& b);
+    bool compare(nc::Operation operation, Value& a, const Value& b);
+    bool bits(nc::Operation operation, Value& a, const Value& b);
+    bool function(nc::Operation operation, Value* a, int decimals);
+    bool text_function(nc::Operation operation, Value* a, int count);
+    bool arc_function(nc::Operation operation, Value* a);
+    bool fail(const DiagnosticRow& row, std::vector<std::string> arguments = {});
+    bool real(Value& out, double number);
+    void push(const Value& value) { stack_[size_++] = value; }
+
+    const nc::LanguageRules& rules_;
+    const Store& globals_;
+    const Level* level_;
+    Variables& variables_;
+    std::vector<Value> stack_;
+    std::size_t size_ = 0;
+    std::deque<std::string> texts_;  // views of them stay valid
+    nc::LineFault fault_;
+    nc::Span place_;
+    std::string_view name_;  // of the operation, for messages
+    bool is_later_ = false;
+};
+
+}  // namespace kadr::interp

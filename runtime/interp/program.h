@@ -1,0 +1,66 @@
+// program.h — a program of a control, its own parametric language included → flat blocks.
+//
+// Stands between the text and the interpreter: executes assignments, jumps and loops, works out
+// computed words, and gives the blocks in the order in which the control executes them. A line that
+// is plain words and numbers goes the reader's way and costs nothing more. Statements that ask for
+// the state of the interpreter wait until it has executed what was given before.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/stream.h"
+#include "interp/control_state.h"
+#include "nc/reader.h"
+
+namespace kadr::interp {
+
+struct ProgramOptions {
+    std::uint16_t skip_levels = 0;                 // bit n: blocks with skip level n are left out
+    std::uint64_t max_turns = 10'000'000;          // jumps back without a block between them
+    std::uint64_t max_repeated = 20'000'000;       // blocks that lines give when they run again
+    std::size_t kept_text = std::size_t{4} << 20;  // bytes kept of a text that cannot be read again
+};
+
+/// A variable of the control that the program has set.
+struct ControlVariable {
+    enum class Kind : std::uint8_t { Real, Int, Bool, Text };
+    std::string name;  // as the program writes it: `R1`, `#100`, `LIST[0,2]`
+    Kind kind = Kind::Real;
+    double number = 0;
+    std::string text;
+};
+
+class Program final : public Stream<nc::Block>, public nc::BlockPlaces {
+  public:
+    /// `name` is shown in messages. All references outlive the program.
+    Program(const nc::Dialect& dialect, nc::TextSource& text, std::string name,
+            const ProgramOptions& options, DiagnosticSink& sink);
+    ~Program() override;
+
+    /// From here on lines are only read, for their mistakes: nothing is worked out, no jump goes.
+    void check_only();
+    /// Who executes the blocks. Without one, asking for its state is an alarm.
+    void follow(ControlState& state);
+
+    std::size_t pull(std::span<nc::Block> out) override;
+
+    LinePlace place(const nc::Block& block) const override;
+    LinePlace place(const nc::Block& block, nc::Slot slot) const override;
+    LinePlace place(const nc::Block& block, nc::Function function) const override;
+    bool failed() const override;
+    bool is_behind_fault(const nc::Block& block) const override;
+    std::uint64_t lines() const override;
+    /// Whether a line could not be read, or an alarm came up, even if nobody has come to it yet.
+    bool has_fault() const;
+
+    /// In the order of the dialect's tables, then as declared.
+    std::vector<ControlVariable> variables() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace kadr::interp

@@ -1,0 +1,72 @@
+// program_map.h — places in a program: where targets stand and where structures end.
+//
+// Found by looking through the text as the control does, and remembered.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <unordered_map>
+
+#include "nc/control_line.h"
+#include "nc/line_source.h"
+
+namespace kadr::interp {
+
+/// The beginning of a line.
+struct Position {
+    std::uint64_t offset = 0;
+    std::uint64_t line = 1;
+    friend bool operator==(const Position&, const Position&) = default;
+};
+
+/// Where a line is and where the next one begins.
+struct Place {
+    Position line;
+    Position next;
+};
+
+/// The further parts of a loop or a condition, from its head.
+struct Structure {
+    std::optional<Place> otherwise;  // of a condition
+    Place end;
+};
+
+enum class Direction : std::uint8_t { Both, Forward, Backward };
+
+/// What is looked for: a label, or a block number if the label is empty.
+struct Target {
+    std::string label;
+    std::int64_t number = -1;
+    friend auto operator<=>(const Target&, const Target&) = default;
+};
+
+class ProgramMap {
+  public:
+    ProgramMap(const nc::DialectTables& tables, nc::LineSource& source)
+        : tables_(tables), source_(source) {}
+
+    enum class Fault : std::uint8_t { None, Missing, TextGone, LoopNumber };
+
+    /// The nearest line with the target, forward from `from` to the end of the program, then from
+    /// its head; backward the nearest one before it.
+    Fault find(const Target& target, Direction direction, const Place& from, Place& out);
+    /// The end of the structure whose head stands at `head`.
+    Fault find_end(const Place& head, const nc::LineFront& front, const Structure*& out);
+    /// The next mark of this name behind `from`.
+    Fault find_label_between(std::string_view label, const Position& from, const Position& to,
+                             Place& out);
+
+  private:
+    /// Calls `look` with each line from `from` on and its place, until it says false.
+    template <typename Look>
+    Fault scan(const Position& from, Look look);
+    bool is_target(const nc::LineFront& front, const Target& target) const;
+
+    const nc::DialectTables& tables_;
+    nc::LineSource& source_;
+    std::map<std::tuple<std::uint64_t, Direction, Target>, Place> targets_;
+    std::unordered_map<std::uint64_t, Structure> structures_;
+};
+
+}  // namespace kadr::interp

@@ -1,0 +1,143 @@
+// What a line is, for someone who looks for a target or for the end of a structure.
+#include <algorithm>
+
+#include "nc/control_line.h"
+#include "nc/control_words.h"
+
+namespace kadr::nc {
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+class Front {
+  public:
+    Front(const DialectTables& tables, std::string_view line)
+        : tables_(tables), language_(tables.language), words_(tables, line), line_(line) {}
+
+    LineFront look() {
+        std::size_t at = words_.skip_blanks(0);
+        if (at < line_.size() && line_[at] == '/') {
+            ++at;
+            while (at < line_.size() && is_digit(line_[at])) ++at;
+            at = words_.skip_blanks(at);
+        }
+        at = take_number(at);
+        at = take_label(at);
+        find_statement(at);
+        return front_;
+    }
+
+  private:
+    /// `N120`, `:10`
+    std::size_t take_number(std::size_t at) {
+        if (at >= line_.size()) return at;
+        const std::string letter = words_.normal(line_.substr(at, 1));
+        const AddressId address = tables_.find_address(letter);
+        const bool is_number =
+            (address != kNoAddress && tables_.addresses[address].is_block_number) ||
+            (!language_.label_sign.empty() && letter == language_.label_sign);
+        if (!is_number) return at;
+        std::size_t end = at + 1;
+        if (words_.is_blank_insensitive()) end = words_.skip_blanks(end);
+        std::int64_t number = 0;
+        const std::size_t first = end;
+        for (; end < line_.size() && is_digit(line_[end]) && number < 1'000'000'000; ++end)
+            number = number * 10 + (line_[end] - '0');
+        if (end == first) return at;
+        front_.number = number;
+        return words_.skip_blanks(end);
+    }
+
+    std::size_t take_label(std::size_t at) {
+        if (language_.label_sign.empty()) return at;
+        const Word word = words_.word_at(at);
+        if (word.text.size() < 2) return at;
+        const std::size_t end = words_.skip_blanks(at + word.text.size());
+        if (!line_.substr(std::min(end, line_.size())).starts_with(language_.label_sign)) return at;
+        front_.label = word.text;
+        return words_.skip_blanks(end + language_.label_sign.size());
+    }
+
+    void find_statement(std::size_t at) {
+        const Word word = words_.word_at(at);
+        if (word.text.size() < 2) return;
+        const StatementForm* found = nullptr;
+        for (const StatementForm& form : language_.statements) {
+            if (!words_.says(word, form.tokens[0].text)) continue;
+            if (found == nullptr || !is_likely(*found, at + word.text.size())) found = &form;
+        }
+        if (found == nullptr) return;
+        front_.statement = found->statement;
+        front_.closes = found->closes;
+        const bool has_loop = std::ranges::any_of(found->tokens, [](const StatementToken& token) {
+            return token.kind == StatementToken::Kind::Hole &&
+                   token.hole == StatementToken::Hole::Loop;
+        });
+        if (has_loop) front_.loop = number_at_end();
+    }
+
+    /// Of several statements with one keyword: a form is what stands there if its further keywords
+    /// stand in the line, and if something follows where it wants something.
+    bool is_likely(const StatementForm& form, std::size_t at) const {
+        if (form.tokens.size() == 1) return is_empty_from(at);
+        if (is_empty_from(at)) return false;
+        return std::ranges::all_of(
+            std::span(form.tokens).subspan(1), [&](const StatementToken& token) {
+                if (token.is_optional) return true;
+                if (token.kind == StatementToken::Kind::Word) return has_keyword(at, token.text);
+                return token.kind != StatementToken::Kind::Hole ||
+                       token.hole != StatementToken::Hole::Jump || has_jump(at);
+            });
+    }
+    bool is_empty_from(std::size_t at) const {
+        at = words_.skip_blanks(at);
+        return at >= line_.size() || words_.is_comment(at);
+    }
+    bool has_jump(std::size_t at) const {
+        return std::ranges::any_of(language_.statements, [&](const StatementForm& form) {
+            return form.statement >= Statement::Jump && form.statement <= Statement::JumpToStart &&
+                   has_keyword(at, form.tokens[0].text);
+        });
+    }
+    /// Whether the keyword stands somewhere behind, outside of texts and comments.
+    bool has_keyword(std::size_t at, std::string_view keyword) const {
+        while (at < line_.size() && !words_.is_comment(at)) {
+            if (line_[at] == '"') {
+                at = std::min(line_.find('"', at + 1), line_.size() - 1) + 1;
+                continue;
+            }
+            const Word word = words_.word_at(at);
+            if (words_.says(word, keyword)) return true;
+            // Where blanks do not count the keyword may stand inside of letters: `#1THEN`.
+            at += words_.is_blank_insensitive() ? 1 : std::max<std::size_t>(1, word.text.size());
+        }
+        return false;
+    }
+
+    /// The number of the loop stands last.
+    int number_at_end() const {
+        std::size_t end = 0;
+        while (end < line_.size() && !words_.is_comment(end)) ++end;
+        end = words_.trim(0, end);
+        std::size_t begin = end;
+        while (begin > 0 && is_digit(line_[begin - 1])) --begin;
+        int number = 0;
+        for (; begin < end && number < 100000; ++begin) number = number * 10 + (line_[begin] - '0');
+        return number;
+    }
+
+    const DialectTables& tables_;
+    const Language& language_;
+    ControlWords words_;
+    std::string_view line_;
+    LineFront front_;
+};
+
+}  // namespace
+
+LineFront front_of(const DialectTables& tables, std::string_view line) {
+    return Front(tables, line).look();
+}
+
+}  // namespace kadr::nc

@@ -1,0 +1,164 @@
+// control_line.h — one line of a program with the control's own language, compiled.
+//
+// Expressions are flat postfix code; names have become slots and indices. Nothing here is looked
+// up again when the line runs: interp evaluates the code and fills a block, or acts on the
+// statements.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "nc/language.h"
+#include "nc/lexer.h"
+
+namespace kadr::nc {
+
+/// One step of an expression.
+struct Instruction {
+    enum class Kind : std::uint8_t {
+        Number,   // `number`, of type `type`
+        Text,     // ControlLine::texts[index]
+        Vacant,   // no value
+        Global,   // the variable in slot `index`
+        Local,    // the same of the level
+        Family,   // the variable of family `index` whose number is on the stack
+        System,   // the quantity `index`, its indices on the stack
+        Element,  // the declared variable `index`; `count` indices on the stack
+        Operate,  // `operation` on the `count` values on top
+    };
+    Kind kind = Kind::Number;
+    Operation operation = Operation::Add;
+    std::uint8_t count = 0;
+    ValueType type = ValueType::Real;
+    std::uint32_t index = 0;
+    double number = 0;
+};
+
+/// A piece of ControlLine::code.
+struct Expression {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;  // 0: not given
+    Span span;
+    bool is_logical = false;  // the result of a comparison
+    bool is_given() const { return count != 0; }
+};
+
+/// A variable that gets a value: its load, and what puts its indices on the stack.
+struct Reference {
+    Instruction load;
+    Expression indices;
+    Span span;
+    bool is_given() const { return span.end != 0; }
+};
+
+struct JumpTarget {
+    enum class Kind : std::uint8_t { None, Number, Label, Computed };
+    Kind kind = Kind::None;
+    std::int64_t number = 0;
+    std::string label;
+    Expression value;
+    Span span;
+};
+
+/// `NAME[3,4]=SET(1,2)` in a declaration.
+struct Declaration {
+    std::string name;
+    Span span;
+    std::array<Expression, 3> sizes;
+    std::uint8_t dimensions = 0;
+    std::vector<Expression> values;  // one not given: a gap
+    bool fills = false;              // the value goes into all elements
+};
+
+struct ControlStatement {
+    Statement kind = Statement::None;
+    std::uint32_t closes = 0;  // EndLoop: which statements it ends
+    Span span;                 // of the keyword
+    Reference variable;
+    Expression value;   // {value} {condition} {first} {number}
+    Expression second;  // {last} {text}
+    Expression count;
+    JumpTarget target;
+    JumpTarget from;
+    JumpTarget to;
+    int loop = 0;
+    ValueType type = ValueType::Real;
+    Expression type_size;  // characters of a text
+    std::vector<Declaration> declarations;
+    std::vector<Expression> list;  // values for an array from the variable on
+    bool fills = false;
+    /// What an IfDo does; of a Case: the jump of each value of `list`, and the default.
+    std::vector<ControlStatement> inner;
+};
+
+/// A number in a word that is computed, or an argument of a call.
+struct ComputedValue {
+    std::uint16_t word = 0;
+    std::int32_t argument = -1;  // index into LexedLine::arguments; -1: the word itself
+    Expression value;
+};
+
+struct ControlLine {
+    LexedLine words;
+    std::vector<ComputedValue> computed;
+    std::vector<ControlStatement> statements;
+    std::vector<Instruction> code;
+    std::vector<Span> places;  // of the instructions
+    std::vector<std::string> texts;
+
+    void clear();
+};
+
+/// A variable that the program has declared.
+struct Symbol {
+    std::string name;
+    ValueType type = ValueType::Real;
+    std::uint32_t slot = 0;  // of its first element in the store of its level
+    std::uint8_t dimensions = 0;
+    std::array<std::uint32_t, 3> sizes{1, 1, 1};
+    std::uint32_t text_size = 0;
+    std::uint32_t count() const { return sizes[0] * sizes[1] * sizes[2]; }
+};
+
+/// The variables declared so far, by name (in upper case where case does not count).
+class SymbolTable {
+  public:
+    const Symbol* find(std::string_view name) const {
+        const auto found = by_name_.find(name);
+        return found == by_name_.end() ? nullptr : &symbols_[found->second];
+    }
+    std::uint32_t index_of(const Symbol& symbol) const {
+        return static_cast<std::uint32_t>(&symbol - symbols_.data());
+    }
+    const Symbol& at(std::uint32_t index) const { return symbols_[index]; }
+    std::span<const Symbol> all() const { return symbols_; }
+    void add(Symbol symbol) {
+        by_name_.emplace(symbol.name, static_cast<std::uint32_t>(symbols_.size()));
+        symbols_.push_back(std::move(symbol));
+    }
+
+  private:
+    std::vector<Symbol> symbols_;
+    std::map<std::string, std::uint32_t, std::less<>> by_name_;
+};
+
+/// Compiles a line by the language of the dialect. On a fault the line is not to be used.
+std::optional<LineFault> compile_line(const DialectTables& tables, const SymbolTable& symbols,
+                                      std::string_view line, ControlLine& out);
+
+/// What a line is for someone who looks for a place in the program: its targets, and the statement
+/// at its front. Quick: nothing is compiled.
+struct LineFront {
+    std::int64_t number = -1;
+    std::string_view label;  // as it stands in the line
+    Statement statement = Statement::None;
+    std::uint32_t closes = 0;
+    int loop = 0;  // number of the loop, 0 none
+};
+LineFront front_of(const DialectTables& tables, std::string_view line);
+
+}  // namespace kadr::nc

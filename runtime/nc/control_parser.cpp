@@ -1,0 +1,478 @@
+#include <algorithm>
+
+#include "base/diagnostics/control.h"
+#include "base/diagnostics/iso.h"
+#include "base/text.h"
+#include "nc/control_line.h"
+#include "nc/expression_compiler.h"
+
+namespace kadr::nc {
+
+void ControlLine::clear() {
+    words.clear();
+    computed.clear();
+    statements.clear();
+    code.clear();
+    places.clear();
+    texts.clear();
+}
+
+namespace {
+
+/// Reads one line; the lexer asks it wherever the control's language may stand.
+class LineCompiler final : public ValueCompiler, private ExpressionCompiler {
+  public:
+    LineCompiler(const DialectTables& tables, const SymbolTable& symbols, std::string_view line,
+                 ControlLine& out)
+        : ExpressionCompiler(tables, symbols, line, out) {}
+
+    std::optional<LineFault> run() {
+        auto fault = lex_line(tables_, line_, out_.words, language_.is_present ? this : nullptr);
+        if (!fault) fault = check_whole();
+        return fault;
+    }
+
+    // ------------------------------------------------------------ what the lexer asks
+
+    std::optional<LineFault> take_piece(std::size_t& at, bool& was_taken) override {
+        was_taken = false;
+        if (is_plain_word(at)) return {};
+        begin(at);
+        was_taken = take_main_number() || take_statement() || take_assignment();
+        return finish(at, was_taken);
+    }
+
+    bool begins_value(std::size_t at) const override {
+        if (rules_.values_need_assignment) return false;
+        at = words_.skip_blanks(at);
+        if (at < line_.size() && (line_[at] == '-' || line_[at] == '+'))
+            at = words_.skip_blanks(at + 1);
+        return at < line_.size() && (line_[at] == language_.open || words_.begins_variable(at));
+    }
+
+    bool continues(std::size_t at) const override {
+        at = words_.skip_blanks(at);
+        return find_operator(at, false) != nullptr;
+    }
+
+    std::optional<LineFault> take_value(std::size_t& at, std::uint16_t word,
+                                        std::int32_t argument) override {
+        begin(at);
+        ComputedValue value;
+        value.word = word;
+        value.argument = argument;
+        const bool is_operand = !rules_.values_need_assignment;
+        const bool is_fine = is_operand ? take_operand(value.value) : take_expression(value.value);
+        if (is_fine && value.value.is_logical && !rules_.stores_comparisons)
+            fail(diag::ExpressionSyntax, value.value.span);
+        if (!fault_) out_.computed.push_back(value);
+        return finish(at, true);
+    }
+
+  private:
+    /// A letter with its number, as most words are: nothing of the language begins so.
+    bool is_plain_word(std::size_t at) const {
+        const auto is_letter = [](char c) {
+            return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
+        };
+        const char next = at + 1 < line_.size() ? line_[at + 1] : '\0';
+        return is_letter(line_[at]) && !is_letter(next) &&
+               !language_.variable_starts[static_cast<unsigned char>(line_[at])];
+    }
+
+    // ------------------------------------------------------------ assignments
+
+    bool take_assignment() {
+        ControlStatement statement;
+        if (!take_assign(statement)) return fault_.has_value();
+        out_.statements.push_back(std::move(statement));
+        return true;
+    }
+
+    /// False without a fault: no assignment begins here.
+    bool take_assign(ControlStatement& out) {
+        skip();
+        const std::size_t begin = at_;
+        // A named variable stands between brackets, on the left as well: `[#_UO[3]]=1`.
+        const bool is_bracketed =
+            peek() == language_.open && begins_reference(words_.skip_blanks(at_ + 1));
+        if (!is_bracketed && !begins_reference(at_)) return false;
+        if (is_bracketed && !take_open(language_.open)) return false;
+        if (!take_reference(out.variable)) return false;
+        if (is_bracketed && !take_close(language_.close)) return false;
+        skip();
+        if (peek() != '=') return fail_here(diag::AssignmentMissing);
+        ++at_;
+        out.kind = Statement::Assign;
+        if (!take_list(out) && (fault_ || !take_stored(out.value))) return false;
+        out.span = span_from(begin);
+        return true;
+    }
+
+    /// `SET(1,,3)`, `REP(0)`: values for an array.
+    bool take_list(ControlStatement& out) {
+        skip();
+        const Word word = words_.word_at(at_);
+        const auto form = std::ranges::find_if(language_.functions, [&](const FunctionForm& f) {
+            return (f.operation == Operation::List || f.operation == Operation::Fill) &&
+                   words_.says(word, f.name);
+        });
+        if (form == language_.functions.end()) return false;
+        at_ += word.text.size();
+        out.fills = form->operation == Operation::Fill;
+        return take_values(out.list);
+    }
+
+    bool take_values(std::vector<Expression>& out) {
+        if (!take_open(language_.open)) return false;
+        do {
+            if (!out.empty()) ++at_;
+            out.emplace_back();
+            skip();
+            if (peek() != ',' && peek() != language_.close && !take_stored(out.back()))
+                return false;
+            skip();
+        } while (peek() == ',');
+        return take_close(language_.close);
+    }
+
+    // ------------------------------------------------------------ statements
+
+    /// `:10`, a main block.
+    bool take_main_number() {
+        if (language_.label_sign.empty() || !line_.substr(at_).starts_with(language_.label_sign))
+            return false;
+        if (out_.words.number >= 0 || !out_.words.label.empty()) return false;
+        std::size_t at = at_ + language_.label_sign.size();
+        std::int64_t number = 0;
+        const std::size_t first = at;
+        for (; at < line_.size() && line_[at] >= '0' && line_[at] <= '9' && number < 1'000'000'000;
+             ++at)
+            number = number * 10 + (line_[at] - '0');
+        if (at == first || number > tables_.block_numbers.most) return false;
+        out_.words.number = static_cast<std::int32_t>(number);
+        at_ = at;
+        return true;
+    }
+
+    bool take_statement() {
+        ControlStatement statement;
+        if (!take_pattern(statement, [](Statement) { return true; })) return fault_.has_value();
+        out_.statements.push_back(std::move(statement));
+        return true;
+    }
+
+    /// One of the statements that `is_wanted` accepts. False without a fault: none begins here. Of
+    /// several patterns with one keyword the first that fits is taken; if none does, the fault of
+    /// the one that came farthest is told.
+    template <typename IsWanted>
+    bool take_pattern(ControlStatement& out, IsWanted is_wanted) {
+        skip();
+        const std::size_t begin = at_;
+        const Word word = words_.word_at(at_);
+        if (word.text.size() < 2) return false;
+        std::optional<LineFault> farthest;
+        const std::size_t code = out_.code.size();
+        for (const StatementForm& form : language_.statements) {
+            if (!words_.says(word, form.tokens[0].text) || !is_wanted(form.statement)) continue;
+            at_ = begin;
+            depth_ = 0;
+            fault_.reset();
+            out_.code.resize(code);
+            out_.places.resize(code);
+            ControlStatement statement;
+            statement.kind = form.statement;
+            statement.closes = form.closes;
+            statement.span = {static_cast<std::uint32_t>(begin),
+                              static_cast<std::uint32_t>(begin + word.text.size())};
+            if (take_tokens(form, word, statement)) {
+                out = std::move(statement);
+                return true;
+            }
+            if (!farthest || (fault_ && fault_->span.begin > farthest->span.begin))
+                farthest = fault_;
+        }
+        fault_ = std::move(farthest);
+        if (fault_) return false;
+        at_ = begin;
+        return false;
+    }
+
+    bool take_tokens(const StatementForm& form, const Word& keyword, ControlStatement& out) {
+        at_ += words_.length_of(keyword, form.tokens[0].text);
+        for (std::size_t i = 1; i < form.tokens.size(); ++i) {
+            const StatementToken& token = form.tokens[i];
+            skip();
+            switch (token.kind) {
+                case StatementToken::Kind::Word: {
+                    const Word word = words_.word_at(at_);
+                    if (!words_.says(word, token.text)) {
+                        if (token.is_optional) return is_finished();
+                        return fail_here(diag::StatementSyntax);
+                    }
+                    at_ += words_.length_of(word, token.text);
+                    break;
+                }
+                case StatementToken::Kind::Sign:
+                    if (token.is_optional && peek() != token.text[0]) return is_finished();
+                    if (!take_pattern_sign(token.text[0])) return false;
+                    break;
+                case StatementToken::Kind::Hole: {
+                    const StatementToken* next =
+                        i + 1 < form.tokens.size() ? &form.tokens[i + 1] : nullptr;
+                    if (token.is_optional && !begins_hole(token)) break;
+                    if (!take_hole(token.hole, next, out)) {
+                        if (!fault_) fail_here(diag::StatementSyntax);
+                        return false;
+                    }
+                    break;
+                }
+            }
+        }
+        return form.repeats || is_finished();
+    }
+
+    /// Nothing but a comment behind the statement.
+    bool is_finished() {
+        skip();
+        if (is_inner_ || at_ >= line_.size() || words_.is_comment(at_)) return true;
+        return fail_here(rules_.mixes_words ? diag::StatementSyntax : diag::MixedStatement);
+    }
+
+    bool take_pattern_sign(char sign) {
+        if (sign == language_.open) return take_open(sign);
+        if (sign == language_.close) return take_close(sign);
+        return take_sign(sign);
+    }
+
+    bool begins_hole(const StatementToken& token) {
+        using Hole = StatementToken::Hole;
+        if (at_ >= line_.size() || words_.is_comment(at_)) return false;
+        if (token.hole == Hole::To || token.hole == Hole::From) {
+            // `P=3` behind a label is none.
+            const Word word = words_.word_at(at_);
+            const std::size_t next = words_.skip_blanks(at_ + word.text.size());
+            return !word.text.empty() && (next >= line_.size() || line_[next] != '=');
+        }
+        return peek() != language_.close;
+    }
+
+    bool take_hole(StatementToken::Hole hole, const StatementToken* next, ControlStatement& out) {
+        using Hole = StatementToken::Hole;
+        switch (hole) {
+            case Hole::Variable: return take_reference(out.variable);
+            case Hole::Condition:
+                if (!take_expression(out.value)) return false;
+                if (!rules_.stores_comparisons && !out.value.is_logical)
+                    return fail(diag::ExpressionSyntax, out.value.span);
+                return true;
+            case Hole::Value:
+            case Hole::First:
+            case Hole::Number: return take_stored(out.value);
+            case Hole::Last:
+            case Hole::Text: return take_stored(out.second);
+            case Hole::Count: return take_stored(out.count);
+            case Hole::Target: return take_target(out.target);
+            case Hole::From: return take_target(out.from);
+            case Hole::To: return take_target(out.to);
+            case Hole::Loop: return take_loop_number(out);
+            case Hole::Type: return take_type(out);
+            case Hole::Declarations: return take_declarations(out);
+            case Hole::Cases: return take_cases(next, out);
+            case Hole::Jump: return take_inner(out, false);
+            case Hole::Statement: return take_inner(out, true);
+        }
+        return false;
+    }
+
+    bool take_inner(ControlStatement& out, bool is_any) {
+        const auto is_wanted = [](Statement statement) {
+            return statement >= Statement::Jump && statement <= Statement::JumpToStart;
+        };
+        const bool was_inner = is_inner_;
+        is_inner_ = true;
+        ControlStatement inner;
+        bool was_taken = take_pattern(inner, is_wanted);
+        if (!was_taken && !fault_ && is_any) was_taken = take_assign(inner);
+        is_inner_ = was_inner;
+        if (!was_taken) {
+            if (!fault_ && is_any) fail_here(diag::MixedStatement);
+            return false;
+        }
+        out.inner.push_back(std::move(inner));
+        return true;
+    }
+
+    bool take_loop_number(ControlStatement& out) {
+        skip();
+        const std::size_t begin = at_;
+        int number = 0;
+        while (peek() >= '0' && peek() <= '9' && number < 100000)
+            number = number * 10 + (line_[at_++] - '0');
+        if (at_ == begin || number < 1 || number > rules_.loop_numbers)
+            return at_ == begin ? fail_here(diag::LoopNumber)
+                                : fail(diag::LoopNumber, span_from(begin));
+        out.loop = number;
+        return true;
+    }
+
+    /// `100`, `N100`, `LABEL`, or a value that is one of them.
+    bool take_target(JumpTarget& out) {
+        skip();
+        const std::size_t begin = at_;
+        const Word word = words_.word_at(at_);
+        const bool has_labels = !language_.label_sign.empty();
+        if (has_labels && line_.substr(at_).starts_with(language_.label_sign)) ++at_;
+        if (has_labels && !word.text.empty() && !begins_reference(at_)) {
+            at_ += word.text.size();
+            out.kind = JumpTarget::Kind::Label;
+            out.label = words_.normal(word.text);
+            out.span = span_from(begin);
+            const std::int64_t number = words_.block_number(out.label);
+            if (number >= 0) {
+                out.kind = JumpTarget::Kind::Number;
+                out.number = number;
+            }
+            return true;
+        }
+        out.kind = JumpTarget::Kind::Computed;
+        const bool is_fine = has_labels ? take_expression(out.value) : take_operand(out.value);
+        out.span = out.value.span;
+        return is_fine;
+    }
+
+    // ------------------------------------------------------------ declarations
+
+    bool take_type(ControlStatement& out) {
+        const Word word = words_.word_at(at_);
+        const auto found = std::ranges::find_if(language_.types, [&](const TypeName& type) {
+            return words_.is_same(word.text, type.name);
+        });
+        if (found == language_.types.end()) {
+            const std::string known = tables_.unsupported_words(words_.normal(word.text));
+            return known.empty() ? fail_here(diag::StatementSyntax) : fail_unknown(word);
+        }
+        at_ += word.text.size();
+        out.type = found->type;
+        if (found->type != ValueType::Text) return true;
+        return take_open(language_.index_open) && take_stored(out.type_size) &&
+               take_close(language_.index_close);
+    }
+
+    bool take_declarations(ControlStatement& out) {
+        do {
+            if (!out.declarations.empty()) ++at_;
+            out.declarations.emplace_back();
+            if (!take_declaration(out.declarations.back())) return false;
+            skip();
+        } while (peek() == ',');
+        return true;
+    }
+
+    bool take_declaration(Declaration& out) {
+        skip();
+        const Word word = words_.word_at(at_);
+        out.name = words_.normal(word.text);
+        out.span = {static_cast<std::uint32_t>(at_),
+                    static_cast<std::uint32_t>(at_ + std::max<std::size_t>(1, word.text.size()))};
+        if (word.text.empty()) return fail_here(diag::StatementSyntax);
+        if (out.name.size() > 31) return fail(diag::NameTooLong, out.span);
+        const auto is_name_char = [](char c) { return (c >= 'A' && c <= 'Z') || c == '_'; };
+        if (out.name.size() < 2 || !is_name_char(out.name[0]) || !is_name_char(out.name[1]))
+            return fail(diag::NameInvalid, out.span);
+        if (is_taken(out.name, word)) return fail(diag::NameTwice, out.span);
+        at_ += word.text.size();
+        skip();
+        if (peek() == language_.index_open && !take_sizes(out)) return false;
+        skip();
+        if (peek() != '=') return true;
+        ++at_;
+        return take_initial_values(out);
+    }
+
+    bool is_taken(const std::string& name, const Word& word) const {
+        if (symbols_.find(name) != nullptr || tables_.find_address(name) != kNoAddress) return true;
+        const auto same = [&](const auto& form) { return words_.is_same(word.text, form.name); };
+        return std::ranges::any_of(language_.functions, same) ||
+               std::ranges::any_of(language_.variables, same) ||
+               std::ranges::any_of(language_.types, same) ||
+               std::ranges::any_of(language_.statements, [&](const StatementForm& form) {
+                   return words_.is_same(word.text, form.tokens[0].text);
+               });
+    }
+
+    bool take_sizes(Declaration& out) {
+        if (!take_open(language_.index_open)) return false;
+        do {
+            if (out.dimensions > 0) ++at_;
+            if (out.dimensions == 3) return fail_here(diag::IndexWrong);
+            if (!take_stored(out.sizes[out.dimensions++])) return false;
+            skip();
+        } while (peek() == ',');
+        return take_close(language_.index_close);
+    }
+
+    bool take_initial_values(Declaration& out) {
+        ControlStatement list;
+        if (take_list(list)) {
+            out.values = std::move(list.list);
+            out.fills = list.fills;
+            return true;
+        }
+        if (fault_) return false;
+        skip();
+        if (out.dimensions > 0 && peek() == language_.open) return take_values(out.values);
+        out.values.emplace_back();
+        return take_stored(out.values.back());
+    }
+
+    // ------------------------------------------------------------ cases
+
+    bool take_cases(const StatementToken* next, ControlStatement& out) {
+        while (true) {
+            skip();
+            if (at_ >= line_.size() || words_.is_comment(at_)) return !out.list.empty();
+            if (next != nullptr && words_.says(words_.word_at(at_), next->text)) return true;
+            out.list.emplace_back();
+            if (!take_operand(out.list.back()) || !take_inner(out, false)) return false;
+        }
+    }
+
+    // ------------------------------------------------------------ the whole
+
+    std::optional<LineFault> check_whole() {
+        const std::vector<ControlStatement>& statements = out_.statements;
+        if (statements.empty()) return {};
+        const bool has_words = !out_.words.words.empty();
+        const auto fault = [](const DiagnosticRow& row, Span span) {
+            return LineFault{&row, span, {}};
+        };
+        const bool are_assignments = std::ranges::all_of(
+            statements, [](const ControlStatement& s) { return s.kind == Statement::Assign; });
+        if (!rules_.mixes_words && (has_words || statements.size() > 1))
+            return fault(diag::MixedStatement,
+                         statements.size() > 1 ? statements[1].span : statements[0].span);
+        const bool are_jumps = std::ranges::all_of(
+            statements, [](const ControlStatement& s) { return s.kind == Statement::IfDo; });
+        if (!are_assignments && (has_words || (statements.size() > 1 && !are_jumps)))
+            return fault(diag::MixedStatement, statements.back().span);
+        const bool is_structure =
+            statements[0].kind >= Statement::If && statements[0].kind <= Statement::Until;
+        if (is_structure && rules_.mixes_words &&
+            (out_.words.skip >= 0 || !out_.words.label.empty()))
+            return fault(diag::StructureWithLabel, statements[0].span);
+        return {};
+    }
+
+    bool is_inner_ = false;
+};
+
+}  // namespace
+
+std::optional<LineFault> compile_line(const DialectTables& tables, const SymbolTable& symbols,
+                                      std::string_view line, ControlLine& out) {
+    out.clear();
+    return LineCompiler(tables, symbols, line, out).run();
+}
+
+}  // namespace kadr::nc

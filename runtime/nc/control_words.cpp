@@ -1,0 +1,115 @@
+#include "nc/control_words.h"
+
+#include <algorithm>
+
+#include "base/text.h"
+
+namespace kadr::nc {
+
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; }
+
+}  // namespace
+
+ControlWords::ControlWords(const DialectTables& tables, std::string_view line)
+    : tables_(tables), line_(line), comment_(tables.comment.open) {
+    while (comment_.ends_with(' ')) comment_.remove_suffix(1);
+}
+
+std::size_t ControlWords::skip_blanks(std::size_t at) const {
+    while (at < line_.size() && is_blank(line_[at])) ++at;
+    return at;
+}
+
+std::size_t ControlWords::trim(std::size_t begin, std::size_t end) const {
+    end = std::min(end, line_.size());
+    while (end > begin && is_blank(line_[end - 1])) --end;
+    return end;
+}
+
+char ControlWords::upper(char c) const {
+    const bool is_small = c >= 'a' && c <= 'z';
+    return is_small && tables_.rules.ignores_case ? static_cast<char>(c - 'a' + 'A') : c;
+}
+
+std::string ControlWords::normal(std::string_view text) const {
+    return tables_.rules.ignores_case ? upper_ascii(text) : std::string(text);
+}
+
+bool ControlWords::is_comment(std::size_t at) const {
+    return at < line_.size() && line_.substr(at).starts_with(comment_);
+}
+
+Word ControlWords::word_at(std::size_t at) const {
+    Word word{at, {}};
+    if (at >= line_.size()) return word;
+    std::size_t end = at;
+    const bool is_sign = line_[at] == '#' || line_[at] == '$';
+    if (is_sign) ++end;
+    const bool has_name = end < line_.size() && is_letter(line_[end]);
+    // Behind a sign a name keeps its digits everywhere: `#_WZG54`.
+    const bool has_digits = has_name && (is_sign || !is_blank_insensitive());
+    while (has_name && end < line_.size() &&
+           (is_letter(line_[end]) || (has_digits && is_digit(line_[end]))))
+        ++end;
+    word.text = line_.substr(at, end - at);
+    return word;
+}
+
+bool ControlWords::is_same(std::string_view a, std::string_view b) const {
+    return std::ranges::equal(a, b, [this](char x, char y) { return upper(x) == upper(y); });
+}
+
+bool ControlWords::starts_with(std::size_t at, std::string_view text) const {
+    return at <= line_.size() && is_same(line_.substr(at, text.size()), text);
+}
+
+bool ControlWords::says_operator(const Word& word, std::string_view text) const {
+    if (!is_blank_insensitive()) return is_same(word.text, text);
+    return is_same(word.text.substr(0, text.size()), text);
+}
+
+bool ControlWords::says(const Word& word, std::string_view keyword) const {
+    if (word.text.empty()) return false;
+    if (says_operator(word, keyword)) return true;
+    const auto shortest = static_cast<std::size_t>(tables_.language.rules.short_words);
+    return shortest != 0 && word.text.size() >= shortest && word.text.size() < keyword.size() &&
+           is_same(keyword.substr(0, word.text.size()), word.text);
+}
+
+std::size_t ControlWords::length_of(const Word& word, std::string_view keyword) const {
+    return std::min(word.text.size(), keyword.size());
+}
+
+bool ControlWords::begins_variable(std::size_t at) const {
+    if (at >= line_.size()) return false;
+    const Language& language = tables_.language;
+    const Word word = word_at(at);
+    for (const VariableForm& form : language.variables) {
+        const char first = form.name[0];
+        if (!starts_with(at, form.name.substr(0, 1))) continue;
+        if (first == '#' || first == '$') return true;
+        if (!form.is_family || !starts_with(at, form.name)) continue;
+        const std::string_view digits =
+            word.text.substr(std::min(form.name.size(), word.text.size()));
+        const std::size_t next = skip_blanks(at + word.text.size());
+        const bool has_index = next < line_.size() && line_[next] == language.index_open;
+        if (digits.empty() ? has_index : std::ranges::all_of(digits, is_digit)) return true;
+    }
+    return false;
+}
+
+std::int64_t ControlWords::block_number(std::string_view name) const {
+    if (name.size() < 2 || !std::ranges::all_of(name.substr(1), is_digit)) return -1;
+    const AddressId address = tables_.find_address(name.substr(0, 1));
+    if (address == kNoAddress || !tables_.addresses[address].is_block_number) return -1;
+    std::int64_t number = 0;
+    for (const char c : name.substr(1))
+        number = std::min<std::int64_t>(number * 10 + (c - '0'), 1'000'000'000);
+    return number;
+}
+
+}  // namespace kadr::nc

@@ -1,0 +1,114 @@
+// expression_compiler.h — expressions of the control's own language → flat code of a ControlLine.
+//
+// A cursor in one line, what expressions are made of, and variables as targets of assignments.
+// Statements are built upon it in control_parser.cpp.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/diagnostics/control.h"
+#include "nc/control_line.h"
+#include "nc/control_words.h"
+
+namespace kadr::nc {
+
+class ExpressionCompiler {
+  protected:
+    ExpressionCompiler(const DialectTables& tables, const SymbolTable& symbols,
+                       std::string_view line, ControlLine& out)
+        : tables_(tables),
+          language_(tables.language),
+          rules_(tables.language.rules),
+          symbols_(symbols),
+          words_(tables, line),
+          line_(line),
+          out_(out) {}
+
+    // ------------------------------------------------------------ the cursor
+
+    void begin(std::size_t at);
+    std::optional<LineFault> finish(std::size_t& at, bool was_taken);
+    char peek() const;
+    void skip();
+    Span span_from(std::size_t begin) const;
+    bool fail(const DiagnosticRow& row, Span span);
+    bool fail_here(const DiagnosticRow& row);
+
+    // ------------------------------------------------------------ code
+
+    void emit(const Instruction& instruction, std::size_t begin);
+    void emit_number(double number, ValueType type, std::size_t begin);
+    void emit_operation(Operation operation, int count, std::size_t begin);
+    /// Takes what `parse` takes as an expression of its own.
+    template <typename Parse>
+    bool take_as_expression(Expression& out, Parse parse) {
+        skip();
+        const std::size_t begin = at_;
+        out.first = static_cast<std::uint32_t>(out_.code.size());
+        bool is_logical = false;
+        if (!parse(is_logical)) return false;
+        out.count = static_cast<std::uint32_t>(out_.code.size()) - out.first;
+        out.span = span_from(begin);
+        out.is_logical = is_logical;
+        return true;
+    }
+    bool take_expression(Expression& out);
+    bool take_operand(Expression& out);
+    /// A value that is no comparison where the control does not store such.
+    bool take_stored(Expression& out);
+
+    // ------------------------------------------------------------ operators
+    const OperatorForm* find_operator(std::size_t at, bool is_prefix) const;
+    /// Operators of this level and those that bind stronger, from left to right.
+    bool take_level(int level, bool& is_logical);
+    bool take_primary(bool& is_logical);
+    bool take_sign(char sign);
+    bool take_open(char sign);
+    bool take_close(char sign);
+    bool take_bracket(bool& is_logical);
+
+    // ------------------------------------------------------------ constants
+    bool take_number();
+    /// `1.5EX-3`
+    bool take_exponent(double& value);
+    /// `'HFF'`, `'B1011'`
+    bool take_coded_number();
+    bool take_text();
+
+    // ------------------------------------------------------------ names
+    bool take_name(const Word& word);
+    bool fail_unknown(const Word& word);
+    /// The function whose first form was found; which form it is the arguments tell.
+    bool take_function(const Word& word, const FunctionForm& found);
+    bool has_divided_form(const FunctionForm& found) const;
+
+    // ------------------------------------------------------------ variables
+    bool take_variable();
+    /// The code of the indices goes out at once; the load is left to the caller.
+    bool take_reference(Reference& out);
+    /// `#1`, `#[expression]`, `R5`
+    bool take_family(const Word& word, Reference& out);
+    bool place_in_family(const VariableForm& form, std::size_t family, std::int64_t number,
+                         std::size_t begin, Instruction& load);
+    bool fail_unsupported(const VariableRange& range, std::size_t begin);
+    /// `$P_EP[X]`, `$PI`, `TRUE`, `#_ABSIO[1]`
+    bool take_named(const Word& word, Reference& out);
+    bool take_indices(const VariableForm& form);
+    bool take_index(const IndexHole& hole);
+    bool take_symbol(const Word& word, Reference& out);
+    bool begins_reference(std::size_t at) const;
+
+    const DialectTables& tables_;
+    const Language& language_;
+    const LanguageRules& rules_;
+    const SymbolTable& symbols_;
+    ControlWords words_;
+    std::string_view line_;
+    ControlLine& out_;
+    std::size_t at_ = 0;
+    int depth_ = 0;
+    std::optional<LineFault> fault_;
+};
+
+}  // namespace kadr::nc

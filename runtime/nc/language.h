@@ -1,0 +1,215 @@
+// language.h — the control's own parametric language, as its dialect describes it.
+//
+// What operators, functions, statements and variables mean is the closed vocabulary of
+// language.def; how they are spelled is loaded from <language> into the tables below. The compiler
+// of lines (control_parser.h) reads text by them, interp executes.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/source.h"
+
+namespace kadr::nc {
+
+enum class Operation : std::uint8_t {
+#define KADR_OPERATION(id, name, least, most, meaning) id,
+#include "nc/language.def"
+#undef KADR_OPERATION
+};
+
+enum class Statement : std::uint8_t {
+#define KADR_STATEMENT(id, name, meaning) id,
+#include "nc/language.def"
+#undef KADR_STATEMENT
+};
+
+enum class Quantity : std::uint8_t {
+#define KADR_QUANTITY(id, name, indices, access, meaning) id,
+#include "nc/language.def"
+#undef KADR_QUANTITY
+};
+
+struct OperationInfo {
+    std::string_view name;
+    int least_arguments;
+    int most_arguments;
+    std::string_view meaning;
+};
+const OperationInfo& info(Operation operation);
+std::span<const OperationInfo> all_operations();
+
+struct StatementInfo {
+    std::string_view name;
+    std::string_view meaning;
+};
+const StatementInfo& info(Statement statement);
+std::span<const StatementInfo> all_statements();
+
+struct QuantityInfo {
+    enum class Access : std::uint8_t { Read, Write, Both };
+    std::string_view name;
+    int indices;
+    Access access;
+    std::string_view meaning;
+};
+const QuantityInfo& info(Quantity quantity);
+std::span<const QuantityInfo> all_quantities();
+
+struct LanguageRules {
+#define KADR_LANGUAGE_RULE(type, field, standard, values, meaning, source) type field = standard;
+#include "nc/language.def"
+#undef KADR_LANGUAGE_RULE
+};
+
+/// A row of the rules, for documentation and for the check of dialect files.
+struct LanguageRuleInfo {
+    std::string_view name;
+    std::string_view values;
+    std::string_view meaning;
+    std::string_view source;
+};
+std::span<const LanguageRuleInfo> all_language_rules();
+/// Sets one rule from its text. False: there is no such rule, or it cannot have that value.
+bool set_language_rule(LanguageRules& rules, std::string_view name, std::string_view value);
+
+/// What a variable holds.
+enum class ValueType : std::uint8_t { Real, Int, Bool, Char, Text };
+
+struct OperatorForm {
+    Operation operation = Operation::Add;
+    std::string text;  // `+`, `MOD`
+    int level = 0;     // 1 binds strongest
+    bool is_prefix = false;
+    bool is_word = false;  // letters
+};
+
+struct FunctionForm {
+    Operation operation = Operation::Sine;
+    std::string name;
+    int arguments = 1;
+    bool is_divided = false;  // `ATAN[{a}]/[{b}]`
+    std::string form;
+    std::string doc;
+};
+
+/// What the numbers `first` to `last` of a family of variables are, or a named variable.
+struct VariableRange {
+    enum class Kind : std::uint8_t {
+        Global,       // a store of the whole run
+        Local,        // one of each level of calls
+        Constant,     // `value`, read only
+        System,       // a quantity of the interpreter
+        Unsupported,  // the control has it and Kadr does not
+    };
+    Kind kind = Kind::Global;
+    std::int64_t first = 0;
+    std::int64_t last = 0;
+    ValueType type = ValueType::Real;
+    bool is_vacant = false;  // Constant: the value is "vacant"
+    double value = 0;        // Constant
+    Quantity quantity = Quantity::None;
+    std::int64_t start = 1;   // System: the index that `first` stands for
+    std::int64_t stride = 0;  // System with two indices: so many numbers an index
+    std::uint32_t slot = 0;   // Global, Local: of `first` in its store
+    std::string meaning;      // for explanations and messages
+};
+
+/// One index of a named variable.
+struct IndexHole {
+    enum class Kind : std::uint8_t { Number, Axis, Word };
+    Kind kind = Kind::Number;
+    std::string word;  // Kind::Word: must stand there, `TR`
+};
+
+/// `#{n}`, `R{n}`, `$P_EP[{axis}]`, `#_ABSIO[{n}]`.
+struct VariableForm {
+    std::string form;
+    std::string name;        // the letters before the number or the indices
+    bool is_family = false;  // a number stands behind the name, or an index in brackets
+    std::vector<IndexHole> indices;
+    std::vector<VariableRange> ranges;  // of a family by number; a named variable has one
+    SourceRange range;                  // in the file
+};
+
+/// One piece of the pattern of a statement.
+struct StatementToken {
+    enum class Kind : std::uint8_t { Word, Sign, Hole };
+    enum class Hole : std::uint8_t {
+        Variable,
+        Value,
+        Condition,
+        Target,
+        Loop,
+        First,
+        Last,
+        Number,
+        Text,
+        Count,
+        From,
+        To,
+        Type,
+        Declarations,
+        Cases,
+        Jump,
+        Statement,
+    };
+    Kind kind = Kind::Word;
+    Hole hole = Hole::Value;
+    bool is_optional = false;  // the rest of the pattern from this piece on may be left out
+    std::string text;          // Word, Sign
+};
+
+struct StatementForm {
+    Statement statement = Statement::None;
+    std::string form;
+    std::vector<StatementToken> tokens;
+    std::uint32_t closes = 0;  // EndLoop: a bit for each statement that it ends
+    bool repeats = false;      // the same may follow in the block (IfDo)
+    std::string doc;
+};
+
+struct TypeName {
+    std::string name;
+    ValueType type = ValueType::Real;
+};
+
+/// `G1 G2 G3`: the codes of a group in the order of the numbers that a program asks for.
+struct CodeList {
+    std::string group;
+    std::vector<std::string> codes;
+};
+
+/// The whole language of a control.
+struct Language {
+    bool is_present = false;
+    char open = '(';  // brackets of expressions
+    char close = ')';
+    char index_open = '[';  // of indices
+    char index_close = ']';
+    std::string label_sign;  // behind a label, `:`; empty: block numbers are the only targets
+    std::string end_label;   // ends the section of a repeat
+    LanguageRules rules;
+    std::vector<OperatorForm> operators;
+    std::vector<FunctionForm> functions;
+    std::vector<VariableForm> variables;
+    std::vector<StatementForm> statements;
+    std::vector<TypeName> types;
+    std::vector<CodeList> code_lists;
+    // Made when it is loaded.
+    std::uint32_t global_slots = 0;
+    std::uint32_t local_slots = 0;
+    int lowest_level = 0;              // of the operators: the number of the weakest
+    std::bitset<128> variable_starts;  // first letters of variables
+};
+
+/// The range that holds the number; nullptr if the family has no such variable.
+const VariableRange* find_range(const VariableForm& family, std::int64_t number);
+
+}  // namespace kadr::nc

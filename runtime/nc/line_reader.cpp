@@ -1,0 +1,683 @@
+#include "nc/line_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/diagnostics/iso.h"
+#include "base/numbers.h"
+#include "base/text.h"
+
+namespace kadr::nc {
+
+namespace {
+
+bool is_digit(char c) { return static_cast<unsigned char>(c - '0') <= 9; }
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+/// Whether no number of the format needs a second look.
+bool is_literal(const NumberFormat& format) {
+    return format.increment == 0 && format.inch_increment == 0 &&
+           format.revolution_increment == 0 && !format.truncates && format.max_digits == 0 &&
+           format.point == PointRule::Needed && format.allows_minus;
+}
+
+/// A number as nearly all are: `-12.345`, no more than 15 digits, whose value is then the exact
+/// quotient of two exact numbers. False: it is another one, and `p` is where it was.
+inline bool take_short_number(const char*& p, const char* end, double& value) {
+    constexpr std::array<double, 16> kPowersOfTen = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                     1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+    const char* at = p;
+    const bool is_negative = at != end && *at == '-';
+    if (is_negative) ++at;
+    const char* const first = at;
+    std::uint64_t mantissa = 0;
+    for (; at != end && is_digit(*at); ++at)
+        mantissa = mantissa * 10 + static_cast<std::uint64_t>(*at - '0');
+    std::ptrdiff_t digits = at - first;
+    std::ptrdiff_t decimals = 0;
+    if (at != end && *at == '.') {
+        const char* const point = at++;
+        for (; at != end && is_digit(*at); ++at)
+            mantissa = mantissa * 10 + static_cast<std::uint64_t>(*at - '0');
+        decimals = at - point - 1;
+        digits += decimals;
+    }
+    if (digits == 0 || digits > 15) return false;
+    value = static_cast<double>(mantissa) / kPowersOfTen[static_cast<std::size_t>(decimals)];
+    if (is_negative) value = -value;
+    p = at;
+    return true;
+}
+
+}  // namespace
+
+LineReader::LineReader(const Dialect& dialect, std::string name, DiagnosticSink& sink)
+    : dialect_(dialect), tables_(dialect.tables()), name_(std::move(name)), sink_(sink) {
+    for (std::size_t letter = 0; letter < letters_.size(); ++letter) prepare(letter);
+    modal_ = tables_.power_on;
+    modal_[static_cast<std::size_t>(Group::Motion)] = Function::None;
+    last_forms_.assign(tables_.groups.size(), kNoForm);
+    follow_units();
+}
+
+/// Whether a word of the address means its slot but under certain motions, which are noted.
+bool LineReader::are_of_motions(const Address& address) {
+    for (const FormId id : address.forms) {
+        const std::vector<Function>& during = tables_.forms[id].during;
+        const bool is_of_motion = during.size() == 1 && info(during[0]).group == Group::Motion;
+        if (!is_of_motion) return false;
+        closely_read_.set(static_cast<std::size_t>(during[0]));
+    }
+    return true;
+}
+void LineReader::prepare(std::size_t letter) {
+    const AddressId id = tables_.letters[letter];
+    FastLetter& fast = letters_[letter];
+    if (id != kNoAddress) {
+        const Address& address = tables_.addresses[id];
+        fast.address = id;
+        fast.format = &address.format;
+        fast.dimension = address.dimension;
+        fast.is_literal = is_literal(address.format);
+        if (address.is_block_number) {
+            fast.kind = FastLetter::Kind::Number;
+        } else if (address.kind == Address::Kind::Code) {
+            fast.kind = FastLetter::Kind::Code;
+        } else if (address.slot >= 0 && !address.is_incremental && are_of_motions(address) &&
+                   tables_.code_index[id].empty()) {
+            fast.kind = FastLetter::Kind::Slot;
+            fast.slot = static_cast<Slot>(address.slot);
+        }
+    }
+    if (letter >= 'A' && letter <= 'Z' && tables_.rules.ignores_case) letters_[letter + 32] = fast;
+}
+
+// ---------------------------------------------------------------- lines
+
+LineReader::LineKind LineReader::kind_of(std::string_view line) {
+    while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
+    while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
+    if (line.empty()) return LineKind::Nothing;
+    const std::vector<std::string>& ends = tables_.program.end;
+    if (has_content_ && std::ranges::find(ends, line) != ends.end()) has_ended_ = true;
+    if (has_ended_) return LineKind::Nothing;
+    const bool is_header = std::ranges::any_of(
+        tables_.program.skipped, [&](const std::string& front) { return line.starts_with(front); });
+    if (!is_header) return LineKind::Words;
+    if (!has_content_) return LineKind::Nothing;
+    // Where a mark ends the text, another program may begin before it.
+    has_ended_ = !ends.empty();
+    return has_ended_ ? LineKind::Nothing : LineKind::Misplaced;
+}
+
+bool LineReader::read_plain(std::string_view line, Block& block) {
+    if (!read_fast(line, block)) {
+        block.reset();
+        return false;
+    }
+    has_content_ = true;
+    // Later forms depend on modal functions: G68 on its plane, G53 on absolute dimensions.
+    if (block.function_count != 0) follow_modal(block, modal_);
+    return true;
+}
+
+bool LineReader::has_words(std::string_view line) {
+    const LineKind kind = kind_of(line);
+    if (kind == LineKind::Misplaced) {
+        const std::size_t begin = line.find_first_not_of(" \t");
+        const auto at = static_cast<std::uint32_t>(begin);
+        report(line, LineFault{&diag::IsoSyntax, {at, at + 1}, {std::string(1, line[begin])}});
+    }
+    return kind == LineKind::Words;
+}
+
+bool LineReader::read_known(std::string_view line, Block& block) {
+    if (!read_verbatim(line, block)) return false;
+    has_content_ = true;
+    follow_modal(block, modal_);
+    return true;
+}
+
+bool LineReader::read(std::string_view line, std::uint64_t number, Block& block) {
+    begin(number);
+    if (read_plain(line, block)) return true;
+    if (!has_words(line)) return false;
+    if (read_slow(line, block)) {
+        has_content_ |= block.kind != Block::Kind::Comment;
+        follow(block);
+        return true;
+    }
+    note_fault();
+    return false;
+}
+
+bool LineReader::read_words(std::string_view line, ControlLine& compiled,
+                            std::span<const WordValue> values, Block& block, MatchedLine* known) {
+    lexed_ = &compiled.words;
+    set_values(compiled, values);
+    has_content_ = true;
+    const bool is_whole = std::ranges::none_of(
+        values, [](const WordValue& value) { return value.kind == WordValue::Kind::Vacant; });
+    const bool is_known =
+        known != nullptr && known->is_valid && is_whole && known->before == modal_;
+    if (is_known) recall(*known, block);
+    const bool is_fine =
+        is_known ? apply(block, line) : fill(line, block, is_whole ? known : nullptr, &compiled);
+    if (!is_fine) {
+        note_fault();
+        return false;
+    }
+    follow_modal(block, modal_);
+    return true;
+}
+
+/// The block as the words were understood before; the values are to be put in.
+void LineReader::recall(const MatchedLine& known, Block& block) {
+    const Block& shape = known.shape;
+    block.skip = shape.skip;
+    block.number = shape.number;
+    block.motion = shape.motion;
+    block.incremental = shape.incremental;
+    block.absolute = shape.absolute;
+    block.cycle = shape.cycle;
+    block.function_count = shape.function_count;
+    block.argument_count = shape.argument_count;
+    std::copy_n(shape.functions.begin(), shape.function_count, block.functions.begin());
+    std::copy_n(shape.arguments.begin(), shape.argument_count, block.arguments.begin());
+    if (!lexed_->comment.empty()) block.comment = lexed_->comment;
+    if (!lexed_->text.empty()) block.text = lexed_->text;
+    std::ranges::copy(known.claims, match_.claims.begin());
+    std::ranges::copy(known.forms, match_.forms.begin());
+    match_.claim_count = known.claims.size();
+    match_.form_count = known.forms.size();
+}
+
+/// Only lines of which no computed value decides what they say.
+void LineReader::remember(const ControlLine& compiled, const Block& block,
+                          MatchedLine& known) const {
+    known.is_valid = !compiled.words.words.empty() &&
+                     std::ranges::all_of(compiled.computed, [&](const ComputedValue& computed) {
+                         if (computed.argument >= 0) return false;
+                         const AddressId id = compiled.words.words[computed.word].address;
+                         const Address& address = tables_.addresses[id];
+                         return address.kind == Address::Kind::Value && address.slot >= 0 &&
+                                address.forms.empty() && tables_.code_index[id].empty();
+                     });
+    if (!known.is_valid) return;
+    known.before = modal_;
+    known.shape = block;
+    known.claims.assign(match_.claims.begin(),
+                        match_.claims.begin() + static_cast<std::ptrdiff_t>(match_.claim_count));
+    known.forms.assign(match_.forms.begin(),
+                       match_.forms.begin() + static_cast<std::ptrdiff_t>(match_.form_count));
+}
+
+/// Puts computed values into the words; a word that is vacant is none.
+void LineReader::set_values(ControlLine& compiled, std::span<const WordValue> values) {
+    LexedLine& lexed = compiled.words;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const ComputedValue& computed = compiled.computed[i];
+        const WordValue& value = values[i];
+        if (value.kind == WordValue::Kind::Text) lexed.text = value.text;
+        if (computed.argument >= 0) {
+            GivenArgument& argument = lexed.arguments[static_cast<std::size_t>(computed.argument)];
+            argument.kind = value.kind == WordValue::Kind::Text     ? GivenArgument::Kind::Text
+                            : value.kind == WordValue::Kind::Vacant ? GivenArgument::Kind::Empty
+                                                                    : GivenArgument::Kind::Number;
+            argument.number = value.number;
+            continue;
+        }
+        GivenWord& word = lexed.words[computed.word];
+        word.is_computed = true;
+        word.is_left_out = value.kind == WordValue::Kind::Vacant;
+        word.is_text = value.kind == WordValue::Kind::Text;
+        word.is_known = value.kind == WordValue::Kind::Number;
+        word.number = whole_if_needed(word.address, value.number);
+        Decimal& decimal = lexed.decimals[computed.word];
+        decimal = {};
+        decimal.value = word.number;
+        decimal.has_point = true;
+        lexed.minus[computed.word] = word.number < 0;
+    }
+}
+
+/// Codes and addresses that take whole numbers get one: `M[3.5]` is M4.
+double LineReader::whole_if_needed(AddressId id, double value) const {
+    const Address& address = tables_.addresses[id];
+    const bool is_whole = address.kind == Address::Kind::Code
+                              ? !has_decimal_codes(id)
+                              : address.format.point == PointRule::Never;
+    return is_whole ? std::round(value) : value;
+}
+
+bool LineReader::has_decimal_codes(AddressId id) const {
+    const std::vector<std::uint16_t>& index = tables_.code_index[id];
+    for (std::size_t i = 0; i < index.size(); ++i) {
+        if (index[i] != 0 && i % 10 != 0) return true;
+    }
+    return false;
+}
+
+int LineReader::value_decimals(const ControlLine& line, std::size_t computed) const {
+    const ComputedValue& value = line.computed[computed];
+    if (value.argument >= 0) return 0;
+    const Address& address = tables_.addresses[line.words.words[value.word].address];
+    return text_decimals(address.format, address.dimension, units_);
+}
+
+/// A computed value as the control takes it: rounded to the increment of its address, halves away
+/// from zero.
+double LineReader::rounded(double value, const NumberFormat& format, Dimension dimension) const {
+    if (!tables_.language.rules.rounds_values) return value;
+    const double power = std::pow(10.0, text_decimals(format, dimension, units_));
+    return std::round(value * power) / power;
+}
+
+void LineReader::report_too_long(std::string_view line, std::uint64_t number) {
+    begin(number);
+    const auto shown = static_cast<std::uint32_t>(std::min<std::size_t>(line.size(), 1));
+    report(line.substr(0, 80),
+           LineFault{&diag::IsoLineTooLong, {0, shown}, {std::to_string(tables_.rules.max_line)}});
+}
+
+/// Gives up on anything that needs a second look; the slow way reads the line again from its start.
+bool LineReader::read_fast(std::string_view line, Block& block) const {
+    const char* p = line.data();
+    const char* const end = p + line.size();
+    std::uint32_t groups = 0;
+    bool has_word = false;
+    const Function motion = modal_[static_cast<std::size_t>(Group::Motion)];
+    if (closely_read_[static_cast<std::size_t>(motion)]) return false;
+    while (true) {
+        while (p != end && is_blank(*p)) ++p;
+        if (p == end) return has_word;
+        const auto letter = static_cast<unsigned char>(*p);
+        if (letter >= 128) return false;
+        const FastLetter& fast = letters_[letter];
+        ++p;
+        if (fast.kind == FastLetter::Kind::Slot) {
+            if (block.has(fast.slot)) return false;
+            double meaning = 0;
+            if (!fast.is_literal || !take_short_number(p, end, meaning)) {
+                const Decimal decimal = parse_decimal(p, end);
+                if (decimal.end == p) return false;
+                const bool is_minus = *p == '-';
+                p = decimal.end;
+                meaning = read_meaning(decimal, *fast.format, fast.dimension, units_);
+                if (check_read(decimal, is_minus, meaning, *fast.format, fast.dimension, units_) !=
+                    NumberFault::None)
+                    return false;
+            }
+            if (p != end && (*p == '=' || *p == 'E' || *p == 'e' || *p == '#' || *p == '['))
+                return false;
+            const double scale = slot_scales_[static_cast<std::size_t>(fast.dimension)];
+            block.set(fast.slot, scale == 1 ? meaning : meaning / scale);
+        } else if (fast.kind == FastLetter::Kind::Code) {
+            std::size_t code = 0;
+            const char* const digits = p;
+            while (p != end && is_digit(*p) && p - digits < 4)
+                code = code * 10 + static_cast<std::size_t>(*p++ - '0');
+            if (p == digits || (p != end && (*p == '.' || *p == '=' || is_digit(*p)))) return false;
+            const std::vector<std::uint16_t>& index = tables_.code_index[fast.address];
+            if (code * 10 >= index.size() || index[code * 10] == 0) return false;
+            const Code& known = tables_.codes[index[code * 10] - 1u];
+            if (!known.is_plain) return false;
+            const Group group = info(known.function).group;
+            const std::uint32_t mask = 1u << static_cast<unsigned>(group);
+            // What changes the meaning of numbers, and groups said twice, are looked at closely.
+            if (group == Group::Units || group == Group::FeedMode || group == Group::SpeedMode)
+                return false;
+            if ((groups & mask) != 0) return false;
+            groups |= mask;
+            if (group == Group::Motion) {
+                block.motion = known.function;
+            } else if (!block.add(known.function)) {
+                return false;
+            }
+        } else if (fast.kind == FastLetter::Kind::Number && block.number < 0 && !has_word) {
+            std::int32_t number = 0;
+            const char* const digits = p;
+            while (p != end && is_digit(*p) && p - digits < 8) number = number * 10 + (*p++ - '0');
+            if (p == digits || (p != end && is_digit(*p)) || number > tables_.block_numbers.most)
+                return false;
+            block.number = number;
+        } else {
+            return false;
+        }
+        // A blank may stand inside a number, or a name begin with a known letter.
+        if (p != end && (is_digit(*p) || *p == '.')) return false;
+        if (tables_.rules.blanks_inside_words && p != end && is_blank(*p)) {
+            const char* next = p;
+            while (next != end && is_blank(*next)) ++next;
+            if (next != end && (is_digit(*next) || *next == '.')) return false;
+        }
+        has_word = true;
+    }
+}
+
+/// A line of the control's own language that the dialect knows by its letters.
+bool LineReader::read_verbatim(std::string_view line, Block& block) const {
+    if (tables_.verbatim_forms.empty()) return false;
+    const char* begin = line.data();
+    const char* const end = begin + line.size();
+    const auto skip_blanks = [&] {
+        while (begin != end && is_blank(*begin)) ++begin;
+    };
+    skip_blanks();
+    std::int8_t skip = -1;
+    if (begin != end && *begin == '/') {
+        ++begin;
+        skip = static_cast<std::int8_t>(tables_.rules.default_skip);
+        if (begin != end && is_digit(*begin)) skip = static_cast<std::int8_t>(*begin++ - '0');
+        skip_blanks();
+    }
+    std::int32_t number = -1;
+    if (begin != end && *begin == 'N') {
+        const Decimal decimal = parse_decimal(begin + 1, end);
+        if (decimal.end == begin + 1 || decimal.has_point || decimal.value > 99999999) return false;
+        number = static_cast<std::int32_t>(decimal.value);
+        begin = decimal.end;
+    }
+    for (const FormId id : tables_.verbatim_forms) {
+        const Form& form = tables_.forms[id];
+        if (!match_verbatim(form, {begin, end}, block)) continue;
+        block.number = number;
+        block.skip = skip;
+        return true;
+    }
+    return false;
+}
+
+/// Fills the block if the text has the letters of the form and numbers between them; blanks do not
+/// count.
+bool LineReader::match_verbatim(const Form& form, std::string_view text, Block& block) const {
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    const auto skip = [](const char*& p, const char* last) {
+        while (p != last && is_blank(*p)) ++p;
+    };
+    std::array<double, 32> values{};
+    std::uint32_t given = 0;
+    for (const FormWord& word : form.words) {
+        const char* letter = word.text.data();
+        const char* const last = letter + word.text.size();
+        for (skip(letter, last); letter != last; skip(letter, last)) {
+            skip(at, end);
+            if (at == end || *at != *letter) return false;
+            ++at;
+            ++letter;
+        }
+        if (word.parameter < 0) continue;
+        skip(at, end);
+        const Decimal decimal = parse_decimal(at, end);
+        if (decimal.end == at) return false;
+        at = decimal.end;
+        const auto parameter = static_cast<std::size_t>(word.parameter);
+        const double scale = text_scale(word.dimension, units_, false);
+        const double value = (decimal.value / scale - word.offset) / word.factor;
+        const bool is_given = (given >> parameter & 1u) != 0;
+        if (is_given && value != values[parameter]) return false;
+        values[parameter] = value;
+        given |= 1u << parameter;
+    }
+    skip(at, end);
+    if (at != end) return false;
+    for (const Constraint& c : form.when) {
+        const double value = values[static_cast<std::size_t>(c.parameter)];
+        if (value < c.least || value > c.most) return false;
+    }
+    const std::size_t count = tables_.parameters(form).size();
+    Invocation* invocation = block.add(form.function, count);
+    if (invocation == nullptr) return false;
+    for (std::size_t i = 0; i < count; ++i) {
+        if ((given >> i & 1u) != 0) block.set_argument(*invocation, i, values[i]);
+    }
+    for (const auto& [parameter, value] : form.fixed) {
+        block.set_argument(*invocation, static_cast<std::size_t>(parameter), value);
+    }
+    return true;
+}
+
+bool LineReader::read_slow(std::string_view line, Block& block) {
+    if (read_verbatim(line, block)) return true;
+    lexed_ = &own_lexed_;
+    if (auto fault = lex_line(tables_, line, own_lexed_)) {
+        report(line, *fault);
+        return false;
+    }
+    if (!lexed_->label.empty()) {
+        if (lexed_->words.empty()) {
+            block.skip = lexed_->skip;
+            block.number = lexed_->number;
+            block.comment = lexed_->comment;
+            block.kind = Block::Kind::Label;
+            block.text = lexed_->label;
+            return true;
+        }
+        report(line,
+               LineFault{&diag::IsoNotSupported, lexed_->spans[0], {"a label in front of words"}});
+        return false;
+    }
+    return fill(line, block);
+}
+
+/// The words of `lexed_` as a block.
+bool LineReader::fill(std::string_view line, Block& block, MatchedLine* known,
+                      const ControlLine* compiled) {
+    block.skip = lexed_->skip;
+    block.number = lexed_->number;
+    block.comment = lexed_->comment;
+    block.text = lexed_->text;
+    if (lexed_->comment_form != kNoForm) block.add(tables_.forms[lexed_->comment_form].function);
+    if (lexed_->words.empty()) {
+        if (lexed_->has_comment && block.number < 0 && block.skip < 0 &&
+            block.function_count == 0) {
+            block.kind = Block::Kind::Comment;
+        }
+        return true;
+    }
+    if (const auto fault =
+            match_words(tables_, lexed_->words, lexed_->arguments, modal_, block, match_)) {
+        report(line, *fault);
+        return false;
+    }
+    if (known != nullptr) remember(*compiled, block, *known);
+    return apply(block, line);
+}
+
+/// Puts the numbers where they belong. The block's own changes of units act in it already.
+bool LineReader::apply(Block& block, std::string_view line) {
+    for (std::size_t i = 0; i < match_.form_count; ++i) {
+        const Form& form = tables_.forms[match_.forms[i]];
+        if (info(form.function).group == Group::Units) feed_stays_metric_ = form.feed_stays_metric;
+        if (form.group >= 0) last_forms_[static_cast<std::size_t>(form.group)] = match_.forms[i];
+    }
+    const ModalFunctions before = modal_;
+    follow_modal(block, modal_);
+    follow_units();
+    bool is_fine = true;
+    for (std::size_t i = 0; i < match_.claim_count && is_fine; ++i) {
+        is_fine = apply_claim(match_.claims[i], block, line);
+    }
+    if (!is_fine) modal_ = before;
+    return is_fine;
+}
+
+bool LineReader::apply_claim(const Claim& claim, Block& block, std::string_view line) {
+    const GivenWord& word = lexed_->words[claim.word];
+    Invocation* invocation = claim.is_parameter ? &block.functions[claim.invocation] : nullptr;
+    if (claim.dimension == Dimension::Text) return true;
+    if (claim.argument >= 0) {
+        const double number =
+            lexed_->arguments[word.first_argument + static_cast<std::size_t>(claim.argument)]
+                .number;
+        const double value =
+            (number / text_scale(claim.dimension, units_, false) - claim.offset) / claim.factor;
+        const double old = claim.adds ? block.argument(*invocation, claim.parameter) : 0;
+        block.set_argument(*invocation, claim.parameter, old + value);
+        return true;
+    }
+    if (word.is_text && !word.is_known) return true;  // a name; it stands in the block's text
+    if (word.is_text) block.text.clear();
+    if (claim.is_named_only) {
+        block.set_argument(*invocation, claim.parameter, 0);
+        return true;
+    }
+    const Decimal& decimal = lexed_->decimals[claim.word];
+    if (claim.in_increments || claim.tail_digits > 0) return apply_whole(claim, block, line);
+    const NumberFormat& own = tables_.addresses[word.address].format;
+    NumberFormat lead;
+    if (claim.is_lead) lead = lead_format(own);
+    const NumberFormat& format = claim.is_lead ? lead : own;
+    const double meaning = word.is_computed
+                               ? rounded(decimal.value, format, claim.dimension)
+                               : read_meaning(decimal, format, claim.dimension, units_);
+    Decimal written = decimal;
+    if (word.is_computed) written.has_point = format.point != PointRule::Never;
+    const NumberFault fault =
+        check_read(written, lexed_->minus[claim.word], meaning, format, claim.dimension, units_);
+    if (fault != NumberFault::None) {
+        const DiagnosticRow& row = fault == NumberFault::Point      ? diag::IsoPointNotAllowed
+                                   : fault == NumberFault::Negative ? diag::IsoMinusNotAllowed
+                                                                    : diag::IsoTooManyDigits;
+        report(line, LineFault{&row, lexed_->spans[claim.word], {word_text(line, claim.word)}});
+        return false;
+    }
+    if (invocation == nullptr) {
+        const double scale = text_scale(claim.dimension, units_, true);
+        block.set(static_cast<Slot>(claim.place), scale == 1 ? meaning : meaning / scale);
+        return true;
+    }
+    const double scaled = meaning / text_scale(claim.dimension, units_, false);
+    block.set_argument(*invocation, claim.parameter, (scaled - claim.offset) / claim.factor);
+    return true;
+}
+
+/// A whole number that counts increments, or holds two parameters.
+bool LineReader::apply_whole(const Claim& claim, Block& block, std::string_view line) {
+    Decimal decimal = lexed_->decimals[claim.word];
+    if (lexed_->words[claim.word].is_computed) {
+        decimal.value = std::round(decimal.value);
+        decimal.has_point = false;
+    }
+    const DiagnosticRow* fault = decimal.has_point           ? &diag::IsoPointNotAllowed
+                                 : lexed_->minus[claim.word] ? &diag::IsoMinusNotAllowed
+                                                             : nullptr;
+    if (fault != nullptr) {
+        report(line, LineFault{fault, lexed_->spans[claim.word], {word_text(line, claim.word)}});
+        return false;
+    }
+    Invocation& invocation = block.functions[claim.invocation];
+    if (claim.in_increments) {
+        const double size = increment_size(tables_, claim.dimension, units_);
+        const double value = decimal.value * size / text_scale(claim.dimension, units_, false);
+        block.set_argument(invocation, claim.parameter, round_to(value, 9));
+        return true;
+    }
+    const double front = std::pow(10.0, claim.tail_digits);
+    block.set_argument(invocation, claim.parameter, std::floor(decimal.value / front));
+    if (claim.tail_parameter >= 0) {
+        block.set_argument(invocation, static_cast<std::size_t>(claim.tail_parameter),
+                           std::fmod(decimal.value, front));
+    }
+    return true;
+}
+
+// ---------------------------------------------------------------- modal state
+
+void LineReader::follow(const Block& block) {
+    if (block.kind != Block::Kind::Nc) return;
+    follow_modal(block, modal_);
+    if (block.skip < 0) return;
+    // Nobody knows here whether the operator lets the block run.
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        const Group group = info(block.functions[i].function).group;
+        const bool scales =
+            group == Group::Units || group == Group::FeedMode || group == Group::SpeedMode;
+        if (!scales) modal_[static_cast<std::size_t>(group)] = Function::None;
+    }
+}
+
+void LineReader::follow_units() {
+    const auto active = [&](Group group) { return modal_[static_cast<std::size_t>(group)]; };
+    units_.inch = active(Group::Units) == Function::Inch;
+    units_.inch_feed = units_.inch && !feed_stays_metric_;
+    units_.per_revolution = active(Group::FeedMode) == Function::FeedPerRevolution;
+    units_.inverse_time = active(Group::FeedMode) == Function::FeedInverseTime;
+    units_.cutting_speed = active(Group::SpeedMode) == Function::CuttingSpeedOn;
+    for (std::size_t i = 0; i < slot_scales_.size(); ++i)
+        slot_scales_[i] = text_scale(static_cast<Dimension>(i), units_, true);
+}
+
+// ---------------------------------------------------------------- messages
+
+LinePlace LineReader::place(std::string_view line, std::uint64_t number, const Span& span) const {
+    constexpr std::size_t kShown = 400;  // bytes of a line that a message keeps
+    LinePlace place;
+    place.file = name_;
+    place.line = static_cast<std::uint32_t>(number);
+    const std::size_t begin = std::min<std::size_t>(span.begin, line.size());
+    const std::size_t end = std::clamp<std::size_t>(span.end, begin, line.size());
+    place.column = static_cast<std::uint32_t>(count_code_points(line.substr(0, begin)) + 1);
+    place.length = static_cast<std::uint32_t>(
+        std::max<std::size_t>(1, count_code_points(line.substr(begin, end - begin))));
+    place.text = line.substr(0, std::max(kShown, std::min(end, line.size())));
+    return place;
+}
+
+std::string LineReader::word_text(std::string_view line, std::size_t word) const {
+    const Span& span = lexed_->spans[word];
+    return std::string(line.substr(span.begin, span.end - span.begin));
+}
+
+void LineReader::report(std::string_view line, const LineFault& fault) {
+    note_fault();
+    DiagnosticBuilder builder = sink_.report(*fault.row, place(line, line_number_, fault.span));
+    for (const std::string& argument : fault.arguments) builder.arg(argument);
+    if (const auto alarm = dialect_.alarm(*fault.row)) builder.alarm(alarm->number, alarm->text);
+}
+
+void LineReader::report(std::string_view line, const MatchFault& fault) {
+    using Kind = MatchFault::Kind;
+    LineFault out;
+    if (fault.kind == Kind::Full && lexed_->words.size() > kMaxWords) {
+        out = {&diag::IsoTooManyWords, {0, static_cast<std::uint32_t>(line.size())}, {}};
+        return report(line, out);
+    }
+    const std::string word = word_text(line, fault.word);
+    const std::string other = word_text(line, fault.other);
+    const std::string form = fault.form == kNoForm ? "" : first_line(tables_.forms[fault.form]);
+    out.span = lexed_->spans[fault.word];
+    switch (fault.kind) {
+        case Kind::UnknownCode:
+        case Kind::CodeComputed: {
+            const std::string known = tables_.unsupported_words(word);
+            out.row = known.empty() ? &diag::IsoUnknownCode : &diag::IsoNotSupported;
+            out.arguments = {known.empty() ? word : known};
+            break;
+        }
+        case Kind::NoValue:
+        case Kind::NoNumber: out.row = &diag::IsoNoValue, out.arguments = {word}; break;
+        case Kind::AddressTwice:
+            out.row = &diag::IsoAddressTwice;
+            out.arguments = {tables_.addresses[lexed_->words[fault.word].address].name};
+            break;
+        case Kind::GroupTwice: out.row = &diag::IsoGroupTwice, out.arguments = {word, other}; break;
+        case Kind::Missing: out.row = &diag::IsoWordsMissing, out.arguments = {word, form}; break;
+        case Kind::Value:
+            out.row = &diag::IsoValueWrong, out.arguments = {word, form};
+            if (fault.form != kNoForm && tables_.forms[fault.form].function == Function::WorkOffset)
+                out.row = &diag::WorkOffsetUnknown, out.arguments = {other + ' ' + word};
+            break;
+        case Kind::Conflict:
+            out.row = &diag::IsoWordsConflict, out.arguments = {word, other};
+            break;
+        case Kind::Unused: out.row = &diag::IsoWordUnused, out.arguments = {word}; break;
+        case Kind::Alone: out.row = &diag::IsoAlone, out.arguments = {word}; break;
+        case Kind::Mode: out.row = &diag::IsoModeMisplaced, out.arguments = {word}; break;
+        case Kind::Full: out.row = &diag::IsoTooManyWords; break;
+    }
+    report(line, out);
+}
+
+}  // namespace kadr::nc

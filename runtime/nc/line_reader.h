@@ -1,0 +1,146 @@
+// line_reader.h — one line of ISO-7bit text → Block, under the modal state that the lines before it
+// have left.
+//
+// Where lines come from, and in which order, is not known here: reader.h reads a text from its head
+// to its end, interp runs a program with jumps. For the rooms of nc and for interp.
+#pragma once
+
+#include <bitset>
+#include <string>
+#include <string_view>
+
+#include "nc/control_line.h"
+#include "nc/lexer.h"
+#include "nc/number_text.h"
+
+namespace kadr::nc {
+
+/// How a letter is treated on the fast way; made once a reader.
+struct FastLetter {
+    enum class Kind : std::uint8_t { None, Slot, Code, Number };
+    Kind kind = Kind::None;
+    Slot slot = Slot::X;
+    AddressId address = kNoAddress;
+    Dimension dimension = Dimension::Number;
+    const NumberFormat* format = nullptr;
+    bool is_literal = false;  // a number means what it says, and the control takes every one
+};
+
+/// What a computed value of a line has come to; in the order of ControlLine::computed.
+struct WordValue {
+    enum class Kind : std::uint8_t { Number, Text, Vacant };
+    Kind kind = Kind::Number;
+    double number = 0;
+    std::string_view text;
+};
+
+/// What was found of the words of a line when it ran first, for the next time. Holds as long as the
+/// modal functions are the same, and if no computed value says what the block does.
+struct MatchedLine {
+    bool is_valid = false;
+    ModalFunctions before{};
+    std::vector<Claim> claims;
+    std::vector<FormId> forms;
+    Block shape;  // functions and modes, without values
+};
+
+class LineReader {
+  public:
+    /// `name` is shown in messages. A mistake is reported as the control's alarm.
+    LineReader(const Dialect& dialect, std::string name, DiagnosticSink& sink);
+
+    /// What a line is before its words are looked at.
+    enum class LineKind : std::uint8_t { Nothing, Words, Misplaced };
+
+    /// The meaning of a line of words and numbers. False: it makes no block; what is wrong has been
+    /// reported, and `failed()` says so.
+    bool read(std::string_view line, std::uint64_t number, Block& block);
+
+    // The same in steps, for who knows more kinds of lines.
+    void begin(std::uint64_t number) { line_number_ = number; }
+    /// Plain codes and numbers behind letters: nearly every block. The block is empty before. Gives
+    /// up, without a word, on anything that needs a second look.
+    bool read_plain(std::string_view line, Block& block);
+    /// Whether there are words to be read at all; reports what stands in a wrong place.
+    bool has_words(std::string_view line);
+    /// A line of the control's own language that the dialect knows by its letters.
+    bool read_known(std::string_view line, Block& block);
+    /// Whether it is one; the block is empty before and after.
+    bool knows(std::string_view line, Block& block) const {
+        const bool is_known = read_verbatim(line, block);
+        block.reset();
+        return is_known;
+    }
+    /// The words of a compiled line with the values that were computed for it.
+    ///
+    /// known  what an earlier run of the line has found; null: nobody keeps it
+    bool read_words(std::string_view line, ControlLine& compiled, std::span<const WordValue> values,
+                    Block& block, MatchedLine* known = nullptr);
+    /// The decimals to which the control rounds a value of the line.
+    int value_decimals(const ControlLine& line, std::size_t computed) const;
+    void report_fault(std::string_view line, const LineFault& fault) { report(line, fault); }
+    void report_too_long(std::string_view line, std::uint64_t number);
+    /// An alarm that somebody else has reported came up in this line.
+    void note_fault() {
+        failed_ = true;
+        if (first_fault_ == 0) first_fault_ = line_number_;
+    }
+    /// The end mark of the program was read.
+    bool has_ended() const { return has_ended_; }
+
+    bool failed() const { return failed_; }
+    std::uint64_t first_fault() const { return first_fault_; }
+    const TextUnits& units() const { return units_; }
+    const ModalFunctions& modal() const { return modal_; }
+    /// The form that said something for a group of the dialect last; kNoForm.
+    FormId last_form(std::size_t group) const { return last_forms_[group]; }
+    LinePlace place(std::string_view line, std::uint64_t number, const Span& span) const;
+    const DialectTables& tables() const { return tables_; }
+
+  private:
+    bool read_slow(std::string_view line, Block& block);
+    bool read_fast(std::string_view line, Block& block) const;
+    bool match_verbatim(const Form& form, std::string_view text, Block& block) const;
+    bool read_verbatim(std::string_view line, Block& block) const;
+    bool fill(std::string_view line, Block& block, MatchedLine* known = nullptr,
+              const ControlLine* compiled = nullptr);
+    void recall(const MatchedLine& known, Block& block);
+    void remember(const ControlLine& compiled, const Block& block, MatchedLine& known) const;
+    void set_values(ControlLine& compiled, std::span<const WordValue> values);
+    double whole_if_needed(AddressId id, double value) const;
+    bool has_decimal_codes(AddressId id) const;
+    double rounded(double value, const NumberFormat& format, Dimension dimension) const;
+    bool apply(Block& block, std::string_view line);
+    bool apply_claim(const Claim& claim, Block& block, std::string_view line);
+    bool apply_whole(const Claim& claim, Block& block, std::string_view line);
+    LineKind kind_of(std::string_view line);
+    bool are_of_motions(const Address& address);
+    void prepare(std::size_t letter);
+    void follow(const Block& block);
+    void follow_units();
+    void report(std::string_view line, const LineFault& fault);
+    void report(std::string_view line, const MatchFault& fault);
+    std::string word_text(std::string_view line, std::size_t word) const;
+
+    const Dialect& dialect_;
+    const DialectTables& tables_;
+    std::string name_;
+    DiagnosticSink& sink_;
+    std::array<FastLetter, 128> letters_;
+    ModalFunctions modal_{};
+    std::bitset<kFunctions> closely_read_;  // motions under which words have other meanings
+    TextUnits units_;
+    std::array<double, static_cast<std::size_t>(Dimension::Text) + 1> slot_scales_{};
+    bool feed_stays_metric_ = false;
+    std::uint64_t line_number_ = 0;
+    bool failed_ = false;
+    std::uint64_t first_fault_ = 0;
+    bool has_content_ = false;
+    bool has_ended_ = false;
+    LexedLine* lexed_ = nullptr;  // of the line that is read
+    LexedLine own_lexed_;
+    Match match_;
+    std::vector<FormId> last_forms_;  // of each group of the dialect
+};
+
+}  // namespace kadr::nc

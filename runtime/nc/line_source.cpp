@@ -1,0 +1,79 @@
+#include "nc/line_source.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace kadr::nc {
+
+bool LineSource::next(std::string_view& line, bool& is_too_long) {
+    carry_.clear();
+    is_too_long = false;
+    while (true) {
+        if (at_ == piece_.size()) {
+            base_ += piece_.size();
+            piece_ = source_.next();
+            at_ = 0;
+            if (piece_.empty()) {
+                if (carry_.empty() && !is_too_long) return false;
+                line = carry_;
+                return true;
+            }
+        }
+        const char* const begin = piece_.data() + at_;
+        const auto* end = static_cast<const char*>(std::memchr(begin, '\n', piece_.size() - at_));
+        const std::size_t length =
+            end == nullptr ? piece_.size() - at_ : static_cast<std::size_t>(end - begin);
+        at_ += length + (end == nullptr ? 0 : 1);
+        if (end != nullptr && carry_.empty() && !is_too_long) {
+            is_too_long = length > longest_;
+            line = std::string_view(begin, std::min(length, longest_));
+            if (!line.empty() && line.back() == '\r' && !is_too_long) line.remove_suffix(1);
+            return true;
+        }
+        const std::size_t room = longest_ - carry_.size();
+        if (length > room) is_too_long = true;
+        carry_.append(begin, std::min(length, room));
+        if (end == nullptr) continue;
+        if (!is_too_long && !carry_.empty() && carry_.back() == '\r') carry_.pop_back();
+        line = carry_;
+        return true;
+    }
+}
+
+bool LineSource::seek(std::uint64_t offset) {
+    if (offset >= base_ && offset - base_ <= piece_.size() && !piece_.empty()) {
+        at_ = static_cast<std::size_t>(offset - base_);
+        return true;
+    }
+    if (!source_.seek(offset)) return false;
+    piece_ = {};
+    base_ = offset;
+    at_ = 0;
+    return true;
+}
+
+std::string_view KeptText::next() {
+    if (at_ < text_.size()) {
+        const std::string_view piece = std::string_view(text_).substr(at_);
+        at_ = text_.size();
+        return piece;
+    }
+    const std::string_view piece = source_.next();
+    if (is_lost_ || text_.size() + piece.size() > most_) {
+        is_lost_ = true;
+        text_ = {};
+        at_ = 0;
+        return piece;
+    }
+    text_ += piece;
+    at_ = text_.size();
+    return piece;
+}
+
+bool KeptText::seek(std::uint64_t offset) {
+    if (is_lost_ || offset > text_.size()) return false;
+    at_ = static_cast<std::size_t>(offset);
+    return true;
+}
+
+}  // namespace kadr::nc

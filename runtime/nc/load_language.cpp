@@ -1,0 +1,337 @@
+// The control's own parametric language: <language> and what stands in it.
+#include <algorithm>
+#include <cctype>
+
+#include "nc/load_parts.h"
+
+namespace kadr::nc {
+
+namespace {
+
+/// The index of the row with this name; reports a name that no row has.
+template <typename Row>
+std::optional<std::size_t> row_named(std::span<const Row> rows, const XmlAttribute& attribute,
+                                     std::string_view why, Attributes& attributes) {
+    Names names;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i].name == attribute.value && !attribute.value.empty()) return i;
+        names.push_back(rows[i].name);
+    }
+    attributes.bad_name({attribute.value, attribute.value_range}, attribute.name, names, why);
+    return std::nullopt;
+}
+
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+bool is_name_char(char c) { return is_letter(c) || c == '_'; }
+
+constexpr std::string_view kHoleNames[] = {
+    "variable", "value", "condition", "target", "loop",         "first", "last", "number",   "text",
+    "count",    "from",  "to",        "type",   "declarations", "cases", "jump", "statement"};
+
+class LanguageLoader {
+  public:
+    LanguageLoader(DialectTables& tables, Attributes& attributes)
+        : language_(tables.language), attributes_(attributes) {}
+
+    void load(const XmlElement& element) {
+        language_.is_present = true;
+        read_sign(element, "open", language_.open);
+        read_sign(element, "close", language_.close);
+        read_sign(element, "index_open", language_.index_open);
+        read_sign(element, "index_close", language_.index_close);
+        Attributes::read_text(element, "label_sign", language_.label_sign);
+        Attributes::read_text(element, "end_label", language_.end_label);
+        for (const XmlElement& child : element.children) {
+            if (child.name == "rule") load_rule(child);
+            if (child.name == "operator") load_operator(child);
+            if (child.name == "function") load_function(child);
+            if (child.name == "variable") load_variable(child);
+            if (child.name == "statement") load_statement(child);
+            if (child.name == "type") load_type(child);
+            if (child.name == "codes") load_codes(child);
+        }
+    }
+
+  private:
+    void read_sign(const XmlElement& element, std::string_view name, char& out) {
+        const XmlAttribute* attribute = element.find(name);
+        if (attribute == nullptr) return;
+        if (attribute->value.size() != 1)
+            return attributes_.bad_value(*attribute, "one sign is expected");
+        out = attribute->value[0];
+    }
+
+    void load_rule(const XmlElement& element) {
+        const XmlAttribute& name = needed(element, "name");
+        const XmlAttribute& value = needed(element, "value");
+        if (set_language_rule(language_.rules, name.value, value.value)) return;
+        const auto row =
+            row_named(all_language_rules(), name, "the language has no such rule", attributes_);
+        if (!row) return;
+        const std::string why = "it takes: " + std::string(all_language_rules()[*row].values);
+        attributes_.bad_value(value, why);
+    }
+
+    void load_operator(const XmlElement& element) {
+        const XmlAttribute& name = needed(element, "name");
+        const auto row =
+            row_named(all_operations(), name, "there is no such operation", attributes_);
+        if (!row) return;
+        OperatorForm form;
+        form.operation = static_cast<Operation>(*row);
+        form.text = needed(element, "text").value;
+        form.is_word = is_letter(form.text[0]);
+        attributes_.read_number(element, "level", form.level);
+        attributes_.read_flag(element, "prefix", form.is_prefix);
+        const int count = form.is_prefix ? 1 : 2;
+        const OperationInfo& operation = info(form.operation);
+        if (count < operation.least_arguments || count > operation.most_arguments)
+            return attributes_.bad_value(name, "it takes another number of operands");
+        std::erase_if(language_.operators, [&](const OperatorForm& old) {
+            return old.text == form.text && old.is_prefix == form.is_prefix;
+        });
+        language_.operators.push_back(std::move(form));
+    }
+
+    /// `SIN[{a}]`, `ATAN[{a}]/[{b}]`, `SUBSTR({a},{b},{c})`
+    void load_function(const XmlElement& element) {
+        const XmlAttribute& name = needed(element, "name");
+        const auto row =
+            row_named(all_operations(), name, "there is no such operation", attributes_);
+        if (!row) return;
+        const XmlAttribute& text = needed(element, "form");
+        FunctionForm form;
+        form.operation = static_cast<Operation>(*row);
+        form.form = text.value;
+        Attributes::read_text(element, "doc", form.doc);
+        std::size_t at = 0;
+        while (at < text.value.size() && is_name_char(text.value[at])) ++at;
+        while (at < text.value.size() && std::isdigit(static_cast<unsigned char>(text.value[at])))
+            ++at;
+        form.name = text.value.substr(0, at);
+        form.arguments = static_cast<int>(std::ranges::count(text.value, '{'));
+        const std::string between = std::string{language_.close} + '/' + language_.open;
+        form.is_divided = text.value.find(between) != std::string::npos;
+        const OperationInfo& operation = info(form.operation);
+        const bool fits =
+            !form.name.empty() && at < text.value.size() && text.value[at] == language_.open &&
+            text.value.back() == language_.close && form.arguments >= operation.least_arguments &&
+            form.arguments <= operation.most_arguments;
+        if (!fits)
+            return attributes_.bad_value(
+                text, "a name and its arguments in brackets are expected, as `SIN[{a}]`");
+        std::erase_if(language_.functions,
+                      [&](const FunctionForm& old) { return old.form == form.form; });
+        language_.functions.push_back(std::move(form));
+    }
+
+    // ---------------------------------------------------------------- variables
+
+    void load_variable(const XmlElement& element) {
+        const XmlAttribute& text = needed(element, "form");
+        VariableForm form;
+        form.form = text.value;
+        form.range = text.value_range;
+        if (!read_variable_form(text.value, form))
+            return attributes_.bad_value(
+                text, "a name is expected, and {n} or indices behind it: `R{n}`, `$P_EP[{axis}]`");
+        for (const XmlElement& child : element.children) load_range(child, form);
+        if (form.ranges.empty())
+            return attributes_.bad_value(text, "it needs a <range> that says what it is");
+        std::erase_if(language_.variables,
+                      [&](const VariableForm& old) { return old.form == form.form; });
+        language_.variables.push_back(std::move(form));
+    }
+
+    bool read_variable_form(std::string_view text, VariableForm& form) const {
+        const std::size_t end = std::min(text.find_first_of("{["), text.size());
+        form.name = text.substr(0, end);
+        if (form.name.empty()) return false;
+        text.remove_prefix(end);
+        if (text.empty()) return true;
+        if (text == "{n}") {
+            form.is_family = true;
+            return true;
+        }
+        if (text.front() != language_.index_open || text.back() != language_.index_close)
+            return false;
+        text = text.substr(1, text.size() - 2);
+        while (!text.empty()) {
+            const std::size_t comma = std::min(text.find(','), text.size());
+            IndexHole hole;
+            const std::string_view piece = text.substr(0, comma);
+            if (piece == "{axis}") {
+                hole.kind = IndexHole::Kind::Axis;
+            } else if (!piece.starts_with('{')) {
+                hole.kind = IndexHole::Kind::Word;
+                hole.word = piece;
+            } else if (piece != "{n}") {
+                return false;
+            }
+            form.indices.push_back(std::move(hole));
+            text.remove_prefix(std::min(comma + 1, text.size()));
+        }
+        return !form.indices.empty();
+    }
+
+    void load_range(const XmlElement& element, VariableForm& form) {
+        VariableRange range;
+        attributes_.read_number(element, "first", range.first);
+        range.last = range.first;
+        attributes_.read_number(element, "last", range.last);
+        attributes_.read_number(element, "start", range.start);
+        attributes_.read_number(element, "stride", range.stride);
+        Attributes::read_text(element, "meaning", range.meaning);
+        if (const auto type = attributes_.choice(element, "type", kTypeNames))
+            range.type = static_cast<ValueType>(*type);
+        const XmlAttribute* scope = element.find("scope");
+        const XmlAttribute* constant = element.find("constant");
+        const XmlAttribute* quantity = element.find("quantity");
+        if (scope != nullptr) {
+            const auto found = attributes_.choice(element, "scope", {"global", "local"});
+            range.kind =
+                found == std::size_t{1} ? VariableRange::Kind::Local : VariableRange::Kind::Global;
+            allot(range);
+        } else if (constant != nullptr) {
+            range.kind = VariableRange::Kind::Constant;
+            range.is_vacant = constant->value == "vacant";
+            if (!range.is_vacant) attributes_.read_number(element, "constant", range.value);
+        } else if (quantity != nullptr) {
+            range.kind = VariableRange::Kind::System;
+            const auto row =
+                row_named(all_quantities(), *quantity, "there is no such quantity", attributes_);
+            if (!row) return;
+            range.quantity = static_cast<Quantity>(*row);
+        } else {
+            range.kind = VariableRange::Kind::Unsupported;
+        }
+        form.ranges.push_back(std::move(range));
+    }
+
+    void allot(VariableRange& range) {
+        std::uint32_t& slots = range.kind == VariableRange::Kind::Global ? language_.global_slots
+                                                                         : language_.local_slots;
+        range.slot = slots;
+        slots +=
+            static_cast<std::uint32_t>(std::max<std::int64_t>(0, range.last - range.first)) + 1;
+    }
+
+    // ---------------------------------------------------------------- statements
+
+    void load_statement(const XmlElement& element) {
+        const XmlAttribute& name = needed(element, "name");
+        const auto row =
+            row_named(all_statements(), name, "there is no such statement", attributes_);
+        if (!row) return;
+        StatementForm form;
+        form.statement = static_cast<Statement>(*row);
+        form.form = element.text;
+        attributes_.read_flag(element, "repeats", form.repeats);
+        Attributes::read_text(element, "doc", form.doc);
+        if (const XmlAttribute* closes = element.find("closes")) read_closes(*closes, form);
+        if (!read_tokens(element.text, form))
+            return attributes_.bad_word({element.text, element.text_range}, "statement",
+                                        "a keyword is expected first, and known {holes}");
+        std::erase_if(language_.statements,
+                      [&](const StatementForm& old) { return old.form == form.form; });
+        language_.statements.push_back(std::move(form));
+    }
+
+    void read_closes(const XmlAttribute& attribute, StatementForm& form) {
+        Names names;
+        for (const StatementInfo& row : all_statements()) names.push_back(row.name);
+        for (const XmlWord& word : words_of(attribute)) {
+            const auto found = std::ranges::find(names, word.text);
+            if (found == names.end()) {
+                attributes_.bad_name(word, attribute.name, names, "there is no such statement");
+            } else {
+                form.closes |= 1u << (found - names.begin());
+            }
+        }
+    }
+
+    static bool read_tokens(std::string_view text, StatementForm& form) {
+        bool is_optional = false;
+        for (std::size_t at = 0; at < text.size();) {
+            const char c = text[at];
+            std::size_t end = at + 1;
+            StatementToken token;
+            if (c == ' ' || c == '\n' || c == '\t' || c == '\r') {
+                ++at;
+                continue;
+            }
+            if (c == '{') {
+                end = text.find('}', at);
+                if (end == std::string_view::npos) return false;
+                std::string_view name = text.substr(at + 1, end - at - 1);
+                ++end;
+                token.kind = StatementToken::Kind::Hole;
+                token.is_optional = name.ends_with('?');
+                if (token.is_optional) name.remove_suffix(1);
+                const auto found = std::ranges::find(kHoleNames, name);
+                if (found == std::end(kHoleNames)) return false;
+                token.hole = static_cast<StatementToken::Hole>(found - std::begin(kHoleNames));
+            } else if (is_name_char(c)) {
+                while (end < text.size() && is_name_char(text[end])) ++end;
+                token.text = text.substr(at, end - at);
+            } else if (c == '?') {  // `?` before a piece: from here on it may be left out
+                is_optional = true;
+                ++at;
+                continue;
+            } else {
+                token.kind = StatementToken::Kind::Sign;
+                token.text = c;
+            }
+            token.is_optional |= is_optional;
+            is_optional = false;
+            form.tokens.push_back(std::move(token));
+            at = end;
+        }
+        return !form.tokens.empty() && form.tokens[0].kind == StatementToken::Kind::Word;
+    }
+
+    void load_type(const XmlElement& element) {
+        const auto type = attributes_.choice(element, "type", kTypeNames);
+        if (!type) return;
+        TypeName name{needed(element, "name").value, static_cast<ValueType>(*type)};
+        std::erase_if(language_.types, [&](const TypeName& old) { return old.name == name.name; });
+        language_.types.push_back(std::move(name));
+    }
+
+    void load_codes(const XmlElement& element) {
+        CodeList list{needed(element, "group").value, {}};
+        for (const XmlWord& word : words_of(needed(element, "list")))
+            list.codes.push_back(word.text);
+        std::erase_if(language_.code_lists,
+                      [&](const CodeList& old) { return old.group == list.group; });
+        language_.code_lists.push_back(std::move(list));
+    }
+
+    inline static const Names kTypeNames = {"real", "int", "bool", "char", "text"};
+
+    Language& language_;
+    Attributes& attributes_;
+};
+
+}  // namespace
+
+void load_language(const XmlElement& element, DialectTables& tables, Attributes& attributes) {
+    LanguageLoader(tables, attributes).load(element);
+    Language& language = tables.language;
+    language.lowest_level = 0;
+    for (const OperatorForm& form : language.operators)
+        language.lowest_level = std::max(language.lowest_level, form.level);
+    language.variable_starts.reset();
+    for (const VariableForm& form : language.variables) {
+        const auto first = static_cast<unsigned char>(form.name[0]);
+        if (first < 128) language.variable_starts.set(first);
+        if (first < 128 && tables.rules.ignores_case)
+            language.variable_starts.set(static_cast<unsigned char>(std::tolower(first)));
+    }
+    // The longest first: `GOTOF` before `GOTO`, `<=` before `<`.
+    std::ranges::stable_sort(language.operators, [](const OperatorForm& a, const OperatorForm& b) {
+        return a.text.size() > b.text.size();
+    });
+}
+
+}  // namespace kadr::nc

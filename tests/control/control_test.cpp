@@ -1,0 +1,270 @@
+// Programs in the controls' own parametric languages, one rule of the manual each.
+//
+// A program is a file below the folder of its dialect. Its comments say what must come of it:
+//   rule: F 6.3 …            the place in the manual's digest that it shows
+//   expect: #1=14            a variable at the end; `#1 vacant` or `R1 unset`: it was never set
+//   expect: to X10 Y5        the end of the next motion; if one is told, all are
+//   expect: message TEXT     the next message;  expect: stop  a stop of the program
+//   expect: alarm PS0115 K5410 at 3:4   the alarm that ends it, its row, line and column
+//   skip: 1                  blocks of this level are left out
+// What is not told must not happen: a program without `alarm` ends without one.
+#include "base/diagnostics/control.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "interp/program.h"
+#include "tests/interp/bench.h"
+
+namespace kadr::interp {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kPrograms = fs::path(KADR_ROOT) / "tests/control";
+
+/// A text in pieces of odd sizes that cannot be read again, or in one that can.
+class PiecedText final : public nc::TextSource {
+  public:
+    PiecedText(std::string text, bool can_seek) : text_(std::move(text)), can_seek_(can_seek) {}
+    std::string_view next() override {
+        const std::size_t from = at_;
+        at_ = std::min(text_.size(), at_ + (can_seek_ ? 1000 : 37));
+        return std::string_view(text_).substr(from, at_ - from);
+    }
+    bool seek(std::uint64_t offset) override {
+        if (!can_seek_) return false;
+        at_ = static_cast<std::size_t>(offset);
+        return true;
+    }
+
+  private:
+    std::string text_;
+    bool can_seek_;
+    std::size_t at_ = 0;
+};
+
+struct Expected {
+    std::map<std::string, std::string> variables;  // empty: unset
+    std::vector<std::string> way;
+    std::vector<std::string> shown;  // messages and stops
+    std::string alarm;
+    std::uint16_t skip_levels = 0;
+    bool has_rule = false;
+};
+
+std::string content_of(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+Expected parse(const std::string& text) {
+    Expected expected;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        const auto value_of = [&](const std::string& key) -> std::string {
+            const std::size_t at = line.find(key);
+            if (at == std::string::npos) return "";
+            std::string value = line.substr(at + key.size());
+            while (!value.empty() && (value.back() == '\r' || value.back() == ' '))
+                value.pop_back();
+            if (line.starts_with('(') && value.ends_with(')')) value.pop_back();
+            return value;
+        };
+        expected.has_rule |= !value_of("rule: ").empty();
+        if (const std::string level = value_of("skip: "); !level.empty())
+            expected.skip_levels = static_cast<std::uint16_t>(1u << std::stoi(level));
+        const std::string value = value_of("expect: ");
+        if (value.empty()) continue;
+        if (value.starts_with("to ")) {
+            expected.way.push_back(value.substr(3));
+        } else if (value.starts_with("alarm ")) {
+            expected.alarm = value.substr(6);
+        } else if (value.starts_with("message") || value == "stop") {
+            expected.shown.push_back(value);
+        } else if (const std::size_t blank = value.rfind(' ');
+                   value.ends_with(" vacant") || value.ends_with(" unset")) {
+            expected.variables[value.substr(0, blank)] = "";
+        } else {
+            const std::size_t sign = value.find('=');
+            EXPECT_NE(sign, std::string::npos) << value;
+            expected.variables[value.substr(0, sign)] = value.substr(sign + 1);
+        }
+    }
+    return expected;
+}
+
+std::string shown(const ControlVariable& variable) {
+    switch (variable.kind) {
+        case ControlVariable::Kind::Text: return '"' + variable.text + '"';
+        case ControlVariable::Kind::Bool: return variable.number != 0 ? "TRUE" : "FALSE";
+        default: return format_shortest(round_to(variable.number, 9));
+    }
+}
+
+/// "X10 Y5": the axes that are told.
+bool is_at(const path::Command& command, const std::string& place) {
+    std::istringstream words(place);
+    for (std::string word; words >> word;) {
+        const auto axis = std::ranges::find(kAxisNames, word.substr(0, 1));
+        const double wanted = std::stod(word.substr(1));
+        const auto i = static_cast<std::size_t>(axis - kAxisNames.begin());
+        if (std::abs(command.to[i] - wanted) > 1e-6) return false;
+    }
+    return true;
+}
+
+std::string place_of(const path::Command& command) {
+    std::string out;
+    for (std::size_t i = 0; i < 3; ++i) {
+        out += std::string(kAxisNames[i]) + format_shortest(round_to(command.to[i], 6)) + ' ';
+    }
+    return out;
+}
+
+const nc::Dialect& dialect_named(const std::string& name) {
+    static std::map<std::string, nc::Dialect> loaded;
+    if (const auto known = loaded.find(name); known != loaded.end()) return known->second;
+    Sources sources;
+    DiagnosticList messages;
+    auto dialect = nc::load_dialect(name, {KADR_ROOT "/dialects"}, sources, messages);
+    EXPECT_TRUE(dialect.has_value());
+    return loaded.emplace(name, std::move(*dialect)).first->second;
+}
+
+struct Outcome {
+    std::vector<ControlVariable> variables;
+    std::vector<path::Command> motions;
+    std::vector<std::string> shown;
+    std::vector<Diagnostic> messages;
+};
+
+Outcome run_program(const nc::Dialect& dialect, const std::string& text, const Expected& expected,
+                    bool can_seek) {
+    machine::Machine machine = mill();
+    machine.work_offsets = {{}, {}, {10, 20, 30}};
+    machine.tools[0].length = 0;
+    DiagnosticList messages;
+    PiecedText source(text, can_seek);
+    ProgramOptions options;
+    options.skip_levels = expected.skip_levels;
+    options.max_turns = 20'000;
+    options.max_repeated = 5'000;
+    Program program(dialect, source, "test", options, messages);
+    InterpreterOptions interpreting;
+    interpreting.skip_levels = expected.skip_levels;
+    Interpreter interpreter(dialect, machine, program, &program, nullptr, interpreting, messages);
+    program.follow(interpreter);
+    Outcome outcome;
+    std::vector<path::Command> batch(5);
+    while (const std::size_t count = interpreter.pull(batch)) {
+        for (const path::Command& command : std::span(batch).first(count)) {
+            if (command.op == path::Op::Rapid || command.op == path::Op::Line ||
+                command.op == path::Op::Arc)
+                outcome.motions.push_back(command);
+            if (command.op == path::Op::Message)
+                outcome.shown.push_back(command.text.empty() ? "message"
+                                                             : "message " + command.text);
+            if (command.op == path::Op::Stop) outcome.shown.emplace_back("stop");
+        }
+    }
+    outcome.variables = program.variables();
+    outcome.messages = messages.all();
+    return outcome;
+}
+
+void check_alarm(const Expected& expected, const Outcome& outcome) {
+    std::string found;
+    for (const Diagnostic& message : outcome.messages) {
+        if (message.severity != Severity::Alarm || !found.empty()) continue;
+        found = message.alarm_number + ' ' + std::string(message.row->code);
+        if (message.line) {
+            found += " at " + std::to_string(message.line->line) + ':' +
+                     std::to_string(message.line->column);
+        }
+        if (expected.alarm.empty()) found += " (" + message.message() + ')';
+    }
+    EXPECT_EQ(found, expected.alarm);
+}
+
+void check(const Expected& expected, const Outcome& outcome) {
+    check_alarm(expected, outcome);
+    for (const auto& [name, value] : expected.variables) {
+        std::string found;
+        for (const ControlVariable& variable : outcome.variables) {
+            if (variable.name == name) found = shown(variable);
+        }
+        EXPECT_EQ(found, value) << name;
+    }
+    EXPECT_EQ(outcome.shown, expected.shown);
+    if (expected.way.empty()) return;
+    EXPECT_EQ(outcome.motions.size(), expected.way.size());
+    for (std::size_t i = 0; i < outcome.motions.size() && i < expected.way.size(); ++i) {
+        EXPECT_TRUE(is_at(outcome.motions[i], expected.way[i]))
+            << "motion " << i + 1 << ": " << place_of(outcome.motions[i]) << ", not "
+            << expected.way[i];
+    }
+}
+
+/// Of a text that cannot be read again the last part is kept, and a jump to what is gone says so.
+TEST(ControlText, JumpsBackAsFarAsTextIsKept) {
+    const std::string text = "N10 #1=#1+1\n" + std::string(200, '\n') + "IF[#1LT3]GOTO10\nM30\n";
+    for (const std::size_t kept : {std::size_t{100}, std::size_t{1000}}) {
+        DiagnosticList messages;
+        PiecedText source(text, false);
+        ProgramOptions options;
+        options.kept_text = kept;
+        Program program(dialect_named("fanuc"), source, "test", options, messages);
+        std::vector<nc::Block> blocks(8);
+        while (program.pull(blocks) > 0) continue;
+        if (kept > text.size()) {
+            EXPECT_TRUE(messages.all().empty());
+            EXPECT_EQ(shown(program.variables().at(0)), "3");
+        } else {
+            ASSERT_EQ(messages.all().size(), 1u);
+            EXPECT_EQ(messages.all()[0].row, &diag::TextGone);
+        }
+    }
+}
+
+class Control : public testing::TestWithParam<fs::path> {};
+
+TEST_P(Control, DoesWhatTheManualSays) {
+    const fs::path& file = GetParam();
+    const std::string text = content_of(file);
+    const Expected expected = parse(text);
+    EXPECT_TRUE(expected.has_rule) << "the file names no rule";
+    const nc::Dialect& dialect = dialect_named(file.parent_path().filename());
+    for (const bool can_seek : {true, false}) {
+        SCOPED_TRACE(can_seek ? "from a file" : "through a pipe");
+        check(expected, run_program(dialect, text, expected, can_seek));
+    }
+}
+
+std::vector<fs::path> programs() {
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kPrograms)) {
+        if (entry.path().extension() == ".nc" || entry.path().extension() == ".mpf")
+            files.push_back(entry.path());
+    }
+    std::ranges::sort(files);
+    return files;
+}
+
+std::string test_name(const testing::TestParamInfo<fs::path>& test) {
+    std::string name =
+        test.param.parent_path().filename().string() + '_' + test.param.stem().string();
+    std::ranges::replace_if(
+        name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Programs, Control, testing::ValuesIn(programs()), test_name);
+
+}  // namespace
+}  // namespace kadr::interp

@@ -1,0 +1,8 @@
+%
+O0001
+(rule: F 6.7 IF THEN #3000)
+(expect: alarm MC3001 K5450 at 6:14)
+#1=5
+IF[#1GT3]THEN#3000=1(TOO FAR)
+M30
+%

@@ -1,0 +1,18 @@
+%
+O0001
+(rule: F 6.3 EQ with vacant)
+(expect: #10=1)
+(expect: #11=0)
+(expect: #12=0)
+(expect: #13=1)
+#10=0
+#11=0
+#12=0
+#13=0
+#2=0
+IF[#1EQ#0]THEN#10=1
+IF[#1EQ0]THEN#11=1
+IF[#2EQ#0]THEN#12=1
+IF[#2EQ0]THEN#13=1
+M30
+%

@@ -1,0 +1,10 @@
+%
+O0001
+(rule: F 12 the same number inside: illegal)
+(expect: alarm PS0126 K5433 at 5:1)
+WHILE[1EQ1]DO1
+WHILE[1EQ1]DO1
+END1
+END1
+M30
+%
