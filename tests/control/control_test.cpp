@@ -232,6 +232,32 @@ TEST(ControlText, JumpsBackAsFarAsTextIsKept) {
     }
 }
 
+TEST(ControlText, WordsOfTheLanguageAreExplained) {
+    const auto first = [](const char* dialect, const char* word) {
+        const std::vector<std::string> lines = nc::explain(dialect_named(dialect), word);
+        return lines.empty() ? std::string() : lines[0];
+    };
+    EXPECT_EQ(first("fanuc", "#5002"),
+              "`#{n}` from 5001 to 5020 is end_position: axis: last programmed end point in the "
+              "programmed system; end of the last block");
+    EXPECT_EQ(first("fanuc", "#1000"),
+              "`#{n}` from 1000 to 1035 is known to the control; Kadr does not read it; inputs of "
+              "the machine");
+    EXPECT_EQ(first("fanuc", "GOTO"),
+              "`GOTO{target}` is jump: on at a block number or label, looked for to the end of the "
+              "program and then from its head; forward to the end of the program, then from its "
+              "head");
+    EXPECT_EQ(first("sinumerik", "MOD"),
+              "`MOD` between values is remainder: what the cut quotient leaves; sign of the "
+              "dividend; level 2 of 11, where 1 binds strongest");
+    EXPECT_EQ(first("sinumerik", "R7"),
+              "`R{n}` from 0 to 999 is a variable of the whole run; R parameter");
+    EXPECT_EQ(first("sinumerik", "SQRT"),
+              "`SQRT({a})` is square_root: of a number that is not negative");
+    EXPECT_EQ(first("sinumerik", "$P_F"),
+              "`$P_F` is feed: programmed feed in the unit of its mode; 0 none; programmed feed");
+}
+
 class Control : public testing::TestWithParam<fs::path> {};
 
 TEST_P(Control, DoesWhatTheManualSays) {

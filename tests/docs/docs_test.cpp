@@ -202,7 +202,7 @@ TEST_F(Docs, EveryRowOfTheLanguageIsInThePageOnDialects) {
     const std::string page = kadr::read_file(KADR_ROOT "/docs/dialects.md").value_or("");
     const std::string file = kadr::read_file(KADR_ROOT "/runtime/nc/language.def").value_or("");
     // The rules are named as a field, the others between quotes.
-    const std::regex row(R"(KADR_\w+\((?:\w+, "(\w+)\"|\w+, (\w+), )");
+    const std::regex row(R"re(KADR_\w+\((?:\w+, "(\w+)"|\w+, (\w+), ))re");
     int rows = 0;
     for (std::sregex_iterator at(file.begin(), file.end(), row), end; at != end; ++at) {
         const std::string name = (*at)[1].matched ? (*at)[1] : (*at)[2];
