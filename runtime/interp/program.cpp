@@ -201,7 +201,10 @@ Program::State::Done Program::State::step(Block& out) {
     goes_on = here;
     if (here.offset >= frontier.offset) return first_time(out);
     CompiledLine* const line = next_line != nullptr ? next_line : line_at(here);
-    if (line == nullptr) return Done::Nothing;
+    if (line == nullptr) {  // said; there is no way on
+        has_ended = true;
+        return Done::Nothing;
+    }
     lines.begin(here.line);
     goes_on = line->place.next;
     const Done done = run(*line, out);
@@ -231,6 +234,8 @@ Program::State::Done Program::State::first_time(Block& out) {
         lines.begin(here.line);
         scratch.text.clear();
         scratch.place = {here, here};
+        has_ended = true;
+        if (lines.failed()) return Done::Nothing;  // said at the jump
         return fail(scratch, diag::TextGone, {}, {"line " + std::to_string(here.line)});
     }
     std::string_view text;
