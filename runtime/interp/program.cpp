@@ -131,7 +131,6 @@ struct Program::State {
     std::size_t pull(std::span<Block> out);
     Done step(Block& out);
     Done first_time(Block& out);
-    Done lose_text();
     Done finish_first(Done done, std::string_view text, const Place& place, Block& out);
     Done run(CompiledLine& line, Block& out);
     CompiledLine* line_at(const Position& position);
@@ -202,7 +201,10 @@ Program::State::Done Program::State::step(Block& out) {
     goes_on = here;
     if (here.offset >= frontier.offset) return first_time(out);
     CompiledLine* const line = next_line != nullptr ? next_line : line_at(here);
-    if (line == nullptr) return lose_text();
+    if (line == nullptr) {  // said; there is no way on
+        has_ended = true;
+        return Done::Nothing;
+    }
     lines.begin(here.line);
     goes_on = line->place.next;
     const Done done = run(*line, out);
@@ -221,15 +223,6 @@ Program::State::Done Program::State::step(Block& out) {
     return done;
 }
 
-/// The next line cannot be read again.
-Program::State::Done Program::State::lose_text() {
-    has_ended = true;
-    if (is_only_checking) return Done::Nothing;  // an alarm has stopped the program already
-    lines.begin(here.line);
-    lines.report_fault({}, LineFault{&diag::TextGone, {}, {"line " + std::to_string(here.line)}});
-    return Done::Nothing;
-}
-
 /// The line that nobody has executed yet: most are plain words, and go straight out.
 Program::State::Done Program::State::first_time(Block& out) {
     if (is_waiting) {
@@ -238,7 +231,12 @@ Program::State::Done Program::State::first_time(Block& out) {
         return finish_first(run(scratch, out), scratch.text, scratch.place, out);
     }
     if (source.offset() != here.offset && !source.seek(here.offset)) {
-        return lose_text();
+        lines.begin(here.line);
+        scratch.text.clear();
+        scratch.place = {here, here};
+        has_ended = true;
+        if (lines.failed()) return Done::Nothing;  // said at the jump
+        return fail(scratch, diag::TextGone, {}, {"line " + std::to_string(here.line)});
     }
     std::string_view text;
     bool is_too_long = false;
@@ -316,7 +314,8 @@ CompiledLine* Program::State::line_at(const Position& position) {
     line->kind = CompiledLine::Kind::New;
     line->next = nullptr;
     if (is_there) return line;
-    if (line != &scratch) compiled.erase(position.offset);
+    lines.begin(position.line);
+    fail(*line, diag::TextGone, {}, {"line " + std::to_string(position.line)});
     return nullptr;
 }
 

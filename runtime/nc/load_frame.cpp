@@ -125,6 +125,7 @@ void load_rules(const XmlElement& element, Rules& rules, Attributes& attributes)
     attributes.read_flag(element, "modes", rules.has_modes);
     attributes.read_flag(element, "number_first", rules.number_first);
     attributes.read_flag(element, "blanks_inside_words", rules.blanks_inside_words);
+    Attributes::read_text(element, "modal_call", rules.modal_call);
     attributes.read_number(element, "skip_levels", rules.skip_levels);
     attributes.read_number(element, "default_skip", rules.default_skip);
     attributes.read_number(element, "read_line", rules.max_line);

@@ -192,10 +192,21 @@ class Matcher {
         return std::ranges::all_of(form.during, [&](Function needed) {
             const Group group = info(needed).group;
             const bool is_said = group == Group::Motion && block_.motion != Function::None;
-            const Function active =
-                is_said ? block_.motion : modal_[static_cast<std::size_t>(group)];
+            const Function active = is_said ? block_.motion : active_of(group);
             return active == needed || (active == Function::None && !has_slot);
         });
+    }
+
+    /// The member of the group that acts in the block: its own (`G90 G53`), else the modal one.
+    Function active_of(Group group) const {
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            if (!is_code(i) || !words_[i].is_known) continue;
+            const Code* code = tables_.find_code(words_[i].address, words_[i].number);
+            if (code == nullptr || code->simple == kNoForm) continue;
+            const Function said = tables_.forms[code->simple].function;
+            if (info(said).group == group) return said;
+        }
+        return modal_[static_cast<std::size_t>(group)];
     }
 
     Fit fit_form(std::size_t head, const Form& form) const {
@@ -276,6 +287,11 @@ class Matcher {
         });
     }
 
+    static bool is_constrained(const Form& form, const FormWord& wanted) {
+        return std::ranges::find(form.when, wanted.parameter, &Constraint::parameter) !=
+               form.when.end();
+    }
+
     void fit_call(const Form& form, const FormWord& wanted, std::size_t i, Fit& fit) const {
         const GivenWord& word = words_[i];
         for (std::size_t a = 0; a < word.argument_count || a < wanted.arguments.size(); ++a) {
@@ -292,11 +308,14 @@ class Matcher {
     bool fits_argument(const Form& form, const FormWord& want, const GivenArgument& given) const {
         const bool is_empty = given.kind == GivenArgument::Kind::Empty;
         const bool is_number = given.kind == GivenArgument::Kind::Number;
+        const bool is_text = given.kind == GivenArgument::Kind::Text;
         if (want.kind == FormWord::Kind::Empty) return is_empty;
-        if (want.kind == FormWord::Kind::Text) return !is_number && (!is_empty || want.is_optional);
+        if (want.kind == FormWord::Kind::Text) return is_text || (is_empty && want.is_optional);
         if (want.kind == FormWord::Kind::Fixed)
             return is_empty ? want.number == 0 : is_number && near(given.number, want.number);
         if (is_empty) return want.is_optional || want.has_default;
+        // Which form it is cannot wait for the value.
+        if (given.kind == GivenArgument::Kind::Computed) return !is_constrained(form, want);
         return is_number && is_in_range(form, want, given.number);
     }
 

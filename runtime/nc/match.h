@@ -32,8 +32,8 @@ struct GivenWord {
 };
 
 struct GivenArgument {
-    enum class Kind : std::uint8_t { Empty, Number, Text };
-    Kind kind = Kind::Empty;
+    enum class Kind : std::uint8_t { Empty, Number, Text, Computed };
+    Kind kind = Kind::Empty;  // Computed: a number that is known when the program runs
     double number = 0;
 };
 

@@ -205,6 +205,7 @@ struct Rules {
     bool has_modes = true;             // `X=AC(10)`, `X=IC(5)`
     bool number_first = true;          // N behind other words is an alarm
     bool blanks_inside_words = false;  // `X 10`, `G 0 1`
+    std::string modal_call;            // word that makes the cycle behind it modal; empty: none
     int skip_levels = 10;              // `/0` … `/9`
     int default_skip = 0;              // what `/` alone means; the lowest level
     std::size_t max_line = 512;        // bytes, read
