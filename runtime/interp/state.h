@@ -63,6 +63,15 @@ struct Tool {
     std::int64_t length_number() const { return source == Source::Edge ? current : offset; }
 };
 
+/// What the program has chosen of the cutter radius compensation.
+struct RadiusCompState {
+    nc::Function side = nc::Function::RadiusCompOff;
+    nc::Function start = nc::Function::None;  // None: as the control begins
+    nc::Function corner = nc::Function::None;
+    bool has_check = false;
+    double allowance = 0;  // mm
+};
+
 /// A modal cycle: repeated in every block with axis words.
 struct ModalCycle {
     bool is_active = false;

@@ -26,7 +26,10 @@ constexpr bool is_quiet_group(Group group) {
         case Group::RadiusComp:
         case Group::PathMode:
         case Group::CycleMode:
-        case Group::CycleReturn: return true;
+        case Group::CycleReturn:
+        case Group::CompStart:
+        case Group::CompCorner:
+        case Group::CompCheck: return true;
         case Group::Once:
         case Group::LengthComp:
         case Group::WorkOffsets:
