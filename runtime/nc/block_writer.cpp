@@ -323,7 +323,9 @@ bool BlockWriter::write_thread(const Block& block, std::string& out) {
     // The feed of the program, which the pitch is not, acts again behind the thread.
     const double feed = block.has(Slot::Feed) ? block.at(Slot::Feed) : modal_.meant_feed;
     const bool has_feed = block.has(Slot::Feed) || modal_.has_meant_feed;
+    feed_is_lead_ = is_feed;
     write_block(said, out);
+    feed_is_lead_ = false;
     modal_.meant_feed = feed;
     modal_.has_meant_feed = has_feed;
     if (is_feed) modal_.feed_is_pitch = true;

@@ -57,6 +57,9 @@ LineReader::LineReader(const Dialect& dialect, std::string name, DiagnosticSink&
     modal_ = tables_.power_on;
     modal_[static_cast<std::size_t>(Group::Motion)] = Function::None;
     last_forms_.assign(tables_.groups.size(), kNoForm);
+    const auto& threads = tables_.forms_of[static_cast<std::size_t>(Function::Thread)];
+    feed_is_pitch_ = !threads.empty() && tables_.forms[threads[0]].feed_is_pitch;
+    if (feed_is_pitch_) closely_read_.set(static_cast<std::size_t>(Function::Thread));
     follow_units();
 }
 
@@ -330,6 +333,7 @@ bool LineReader::read_fast(std::string_view line, Block& block) const {
             if ((groups & mask) != 0) return false;
             groups |= mask;
             if (group == Group::Motion) {
+                if (closely_read_[static_cast<std::size_t>(known.function)]) return false;
                 block.motion = known.function;
             } else if (!block.add(known.function)) {
                 return false;
@@ -527,8 +531,9 @@ bool LineReader::apply_claim(const Claim& claim, Block& block, std::string_view 
     if (claim.in_increments || claim.tail_digits > 0) return apply_whole(claim, block, line);
     const NumberFormat& own = tables_.addresses[word.address].format;
     NumberFormat lead;
-    if (claim.is_lead) lead = lead_format(own);
-    const NumberFormat& format = claim.is_lead ? lead : own;
+    const bool is_lead = claim.is_lead || (invocation == nullptr && is_pitch(claim, block));
+    if (is_lead) lead = lead_format(own);
+    const NumberFormat& format = is_lead ? lead : own;
     const double meaning = word.is_computed
                                ? rounded(decimal.value, format, claim.dimension)
                                : read_meaning(decimal, format, claim.dimension, units_);
@@ -551,6 +556,13 @@ bool LineReader::apply_claim(const Claim& claim, Block& block, std::string_view 
     const double scaled = meaning / text_scale(claim.dimension, units_, false);
     block.set_argument(*invocation, claim.parameter, (scaled - claim.offset) / claim.factor);
     return true;
+}
+
+/// Whether the word is F of a thread, where F is the pitch.
+bool LineReader::is_pitch(const Claim& claim, const Block& block) const {
+    if (static_cast<Slot>(claim.place) != Slot::Feed || !feed_is_pitch_) return false;
+    const Function modal = modal_[static_cast<std::size_t>(Group::Motion)];
+    return (block.motion != Function::None ? block.motion : modal) == Function::Thread;
 }
 
 /// A whole number that counts increments, or holds two parameters.

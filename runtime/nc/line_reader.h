@@ -113,6 +113,7 @@ class LineReader {
     bool apply(Block& block, std::string_view line);
     bool apply_claim(const Claim& claim, Block& block, std::string_view line);
     bool apply_whole(const Claim& claim, Block& block, std::string_view line);
+    bool is_pitch(const Claim& claim, const Block& block) const;
     LineKind kind_of(std::string_view line);
     bool are_of_motions(const Address& address);
     void prepare(std::size_t letter);
@@ -132,6 +133,7 @@ class LineReader {
     TextUnits units_;
     std::array<double, static_cast<std::size_t>(Dimension::Text) + 1> slot_scales_{};
     bool feed_stays_metric_ = false;
+    bool feed_is_pitch_ = false;  // of threads, with the digits of a pitch
     std::uint64_t line_number_ = 0;
     bool failed_ = false;
     std::uint64_t first_fault_ = 0;

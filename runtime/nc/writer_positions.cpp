@@ -71,6 +71,8 @@ double BlockWriter::to_text(Slot slot, double value) const {
 
 int BlockWriter::decimals(Slot slot) const {
     const Address& address = address_of(slot);
+    if (slot == Slot::Feed && feed_is_lead_)
+        return text_decimals(lead_format(address.format), address.dimension, modal_.units);
     return text_decimals(address.format, address.dimension, modal_.units);
 }
 
