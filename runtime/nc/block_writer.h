@@ -251,7 +251,7 @@ class BlockWriter {
     WriterModal modal_;
     std::vector<Pending> pending_;
     std::unordered_set<std::uint64_t>
-        reported_;  // statement and message, so that loops report once
+        reported_;               // statement and message, so that loops report once
     bool feed_is_lead_ = false;  // F of the block that is being written is the pitch of a thread
     std::uint32_t lines_ = 0;
     std::size_t line_start_ = 0;
