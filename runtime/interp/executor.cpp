@@ -356,7 +356,17 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::EndRewind: actions.end = invocation.function; break;
         case Function::Message: actions.message = &invocation; break;
 
-        case Function::CycleOff: modal_cycle_.is_active = taps_rigidly_ = false; break;
+        case Function::CycleOff:
+            actions.cycle_is_cancelled = actions.cycle != nullptr;
+            if (actions.cycle == nullptr) modal_cycle_.is_active = taps_rigidly_ = false;
+            break;
+        case Function::CycleWords: {
+            CycleWords& words = actions.cycle_words;
+            if ((invocation.given & 1u) != 0) words.stroke = block.argument(invocation, 0);
+            if ((invocation.given & 2u) != 0) words.dwell = block.argument(invocation, 1);
+            if ((invocation.given & 4u) != 0) words.times = block.argument(invocation, 2);
+            break;
+        }
         case Function::CycleReturnInitial: returns_to_retract_ = false; break;
         case Function::CycleReturnRetract: returns_to_retract_ = true; break;
         case Function::CyclePreset: preset_cycle(block, invocation); break;
@@ -538,6 +548,10 @@ void Executor::select_work_offset(const Block& block, std::int64_t number) {
 
 void Executor::apply_frame(const Block& block, const Invocation& invocation) {
     const bool is_set = invocation.function == Function::SetPosition;
+    if (is_set && modal_cycle_.is_active) {
+        report(diag::SetPositionInCycle, block, invocation.function);
+        return;
+    }
     const double x_scale = rules_.shift_in_diameter ? word_scale_[index(Axis::X)] : 1;
     const FrameWords words = frame_words(block, invocation, 0, x_scale);
     switch (invocation.function) {

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,6 +41,9 @@ class CycleExpander {
   public:
     virtual ~CycleExpander() = default;
     virtual std::unique_ptr<Stream<nc::Block>> expand(const CycleCall& call) = 0;
+    /// Why the definition of the latest cycle refused its parameters, in its own words; nothing: it
+    /// did not, or not yet. Known when its blocks have come to their end.
+    virtual std::optional<std::string> refusal() const { return std::nullopt; }
 };
 
 struct InterpreterOptions {

@@ -53,7 +53,8 @@ struct Invocation {
     Function function = Function::None;
     std::uint8_t first =
         0;  // of its parameters in Block::arguments, in the order of the vocabulary
-    std::uint32_t given = 0;  // bit i: parameter i was given
+    std::uint16_t by_form = 0;  // bit i: no word says parameter i, the form does (of the first 16)
+    std::uint32_t given = 0;    // bit i: parameter i was given
 };
 
 /// Which cycle a block calls: index into the dialects' common list of cycles (Dialect::cycles).

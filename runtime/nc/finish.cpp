@@ -203,6 +203,11 @@ class Finisher {
             append_shortest(all, c.least);
             all += ',';
         }
+        // Of two forms that need different functions to be active, one at most can be meant.
+        for (const Function needed : form.during) {
+            all += '@';
+            all += info(needed).name;
+        }
         return all;
     }
 

@@ -47,6 +47,7 @@ class Matcher {
         for (std::size_t i = 0; i < words_.size(); ++i) {
             if (Fault fault = take_value(i)) return fault;
         }
+        if (Fault fault = cancel_cycle()) return fault;
         order_functions();
         if (Fault fault = check_cycle()) return fault;
         return check_alone();
@@ -188,7 +189,14 @@ class Matcher {
         const bool is_value = first.kind == FormWord::Kind::Value;
         const bool has_slot = is_value && tables_.addresses[first.address].slot >= 0;
         return std::ranges::all_of(form.during, [&](Function needed) {
-            const Group group = info(needed).group;
+            const bool is_cycle = needed == Function::Cycle;
+            const bool calls_cycle = block_.find(Function::Cycle) != nullptr;
+            if (is_cycle && calls_cycle) return true;
+            const Group group = is_cycle ? Group::CycleMode : info(needed).group;
+            // Axis words of a modal cycle are no motion that words could belong to.
+            const bool is_in_cycle =
+                calls_cycle || modal_[static_cast<std::size_t>(Group::CycleMode)] == Function::Cycle;
+            if (group == Group::Motion && is_in_cycle) return false;
             const bool is_said = group == Group::Motion && block_.motion != Function::None;
             const Function active =
                 is_said ? block_.motion : modal_[static_cast<std::size_t>(group)];
@@ -319,6 +327,8 @@ class Matcher {
         for (const auto& [parameter, value] : form.fixed) {
             block_.set_argument(block_.functions[invocation], static_cast<std::size_t>(parameter),
                                 value);
+            if (parameter < 16)
+                block_.functions[invocation].by_form |= static_cast<std::uint16_t>(1u << parameter);
         }
         WordSet left = fit.taken;
         left[head] = false;
@@ -343,6 +353,7 @@ class Matcher {
     Fault say(Function function, std::size_t head, std::size_t parameters) {
         if (info(function).group == Group::Motion) {
             block_.motion = function;
+            motion_head_ = head;
             return {};
         }
         if (block_.add(function, parameters) == nullptr)
@@ -437,6 +448,17 @@ class Matcher {
         return {};
     }
 
+    /// Where cycles are modal, the motion code that stands behind one ends it at once.
+    Fault cancel_cycle() {
+        if (!motion_head_ || tables_.forms_of[static_cast<std::size_t>(Function::CycleOff)].empty())
+            return {};
+        for (std::size_t i = 0; i < block_.function_count; ++i) {
+            const bool is_cycle = block_.functions[i].function == Function::Cycle;
+            if (is_cycle && heads_[i] < *motion_head_) return say(Function::CycleOff, *motion_head_, 0);
+        }
+        return {};
+    }
+
     /// Words of arcs have other meanings beside a cycle (K: repeats); none of them is passed over.
     Fault check_cycle() const {
         if (block_.find(Function::Cycle) == nullptr) return {};
@@ -466,6 +488,7 @@ class Matcher {
     WordSet used_;
     SlotMask seen_slots_ = 0;
     std::optional<std::size_t> alone_;
+    std::optional<std::size_t> motion_head_;            // word that says the motion
     std::array<std::size_t, kMaxInvocations> heads_{};  // word behind each function
 };
 
@@ -480,11 +503,15 @@ std::optional<MatchFault> match_words(const DialectTables& tables, std::span<con
 }
 
 void follow_modal(const Block& block, ModalFunctions& modal) {
-    if (block.motion != Function::None)
+    Function& cycle_mode = modal[static_cast<std::size_t>(Group::CycleMode)];
+    if (block.motion != Function::None) {
         modal[static_cast<std::size_t>(Group::Motion)] = block.motion;
+        cycle_mode = Function::CycleOff;
+    }
     for (std::size_t i = 0; i < block.function_count; ++i) {
         const Function function = block.functions[i].function;
         const Group group = info(function).group;
+        if (function == Function::Cycle) cycle_mode = Function::Cycle;
         if (group != Group::Once) modal[static_cast<std::size_t>(group)] = function;
     }
 }

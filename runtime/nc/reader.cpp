@@ -237,7 +237,7 @@ bool Reader::State::read(std::string_view line, Block& block) {
     if (read_fast(line, block)) {
         has_content = true;
         // Later forms depend on modal functions: G68 on its plane, G53 on absolute dimensions.
-        if (block.function_count != 0) follow_modal(block, modal);
+        if (block.function_count != 0 || block.motion != Function::None) follow_modal(block, modal);
         return true;
     }
     block.reset();
@@ -567,6 +567,39 @@ void Reader::State::follow_units() {
 
 // ---------------------------------------------------------------- messages
 
+namespace {
+
+/// "`CYCLE83` with -5 as its 17th argument", "`CYCLE97` without its 3rd argument"
+std::string argument_words(const LexedLine& lexed, const MatchFault& fault,
+                           const std::string& name) {
+    const GivenWord& word = lexed.words[fault.word];
+    const auto place = static_cast<std::size_t>(fault.argument);
+    const std::size_t number = place + 1;
+    const bool is_teen = number / 10 % 10 == 1;
+    const std::string_view ending = is_teen             ? "th"
+                                    : number % 10 == 1 ? "st"
+                                    : number % 10 == 2 ? "nd"
+                                    : number % 10 == 3 ? "rd"
+                                                       : "th";
+    std::string words = '`' + name + "` ";
+    const bool is_given = place < word.argument_count;
+    const GivenArgument given =
+        is_given ? lexed.arguments[word.first_argument + place] : GivenArgument{};
+    if (given.kind == GivenArgument::Kind::Empty) {
+        words += "without its ";
+    } else if (given.kind == GivenArgument::Kind::Text) {
+        words += "with a text as its ";
+    } else {
+        words += "with ";
+        append_shortest(words, given.number);
+        words += " as its ";
+    }
+    append_shortest(words, static_cast<double>(number));
+    return words.append(ending).append(" argument");
+}
+
+}  // namespace
+
 LinePlace Reader::State::place(std::string_view line, std::uint64_t number,
                                const Span& span) const {
     constexpr std::size_t kShown = 400;  // bytes of a line that a message keeps
@@ -623,6 +656,11 @@ void Reader::State::report(std::string_view line, const MatchFault& fault) {
         case Kind::Missing: out.row = &diag::IsoWordsMissing, out.arguments = {word, form}; break;
         case Kind::Value:
             out.row = &diag::IsoValueWrong, out.arguments = {word, form};
+            if (fault.argument >= 0) {
+                const Address& call = tables.addresses[lexed.words[fault.word].address];
+                out.row = &diag::IsoNotSupported;
+                out.arguments = {argument_words(lexed, fault, call.name)};
+            }
             if (fault.form != kNoForm && tables.forms[fault.form].function == Function::WorkOffset)
                 out.row = &diag::WorkOffsetUnknown, out.arguments = {other + ' ' + word};
             break;
