@@ -94,6 +94,18 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
     if (count_times(actions.cycle_words)) start_cycle(block, call);
 }
 
+/// The cycle that is called wherever an axis has moved; its place in the text is the motion's.
+void Executor::call_behind_motion(const Block& block) {
+    if (ended_ || cycle_blocks_ || (block.given & nc::kTargetSlots) == 0) return;
+    Block call = *call_behind_motions_;
+    call.line = block.line;
+    call.source = block.source;
+    call.given = 0;
+    Actions actions;
+    actions.cycle = call.find(Function::Cycle);
+    call_cycle(call, actions);
+}
+
 /// The motion code behind a cycle ended it; what was its depth is the place of the tool axis.
 void Executor::move_instead_of_cycle(const Block& block, const Actions& actions) {
     report(diag::CycleBesideMotion, block, Function::Cycle).arg("the motion");
@@ -268,6 +280,8 @@ void Executor::start_cycle(const Block& block, ModalCycle call) {
     request.feed = modal_.feed;
     request.feed_mode = modal_.feed_mode;
     request.speed = spindle_.speed;
+    if (spindle_.mode == path::SpindleMode::Cw) request.spindle = Function::SpindleCw;
+    if (spindle_.mode == path::SpindleMode::Ccw) request.spindle = Function::SpindleCcw;
     request.source = block.source;
     cycle_stream_ = cycles_->expand(request);
     if (cycle_stream_ == nullptr) {

@@ -162,7 +162,9 @@ void Executor::execute(const Block& block) {
         if (block.kind == Block::Kind::Raw) report(diag::RawInCycle, block);
         return;
     }
-    if (block.skip >= 0 && (options_.skip_levels >> block.skip & 1u) != 0) return;
+    if (block.skip >= 0 &&
+        ((1u << block.skip | block.skip_also) & options_.skip_levels) != 0)
+        return;
     if (spline_ && !continues_spline(block)) {
         finish_spline();
         if (ended_) return;
@@ -181,6 +183,7 @@ void Executor::execute(const Block& block) {
             update_spindle(block);
         }
         move(block, kNone);
+        if (call_behind_motions_) call_behind_motion(block);
         return;
     }
     const Actions actions = apply_functions(block);
@@ -190,6 +193,7 @@ void Executor::execute(const Block& block) {
     if (ended_) return;
     const bool was_in_cycle = cycle_blocks_.has_value();
     move(block, actions);
+    if (call_behind_motions_) call_behind_motion(block);
     if (ended_) return;
     if (cycle_blocks_ && !was_in_cycle) {
         after_cycle_ = actions;  // what the calling block does after its motion waits for the cycle
@@ -360,6 +364,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             actions.cycle_is_cancelled = actions.cycle != nullptr;
             if (actions.cycle == nullptr) modal_cycle_.is_active = taps_rigidly_ = false;
             break;
+        case Function::CycleModal: actions.calls_behind_motions = true; break;
         case Function::CycleWords: {
             CycleWords& words = actions.cycle_words;
             if ((invocation.given & 1u) != 0) words.stroke = block.argument(invocation, 0);

@@ -42,6 +42,7 @@ struct Actions {
     const nc::Invocation* limit = nullptr;
     const nc::Invocation* cycle = nullptr;
     bool cycle_is_cancelled = false;  // … by a motion code behind it
+    bool calls_behind_motions = false;
     CycleWords cycle_words;
     const nc::Invocation* reference = nullptr;  // ReferencePoint or ReferenceReturn
 };
@@ -166,6 +167,7 @@ class Executor {
     void preset_cycle(const nc::Block& block, const nc::Invocation& invocation);
     void complete_call(ModalCycle& call) const;
     void repeat_cycle(const nc::Block& block, const Actions& actions);
+    void call_behind_motion(const nc::Block& block);
     void move_instead_of_cycle(const nc::Block& block, const Actions& actions);
     bool is_modal(nc::CycleId cycle) const;
     bool count_times(const CycleWords& words);
@@ -244,6 +246,7 @@ class Executor {
     // A cycle that runs: its blocks, who called it, and what to restore behind it.
     ModalCycle modal_cycle_;
     CycleData cycle_data_;
+    std::optional<nc::Block> call_behind_motions_;
     int times_left_ = 0;                 // that the block does the cycle again
     std::optional<double> final_level_;  // below its retract level, where the tool goes behind it
     std::vector<ModalCycle> presets_;  // parameters that the next calls need not give

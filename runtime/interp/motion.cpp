@@ -62,6 +62,11 @@ void Executor::move(const Block& block, const Actions& actions) {
     const SlotMask targets = block.given & nc::kTargetSlots;
     const SlotMask arc_words = block.given & kArcSlots;
     if (actions.reference != nullptr) return return_to_reference(block, *actions.reference);
+    if (actions.calls_behind_motions) {
+        call_behind_motions_.reset();
+        if (actions.cycle != nullptr) call_behind_motions_ = block;
+        return;
+    }
     if (actions.cycle_is_cancelled) return move_instead_of_cycle(block, actions);
     if (actions.cycle != nullptr) return call_cycle(block, actions);
     constexpr SlotMask kCycleSlots = nc::kTargetSlots | bit(Slot::Radius);

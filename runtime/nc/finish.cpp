@@ -96,6 +96,7 @@ class Finisher {
             code.function = form.function;
             code.is_plain = form.function != Function::None && form.sets.empty() &&
                             form.fixed.empty() && form.during.empty() && !form.owns_block &&
+                            !form.owns_axes && !form.owns_address && form.unsupported.empty() &&
                             !form.remembers && form.function != Function::Cycle &&
                             info(form.function).parameters.empty();
         }

@@ -127,7 +127,13 @@ void FormLoader::read_form_attributes(const XmlElement& element, Form& form) {
         form.feed_by_radius = *feed == 3;
         form.feed_is_pitch = *feed == 4;
     }
-    attributes_.read_flag(element, "own_block", form.owns_block);
+    if (const auto own = attributes_.choice(element, "own_block", {"no", "yes", "axes"})) {
+        form.owns_block = *own == 1;
+        form.owns_axes = *own == 2;
+    }
+    attributes_.read_flag(element, "only", form.owns_address);
+    Attributes::read_text(element, "unsupported", form.unsupported);
+    form.is_written &= form.unsupported.empty();
     attributes_.read_flag(element, "remembers", form.remembers);
     attributes_.read_flag(element, "preset", form.is_preset);
     attributes_.read_flag(element, "verbatim", form.is_verbatim);

@@ -83,6 +83,7 @@ void load_blocks(const XmlElement& element, BlockNumbers& numbers, Attributes& a
     }
     attributes.read_number(element, "start", numbers.start);
     attributes.read_number(element, "step", numbers.step);
+    attributes.read_number(element, "least", numbers.least);
     attributes.read_number(element, "most", numbers.most);
 }
 
@@ -125,6 +126,11 @@ void load_rules(const XmlElement& element, Rules& rules, Attributes& attributes)
     attributes.read_flag(element, "modes", rules.has_modes);
     attributes.read_flag(element, "number_first", rules.number_first);
     attributes.read_flag(element, "blanks_inside_words", rules.blanks_inside_words);
+    attributes.read_flag(element, "several_skips", rules.has_several_skips);
+    if (const XmlAttribute* sign = element.find("end_sign")) {
+        if (sign->value.size() == 1) rules.end_sign = sign->value[0];
+        else attributes.bad_value(*sign, "one ASCII character is expected");
+    }
     attributes.read_number(element, "skip_levels", rules.skip_levels);
     attributes.read_number(element, "default_skip", rules.default_skip);
     attributes.read_number(element, "read_line", rules.max_line);

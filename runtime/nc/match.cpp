@@ -291,7 +291,7 @@ class Matcher {
             const bool fits = want == nullptr ? given.kind == GivenArgument::Kind::Empty
                                               : fits_argument(form, *want, given);
             if (!fits) refuse(fit, Fit::Answer::Value, i, static_cast<int>(a));
-            if (given.kind != GivenArgument::Kind::Empty) ++fit.matched;
+            if (fits && given.kind != GivenArgument::Kind::Empty) ++fit.matched;
         }
     }
 
@@ -312,7 +312,16 @@ class Matcher {
         if (match_.form_count == match_.forms.size())
             return MatchFault{MatchFault::Kind::Full, head};
         match_.forms[match_.form_count++] = id;
+        if (!form.unsupported.empty())
+            return MatchFault{MatchFault::Kind::NotSupported, head, head, id};
         if (form.owns_block && !alone_) alone_ = head;
+        if (form.owns_axes && !without_axes_) without_axes_ = head;
+        if (form.owns_address) {
+            for (std::size_t i = 0; i < words_.size(); ++i) {
+                if (i != head && words_[i].address == words_[head].address)
+                    return MatchFault{MatchFault::Kind::Company, head, i};
+            }
+        }
         if (form.function == Function::None) {
             used_ |= fit.taken;  // the control knows it, and nothing here depends on it
             return {};
@@ -473,6 +482,10 @@ class Matcher {
     }
 
     Fault check_alone() const {
+        constexpr SlotMask kPlaces =
+            kTargetSlots | kCenterSlots | bit(Slot::Radius) | bit(Slot::Turns);
+        if (without_axes_ && (motion_head_ || (seen_slots_ & kPlaces) != 0))
+            return MatchFault{MatchFault::Kind::Alone, *without_axes_};
         if (!alone_) return {};
         const bool has_more = match_.form_count > 1 || seen_slots_ != 0;
         if (!has_more) return {};
@@ -488,6 +501,7 @@ class Matcher {
     WordSet used_;
     SlotMask seen_slots_ = 0;
     std::optional<std::size_t> alone_;
+    std::optional<std::size_t> without_axes_;
     std::optional<std::size_t> motion_head_;            // word that says the motion
     std::array<std::size_t, kMaxInvocations> heads_{};  // word behind each function
 };

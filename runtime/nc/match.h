@@ -68,6 +68,8 @@ struct MatchFault {
         Conflict,      // `word` and `other` belong to different forms of one code
         Unused,        // `word` means nothing here
         Alone,         // `word` must stand in a block of its own
+        Company,       // `word` does not stand beside `other`
+        NotSupported,  // `word` in `form` is known, and not executed
         Mode,          // `word`: AC() or IC() does not fit here
         Full,          // the block holds too much
     };

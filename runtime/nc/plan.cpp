@@ -221,9 +221,11 @@ class Planner {
                 sink_.report(diag::BlockWordMissing, word.range).arg(text).arg(form);
                 break;
             case Kind::Value:
+            case Kind::NotSupported:
                 sink_.report(diag::BlockWordValueWrong, word.range).arg(text).arg(form);
                 break;
             case Kind::Conflict:
+            case Kind::Company:
                 sink_.report(diag::BlockWordConflict, word.range)
                     .arg(text)
                     .arg(text_of(other))

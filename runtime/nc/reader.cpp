@@ -15,6 +15,9 @@ namespace kadr::nc {
 
 namespace {
 
+/// Editors put it before a text in UTF-8; no control sees it.
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 bool is_digit(char c) { return static_cast<unsigned char>(c - '0') <= 9; }
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
@@ -317,7 +320,8 @@ bool Reader::State::read_fast(std::string_view line, Block& block) const {
             std::int32_t number = 0;
             const char* const digits = p;
             while (p != end && is_digit(*p) && p - digits < 8) number = number * 10 + (*p++ - '0');
-            if (p == digits || (p != end && is_digit(*p)) || number > tables.block_numbers.most)
+            if (p == digits || (p != end && is_digit(*p)) || number > tables.block_numbers.most ||
+                number < tables.block_numbers.least)
                 return false;
             block.number = number;
         } else {
@@ -424,6 +428,7 @@ bool Reader::State::read_slow(std::string_view line, Block& block) {
         return false;
     }
     block.skip = lexed.skip;
+    block.skip_also = lexed.skip_also;
     block.number = lexed.number;
     block.comment = lexed.comment;
     block.text = lexed.text;
@@ -569,6 +574,17 @@ void Reader::State::follow_units() {
 
 namespace {
 
+/// Whether codes of the address are the machine builder's as well; the control passes them on.
+bool is_for_builder(const DialectTables& tables, AddressId address) {
+    const auto& forms = tables.forms_of[static_cast<std::size_t>(Function::MachineFunction)];
+    return !forms.empty() && tables.forms[forms[0]].words[0].address == address;
+}
+
+bool is_tool_offset(Function function) {
+    return function == Function::LengthOffset || function == Function::LengthCompOn ||
+           function == Function::RadiusOffset;
+}
+
 /// "`CYCLE83` with -5 as its 17th argument", "`CYCLE97` without its 3rd argument"
 std::string argument_words(const LexedLine& lexed, const MatchFault& fault,
                            const std::string& name) {
@@ -644,6 +660,10 @@ void Reader::State::report(std::string_view line, const MatchFault& fault) {
             const std::string known = tables.unsupported_words(word);
             out.row = known.empty() ? &diag::IsoUnknownCode : &diag::IsoNotSupported;
             out.arguments = {known.empty() ? word : known};
+            if (known.empty() && is_for_builder(tables, lexed.words[fault.word].address)) {
+                out.row = &diag::IsoNotSupported;
+                out.arguments = {'`' + word + "` (a function of the machine's builder)"};
+            }
             break;
         }
         case Kind::NoValue:
@@ -663,12 +683,19 @@ void Reader::State::report(std::string_view line, const MatchFault& fault) {
             }
             if (fault.form != kNoForm && tables.forms[fault.form].function == Function::WorkOffset)
                 out.row = &diag::WorkOffsetUnknown, out.arguments = {other + ' ' + word};
+            if (fault.form != kNoForm && is_tool_offset(tables.forms[fault.form].function))
+                out.row = &diag::IsoToolOffset, out.arguments = {word};
             break;
         case Kind::Conflict:
             out.row = &diag::IsoWordsConflict, out.arguments = {word, other};
             break;
         case Kind::Unused: out.row = &diag::IsoWordUnused, out.arguments = {word}; break;
         case Kind::Alone: out.row = &diag::IsoAlone, out.arguments = {word}; break;
+        case Kind::Company: out.row = &diag::IsoCompany, out.arguments = {word, other}; break;
+        case Kind::NotSupported:
+            out.row = &diag::IsoNotSupported;
+            out.arguments = {'`' + form + "` (" + tables.forms[fault.form].unsupported + ')'};
+            break;
         case Kind::Mode: out.row = &diag::IsoModeMisplaced, out.arguments = {word}; break;
         case Kind::Full: out.row = &diag::IsoTooManyWords; break;
     }
@@ -690,6 +717,8 @@ std::size_t Reader::pull(std::span<Block> out) {
     bool is_too_long = false;
     while (count < out.size() && !s.has_ended && s.source.next(line, is_too_long)) {
         ++s.line_number;
+        if (s.line_number == 1 && line.starts_with(kByteOrderMark))
+            line.remove_prefix(kByteOrderMark.size());
         if (is_too_long) {
             const auto shown = static_cast<std::uint32_t>(std::min<std::size_t>(line.size(), 1));
             s.report(line.substr(0, 80), LineFault{&diag::IsoLineTooLong,

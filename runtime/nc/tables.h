@@ -137,6 +137,8 @@ struct Form {
     bool is_written = true;
     bool is_read = true;
     bool owns_block = false;         // stands alone
+    bool owns_axes = false;          // no motion and no axis word stands beside it
+    bool owns_address = false;       // no other word of its address stands in the block
     bool remembers = false;          // parameters that are left out keep their value
     bool is_verbatim = false;        // a line of the control's own language, letter by letter
     bool is_comment = false;         // stands between the comment signs
@@ -148,7 +150,8 @@ struct Form {
     bool keeps_length = false;       // the tool length acts in its block unless edge 0 is said
     std::string doc;
     std::string note;
-    SourceRange range;  // in the file
+    std::string unsupported;  // what it is, if Kadr does not execute it
+    SourceRange range;        // in the file
 };
 
 /// The pattern of the form's own line: what has to stand in one block.
@@ -176,6 +179,7 @@ struct BlockNumbers {
     bool is_on = false;
     std::int64_t start = 10;
     std::int64_t step = 10;
+    std::int64_t least = 0;  // that is read
     std::int64_t most = 99999999;
 };
 
@@ -204,6 +208,8 @@ struct Rules {
     bool has_modes = true;             // `X=AC(10)`, `X=IC(5)`
     bool number_first = true;          // N behind other words is an alarm
     bool blanks_inside_words = false;  // `X 10`, `G 0 1`
+    bool has_several_skips = false;    // `/1/3`: left out at either level
+    char end_sign = '\0';              // that may end a block before the line ends
     int skip_levels = 10;              // `/0` … `/9`
     int default_skip = 0;              // what `/` alone means; the lowest level
     std::size_t max_line = 512;        // bytes, read

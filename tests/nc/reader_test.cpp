@@ -137,8 +137,10 @@ TEST(Reader, SinumerikWords) {
             {"LIMS=3000", "speed_limit(limit=3000)"},
             {"G96 S120\nG97\nG94",
              "S120 | cutting_speed_on | feed_per_revolution\ncutting_speed_off\nfeed_per_minute"},
-            {"CYCLE81(10,0,2,-40)", "cycle#0(0=-40, 1=2, 2=10, 3=0)"},
-            {"CYCLE83(50,2,0,-12,,,3,0,0,0,1,1)", "cycle#1(0=-12, 1=3, 2=2, 3=50, 4=0)"},
+            {"CYCLE81(10,0,2,-40)", "cycle#15(0=10, 1=0, 2=2, 3=-40)"},
+            {"CYCLE83(50,2,0,-12,,,3,0,0,0,1,1,,,,,1)", "cycle#1(0=-12, 1=3, 2=2, 3=50, 4=0)"},
+            {"CYCLE83(50,2,0,-12,,,3,0,0,0,1,1)",
+             "cycle#16(0=50, 1=2, 2=0, 3=-12, 6=3, 7=0, 9=0, 10=0, 11=1, 12=1)"},
             {"G700 X1 F10\nG70 X1 F10", "X25.4 F254 | inch\nX25.4 F10 | inch"},
             {"START:\nM17", "label START\nend"},
         });
@@ -284,8 +286,8 @@ TEST(Reader, WordsWithoutEffectAreAccepted) {
                     "radius_comp_off | length_comp_off | cycle_off | rotate_off | scale_off"},
                    {"G05.1 Q1\nG01 X1.", "line X1"}});
     expect_blocks("sinumerik", {{"G1 SOFT G601 X5 NORM", "line X5"}, {"STOPRE", ""}});
-    // Repeats of a cycle are not executed, so they are not passed over either.
-    EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "G81 X1. Z-5. R2. K3").messages),
+    // A word of arcs beside a cycle is not passed over.
+    EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "G81 X1. Z-5. R2. J3.").messages),
               "K5010");
 }
 
