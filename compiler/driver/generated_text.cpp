@@ -1,6 +1,9 @@
 #include "driver/generated_text.h"
 
 #include <algorithm>
+#include <iterator>
+#include <ranges>
+#include <utility>
 
 #include "base/diagnostics/expand.h"
 #include "driver/source_map.h"
@@ -12,16 +15,6 @@ namespace {
 // Blocks evaluated at a time: few enough to stay in the cache.
 constexpr std::size_t kPiece = 64;
 constexpr std::size_t kPieceBytes = std::size_t{1} << 13;  // text handed on at a time
-
-expand::ExpandOptions expand_options(const Options& options, bool has_map) {
-    expand::Limits limits;
-    limits.blocks = options.max_blocks > 0 ? options.max_blocks : kMaxBlocks;
-    limits.seconds = options.max_time;
-    return {.limits = limits,
-            .native_cycles = options.native_cycles,
-            .trace = has_map,
-            .stop = options.stop};
-}
 
 nc::WriteOptions write_options(const Options& options) {
     return {.verbose_modal = options.verbose_modal,
@@ -52,14 +45,27 @@ GeneratedText::GeneratedText(Session& session, const Program& program, const nc:
                              Output* map, DiagnosticSink& sink)
     : session_(session),
       program_(program),
-      expander_(*program.code, target, expand_options(session.options(), map != nullptr), sink),
-      writer_(target, write_options(session.options()), sink),
+      target_(target),
+      expander_(*program.code, target, expand_options(map != nullptr), sink),
+      writer_messages_(*this, sink),
+      writer_(target, write_options(session.options()), writer_messages_),
       map_(map),
       line_map_(std::make_unique<LineMap>()),
       batch_(kPiece),
       deadline_(session.options().max_time) {}
 
 GeneratedText::~GeneratedText() = default;
+
+expand::ExpandOptions GeneratedText::expand_options(bool has_trace) const {
+    const Options& options = session_.options();
+    expand::Limits limits;
+    limits.blocks = options.max_blocks > 0 ? options.max_blocks : kMaxBlocks;
+    limits.seconds = options.max_time;
+    return {.limits = limits,
+            .native_cycles = options.native_cycles,
+            .trace = has_trace,
+            .stop = options.stop};
+}
 
 bool GeneratedText::start() {
     const Options& options = session_.options();
@@ -75,6 +81,7 @@ bool GeneratedText::start() {
 }
 
 bool GeneratedText::start(const Entry& entry) {
+    start_ = entry.start;
     if (!entry.start(expander_)) return false;
     writer_.set_statements(program_.code->statements, &session_.sources());
     nc::ProgramInfo info;
@@ -109,7 +116,7 @@ SourceRange GeneratedText::last_statement() const {
 void GeneratedText::write_batch() {
     const std::size_t count = expander_.pull(batch_);
     if (count > 0) last_source_ = batch_[count - 1].source;
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < count; ++i, ++blocks_) {
         const std::uint32_t before = writer_.lines();
         const std::uint32_t first = writer_.write(batch_[i], text_);
         // What was modal already gets no line, and the line before belongs to another statement.
@@ -118,11 +125,50 @@ void GeneratedText::write_batch() {
         if (batch_[i].source.is_valid()) statement_lines_ += writer_.lines() + 1 - first;
         if (map_ != nullptr) map_block(i, first);
     }
-    blocks_ += count;
     is_at_end_ = count == 0 || failed();
     if (!is_at_end_) return;
     body_lines_ = writer_.lines();
     writer_.end(text_);
+}
+
+/// The expander is ahead of the writer and keeps no calls, which would cost every program. An error
+/// is rare: the program is evaluated once more up to the block, this time with its calls.
+std::vector<Diagnostic::Note> GeneratedText::calls_of_block(std::uint64_t number) const {
+    std::vector<Diagnostic::Note> notes;
+    DiagnosticList said_before;
+    expand::Expander again(*program_.code, target_, expand_options(true), said_before);
+    if (!start_ || !start_(again)) return notes;
+    std::vector<nc::Block> batch(kPiece);
+    std::uint64_t first = 0;
+    std::size_t count = again.pull(batch);
+    for (; count > 0 && first + count <= number; count = again.pull(batch)) first += count;
+    if (count == 0) return notes;
+    for (const expand::CallSite& call : again.trace(number - first).calls | std::views::reverse) {
+        notes.push_back({call.range, {}, "`" + std::string(call.function) + "` was called here"});
+    }
+    return notes;
+}
+
+bool GeneratedText::is_in_library(const SourceRange& range) const {
+    return session_.sources().name(range.file).starts_with(session_.share().library);
+}
+
+void GeneratedText::WriterMessages::take(Diagnostic diagnostic) {
+    if (diagnostic.severity == Severity::Error && diagnostic.range.file.is_valid()) {
+        std::vector<Diagnostic::Note> calls = text_.calls_of_block(text_.blocks_);
+        const auto users = std::ranges::find_if(
+            calls, [&](const Diagnostic::Note& call) { return !text_.is_in_library(call.range); });
+        if (users != calls.end() && text_.is_in_library(diagnostic.range)) {
+            diagnostic.notes.push_back({diagnostic.range, {}, "this statement makes the block"});
+            diagnostic.range = users->range;
+            calls.erase(users);
+            if (diagnostic.range == last_call_ && diagnostic.row == last_row_) return;
+            last_call_ = diagnostic.range;
+            last_row_ = diagnostic.row;
+        }
+        std::ranges::move(calls, std::back_inserter(diagnostic.notes));
+    }
+    sink_.take(std::move(diagnostic));
 }
 
 void GeneratedText::map_block(std::size_t index, std::uint32_t line) {

@@ -24,7 +24,8 @@ namespace kadr::driver {
 struct Entry {
     std::string name;  // of the ISO-7bit program
     bool is_inch = false;
-    std::function<bool(expand::Expander&)> start;  // false: reported
+    /// False: reported. Called again if an error of the writer asks for the calls that led to it.
+    std::function<bool(expand::Expander&)> start;
 };
 
 class GeneratedText final : public nc::TextSource {
@@ -62,20 +63,41 @@ class GeneratedText final : public nc::TextSource {
   private:
     GeneratedText(Session& session, const Program& program, const nc::Dialect& target, Output* map,
                   DiagnosticSink& sink);
+    /// Where errors of the writer go: to each the calls that led to the block are added, and what
+    /// a statement of the library cannot say is an error where the library was called.
+    class WriterMessages final : public DiagnosticSink {
+      public:
+        WriterMessages(const GeneratedText& text, DiagnosticSink& sink)
+            : text_(text), sink_(sink) {}
+        void take(Diagnostic diagnostic) override;
+
+      private:
+        const GeneratedText& text_;
+        DiagnosticSink& sink_;
+        SourceRange last_call_;  // of the library, about which something was said, …
+        const DiagnosticRow* last_row_ = nullptr;  // … and what
+    };
+
+    expand::ExpandOptions expand_options(bool has_trace) const;
     void write_batch();
+    std::vector<Diagnostic::Note> calls_of_block(std::uint64_t number) const;
+    bool is_in_library(const SourceRange& range) const;
     void map_block(std::size_t index, std::uint32_t line);
     SourceRange last_statement() const;
 
     Session& session_;
     const Program& program_;
+    const nc::Dialect& target_;
+    std::function<bool(expand::Expander&)> start_;
     expand::Expander expander_;
+    WriterMessages writer_messages_;
     nc::Writer writer_;
     Output* map_;
     std::unique_ptr<LineMap> line_map_;
     std::vector<nc::Block> batch_;
     std::string text_;
     std::string entry_;
-    std::uint64_t blocks_ = 0;
+    std::uint64_t blocks_ = 0;  // written
     Deadline deadline_;
     bool is_late_ = false;
     SourceId last_source_;

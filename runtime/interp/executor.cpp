@@ -139,10 +139,13 @@ void Executor::execute_next() {
         return;
     }
     execute(*block);
+    if (compensation_.is_on()) settle_comp(*block);
 }
 
 void Executor::end_of_blocks() {
     if (spline_) finish_spline();
+    if (ended_) return;
+    if (compensation_.is_on()) flush_comp();
     if (ended_) return;
     ended_ = true;
     // The reader has said already why it stopped.
@@ -240,8 +243,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         return;
     }
     switch (invocation.function) {
-        case Function::None:
-        case Function::RadiusCompOff: break;
+        case Function::None: break;
         case Function::Inch:  // lengths have become mm in the reader
         case Function::Metric: check_units(block, invocation.function); break;
 
@@ -272,12 +274,17 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::CuttingSpeedOff: leave_cutting_speed(); break;
         case Function::SpeedLimit: actions.limit = &invocation; break;
 
+        case Function::RadiusCompOff:
         case Function::RadiusCompLeft:
         case Function::RadiusCompRight:
-            report(diag::RadiusCompUnsupported, block, invocation.function);
-            break;
-
-        case Function::RadiusOffset: tool_.radius_offset = count_of(block, invocation); break;
+        case Function::RadiusOffset:
+        case Function::CompStartNormal:
+        case Function::CompStartAround:
+        case Function::CompCornerArc:
+        case Function::CompCornerIntersection:
+        case Function::CompCheckOn:
+        case Function::CompCheckOff:
+        case Function::CompAllowance: choose_comp(block, invocation, actions); break;
         case Function::LengthCompOn:
             if ((invocation.given & 1u) != 0) tool_.offset = count_of(block, invocation);
             set_length_source(Tool::Source::Offset, actions);
@@ -381,6 +388,8 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
 
 void Executor::act_before_motion(const Block& block, const Actions& actions) {
     if (actions.tool_change) change_tool(block);
+    if (actions.comp_changed) act_on_comp(block, actions);
+    if (ended_) return;
     if (actions.limit != nullptr) set_speed_limit(block, *actions.limit);
     if (block.has(Slot::Speed)) program_speed(block);
     if (spindle_.has_cutting_speed && !(spindle_.cutting_speed > 0) &&
@@ -624,7 +633,7 @@ void Executor::frame_changed() { position_.here = frames_.from_base(position_.ba
 
 Command& Executor::put(Op op, const Block& block) {
     const Block& from = origin(block);
-    Command& command = output_.next();
+    Command& command = compensation_.is_on() ? compensation_.next() : output_.next();
     command.op = op;
     command.feed_mode = modal_.feed_mode;
     command.plane = modal_.plane;

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "interp/compensation.h"
 #include "interp/frames.h"
 #include "interp/interpreter.h"
 #include "interp/output.h"
@@ -36,6 +37,8 @@ struct Actions {
     nc::Function spindle = nc::Function::None;
     nc::Function stop = nc::Function::None;
     nc::Function end = nc::Function::None;
+    nc::Function radius_comp = nc::Function::None;
+    bool comp_changed = false;  // its radius, allowance or rules
     const nc::Invocation* orient = nullptr;
     const nc::Invocation* dwell = nullptr;
     const nc::Invocation* message = nullptr;
@@ -138,6 +141,16 @@ class Executor {
     void report_radius_arc(const nc::Block& block, path::ArcFault fault, const path::ArcEnds& ends);
     void report_center_arc(const nc::Block& block, path::ArcFault fault, const path::ArcEnds& ends,
                            const path::Vec3& center);
+    // compensating.cpp
+    void choose_comp(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
+    void begin_comp(const nc::Block& block, nc::Function side);
+    void act_on_comp(const nc::Block& block, const Actions& actions);
+    void settle_comp(const nc::Block& block);
+    void flush_comp();
+    CompSettings comp_settings() const;
+    double comp_distance(const nc::Block& block);
+    void report_comp(const CompAlarm& alarm);
+
     // splines.cpp
     bool continues_spline(const nc::Block& block) const;
     void set_spline_degree(const nc::Block& block, const nc::Invocation& invocation);
@@ -219,6 +232,8 @@ class Executor {
     Frames frames_{rules_};
     Spindle spindle_;
     Tool tool_;
+    RadiusCompState comp_;
+    Compensation compensation_;
     path::CoolantMode coolant_ = path::CoolantMode::Off;
     bool warned_spindle_stopped_ = false;
     bool warned_rapid_ = false;
@@ -226,8 +241,9 @@ class Executor {
     bool has_called_tool_ = false;  // or was told that none was called
     bool has_moved_ = false;
     bool warned_units_ = false;
-    nc::Function units_ = nc::Function::None;            // that the program said last
-    std::vector<std::int64_t> unknown_tools_;            // each is reported once
+    nc::Function units_ = nc::Function::None;  // that the program said last
+    std::vector<std::int64_t> unknown_tools_;  // each is reported once
+    std::vector<std::int64_t> unknown_radii_;
     std::vector<std::int64_t> known_machine_functions_;  // so are these
     std::optional<SplineRun> spline_;                    // that is being read
     nc::Block spline_end_{};                             // place of its latest block

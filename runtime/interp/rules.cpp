@@ -26,6 +26,15 @@ bool read(std::string_view text, int& value) {
     return true;
 }
 
+/// One of three words.
+template <typename T>
+bool read(std::string_view text, std::string_view first, std::string_view second,
+          std::string_view third, T& value) {
+    if (text != first && text != second && text != third) return false;
+    value = static_cast<T>(text == first ? 0 : text == second ? 1 : 2);
+    return true;
+}
+
 /// One of two words.
 template <typename T>
 bool read(std::string_view text, std::string_view first, std::string_view second, T& value) {
@@ -48,6 +57,13 @@ bool read(std::string_view text, IncrementalFrame& value) {
     return read(text, "traversed", "distance", value);
 }
 bool read(std::string_view text, LengthAxis& value) { return read(text, "plane", "z", value); }
+bool read(std::string_view text, CompStart& value) {
+    return read(text, "normal", "extended", "around", value);
+}
+bool read(std::string_view text, CompFeed& value) { return read(text, "contour", "center", value); }
+bool read(std::string_view text, path::OutsideCorner& value) {
+    return read(text, "arc", "intersection", "square", value);
+}
 bool read(std::string_view text, MissingEnd& value) {
     return read(text, "warning", "alarm", value);
 }

@@ -11,6 +11,7 @@
 
 #include "base/diagnostic.h"
 #include "nc/dialect.h"
+#include "path/radius_comp.h"
 
 namespace kadr::interp {
 
@@ -20,6 +21,14 @@ enum class ArcWithoutCenter : std::uint8_t { Alarm, Line };
 enum class IncrementalFrame : std::uint8_t { Traversed, Distance };
 enum class LengthAxis : std::uint8_t { Plane, Z };
 enum class MissingEnd : std::uint8_t { Warning, Alarm };
+/// How the cutter goes to the first point beside the contour, and from the last.
+enum class CompStart : std::uint8_t {
+    Normal,    // straight to the normal of the contour there, even through it
+    Extended,  // at a corner that opens, as if the approach belonged to the contour
+    Around,    // around the contour's end if the cutter is behind it
+};
+/// What F is of on a compensated arc.
+enum class CompFeed : std::uint8_t { Contour, Center };
 
 struct Rules {
 #define KADR_RULE(type, field, standard, values, meaning, source) type field = standard;

@@ -64,6 +64,15 @@ struct Tool {
     std::int64_t length_number() const { return source == Source::Edge ? current : offset; }
 };
 
+/// What the program has chosen of the cutter radius compensation.
+struct RadiusCompState {
+    nc::Function side = nc::Function::RadiusCompOff;
+    nc::Function start = nc::Function::None;  // None: as the control begins
+    nc::Function corner = nc::Function::None;
+    bool has_check = false;
+    double allowance = 0;  // mm
+};
+
 /// A level of a modal cycle, as its word says it.
 struct CycleLevel {
     double value = 0;

@@ -26,7 +26,10 @@ constexpr bool is_quiet_group(Group group) {
         case Group::RadiusComp:
         case Group::PathMode:
         case Group::CycleMode:
-        case Group::CycleReturn: return true;
+        case Group::CycleReturn:
+        case Group::CompStart:
+        case Group::CompCorner:
+        case Group::CompCheck: return true;
         case Group::Once:
         case Group::LengthComp:
         case Group::WorkOffsets:
@@ -563,7 +566,8 @@ BlockWriter::Misfit BlockWriter::misfit(const Form& form, const Block& block,
                                  modal_.meant[index_of(group)] == needed;
         const bool is_said = group == Group::Motion && effective_motion(block) == needed &&
                              (block.motion == needed || (block.given & kTargetSlots) != 0);
-        misfit.is_state |= modal_.text[index_of(group)] != needed && !is_restored && !is_said;
+        const bool is_active = modal_.text[index_of(group)] == needed;
+        if (!is_active && !is_restored && !is_said) misfit.state = needed;
     }
     return misfit;
 }
@@ -624,14 +628,15 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
     if (is_cycle) what = "the cycle " + quoted(tables_.cycles[block.cycle].name);
     if (!candidates.empty()) {
         const Form& any = tables_.forms[candidates.front()];
-        what += nearest && !nearest->is_state ? misfit_words(tables_.parameters(any), *nearest)
-                                              : " with these values or in this modal state";
+        what += nearest ? misfit_words(tables_.parameters(any), *nearest)
+                        : " with these values or in this modal state";
     }
     cannot_express(block, what);
     return kNoForm;
 }
 
-/// " with this `back`": what the control does not take as it was given.
+/// " with this `back`": what the control does not take as it was given; " unless `absolute` is
+/// active": when it does not take it.
 std::string BlockWriter::misfit_words(std::span<const Parameter> parameters, const Misfit& misfit) {
     std::string words;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -640,6 +645,8 @@ std::string BlockWriter::misfit_words(std::span<const Parameter> parameters, con
         words += words.empty() ? " " : " and ";
         words += (is_lacking ? "without " : "with this ") + quoted(parameters[i].name);
     }
+    if (misfit.state != Function::None)
+        words += " unless " + quoted(info(misfit.state).name) + " is active";
     return words;
 }
 

@@ -38,11 +38,11 @@ class BlockWriter {
   private:
     /// What a form cannot say, or lacks.
     struct Misfit {
-        std::uint32_t parameters = 0;  // a bit each
-        std::uint32_t lacking = 0;     // those of them that were not given
-        bool is_state = false;         // the modal state is not what the form needs
-        bool is_none() const { return parameters == 0 && !is_state; }
-        int count() const { return std::popcount(parameters) + (is_state ? 32 : 0); }
+        std::uint32_t parameters = 0;     // a bit each
+        std::uint32_t lacking = 0;        // those of them that were not given
+        Function state = Function::None;  // the form needs it active, and it is not
+        bool is_none() const { return parameters == 0 && state == Function::None; }
+        int count() const { return std::popcount(parameters) + (state != Function::None ? 32 : 0); }
     };
     /// One piece of a line: a form with its parameters, deferred words, or the word of a slot.
     struct Item {

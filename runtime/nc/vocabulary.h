@@ -39,8 +39,11 @@ enum class Group : std::uint8_t {
     Coolant,
     CycleMode,
     CycleReturn,
+    CompStart,
+    CompCorner,
+    CompCheck,
 };
-inline constexpr std::size_t kGroups = 15;
+inline constexpr std::size_t kGroups = 18;
 
 /// What a number in a block measures; decides unit, number format and conversion.
 enum class Dimension : std::uint8_t {

@@ -216,7 +216,6 @@ TEST(Program, BlocksAreLimited) {
 }
 
 TEST(Program, WhatIsNotExecutedYet) {
-    EXPECT_EQ(run({line().fn(Function::RadiusCompLeft).x(1).f(100)}).codes(), "K5250");
     EXPECT_EQ(run({fn(Function::RadiusCompOff)}).codes(), "");
     EXPECT_EQ(run({Words().kind(Block::Kind::Raw).text("M88")}).codes(), "K5252");
     EXPECT_EQ(run({Words().kind(Block::Kind::Comment), Words().kind(Block::Kind::Label)}).codes(),

@@ -285,7 +285,7 @@ TEST(Reader, WordsWithoutEffectAreAccepted) {
                   {{"G40G49G80G69G50G15",
                     "radius_comp_off | length_comp_off | cycle_off | rotate_off | scale_off"},
                    {"G05.1 Q1\nG01 X1.", "line X1"}});
-    expect_blocks("sinumerik", {{"G1 SOFT G601 X5 NORM", "line X5"}, {"STOPRE", ""}});
+    expect_blocks("sinumerik", {{"G1 SOFT G601 X5 CUT2D", "line X5"}, {"STOPRE", ""}});
     // A word of arcs beside a cycle is not passed over.
     EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "G81 X1. Z-5. R2. J3.").messages),
               "K5010");
@@ -295,8 +295,8 @@ TEST(Reader, BlocksHaveALimitOfWords) {
     std::string line;
     for (int i = 0; i < 30; ++i) line += "M8 M9 M7 ";
     EXPECT_EQ(testing::codes(read_blocks(shipped("iso"), line).messages), "K5017");
-    EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "M3 M8 M0").messages), "");
-    EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "M3 M8 M0 M1").messages), "K5007");
+    EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "M3 M8 M88").messages), "");
+    EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "M3 M8 M88 M89").messages), "K5007");
 }
 
 TEST(Reader, GoesOnBehindAMistake) {

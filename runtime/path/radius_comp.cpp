@@ -1,0 +1,258 @@
+#include "path/radius_comp.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+namespace kadr::path {
+
+namespace {
+
+using std::numbers::pi;
+
+/// Two directions that differ by less make no corner: the gap is far below an increment.
+constexpr double kSmooth = 1e-6;           // rad
+constexpr double kNear = 10 * kSamePoint;  // mm: the joint of two sides, found as a crossing
+constexpr double kReversal = 1e-9;         // rad short of turning back
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+Vec2 left_of(const Vec2& direction) { return {-direction.y(), direction.x()}; }
+
+/// From one direction to the other, −π … π, counter-clockwise positive.
+double angle_between(const Vec2& a, const Vec2& b) { return std::atan2(cross(a, b), a.dot(b)); }
+
+/// A circle or a straight line without ends.
+struct Curve {
+    Vec2 point;      // on the line
+    Vec2 direction;  // unit vector
+    Vec2 center;
+    double radius = 0;
+    bool is_circle = false;
+};
+
+Curve curve_of(const Element& path) {
+    if (path.is_arc()) return {{}, {}, path.center, (path.from - path.center).norm(), true};
+    return {path.from, (path.to - path.from).normalized(), {}, 0, false};
+}
+
+std::vector<Vec2> crossings_of_lines(const Curve& a, const Curve& b) {
+    const double sine = cross(a.direction, b.direction);
+    if (std::abs(sine) < kReversal) return {};
+    return {a.point + a.direction * (cross(b.point - a.point, b.direction) / sine)};
+}
+
+std::vector<Vec2> crossings_with_circle(const Curve& line, const Curve& circle) {
+    const Vec2 foot = line.point + line.direction * line.direction.dot(circle.center - line.point);
+    const double rest = circle.radius * circle.radius - (foot - circle.center).squaredNorm();
+    if (rest < -kSamePoint * (circle.radius + kSamePoint)) return {};
+    const Vec2 half = line.direction * std::sqrt(std::max(rest, 0.0));
+    return {foot - half, foot + half};
+}
+
+std::vector<Vec2> crossings_of_circles(const Curve& a, const Curve& b) {
+    const Vec2 between = b.center - a.center;
+    const double apart = between.norm();
+    if (apart < kSamePoint) return {};
+    const double along = (apart + (a.radius - b.radius) * (a.radius + b.radius) / apart) / 2;
+    const double rest = a.radius * a.radius - along * along;
+    if (rest < -kSamePoint * (a.radius + kSamePoint)) return {};
+    const Vec2 foot = a.center + between * (along / apart);
+    const Vec2 half = left_of(between / apart) * std::sqrt(std::max(rest, 0.0));
+    return {foot - half, foot + half};
+}
+
+std::vector<Vec2> crossings_of(const Curve& a, const Curve& b) {
+    if (a.is_circle && b.is_circle) return crossings_of_circles(a, b);
+    if (a.is_circle) return crossings_with_circle(b, a);
+    if (b.is_circle) return crossings_with_circle(a, b);
+    return crossings_of_lines(a, b);
+}
+
+/// How far a point on the element's curve is ahead of a place on it, mm along a line, rad along an
+/// arc.
+double ahead(const Element& path, const Vec2& place, const Vec2& point) {
+    if (!path.is_arc()) return (path.to - path.from).normalized().dot(point - place);
+    const double angle = angle_between(place - path.center, point - path.center);
+    return path.sweep > 0 ? angle : -angle;
+}
+
+/// Length of the element in the unit of `ahead`.
+double extent(const Element& path) {
+    return path.is_arc() ? std::abs(path.sweep) : (path.to - path.from).norm();
+}
+
+/// The element with its ends moved inwards.
+Element trimmed(const Element& path, double from, double to) {
+    if (!path.is_arc()) {
+        const Vec2 direction = (path.to - path.from).normalized();
+        return line_element(path.from + direction * from, path.to - direction * to);
+    }
+    const double sign = path.sweep > 0 ? 1 : -1;
+    const auto turned = [&](const Vec2& point, double angle) -> Vec2 {
+        return path.center + Eigen::Rotation2Dd(angle) * (point - path.center);
+    };
+    Element arc = path;
+    arc.from = turned(path.from, sign * from);
+    arc.to = turned(path.to, -sign * to);
+    arc.sweep = sign * (extent(path) - from - to);
+    return arc;
+}
+
+}  // namespace
+
+Vec2 RadiusComp::start_of(const Element& element, double distance) {
+    return element.from + left_of(start_direction(element)) * distance;
+}
+
+std::optional<CompFault> RadiusComp::push(const Element& element, double distance,
+                                          std::size_t index) {
+    Side side{element, element, distance, 0, 0, index, {}};
+    fault_at_ = index;
+    const bool continues = !sides_.empty() && !element.is_arc();
+    const double at_start = continues ? sides_.back().distance : distance;
+    side.path.from += left_of(start_direction(element)) * at_start;
+    side.path.to += left_of(end_direction(element)) * distance;
+    if (element.is_arc()) {
+        const double radius = path::radius(element) - (element.sweep > 0 ? distance : -distance);
+        if (radius < -kSamePoint) return CompFault::ArcTooSmall;
+        // The cutter turns on the spot.
+        if (radius < kSamePoint) side.path.from = side.path.to = element.center;
+    }
+    if (!sides_.empty()) {
+        if (const auto fault = join(sides_.back(), side)) return fault;
+    }
+    sides_.push_back(std::move(side));
+    return settle();
+}
+
+std::optional<CompFault> RadiusComp::finish() {
+    if (!sides_.empty()) {
+        const Side& last = sides_.back();
+        fault_at_ = last.index;
+        if (last.from > extent(last.path) + kSamePoint) return CompFault::Reversed;
+        if (rules_.look_ahead > 1 && runs_into_earlier(sides_.size() - 1))
+            return CompFault::Bottleneck;
+    }
+    release(0);
+    return std::nullopt;
+}
+
+std::optional<CompFault> RadiusComp::join(Side& a, Side& b) const {
+    const Vec2 corner = b.contour.from;
+    const double turn = angle_between(end_direction(a.contour), start_direction(b.contour));
+    if (std::abs(turn) < kSmooth) {
+        if ((a.path.to - b.path.from).norm() > kSamePoint)  // an arc with another distance
+            b.before.push_back(line_element(a.path.to, b.path.from));
+        return std::nullopt;
+    }
+    const bool closes = turn * a.distance > 0 && pi - std::abs(turn) > kReversal;
+    if (closes) return join_inside(a, b, corner);
+    join_outside(a, b, turn);
+    return std::nullopt;
+}
+
+std::optional<CompFault> RadiusComp::join_inside(Side& a, Side& b, const Vec2& corner) const {
+    std::vector<Vec2> common = crossings_of(curve_of(a.path), curve_of(b.path));
+    if (common.empty()) return CompFault::NoIntersection;
+    const Vec2 meeting = *std::ranges::min_element(
+        common, {}, [&](const Vec2& point) { return (point - corner).squaredNorm(); });
+    a.to = ahead(a.path, meeting, a.path.to);
+    b.from = ahead(b.path, b.path.from, meeting);
+    return std::nullopt;
+}
+
+void RadiusComp::join_outside(Side& a, Side& b, double turn) const {
+    const double sharpness = std::abs(turn);
+    const bool has_arc = a.path.is_arc() || b.path.is_arc();
+    OutsideCorner style = sharpness <= rules_.limit ? rules_.outside : rules_.sharp;
+    if (has_arc && !rules_.extends_tangents) style = OutsideCorner::Arc;
+    const double reach = std::abs(a.distance);
+    if (reach < kSamePoint) return;
+    const bool turns_back = pi - sharpness < kSmooth;
+    if (style == OutsideCorner::Arc || (style == OutsideCorner::Intersection && turns_back)) {
+        Element arc{a.path.to, b.path.from, b.contour.from, turn};
+        if (turns_back) arc.sweep = a.distance > 0 ? -pi : pi;
+        b.before.push_back(arc);
+        return;
+    }
+    const bool meets = style == OutsideCorner::Intersection;
+    const double more = meets ? reach * std::tan(sharpness / 2) : reach;
+    const Vec2 behind_a = a.path.to + end_direction(a.contour) * more;
+    const Vec2 before_b = b.path.from - start_direction(b.contour) * more;
+    if (a.path.is_arc()) b.before.push_back(line_element(a.path.to, behind_a));
+    else a.to = -more;
+    if (!meets) b.before.push_back(line_element(behind_a, before_b));
+    if (b.path.is_arc()) b.before.push_back(line_element(before_b, b.path.from));
+    else b.from = -more;
+}
+
+/// Looks at the element that has got its second end, and lets go of what is far enough behind.
+std::optional<CompFault> RadiusComp::settle() {
+    if (sides_.size() >= 2) {
+        const Side& done = sides_[sides_.size() - 2];
+        fault_at_ = done.index;
+        const bool is_reversed = done.from + done.to > extent(done.path) + kSamePoint;
+        if (is_reversed && !leaves_out_reversed()) return CompFault::Reversed;
+        if (rules_.look_ahead > 1 && runs_into_earlier(sides_.size() - 2))
+            return CompFault::Bottleneck;
+    }
+    release(rules_.look_ahead);
+    return std::nullopt;
+}
+
+/// The neighbours of an element that the cutter cannot enter are joined without it.
+bool RadiusComp::leaves_out_reversed() {
+    const std::size_t count = sides_.size();
+    if (!rules_.leaves_out || rules_.look_ahead < 2 || count < 3) return false;
+    Side& a = sides_[count - 3];
+    Side& c = sides_[count - 1];
+    const double a_to = a.to;
+    const double c_from = c.from;
+    if (join_inside(a, c, c.contour.from)) return false;
+    const bool fits = a.from + a.to <= extent(a.path) + kSamePoint &&
+                      c.from <= extent(c.path) + kSamePoint && a.to >= a_to - kSamePoint &&
+                      c.from >= c_from - kSamePoint;
+    if (!fits) return false;
+    c.before.clear();
+    sides_.erase(sides_.end() - 2);
+    return true;
+}
+
+/// Whether a side that is done, or what was inserted before it, crosses an earlier one.
+bool RadiusComp::runs_into_earlier(std::size_t done) const {
+    const auto way_of = [](const Side& side) {
+        std::vector<Element> way = side.before;
+        way.push_back(trimmed(side.path, side.from, side.to));
+        return way;
+    };
+    const std::vector<Element> latest = way_of(sides_[done]);
+    const auto crosses = [&](const Element& earlier, bool is_neighbour) {
+        return std::ranges::any_of(latest, [&](const Element& piece) {
+            return std::ranges::any_of(crossings(earlier, piece), [&](const Crossing& crossing) {
+                const bool is_joint = (crossing.point - latest.front().from).norm() < kNear;
+                const bool closes_up = (crossing.point - latest.back().to).norm() < kNear;
+                return !closes_up && !(is_neighbour && is_joint);
+            });
+        });
+    };
+    for (std::size_t i = 0; i < done; ++i) {
+        for (const Element& earlier : way_of(sides_[i])) {
+            if (crosses(earlier, i + 1 == done)) return true;
+        }
+    }
+    return false;
+}
+
+void RadiusComp::release(std::size_t kept) {
+    for (; sides_.size() > kept; sides_.pop_front()) {
+        const Side& side = sides_.front();
+        for (const Element& inserted : side.before) pieces_.push_back({inserted, side.index, true});
+        Element path = trimmed(side.path, side.from, side.to);
+        // What is left of an arc on the spot, or of nothing, is no arc.
+        if (path.is_arc() && std::abs(path.sweep) * path::radius(path) < kSamePoint) path.sweep = 0;
+        pieces_.push_back({path, side.index, false});
+    }
+}
+
+}  // namespace kadr::path

@@ -1,0 +1,104 @@
+// radius_comp.h — the path of a cutter's centre beside a contour, element by element, as a control
+// computes it.
+//
+// A control sees the contour block by block: where an element ends beside it depends on the one
+// that follows, and on nothing farther away than its look-ahead. What to do at a corner that opens
+// differs from control to control and is a rule here. For the exact offset of a contour that is
+// known as a whole, which no control computes, see contour_offset.h.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "path/contour.h"
+
+namespace kadr::path {
+
+/// What joins two elements at a corner around which the cutter goes.
+enum class OutsideCorner : std::uint8_t {
+    Arc,           // of the cutter's radius about the corner
+    Intersection,  // both sides are extended until they meet
+    Square,        // both sides are extended by the cutter's radius, and a line joins them
+};
+
+struct CompRules {
+    OutsideCorner outside = OutsideCorner::Arc;
+    /// Changes of direction beyond this angle, rad, are joined by `sharp` instead.
+    double limit = std::numbers::pi;
+    OutsideCorner sharp = OutsideCorner::Arc;
+    /// Where an arc ends or begins at the corner, its tangent is extended; else there is always an
+    /// arc about the corner.
+    bool extends_tangents = false;
+    /// Elements that are looked at before one is let go, 1 or more. From 2 on a side that runs into
+    /// an earlier one is a fault.
+    std::size_t look_ahead = 1;
+    bool leaves_out = false;  // an element that the cutter cannot enter; needs a look-ahead of 2
+};
+
+enum class CompFault : std::uint8_t {
+    ArcTooSmall,     // the cutter does not fit into the arc
+    NoIntersection,  // the sides of a corner that closes do not meet
+    Reversed,        // an element beside this one would be travelled backwards
+    Bottleneck,      // the cutter comes back to where it would cut into an earlier element
+};
+
+/// A piece of the cutter's path.
+struct CompPiece {
+    Element element;        // a full turn at most; a line without length if nothing is left of it
+    std::size_t index = 0;  // of the contour's element that it runs beside
+    bool is_inserted = false;  // at the corner before that element
+};
+
+class RadiusComp {
+  public:
+    explicit RadiusComp(const CompRules& rules) : rules_(rules) {}
+
+    /// Rules for the corners from the next one on.
+    void set_rules(const CompRules& rules) { rules_ = rules; }
+
+    /// The next element of the contour; it begins where the last one ended.
+    ///
+    /// distance  of the cutter's centre, mm, positive to the left of travel. A line takes over a
+    ///           new distance evenly along its length; an arc has it from its start on
+    std::optional<CompFault> push(const Element& element, double distance, std::size_t index);
+    /// The element that the last fault is about.
+    std::size_t fault_at() const { return fault_at_; }
+    /// No further element: the cutter ends on the normal at the end of the last one.
+    std::optional<CompFault> finish();
+
+    /// Pieces that will not change any more, in the order of travel. The caller clears them.
+    std::vector<CompPiece>& pieces() { return pieces_; }
+
+    /// Where the cutter begins: on the normal at the start of the first element.
+    static Vec2 start_of(const Element& element, double distance);
+
+  private:
+    /// An element beside the contour's, between the ends that its neighbours leave to it.
+    struct Side {
+        Element contour;
+        Element path;         // from normal to normal
+        double distance = 0;  // at its end
+        double from = 0;      // how much is taken away at its start and at its end, mm or rad, …
+        double to = 0;        // … below zero where it is extended
+        std::size_t index = 0;
+        std::vector<Element> before;  // inserted in front of it
+    };
+
+    std::optional<CompFault> join(Side& a, Side& b) const;
+    std::optional<CompFault> join_inside(Side& a, Side& b, const Vec2& corner) const;
+    void join_outside(Side& a, Side& b, double turn) const;
+    std::optional<CompFault> settle();
+    bool leaves_out_reversed();
+    bool runs_into_earlier(std::size_t done) const;
+    void release(std::size_t kept);
+
+    CompRules rules_;
+    std::deque<Side> sides_;
+    std::size_t fault_at_ = 0;
+    std::vector<CompPiece> pieces_;
+};
+
+}  // namespace kadr::path
