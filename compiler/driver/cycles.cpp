@@ -26,12 +26,11 @@ class CycleBlocks final : public Stream<nc::Block> {
           source_(source) {}
 
     bool start(const interp::CycleCall& call) {
-        return expander_.start_cycle(
-            call.name, call.arguments, call.given,
-            {.position = call.position,
-             .feed = call.feed,
-             .speed = call.speed,
-             .spindle = call.spindle});
+        return expander_.start_cycle(call.name, call.arguments, call.given,
+                                     {.position = call.position,
+                                      .feed = call.feed,
+                                      .speed = call.speed,
+                                      .spindle = call.spindle});
     }
 
     std::size_t pull(std::span<nc::Block> out) override {

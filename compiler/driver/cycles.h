@@ -16,8 +16,8 @@ namespace kadr::driver {
 /// The files of the library's cycles, in a fixed order.
 std::vector<std::string> cycle_files(const std::string& library);
 
-/// Keeps the first mistake that a cycle finds in its parameters: its place is the library's, and who
-/// called the cycle knows a better one. Passes on everything else.
+/// Keeps the first mistake that a cycle finds in its parameters: its place is the library's, and
+/// who called the cycle knows a better one. Passes on everything else.
 class CycleMessages final : public DiagnosticSink {
   public:
     explicit CycleMessages(DiagnosticSink& next) : next_(&next) {}

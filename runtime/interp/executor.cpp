@@ -165,8 +165,7 @@ void Executor::execute(const Block& block) {
         if (block.kind == Block::Kind::Raw) report(diag::RawInCycle, block);
         return;
     }
-    if (block.skip >= 0 &&
-        ((1u << block.skip | block.skip_also) & options_.skip_levels) != 0)
+    if (block.skip >= 0 && ((1u << block.skip | block.skip_also) & options_.skip_levels) != 0)
         return;
     if (spline_ && !continues_spline(block)) {
         finish_spline();

@@ -31,7 +31,7 @@ struct CycleCall {
     AxisValues position{};
     double feed = 0;  // the modal feed, unit of its mode; 0: none
     path::FeedMode feed_mode = path::FeedMode::PerMinute;
-    double speed = 0;  // of the spindle, rpm
+    double speed = 0;                           // of the spindle, rpm
     nc::Function spindle = nc::Function::None;  // how it turns; None: it does not
     SourceId source;
 };

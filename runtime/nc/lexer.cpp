@@ -218,13 +218,15 @@ class Lexer {
             number = number * 10 + (line_[at_++] - '0');
             skip_inner_blanks();
         }
-        const std::string text(line_.substr(begin, at_ - begin));
+        std::size_t end = at_;
+        while (end > begin + 1 && is_blank(line_[end - 1])) --end;
+        const std::string text(line_.substr(begin, end - begin));
         if (at_ == first) return fail(diag::IsoNoValue, begin, begin + 1, {text.substr(0, 1)});
         if (!is_first && rules_.number_first) return fail(diag::IsoSyntax, begin, at_, {text});
         if (number > tables_.block_numbers.most)
             return fail(diag::IsoTooManyDigits, begin, at_, {text});
         if (number < tables_.block_numbers.least)
-            return fail(diag::IsoBlockNumber, begin, at_, {text});
+            return fail(diag::IsoBlockNumber, begin, end, {text});
         out_.number = static_cast<std::int32_t>(number);
     }
 

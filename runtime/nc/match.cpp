@@ -195,7 +195,8 @@ class Matcher {
             const Group group = is_cycle ? Group::CycleMode : info(needed).group;
             // Axis words of a modal cycle are no motion that words could belong to.
             const bool is_in_cycle =
-                calls_cycle || modal_[static_cast<std::size_t>(Group::CycleMode)] == Function::Cycle;
+                calls_cycle ||
+                modal_[static_cast<std::size_t>(Group::CycleMode)] == Function::Cycle;
             if (group == Group::Motion && is_in_cycle) return false;
             const bool is_said = group == Group::Motion && block_.motion != Function::None;
             const Function active =
@@ -463,7 +464,8 @@ class Matcher {
             return {};
         for (std::size_t i = 0; i < block_.function_count; ++i) {
             const bool is_cycle = block_.functions[i].function == Function::Cycle;
-            if (is_cycle && heads_[i] < *motion_head_) return say(Function::CycleOff, *motion_head_, 0);
+            if (is_cycle && heads_[i] < *motion_head_)
+                return say(Function::CycleOff, *motion_head_, 0);
         }
         return {};
     }

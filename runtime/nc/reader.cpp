@@ -592,7 +592,7 @@ std::string argument_words(const LexedLine& lexed, const MatchFault& fault,
     const auto place = static_cast<std::size_t>(fault.argument);
     const std::size_t number = place + 1;
     const bool is_teen = number / 10 % 10 == 1;
-    const std::string_view ending = is_teen             ? "th"
+    const std::string_view ending = is_teen            ? "th"
                                     : number % 10 == 1 ? "st"
                                     : number % 10 == 2 ? "nd"
                                     : number % 10 == 3 ? "rd"
@@ -694,7 +694,7 @@ void Reader::State::report(std::string_view line, const MatchFault& fault) {
         case Kind::Company: out.row = &diag::IsoCompany, out.arguments = {word, other}; break;
         case Kind::NotSupported:
             out.row = &diag::IsoNotSupported;
-            out.arguments = {'`' + form + "` (" + tables.forms[fault.form].unsupported + ')'};
+            out.arguments = {'`' + word + "` (" + tables.forms[fault.form].unsupported + ')'};
             break;
         case Kind::Mode: out.row = &diag::IsoModeMisplaced, out.arguments = {word}; break;
         case Kind::Full: out.row = &diag::IsoTooManyWords; break;

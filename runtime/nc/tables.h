@@ -248,7 +248,7 @@ struct DialectTables {
     std::vector<CycleId> cycles_else_moves;  // written as moves where no form takes their values
     std::deque<std::string> texts;           // names of cycle parameters; stay where they are
     std::map<std::string, AlarmText, std::less<>> alarms;  // by row name
-    std::vector<AlarmAbout> alarms_about;                                   // looked at first
+    std::vector<AlarmAbout> alarms_about;                  // looked at first
     std::map<std::string, std::string, std::less<>>
         unsupported;  // words that the control has and Kadr does not read, with their meaning
     std::vector<RuleSetting> rule_settings;  // of the interpreter

@@ -171,8 +171,9 @@ std::string holes(const Drill& cycles) {
     std::string out;
     for (const CycleCall& call : cycles.calls) {
         if (!out.empty()) out += ", ";
-        out += format_shortest(call.position[0]) + ": " + format_shortest(call.arguments[kRetract]) +
-               " to " + format_shortest(call.arguments[kTo]);
+        out += format_shortest(call.position[0]) + ": " +
+               format_shortest(call.arguments[kRetract]) + " to " +
+               format_shortest(call.arguments[kTo]);
     }
     return out;
 }
@@ -181,20 +182,20 @@ TEST(Cycles, ABlockRepeatsTheCycleOrOnlyKeepsItsWords) {
     // fanuc.md 5.1: K counts, K0 stores; under G91 every repetition moves on.
     Drill cycles;
     const auto times = [](double count) { return fn(Function::CycleWords, {{2, count}}); };
-    const Ran ran = run({rapid().z(20), fn(Function::Incremental),
-                         drill({{kTo, -5}, {kRetract, -18}}).x(10).f(100), times(3).x(10),
-                         times(0).x(50).z(-7), Words().x(1)},
-                        {.rules = kModal, .cycles = &cycles});
+    const Ran ran = run(
+        {rapid().z(20), fn(Function::Incremental), drill({{kTo, -5}, {kRetract, -18}}).x(10).f(100),
+         times(3).x(10), times(0).x(50).z(-7), Words().x(1)},
+        {.rules = kModal, .cycles = &cycles});
     EXPECT_EQ(ran.codes(), "");
     EXPECT_EQ(holes(cycles), "10: 2 to -3, 20: 2 to -3, 30: 2 to -3, 40: 2 to -3, 41: 2 to -5");
 }
 
 TEST(Cycles, DistancesStayDistancesBehindG90) {
     Drill cycles;
-    const Ran ran = run({rapid().z(20), fn(Function::Incremental),
-                         drill({{kTo, -5}, {kRetract, -18}}).x(10).f(100),
-                         fn(Function::Absolute).x(5), Words().x(6).r(3), Words().x(7).z(-1)},
-                        {.rules = kModal, .cycles = &cycles});
+    const Ran ran = run(
+        {rapid().z(20), fn(Function::Incremental), drill({{kTo, -5}, {kRetract, -18}}).x(10).f(100),
+         fn(Function::Absolute).x(5), Words().x(6).r(3), Words().x(7).z(-1)},
+        {.rules = kModal, .cycles = &cycles});
     EXPECT_EQ(ran.codes(), "");
     EXPECT_EQ(holes(cycles), "10: 2 to -3, 5: 2 to -3, 6: 3 to -2, 7: 3 to -1");
 }
@@ -245,9 +246,9 @@ TEST(Cycles, WhatTheCodeSaysByItselfIsNotForOthers) {
     Drill cycles;
     Block without_dwell = drill({{kTo, -12}, {kRetract, 2}, {kDwell, 0}}).x(1).f(100);
     without_dwell.functions[0].by_form = 1u << kDwell;  // G81
-    const Ran ran = run({rapid().z(20), without_dwell,
-                         fn(Function::CycleWords, {{1, 0.25}}).x(2), drill({}).x(3)},
-                        {.rules = kModal, .cycles = &cycles});
+    const Ran ran = run(
+        {rapid().z(20), without_dwell, fn(Function::CycleWords, {{1, 0.25}}).x(2), drill({}).x(3)},
+        {.rules = kModal, .cycles = &cycles});
     ASSERT_EQ(cycles.calls.size(), 3u);
     EXPECT_EQ(cycles.calls[1].arguments[kDwell], 0);
     EXPECT_EQ(cycles.calls[2].arguments[kDwell], 0.25);
@@ -261,8 +262,8 @@ TEST(Cycles, AMotionCodeInTheSameBlock) {
     const Block moves = Words(drill({{kTo, -12}, {kRetract, 2}}).x(2)).fn(Function::CycleOff);
     Block only_moves = moves;
     only_moves.motion = Function::Rapid;
-    const Ran ran =
-        run({rapid().z(20), drills, only_moves, Words().x(3)}, {.rules = kModal, .cycles = &cycles});
+    const Ran ran = run({rapid().z(20), drills, only_moves, Words().x(3)},
+                        {.rules = kModal, .cycles = &cycles});
     EXPECT_EQ(ran.codes(), "K5254 K5254");
     EXPECT_EQ(cycles.calls.size(), 1u);
     EXPECT_EQ(end_of(ran), "3.0000 0.0000 -12.0000");
@@ -293,7 +294,8 @@ TEST(Cycles, ADefinitionThatRefusesItsParametersIsAnAlarm) {
 TEST(Cycles, ADwellBelowZeroCountsTurns) {
     const std::string_view rules = "<rule name=\"negative_dwell_turns\" value=\"yes\"/>";
     Drill cycles;
-    const Ran ran = run({drill({{kTo, -12}, {kDwell, -5}}).f(100)}, {.rules = rules, .cycles = &cycles});
+    const Ran ran =
+        run({drill({{kTo, -12}, {kDwell, -5}}).f(100)}, {.rules = rules, .cycles = &cycles});
     EXPECT_EQ(ran.codes(), "");
     EXPECT_NEAR(cycles.calls.at(0).arguments[kDwell], 0.3, 1e-12) << "5 turns at 1000 rpm";
     const Ran stands = run({drill({{kTo, -12}, {kDwell, -5}}).f(100)},
@@ -315,9 +317,10 @@ TEST(Cycles, NothingMovesBetweenTheRigidCodeAndTheTap) {
 TEST(Cycles, NoPositionIsSetWhileOneIsActive) {
     Drill cycles;
     const Block set = fn(Function::SetPosition, {{0, 1}});
-    EXPECT_EQ(run({drill({{kTo, -1}, {kRetract, 2}}).f(1), set}, {.rules = kModal, .cycles = &cycles})
-                  .codes(),
-              "K5238");
+    EXPECT_EQ(
+        run({drill({{kTo, -1}, {kRetract, 2}}).f(1), set}, {.rules = kModal, .cycles = &cycles})
+            .codes(),
+        "K5238");
     EXPECT_EQ(run({drill({{kTo, -1}, {kRetract, 2}}).f(1), fn(Function::CycleOff), set},
                   {.rules = kModal, .cycles = &cycles})
                   .codes(),
@@ -327,8 +330,8 @@ TEST(Cycles, NoPositionIsSetWhileOneIsActive) {
 TEST(Cycles, ACycleBehindEveryMotion) {
     // sinumerik.md 14.15: MCALL after each block with path motion.
     Drill cycles;
-    const Block modal = Words(drill({{kTo, -12}, {kRetract, 2}, {kInitial, 20}}))
-                            .fn(Function::CycleModal);
+    const Block modal =
+        Words(drill({{kTo, -12}, {kRetract, 2}, {kInitial, 20}})).fn(Function::CycleModal);
     const Ran ran = run({rapid().z(20), modal, Words().x(10).f(100), fn(Function::CoolantFlood),
                          Words().x(20), fn(Function::CycleModal), Words().x(30)},
                         {.cycles = &cycles});

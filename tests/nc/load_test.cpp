@@ -224,7 +224,8 @@ TEST(Load, ExplainsWhatIsNotRead) {
     const std::vector<std::string> lines = explain(testing::shipped("sinumerik"), "TRAORI");
     ASSERT_EQ(lines.size(), 1u);
     EXPECT_EQ(lines[0],
-              "`TRAORI` (transformation, tilted working plane) is a word of the control; Kadr does not read "
+              "`TRAORI` (transformation, tilted working plane) is a word of the control; Kadr does "
+              "not read "
               "it");
 }
 
