@@ -62,6 +62,7 @@ void load_program(const XmlElement& element, ProgramFrame& frame, Attributes& at
     attributes.read_number(element, "name_length", frame.name_length);
     attributes.read_number(element, "least_number", frame.least_number);
     attributes.read_number(element, "most_number", frame.most_number);
+    attributes.read_number(element, "most_read_number", frame.most_read_number);
     if (const auto letters = attributes.choice(element, "name_letters", {"any", "two"})) {
         frame.name_needs_two_letters = *letters == 1;
     }

@@ -17,7 +17,7 @@ const std::vector<XmlRule>& dialect_rules() {
           "cycle", "deferred", "alarm", "rule", "remove", "unsupported", "example"}},
         {"doc", {}, {}, Text},
         {"program",
-         {"name_length", "name_letters", "least_number", "most_number"},
+         {"name_length", "name_letters", "least_number", "most_number", "most_read_number"},
          {"header", "start", "finish", "end", "skipped"}},
         {"header", {}, {}, Text},
         {"start", {}, {}, Text},

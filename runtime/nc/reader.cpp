@@ -202,8 +202,9 @@ struct Reader::State {
     bool apply_claim(const Claim& claim, Block& block, std::string_view line);
     bool apply_whole(const Claim& claim, Block& block, std::string_view line);
     /// What a line is before its words are looked at.
-    enum class LineKind : std::uint8_t { Nothing, Words, Misplaced };
+    enum class LineKind : std::uint8_t { Nothing, Words, Misplaced, WrongNumber };
     LineKind kind_of(std::string_view line);
+    bool has_wrong_number(std::string_view line) const;
     void follow(const Block& block);
     void follow_units();
     void note_fault() {
@@ -229,10 +230,27 @@ Reader::State::LineKind Reader::State::kind_of(std::string_view line) {
     const bool is_header = std::ranges::any_of(
         tables.program.skipped, [&](const std::string& front) { return line.starts_with(front); });
     if (!is_header) return LineKind::Words;
+    if (has_wrong_number(line)) return LineKind::WrongNumber;
     if (!has_content) return LineKind::Nothing;
     // Where a mark ends the text, another program may begin before it.
     has_ended = !ends.empty();
     return has_ended ? LineKind::Nothing : LineKind::Misplaced;
+}
+
+/// Whether the line names the program by a number that the control does not have.
+bool Reader::State::has_wrong_number(std::string_view line) const {
+    const ProgramFrame& frame = tables.program;
+    if (frame.most_read_number == 0) return false;
+    for (const std::string& header : frame.header) {
+        const std::size_t front = header.find("{number");
+        if (front == 0 || front == std::string::npos) continue;
+        if (!line.starts_with(std::string_view(header).substr(0, front))) continue;
+        const char* const digits = line.data() + front;
+        const Decimal number = parse_decimal(digits, line.data() + line.size());
+        return number.end != digits && (number.value < static_cast<double>(frame.least_number) ||
+                                        number.value > static_cast<double>(frame.most_read_number));
+    }
+    return false;
 }
 
 /// False: the line makes no block.
@@ -250,6 +268,14 @@ bool Reader::State::read(std::string_view line, Block& block) {
         const std::size_t begin = line.find_first_not_of(" \t");
         const auto at = static_cast<std::uint32_t>(begin);
         report(line, LineFault{&diag::IsoSyntax, {at, at + 1}, {std::string(1, line[begin])}});
+        return false;
+    }
+    if (kind == LineKind::WrongNumber) {
+        const std::size_t begin = line.find_first_not_of(" \t");
+        const std::size_t end = std::min(line.find_first_of(" \t(;", begin), line.size());
+        report(line, LineFault{&diag::IsoProgramNumber,
+                               {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)},
+                               {std::string(line.substr(begin, end - begin))}});
         return false;
     }
     if (read_slow(line, block)) {

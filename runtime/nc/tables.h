@@ -195,6 +195,7 @@ struct ProgramFrame {
     bool name_needs_two_letters = false;
     std::int64_t least_number = 0;  // program numbers; 0 and 0: no numbers
     std::int64_t most_number = 0;
+    std::int64_t most_read_number = 0;  // the greatest that is read; 0: none is looked at
 };
 
 /// What happens if a block says something twice.

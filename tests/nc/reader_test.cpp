@@ -291,6 +291,21 @@ TEST(Reader, WordsWithoutEffectAreAccepted) {
               "K5010");
 }
 
+TEST(Reader, WhatPeopleAndEditorsPutAroundBlocks) {
+    // A byte order mark, EOB as a PC shows it, several skip levels, blanks behind a sign.
+    expect_blocks("fanuc", {{"\xEF\xBB\xBFG01 X1.", "line X1"},
+                            {"G01X1.;", "line X1"},
+                            {"/2/3 G01 X - 1 . 5", "/2 line X-1.5"},
+                            {"G04 P500 F100", "F100 | dwell(time=0.5)"}});
+    expect_blocks("sinumerik", {{"\xEF\xBB\xBFG1 X1", "line X1"}});
+    const auto skipped = read_blocks(shipped("fanuc"), "/2/3/9 X1.");
+    ASSERT_EQ(skipped.blocks.size(), 1u);
+    EXPECT_EQ(skipped.blocks[0].skip_also, (1u << 3 | 1u << 9));
+    EXPECT_EQ(testing::codes(read_blocks(shipped("sinumerik"), "/2/3 X1").messages), "K5015");
+    EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "G04 P500 Y1.").messages), "K5013");
+    EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "G01 X - Y1.").messages), "K5015");
+}
+
 TEST(Reader, BlocksHaveALimitOfWords) {
     std::string line;
     for (int i = 0; i < 30; ++i) line += "M8 M9 M7 ";
