@@ -176,7 +176,6 @@ void Executor::warn_levels(const Block& block) {
 
 /// Fills the call with what its own words, and those of the cycles before it, have said.
 void Executor::complete_words(ModalCycle& call) {
-    final_level_.reset();
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     const nc::CycleInfo::Roles& roles = info.roles;
     if (!is_modal(call.cycle) || roles.depth < 0) return;
@@ -202,12 +201,28 @@ void Executor::complete_words(ModalCycle& call) {
     if (cycle_data_.dwell) set(roles.dwell, *cycle_data_.dwell);
 
     // A level under the bottom (boring from below) is no place to come back to.
-    const bool is_above = retract > depth;
-    const bool stays_low = returns_to_retract_ && is_above;
-    const bool is_low = is_above && cycle_data_.initial < retract;
-    if (is_low && !stays_low) final_level_ = cycle_data_.initial;
-    set_argument(call, find_parameter(info, "initial"),
-                 stays_low || is_low ? retract : cycle_data_.initial);
+    const bool stays_low = returns_to_retract_ && retract > depth;
+    set_argument(call, find_parameter(info, "initial"), stays_low ? retract : cycle_data_.initial);
+}
+
+/// The library's cycles begin and end at their initial level; those of controls go straight to the
+/// retract level, and behind the hole to the level that they return to. Where the tool does not
+/// stand at that level, the two are told apart.
+void Executor::go_straight(ModalCycle& call) {
+    final_level_.reset();
+    const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
+    const nc::CycleInfo::Roles& roles = info.roles;
+    const std::optional<std::size_t> initial = find_parameter(info, "initial");
+    if (!is_given(call, initial) || roles.retract < 0 || roles.depth < 0) return;
+    const double back = call.arguments[*initial];
+    const double retract = call.arguments[static_cast<std::size_t>(roles.retract)];
+    const double depth = call.arguments[static_cast<std::size_t>(roles.depth)];
+    const bool is_hole = retract > depth;
+    // Where cycles are modal, nothing forbids a retract level above the level they return to.
+    const bool is_allowed = back >= retract || is_modal(call.cycle);
+    if (!is_hole || !is_allowed || back == position_in_cycle()[2]) return;
+    call.arguments[*initial] = retract;
+    if (back != retract) final_level_ = back;
 }
 
 // ------------------------------------------------------------------------------ calls
@@ -268,6 +283,7 @@ void Executor::start_cycle(const Block& block, ModalCycle call) {
 
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     complete_words(call);
+    go_straight(call);
     if (!time_turns(block, call)) return;
     if (!complete_tap(block, call) || !complete_thread(block, call)) return;
 
@@ -367,7 +383,7 @@ void Executor::finish_cycle() {
     cycle_stream_.reset();
     modal_ = modal_before_cycle_;
     modal_cycle_.is_active = is_modal_behind_cycle_;
-    if (final_level_) return_below();
+    if (final_level_) return_to_level();
     if (ended_) return;
     if (times_left_ > 0) {
         --times_left_;
@@ -380,15 +396,15 @@ void Executor::finish_cycle() {
     act_after_motion(caller_, after_cycle_);
 }
 
-/// From the retract level down to where the cycle mode began.
-void Executor::return_below() {
-    Block down{};
-    down.line = caller_.line;
-    down.source = caller_.source;
+/// From the retract level, or from below, to the level where the cycle ends.
+void Executor::return_to_level() {
+    Block way{};
+    way.line = caller_.line;
+    way.source = caller_.source;
     const Slot slot = nc::slot_of(path::axes_of(cycle_plane()).normal);
-    down.set(slot, *final_level_);
-    down.absolute = bit(slot);
-    line(down, target_of(down, bit(slot)), path::Op::Rapid, modal_.has_exact_stop);
+    way.set(slot, *final_level_);
+    way.absolute = bit(slot);
+    line(way, target_of(way, bit(slot)), path::Op::Rapid, modal_.has_exact_stop);
 }
 
 /// The plane in which a cycle works. Lathes drill along Z whatever their plane.

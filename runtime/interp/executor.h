@@ -190,13 +190,14 @@ class Executor {
     void warn_levels(const nc::Block& block);
     CycleLevel level_now(double value) const;
     void complete_words(ModalCycle& call);
+    void go_straight(ModalCycle& call);
     bool time_turns(const nc::Block& block, ModalCycle& call);
     void start_cycle(const nc::Block& block, ModalCycle call);
     bool complete_tap(const nc::Block& block, ModalCycle& call);
     bool complete_thread(const nc::Block& block, ModalCycle& call);
     void finish_cycle();
     bool was_refused(const nc::Block& block);
-    void return_below();
+    void return_to_level();
     path::Plane cycle_plane() const;
     AxisValues position_in_cycle() const;
     const nc::Block& in_plane_of_cycle(const nc::Block& block);
@@ -264,7 +265,7 @@ class Executor {
     CycleData cycle_data_;
     std::optional<nc::Block> call_behind_motions_;
     int times_left_ = 0;                 // that the block does the cycle again
-    std::optional<double> final_level_;  // below its retract level, where the tool goes behind it
+    std::optional<double> final_level_;  // where the tool goes behind it, unless it is there
     std::vector<ModalCycle> presets_;    // parameters that the next calls need not give
     bool returns_to_retract_ = false;
     std::unique_ptr<Stream<nc::Block>> cycle_stream_;
