@@ -26,6 +26,7 @@ tokens {
     Mode,          // `AC` and `IC` in `I=AC(5)`
     OpenValue,     // `{` of `{10mm, 20mm}`
     RawText,       // `{ … }` behind `raw`
+    NoArgument,    // what a call of the control leaves out: `CYCLE81(50,2,,-10)`
     TextOpen,      // `"abc {`
     TextMiddle,    // `} abc {`
     TextClose,     // `} abc"`
@@ -186,7 +187,7 @@ suffix
     ;
 
 arguments : argument (',' argument)* ;
-argument : (ArgumentName ':')? expression ;
+argument : (ArgumentName ':')? expression | NoArgument ;
 
 text
     : Text                                                                # plainText

@@ -64,7 +64,8 @@ expand::ExpandOptions GeneratedText::expand_options(bool has_trace) const {
     return {.limits = limits,
             .native_cycles = options.native_cycles,
             .trace = has_trace,
-            .stop = options.stop};
+            .stop = options.stop,
+            .shown = options.shown};
 }
 
 bool GeneratedText::start() {
@@ -136,7 +137,9 @@ void GeneratedText::write_batch() {
 std::vector<Diagnostic::Note> GeneratedText::calls_of_block(std::uint64_t number) const {
     std::vector<Diagnostic::Note> notes;
     DiagnosticList said_before;
-    expand::Expander again(*program_.code, target_, expand_options(true), said_before);
+    expand::ExpandOptions options = expand_options(true);
+    options.shown = nullptr;
+    expand::Expander again(*program_.code, target_, options, said_before);
     if (!start_ || !start_(again)) return notes;
     std::vector<nc::Block> batch(kPiece);
     std::uint64_t first = 0;

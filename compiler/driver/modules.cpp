@@ -129,6 +129,23 @@ Modules::Module Modules::load(std::string_view import, bool is_file, FileId from
     return {};
 }
 
+std::optional<std::string> Modules::library_module_of(std::string_view function) {
+    const std::string head = ' ' + std::string(function) + '(';
+    for (const std::string& name : module_names({session_.share().library})) {
+        const fs::path path = fs::path(session_.share().library) / relative_path(name, false);
+        const std::string text = '\n' + read_file(path.string()).value_or("");
+        // A declaration stands at the left margin, behind its type or `cycle`.
+        for (std::size_t at = text.find(head); at != std::string::npos;
+             at = text.find(head, at + 1)) {
+            const std::size_t line = text.rfind('\n', at) + 1;
+            const std::string_view type = std::string_view(text).substr(line, at - line);
+            const bool is_word = !type.empty() && type.find_first_of(" /=(") == std::string::npos;
+            if (is_word) return name;
+        }
+    }
+    return std::nullopt;
+}
+
 Modules::Module Modules::parse(FileId file) {
     Parsed& parsed = by_path_[identity(std::string(session_.sources().name(file)))];
     const SourceWords words = words_of(session_, file);

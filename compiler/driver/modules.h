@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,8 @@ class Modules final : public sema::ModuleLoader {
 
     Module load(std::string_view import, bool is_file, FileId from,
                 const SourceRange& place) override;
+
+    std::optional<std::string> library_module_of(std::string_view function) override;
 
     /// Parses a text that is already among the sources, as the main file.
     Module parse(FileId file);

@@ -41,6 +41,8 @@ struct Options {
     bool optional_stop = false;         // M1 stops
     std::optional<double> tick;         // s; nothing: as the machine says
     const std::atomic<bool>* stop = nullptr;  // set from outside: what runs ends with an error
+    std::uint32_t shown_from = sema::kNothingShown;  // expressions from this byte on are shown
+    std::vector<std::string>* shown = nullptr;       // gets their values, as texts
 };
 
 /// Where the results of an expansion go; `-` is standard output.

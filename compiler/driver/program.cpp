@@ -37,8 +37,8 @@ std::optional<Program> load_program(Session& session, FileId file) {
     program.modules = std::make_unique<Modules>(session);
     const auto [ast, dialect] = program.modules->parse(file);
     if (ast == nullptr) return std::nullopt;
-    program.code =
-        sema::check(*ast, *dialect, *program.modules, session.sources(), session.messages());
+    program.code = sema::check(*ast, *dialect, *program.modules, session.sources(),
+                               session.messages(), session.options().shown_from);
     if (program.code != nullptr) name_truth(session, *program.code);
     if (program.code == nullptr || session.messages().errors() > errors_before) return std::nullopt;
     return program;

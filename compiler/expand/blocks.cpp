@@ -24,6 +24,7 @@ namespace {
 constexpr double kMinute = 60;
 constexpr double kMmPerMeter = 1000;
 constexpr nc::SlotMask kPointSlots = 7;  // X, Y, Z
+constexpr std::uint16_t kOfCycles = sema::custom::kCyclePlace | sema::custom::kPlaces;
 
 /// Anything a control could be told; beyond it the calculation has run away.
 bool is_sane(double value) { return std::fabs(value) < 1e15; }
@@ -116,6 +117,8 @@ bool Expander::State::emit(const Instruction& instruction, const sema::Slot* reg
     const sema::Plan& plan = code.plans[static_cast<std::size_t>(instruction.immediate.pair.first)];
     if (!recordings.empty()) [[unlikely]]
         return !is_block_limit(at) && keep_plan(plan, instruction, registers, at);
+    if (is_between_places() && !may_stand_between(plan, instruction, at)) [[unlikely]]
+        return false;
     if (!plan.functions.empty() && needs_frame(plan)) [[unlikely]]
         return emit_frame(plan, instruction, registers, at);
     return emit_block(plan, instruction, registers, at);
@@ -150,6 +153,8 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
                                 const sema::Slot* registers, std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     Block& block = next_block(source);
+    if ((plan.customs & kOfCycles) != 0) [[unlikely]]
+        said_cycle.motion = modal[Group::Motion];
     block.motion = plan.motion;
     block.given = plan.given;
     block.incremental = plan.incremental;
@@ -212,6 +217,9 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
             return false;
         }
     }
+    if ((plan.customs & kOfCycles) != 0 && recordings.empty() && !take_place(block, plan, at))
+        [[unlikely]]
+        return false;
     if (modal.restate_motion && block.motion == Function::None &&
         (block.given & nc::kTargetSlots) != 0) {
         block.motion = modal[Group::Motion];
@@ -436,6 +444,7 @@ std::int64_t Expander::State::spindle_code() const {
 bool Expander::State::emit_text(const Instruction& instruction, const sema::Slot* registers,
                                 std::uint32_t at) {
     if (!recordings.empty()) return refuse_block("a text", at);
+    if (is_between_places() && instruction.b == 1) return cycle_active("raw text", at);
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     // A copy: making blocks does not move texts, but nothing should depend on that.
     const std::string text = heap.text(registers[instruction.a].integer);
@@ -460,6 +469,10 @@ bool Expander::State::emit_text(const Instruction& instruction, const sema::Slot
 bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers) {
     if (!options.native_cycles || !recordings.empty()) return false;
     const CallFrame& frame = frames.back();
+    if (is_between_places() && frame.return_to > 0) {
+        cycle_active("another cycle", frame.return_to - 1);
+        return true;
+    }
     const std::vector<sema::ParameterInfo>& parameters = frame.function->parameters;
     using Kind = sema::ParameterInfo::Kind;
     std::uint32_t given = 0;

@@ -587,6 +587,7 @@ bool Expander::State::follow_start(const Instruction& instruction, Slot* registe
 
 bool Expander::State::follow_contour(const Instruction& instruction, const Slot* registers,
                                      std::uint32_t where) {
+    if (is_between_places()) return cycle_active("a contour", where);
     const Slot* arguments = registers + instruction.a;
     const auto contour = followed(arguments, where);
     if (!contour) return false;

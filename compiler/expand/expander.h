@@ -47,6 +47,7 @@ struct ExpandOptions {
     bool trace = false;                       // keep a Trace for every block of the batch
     bool warns_of_cuts = false;               // without a feed or with the spindle off
     const std::atomic<bool>* stop = nullptr;  // set from outside: the evaluation ends with an error
+    std::vector<std::string>* shown = nullptr;  // gets the values that the code shows; null: nobody
 };
 
 /// Evaluates a program, batch by batch. Errors while it runs are reported with the call stack and

@@ -35,7 +35,8 @@ void become(Block& block, Invocation& invocation, Function function, double argu
 
 bool is_cycle_word(Function function) {
     const Group group = nc::info(function).group;
-    return group == Group::CycleMode || group == Group::CycleReturn;
+    return group == Group::CycleMode || group == Group::CycleReturn ||
+           function == Function::TapRigid;
 }
 
 }  // namespace
@@ -165,6 +166,11 @@ bool Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t 
                 if ((customs & custom::kShiftKeeps) != 0) is_good = adapt_shift(block, invocation);
                 break;
             case Function::MirrorOff: invocation.given = 0; break;  // none stays
+            case Function::CycleReturnInitial:
+            case Function::CycleReturnRetract:
+                said_cycle.returns_low = invocation.function == Function::CycleReturnRetract;
+                break;
+            case Function::TapRigid: said_cycle.taps_rigidly = true; break;
             case Function::MachineCoordinates:
                 is_good = is_good && adapt_machine(block, plan, at);
                 break;
@@ -187,10 +193,11 @@ bool Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t 
             by_tool ? take_offsets_as_edges(block, at) : take_edges_as_offsets(block, at);
         if (!takes) return false;
     }
-    // No block of a source is a cycle of the control, so these have nothing to do.
+    // Cycles of the source are calls of the library's, so these have nothing to do in the target.
     for (std::size_t i = block.function_count; i-- > 0;) {
         const Function function = block.functions[i].function;
-        if (is_cycle_word(function) && !target.can_write(function)) erase(block, i);
+        const bool is_spent = (customs & custom::kPlaces) != 0 || !target.can_write(function);
+        if (is_cycle_word(function) && is_spent) erase(block, i);
     }
     return true;
 }

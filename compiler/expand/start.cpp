@@ -233,13 +233,32 @@ bool Expander::State::start(std::string_view name, const std::vector<sema::Defin
         sink.report(diag::DefineMissing, parameter.range)
             .arg(function->name)
             .arg(parameter.name)
-            .fix("give it on the command line: `-D " + parameter.name + "=…`");
+            .fix(parameter.kind == ParameterInfo::Kind::Other
+                     ? "give it a default value: no option can set `" + parameter.type_name + '`'
+                     : "give it on the command line: `-D " + parameter.name + "=…`");
         is_good = false;
     }
     if (!is_good) return false;
     has_failed = false;
     enter(*function, given);
     return true;
+}
+
+/// An argument of a cycle as a block has it (mm, degrees, s, rpm). False: it is no number.
+bool Expander::State::set_number(const ParameterInfo& parameter, double value, Slot& slot) {
+    switch (parameter.kind) {
+        case ParameterInfo::Kind::Number: slot.number = value; return true;
+        case ParameterInfo::Kind::Feed:
+        case ParameterInfo::Kind::Speed: slot.number = value / 60; return true;
+        case ParameterInfo::Kind::Bool:
+        case ParameterInfo::Kind::Integer:
+        case ParameterInfo::Kind::Enum:
+            slot.integer = static_cast<std::int64_t>(std::llround(value));
+            return true;
+        case ParameterInfo::Kind::Text:
+        case ParameterInfo::Kind::Other: break;
+    }
+    return false;
 }
 
 ModalState Expander::State::first_state(const FunctionCode& function) const {
@@ -283,20 +302,9 @@ bool Expander::State::start_cycle(std::string_view name, std::span<const double>
                 .arg(parameter.name);
             return false;
         }
-        Slot& slot = stack[code.globals + parameter.slot];
-        switch (parameter.kind) {
-            case ParameterInfo::Kind::Number: slot.number = arguments[i]; break;
-            case ParameterInfo::Kind::Feed:
-            case ParameterInfo::Kind::Speed: slot.number = arguments[i] / 60; break;
-            case ParameterInfo::Kind::Bool:
-            case ParameterInfo::Kind::Integer:
-            case ParameterInfo::Kind::Enum:
-                slot.integer = static_cast<std::int64_t>(std::llround(arguments[i]));
-                break;
-            case ParameterInfo::Kind::Text:
-            case ParameterInfo::Kind::Other:
-                sink.report(diag::DefineType).arg(parameter.name).arg(parameter.type_name);
-                return false;
+        if (!set_number(parameter, arguments[i], stack[code.globals + parameter.slot])) {
+            sink.report(diag::DefineType).arg(parameter.name).arg(parameter.type_name);
+            return false;
         }
         set |= 1u << i;
     }

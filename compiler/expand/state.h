@@ -1,6 +1,7 @@
 // state.h — a running program: registers, calls, modal state, the batch that is being filled.
 //
-// The chapters: vm.cpp (the instructions), blocks.cpp (blocks, frames, `with`), contours.cpp,
+// The chapters: vm.cpp (the instructions), blocks.cpp (blocks, frames, `with`), input.cpp and
+// cycles.cpp (blocks written the way of another control), contours.cpp,
 // unknown.cpp (modal state that is not known), curves.cpp, faults.cpp (errors with the call stack),
 // start.cpp (programs, parameters), tests.cpp, text_format.cpp. For the room expand only.
 #pragma once
@@ -75,6 +76,26 @@ struct Following {
     FollowedBlock next;
 };
 
+/// The cycle of the input dialect's control that was said last; see sema::SourceCycle.
+struct SaidCycle {
+    const sema::SourceCycle* said = nullptr;
+    bool is_active = false;   // further blocks are places of it
+    bool is_due = false;      // RunCycle calls it
+    bool is_running = false;  // its blocks are being made
+    std::array<double, nc::kMaxArguments> arguments{};
+    std::uint32_t given = 0;    // bit i: argument i
+    bool returns_low = false;   // G99: to the retract level, not to where the mode began
+    bool taps_rigidly = false;  // M29
+    // Where the mode began, along the tool axis.
+    double initial = 0;
+    bool is_initial_known = false;
+    ProgramFrame frame;
+    double work_offset = 0;
+    // What its block found and holds again behind it.
+    nc::Function motion = nc::Function::None;
+    bool was_incremental = false;
+};
+
 /// What a `with` or a promise of a cycle found, and which of it holds again behind it.
 struct OpenWith {
     sema::ModalMask mask = 0;
@@ -92,6 +113,7 @@ struct Expander::State {
     const sema::FunctionCode* find_program(std::string_view name);
     bool set_parameter(const sema::FunctionCode& function, const sema::ParameterInfo& parameter,
                        const std::string& text, Slot& slot);
+    static bool set_number(const sema::ParameterInfo& parameter, double value, Slot& slot);
     void enter(const sema::FunctionCode& function, std::uint32_t given);
     ModalState first_state(const sema::FunctionCode& function) const;
 
@@ -156,6 +178,27 @@ struct Expander::State {
     void say_reference(nc::Block& block);
     bool take_offsets_as_edges(nc::Block& block, std::uint32_t at);
     bool take_edges_as_offsets(nc::Block& block, std::uint32_t at);
+
+    // ---- cycles.cpp: cycles as the control of the input dialect has them
+    bool is_between_places() const {
+        return said_cycle.is_active && !said_cycle.is_running && recordings.empty();
+    }
+    /// Reports what cannot stand among the places of a cycle; always false.
+    bool cycle_active(std::string_view what, std::uint32_t at);
+    bool may_stand_between(const sema::Plan& plan, const Instruction& instruction,
+                           std::uint32_t at);
+    /// A block of a source that has cycles, with all its words: a place, or the end of the mode.
+    bool take_place(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
+    bool take_levels(nc::Block& block, std::uint32_t at);
+    bool say_cycle(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    bool take_distances(std::uint32_t at);
+    std::optional<double> initial_level(std::uint32_t at);
+    /// Completes the arguments and calls the library's cycle.
+    bool call_cycle(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    bool complete_cycle(const sema::FunctionCode& function, std::uint32_t at);
+    bool complete_pitch(std::size_t pitch, std::uint32_t at);
+    void say_distance(nc::Function function, SourceId source, std::uint32_t at, unsigned depth);
+    void leave_cycle(const Instruction& instruction, std::uint32_t at);
 
     std::uint32_t word_of(const sema::Filling& filling, std::uint32_t at) const;
     bool fill(nc::Block& block, const sema::Filling& filling, Slot value, std::uint32_t at);
@@ -267,6 +310,10 @@ struct Expander::State {
 
     // ---- text_format.cpp
     std::string format(const sema::FormatPattern& pattern, const Slot* values) const;
+    /// A value as the prompt shows it; `is_part`: inside of another one.
+    std::string shown(std::uint32_t form, const Slot* value, bool is_part = false);
+    std::string shown_list(const sema::ShownForm& form, Slot list);
+    std::string shown_contour(const sema::ShownForm& form, Slot contour);
 
     const sema::Code& code;
     const nc::Dialect& target;
@@ -297,7 +344,8 @@ struct Expander::State {
     ModalState modal;
     std::vector<OpenWith> withs;
     std::vector<OpenWith> promises;  // of `preserves`
-    bool warned_of_feed = false;     // each is said once
+    SaidCycle said_cycle;
+    bool warned_of_feed = false;  // each is said once
     bool warned_of_spindle = false;
 
     /// A contour whose blocks are being kept.

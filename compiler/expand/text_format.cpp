@@ -11,8 +11,11 @@
 namespace kadr::expand {
 
 using sema::FormatPiece;
+using sema::ShownForm;
 
 namespace {
+
+constexpr std::int64_t kShownElements = 20;  // of a list; a line or two at a prompt
 
 /// Twelve digits: what was meant, without the noise of the last binary digit.
 std::string shown(double value) {
@@ -94,6 +97,56 @@ std::string Expander::State::format(const sema::FormatPattern& pattern, const Sl
         }
     }
     return out;
+}
+
+// ---------------------------------------------------------------- values at the prompt
+
+std::string Expander::State::shown(std::uint32_t form, const Slot* value, bool is_part) {
+    const ShownForm& shape = code.shown_forms[form];
+    const bool is_whole = shape.kind != ShownForm::Kind::Members;
+    if (is_whole && !sema::is_given(*value, static_cast<unsigned>(shape.slot))) return "not given";
+    switch (shape.kind) {
+        case ShownForm::Kind::Plain: {
+            const std::string text = format({shape.piece}, value);
+            const bool is_quoted = is_part && shape.piece.kind == FormatPiece::Kind::Text;
+            return is_quoted ? '"' + text + '"' : text;
+        }
+        case ShownForm::Kind::List: return shown_list(shape, *value);
+        case ShownForm::Kind::Contour: return shown_contour(shape, *value);
+        case ShownForm::Kind::Members: break;
+    }
+    std::string out;
+    for (const ShownForm::Part& part : shape.parts) {
+        const std::string text = shown(part.form, value + part.slot, true);
+        if (text == "not given") continue;
+        out += (out.empty() ? "{" : ", ") + part.name + ": " + text;
+    }
+    return out.empty() ? "not given" : out + '}';
+}
+
+std::string Expander::State::shown_list(const ShownForm& form, Slot list) {
+    const Heap::ArrayView elements = heap.array(list.integer);
+    std::string out = "{";
+    const std::int64_t most = std::min(elements.count, kShownElements);
+    for (std::int64_t i = 0; i < most; ++i) {
+        if (i > 0) out += ", ";
+        out += shown(form.parts[0].form, elements.slots + i * elements.stride, true);
+    }
+    if (most < elements.count) out += ", … " + std::to_string(elements.count) + " in all";
+    return out + '}';
+}
+
+/// Its ends and what lies between: all coordinates would hide them.
+std::string Expander::State::shown_contour(const ShownForm& form, Slot contour) {
+    const Heap::ArrayView elements = heap.array(contour.integer);
+    if (elements.count == 0) return "an empty contour";
+    const auto end = [&](const Slot* element, sema::ElementSlot which) {
+        return shown(form.parts[0].form, element + static_cast<std::size_t>(which), true);
+    };
+    const Slot* last = elements.slots + (elements.count - 1) * elements.stride;
+    return "a contour from " + end(elements.slots, sema::ElementSlot::From) + " to " +
+           end(last, sema::ElementSlot::To) + ", " + std::to_string(elements.count) +
+           (elements.count == 1 ? " element" : " elements");
 }
 
 }  // namespace kadr::expand

@@ -17,6 +17,7 @@
 
 namespace kadr::expand {
 
+using sema::is_given;
 using sema::Math;
 using sema::MathFault;
 using sema::Rounding;
@@ -25,11 +26,6 @@ using sema::SlotKind;
 namespace {
 
 constexpr auto kNumberSlot = static_cast<unsigned>(SlotKind::Number);
-
-bool is_given(Slot slot, unsigned kind) {
-    return kind == static_cast<unsigned>(SlotKind::Number) ? slot.number == slot.number
-                                                           : slot.integer != sema::kNotGivenInteger;
-}
 
 /// `sign`, `min`, `max`; `abs` may overflow and stands at its instruction.
 std::int64_t integer_math(Math function, std::int64_t a, std::int64_t b) {
@@ -819,6 +815,12 @@ op_RemoveAt : {
     heap.remove(A.integer, B.integer);
     KADR_NEXT;
 }
+op_CheckFilled:
+    if (A.integer == 0) [[unlikely]] {
+        fault(diag::EmptyArray, AT);
+        goto stop;
+    }
+    KADR_NEXT;
 op_ClearArray:
     heap.clear(A.integer);
     KADR_NEXT;
@@ -960,6 +962,25 @@ op_NativeCycle:
         turns_left = turns;
         return;
     }
+op_SayCycle:
+    if (!say_cycle(*ip, r, AT)) [[unlikely]]
+        goto stop;
+    KADR_NEXT;
+op_RunCycle:
+    if (!said_cycle.is_due) [[likely]] {
+        ++ip;  // nothing is to be left
+        KADR_NEXT;
+    }
+    if (!call_cycle(*ip, r, AT)) goto stop;
+    r = stack.data() + frames.back().base;
+    KADR_GO(frames.back().function->entry);
+op_LeaveCycle:
+    leave_cycle(*ip, AT);
+    if (has_failed) goto stop;
+    goto batch_or_next;
+op_EndCycle:
+    said_cycle.is_active = false;
+    KADR_NEXT;
 op_EnterWith:
     withs.push_back({static_cast<sema::ModalMask>(ip->immediate.pair.first), modal});
     KADR_NEXT;
@@ -1058,6 +1079,12 @@ op_UserError:
     goto stop;
 op_UserWarning:
     fault_note(diag::ProgramWarning, AT, heap.text(A.integer));
+    KADR_NEXT;
+op_Show:
+    if (options.shown != nullptr) {
+        const auto form = static_cast<std::uint32_t>(ip->immediate.pair.first);
+        options.shown->push_back(shown(form, &A));
+    }
     KADR_NEXT;
 
     // ---------------------------------------------------------------- tests

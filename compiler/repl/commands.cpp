@@ -2,6 +2,7 @@
 #include "repl/commands.h"
 
 #include <algorithm>
+#include <charconv>
 #include <fstream>
 #include <iterator>
 
@@ -147,16 +148,14 @@ struct Commands {
 
     void vars(std::string_view) {
         const std::vector<std::string> names =
-            variables(prompt.options_, prompt.share_, prompt.transcript_.program());
+            variables(prompt.options_, prompt.share_, prompt.program_of(prompt.transcript_));
         if (names.empty()) return prompt.write("no variables\n");
-        for (const std::string& name : names) {
-            const auto value = prompt.value_of(name);
-            prompt.write(name + " = " + value.value_or("…") + '\n');
-        }
+        for (const std::string& name : names)
+            prompt.write(name + " = " + prompt.value_of(name) + '\n');
     }
 
     void list(std::string_view what) {
-        if (what.empty()) return prompt.write(numbered(prompt.transcript_.program()));
+        if (what.empty()) return prompt.write(numbered(prompt.program_of(prompt.transcript_)));
         if (what != "iso") return wrong("`:list` shows the program, `:list iso` the text");
         const std::uint32_t lines = std::exchange(prompt.now_.lines, 0);
         const Outcome all = prompt.evaluate(prompt.transcript_);
@@ -184,18 +183,19 @@ struct Commands {
         prompt.write(prompt.is_stepping_ ? "block by block\n" : "all blocks at once\n");
     }
 
-    void undo(std::string_view) {
-        if (prompt.transcript_.inputs().empty()) return prompt.write("nothing to take back\n");
-        const std::string text = prompt.transcript_.inputs().back().text;
-        prompt.transcript_.undo();
-        prompt.refresh();
-        prompt.write("taken back: " + text.substr(0, text.find('\n')) + '\n');
+    void undo(std::string_view text) {
+        std::size_t count = 1;
+        const auto read = std::from_chars(text.data(), text.data() + text.size(), count);
+        const bool is_number = read.ec == std::errc() && read.ptr == text.data() + text.size();
+        if (!text.empty() && (!is_number || count == 0))
+            return wrong("how many inputs? `:undo 2` takes the last two back");
+        prompt.undo(count);
     }
 
     void save(std::string_view file) {
         if (file.empty()) return wrong("where to? `:save part.kadr`");
         const std::string program =
-            laid_out(prompt.options_, prompt.share_, prompt.transcript_.program());
+            laid_out(prompt.options_, prompt.share_, prompt.program_of(prompt.transcript_));
         const std::string said = write_whole(std::string(file), program);
         prompt.write(said.empty() ? "saved in " + std::string(file) + '\n' : said);
     }
@@ -242,7 +242,7 @@ constexpr Row kRows[] = {
     {{"list", "[iso]", "the program so far, or its text"}, &Commands::list},
     {{"plot", "[FILE.svg]", "sketch of the path; drawing into a file"}, &Commands::plot},
     {{"step", "[on|off]", "show block by block what is executed"}, &Commands::step},
-    {{"undo", "", "take the last input back"}, &Commands::undo},
+    {{"undo", "[N]", "take the last input back, or the last N"}, &Commands::undo},
     {{"save", "FILE", "the program so far as a file"}, &Commands::save},
     {{"time", "", "machine time so far"}, &Commands::time},
     {{"quit", "", "leave"}, &Commands::quit},

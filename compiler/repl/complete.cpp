@@ -76,7 +76,7 @@ std::vector<std::string> Prompt::completions(std::string_view line) const {
                 candidates.push_back(lexeme);
             }
         }
-        add_names(transcript_.program(), candidates);
+        add_names(program_of(transcript_), candidates);
         add_names(pending_, candidates);
     }
     std::erase_if(candidates, [&](const std::string& name) {

@@ -78,57 +78,70 @@ void Prompt::finish() {
 void Prompt::take_input(std::string text) {
     QuietSession quiet(options_, share_);
     Input input = classify(quiet.session(), transcript_.headers(), std::move(text));
-    if (input.kind == Input::Kind::Value) return show_value(input.text);
-    // A comment by itself.
+    if (input.kind == Input::Kind::Wrong) input.kind = Input::Kind::Statement;  // to be told why
     Transcript longer = transcript_;
-    Input added = input;
-    if (added.kind == Input::Kind::Wrong) added.kind = Input::Kind::Statement;
-    longer.add(added);
+    longer.add(input);
     Outcome outcome = evaluate(longer);
     if (!outcome.is_ok) {
         has_failed_ = true;
-        write(outcome.messages);
-        return;
+        return write(outcome.messages);
     }
-    keep(std::move(added), std::move(outcome));
+    const bool is_asked =
+        input.kind == Input::Kind::Value ||
+        (input.kind == Input::Kind::Call && outcome.lines == now_.lines && !outcome.values.empty());
+    if (is_asked) return show_values(outcome);
+    keep(std::move(input), std::move(outcome));
 }
 
 void Prompt::keep(Input input, Outcome outcome) {
     write(outcome.messages);
-    const bool is_call = input.kind == Input::Kind::Statement && outcome.lines == now_.lines &&
-                         input.text.find('(') != std::string::npos;
-    if (is_call) {
-        // A function that was called for its value: `chord(10mm, 3mm);`
-        std::string expression = input.text;
-        expression.erase(expression.find_last_not_of("; \n\t") + 1);
-        if (const auto value = value_of(expression)) return write(*value + '\n');
-    }
     transcript_.add(std::move(input));
     if (is_stepping_) step_lines(outcome);
     else show_lines(outcome);
+    show_values(outcome);
     show_change(now_, outcome);
     now_ = std::move(outcome);
 }
 
-std::optional<std::string> Prompt::value_of(const std::string& expression) {
-    const Outcome outcome = evaluate(transcript_, {expression});
-    if (!outcome.is_ok || outcome.values.empty()) return std::nullopt;
-    return outcome.values.front();
+void Prompt::show_values(const Outcome& outcome) const {
+    for (const std::string& value : outcome.values) write(value + '\n');
 }
 
-void Prompt::show_value(const std::string& expression) {
-    const Outcome outcome = evaluate(transcript_, {expression});
-    if (outcome.is_ok && !outcome.values.empty()) return write(outcome.values.front() + '\n');
-    has_failed_ = true;
-    write(outcome.messages);
+std::string Prompt::value_of(const std::string& variable) {
+    Transcript longer = transcript_;
+    longer.add({Input::Kind::Value, variable + ';'});
+    const Outcome outcome = evaluate(longer);
+    return outcome.is_ok && !outcome.values.empty() ? outcome.values.front() : "…";
 }
 
-Outcome Prompt::evaluate(const Transcript& transcript, std::vector<std::string> shown) {
+std::string Prompt::program_of(const Transcript& transcript) const {
+    QuietSession quiet(options_, share_);
+    return transcript.program(program_word(quiet.session(), transcript.headers()));
+}
+
+Outcome Prompt::evaluate(const Transcript& transcript) {
     ReplayRequest request;
-    request.program = transcript.program(showing_statements(shown));
+    request.program = program_of(transcript);
     request.known_lines = now_.lines;
-    request.shown = std::move(shown);
-    return replay(options_, share_, request, seen_messages_);
+    // An input that is new shows its values.
+    const std::vector<Input>& inputs = transcript.inputs();
+    const bool is_new = inputs.size() > transcript_.inputs().size();
+    const bool is_inside = is_new && (inputs.back().kind == Input::Kind::Statement ||
+                                      inputs.back().kind == Input::Kind::Call ||
+                                      inputs.back().kind == Input::Kind::Value);
+    if (is_inside) request.shown_from = transcript.last_statement(request.program);
+    return replay(options_, share_, request, now_.said);
+}
+
+void Prompt::undo(std::size_t count) {
+    if (transcript_.inputs().empty()) return write("nothing to take back\n");
+    std::string taken;
+    for (; count > 0 && !transcript_.inputs().empty(); --count) {
+        const std::string text = transcript_.undo().text;
+        taken += "taken back: " + text.substr(0, text.find('\n')) + '\n';
+    }
+    refresh();
+    write(taken);
 }
 
 /// Evaluates what there is once more, under other options or with other files. False: it has an

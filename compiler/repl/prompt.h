@@ -50,10 +50,14 @@ class Prompt {
     friend struct Commands;
 
     void take_input(std::string text);
-    void show_value(const std::string& expression);
-    std::optional<std::string> value_of(const std::string& expression);
+    void show_values(const Outcome& outcome) const;
+    std::string value_of(const std::string& variable);
     void keep(Input input, Outcome outcome);
-    Outcome evaluate(const Transcript& transcript, std::vector<std::string> shown = {});
+    /// The program that the inputs amount to.
+    std::string program_of(const Transcript& transcript) const;
+    Outcome evaluate(const Transcript& transcript);
+    /// Takes back so many inputs.
+    void undo(std::size_t count);
     bool refresh();
     void show_change(const Outcome& before, const Outcome& after);
     void show_lines(const Outcome& outcome);
@@ -67,7 +71,6 @@ class Prompt {
     const std::atomic<bool>* stop_;
     Transcript transcript_;
     Outcome now_;  // of the whole transcript
-    std::vector<std::string> seen_messages_;
     std::string pending_;
     bool is_stepping_ = false;
     bool is_over_ = false;

@@ -14,38 +14,53 @@ namespace kadr::repl {
 
 namespace {
 
-// What stands around a value that a program shows, so that it is told from the author's warnings.
-constexpr std::string_view kOpen = "⟦";
-constexpr std::string_view kClose = "⟧";
 constexpr int kDecimals = 3;
 
-/// Takes the messages of one evaluation apart: values that were asked for, and what a person reads.
+/// A message as it is whichever inputs stand before its own: without numbers of lines, with the
+/// columns of the quoted source only.
+std::string without_lines(std::string_view message) {
+    constexpr std::string_view kDigits = "0123456789";
+    std::string out;
+    for (std::size_t begin = 0; begin < message.size();) {
+        const std::size_t end = std::min(message.find('\n', begin), message.size());
+        const std::string_view line = message.substr(begin, end - begin);
+        const std::size_t gutter = line.find_first_not_of(" 0123456789");
+        const std::size_t place = line.find(':');
+        const bool is_source =
+            line.starts_with(' ') && gutter != std::string_view::npos && line[gutter] == '|';
+        if (is_source) {
+            out += line.substr(gutter);
+        } else if (place != std::string_view::npos) {
+            out += line.substr(0, place);
+            out += line.substr(std::min(line.find_first_not_of(kDigits, place + 1), line.size()));
+        } else {
+            out += line;
+        }
+        out += '\n';
+        begin = end + 1;
+    }
+    return out;
+}
+
+/// What a person reads of the messages of one evaluation.
 class Hearing {
   public:
-    Hearing(Outcome& outcome, std::vector<std::string>& seen) : outcome_(outcome), seen_(seen) {}
+    Hearing(Outcome& outcome, std::vector<std::string> said)
+        : outcome_(outcome), said_(std::move(said)) {}
 
     void take(std::string_view rendered) {
-        const std::size_t open = rendered.find(kOpen);
-        const std::size_t close = rendered.find(kClose);
-        if (open != std::string_view::npos && close != std::string_view::npos && open < close) {
-            const std::size_t begin = open + kOpen.size();
-            outcome_.values.emplace_back(rendered.substr(begin, close - begin));
-            return;
-        }
-        std::string text(rendered);
+        const std::string text(rendered);
         // What is declared at a prompt is read by inputs to come.
         if (text.find("[K2501]") != std::string::npos) return;
-        if (std::find(seen_.begin(), seen_.end(), text) != seen_.end()) return;
-        outcome_.messages += text;
-        heard_.push_back(std::move(text));
+        outcome_.said.push_back(without_lines(text));
+        const auto known = std::find(said_.begin(), said_.end(), outcome_.said.back());
+        if (known == said_.end()) outcome_.messages += text;
+        else said_.erase(known);  // two inputs with the same mistake are two messages
     }
-    /// What was said about a program that is kept is not said again.
-    void remember() { seen_.insert(seen_.end(), heard_.begin(), heard_.end()); }
 
   private:
     Outcome& outcome_;
-    std::vector<std::string>& seen_;
-    std::vector<std::string> heard_;
+    std::vector<std::string> said_;
 };
 
 /// Cuts the text into lines and keeps those that are wanted.
@@ -173,23 +188,16 @@ void execute(driver::Execution& execution, Outcome& outcome, LineKeeper& keeper,
 
 }  // namespace
 
-std::string showing_statements(const std::vector<std::string>& expressions) {
-    std::string out;
-    for (const std::string& expression : expressions) {
-        out += "warn(\"" + std::string(kOpen) + '{' + expression + ":u}" + std::string(kClose) +
-               "\");\n";
-    }
-    return out;
-}
-
 Outcome replay(const driver::Options& options, const driver::Share& share,
-               const ReplayRequest& request, std::vector<std::string>& seen_messages) {
+               const ReplayRequest& request, std::vector<std::string> said) {
     Outcome outcome;
-    Hearing hearing(outcome, seen_messages);
+    Hearing hearing(outcome, std::move(said));
     Sources sources;
     driver::Messages messages(sources, {}, [&](std::string_view text) { hearing.take(text); });
     driver::Options chosen = options;
     chosen.program = "prompt";
+    chosen.shown_from = request.shown_from;
+    chosen.shown = &outcome.values;
     driver::Session session(chosen, share, sources, messages);
     const FileId file = sources.add("prompt.kadr", request.program);
     LineKeeper keeper(outcome, request.known_lines);
@@ -202,7 +210,6 @@ Outcome replay(const driver::Options& options, const driver::Share& share,
     }
     messages.finish();
     outcome.is_ok = execution && session.status() == driver::Status::Done;
-    if (outcome.is_ok) hearing.remember();
     return outcome;
 }
 

@@ -34,26 +34,25 @@ struct Outcome {
     motion::Totals totals;
     driver::PlotScene scene;
     std::string plot_subtitle;
+    std::vector<std::string> said;    // all messages, without their lines
     std::vector<std::string> values;  // of the expressions that were to be shown, as texts
     std::vector<std::string> names;   // functions and cycles that can be called, for completion
     std::map<std::string, std::vector<std::string>> parameters;  // of each of them
 };
 
 struct ReplayRequest {
-    std::string program;             // its text
-    std::uint32_t known_lines = 0;   // lines up to here are not kept
-    std::vector<std::string> shown;  // expressions whose values are wanted at the end
+    std::string program;                             // its text
+    std::uint32_t known_lines = 0;                   // lines up to here are not kept
+    std::uint32_t shown_from = sema::kNothingShown;  // expressions from this byte on are shown
 };
 
 /// Lines that an outcome keeps from the start, and from the end.
 inline constexpr std::size_t kFirstLines = 200;
 inline constexpr std::size_t kLastLines = 5;
 
-/// Statements that make the value of each expression known: `warn("…{expression:u}…");`.
-std::string showing_statements(const std::vector<std::string>& expressions);
-
-/// Evaluates the whole program. Nothing of it outlives the call but the outcome.
+/// Evaluates the whole program. Nothing of it outlives the call but the outcome. What has been
+/// `said` of it before is not said again.
 Outcome replay(const driver::Options& options, const driver::Share& share,
-               const ReplayRequest& request, std::vector<std::string>& seen_messages);
+               const ReplayRequest& request, std::vector<std::string> said);
 
 }  // namespace kadr::repl

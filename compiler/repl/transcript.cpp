@@ -49,74 +49,119 @@ Input::Kind kind_at_file_level(const Ast& ast) {
     return kind;
 }
 
-/// Whether the one statement of a program computes a value and does nothing with it.
-bool is_value(const Ast& ast) {
+/// What the one statement of a program is: a value, a call, or something else that is done.
+Input::Kind kind_of_statement(const Ast& ast) {
     std::optional<syntax::Stmt> only;
     for (const syntax::Stmt& stmt : ast.statements) {
         if (stmt.kind == StmtKind::Block) continue;
-        if (only) return false;
+        if (only) return Input::Kind::Statement;
         only = stmt;
     }
-    if (!only || only->kind != StmtKind::Expression) return false;
+    if (!only || only->kind != StmtKind::Expression) return Input::Kind::Statement;
     const syntax::Expr& expr = ast.expressions[only->expression[0].index];
     switch (expr.kind) {
         case ExprKind::Assign:
+        case ExprKind::Invalid: return Input::Kind::Statement;
         case ExprKind::Call:
-        case ExprKind::Invalid: return false;
-        case ExprKind::Unary:
-            return expr.op != syntax::Operator::PreIncrement &&
-                   expr.op != syntax::Operator::PreDecrement &&
-                   expr.op != syntax::Operator::PostIncrement &&
-                   expr.op != syntax::Operator::PostDecrement;
-        default: return true;
+            // `a.pop()` has a value and changes `a`.
+            return ast[expr.child[0]].kind == ExprKind::Name ? Input::Kind::Call
+                                                             : Input::Kind::Statement;
+        case ExprKind::Unary: {
+            const bool is_step = expr.op == syntax::Operator::PreIncrement ||
+                                 expr.op == syntax::Operator::PreDecrement ||
+                                 expr.op == syntax::Operator::PostIncrement ||
+                                 expr.op == syntax::Operator::PostDecrement;
+            return is_step ? Input::Kind::Statement : Input::Kind::Value;
+        }
+        default: return Input::Kind::Value;
     }
 }
 
-std::string as_program(std::string_view text) {
-    return "program prompt() {\n" + std::string(text) + "\n}\n";
+std::string as_program(std::string_view word, std::string_view text) {
+    return std::string(word) + " prompt() {\n" + std::string(text) + "\n}\n";
 }
 
-/// Takes blanks, and one `;`, from the end.
+/// Takes blanks from the end.
 std::string trimmed(std::string text) {
     const std::size_t last = text.find_last_not_of(" \t\r\n");
     text.erase(last == std::string::npos ? 0 : last + 1);
     return text;
 }
 
+/// Past the comment that begins at `at`, `at` itself if none does; nothing: it is not closed.
+std::optional<std::size_t> past_comment(std::string_view text, std::size_t at) {
+    if (text.substr(at, 2) == "//") return std::min(text.find('\n', at), text.size());
+    if (text.substr(at, 2) != "/*") return at;
+    const std::size_t end = text.find("*/", at + 2);
+    if (end == std::string_view::npos) return std::nullopt;
+    return end + 2;
+}
+
+/// Past the string whose quote stands at `at`; one that is not closed ends with its line.
+std::size_t past_string(std::string_view text, std::size_t at) {
+    const std::uint32_t closed = syntax::end_of_text(text, static_cast<std::uint32_t>(at),
+                                                     static_cast<std::uint32_t>(text.size()));
+    if (closed > at) return closed;
+    for (++at; at < text.size() && text[at] != '"' && text[at] != '\n'; ++at) {
+        if (text[at] == '\\') ++at;
+    }
+    return std::min(at + 1, text.size());
+}
+
+/// The text with a `;` behind its last word; comments may follow that.
+std::string ended(const std::string& text) {
+    std::size_t end = 0;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t past = past_comment(text, i).value_or(text.size());
+        if (past > i) {
+            i = past;
+            continue;
+        }
+        const bool is_blank = std::string_view(" \t\r\n").find(text[i]) != std::string_view::npos;
+        i = text[i] == '"' ? past_string(text, i) : i + 1;
+        if (!is_blank) end = i;
+    }
+    return text.substr(0, end) + ';' + text.substr(end);
+}
+
+std::string first_word(std::string_view text) {
+    return std::string(text.substr(0, text.find_first_of(" \t\r\n")));
+}
+
 }  // namespace
 
 bool is_incomplete(std::string_view text) {
     int depth = 0;
-    for (std::size_t i = 0; i < text.size(); ++i) {
+    for (std::size_t i = 0; i < text.size();) {
+        const std::optional<std::size_t> past = past_comment(text, i);
+        if (!past) return true;
         const char c = text[i];
-        const auto at = static_cast<std::uint32_t>(i);
-        const auto size = static_cast<std::uint32_t>(text.size());
-        const std::uint32_t closed = c == '"' ? syntax::end_of_text(text, at, size) : at;
-        if (closed > at) {
-            i = closed - 1;
-        } else if (c == '"') {
-            for (++i; i < text.size() && text[i] != '"' && text[i] != '\n'; ++i) {
-                if (text[i] == '\\') ++i;
-            }
-        } else if (text.substr(i, 2) == "//") {
-            i = std::min(text.find('\n', i), text.size());
-        } else if (text.substr(i, 2) == "/*") {
-            i = text.find("*/", i + 2);
-            if (i == std::string_view::npos) return true;
-            ++i;
-        } else if (c == '(' || c == '[' || c == '{') {
-            ++depth;
-        } else if (c == ')' || c == ']' || c == '}') {
-            --depth;
+        if (*past > i) {
+            i = *past;
+            continue;
         }
+        if (c == '(' || c == '[' || c == '{') ++depth;
+        if (c == ')' || c == ']' || c == '}') --depth;
+        i = c == '"' ? past_string(text, i) : i + 1;
     }
     return depth > 0;
 }
 
+std::string program_word(driver::Session& session, std::string_view headers) {
+    const FileId file = session.sources().add("prompt", std::string(headers));
+    if (const driver::SourceWords words = driver::words_of(session, file)) {
+        for (const auto& [lexeme, name] : words.keywords->canonical) {
+            if (name == "program") return lexeme;
+        }
+    }
+    return "program";
+}
+
 Input classify(driver::Session& session, std::string_view headers, std::string text) {
     text = trimmed(std::move(text));
+    const std::string word = program_word(session, headers);
     for (const bool ends_it : {false, true}) {
-        const std::string whole = ends_it ? text + ';' : text;
+        const std::string whole = ends_it ? ended(text) : text;
         // A header is judged without those that hold: it replaces one of them.
         for (const std::string& before : {std::string(headers), std::string()}) {
             const auto ast = parsed(session, before + whole);
@@ -124,43 +169,53 @@ Input classify(driver::Session& session, std::string_view headers, std::string t
             if (kind == Input::Kind::Header && !before.empty()) continue;
             if (kind != Input::Kind::Wrong) return {kind, whole};
         }
-        if (const auto ast = parsed(session, std::string(headers) + as_program(whole))) {
-            if (!is_value(*ast)) return {Input::Kind::Statement, whole};
-            if (!ends_it) text.pop_back();
-            return {Input::Kind::Value, trimmed(std::move(text))};
-        }
+        if (const auto ast = parsed(session, std::string(headers) + as_program(word, whole)))
+            return {kind_of_statement(*ast), whole};
     }
+    // A keyword language that cannot be loaded: nothing can be read in it.
+    if (first_word(text) == "language") return {Input::Kind::Header, ended(text)};
     return {Input::Kind::Wrong, std::move(text)};
 }
 
-bool Transcript::undo() {
-    if (inputs_.empty()) return false;
+Input Transcript::undo() {
+    Input last = std::move(inputs_.back());
     inputs_.pop_back();
-    return true;
+    return last;
 }
 
 std::string Transcript::headers() const {
     std::string out;
-    for (const Input& input : inputs_) {
-        if (input.kind == Input::Kind::Header) out += input.text + '\n';
+    for (std::size_t i = 0; i < inputs_.size(); ++i) {
+        if (inputs_[i].kind != Input::Kind::Header) continue;
+        const bool is_replaced =
+            std::any_of(inputs_.begin() + static_cast<std::ptrdiff_t>(i) + 1, inputs_.end(),
+                        [&](const Input& later) {
+                            return later.kind == Input::Kind::Header &&
+                                   first_word(later.text) == first_word(inputs_[i].text);
+                        });
+        if (!is_replaced) out += inputs_[i].text + '\n';
     }
     return out;
 }
 
-std::string Transcript::program(std::string_view extra, std::string_view name) const {
+std::string Transcript::program(std::string_view word) const {
     std::string out;
-    const auto put = [&](Input::Kind kind) {
+    const auto put = [&](auto... kinds) {
         for (const Input& input : inputs_) {
-            if (input.kind == kind) out += input.text + '\n';
+            if (((input.kind == kinds) || ...)) out += input.text + '\n';
         }
     };
     out += headers();
     put(Input::Kind::Import);
     put(Input::Kind::Declaration);
-    out += "program " + std::string(name) + "() {\n";
-    put(Input::Kind::Statement);
-    if (!extra.empty()) out += std::string(extra) + '\n';
+    out += std::string(word) + " prompt() {\n";
+    put(Input::Kind::Statement, Input::Kind::Call, Input::Kind::Value);
     return out + "}\n";
+}
+
+std::uint32_t Transcript::last_statement(std::string_view program) const {
+    constexpr std::size_t kBehind = 3;  // "\n}\n"
+    return static_cast<std::uint32_t>(program.size() - kBehind - inputs_.back().text.size());
 }
 
 }  // namespace kadr::repl

@@ -20,6 +20,7 @@ struct Input {
         Import,
         Declaration,  // what stands beside the program: functions, cycles, structs, constants
         Statement,    // what the program does
+        Call,         // of a function: its value is shown, or what it does is kept
         Value,        // an expression to be shown; it is not kept
         Wrong,        // neither; its messages come with the evaluation
     };
@@ -35,19 +36,24 @@ bool is_incomplete(std::string_view text);
 /// hold.
 Input classify(driver::Session& session, std::string_view headers, std::string text);
 
+/// The word for `program` in the keyword language of the headers.
+std::string program_word(driver::Session& session, std::string_view headers);
+
 class Transcript {
   public:
     void add(Input input) { inputs_.push_back(std::move(input)); }
-    /// False if there is nothing to take back.
-    bool undo();
+    /// Takes the last input back and gives it; there is one.
+    Input undo();
     void clear() { inputs_.clear(); }
     const std::vector<Input>& inputs() const { return inputs_; }
-    /// The headers alone.
+    /// The headers alone: of each kind the one that was said last.
     std::string headers() const;
 
-    /// The program: headers, imports, declarations, then `program prompt() { … }`; one input a
-    /// paragraph. `extra` are statements behind the last one.
-    std::string program(std::string_view extra = {}, std::string_view name = "prompt") const;
+    /// The program: headers, imports, declarations, then `program prompt() { … }` with the word for
+    /// `program`; one input a paragraph.
+    std::string program(std::string_view word) const;
+    /// The byte of that program where its last input begins, if that is a statement.
+    std::uint32_t last_statement(std::string_view program) const;
 
   private:
     std::vector<Input> inputs_;

@@ -109,8 +109,10 @@ std::uint16_t Checker::customs_of(const Plan& plan, std::span<const Word> words)
         const nc::Group group = nc::info(invocation.function).group;
         add(group == nc::Group::CycleMode || group == nc::Group::CycleReturn, custom::kCycleWords);
         add(invocation.function == nc::Function::MirrorOff, custom::kMirrorAxes);
+        add(invocation.function == nc::Function::TapRigid, custom::kCycleWords);
     }
     if (dialect.is_core()) return customs;
+    add(!cycle_modules_.empty(), custom::kPlaces);
     add(dialect.has_rule("incremental_frame", "traversed"), custom::kIncrementTravels);
     for (const nc::Invocation& invocation : plan.functions) {
         using nc::Function;
@@ -415,6 +417,10 @@ Plan compact(const nc::BlockPlan& source) {
     return plan;
 }
 
+bool is_of_cycle(const nc::Block& block, const nc::Hole& hole) {
+    return hole.is_argument && block.functions[hole.invocation].function == nc::Function::Cycle;
+}
+
 bool is_stop(nc::Function function) {
     return function == nc::Function::SpindleStop || function == nc::Function::CoolantOff;
 }
@@ -462,6 +468,23 @@ void Checker::emit_plan(Plan plan, Reg first, unsigned point, const SourceRange&
                     statement_id(range));
 }
 
+/// The point behind the words. `Y=r sin(30)` has none: an operator was forgotten.
+Value Checker::target_value(ExprId point, std::span<const Word> words) {
+    const SourceRange range = ast()[point].range;
+    const Value value = expression(point, types::kPoint);
+    const bool is_number = types_.is_numeric(value.type) && kind(value.type) != Kind::Error;
+    const bool is_behind_value = !words.empty() && words.back().form != Word::Form::Literal &&
+                                 words.back().form != Word::Form::Bare;
+    if (is_number && is_behind_value) {
+        report(diag::OperatorMissing, range)
+            .arg(sources_.text(words.back().range))
+            .arg(sources_.text(range))
+            .fix("`*` multiplies; a word of its own begins with its address");
+        return error_value();
+    }
+    return convert(value, types::kPoint, range, "the target");
+}
+
 bool Checker::emit_words(std::span<const Word> words, ExprId point, const SourceRange& range,
                          std::int8_t skip) {
     const Reg mark = emit_.mark();
@@ -479,6 +502,10 @@ bool Checker::emit_words(std::span<const Word> words, ExprId point, const Source
         }
         check_units_words(*planned, words);
         check_counts(*planned, words);
+        // The arguments of a cycle stand behind the values of the block itself.
+        std::ranges::stable_partition(planned->holes, [&](const nc::Hole& hole) {
+            return !is_of_cycle(planned->block, hole);
+        });
         plan = compact(*planned);
         plan.customs = customs_of(plan, words);
         plan.skip = skip;
@@ -495,8 +522,7 @@ bool Checker::emit_words(std::span<const Word> words, ExprId point, const Source
     unsigned point_register = 0;
     if (point.is_valid()) {
         const SourceRange point_range = ast()[point].range;
-        const Value value =
-            convert(expression(point, types::kPoint), types::kPoint, point_range, "the target");
+        const Value value = target_value(point, words);
         if (!is_error(value)) {
             point_register = in_register(value) + 1u;
             const auto is_linear = [](const Filling& f) { return !f.is_argument && f.place <= 2; };
@@ -506,6 +532,8 @@ bool Checker::emit_words(std::span<const Word> words, ExprId point, const Source
         }
     }
     emit_.set_place(range);
+    const std::optional<SourceCycle> cycle =
+        planned ? take_cycle(plan, *planned, words) : std::nullopt;
     const auto is_target = [](const Filling& f) { return !f.is_argument && f.place < kAxes; };
     const bool moves = point_register != 0 || (plan.given & nc::kTargetSlots) != 0 ||
                        std::any_of(plan.fillings.begin(), plan.fillings.end(), is_target);
@@ -522,7 +550,10 @@ bool Checker::emit_words(std::span<const Word> words, ExprId point, const Source
     const bool is_before = !dialect.is_core() && !dialect.has_rule("stops_after_motion");
     const bool has_stops = !stops.functions.empty();
     if (has_stops && is_before) emit_plan(stops, first, 0, range);
+    const std::size_t own_values = plan.fillings.size();
     emit_plan(std::move(plan), first, point_register, range);
+    if (cycle) emit_cycle(*cycle, static_cast<Reg>(first + own_values), range);
+    else if (!cycle_modules_.empty() && !dialect.is_core()) emit_run_cycle(range);
     if (has_stops && !is_before) emit_plan(std::move(stops), first, 0, range);
     emit_.release_to(mark);
     return true;
@@ -548,6 +579,7 @@ void Checker::check_skipped(const Plan& plan, std::span<const Word> words) {
             case nc::Function::LengthCompOn:
             case nc::Function::LengthCompOff:
             case nc::Function::LengthOffset:
+            case nc::Function::Cycle:
                 report(diag::SkipState, words[0].range).arg(nc::info(invocation.function).name);
                 return;
             default: break;
@@ -556,6 +588,7 @@ void Checker::check_skipped(const Plan& plan, std::span<const Word> words) {
 }
 
 void Checker::words_statement(const Stmt& stmt) {
+    if (is_modal_call(ast().word_run(stmt.words))) return modal_call(stmt);
     emit_words(ast().word_run(stmt.words), stmt.expression[0], stmt.range, stmt.skip);
 }
 

@@ -47,17 +47,16 @@ Value Checker::call(ExprId id, Reg hint) {
     if (is_lost(name)) return error_value();
     // `MSG("…")` and `CYCLE81(…)`, as the control of the input dialect has them.
     const nc::CallMeaning meaning = nc::call_meaning(*modules_[module_].dialect, name);
-    if (meaning.function == nc::Function::Cycle) {
-        report(diag::SourceCycle, callee.range)
-            .arg(name)
-            .fix("call the library's `" + modules_[module_].dialect->cycles()[meaning.cycle].name +
-                 "` at each place: it is written as the control's own cycle");
-        return error_value();
-    }
+    if (meaning.function == nc::Function::Cycle) return cycle_call(expr, SourceCycle::Kind::Once);
     if (meaning.function != nc::Function::None)
         return call_vocabulary(nc::info(meaning.function), expr);
+    if (report_foreign(name, callee.range)) return error_value();
     auto builder = report(diag::UnknownFunction, callee.range);
     builder.arg(name);
+    if (const auto module = loader_.library_module_of(name)) {
+        builder.fix("it is in the library: `import " + *module + ";`");
+        return error_value();
+    }
     const std::vector<std::string_view> names = known_names(true);
     if (const auto near = nearest_name(name, names.data(), names.size())) {
         builder.fix(callee.range, std::string(*near), "did you mean " + quoted(*near) + "?");
@@ -193,7 +192,7 @@ Value Checker::call_vocabulary(const nc::FunctionInfo& info, const Expr& expr) {
     std::vector<std::string_view> names;
     for (const nc::Parameter& parameter : info.parameters) names.push_back(parameter.name);
     const auto bound = bind_arguments(expr, info.name, names, {});
-    if (!bound || !check_scale(info, *bound, expr)) return in_registers(types::kVoid, 0);
+    if (!bound || !check_least(info, *bound, expr)) return in_registers(types::kVoid, 0);
     const Reg mark = emit_.mark();
     Plan plan;
     nc::Invocation invocation;
@@ -346,7 +345,9 @@ Value Checker::array_method(const Place& array, const Expr& callee, const Expr& 
         at = expression_in(value_of(0), types::kInt, kNoReg, "the index");
     } else {
         at = emit_.take(1);
+        emit_.set_place(expr.range);
         emit_.emit(Op::CountArray, at, handle.reg);
+        emit_.emit(Op::CheckFilled, at);
         emit_.emit_integer(Op::AddIK, at, at, -1);
     }
     emit_.set_place(expr.range);

@@ -10,10 +10,12 @@ namespace kadr::sema {
 
 using syntax::DeclKind;
 
-Checker::Checker(ModuleLoader& modules, const Sources& sources, DiagnosticSink& sink)
+Checker::Checker(ModuleLoader& modules, const Sources& sources, DiagnosticSink& sink,
+                 std::uint32_t shown_from)
     : loader_(modules),
       sources_(sources),
       sink_(sink),
+      shown_from_(shown_from),
       code_(std::make_unique<Code>()),
       emit_(*code_) {}
 
@@ -152,8 +154,9 @@ void Checker::finish() {
 }
 
 std::unique_ptr<Code> check(const syntax::Ast& main, const nc::Dialect& dialect,
-                            ModuleLoader& modules, const Sources& sources, DiagnosticSink& sink) {
-    return Checker(modules, sources, sink).run(main, dialect);
+                            ModuleLoader& modules, const Sources& sources, DiagnosticSink& sink,
+                            std::uint32_t shown_from) {
+    return Checker(modules, sources, sink, shown_from).run(main, dialect);
 }
 
 }  // namespace kadr::sema

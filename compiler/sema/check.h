@@ -1,6 +1,7 @@
 // check.h — Ast → Code: names, types, dimensions.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -27,6 +28,11 @@ class ModuleLoader {
     /// found or not parsed; the loader has reported it at `place`. The same file is loaded once.
     virtual Module load(std::string_view import, bool is_file, FileId from,
                         const SourceRange& place) = 0;
+    /// The module of the library that declares this function or cycle, as an import names it; for
+    /// messages. Nothing: none does, or there is no library.
+    virtual std::optional<std::string> library_module_of(std::string_view /*function*/) {
+        return std::nullopt;
+    }
 };
 
 /// A value for a parameter of the program, from the command line: `width=100mm`.
@@ -35,9 +41,13 @@ struct Define {
     std::string value;
 };
 
+inline constexpr std::uint32_t kNothingShown = 0xffffffffu;
+
 /// Checks the file and everything it imports. Mistakes are reported, all of them; the code is
-/// returned only if there was no error.
+/// returned only if there was no error. An expression that is a statement of the main file and
+/// begins at the byte `shown_from` or later shows its value (Op::Show), as at the prompt.
 std::unique_ptr<Code> check(const syntax::Ast& main, const nc::Dialect& dialect,
-                            ModuleLoader& modules, const Sources& sources, DiagnosticSink& sink);
+                            ModuleLoader& modules, const Sources& sources, DiagnosticSink& sink,
+                            std::uint32_t shown_from = kNothingShown);
 
 }  // namespace kadr::sema

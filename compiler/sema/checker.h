@@ -53,7 +53,8 @@ struct LoopScope {
 
 class Checker {
   public:
-    Checker(ModuleLoader& modules, const Sources& sources, DiagnosticSink& sink);
+    Checker(ModuleLoader& modules, const Sources& sources, DiagnosticSink& sink,
+            std::uint32_t shown_from);
     std::unique_ptr<Code> run(const syntax::Ast& main, const nc::Dialect& dialect);
 
   private:
@@ -102,6 +103,9 @@ class Checker {
     Symbol& add_symbol(Symbol symbol);
     void check_new_name(std::string_view name, const SourceRange& range);
     void report_unknown(std::string_view name, const SourceRange& range);
+    bool report_unit(std::string_view name, const SourceRange& range);
+    bool report_foreign(std::string_view name, const SourceRange& range);
+    bool is_numbered_word(std::string_view word) const;
     /// Whether a mistake that is told already has taken this name away.
     bool is_lost(std::string_view name);
     std::vector<std::string_view> known_names(bool functions) const;
@@ -292,6 +296,9 @@ class Checker {
     /// Lets the piece show the unit of its values behind them, with `between` before it.
     void add_unit(Type type, std::string_view between, FormatPiece& piece);
     Value text_of(const Value& value, const SourceRange& range);
+    /// Makes the value of an expression known at the prompt, given or not.
+    void show(syntax::ExprId id);
+    std::uint32_t shown_form(Type type, bool is_part);
     std::uint32_t text_constant(std::string_view text);
     std::uint32_t layout_constant(Type type);
 
@@ -327,6 +334,7 @@ class Checker {
 
     // blocks.cpp
     void words_statement(const syntax::Stmt& stmt);
+    Value target_value(syntax::ExprId point, std::span<const syntax::Word> words);
     bool emit_words(std::span<const syntax::Word> words, syntax::ExprId point,
                     const SourceRange& range, std::int8_t skip = -1);
     void check_skipped(const Plan& plan, std::span<const syntax::Word> words);
@@ -353,10 +361,27 @@ class Checker {
     bool with_statement(const syntax::Stmt& stmt);
     ModalMask modal_mask(const nc::BlockPlan& plan, bool& is_modal) const;
     ModalMask words_mask(std::span<const syntax::Word> words, bool is_preserves);
-    bool check_scale(const nc::FunctionInfo& info, std::span<const syntax::ExprId> bound,
+    bool check_least(const nc::FunctionInfo& info, std::span<const syntax::ExprId> bound,
                      const syntax::Expr& expr);
     void frame_call(syntax::ExprId id);
     std::string word_text(const syntax::Word& word) const;
+
+    // cycle_blocks.cpp
+    void load_cycles(std::uint32_t module);
+    const Name* cycle_function(nc::CycleId cycle) const;
+    bool is_modal_call(std::span<const syntax::Word> words) const;
+    void modal_call(const syntax::Stmt& stmt);
+    Value cycle_call(const syntax::Expr& expr, SourceCycle::Kind kind);
+    std::vector<nc::SourceArgument> source_arguments(std::span<const syntax::ExprId> items,
+                                                     std::vector<Value>& values);
+    void fill_cycle(const nc::BlockPlan& plan, std::span<const Value> values,
+                    std::span<const syntax::ExprId> items, Reg first, SourceCycle& cycle);
+    /// Takes the cycle out of a block; its fillings become those of the cycle.
+    std::optional<SourceCycle> take_cycle(Plan& plan, const nc::BlockPlan& planned,
+                                          std::span<const syntax::Word> words);
+    bool begin_cycle(SourceCycle& cycle, nc::CycleId id, const SourceRange& range);
+    void emit_cycle(SourceCycle cycle, Reg first, const SourceRange& range);
+    void emit_run_cycle(const SourceRange& range);
 
     // tests.cpp
     void declare_test(std::uint32_t module, syntax::DeclId id);
@@ -417,6 +442,7 @@ class Checker {
     ModuleLoader& loader_;
     const Sources& sources_;
     CountingSink sink_;
+    std::uint32_t shown_from_;  // byte of the main file, see check()
     std::unique_ptr<Code> code_;
     Emitter emit_;
     TypeTable types_;
@@ -425,6 +451,7 @@ class Checker {
     std::vector<GlobalVariable> globals_;
     std::vector<std::uint32_t> wanted_;  // functions whose bodies are to be checked
     std::uint32_t prelude_ = 0xffffffffu;
+    std::map<nc::CycleId, std::uint32_t> cycle_modules_;  // of the cycles that are blocks somewhere
 
     // Where the checker is.
     std::uint32_t module_ = 0;
@@ -452,6 +479,7 @@ class Checker {
     bool last_unset_ = false;
     bool native_pending_ = false;  // the body's checks are still being emitted
     SourceRange ambiguous_;        // name that was told last
+    SourceRange unit_;             // apart from its number, told last
     std::vector<Type> open_structs_;
     std::uint32_t statement_ = 0;      // SourceId of the statement
     std::uint32_t asked_figures_ = 0;  // of those that are functions
@@ -460,6 +488,7 @@ class Checker {
     std::unordered_map<std::string, std::uint32_t> text_index_;
     std::unordered_map<std::string, std::uint32_t> plan_index_;
     std::unordered_map<std::uint16_t, std::uint32_t> layout_index_;  // by type
+    std::unordered_map<std::uint32_t, std::uint32_t> shown_index_;   // by type, parts apart
 };
 
 /// In backticks, as code stands in messages.

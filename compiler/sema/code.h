@@ -51,6 +51,12 @@ inline constexpr double kSecondForm = 0x1p600;
 inline constexpr std::uint16_t kSpeedForm = 2;
 inline bool is_second_form(double value) { return std::fabs(value) > 0x1p300; }
 
+/// Whether a register that holds such a value (a SlotKind) holds one.
+inline bool is_given(Slot slot, unsigned kind) {
+    return kind == static_cast<unsigned>(SlotKind::Number) ? slot.number == slot.number
+                                                           : slot.integer != kNotGivenInteger;
+}
+
 struct Instruction {
     struct Pair {
         std::int32_t first;  // a jump target, a table index
@@ -211,7 +217,9 @@ inline constexpr std::uint16_t kFeedDeleted = 2048;   // another kind of feed de
 // An increment counts from the coordinate that was programmed last, and so travels a change of the
 // frame as well.
 inline constexpr std::uint16_t kIncrementTravels = 4096;
-inline constexpr std::uint16_t kMirrorAxes = 8192;  // the mirrors of some axes end
+inline constexpr std::uint16_t kMirrorAxes = 8192;   // the mirrors of some axes end
+inline constexpr std::uint16_t kCyclePlace = 16384;  // the cycle of the block begins at its place
+inline constexpr std::uint16_t kPlaces = 32768;      // while a cycle is modal, a place of it
 }  // namespace custom
 
 /// A block without its values: what the words say before the program runs.
@@ -232,6 +240,27 @@ struct Plan {
     std::vector<Filling> fillings;
 };
 
+/// A cycle of the input dialect's control as a block of a source, and which arguments of the
+/// library's cycle it says.
+struct SourceCycle {
+    enum class Kind : std::uint8_t {
+        Once,   // `CYCLE81(…)`
+        Modal,  // `G81 …`: at every place, its block a positioning at rapid, until G80 or a motion
+        Called,  // `MCALL CYCLE81(…)`: behind every motion, until `MCALL`
+    };
+    struct Argument {
+        std::uint8_t parameter = 0;
+        bool is_count = false;  // a whole number in its register
+    };
+    Kind kind = Kind::Once;
+    std::uint32_t function = 0;        // of the library, index into Code::functions
+    bool has_distances = false;        // under incremental dimensions its levels are distances
+    bool stops_rigid_spindle = false;  // a rigid tap leaves the spindle standing
+    std::string word;                  // `G83`, `CYCLE81`
+    std::vector<Argument> arguments;   // of the registers, in their order; not given: NaN
+    std::vector<std::pair<std::uint8_t, double>> fixed;  // parameters that the word itself says
+};
+
 /// A text with holes: `"{x:.3} mm"`.
 struct FormatPiece {
     enum class Kind : std::uint8_t { Literal, Integer, Number, Feed, Speed, Text, Bool, Enum };
@@ -247,6 +276,20 @@ struct FormatPiece {
     std::uint32_t enumeration = 0;
 };
 using FormatPattern = std::vector<FormatPiece>;
+
+/// How the prompt shows a value of any type: a plain one by its piece, others by their parts.
+struct ShownForm {
+    enum class Kind : std::uint8_t { Plain, Members, List, Contour };
+    struct Part {
+        std::string name;        // of a member
+        std::uint16_t slot = 0;  // its first register, from the first of the whole
+        std::uint32_t form = 0;
+    };
+    Kind kind = Kind::Plain;
+    SlotKind slot = SlotKind::Number;  // of its first register
+    FormatPiece piece;                 // of a Plain one
+    std::vector<Part> parts;           // of a List its element
+};
 
 /// What each register of an array's element holds; `nested` the layout of a register that is an
 /// array itself.
@@ -403,8 +446,10 @@ struct Code {
     std::uint32_t globals = 0;            // registers of file-level variables
     std::vector<std::string> texts;
     std::vector<FormatPattern> formats;
+    std::vector<ShownForm> shown_forms;
     std::vector<Layout> layouts;
     std::vector<Plan> plans;
+    std::vector<SourceCycle> cycles;
     std::vector<SourceRange> statements;  // by SourceId
     std::vector<TableSchema> schemas;
     std::vector<LoadedTable> tables;

@@ -26,6 +26,7 @@ std::uint32_t Checker::load_module(const syntax::Ast& ast, const nc::Dialect& di
     for (const syntax::DeclId id : ast.top) {
         if (ast[id].kind == DeclKind::Import) import(module, ast[id]);
     }
+    load_cycles(module);
     if (prelude_ == 0xffffffffu) {
         // The first file asks for the prelude before anything else needs it; the prelude itself
         // finds the mark below and does not import itself.
@@ -232,7 +233,7 @@ Type Checker::resolve_type(syntax::TypeId id) {
     } else if (name == "element") {
         type = types::kElement;  // not reserved: a program may have its own
     } else if (!name.empty()) {
-        if (is_lost(name)) return types::kError;
+        if (is_lost(name) || report_foreign(name, ref.range)) return types::kError;
         auto builder = report(diag::UnknownType, ref.range);
         builder.arg(name);
         std::vector<std::string_view> known = {"bool",   "int",   "real",   "length",

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/diagnostics/sema.h"
+#include "base/diagnostics/syntax.h"
 #include "base/text.h"
 #include "sema/builtins.h"
 #include "sema/checker.h"
@@ -128,6 +129,66 @@ bool Checker::is_lost(std::string_view name) {
     return true;
 }
 
+/// `mm` in `X=5 mm` and `min` in `100mm / min`, which are no names: the unit stands apart.
+bool Checker::report_unit(std::string_view name, const SourceRange& range) {
+    if (range.file == unit_.file && range.begin >= unit_.begin && range.end <= unit_.end)
+        return true;
+    const std::string_view source = sources_.text(range.file);
+    const std::string_view before = source.substr(0, range.begin);
+    const auto behind_blanks = [&](std::size_t end) {
+        while (end > 0 && before[end - 1] == ' ') --end;
+        return end;
+    };
+    std::size_t number = behind_blanks(before.size());
+    std::string unit(name);
+    if (number > 0 && before[number - 1] == '/') {
+        const std::size_t end = behind_blanks(number - 1);
+        number = before.substr(0, end).find_last_not_of("abcdefghijklmnopqrstuvwxyz") + 1;
+        unit = std::string(before.substr(number, end - number)) + '/' + unit;
+    }
+    const bool is_behind_number =
+        number > 0 && std::string_view("0123456789.").find(before[number - 1]) != std::string::npos;
+    if (!is_behind_number || !find_unit(unit)) return false;
+    // `100 mm/min`: all of it.
+    std::size_t end = range.end;
+    if (end < source.size() && source[end] == '/') {
+        const std::size_t past = std::min(
+            source.find_first_not_of("abcdefghijklmnopqrstuvwxyz", end + 1), source.size());
+        const std::string whole = unit + std::string(source.substr(end, past - end));
+        if (find_unit(whole)) {
+            unit = whole;
+            end = past;
+        }
+    }
+    unit_ = {range.file, range.begin, static_cast<std::uint32_t>(end)};
+    report(diag::UnitApart, unit_)
+        .arg(unit)
+        .fix({range.file, static_cast<std::uint32_t>(number), unit_.end}, unit,
+             "write it right behind the number");
+    return true;
+}
+
+/// Whether this is a word with a number: `X10`.
+bool Checker::is_numbered_word(std::string_view word) const {
+    const std::size_t letters = word.find_first_of("0123456789");
+    return letters != std::string_view::npos && letters > 0 &&
+           word.find_first_not_of("0123456789", letters) == std::string_view::npos &&
+           nc::word_kind(*modules_[module_].dialect, word.substr(0, letters)) ==
+               nc::WordKind::Address;
+}
+
+/// A keyword of English in a file of another keyword language: `program`, `warn(…)`.
+bool Checker::report_foreign(std::string_view name, const SourceRange& range) {
+    const auto found = ast().keyword_words.find(name);
+    if (found == ast().keyword_words.end()) return false;
+    report(diag::ForeignKeyword, range)
+        .arg(name)
+        .arg(found->second)
+        .arg(ast().language)
+        .fix(range, found->second, "use the word of the keyword language");
+    return true;
+}
+
 void Checker::report_unknown(std::string_view name, const SourceRange& range) {
     if (is_lost(name)) return;
     for (std::size_t i = defaults_from_; function_ != nullptr && i < function_->parameters.size();
@@ -140,8 +201,18 @@ void Checker::report_unknown(std::string_view name, const SourceRange& range) {
             .note(function_->parameters[i].range, "it is declared here");
         return;
     }
+    if (report_unit(name, range) || report_foreign(name, range)) return;
     auto builder = report(diag::UnknownName, range);
     builder.arg(name);
+    if (const std::string word = upper_ascii(name); is_numbered_word(word)) {
+        builder.fix(range, word, "words of blocks are written in upper case");
+        return;
+    }
+    const std::vector<std::string_view> functions = known_names(true);
+    if (std::binary_search(functions.begin(), functions.end(), name)) {
+        builder.fix(range, std::string(name) + "()", "it is a function: call it");
+        return;
+    }
     const std::vector<std::string_view> names = known_names(false);
     if (const auto near = nearest_name(name, names.data(), names.size())) {
         builder.fix(range, std::string(*near), "did you mean " + quoted(*near) + "?");

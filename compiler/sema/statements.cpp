@@ -188,6 +188,7 @@ void Checker::variable(const Decl& decl) {
 
 void Checker::expression_statement(const Stmt& stmt) {
     const Expr& expr = ast()[stmt.expression[0]];
+    const bool is_shown = module_ == 0 && stmt.range.begin >= shown_from_;
     statement_ = statement_id(stmt.range);
     switch (expr.kind) {
         case ExprKind::Assign: assign(stmt.expression[0], false); return;
@@ -198,13 +199,14 @@ void Checker::expression_statement(const Stmt& stmt) {
                 return;
             }
             break;
-        case ExprKind::Call: {
-            expression(stmt.expression[0]);
+        case ExprKind::Call:
+            if (is_shown) show(stmt.expression[0]);
+            else expression(stmt.expression[0]);
             return;
-        }
         case ExprKind::Invalid: return;
         default: break;
     }
+    if (is_shown) return show(stmt.expression[0]);
     const std::size_t errors = sink_.errors;
     expression(stmt.expression[0]);
     if (errors == sink_.errors) report(diag::UselessExpression, expr.range);

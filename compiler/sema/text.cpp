@@ -193,4 +193,51 @@ Value Checker::text_of(const Value& value, const SourceRange& range) {
     return in_registers(types::kString, reg);
 }
 
+// ---------------------------------------------------------------- values at the prompt
+
+std::uint32_t Checker::shown_form(Type type, bool is_part) {
+    const std::uint32_t key = type.index * 2u + (is_part ? 1u : 0u);
+    const auto known = shown_index_.find(key);
+    if (known != shown_index_.end()) return known->second;
+    // A struct that holds an array of itself has one form: it is known before its parts are.
+    const auto index = static_cast<std::uint32_t>(code_->shown_forms.size());
+    shown_index_[key] = index;
+    code_->shown_forms.emplace_back();
+    ShownForm form;
+    form.slot = types_.layout(type)[0];
+    const TypeInfo info = type_info(type);
+    if (info.kind == Kind::Struct) {
+        form.kind = ShownForm::Kind::Members;
+        for (const Member& member : std::vector<Member>(types_.struct_of(type).members))
+            form.parts.push_back({member.name, member.offset, shown_form(member.type, true)});
+    } else if (info.is_contour) {
+        form.kind = ShownForm::Kind::Contour;
+        form.parts.push_back({{}, 0, shown_form(types::kPoint, true)});
+    } else if (info.kind == Kind::Array) {
+        form.kind = ShownForm::Kind::List;
+        form.parts.push_back({{}, 0, shown_form(info.element, true)});
+    } else if (format_piece(in_registers(type, 0), {}, emit_.place(), form.piece)) {
+        // Inside of braces as a program has it: `{x: 10mm}`.
+        add_unit(type, is_part ? "" : " ", form.piece);
+    }
+    code_->shown_forms[index] = std::move(form);
+    return index;
+}
+
+void Checker::show(ExprId id) {
+    const Expr& expr = ast()[id];
+    const auto is_variable_part = [&] {
+        const Expr& owner = ast()[expr.child[0]];
+        if (owner.kind == ExprKind::Given) return false;
+        const Found found = owner.kind == ExprKind::Name ? find(text(owner.text)) : Found{};
+        return found.name == nullptr || found.name->what == Name::What::Variable;  // `kind.blind`
+    };
+    const bool is_path = expr.kind == ExprKind::Name || expr.kind == ExprKind::Index ||
+                         (expr.kind == ExprKind::Member && is_variable_part());
+    const Value value = is_path ? unchecked(id) : expression(id);
+    if (is_error(value) || kind(value.type) == Kind::Void) return;
+    emit_.emit_pair(Op::Show, in_register(value), 0, 0,
+                    static_cast<std::int64_t>(shown_form(value.type, false)));
+}
+
 }  // namespace kadr::sema

@@ -70,15 +70,21 @@ std::optional<std::pair<nc::Function, FrameChange>> frame_change(std::string_vie
 
 }  // namespace
 
-/// A scale says at least one factor.
-bool Checker::check_scale(const nc::FunctionInfo& info, std::span<const ExprId> bound,
+/// A scale says at least one factor; a mirror and a way to the reference point name an axis.
+bool Checker::check_least(const nc::FunctionInfo& info, std::span<const ExprId> bound,
                           const Expr& expr) {
-    if (info.function != nc::Function::Scale) return true;
+    const bool is_scale = info.function == nc::Function::Scale;
+    const bool names_axes =
+        info.function == nc::Function::Mirror || info.function == nc::Function::ReferencePoint;
+    if (!is_scale && !names_axes) return true;
+    const auto wanted = is_scale ? nc::Dimension::Factor : nc::Dimension::Length;
+    std::string_view first;
     for (std::size_t i = 0; i < bound.size(); ++i) {
-        if (info.parameters[i].dimension == nc::Dimension::Factor && bound[i].is_valid())
-            return true;
+        if (info.parameters[i].dimension != wanted) continue;
+        if (bound[i].is_valid()) return true;
+        if (first.empty()) first = info.parameters[i].name;
     }
-    report(diag::ArgumentMissing, expr.range).arg(info.name).arg(info.parameters[0].name);
+    report(diag::ArgumentMissing, expr.range).arg(info.name).arg(first);
     return false;
 }
 
@@ -98,7 +104,7 @@ void Checker::frame_call(ExprId id) {
     for (const nc::Parameter& parameter : info.parameters) names.push_back(parameter.name);
     const auto bound = bind_arguments(expr, name, names, {});
     if (!bound) return;
-    if (!check_scale(info, *bound, expr)) return;
+    if (!check_least(info, *bound, expr)) return;
     const Reg first = emit_.take(static_cast<unsigned>(names.size()));
     for (std::size_t i = 0; i < names.size(); ++i) {
         const auto reg = static_cast<Reg>(first + i);

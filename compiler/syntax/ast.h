@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -289,6 +290,9 @@ struct Ast {
     std::vector<Comment> comments;
     /// Names of what stood where it cannot be declared; whoever uses them makes no second mistake.
     std::vector<std::string> lost_names;
+    std::string language;  // of the keywords
+    /// English keywords for which this language has another word, with that word.
+    std::map<std::string, std::string, std::less<>> keyword_words;
     bool has_errors = false;  // of the syntax; the tree has holes
 
     const Expr& operator[](ExprId id) const { return expressions[id.index]; }

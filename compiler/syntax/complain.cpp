@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "syntax/keyword.h"
 #include "syntax/operators.h"
+#include "syntax/words.h"
 
 namespace kadr::syntax {
 
@@ -108,6 +109,7 @@ struct Complaints::Place {
     antlr4::misc::IntervalSet expected;
     std::size_t rule;  // innermost
     Token head;        // first token of the statement or declaration around
+    std::size_t head_index;
     bool is_new_line;
 
     bool expects(Token token) const {
@@ -122,12 +124,14 @@ Complaints::Place Complaints::place_of(antlr4::Parser& parser, std::size_t index
     const Lexeme& offending = stream_.lexeme(index);
     const Lexeme& previous = stream_.lexeme(index > 0 ? index - 1 : 0);
     Token head = Token::EndOfFile;
+    std::size_t head_index = index;
     for (antlr4::RuleContext* context = parser.getContext(); context != nullptr;
          context = static_cast<antlr4::RuleContext*>(context->parent)) {
         const std::size_t rule = context->getRuleIndex();
         if (rule == KadrParser::RuleStatement || rule == KadrParser::RuleDeclaration) {
             auto* start = static_cast<antlr4::ParserRuleContext*>(context)->start;
             head = static_cast<LexemeToken*>(start)->lexeme().token;
+            head_index = start->getTokenIndex();
             break;
         }
     }
@@ -137,6 +141,7 @@ Complaints::Place Complaints::place_of(antlr4::Parser& parser, std::size_t index
             parser.getExpectedTokens(),
             parser.getContext()->getRuleIndex(),
             head,
+            head_index,
             file_.crosses_line(previous.end, offending.begin)};
 }
 
@@ -157,6 +162,7 @@ void Complaints::complain(antlr4::Parser& parser, std::size_t index) {
     // What was put in or left out around here is told already.
     if (place.previous.is_repair || place.offending.is_repair) return;
     explain(place);
+    lose_variable(place);
     if (limit_.is_full()) throw antlr4::ParseCancellationException();
 }
 
@@ -171,8 +177,9 @@ bool Complaints::is_semicolon_forgotten(const Place& place) const {
 }
 
 void Complaints::explain(const Place& place) {
-    if (explain_for(place) || explain_declaration(place) || explain_name(place) ||
-        explain_value(place) || explain_sign(place) || explain_closing(place)) {
+    if (explain_number(place) || explain_capitals(place) || explain_for(place) ||
+        explain_declaration(place) || explain_name(place) || explain_value(place) ||
+        explain_sign(place) || explain_closing(place)) {
         return;
     }
     const SourceRange range = file_.range(place.offending);
@@ -187,7 +194,77 @@ void Complaints::explain(const Place& place) {
         const bool is_comment =
             place.offending.token == Token::OpenParen && place.previous.token == Token::LiteralWord;
         if (is_comment) report.fix("a comment begins with `//`");
+        else fix_operator(place, report);
     }
+}
+
+/// `and`, `OR`, `not`: words of other languages.
+void Complaints::fix_operator(const Place& place, DiagnosticBuilder& report) const {
+    constexpr std::pair<std::string_view, std::string_view> kWords[] = {
+        {"and", "&&"},
+        {"or", "||"},
+        {"mod", "%"},
+        {"div", "/"},
+    };
+    if (lower_ascii(file_.spelling(place.previous)) == "not") {
+        report.fix("the operator is `!`, in front of parentheses: `!(n > 3)`");
+        return;
+    }
+    for (const Lexeme* lexeme : {&place.offending, &place.previous}) {
+        const std::string word = lower_ascii(file_.spelling(*lexeme));
+        for (const auto& [name, sign] : kWords) {
+            if (word != name || lexeme->token != Token::Identifier) continue;
+            report.fix(file_.range(*lexeme), std::string(sign), "the operator has a sign");
+            return;
+        }
+    }
+}
+
+/// `10,5` and `10 mm`.
+bool Complaints::explain_number(const Place& place) {
+    const Lexeme& previous = place.previous;
+    const Lexeme& offending = place.offending;
+    const bool is_number = previous.token == Token::Number || previous.token == Token::LiteralWord;
+    if (!is_number || place.is_new_line) return false;
+    const std::string spelled(file_.spelling(previous));
+    const auto& next = stream_.lexeme(std::min(place.index + 1, stream_.size() - 1));
+    const bool is_whole = spelled.find('.') == std::string::npos;
+    if (offending.token == Token::Comma && next.token == Token::Number && is_whole &&
+        previous.end == offending.begin && next.begin == offending.end) {
+        const SourceRange whole = file_.range(previous.begin, next.end);
+        file_.sink.report(diag::DecimalComma, whole)
+            .arg(file_.text.substr(previous.begin, next.end - previous.begin))
+            .fix(file_.range(offending), ".", "write a point");
+        return true;
+    }
+    if (offending.token != Token::Identifier || previous.unit != Unit::None) return false;
+    const std::string_view name = file_.spelling(offending);
+    const auto& per = stream_.lexeme(std::min(place.index + 2, stream_.size() - 1));
+    const bool is_quotient = next.token == Token::Slash && per.token == Token::Identifier &&
+                             find_unit(name, file_.spelling(per)) != Unit::None;
+    if (!is_quotient && find_unit(name, "") == Unit::None) return false;
+    std::string unit(name);
+    if (is_quotient) unit += '/' + std::string(file_.spelling(per));
+    const std::uint32_t end = is_quotient ? per.end : offending.end;
+    file_.sink.report(diag::UnitApart, file_.range(offending.begin, end))
+        .arg(unit)
+        .fix(file_.range(previous.begin, end), spelled + unit, "write it right behind the number");
+    return true;
+}
+
+/// `IF (n > 3) M8;`: a call of `IF` to the parser.
+bool Complaints::explain_capitals(const Place& place) {
+    if (place.head != Token::Identifier || place.head_index == place.index) return false;
+    const Lexeme& head = stream_.lexeme(place.head_index);
+    const std::string_view spelled = file_.spelling(head);
+    const std::string lower = lower_ascii(spelled);
+    const Keyword* keyword = find_keyword(lower);
+    if (lower == spelled || keyword == nullptr || keyword->place != Keyword::Place::Anywhere)
+        return false;
+    file_.sink.report(diag::KeywordCase, file_.range(head))
+        .arg(lower)
+        .fix(file_.range(head), lower, "write it in lower case");
+    return true;
 }
 
 /// The head of a `for`: which of its two kinds it is shows only at its third token.
@@ -223,12 +300,11 @@ bool Complaints::explain_sign(const Place& place) {
         {Token::Over, "over"},   {Token::In, "in"},
     };
     const SourceRange gap = file_.range(place.previous.end, place.previous.end);
-    const SourceRange before = file_.range(place.offending.begin, place.offending.begin);
     for (const auto& [token, sign] : kSigns) {
         if (!place.expects_only(token)) continue;
         auto message = file_.sink.report(diag::SignMissing, gap);
         message.arg(sign).arg(quoted(place.previous));
-        if (token == Token::OpenParen) message.fix(before, sign, "open it");
+        if (token == Token::OpenParen) fix_parentheses(place, message);
         return true;
     }
     const bool is_for = place.rule == KadrParser::RuleForHead;
@@ -245,6 +321,29 @@ bool Complaints::explain_sign(const Place& place) {
     return false;
 }
 
+/// What a keyword is followed by, in parentheses: up to the body or the end of the statement.
+void Complaints::fix_parentheses(const Place& place, DiagnosticBuilder& report) const {
+    std::size_t end = place.index;
+    for (std::size_t depth = 0; end < stream_.size(); ++end) {
+        const Token token = stream_.lexeme(end).token;
+        const bool is_end = token == Token::OpenBrace || token == Token::OpenValue ||
+                            token == Token::EndOfFile ||
+                            (token == Token::Semicolon && place.previous.token != Token::For);
+        const bool is_body = begins_statement(token) || is_word(token);
+        if (depth == 0 && (is_end || (end > place.index && is_body))) break;
+        if (opens(token)) ++depth;
+        if (closes(token) && depth > 0) --depth;
+    }
+    if (end == place.index) {
+        report.fix(file_.range(place.offending.begin, place.offending.begin), "(", "open it");
+        return;
+    }
+    const SourceRange range = file_.range(place.offending.begin, stream_.lexeme(end - 1).end);
+    report.fix(range,
+               "(" + std::string(file_.text.substr(range.begin, range.end - range.begin)) + ")",
+               "put it in parentheses");
+}
+
 /// A function inside of a function: `length f(length x) {`.
 bool Complaints::explain_declaration(const Place& place) {
     const bool is_variable = place.head == Token::TypeName && place.rule != KadrParser::RuleFile;
@@ -256,6 +355,18 @@ bool Complaints::explain_declaration(const Place& place) {
     file_.sink.report(diag::DeclarationInside, file_.range(place.previous))
         .arg("the function " + quoted(place.previous));
     return true;
+}
+
+/// The variable whose declaration has this mistake: its name is no second one.
+void Complaints::lose_variable(const Place& place) {
+    const bool is_variable =
+        place.head == Token::TypeName || place.head == Token::Const || place.head == Token::Auto;
+    if (!is_variable) return;
+    for (std::size_t i = place.head_index; i < place.index; ++i) {
+        const Lexeme& lexeme = stream_.lexeme(i);
+        if (lexeme.token == Token::Assign) return;
+        if (lexeme.token == Token::Identifier) lost_names_.emplace_back(file_.spelling(lexeme));
+    }
 }
 
 /// Remembers what the declaration that begins here would have declared.

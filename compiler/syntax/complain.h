@@ -55,6 +55,7 @@ class LexemeStream final : public antlr4::TokenStream {
     std::size_t place() const { return at_; }
     void seek(std::size_t index) override { at_ = index; }
     std::size_t size() override { return tokens_.size(); }
+    std::size_t size() const { return tokens_.size(); }
     std::string getSourceName() const override { return ""; }
     antlr4::TokenSource* getTokenSource() const override { return nullptr; }
     std::string getText(const antlr4::misc::Interval&) override { return ""; }
@@ -93,6 +94,10 @@ class Complaints final : public antlr4::DefaultErrorStrategy {
     Place place_of(antlr4::Parser& parser, std::size_t index);
     void complain(antlr4::Parser& parser, std::size_t index);
     void explain(const Place& place);
+    bool explain_number(const Place& place);
+    bool explain_capitals(const Place& place);
+    void fix_operator(const Place& place, DiagnosticBuilder& report) const;
+    void fix_parentheses(const Place& place, DiagnosticBuilder& report) const;
     bool explain_name(const Place& place);
     bool explain_value(const Place& place);
     bool explain_for(const Place& place);
@@ -104,6 +109,7 @@ class Complaints final : public antlr4::DefaultErrorStrategy {
     void explain_address_name(const Lexeme& lexeme);
     void explain_start(antlr4::Parser& parser);
     void lose_names(std::size_t index);
+    void lose_variable(const Place& place);
     bool is_semicolon_forgotten(const Place& place) const;
     std::vector<Token> open_brackets(const antlr4::ParserRuleContext& context) const;
     void skip_parameters(const antlr4::ParserRuleContext& context);

@@ -14,6 +14,8 @@ namespace {
 
 /// Between the longest line of a run and the comments behind it.
 constexpr std::size_t kCommentGap = 4;
+/// Of a line that must not be broken.
+constexpr std::size_t kNoLimit = SIZE_MAX;
 
 struct OutLine {
     std::string code;
@@ -47,7 +49,13 @@ class Formatting {
     std::optional<std::size_t> simple_end(std::size_t at) const;
     std::size_t block_end(std::size_t open) const;
     bool is_block_of_words(std::size_t at) const;
+    bool is_allowed_line() const;
+    bool whole_line(std::size_t level);
 
+    std::vector<std::string> in_lines(const Pieces& pieces, std::size_t level,
+                                      std::size_t continuation = kIndent) const {
+        return format_line(pieces, level * kIndent, continuation, width_);
+    }
     void comments(std::size_t level);
     void trailing_comment();
     void emit(const Pieces& pieces, std::size_t level, std::size_t continuation = kIndent);
@@ -61,6 +69,7 @@ class Formatting {
 
     Pieces pieces_;
     std::size_t at_ = 0;
+    std::size_t width_ = kLineWidth;
     std::vector<OutLine> lines_;
 };
 
@@ -118,6 +127,9 @@ void Formatting::statements(std::size_t level) {
 }
 
 void Formatting::statement(std::size_t level) {
+    // What a comment silences is a line: its statements stay together, however long it is.
+    width_ = is_allowed_line() ? kNoLimit : kLineWidth;
+    if (width_ == kNoLimit && whole_line(level)) return;
     switch (here().token) {
         case Token::OpenBrace: return block({}, level);
         case Token::If:
@@ -154,7 +166,7 @@ void Formatting::simple(Pieces head, std::size_t level) {
         if (!end) break;
         Pieces longer = head;
         for (std::size_t i = at_; i < *end; ++i) longer.push_back(pieces_[i]);
-        if (format_line(longer, level * kIndent, kIndent).size() > 1) break;
+        if (in_lines(longer, level).size() > 1) break;
         head = std::move(longer);
         at_ = *end;
     }
@@ -174,7 +186,7 @@ void Formatting::controlled(Pieces head, std::size_t level) {
         } else if (const auto end = is_commented ? std::nullopt : simple_end(at_)) {
             Pieces whole = head;
             for (std::size_t i = at_; i < *end; ++i) whole.push_back(pieces_[i]);
-            if (format_line(whole, level * kIndent, kIndent).size() == 1) {
+            if (in_lines(whole, level).size() == 1) {
                 at_ = *end;
                 emit(whole, level);
                 trailing_comment();
@@ -279,14 +291,14 @@ bool Formatting::one_line_block(Pieces& head, std::size_t level) {
     // The braces of statements in one line have blanks inside: they are joined by hand.
     Pieces open = head;
     open.push_back(pieces_[at_]);
-    const std::vector<std::string> front = format_line(open, level * kIndent, 2 * kIndent);
+    const std::vector<std::string> front = in_lines(open, level, 2 * kIndent);
     if (front.size() > 1) return false;
     std::string line = front.front();
     for (std::size_t i = at_ + 1; i + 1 < end;) {
         const auto next = simple_end(i);
         const Pieces part(pieces_.begin() + static_cast<long>(i),
                           pieces_.begin() + static_cast<long>(*next));
-        line += ' ' + format_line(part, 0, kIndent).front();
+        line += ' ' + in_lines(part, 0).front();
         i = *next;
     }
     line += " }";
@@ -295,7 +307,7 @@ bool Formatting::one_line_block(Pieces& head, std::size_t level) {
         line += ';';
         ++behind;
     }
-    if (text_width(line) > kLineWidth) return false;
+    if (text_width(line) > width_) return false;
     at_ = behind;
     lines_.push_back({std::move(line), {}});
     trailing_comment();
@@ -315,9 +327,9 @@ void Formatting::values_block(Pieces head, std::size_t level) {
     if (is_short && end > at_ + 1) {
         const Pieces names(pieces_.begin() + static_cast<long>(at_),
                            pieces_.begin() + static_cast<long>(end - 1));
-        const std::string line = format_line(head, level * kIndent, kIndent).front() + ' ' +
-                                 format_line(names, 0, kIndent).front() + " }";
-        if (text_width(line) <= kLineWidth) {
+        const std::string line =
+            in_lines(head, level).front() + ' ' + in_lines(names, 0).front() + " }";
+        if (text_width(line) <= width_) {
             at_ = end;
             lines_.push_back({line, {}});
             return trailing_comment();
@@ -378,7 +390,7 @@ void Formatting::switch_cases(std::size_t level) {
             if (!end) break;
             Pieces longer = label;
             for (std::size_t i = at_; i < *end; ++i) longer.push_back(pieces_[i]);
-            if (format_line(longer, level * kIndent, kIndent).size() > 1) break;
+            if (in_lines(longer, level).size() > 1) break;
             label = std::move(longer);
             at_ = *end;
         }
@@ -493,6 +505,34 @@ bool Formatting::is_block_of_words(std::size_t at) const {
     return token == Token::LiteralWord || token == Token::BareWord || token == Token::Address;
 }
 
+/// Whether a comment silences warnings of the line in the source where the next piece stands.
+bool Formatting::is_allowed_line() const {
+    const bool is_below = at_ > 0 && here().starts_line && !here().follows_blank &&
+                          pieces_[at_ - 1].starts_line && pieces_[at_ - 1].is_allowance();
+    if (is_below) return true;
+    std::size_t end = at_;
+    while (pieces_[end].token != Token::EndOfFile && (end == at_ || !pieces_[end].starts_line))
+        ++end;
+    return pieces_[end - 1].is_allowance();
+}
+
+/// The simple statements up to the end of the line, in one line.
+bool Formatting::whole_line(std::size_t level) {
+    std::size_t end = at_;
+    do {
+        const auto next = simple_end(end);
+        if (!next) return false;
+        end = *next;
+    } while (!pieces_[end].starts_line && !pieces_[end].is_comment() &&
+             pieces_[end].token != Token::CloseBrace && pieces_[end].token != Token::EndOfFile);
+    const Pieces line(pieces_.begin() + static_cast<long>(at_),
+                      pieces_.begin() + static_cast<long>(end));
+    at_ = end;
+    emit(line, level);
+    trailing_comment();
+    return true;
+}
+
 // ---------------------------------------------------------------- writing lines
 
 /// A comment in the line of what was just written goes behind it.
@@ -507,7 +547,7 @@ void Formatting::trailing_comment() {
 }
 
 void Formatting::emit(const Pieces& pieces, std::size_t level, std::size_t continuation) {
-    for (std::string& line : format_line(pieces, level * kIndent, continuation)) {
+    for (std::string& line : in_lines(pieces, level, continuation)) {
         lines_.push_back({std::move(line), {}});
     }
 }
@@ -548,7 +588,9 @@ std::vector<Piece> pieces_of(const Sources& sources, FileId id, const KeywordTab
     const Lines lines(*clean);
     const SourceFile file{id, *clean, limit, interner, lines};
     std::vector<Comment> comments;
-    const auto prepared = prepare(file, keywords, dialect, limit, comments);
+    auto prepared = prepare(file, keywords, dialect, limit, comments);
+    std::erase_if(prepared->lexemes,
+                  [](const Lexeme& lexeme) { return lexeme.token == Token::NoArgument; });
     return pieces_of(file, prepared->lexemes, comments);
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "syntax/words.h"
+
 namespace kadr::syntax {
 
 namespace {
@@ -116,6 +118,7 @@ class Spacing {
 
     bool has_blank(std::size_t i);
     bool blank_behind_unary(std::size_t i) const;
+    bool reads_as_unit(std::size_t slash) const;
     int penalty(std::size_t i) const;
     bool is_forced(std::size_t i) const;
     void enter(std::size_t i);
@@ -192,6 +195,17 @@ bool Spacing::blank_behind_unary(std::size_t i) const {
            (is_plus && (here == Token::Plus || here == Token::PlusPlus));
 }
 
+/// `200mm / min` is a quotient, `200mm/min` a feed.
+bool Spacing::reads_as_unit(std::size_t slash) const {
+    const bool is_between = slash > 0 && slash + 1 < pieces_.size() &&
+                            token(slash - 1) == Token::Number &&
+                            token(slash + 1) == Token::Identifier;
+    if (!is_between) return false;
+    const std::string_view number = pieces_[slash - 1].text;
+    const std::size_t unit = number.find_last_of("0123456789.") + 1;
+    return find_unit(number.substr(unit), pieces_[slash + 1].text) != Unit::None;
+}
+
 bool Spacing::has_blank(std::size_t i) {
     const Token before = token(i - 1);
     const Token here = token(i);
@@ -233,13 +247,8 @@ bool Spacing::has_blank(std::size_t i) {
     if (before == Token::Address && is_assignment(here)) return false;
     if (i > 1 && token(i - 2) == Token::Address && is_assignment(before)) return false;
     if (here == Token::Colon && !is_choice_[i]) return in_for();
-    // `200mm / min` is a quotient, `200mm/min` a feed.
-    if (here == Token::Slash && before == Token::Number && i + 1 < pieces_.size() &&
-        token(i + 1) == Token::Identifier) {
-        return true;
-    }
-    if (before == Token::Slash && i > 1 && token(i - 2) == Token::Number &&
-        here == Token::Identifier) {
+    if ((here == Token::Slash && reads_as_unit(i)) ||
+        (before == Token::Slash && reads_as_unit(i - 1))) {
         return true;
     }
     if (here == Token::Star || here == Token::Slash || before == Token::Star ||
@@ -286,11 +295,13 @@ int Spacing::penalty(std::size_t i) const {
 /// Fills lines from left to right.
 class Breaking {
   public:
-    Breaking(std::span<const Piece> pieces, std::size_t indent, std::size_t continuation)
+    Breaking(std::span<const Piece> pieces, std::size_t indent, std::size_t continuation,
+             std::size_t width)
         : pieces_(pieces),
           gaps_(Spacing(pieces).run()),
           indent_(indent),
           continuation_(continuation),
+          width_(width),
           behind_(pieces.size()),
           line_indent_(pieces.size()),
           hangs_(pieces.size()) {}
@@ -307,6 +318,7 @@ class Breaking {
     std::vector<Gap> gaps_;
     std::size_t indent_;
     std::size_t continuation_;
+    std::size_t width_;
     std::vector<std::size_t> behind_;       // the column behind a piece
     std::vector<std::size_t> line_indent_;  // of the line that a piece went into
     std::vector<bool> hangs_;               // a bracket with nothing behind it in its line
@@ -319,7 +331,7 @@ bool Breaking::fits() const {
         if (gaps_[i].is_forced) return false;
         width += text_width(pieces_[i].text) + (i > 0 && gaps_[i].has_blank ? 1 : 0);
     }
-    return width <= kLineWidth;
+    return width <= width_;
 }
 
 std::vector<std::string> Breaking::run() {
@@ -365,7 +377,7 @@ std::size_t Breaking::line_end(std::size_t first, std::size_t column) const {
         }
         width += text_width(pieces_[i].text);
         // Where nothing could be broken yet, the first chance behind is taken.
-        if (width > kLineWidth && best) return *best;
+        if (width > width_ && best) return *best;
     }
     return pieces_.size();
 }
@@ -392,8 +404,8 @@ std::size_t text_width(std::string_view text) {
 }
 
 std::vector<std::string> format_line(std::span<const Piece> pieces, std::size_t indent,
-                                     std::size_t continuation) {
-    return Breaking(pieces, indent, continuation).run();
+                                     std::size_t continuation, std::size_t width) {
+    return Breaking(pieces, indent, continuation, width).run();
 }
 
 }  // namespace kadr::syntax

@@ -60,6 +60,10 @@ Ast parse(const Sources& sources, FileId file, const KeywordTable& keywords,
           const nc::Dialect& dialect, DiagnosticSink& sink) {
     Ast ast;
     ast.file = file;
+    ast.language = keywords.name;
+    for (const auto& [lexeme, name] : keywords.canonical) {
+        if (lexeme != name) ast.keyword_words.emplace(name, lexeme);
+    }
     LimitedSink limit;
     parse_into(ast, sources.text(file), keywords, dialect, limit);
     ast.has_errors = limit.has_errors();

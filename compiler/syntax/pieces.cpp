@@ -92,10 +92,15 @@ std::string Gathering::spelling(Token token, std::uint32_t begin, std::uint32_t 
         case Token::BlockComment: return trimmed_lines(text);
         case Token::Number:
         case Token::LiteralWord:
-        case Token::BareWord: break;
+        case Token::BareWord:
+        case Token::RawText: break;
         default: return std::string(text);
     }
     std::string out(text);
+    if (token == Token::RawText) {
+        std::erase(out, '\r');  // of the line ends, as everywhere
+        return out;
+    }
     if (out.find("/*") == std::string::npos && out.find("//") == std::string::npos) {
         std::erase_if(out, is_blank);
     }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/allow.h"
 #include "syntax/lexeme.h"
 
 namespace kadr::syntax {
@@ -17,6 +18,10 @@ struct Piece {
     bool follows_blank = false;      // an empty line stands in front of it
 
     bool is_comment() const { return token == Token::LineComment || token == Token::BlockComment; }
+    /// Whether it silences warnings of a line, or means to: `// kadr: allow K2501`.
+    bool is_allowance() const {
+        return token == Token::LineComment && allowed_codes(text.substr(2)).is_one;
+    }
 };
 
 /// The pieces of a file without mistakes. A text with `{…}` inside is one piece, as it stands: what

@@ -366,7 +366,8 @@ void Printer::expression(ExprId id) {
                 out_ += text(expr.text);
                 out_ += ": ";
             }
-            return expression(expr.child[0]);
+            if (expr.child[0].is_valid()) expression(expr.child[0]);
+            return;
         case ExprKind::Member:
             out_ += "(. ";
             expression(expr.child[0]);

@@ -71,6 +71,8 @@ class Retyping {
     bool opens_contour() const;
     bool is_type_place() const;
     bool is_type_at(std::size_t i) const;
+    std::optional<std::size_t> past_brackets(std::size_t i) const;
+    void drop_nested_array();
     bool is_generic_call() const;
     const Keyword* foreign_keyword(const Lexeme& lexeme);
     void push(Lexeme lexeme, Token token);
@@ -416,6 +418,7 @@ void Retyping::name() {
             type.text = file_.texts.intern(keyword->name);
         }
         if (at_start_) head_ = brackets_.is_file_level() ? Head::Header : Head::Declaration;
+        drop_nested_array();
         return push(type, Token::TypeName);
     }
     // `целое(x)` calls the function of that name.
@@ -515,18 +518,39 @@ bool Retyping::is_type_place() const {
            (previous() == Token::OpenParen || previous() == Token::Comma);
 }
 
+/// Past the `]` that closes the `[` at `i`; nothing if the statement ends before.
+std::optional<std::size_t> Retyping::past_brackets(std::size_t i) const {
+    int depth = 0;
+    do {
+        if (at(i).token == Token::OpenBracket) ++depth;
+        if (at(i).token == Token::CloseBracket) --depth;
+        if (at(i).token == Token::Semicolon || at(i).token == Token::EndOfFile) return std::nullopt;
+        ++i;
+    } while (depth > 0);
+    return i;
+}
+
+/// `int[][] m`: said here, and read as `int[] m`, so that it is one message.
+void Retyping::drop_nested_array() {
+    if (next() != Token::OpenBracket) return;
+    const std::size_t first = *past_brackets(i_ + 1);
+    std::size_t end = first;
+    while (at(end).token == Token::OpenBracket) end = *past_brackets(end);
+    if (end == first) return;
+    file_.sink.report(diag::ArrayOfArrays, file_.range(in_[i_].begin, in_[end - 1].end))
+        .fix("let a struct hold the inner array");
+    in_.erase(in_.begin() + static_cast<std::ptrdiff_t>(first),
+              in_.begin() + static_cast<std::ptrdiff_t>(end));
+}
+
 /// A type in front of a name: `length r`, `length[] r`, `hole[8] h`, `length? r`, `point& p`.
 bool Retyping::is_type_at(std::size_t i) const {
     if (previous() == Token::Less) return true;  // `table<hole>`
     ++i;
-    if (at(i).token == Token::OpenBracket) {
-        int depth = 0;
-        do {
-            if (at(i).token == Token::OpenBracket) ++depth;
-            if (at(i).token == Token::CloseBracket) --depth;
-            if (at(i).token == Token::Semicolon || at(i).token == Token::EndOfFile) return false;
-            ++i;
-        } while (depth > 0);
+    while (at(i).token == Token::OpenBracket) {
+        const std::optional<std::size_t> end = past_brackets(i);
+        if (!end) return false;
+        i = *end;
     }
     const bool is_optional = at(i).token == Token::Question;
     if (is_optional) ++i;
@@ -541,8 +565,10 @@ bool Retyping::is_type_at(std::size_t i) const {
     }
     if (!is_optional) return true;
     const Token after = at(i + 1).token;
+    // At file level there are no expressions: a function that may give no value.
+    const bool is_function = after == Token::OpenParen && at_start_ && brackets_.is_file_level();
     return after == Token::Comma || after == Token::CloseParen || after == Token::Semicolon ||
-           after == Token::Assign;
+           after == Token::Assign || is_function;
 }
 
 /// `table<hole>(`: never a comparison, a truth value is not compared with a number.
@@ -551,10 +577,18 @@ bool Retyping::is_generic_call() const {
            at(i_ + 3).token == Token::Greater && at(i_ + 4).token == Token::OpenParen;
 }
 
-/// `for` in a file whose keyword language says `для`.
+/// `for` or `note "…"` in a file whose keyword language says `для` and `заметка`.
 const Keyword* Retyping::foreign_keyword(const Lexeme& lexeme) {
     const Keyword* english = find_keyword(file_.texts.text(lexeme.text));
-    if (english == nullptr || english->place != Keyword::Place::Anywhere) return nullptr;
+    if (english == nullptr) return nullptr;
+    // `note` in front of a text and a contour of blocks can mean nothing else; what may be a type
+    // or a function of the author's is the checker's matter.
+    const bool is_text = next() == Token::Text || next() == Token::TextOpen;
+    const bool is_told =
+        english->place == Keyword::Place::Anywhere ||
+        (english->place == Keyword::Place::Statement && is_text) ||
+        (english->token == Token::Contour && opens_contour() && is_word(at(i_ + 4).token));
+    if (!is_told) return nullptr;
     for (const auto& [lexeme_here, name] : keywords_.canonical) {
         if (name != english->name) continue;
         file_.sink.report(diag::ForeignKeyword, file_.range(lexeme))

@@ -303,6 +303,7 @@ ExprId TreeBuilder::braces(Rule& context, std::span<KadrParser::ArgumentContext*
     std::vector<ExprId> ids;
     for (KadrParser::ArgumentContext* value : values) {
         auto* given_name = value->ArgumentName();
+        if (value->expression() == nullptr) continue;  // only a call leaves something out
         if (given_name == nullptr) {
             ids.push_back(expression(*value->expression()));
             continue;
@@ -329,7 +330,8 @@ List TreeBuilder::arguments(KadrParser::ArgumentsContext* context) {
         expr.kind = ExprKind::Argument;
         expr.range = range_of(*argument);
         if (auto* given_name = argument->ArgumentName()) expr.text = lexeme(given_name).text;
-        expr.child[0] = expression(*argument->expression());
+        // A call of the control may leave arguments out.
+        if (argument->expression() != nullptr) expr.child[0] = expression(*argument->expression());
         ids.push_back(add(expr));
     }
     return list(ids);

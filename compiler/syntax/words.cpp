@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cstdint>
 #include <unordered_map>
+#include <utility>
 
 #include "base/diagnostics/syntax.h"
 #include "base/text.h"
@@ -92,6 +93,8 @@ class Merging {
     double value_of(std::string_view spelled, const SourceRange& range);
     nc::WordKind kind_of(std::string_view name);
     bool is_word(std::string_view identifier);
+    void bracket(const Lexeme& lexeme);
+    void leave_out(std::uint32_t place, bool is_first);
 
     const Lexeme& at(std::size_t i) const { return in_[i < in_.size() ? i : in_.size() - 1]; }
     bool adjoins(std::size_t i, std::uint32_t end) const { return at(i).begin == end; }
@@ -118,7 +121,10 @@ class Merging {
     const WordKindOf& kind_of_;
     std::vector<Lexeme> out_;
     bool is_lowercase_block_ = false;
-    std::size_t i_ = 0;  // the next lexeme to look at
+    int depth_ = 0;             // of brackets in the statement
+    std::vector<int> calls_;    // depths inside the calls of the control that are open
+    bool begins_call_ = false;  // the name of one stands in front
+    std::size_t i_ = 0;         // the next lexeme to look at
     std::unordered_map<std::string, nc::WordKind> kinds_;
 };
 
@@ -132,11 +138,52 @@ std::vector<Lexeme> Merging::run() {
             identifier();
         } else {
             if (lexeme.token == Token::Semicolon) is_lowercase_block_ = false;
+            bracket(lexeme);
             out_.push_back(lexeme);
             ++i_;
         }
     }
     return std::move(out_);
+}
+
+/// `CYCLE81(50,2,,-10)`: where a call of the control leaves an argument out, a token of no width
+/// says so. In the language's own calls that is a mistake.
+void Merging::bracket(const Lexeme& lexeme) {
+    const bool begins_call = std::exchange(begins_call_, false);
+    const bool is_in_call = !calls_.empty() && calls_.back() == depth_;
+    switch (lexeme.token) {
+        case Token::OpenParen:
+        case Token::OpenBracket:
+        case Token::OpenBrace:
+            ++depth_;
+            if (begins_call) calls_.push_back(depth_);
+            return;
+        case Token::Comma:
+            if (is_in_call) leave_out(lexeme.begin, out_.back().token == Token::OpenParen);
+            return;
+        case Token::CloseParen:
+        case Token::CloseBracket:
+        case Token::CloseBrace:
+            if (is_in_call) {
+                leave_out(lexeme.begin, false);
+                calls_.pop_back();
+            }
+            --depth_;
+            return;
+        case Token::Semicolon:
+            depth_ = 0;
+            calls_.clear();
+            return;
+        default: return;
+    }
+}
+
+void Merging::leave_out(std::uint32_t place, bool is_first) {
+    if (!is_first && out_.back().token != Token::Comma) return;
+    Lexeme left_out;
+    left_out.token = Token::NoArgument;
+    left_out.begin = left_out.end = place;
+    out_.push_back(left_out);
 }
 
 double Merging::value_of(std::string_view spelled, const SourceRange& range) {
@@ -239,7 +286,8 @@ nc::WordKind Merging::kind_of(std::string_view name) {
 }
 
 bool Merging::is_word(std::string_view identifier) {
-    if (kind_of(identifier) != nc::WordKind::None) return true;
+    const nc::WordKind kind = kind_of(identifier);
+    if (kind == nc::WordKind::Address || kind == nc::WordKind::Word) return true;
     const Spelling s = take_apart(identifier);
     return !s.digits.empty() && kind_of(s.address) == nc::WordKind::Address &&
            (s.rest.empty() || is_upper(s.rest.front()) || find_unit(s.rest, "") != Unit::None);
@@ -256,6 +304,11 @@ void Merging::identifier() {
     const Token next = at(i_).token;
     const nc::WordKind kind = kind_of(name);
     Lexeme made = lexeme;
+    if (kind == nc::WordKind::Call) {
+        begins_call_ = next == Token::OpenParen;
+        out_.push_back(lexeme);
+        return;
+    }
     if (kind == nc::WordKind::Word && next != Token::OpenParen) {
         made.token = Token::BareWord;
         out_.push_back(made);

@@ -50,6 +50,14 @@ bool is_frame(Function function) {
     }
 }
 
+/// The function of the group that the block says by itself; None: there is none.
+Function said_of(const Block& block, Group group) {
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        if (info(block.functions[i].function).group == group) return block.functions[i].function;
+    }
+    return Function::None;
+}
+
 /// Code in a message.
 std::string quoted(std::string_view text) { return std::string("`").append(text).append("`"); }
 
@@ -517,6 +525,8 @@ BlockWriter::Misfit BlockWriter::misfit(const Form& form, const Block& block,
                                         const Invocation& invocation) const {
     Misfit misfit;
     std::uint32_t said = 0;
+    int first_name = -1;  // parameter of the first word that names an axis
+    bool names_axis = false;
     const auto argument = [&](int parameter, double fallback) {
         return block.argument(invocation, static_cast<std::size_t>(parameter), fallback);
     };
@@ -533,8 +543,12 @@ BlockWriter::Misfit BlockWriter::misfit(const Form& form, const Block& block,
                 expect(word.tail_parameter, (invocation.given >> word.tail_parameter & 1u) != 0);
             }
             // The word's presence is all that the control takes: another value would be lost.
-            if (word.is_named_only) expect(word.parameter, argument(word.parameter, 0) == 0);
             const bool is_given = (invocation.given >> word.parameter & 1u) != 0;
+            if (word.is_named_only) {
+                expect(word.parameter, argument(word.parameter, 0) == 0);
+                if (first_name < 0) first_name = word.parameter;
+                names_axis |= is_given;
+            }
             const bool has_text = !block.text.empty() && (word.kind == FormWord::Kind::Text ||
                                                           word.kind == FormWord::Kind::Quoted);
             expect(word.parameter, is_given || has_text || word.is_optional || word.has_default);
@@ -543,6 +557,8 @@ BlockWriter::Misfit BlockWriter::misfit(const Form& form, const Block& block,
     look(look, form.words);
     for (const std::vector<FormWord>& line : form.extra) look(look, line);
     look(look, form.lead);
+    // Without an axis the code stands alone, and means nothing or something else.
+    if (first_name >= 0) expect(first_name, names_axis);
     for (const int parameter : form.implied) said |= 1u << parameter;
     if (form.spindle_parameter >= 0) said |= 1u << form.spindle_parameter;
     for (const int parameter : form.drops) said |= 1u << parameter;
@@ -566,8 +582,12 @@ BlockWriter::Misfit BlockWriter::misfit(const Form& form, const Block& block,
                                  modal_.meant[index_of(group)] == needed;
         const bool is_said = group == Group::Motion && effective_motion(block) == needed &&
                              (block.motion == needed || (block.given & kTargetSlots) != 0);
-        const bool is_active = modal_.text[index_of(group)] == needed;
-        if (!is_active && !is_restored && !is_said) misfit.state = needed;
+        // In its own line the block says it for the form, or the contrary.
+        const Function own = form.owns_block ? Function::None : said_of(block, group);
+        const bool is_active = own != Function::None ? own == needed
+                                                     : modal_.text[index_of(group)] == needed ||
+                                                           is_restored || is_said;
+        if (!is_active) misfit.state = needed;
     }
     return misfit;
 }
@@ -787,13 +807,24 @@ void BlockWriter::add_code(const Block& block, Function function, Items& items) 
     cannot_express(block, quoted(info(function).name));
 }
 
+/// Whether a form of the block stands under these dimensions only.
+bool BlockWriter::needs_distance(const Block& block, Function distance) const {
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        if ((done_ >> i & 1u) != 0 || chosen_[i] == kNoForm) continue;
+        const std::vector<Function>& during = tables_.forms[chosen_[i]].during;
+        if (std::ranges::find(during, distance) != during.end()) return true;
+    }
+    return false;
+}
+
 /// What the text no longer agrees upon with the program: after a conversion, or at the start.
 void BlockWriter::restore_modal(const Block& block, Items& items) {
     const auto restore = [&](Group group) {
         const Function meant = modal_.meant_of(group);
         if (meant == Function::None || modal_.text_of(group) == meant) return;
         for (std::size_t i = 0; i < block.function_count; ++i) {
-            if (info(block.functions[i].function).group == group)
+            const bool is_done = (done_ >> i & 1u) != 0;  // before a line that changed it again
+            if (!is_done && info(block.functions[i].function).group == group)
                 return;  // the block says it itself
         }
         add_code(block, meant, items);
@@ -801,8 +832,9 @@ void BlockWriter::restore_modal(const Block& block, Items& items) {
     // Modal codes outlive the program on many machines: none ends under G91 that did not mean to.
     const bool is_end = block.function_count != 0 && (block.find(Function::End) != nullptr ||
                                                       block.find(Function::EndRewind) != nullptr);
-    if (!tables_.has_incremental_letters && (is_end || (block.given & kTargetSlots) != 0))
-        restore(Group::Distance);
+    const bool acts = is_end || (block.given & kTargetSlots) != 0 ||
+                      needs_distance(block, modal_.meant_of(Group::Distance));
+    if (acts && !tables_.has_incremental_letters) restore(Group::Distance);
     if (is_arc(effective_motion(block)) && (block.given & (kTargetSlots | kCenterSlots)) != 0)
         restore(Group::Plane);
     if (block.has(Slot::Feed)) restore(Group::FeedMode);

@@ -126,6 +126,7 @@ class BlockWriter {
     bool holds(const Form& form, const Block& block, Function asked, bool allow_unknown) const;
     bool is_suppressed(Function function) const;
     void add_code(const Block& block, Function function, Items& items);
+    bool needs_distance(const Block& block, Function distance) const;
     void restore_modal(const Block& block, Items& items);
     void note_written(const Form& form);
     void write_before(const Form& form, const Block& block, std::string& out);
@@ -162,6 +163,8 @@ class BlockWriter {
     };
     void place_targets(const Block& block, Targets& targets);
     void place_target(const Block& block, std::size_t axis, Targets& targets);
+    void place_machine_target(const Block& block, std::size_t axis, bool by_itself,
+                              Targets& targets);
     void place_arc(const Block& block, const WrittenPosition& start, Targets& targets);
     void place_center(const Block& block, const WrittenPosition& start, Targets& targets);
     void place_arc_as_given(const Block& block, const WrittenPosition& start, Targets& targets);
@@ -207,6 +210,9 @@ class BlockWriter {
         std::uint64_t groups = 0;
     };
     bool has_room(const Block& block, const Item& item, LineRoom& room);
+    void check_takers(const Block& block, const Items& items);
+    bool takes_word(const Item& item, const Form& other, const FormWord& word) const;
+    const std::vector<FormWord>* words_of(const Item& item) const;
     void note_line(const std::vector<FormWord>& words);
     void append_word(const Block& block, const FormWord& word, const Invocation* invocation,
                      std::string& out);
@@ -217,7 +223,7 @@ class BlockWriter {
     void append_whole(const Block& block, const FormWord& word, double value,
                       const Invocation* invocation, std::string_view name, std::string& out);
     void append_factor(const Block& block, double number, bool in_thousandths,
-                       std::string_view name, std::string& out);
+                       const NumberFormat& address, std::string_view name, std::string& out);
     void append_slot(const Block& block, Slot slot, const Targets& targets, std::string& out);
     void append_text(const Block& block, std::string& out);
     void open_line(int skip, bool is_numbered, std::string& out);

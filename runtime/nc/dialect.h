@@ -24,6 +24,7 @@ struct CycleInfo {
     std::string name;                   // as in stdlib: "drill_peck"
     std::vector<Parameter> parameters;  // names live in the Dialect
     std::string meaning;
+    std::string module;    // of the library that has it, if a block of a source can be this cycle
     bool is_modal = true;  // where cycles are modal: a call is repeated by further axis words
 
     /// Which parameters the words of modal cycles set; -1: none.
@@ -103,6 +104,10 @@ class Dialect {
     /// so `D3` means the third tool's radius; else `D` is an edge of the tool that is in.
     bool counts_offsets_by_tool() const;
 
+    /// The word that makes the call of a cycle behind it modal, and ends it where it stands alone;
+    /// empty: the control has none.
+    std::string_view modal_call() const;
+
     /// Of this file; those of the files that it extends are checked with them.
     std::span<const Example> examples() const;
     /// Whether a text that begins so has the header of this control (`O0001`, `%_N_PART_MPF`).
@@ -157,9 +162,17 @@ struct SourceWord {
     SourceRange range;
 };
 
+/// An argument of a call of the control (`CYCLE81(50,2,,-10)`) in a Kadr source.
+struct SourceArgument {
+    enum class Kind : std::uint8_t { Empty, Number, Text, Computed };
+    Kind kind = Kind::Empty;
+    double number = 0;  // of a Number
+    SourceRange range;
+};
+
 /// Where the value of a word belongs in the block that is made from it.
 struct Hole {
-    std::uint16_t word = 0;  // index of the SourceWord
+    std::uint16_t word = 0;  // index of the SourceWord, or of the argument of a call
     Dimension dimension = Dimension::Number;
     bool is_argument = false;  // false: `place` is a Slot; true: index into Block::arguments
     std::uint8_t place = 0;
@@ -169,6 +182,7 @@ struct Hole {
     // control's `P500` is 0.5 s). A value with a unit of its own is taken as it is, plus offset.
     double factor = 1;
     double offset = 0;
+    bool adds = false;  // it is added to what another argument says of the same parameter
 };
 
 /// A block with everything that is known before the program runs; values of the words named by
@@ -182,6 +196,17 @@ struct BlockPlan {
 /// Recognises source words with the tables of the input dialect. Mistakes are reported at the word.
 std::optional<BlockPlan> plan_block(const Dialect& dialect, std::span<const SourceWord> words,
                                     DiagnosticSink& sink);
+
+/// The same for a call of the control that stands in a block of its own. `range`: of its name.
+std::optional<BlockPlan> plan_call(const Dialect& dialect, std::string_view name,
+                                   const SourceRange& range,
+                                   std::span<const SourceArgument> arguments, DiagnosticSink& sink);
+
+/// The cycle that a literal word of the source (`G83`) begins; nothing if it begins none.
+std::optional<CycleId> cycle_of(const Dialect& dialect, std::string_view address, double number);
+/// Whether a block of a source can be this cycle as the control has it: the text says all that it
+/// does (no parameter of the machine's builder), and the library has it for every control.
+bool can_be_source(const Dialect& dialect, CycleId cycle);
 
 /// What 1 means behind this address where the number has no decimal point, in the unit of the
 /// address: 0.001 if the control counts positions in increments; 1 if it says what it means.
@@ -199,8 +224,9 @@ struct CallMeaning {
 CallMeaning call_meaning(const Dialect& dialect, std::string_view name);
 
 /// What an identifier of the source is in the input dialect, for the parser: an address that takes
-/// a value (`X`, `CR`, `G`), a word by itself (`TRANS`, `DIAMON`), or nothing.
-enum class WordKind : std::uint8_t { None, Address, Word };
+/// a value (`X`, `CR`, `G`), a word by itself (`TRANS`, `DIAMON`), the name of a call (`CYCLE81`),
+/// or nothing.
+enum class WordKind : std::uint8_t { None, Address, Word, Call };
 WordKind word_kind(const Dialect& dialect, std::string_view identifier);
 
 }  // namespace kadr::nc

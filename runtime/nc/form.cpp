@@ -259,6 +259,7 @@ class LineParser {
         word.dimension = parameter.dimension;
         if (word.is_optional && !parameter.is_optional && !completed_by_others_)
             return fail("the parameter " + quoted(name) + " is not optional");
+        word.is_kept = word.is_optional && completed_by_others_;
         word.is_optional |= word.adds;
         if (!parse_operator(word, inner, sign) || !parse_unit(word, unit)) return false;
         if (is_negated) word.factor = -word.factor;

@@ -242,6 +242,7 @@ void FormLoader::load_cycle(const XmlElement& element) {
     const auto id = cycle_of(element);
     if (!id) return;
     Attributes::read_text(element, "meaning", tables_.cycles[*id].meaning);
+    Attributes::read_text(element, "module", tables_.cycles[*id].module);
     if (seen_cycles_.insert(*id).second) clear_forms(tables_, Function::Cycle, *id);
     attributes_.read_flag(element, "modal", tables_.cycles[*id].is_modal);
     read_roles(element, tables_.cycles[*id]);

@@ -132,6 +132,7 @@ void load_rules(const XmlElement& element, Rules& rules, Attributes& attributes)
         if (sign->value.size() == 1) rules.end_sign = sign->value[0];
         else attributes.bad_value(*sign, "one ASCII character is expected");
     }
+    Attributes::read_text(element, "modal_call", rules.modal_call);
     attributes.read_number(element, "skip_levels", rules.skip_levels);
     attributes.read_number(element, "default_skip", rules.default_skip);
     attributes.read_number(element, "read_line", rules.max_line);

@@ -29,13 +29,14 @@ class Matcher {
   public:
     Matcher(const DialectTables& tables, std::span<const GivenWord> words,
             std::span<const GivenArgument> arguments, const ModalFunctions& modal, Block& block,
-            Match& match)
+            Match& match, WordsOf words_of)
         : tables_(tables),
           words_(words),
           arguments_(arguments),
           modal_(modal),
           block_(block),
-          match_(match) {}
+          match_(match),
+          words_of_(words_of) {}
 
     Fault run() {
         if (words_.size() > kMaxWords) return MatchFault{MatchFault::Kind::Full};
@@ -190,6 +191,7 @@ class Matcher {
         const bool has_slot = is_value && tables_.addresses[first.address].slot >= 0;
         return std::ranges::all_of(form.during, [&](Function needed) {
             const bool is_cycle = needed == Function::Cycle;
+            if (is_cycle && words_of_ == WordsOf::Source) return false;
             const bool calls_cycle = block_.find(Function::Cycle) != nullptr;
             if (is_cycle && calls_cycle) return true;
             const Group group = is_cycle ? Group::CycleMode : info(needed).group;
@@ -199,10 +201,21 @@ class Matcher {
                 modal_[static_cast<std::size_t>(Group::CycleMode)] == Function::Cycle;
             if (group == Group::Motion && is_in_cycle) return false;
             const bool is_said = group == Group::Motion && block_.motion != Function::None;
-            const Function active =
-                is_said ? block_.motion : modal_[static_cast<std::size_t>(group)];
+            const Function active = is_said ? block_.motion : active_of(group);
             return active == needed || (active == Function::None && !has_slot);
         });
+    }
+
+    /// The member of the group that acts in the block: its own (`G90 G53`), else the modal one.
+    Function active_of(Group group) const {
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            if (!is_code(i) || !words_[i].is_known) continue;
+            const Code* code = tables_.find_code(words_[i].address, words_[i].number);
+            if (code == nullptr || code->simple == kNoForm) continue;
+            const Function said = tables_.forms[code->simple].function;
+            if (info(said).group == group) return said;
+        }
+        return modal_[static_cast<std::size_t>(group)];
     }
 
     Fit fit_form(std::size_t head, const Form& form) const {
@@ -223,7 +236,8 @@ class Matcher {
                 found = true;
                 fit_word(form, wanted, i, fit);
             }
-            if (!found && !wanted.is_optional && !wanted.has_default) {
+            const bool may_lack = wanted.is_kept ? words_of_ == WordsOf::Text : wanted.is_optional;
+            if (!found && !may_lack && !wanted.has_default) {
                 fit.answer = fit.answer == Fit::Answer::Yes ? Fit::Answer::Missing : fit.answer;
             }
         }
@@ -283,6 +297,11 @@ class Matcher {
         });
     }
 
+    static bool is_constrained(const Form& form, const FormWord& wanted) {
+        return std::ranges::find(form.when, wanted.parameter, &Constraint::parameter) !=
+               form.when.end();
+    }
+
     void fit_call(const Form& form, const FormWord& wanted, std::size_t i, Fit& fit) const {
         const GivenWord& word = words_[i];
         for (std::size_t a = 0; a < word.argument_count || a < wanted.arguments.size(); ++a) {
@@ -299,11 +318,14 @@ class Matcher {
     bool fits_argument(const Form& form, const FormWord& want, const GivenArgument& given) const {
         const bool is_empty = given.kind == GivenArgument::Kind::Empty;
         const bool is_number = given.kind == GivenArgument::Kind::Number;
+        const bool is_text = given.kind == GivenArgument::Kind::Text;
         if (want.kind == FormWord::Kind::Empty) return is_empty;
-        if (want.kind == FormWord::Kind::Text) return !is_number && (!is_empty || want.is_optional);
+        if (want.kind == FormWord::Kind::Text) return is_text || (is_empty && want.is_optional);
         if (want.kind == FormWord::Kind::Fixed)
             return is_empty ? want.number == 0 : is_number && near(given.number, want.number);
         if (is_empty) return want.is_optional || want.has_default;
+        // Which form it is cannot wait for the value.
+        if (given.kind == GivenArgument::Kind::Computed) return !is_constrained(form, want);
         return is_number && is_in_range(form, want, given.number);
     }
 
@@ -500,6 +522,7 @@ class Matcher {
     const ModalFunctions& modal_;
     Block& block_;
     Match& match_;
+    WordsOf words_of_;
     WordSet used_;
     SlotMask seen_slots_ = 0;
     std::optional<std::size_t> alone_;
@@ -512,10 +535,11 @@ class Matcher {
 
 std::optional<MatchFault> match_words(const DialectTables& tables, std::span<const GivenWord> words,
                                       std::span<const GivenArgument> arguments,
-                                      const ModalFunctions& modal, Block& block, Match& match) {
+                                      const ModalFunctions& modal, Block& block, Match& match,
+                                      WordsOf words_of) {
     match.claim_count = 0;
     match.form_count = 0;
-    return Matcher(tables, words, arguments, modal, block, match).run();
+    return Matcher(tables, words, arguments, modal, block, match, words_of).run();
 }
 
 void follow_modal(const Block& block, ModalFunctions& modal) {

@@ -12,10 +12,33 @@ namespace kadr::nc {
 
 namespace {
 
+/// The cycle of a form that no block of a source can be.
+void report_cycle(std::string_view name, const SourceRange& range, const CycleInfo& cycle,
+                  DiagnosticSink& sink) {
+    sink.report(diag::SourceCycle, range)
+        .arg(name)
+        .fix("call the library's `" + cycle.name +
+             "` at each place: it is written as the control's own cycle");
+}
+
+Hole hole_of(const Claim& claim, const DialectTables& tables) {
+    Hole hole;
+    hole.dimension = claim.dimension;
+    hole.is_argument = claim.is_parameter;
+    hole.place = claim.place;
+    hole.invocation = claim.invocation;
+    hole.parameter = claim.parameter;
+    hole.adds = claim.adds;
+    hole.factor = claim.in_increments ? increment_size(tables, claim.dimension, TextUnits{})
+                                      : 1 / claim.factor;
+    hole.offset = -claim.offset / claim.factor;
+    return hole;
+}
+
 class Planner {
   public:
     Planner(const Dialect& dialect, std::span<const SourceWord> words, DiagnosticSink& sink)
-        : tables_(dialect.tables()), words_(words), sink_(sink) {}
+        : dialect_(dialect), tables_(dialect.tables()), words_(words), sink_(sink) {}
 
     std::optional<BlockPlan> plan() {
         if (words_.size() > kMaxWords) {
@@ -28,7 +51,7 @@ class Planner {
         Match match;
         const ModalFunctions unknown{};
         const auto fault =
-            match_words(tables_, std::span(given_.data(), count_), {}, unknown, plan_.block, match);
+            match_words(tables_, std::span(given_.data(), count_), {}, unknown, plan_.block, match, WordsOf::Source);
         if (fault) {
             report(*fault);
             return std::nullopt;
@@ -80,13 +103,11 @@ class Planner {
             const Form& form = tables_.forms[match.forms[i]];
             plan_.feed_stays_metric = plan_.feed_stays_metric || form.feed_stays_metric;
             const bool is_cycle = form.function == Function::Cycle;
+            if (is_cycle && !form.is_preset && can_be_source(dialect_, form.cycle)) continue;
             if (!is_cycle && !form.feed_by_radius) continue;
             const SourceWord& word = head_of(form);
             if (is_cycle) {
-                sink_.report(diag::SourceCycle, word.range)
-                    .arg(text_of(word))
-                    .fix("call the library's `" + tables_.cycles[form.cycle].name +
-                         "` at each place: it is written as the control's own cycle");
+                report_cycle(text_of(word), word.range, tables_.cycles[form.cycle], sink_);
             } else {
                 sink_.report(diag::SourceInverseTime, word.range)
                     .arg(text_of(word))
@@ -139,16 +160,8 @@ class Planner {
             return;
         }
         if (claim.tail_digits > 0) return take_apart(claim, source);
-        Hole hole;
+        Hole hole = hole_of(claim, tables_);
         hole.word = static_cast<std::uint16_t>(word);
-        hole.dimension = claim.dimension;
-        hole.is_argument = claim.is_parameter;
-        hole.place = claim.place;
-        hole.invocation = claim.invocation;
-        hole.parameter = claim.parameter;
-        hole.factor = claim.in_increments ? increment_size(tables_, claim.dimension, TextUnits{})
-                                          : 1 / claim.factor;
-        hole.offset = -claim.offset / claim.factor;
         plan_.holes.push_back(hole);
     }
 
@@ -245,6 +258,7 @@ class Planner {
         sink_.report(diag::BlockWordCodeUnknown, word.range).arg(text_of(word)).arg(tables_.name);
     }
 
+    const Dialect& dialect_;
     const DialectTables& tables_;
     std::span<const SourceWord> words_;
     DiagnosticSink& sink_;
@@ -259,6 +273,68 @@ class Planner {
 std::optional<BlockPlan> plan_block(const Dialect& dialect, std::span<const SourceWord> words,
                                     DiagnosticSink& sink) {
     return Planner(dialect, words, sink).plan();
+}
+
+std::optional<BlockPlan> plan_call(const Dialect& dialect, std::string_view name,
+                                   const SourceRange& range,
+                                   std::span<const SourceArgument> arguments,
+                                   DiagnosticSink& sink) {
+    const DialectTables& tables = dialect.tables();
+    const CallMeaning meaning = call_meaning(dialect, name);
+    if (meaning.function != Function::Cycle || !can_be_source(dialect, meaning.cycle)) {
+        report_cycle(name, range, tables.cycles[meaning.cycle], sink);
+        return std::nullopt;
+    }
+    if (arguments.size() > kMaxCallArguments) {
+        sink.report(diag::BlockWordsTooMany, range);
+        return std::nullopt;
+    }
+    std::array<GivenArgument, kMaxCallArguments> given{};
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        given[i].kind = static_cast<GivenArgument::Kind>(arguments[i].kind);
+        given[i].number = arguments[i].number;
+    }
+    GivenWord word;
+    word.address = tables.find_address(name);
+    word.is_call = true;
+    word.argument_count = static_cast<std::uint16_t>(arguments.size());
+    BlockPlan plan;
+    Match match;
+    const auto fault = match_words(tables, std::span(&word, 1), std::span(given), ModalFunctions{},
+                                   plan.block, match, WordsOf::Source);
+    if (fault) {
+        const auto at = static_cast<std::size_t>(std::max(fault->argument, 0));
+        const bool is_written = fault->argument >= 0 && at < arguments.size() &&
+                                arguments[at].kind != SourceArgument::Kind::Empty;
+        const SourceRange place = is_written ? arguments[at].range : range;
+        std::string what = is_written ? "argument " + std::to_string(at + 1) : std::string(name);
+        const std::string form =
+            fault->form == kNoForm ? "" : first_line(tables.forms[fault->form]);
+        sink.report(diag::BlockWordValueWrong, place).arg(what).arg(form);
+        return std::nullopt;
+    }
+    for (std::size_t i = 0; i < match.claim_count; ++i) {
+        Hole hole = hole_of(match.claims[i], tables);
+        hole.word = static_cast<std::uint16_t>(match.claims[i].argument);
+        plan.holes.push_back(hole);
+    }
+    return plan;
+}
+
+std::optional<CycleId> cycle_of(const Dialect& dialect, std::string_view address, double number) {
+    const DialectTables& tables = dialect.tables();
+    const AddressId id = tables.find_address(address);
+    if (id == kNoAddress || tables.addresses[id].kind != Address::Kind::Code) return std::nullopt;
+    const Code* code = tables.find_code(id, number);
+    if (code == nullptr) return std::nullopt;
+    for (const FormId form : code->forms) {
+        if (tables.forms[form].function == Function::Cycle) return tables.forms[form].cycle;
+    }
+    return std::nullopt;
+}
+
+bool can_be_source(const Dialect& dialect, CycleId cycle) {
+    return !dialect.tables().cycles[cycle].module.empty();
 }
 
 PlainNumber plain_number(const Dialect& dialect, std::string_view address, bool is_inch) {
@@ -284,13 +360,15 @@ CallMeaning call_meaning(const Dialect& dialect, std::string_view name) {
 
 WordKind word_kind(const Dialect& dialect, std::string_view identifier) {
     const DialectTables& tables = dialect.tables();
+    if (!tables.rules.modal_call.empty() && identifier == tables.rules.modal_call)
+        return WordKind::Word;
     const AddressId id = tables.find_address(identifier);
     if (id == kNoAddress) return WordKind::None;
     switch (tables.addresses[id].kind) {
         case Address::Kind::Value:
         case Address::Kind::Code: return WordKind::Address;
         case Address::Kind::Word: return WordKind::Word;
-        case Address::Kind::Call: return WordKind::None;
+        case Address::Kind::Call: return WordKind::Call;
     }
     return WordKind::None;
 }

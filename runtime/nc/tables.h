@@ -102,6 +102,7 @@ struct FormWord {
     bool has_default = false;    // written with `fallback` if the parameter was not given
     double fallback = 0;
     bool is_optional = false;
+    bool is_kept = false;  // optional because a cycle before it may have said the word
     std::vector<FormWord> arguments;  // Call
 };
 
@@ -211,6 +212,7 @@ struct Rules {
     bool blanks_inside_words = false;  // `X 10`, `G 0 1`
     bool has_several_skips = false;    // `/1/3`: left out at either level
     char end_sign = '\0';              // that may end a block before the line ends
+    std::string modal_call;            // word that makes the cycle behind it modal; empty: none
     int skip_levels = 10;              // `/0` … `/9`
     int default_skip = 0;              // what `/` alone means; the lowest level
     std::size_t max_line = 512;        // bytes, read

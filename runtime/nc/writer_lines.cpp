@@ -120,15 +120,20 @@ double BlockWriter::own_offset(const Pending& pending, const Block& block) const
 void BlockWriter::write_items(const Block& block, Items& items, const Targets& targets,
                               std::string& out) {
     if (items.is_full) cannot_express(block, "so many words in one block");
-    // A comment that is too long to stand behind the block stands before it.
+    // A comment that is too long to stand behind the block stands before it, as does that of a line
+    // which is read letter by letter.
     const std::size_t most = tables_.comment.max_length;
-    const bool fits = most == 0 || count_code_points(block.comment) <= most;
-    if (!fits) write_comment(block, out);
+    const bool is_verbatim = std::ranges::any_of(items.all(), [&](const Item& item) {
+        return item.form != kNoForm && tables_.forms[item.form].is_verbatim;
+    });
+    const bool fits = !is_verbatim && (most == 0 || count_code_points(block.comment) <= most);
+    if (!fits && !block.comment.empty()) write_comment(block, out);
     Items later;
     LineRoom room;
     open_line(block.skip, true, out);
+    check_takers(block, items);
     for (const Item& item : items.all()) {
-        if (item.form == kNoForm && item.words == nullptr) {
+        if (words_of(item) == nullptr) {
             ++room.words[tables_.slot_address[static_cast<std::size_t>(item.slot)] %
                          room.words.size()];
         }
@@ -165,10 +170,10 @@ void BlockWriter::write_items(const Block& block, Items& items, const Targets& t
 /// error: in one line the control would raise an alarm or drop the first, and a line further on it
 /// would act behind the motion.
 bool BlockWriter::has_room(const Block& block, const Item& item, LineRoom& room) {
-    if (item.form == kNoForm && item.words == nullptr) return true;
+    if (words_of(item) == nullptr) return true;
     const Form* form = item.form == kNoForm ? nullptr : &tables_.forms[item.form];
     if (form != nullptr && form->is_comment) return true;
-    const std::vector<FormWord>& words = form != nullptr ? form->words : *item.words;
+    const std::vector<FormWord>& words = *words_of(item);
     const std::uint64_t groups = form != nullptr ? form->excludes : 0;
     bool is_taken = (room.groups & groups) != 0;
     bool may_wait = !is_taken;
@@ -197,6 +202,58 @@ bool BlockWriter::has_room(const Block& block, const Item& item, LineRoom& room)
         if (is_written(word)) ++count_of(word);
     }
     return true;
+}
+
+/// The words of a piece that are not the word of a slot; nullptr: there are none.
+const std::vector<FormWord>* BlockWriter::words_of(const Item& item) const {
+    if (item.form != kNoForm) return &tables_.forms[item.form].words;
+    if (item.edge < 0) return item.words;
+    const auto& edges = tables_.forms_of[static_cast<std::size_t>(Function::ToolEdge)];
+    return &tables_.forms[edges[0]].words;
+}
+
+/// A number that belongs to one code of the line must not be read as another's: in `G54 G30 P3` the
+/// control would find an additional work offset, and the second reference point.
+void BlockWriter::check_takers(const Block& block, const Items& items) {
+    for (const Item& item : items.all()) {
+        if (item.form == kNoForm || item.invocation == nullptr) continue;
+        const Form& form = tables_.forms[item.form];
+        for (const FormWord& word : form.words) {
+            if (word.kind != FormWord::Kind::Value) continue;
+            const bool is_written =
+                word.has_default || (item.invocation->given >> word.parameter & 1u) != 0;
+            if (!is_written) continue;
+            for (const Item& other : items.all()) {
+                if (&other == &item || !takes_word(other, form, word)) continue;
+                std::string both(1, '`');
+                both += info(tables_.forms[other.form].function).name;
+                both.append("` and `").append(info(form.function).name).append("` in one line");
+                cannot_express(block, both);
+            }
+        }
+    }
+}
+
+/// Whether the code that the piece begins with would take the word of the other form, with its own
+/// form or another one of the code.
+bool BlockWriter::takes_word(const Item& item, const Form& other, const FormWord& word) const {
+    if (item.form == kNoForm || tables_.forms[item.form].words.empty()) return false;
+    const Form& form = tables_.forms[item.form];
+    // An offset beside the compensation that it belongs to: `G43 H1` is read as both.
+    const Group group = info(form.function).group;
+    const bool is_its_offset =
+        (other.function == Function::LengthOffset && group == Group::LengthComp) ||
+        (other.function == Function::RadiusOffset && group == Group::RadiusComp);
+    const FormWord& head = form.words[0];
+    if (is_its_offset || head.kind != FormWord::Kind::Fixed) return false;
+    const Code* code = tables_.find_code(head.address, head.number);
+    if (code == nullptr) return false;
+    return std::ranges::any_of(code->forms, [&](FormId id) {
+        const std::vector<FormWord>& words = tables_.forms[id].words;
+        return std::ranges::any_of(words.begin() + 1, words.end(), [&](const FormWord& taken) {
+            return taken.address == word.address;
+        });
+    });
 }
 
 /// Codes that stand in a form's further lines change the state of the text, too.
@@ -363,7 +420,7 @@ void BlockWriter::append_parameter(const Block& block, const FormWord& word,
     const double number =
         (value * word.factor + word.offset) * text_scale(word.dimension, modal_.units, false);
     if (word.dimension == Dimension::Factor) {
-        append_factor(block, number, std::abs(word.factor) == 1000, name, out);
+        append_factor(block, number, std::abs(word.factor) == 1000, format, name, out);
         return;
     }
     const NumberFault fault =
@@ -405,10 +462,12 @@ void BlockWriter::append_whole(const Block& block, const FormWord& word, double 
 /// A ratio is as exact as it is meant, whatever the decimals of its letter; in thousandths it is a
 /// whole number, and what is finer cannot be said.
 void BlockWriter::append_factor(const Block& block, double number, bool in_thousandths,
-                                std::string_view name, std::string& out) {
+                                const NumberFormat& address, std::string_view name,
+                                std::string& out) {
     constexpr int kDecimals = 6;
     constexpr double kNoise = 1e-6;  // of a product with 1000
     NumberFormat format;
+    format.allows_minus = address.allows_minus;
     format.decimals = in_thousandths ? 0 : kDecimals;
     if (in_thousandths) format.point = PointRule::Never;
     NumberFault fault = append_number(out, number, format, Dimension::Factor, modal_.units);

@@ -91,8 +91,10 @@ void BlockWriter::place_targets(const Block& block, Targets& targets) {
     // On the way to the reference point the control's own habit is a distance: G91 G28 Z0.
     const bool is_return =
         block.function_count != 0 && block.find(Function::ReferenceReturn) != nullptr;
-    if (!tables_.rules.has_modes && is_absolute_text && given != 0 && distances == given &&
-        (is_return || (modal_.position.known & given) != given)) {
+    const bool is_machine =
+        block.function_count != 0 && block.find(Function::MachineCoordinates) != nullptr;
+    if (!is_machine && !tables_.rules.has_modes && is_absolute_text && given != 0 &&
+        distances == given && (is_return || (modal_.position.known & given) != given)) {
         targets.needs_incremental = true;
     }
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -111,13 +113,14 @@ void BlockWriter::place_target(const Block& block, std::size_t axis, Targets& ta
     const int places = decimals(slot);
     const double value = block.at(slot);
     targets.written |= mask;
+    const bool by_itself = ((block.incremental | block.absolute) & mask) != 0;
     if (block.function_count != 0 && block.find(Function::MachineCoordinates) != nullptr) {
         targets.number[axis] = value * scale;
+        place_machine_target(block, axis, by_itself, targets);
         return;
     }
     WrittenPosition& position = modal_.position;
     const Function text_distance = modal_.text_of(Group::Distance);
-    const bool by_itself = ((block.incremental | block.absolute) & mask) != 0;
     const Function meant_distance = modal_.meant_of(Group::Distance);
     if (!by_itself && meant_distance == Function::None) {
         // After raw text nobody knows what the number is; it goes through, the position is lost.
@@ -147,6 +150,18 @@ void BlockWriter::place_target(const Block& block, std::size_t axis, Targets& ta
     }
     targets.number[axis] =
         (writes_distance ? position.text[axis] - old_text : position.text[axis]) * scale;
+}
+
+/// Where machine coordinates count, no known position turns a distance into a coordinate.
+void BlockWriter::place_machine_target(const Block& block, std::size_t axis, bool by_itself,
+                                       Targets& targets) {
+    const bool is_way = is_distance(block, axis);
+    if (by_itself && tables_.rules.has_modes) {
+        (is_way ? targets.wrapped_incremental : targets.wrapped_absolute) |=
+            bit(static_cast<Slot>(axis));
+    } else if (is_way && (by_itself || tables_.has_incremental_letters)) {
+        cannot_express(block, "a distance in machine coordinates");
+    }
 }
 
 /// Words of axes that stay where they are need not be written, as long as one moves.

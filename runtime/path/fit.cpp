@@ -10,15 +10,20 @@ namespace kadr::path {
 
 namespace {
 
-/// A piece is at most this share of the range, so that a closed curve is never taken for the point
-/// where it begins.
-constexpr double kLargestShare = 1.0 / 8;
+/// What is measured at once is at most this share of the range, so that a closed curve is never
+/// taken for the point where it begins.
+constexpr double kLargestShare = 1.0 / 2;
+constexpr double kFirstShare = 1.0 / 32;
 /// A piece below this share of the range is as good as a point; the curve jumps if it is longer
 /// than the tolerance.
 constexpr double kLeastShare = 1e-10;
-/// Measuring: neighbouring samples at first, and how often an interval may be halved.
-constexpr int kIntervals = 8;
+/// Measuring: neighbouring samples at first, of a piece at least and over the whole range, and how
+/// often an interval may be halved.
+constexpr int kLeastIntervals = 8;
+constexpr int kIntervals = 64;
 constexpr int kDeepest = 7;
+/// Pieces go on along the same line or circle if their ends and centres differ by no more, mm.
+constexpr double kSame = 1e-9;
 /// An arc that is this flat is a line, mm: less than any control resolves.
 constexpr double kFlat = 1e-6;
 /// Controls take radii of six digits; a larger one is a line as well, if the tolerance allows.
@@ -117,7 +122,7 @@ CurveFit::CurveFit(ParametricCurve curve, const FitOptions& options)
     : curve_(std::move(curve)),
       options_(options),
       at_(options.from),
-      step_((options.to - options.from) * kLargestShare / 4) {}
+      step_((options.to - options.from) * kFirstShare) {}
 
 std::optional<CurveSample> CurveFit::sample(double parameter) {
     std::optional<CurveSample> found = curve_(parameter);
@@ -222,7 +227,7 @@ bool CurveFit::is_within(const Candidate& candidate, double from, const CurveSam
     if (!(distance(candidate, end.position) <= options_.tolerance)) return false;
     const auto [cubic, error] = measured_cubic(begin, *middle, end, width);
     if (error <= kMeasured * options_.tolerance &&
-        is_within(candidate, cubic, options_.tolerance - 2 * error, 0))
+        is_within(candidate, cubic, options_.tolerance - 2 * error - kSame, 0))
         return true;
     if (error <= kWellMeasured * options_.tolerance || depth >= kDeepest) return false;
     return is_within(candidate, from, begin, inside, *middle, depth + 1) &&
@@ -231,11 +236,14 @@ bool CurveFit::is_within(const Candidate& candidate, double from, const CurveSam
 
 bool CurveFit::is_within(const Candidate& candidate) {
     if (candidate.pieces == 0) return false;
-    const double width = (candidate.to - at_) / kIntervals;
+    const double share = (candidate.to - at_) / (options_.to - options_.from);
+    const int intervals =
+        std::max(kLeastIntervals, static_cast<int>(std::ceil(share * kIntervals)));
+    const double width = (candidate.to - at_) / intervals;
     CurveSample begin = here_;
-    for (int i = 0; i < kIntervals; ++i) {
+    for (int i = 0; i < intervals; ++i) {
         const double from = at_ + i * width;
-        const bool is_last = i + 1 == kIntervals;
+        const bool is_last = i + 1 == intervals;
         const std::optional<CurveSample> end =
             is_last ? std::optional(candidate.end) : sample(from + width);
         if (!end) return false;
@@ -313,30 +321,59 @@ std::optional<CurveFit::Candidate> CurveFit::longest() {
     return good;
 }
 
-std::optional<FitPiece> CurveFit::next() {
-    while (ready_.empty()) {
-        if (fault_ || !start() || at_ == options_.to) return std::nullopt;
-        const std::optional<Candidate> candidate = longest();
-        if (!candidate) return std::nullopt;
-        const Vec3 begin = here_.position;
-        const Vec3& end = candidate->end.position;
-        for (int i = 0; i < candidate->pieces; ++i) {
-            FitPiece piece;
-            const bool is_last = i + 1 == candidate->pieces;
-            piece.to = is_last ? end : Vec3((begin + end) / 2);
-            if (candidate->pieces == 2) {
-                const Element& element = candidate->elements[i];
-                piece.center = element.center;
-                piece.sweep = element.sweep;
-                if (!is_last) piece.to.head<2>() = element.to;
-            }
-            const Vec3 from = ready_.empty() ? begin : ready_.back().to;
-            if (piece.to != from) ready_.push_back(piece);  // else the curve stands
-        }
-        at_ = candidate->to;
-        here_ = candidate->end;
+bool CurveFit::Made::take(const Made& next) {
+    if ((piece.sweep == 0) != (next.piece.sweep == 0)) return false;
+    double off = 0;
+    if (piece.sweep == 0) {
+        off = distance_to_line(piece.to, from, next.piece.to);
+        if ((piece.to - from).dot(next.piece.to - piece.to) <= 0) return false;
+    } else {
+        off = (piece.center - next.piece.center).norm();
+        // Beyond half a turn a radius by itself no longer says which arc is meant.
+        const double sweep = piece.sweep + next.piece.sweep;
+        if (piece.sweep * next.piece.sweep < 0 || std::fabs(sweep) > std::numbers::pi + kSame)
+            return false;
     }
-    const FitPiece piece = ready_.front();
+    if (!(error + off <= kSame)) return false;
+    error += off;
+    piece.to = next.piece.to;
+    piece.sweep += next.piece.sweep;
+    return true;
+}
+
+/// Makes the pieces of one candidate. False: there are no more.
+bool CurveFit::make_pieces() {
+    if (fault_ || !start() || at_ == options_.to) return false;
+    const std::optional<Candidate> candidate = longest();
+    if (!candidate) return false;
+    const Vec3& end = candidate->end.position;
+    Vec3 from = here_.position;
+    for (int i = 0; i < candidate->pieces; ++i) {
+        Made made;
+        made.from = from;
+        const bool is_last = i + 1 == candidate->pieces;
+        made.piece.to = is_last ? end : Vec3((from + end) / 2);
+        if (candidate->pieces == 2) {
+            const Element& element = candidate->elements[i];
+            made.piece.center = element.center;
+            made.piece.sweep = element.sweep;
+            if (!is_last) made.piece.to.head<2>() = element.to;
+        }
+        if (made.piece.to == from) continue;  // the curve stands
+        from = made.piece.to;
+        if (ready_.empty() || !ready_.back().take(made)) ready_.push_back(made);
+    }
+    at_ = candidate->to;
+    here_ = candidate->end;
+    return true;
+}
+
+std::optional<FitPiece> CurveFit::next() {
+    // The last one may go on in the next: a whole line, half a circle are one piece.
+    while (ready_.size() < 2 && make_pieces()) {
+    }
+    if (fault_ || ready_.empty()) return std::nullopt;
+    const FitPiece piece = ready_.front().piece;
     ready_.pop_front();
     return piece;
 }

@@ -63,7 +63,8 @@ enum class FitFault : std::uint8_t {
     Jump,          // two points of the curve are apart although their parameters are not
 };
 
-/// Cuts a curve into pieces, each as long as the tolerance lets it be.
+/// Cuts a curve into pieces, each as long as the tolerance lets it be; a straight line is one, a
+/// circle two halves.
 ///
 /// Whether a piece is good is measured: between neighbouring samples the curve is taken for the
 /// cubic through both points with both slopes, and the whole cubic, not points of it, is held
@@ -80,7 +81,7 @@ class CurveFit {
     std::optional<FitPiece> next();
     /// Why there is no further piece; nothing if the end was reached.
     std::optional<FitFault> fault() const { return fault_; }
-    /// The parameter at which the latest piece begins, for messages.
+    /// The parameter up to which there are pieces, for messages.
     double parameter() const { return at_; }
 
   private:
@@ -91,7 +92,17 @@ class CurveFit {
         std::array<Element, 2> elements;
     };
 
+    /// A piece that the next one may still make longer.
+    struct Made {
+        Vec3 from = Vec3::Zero();
+        FitPiece piece;
+        double error = 0;  // mm: what joining has cost so far
+        /// Takes in the piece behind, if it goes on along the same line or circle.
+        bool take(const Made& next);
+    };
+
     std::optional<CurveSample> sample(double parameter);
+    bool make_pieces();
     /// Unit vector of travel beside a parameter; looks a little further where the curve stands.
     std::optional<Vec3> direction(const CurveSample& at, double parameter, double side);
     std::optional<Candidate> make(double to);
@@ -110,7 +121,7 @@ class CurveFit {
     CurveSample here_;
     bool is_started_ = false;
     std::optional<FitFault> fault_;
-    std::deque<FitPiece> ready_;
+    std::deque<Made> ready_;
 };
 
 /// Two arcs, or lines where they would be straight, from one point and direction to another.

@@ -318,6 +318,19 @@ TEST_F(CommandLine, MissingModuleProposesOne) {
     EXPECT_NE(result.err.find("`cycles.drilling`"), std::string::npos) << result.err;
 }
 
+TEST_F(CommandLine, ProposesWhatMends) {
+    save("library.kadr", "program p() {\n    drill_peck(to: -3mm, peck: 1mm);\n}\n");
+    EXPECT_NE(kadr({"check", file("library.kadr")}).err.find("`import cycles.drilling;`"),
+              std::string::npos);
+    save("struct.kadr",
+         "struct hole { length d; }\nprogram p(hole h) {\n    G0 X=h.d;\n    M30;\n}\n");
+    const ProcessResult missing = kadr({"expand", file("struct.kadr")});
+    EXPECT_EQ(missing.status, 1);
+    EXPECT_NE(missing.err.find("no option can set `hole`"), std::string::npos) << missing.err;
+    save("length.kadr", "program p(length d) {\n    G0 X=d;\n    M30;\n}\n");
+    EXPECT_NE(kadr({"expand", file("length.kadr")}).err.find("`-D d=…`"), std::string::npos);
+}
+
 TEST_F(CommandLine, ExplainsItsMessages) {
     const ProcessResult one = kadr({"explain", "K9001"});
     EXPECT_TRUE(one.out.starts_with("error[K9001]: cannot read")) << one.out;

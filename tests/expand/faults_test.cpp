@@ -32,7 +32,7 @@ TEST(Faults, StandWhereTheyHappen) {
          "1:42 K3106 there is no element -1; the array has 1"},
         {"program p(int n = 5) { int[] a = {1}; a[n] = 2; }",
          "1:39 K3106 there is no element 5; the array has 1"},
-        {"program p() { int[] a; a.pop(); }", "1:24 K3106 there is no element -1; the array has 0"},
+        {"program p() { int[] a; a.pop(); }", "1:24 K3111 the array is empty"},
         {"program p(int n = 9) { int[] a; a.insert(n, 1); }",
          "1:33 K3106 there is no element 9; the array has 1"},
         {"program p(int n = 1) { int[3] a; X=a[n]; }", "1:36 K3104 `a[n]` is not given"},

@@ -158,3 +158,9 @@ void broken(std::string_view promise, std::string_view details) {
 }
 
 }  // namespace kadr::fuzz
+
+/// Loads the world before the first input, whose time is then its own.
+extern "C" int LLVMFuzzerInitialize(int* /*count*/, char*** /*arguments*/) {
+    (void)kadr::fuzz::world();
+    return 0;
+}

@@ -119,8 +119,9 @@ std::vector<Pair> all_pairs() {
 }
 
 /// Without what a control says of its own way to reach machine coordinates: the place is compared.
-std::vector<json> places_of(const std::filesystem::path& file, const std::string& dialect) {
-    std::vector<json> commands = commands_of({file, "mill"}, dialect, "native");
+std::vector<json> places_of(const std::filesystem::path& file, const std::string& dialect,
+                            const std::string& cycles) {
+    std::vector<json> commands = commands_of({file, "mill"}, dialect, cycles);
     for (json& command : commands) command.erase("machine_coordinates");
     return commands;
 }
@@ -129,10 +130,13 @@ class InputDialect : public testing::TestWithParam<Pair> {};
 
 TEST_P(InputDialect, SourceMovesAsItsTextDoes) {
     const Pair& pair = GetParam();
-    const std::vector<json> reference = places_of(pair.text, pair.dialect);
+    const std::vector<json> reference = places_of(pair.text, pair.dialect, "native");
     ASSERT_GT(reference.size(), 10u);
     for (const char* target : {"iso", "sinumerik", "fanuc", "axioma"}) {
-        expect_same(reference, places_of(pair.source, target), pair.dialect + " for " + target);
+        for (const char* cycles : {"native", "moves"}) {
+            expect_same(reference, places_of(pair.source, target, cycles),
+                        pair.dialect + " for " + target + ", cycles " + cycles);
+        }
     }
 }
 

@@ -70,7 +70,9 @@ TEST(Text, Fanuc) {
              {"no feed", "G1 X10.\n", "PS0011", "no motion"},
              {"feed kept", "G1 X10. F100.\nG95\nX20.\n", "", "-280.0000 0.0000 0.0000"},
              {"G93", "G93 G1 X10. F2.\nX20.\n", "PS1202", "-290.0000 0.0000 0.0000"},
-             {"G53 is rapid", "G1 F100. X1.\nG90 G53 X0\n", "", "0.0000 0.0000 0.0000"}}) {
+             {"G53 is rapid", "G1 F100. X1.\nG90 G53 X0\n", "", "0.0000 0.0000 0.0000"},
+             {"G90 beside G53 acts in its block", "G91 G28 Z0\nG90 G53 X0\n", "",
+              "0.0000 0.0000 0.0000"}}) {
         SCOPED_TRACE(row.name);
         const Ran ran = read("fanuc", start + row.text + "M30\n%\n", machine);
         EXPECT_EQ(alarms(ran), row.alarms);

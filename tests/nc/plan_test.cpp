@@ -118,14 +118,63 @@ TEST(Plan, BlocksHaveALimitOfWords) {
     EXPECT_EQ(testing::codes(sink), "K4113");
 }
 
+// What a call of the control says, and where its arguments belong.
+TEST(Plan, CallsOfTheControl) {
+    using Kind = SourceArgument::Kind;
+    const Dialect& sinumerik = testing::shipped("sinumerik");
+    DiagnosticList sink;
+    const SourceArgument nothing;
+    const SourceArgument computed{Kind::Computed, 0, {}};
+    const auto number = [](double value) { return SourceArgument{Kind::Number, value, {}}; };
+
+    const std::vector<SourceArgument> drill = {number(50), number(1), computed, number(-10)};
+    const auto plan = plan_call(sinumerik, "CYCLE81", {}, drill, sink);
+    ASSERT_TRUE(plan);
+    EXPECT_EQ(sinumerik.cycles()[plan->block.cycle].name, "drill");
+    ASSERT_EQ(plan->holes.size(), 4u);
+    EXPECT_EQ(plan->holes[1].parameter, plan->holes[2].parameter);  // RFP and SDIS: both retract
+    EXPECT_FALSE(plan->holes[1].adds);
+    EXPECT_TRUE(plan->holes[2].adds);
+
+    // The sign of the pitch is the hand, so it must be known here.
+    std::vector<SourceArgument> tap = {number(50),    number(2), nothing,    number(-10),
+                                       nothing,       number(0), number(5),  nothing,
+                                       number(-1.25), number(0), number(500)};
+    const auto left = plan_call(sinumerik, "CYCLE84", {}, tap, sink);
+    ASSERT_TRUE(left);
+    EXPECT_EQ(left->holes.back().factor, 1);
+    EXPECT_TRUE(sink.all().empty());
+    tap[8] = computed;
+    EXPECT_FALSE(plan_call(sinumerik, "CYCLE84", {}, tap, sink));
+    EXPECT_EQ(testing::codes(sink), "K4111");
+
+    DiagnosticList too_many;
+    const std::vector<SourceArgument> endless(80, number(0));
+    EXPECT_FALSE(plan_call(sinumerik, "CYCLE81", {}, endless, too_many));
+    EXPECT_EQ(testing::codes(too_many), "K4113");
+}
+
+TEST(Plan, CyclesOfWords) {
+    const Dialect& fanuc = testing::shipped("fanuc");
+    ASSERT_TRUE(cycle_of(fanuc, "G", 83));
+    EXPECT_EQ(fanuc.cycles()[*cycle_of(fanuc, "G", 83)].name, "drill_peck");
+    EXPECT_TRUE(can_be_source(fanuc, *cycle_of(fanuc, "G", 83)));
+    EXPECT_FALSE(can_be_source(fanuc, *cycle_of(fanuc, "G", 76)));  // where it lifts is not said
+    for (const double number : {1.0, 80.0, 777.0}) EXPECT_FALSE(cycle_of(fanuc, "G", number));
+    EXPECT_FALSE(cycle_of(fanuc, "X", 83));
+}
+
 TEST(Plan, WordKinds) {
     const Dialect& iso = testing::shipped("iso");
     for (const char* name : {"X", "G", "M", "CR", "TURN", "LIMS", "N"})
         EXPECT_EQ(word_kind(iso, name), WordKind::Address) << name;
     for (const char* name : {"TRANS", "ATRANS", "ROT", "MIRROR"})
         EXPECT_EQ(word_kind(iso, name), WordKind::Word) << name;
-    for (const char* name : {"x", "Q", "MSG", "width", "cr"})
+    for (const char* name : {"x", "Q", "MCALL", "width", "cr"})
         EXPECT_EQ(word_kind(iso, name), WordKind::None) << name;
+    EXPECT_EQ(word_kind(iso, "MSG"), WordKind::Call);
+    EXPECT_EQ(word_kind(testing::shipped("sinumerik"), "CYCLE83"), WordKind::Call);
+    EXPECT_EQ(word_kind(testing::shipped("sinumerik"), "MCALL"), WordKind::Word);
 }
 
 }  // namespace

@@ -36,6 +36,12 @@ Function any_of(std::initializer_list<Function> functions) {
 
 bool maybe() { return *rc::gen::inRange(0, 2) == 1; }
 
+/// Whether the parameters of the function are names of axes: their numbers are always 0.
+bool names_axes(Function function) {
+    return function == Function::Mirror || function == Function::MirrorOff ||
+           function == Function::ReferencePoint;
+}
+
 void add_function(Block& block, const DialectTables& tables, Function function) {
     if (tables.forms_of[static_cast<std::size_t>(function)].empty()) return;
     const auto parameters = info(function).parameters;
@@ -58,7 +64,7 @@ void add_function(Block& block, const DialectTables& tables, Function function) 
                 while (!block.text.empty() && block.text.back() == ' ') block.text.pop_back();
                 break;
             default:
-                block.set_argument(*invocation, i, function == Function::Mirror ? 0 : any_length());
+                block.set_argument(*invocation, i, names_axes(function) ? 0 : any_length());
                 break;
         }
     }
@@ -236,6 +242,9 @@ void check_round_trip(const Dialect& dialect) {
     text.erase(0, head.size());
     const auto result = read_blocks(dialect, text);
     Block back = merged(result.blocks);
+    const bool says_nothing = back.given == 0 && back.number < 0 && back.function_count == 0 &&
+                              back.motion == Function::None;
+    if (says_nothing) block.skip = -1;  // there is nothing that could be left out
     // G04 without a time and the like exist on some controls only; what is compared is the meaning.
     fold_center(back);
     complete_shift(block);
@@ -303,6 +312,8 @@ Block any_crowded_block(const Dialect& dialect) {
     for (const FunctionInfo& one : all_functions()) {
         const bool is_motion = one.group == Group::Motion || one.function == Function::None;
         if (is_motion || *rc::gen::inRange(0, 4 * crowd) != 0) continue;
+        // What is read may be one more than what was said: `T1 M6` is two functions, `tool` is one.
+        if (block.function_count + 1u == kMaxInvocations) break;
         if (one.function == Function::Cycle) {
             add_cycle(block, dialect);
             continue;
@@ -332,6 +343,19 @@ std::uint32_t dropped(Function function, const Dialect& dialect) {
     return mask;
 }
 
+/// Whether the block is a reference return of the axes, and to the point, that are meant.
+bool goes_to_reference(const Block& block, const Block& meant, const Invocation& point) {
+    const Invocation* found = block.find(Function::ReferenceReturn);
+    if (found == nullptr || block.argument(*found, 0, 1) != meant.argument(point, 0, 1))
+        return false;
+    const SlotMask axes = point.given >> 1 & (bit(Slot::X) | bit(Slot::Y) | bit(Slot::Z));
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto slot = static_cast<Slot>(i);
+        if ((axes & bit(slot)) != 0 && !(block.has(slot) && block.at(slot) == 0)) return false;
+    }
+    return true;
+}
+
 /// The first field of `meant` that none of the blocks has; empty: all of them are there.
 std::string lost_field(const Block& meant, std::span<const Block> blocks, const Dialect& dialect) {
     ModalFunctions modal = dialect.tables().power_on;
@@ -342,6 +366,11 @@ std::string lost_field(const Block& meant, std::span<const Block> blocks, const 
         return std::string(info(meant.motion).name);
     for (std::size_t i = 0; i < kSlots; ++i) {
         const auto slot = static_cast<Slot>(i);
+        // Where machine coordinates count, no other coordinate says what a distance does.
+        const bool is_way = meant.find(Function::MachineCoordinates) != nullptr &&
+                            (meant.incremental & kTargetSlots & bit(slot)) != 0;
+        if (is_way && !any([&](const Block& b) { return (b.incremental & bit(slot)) != 0; }))
+            return "IC";
         if (!meant.has(slot) || any([&](const Block& b) { return b.has(slot); })) continue;
         const bool is_center_instead = slot == Slot::Radius && any([](const Block& b) {
                                            return (b.given & kCenterSlots) != 0;
@@ -366,6 +395,9 @@ std::string lost_field(const Block& meant, std::span<const Block> blocks, const 
             // `G43 H1` says both.
             if (found == nullptr && function == Function::LengthOffset)
                 found = b.find(Function::LengthCompOn);
+            // Distances of 0 on the way to the reference point are the axes that go there.
+            if (found == nullptr && function == Function::ReferencePoint)
+                return goes_to_reference(b, meant, invocation);
             if (found == nullptr) return false;
             for (std::size_t p = 0; p < kMaxArguments && p < 32; ++p) {
                 if ((invocation.given & found->given) >> p % 32 & 1u)

@@ -38,30 +38,35 @@ struct Written {
     std::string codes;  // of messages
 };
 
-Written write(const std::string& dialect, std::string_view source, WriteOptions options = {},
-              bool is_inch = false) {
+Written write_blocks(const std::string& dialect, std::span<const Block> blocks,
+                     WriteOptions options = {}, bool is_inch = false) {
     DiagnosticList sink;
     options.number_blocks = false;
     Writer writer(shipped(dialect), options, sink);
     std::string text;
     writer.begin({"test", 1, "", is_inch}, text);
-    bool is_first = true;
-    std::size_t start = 0;
-    while (!source.empty()) {
-        const std::size_t end = std::min(source.find('\n'), source.size());
-        const Block block = statement_block(source.substr(0, end));
-        source.remove_prefix(std::min(end + 1, source.size()));
-        if (is_first) {
-            Block nothing;  // brings the safety line
-            writer.write(nothing, text);
-            start = text.size();
-            is_first = false;
-        }
-        writer.write(block, text);
-    }
+    Block nothing;  // brings the safety line
+    writer.write(nothing, text);
+    const std::size_t start = text.size();
+    for (const Block& block : blocks) writer.write(block, text);
     EXPECT_EQ(writer.lines(),
               static_cast<std::uint32_t>(std::count(text.begin(), text.end(), '\n')));
     return {text.substr(start), testing::codes(sink)};
+}
+
+Written write_block(const std::string& dialect, const Block& block) {
+    return write_blocks(dialect, {&block, 1});
+}
+
+Written write(const std::string& dialect, std::string_view source, WriteOptions options = {},
+              bool is_inch = false) {
+    std::vector<Block> blocks;
+    while (!source.empty()) {
+        const std::size_t end = std::min(source.find('\n'), source.size());
+        blocks.push_back(statement_block(source.substr(0, end)));
+        source.remove_prefix(std::min(end + 1, source.size()));
+    }
+    return write_blocks(dialect, blocks, options, is_inch);
 }
 
 void expect_text(const std::string& dialect, std::initializer_list<Program> programs) {
@@ -496,6 +501,15 @@ TEST(Writer, WhatCannotBeSaidIsAnError) {
              {"fanuc", "ATRANS X5", "K4201"},
              {"fanuc", "SPOS=90", "K4201"},
              {"fanuc", "G91\nG53 Z0", "K4201"},
+             {"fanuc", "G90\nG91 G53 Z0", "K4201"},
+             {"fanuc", "G0 X0\nG53 X=IC(5)", "K4201"},
+             {"fanuc", "G54 G30 P3 X0", "K4201"},  // G54 P3 is another offset
+             {"iso", "G54 G30 P3 X0", ""},
+             {"fanuc-lathe", "G91\nG53 X5", "K4201"},
+             {"fanuc", "mirror()", "K4201"},  // no axis
+             {"sinumerik", "reference_point()", "K4201"},
+             {"fanuc", "scale(factor: -2)", "K4206"},  // P takes no sign
+             {"sinumerik", "scale(factor: -2)", ""},
              {"sinumerik", "G43 H3", "K4201"},
              {"sinumerik", "message(\"say \"hi\"\")", "K4207"},
          }) {
@@ -512,6 +526,45 @@ TEST(Writer, WhatCannotBeSaidIsAnError) {
     writer.write(block, text);
     EXPECT_EQ(testing::codes(sink), "K4203");
     EXPECT_TRUE(writer.failed());
+}
+
+TEST(Writer, ADistanceIsNoMachineCoordinate) {
+    const Program program = {"G0 X10\nG53 X=IC(5)\nG91\nG53 X=AC(5)\nG53 X5",
+                             "G0 X10\nG53 X=IC(5)\nG91\nG53 X=AC(5)\nG53 X5\n"};
+    expect_text("iso", {program});
+}
+
+TEST(Writer, DimensionsThatALineBeforeChangedAreSaidAgain) {
+    Block block;
+    Invocation* point = block.add(Function::ReferencePoint, 4);
+    block.set_argument(*point, 3, 0);
+    block.add(Function::Absolute);
+    block.motion = Function::Rapid;
+    block.set(Slot::X, 5);
+    EXPECT_EQ(write_block("fanuc", block).text, "G91 G28 Z0.\nG90 X5.\n");
+    expect_text("fanuc", {{"G91\nG90 G53 Z5", "G91\nG90 G53 Z5.\n"}});
+}
+
+TEST(Writer, WhatDoesNotGoTogetherIsAnError) {
+    // The edge of the tool and, for the machine coordinates, edge 0.
+    Block edge;
+    edge.set_argument(*edge.add(Function::Tool, 1), 0, 3);
+    edge.add(Function::MachineCoordinates);
+    edge.set(Slot::Z, 0);
+    EXPECT_EQ(write_block("sinumerik", edge).codes, "K4201");
+    // The second reference point would be the second probe.
+    Block probe;
+    probe.add(Function::Probe, 1);
+    probe.set_argument(*probe.add(Function::ReferenceReturn, 1), 0, 2);
+    probe.set(Slot::Z, 0);
+    EXPECT_EQ(write_block("iso", probe).codes, "K4201");
+}
+
+TEST(Writer, ALineOfTheControlsLanguageTakesNoComment) {
+    Block block;
+    block.set_argument(*block.add(Function::ProbeKeep, 1), 0, 2);
+    block.comment = "the far side";
+    EXPECT_EQ(write_block("sinumerik", block).text, "; the far side\nR100=$AA_MW[Y]\n");
 }
 
 TEST(Writer, LongLinesAreAnError) {

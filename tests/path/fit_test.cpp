@@ -100,8 +100,11 @@ std::vector<Curve> curves() {
         {"spiral", spiral, 0, 6 * kPi, 60, 520},
         {"wave", wave, -10, 10, 72, 200},
         {"gear", gear, 0, 2 * kPi, 64 * 16, 64 * 40},
-        {"circle", circle, 0, 2 * kPi, 16, 110},
-        {"line", line, 0, 1, 20, 8},
+        {"circle", circle, 0, 2 * kPi, 2, 110},
+        {"a quarter of it", circle, 0, kPi / 2, 1, 28},
+        {"circle, three turns and a half", circle, 0, 7 * kPi, 8, 385},
+        {"line", line, 0, 1, 1, 1},
+        {"line backwards", line, 1, 0, 1, 1},
         {"cusp", cusp, -1, 1, 60, 120},
     };
 }
@@ -125,6 +128,22 @@ TEST(Fit, KeepsTheTolerance) {
     }
 }
 
+TEST(Fit, LongPiecesSeeWhatIsNarrow) {
+    // A straight line with one dent of a hundredth of its length.
+    const auto dent = [](double t) -> std::optional<CurveSample> {
+        const double u = (t - 0.7) * 200;
+        const bool is_inside = std::fabs(u) < 1;
+        const double rise = is_inside ? 1 - u * u : 0;
+        return at(100 * t, rise * rise, 100, is_inside ? -800 * rise * u : 0);
+    };
+    for (const FitKind kind : {FitKind::Biarcs, FitKind::Lines}) {
+        const FitOptions options{kind, 0.005, 0, 1};
+        const Fitted fitted = fit(dent, options);
+        EXPECT_LE(deviation(dent, options, fitted), 0.005 * (1 + 1e-9));
+        EXPECT_LE(fitted.pieces.size(), 60u);
+    }
+}
+
 TEST(Fit, ArcsRunIntoEachOther) {
     for (const Curve& row : curves()) {
         if (std::string_view(row.name) == "cusp") continue;
@@ -138,7 +157,7 @@ TEST(Fit, ArcsRunIntoEachOther) {
             ++arcs;
             EXPECT_LT(std::fabs((element.to - element.center).norm() - radius(element)), 1e-9);
         }
-        const bool is_straight = std::string_view(row.name) == "line";
+        const bool is_straight = std::string_view(row.name).starts_with("line");
         EXPECT_EQ(2 * arcs > fitted.contour.size(), !is_straight);
     }
 }

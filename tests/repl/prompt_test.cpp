@@ -149,6 +149,166 @@ TEST(Prompt, UndoTakesTheLastInputBack) {
     EXPECT_TRUE(has(talk.say(":state"), "X1.000"));
     talk.say(":undo");
     EXPECT_EQ(talk.say(":undo"), "nothing to take back\n");
+    talk.say("G0 X3");
+    talk.say("G0 X4");
+    talk.say("G0 X5");
+    EXPECT_TRUE(has(talk.say(":undo two"), "how many inputs?"));
+    EXPECT_EQ(talk.say(":undo 2"), "taken back: G0 X5;\ntaken back: G0 X4;\n");
+    EXPECT_TRUE(has(talk.say(":state"), "X3.000"));
+}
+
+TEST(Prompt, AnExpressionWithAnErrorSaysSo) {
+    Conversation talk;
+    talk.say("length[2] a = {1mm, 2mm}");
+    talk.say("length r");
+    struct Row {
+        const char* expression;
+        const char* answer;
+    };
+    for (const Row& row : {
+             Row{"foo", "prompt.kadr:4:1: error[K2001]: `foo` is not declared\n   4 | foo;\n"},
+             {"foo + 1", "error[K2001]"},
+             {"foo.x", "error[K2001]"},
+             {"5/0", "error[K2109]"},
+             {"1mm + 1s", "error[K2103]: `+` between length and time"},
+             {"a[7]", "error[K2117]: there is no element 7"},
+             {"r + 1mm", "error[K2113]: `r` is not given here"},
+             {"1 +", "error[K1205]"},
+         }) {
+        const std::string answer = talk.say(row.expression);
+        EXPECT_TRUE(has(answer, row.answer)) << row.expression << ":\n" << answer;
+    }
+    EXPECT_TRUE(talk.prompt().has_failed());
+}
+
+TEST(Prompt, ValuesOfEveryTypeAreShown) {
+    Conversation talk;
+    struct Row {
+        const char* input;
+        const char* answer;
+    };
+    for (const Row& row : {
+             Row{"point p = {10mm, 20mm}", ""},
+             {"p", "{x: 10mm, y: 20mm}\n"},
+             {"p*2", "{x: 20mm, y: 40mm}\n"},
+             {"point nowhere", ""},
+             {"nowhere", "not given\n"},
+             {"vector up = {0, 0, 1}", ""},
+             {"up", "{x: 0, y: 0, z: 1}\n"},
+             {"\"left\"", "left\n"},
+             {"\"a\" + \"b\"", "ab\n"},
+             {"length? left_out", ""},
+             {"left_out", "not given\n"},
+             {"state.feed", "not given\n"},
+             {"enum kind { through, blind }", ""},
+             {"struct hole { point at; length d = 6mm; kind made; string name; }", ""},
+             {"hole h = {{1mm, 2mm}, name: \"A\", made: blind}", ""},
+             {"h", "{at: {x: 1mm, y: 2mm}, d: 6mm, made: blind, name: \"A\"}\n"},
+             {"h.made", "blind\n"},
+             {"kind.through", "through\n"},
+             {"hole[] holes = {h}", ""},
+             {"holes", "{{at: {x: 1mm, y: 2mm}, d: 6mm, made: blind, name: \"A\"}}\n"},
+             {"int[] numbers", ""},
+             {"numbers", "{}\n"},
+             {"for (int i = 1; i <= 30; i++) numbers.append(i);", ""},
+             {"numbers",
+              "{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, "
+              "… 30 in all}\n"},
+             {"numbers.pop()", "30\n"},
+             {"numbers.count", "29\n"},
+             {"numbers.clear()", ""},
+             {"contour none", ""},
+             {"none", "an empty contour\n"},
+             {"contour c = { G1 X0 Y0; X5; Y5; };", ""},
+             {"c", "a contour from {x: 0mm, y: 0mm} to {x: 5mm, y: 5mm}, 2 elements\n"},
+         }) {
+        EXPECT_EQ(talk.say(row.input), row.answer) << row.input;
+    }
+    const std::string all = talk.say(":vars");
+    EXPECT_TRUE(has(all, "p = {x: 10mm, y: 20mm}\n")) << all;
+    EXPECT_TRUE(has(all, "left_out = not given\n")) << all;
+    EXPECT_TRUE(has(all, "numbers = {}\n")) << all;
+}
+
+TEST(Prompt, ACallThatMovesAndHasAValueDoesBoth) {
+    Conversation talk;
+    talk.say("length down(length z) { G0 Z=-z; return z/2; }");
+    const std::string answer = talk.say("down(4mm)");
+    EXPECT_TRUE(has(answer, "Z-4\n2 mm\n    at")) << answer;
+    EXPECT_TRUE(has(talk.say(":list"), "down(4mm);"));
+}
+
+TEST(Prompt, AWarningIsSaidOnceForEachInput) {
+    Conversation talk;
+    EXPECT_TRUE(has(talk.say("G1 X3 F100"), "warning[K5213]"));
+    EXPECT_EQ(talk.say("length twice(length a) { return 2*a; }"), "");
+    EXPECT_EQ(talk.say("struct pair { int a; int b; }"), "");
+    EXPECT_EQ(talk.say("twice(2mm)"), "4 mm\n");
+    EXPECT_TRUE(has(talk.say("warn(\"deep\")"), "deep"));
+    EXPECT_EQ(talk.say("int n = 3"), "");
+    EXPECT_TRUE(has(talk.say("warn(\"deep\")"), "deep"));
+    EXPECT_FALSE(has(talk.say(":dialect fanuc"), "warning"));
+}
+
+TEST(Prompt, CommentsStandBehindAndInsideOfInputs) {
+    Conversation talk;
+    EXPECT_TRUE(has(talk.say("G0 X1 // to the left"), "X1\n"));
+    EXPECT_EQ(talk.say("G0 X2 /* to the \"right"), "");
+    EXPECT_TRUE(has(talk.say("   of it */"), "X2\n"));
+    EXPECT_EQ(talk.say("/* several"), "");
+    EXPECT_EQ(talk.say("lines */ 5 // five"), "5\n");
+    EXPECT_EQ(talk.say("// nothing but words"), "");
+    EXPECT_EQ(talk.say("\"// no comment\""), "// no comment\n");
+    EXPECT_TRUE(has(talk.say(":list"), "G0 X1; // to the left\n"));
+}
+
+TEST(Prompt, SpeaksTheKeywordLanguageThatIsChosen) {
+    Conversation talk;
+    EXPECT_EQ(talk.say("language ru"), "");
+    EXPECT_EQ(talk.say("длина r = 5mm"), "");
+    EXPECT_EQ(talk.say("r"), "5 mm\n");
+    EXPECT_TRUE(has(talk.say("если (r > 1mm) G0 X=r;"), "X5\n"));
+    EXPECT_TRUE(has(talk.say("language klingon"), "error[K1301]"));
+    EXPECT_TRUE(has(talk.say(":list"), "программа prompt() {\n"));
+    Conversation other;
+    other.say("units inch");
+    EXPECT_EQ(other.say("25.4mm"), "1 in\n");
+    EXPECT_EQ(other.say("units mm"), "");  // replaces the other
+    EXPECT_EQ(other.say("25.4mm"), "25.4 mm\n");
+}
+
+/// The conversations in docs/first-program.md: what stands behind `kadr> ` and what is answered.
+TEST(Prompt, AnswersAsTheManualShows) {
+    const auto manual = read_file(KADR_ROOT "/docs/first-program.md");
+    ASSERT_TRUE(manual);
+    constexpr std::string_view kPrompt = "kadr> ";
+    Conversation talk("fanuc");
+    std::string input;
+    std::string expected;
+    int inputs = 0;
+    const auto compare = [&] {
+        if (input.empty()) return;
+        EXPECT_EQ(talk.say(input), expected) << input;
+    };
+    bool is_conversation = false;
+    for (std::size_t begin = 0; begin < manual->size();) {
+        const std::size_t end = std::min(manual->find('\n', begin), manual->size());
+        const std::string line = manual->substr(begin, end - begin);
+        begin = end + 1;
+        if (line.starts_with(kPrompt)) {
+            compare();
+            is_conversation = true;
+            input = line.substr(kPrompt.size());
+            expected.clear();
+            ++inputs;
+        } else if (line.starts_with("```")) {
+            is_conversation = false;
+        } else if (is_conversation) {
+            expected += line + '\n';
+        }
+    }
+    compare();
+    EXPECT_GE(inputs, 3);
 }
 
 TEST(Prompt, CommandsAnswer) {

@@ -42,6 +42,41 @@ TEST(Mistakes, Names) {
     EXPECT_EQ(checked.messages->all().at(0).fixes.at(0).replacement, "radius");
 }
 
+TEST(Mistakes, NamesThatAreSomethingElse) {
+    struct FixRow {
+        const char* source;
+        const char* messages;
+        const char* replacement;
+    };
+    for (const FixRow& row : {
+             FixRow{"program p() { G0 X=5 mm; }",
+                    "1:22 K1025 the unit `mm` stands apart from its number", "mm"},
+             {"program p() { G0 X10 mm; }", "1:22 K1025 the unit `mm` stands apart from its number",
+              "mm"},
+             {"program p() { F=100mm / min; }",
+              "1:25 K1025 the unit `mm/min` stands apart from its number", "mm/min"},
+             {"program p() { F=100 mm/min; }",
+              "1:21 K1025 the unit `mm/min` stands apart from its number", "mm/min"},
+             {"program p() { G0 x10; }", "1:18 K2001 `x10` is not declared", "X10"},
+             {"program p() { plane_zx; }", "1:15 K2001 `plane_zx` is not declared", "plane_zx()"},
+             {"program p() { sqrt; }", "1:15 K2001 `sqrt` is not declared", "sqrt()"},
+         }) {
+        SCOPED_TRACE(row.source);
+        EXPECT_EQ(check(row.source).all_messages(), row.messages);
+        const Checked checked = check_program(row.source);
+        ASSERT_FALSE(checked.messages->all().empty());
+        ASSERT_FALSE(checked.messages->all()[0].fixes.empty());
+        EXPECT_EQ(checked.messages->all()[0].fixes[0].replacement, row.replacement);
+    }
+    expect_rows({
+        {"program p() { point mm = {1mm}; G0 F=5 mm; }", ""},
+        {"program p(length r = 5mm) { G0 Y=r sin(30); }",
+         "1:36 K2312 `sin(30)` behind `Y=r` is neither a word nor a point"},
+        {"program p(length r = 5mm) { G0 r; }",
+         "1:32 K2101 the target must be `point`, not `length`"},
+    });
+}
+
 TEST(Mistakes, DefaultsUseWhatStandsBeforeThem) {
     expect_rows({
         {"program p(int n = k, int k = 2) { X=n Y=k; }",

@@ -136,11 +136,11 @@ Checked check_program(const std::string& source, const RunOptions& options) {
     const FileId file = checked.sources->add(options.file, source);
     auto parts = std::make_shared<Parts>();
     parts->modules = std::make_unique<TestModules>(options, *checked.sources, *checked.messages);
-    parts->ast =
-        syntax::parse(*checked.sources, file, keywords(), dialect("iso"), *checked.messages);
+    parts->ast = syntax::parse(*checked.sources, file, keywords(), dialect(options.source),
+                               *checked.messages);
     if (!checked.messages->has_errors()) {
-        checked.code = sema::check(parts->ast, dialect("iso"), *parts->modules, *checked.sources,
-                                   *checked.messages);
+        checked.code = sema::check(parts->ast, dialect(options.source), *parts->modules,
+                                   *checked.sources, *checked.messages);
     }
     checked.modules = parts;
     return checked;

@@ -18,6 +18,7 @@ struct RunOptions {
     std::string program;  // empty: the first
     std::vector<sema::Define> defines;
     expand::ExpandOptions expand;
+    std::string source = "iso";                  // input dialect of the program
     std::string target = "iso";                  // dialect that is asked for native cycles
     std::map<std::string, std::string> modules;  // what can be imported, by name
     bool with_stdlib = false;                    // … or the real library

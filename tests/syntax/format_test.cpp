@@ -102,6 +102,28 @@ TEST(Format, StatementsHaveOneLayout) {
         {"a = r + // first\n    1mm;", "a = r + // first\n    1mm;\n"},
         {"drill(to: -r, /* fast */ peck: 3mm);", "drill(to: -r, /* fast */ peck: 3mm);\n"},
         {"if (i == 0) // why\n    M8;", "if (i == 0)    // why\n    M8;\n"},
+        // what a comment silences is a line
+        {"int c=5;int d=6; // kadr: allow K2501 later",
+         "int c = 5; int d = 6;    // kadr: allow K2501 later\n"},
+        {"// kadr: allow K2501\nint c=5;  int d=6;\nint e=7; int f=8;",
+         "// kadr: allow K2501\nint c = 5; int d = 6;\nint e = 7;\nint f = 8;\n"},
+        {"// kadr: allow K2501\n\nint c=5; int d=6;",
+         "// kadr: allow K2501\n\nint c = 5;\nint d = 6;\n"},
+        {"if (i == 0) M8; int d=6; // kadr: allow K2501",
+         "if (i == 0) M8; int d = 6;    // kadr: allow K2501\n"},
+        {"length name_of_a_long_one=a+r+a+r; length name_of_another_long_one=a+r+a+r+a+r+a+r+a+r; "
+         "// kadr: allow K2501",
+         "length name_of_a_long_one = a + r + a + r; "
+         "length name_of_another_long_one = a + r + a + r + a + r + a + r + a + r;    "
+         "// kadr: allow K2501\n"},
+        {"int c=5; int d=6; // the two", "int c = 5;\nint d = 6;    // the two\n"},
+        // a quotient is no unit
+        {"a=cos( i*360deg/i );", "a = cos(i*360deg/i);\n"},
+        {"a=200mm / min;", "a = 200mm / min;\n"},
+        {"a=200mm/min;", "a = 200mm/min;\n"},
+        {"a=20s / min;", "a = 20s/min;\n"},
+        // line ends of another system
+        {"raw {\r\n  G91\r\n  X1\r\n}\r\nM8;\r\n", "raw {\n  G91\n  X1\n}\nM8;\n"},
         // rows of values
         {"length[] l = {1, 2,\n3, 4};", "length[] l = {1, 2,\n              3, 4};\n"},
         {"length[] l = {\n1, 2,\n3, 4\n};", "length[] l = {\n    1, 2,\n    3, 4\n};\n"},

@@ -245,6 +245,75 @@ TEST(Mistakes, Values) {
     });
 }
 
+TEST(Mistakes, NumbersAndUnits) {
+    expect_messages({
+        {"cycle a() { G1 X10,5 F100; }", "1:16 K1024 `X10,5` has a decimal comma"},
+        {"cycle a() { G1 X=10,5; }", "1:18 K1024 `10,5` has a decimal comma"},
+        {"cycle a() { length b = 10,5mm; }", "1:24 K1024 `10,5mm` has a decimal comma"},
+        {"cycle a() { length b = 5, c = 6; }", "1:25 K1211 a declaration has one name"},
+        {"cycle a() { length b = 10 mm; }",
+         "1:27 K1025 the unit `mm` stands apart from its number"},
+        {"cycle a() { dwell(5 s); }", "1:21 K1025 the unit `s` stands apart from its number"},
+        {"cycle a() { feed b = 100 mm/min; }",
+         "1:26 K1025 the unit `mm/min` stands apart from its number"},
+    });
+}
+
+TEST(Mistakes, WordsOfOtherLanguages) {
+    expect_messages({
+        {"cycle a() { IF (n > 3) M8; }", "1:13 K1217 keywords are written in lower case: `if`"},
+        {"cycle a() { While (n > 3) { M8; } }",
+         "1:13 K1217 keywords are written in lower case: `while`"},
+        {"cycle a() { if (n > 2 and n < 5) M8; }", "1:23 K1114 unexpected `and` behind `2`"},
+        {"language ru;\nцикл a() { note \"x\"; M8; }",
+         "2:12 K1020 `note` is `заметка` in the keyword language `ru`"},
+        {"language ru;\nцикл a() { contour c = { G1 X0; X1; }; }",
+         "2:12 K1020 `contour` is `контур` in the keyword language `ru`"},
+        {"language ru;\ntest \"x\" { M8; }",
+         "2:1 K1020 `test` is `тест` in the keyword language `ru`"},
+        // Names of the author's.
+        {"language ru;\nструктура contour { целое a; }\nцикл a() { contour c = {1}; note n; }", ""},
+    });
+}
+
+TEST(Mistakes, ArraysOfArrays) {
+    expect_messages({
+        {"cycle a() { int[][] m; }", "1:13 K1216 there are no arrays of arrays"},
+        {"cycle a() { hole[2][3] rows; }", "1:13 K1216 there are no arrays of arrays"},
+        {"void f(int[][] m) { M8; }", "1:8 K1216 there are no arrays of arrays"},
+        {"struct s { int[][] m; }", "1:12 K1216 there are no arrays of arrays"},
+        {"int[][] m;", "1:1 K1216 there are no arrays of arrays"},
+        {"cycle a() { m[1][2] = 3; x = m[1][2]; }", ""},
+        {"length? f(bool b) { return 1; }", ""},
+    });
+}
+
+/// What is proposed mends the mistake it is proposed for.
+TEST(Mistakes, FixesMend) {
+    for (const std::string& text : std::vector<std::string>{
+             "cycle a() { G1 X10,5 F100; }",
+             "cycle a() { length b = 10,5mm; }",
+             "cycle a() { length b = 10 mm; }",
+             "cycle a() { feed b = 100 mm/min; }",
+             "cycle a() { IF (n > 3) M8; }",
+             "cycle a() { if (n > 2 AND n < 5) M8; }",
+             "cycle a() { if n > 3 { M8; } }",
+             "cycle a() { if n > 3 M8; }",
+             "cycle a() { while n + (2) > 3 { M8; } }",
+             "cycle a() { for int i = 0; i < 3; i++ { M8; } }",
+             "language ru;\nцикл a() { note \"x\"; }",
+         }) {
+        SCOPED_TRACE(text);
+        const Parsed wrong(text);
+        ASSERT_EQ(wrong.list.all().size(), 1u);
+        ASSERT_FALSE(wrong.list.all()[0].fixes.empty());
+        const Diagnostic::Fix& fix = wrong.list.all()[0].fixes[0];
+        std::string mended = text;
+        mended.replace(fix.range.begin, fix.range.end - fix.range.begin, fix.replacement);
+        EXPECT_EQ(Parsed(mended).messages(), "") << mended;
+    }
+}
+
 TEST(Mistakes, Several) {
     expect_messages({
         // A body outside of everything, with a mistake behind which the parser looks far ahead.

@@ -80,5 +80,17 @@ TEST(Words, TheInputDialectDecides) {
               parsed("dialect sinumerik;\ncycle a() { G1 X 1 Y 1.5; }"));
 }
 
+// Calls of the control may leave arguments out; the language's own may not.
+TEST(Words, ArgumentsLeftOut) {
+    const std::string head = "dialect sinumerik;\ncycle a() { ";
+    EXPECT_NE(parsed(head + "CYCLE81(50,2,,-10); }").find("(call CYCLE81 50 2  (- 10))"),
+              std::string::npos);
+    EXPECT_NE(
+        parsed(head + "MCALL CYCLE82(, f(1, 2), {1, 2}, ,); }").find("(call CYCLE82  (call f"),
+        std::string::npos);
+    for (const char* wrong : {"f(1,,2);", "CYCLE81(f(1,,2));", "CYCLE81({1,,2});", "f(,);"})
+        EXPECT_NE(Parsed(head + wrong + " }").messages(), "") << wrong;
+}
+
 }  // namespace
 }  // namespace kadr::syntax

@@ -1,0 +1,302 @@
+// cycles.cpp — cycles as the control of the input dialect has them: where each one is due, and the
+// call of the library's cycle that it becomes.
+//
+// A modal cycle belongs to the running program, as on the control: a loop or a function may make
+// its places. What the control does is what interp/cycles.cpp does with its text.
+#include <algorithm>
+#include <cmath>
+
+#include "base/diagnostics/dialect.h"
+#include "base/diagnostics/expand.h"
+#include "expand/state.h"
+
+namespace kadr::expand {
+
+using nc::Block;
+using nc::Function;
+using nc::Group;
+using sema::SourceCycle;
+namespace custom = sema::custom;
+
+namespace {
+
+constexpr std::size_t kToolAxis = index(Axis::Z);  // cycles of the library work in X-Y
+constexpr double kSpindleStop = 5;                 // as in M5
+
+std::optional<std::size_t> find_parameter(const sema::FunctionCode& function,
+                                          std::string_view name) {
+    const auto found = std::ranges::find(function.parameters, name, &sema::ParameterInfo::name);
+    if (found == function.parameters.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - function.parameters.begin());
+}
+
+void set_argument(SaidCycle& cycle, std::optional<std::size_t> parameter, double value) {
+    if (!parameter) return;
+    cycle.arguments[*parameter] = value;
+    cycle.given |= 1u << *parameter;
+}
+
+bool is_given(const SaidCycle& cycle, std::optional<std::size_t> parameter) {
+    return parameter && (cycle.given >> *parameter & 1u) != 0;
+}
+
+/// Functions that move, or move the coordinates, and can be no place of a cycle.
+bool is_apart(Function function) {
+    switch (function) {
+        case Function::MachineCoordinates:
+        case Function::ReferencePoint:
+        case Function::ReferenceReturn:
+        case Function::SetPosition:
+        case Function::Probe: return true;
+        default: return false;
+    }
+}
+
+bool has(const sema::Plan& plan, Function function) {
+    return std::ranges::find(plan.functions, function, &nc::Invocation::function) !=
+           plan.functions.end();
+}
+
+}  // namespace
+
+bool Expander::State::cycle_active(std::string_view what, std::uint32_t at) {
+    fault(diag::SourceCycleActive, at)
+        .arg(said_cycle.said->word)
+        .arg(what)
+        .fix(said_cycle.said->kind == SourceCycle::Kind::Called ? "end it before: `MCALL;`"
+                                                                : "end it before: `G80;`");
+    return false;
+}
+
+bool Expander::State::may_stand_between(const sema::Plan& plan, const Instruction& instruction,
+                                        std::uint32_t at) {
+    for (const nc::Invocation& invocation : plan.functions) {
+        if (is_apart(invocation.function))
+            return cycle_active('`' + std::string(nc::info(invocation.function).name) + '`', at);
+    }
+    if ((plan.customs & custom::kPlaces) != 0) return true;
+    const bool moves = plan.motion != Function::None || instruction.b != 0 ||
+                       (plan.given & nc::kTargetSlots) != 0 ||
+                       std::ranges::any_of(plan.fillings, [](const sema::Filling& filling) {
+                           return !filling.is_argument && filling.place < kAxes;
+                       });
+    return !moves || cycle_active("a move that is no block of its file", at);
+}
+
+bool Expander::State::take_place(Block& block, const sema::Plan& plan, std::uint32_t at) {
+    const bool begins = (plan.customs & custom::kCyclePlace) != 0;
+    const bool ends = plan.motion != Function::None || has(plan, Function::CycleOff);
+    if (ends) said_cycle.taps_rigidly = false;
+    const bool is_called =
+        said_cycle.is_active && said_cycle.said->kind == SourceCycle::Kind::Called;
+    if (begins && is_called) return cycle_active("another cycle", at);
+    if (!begins && !said_cycle.is_active) return true;
+    if (ends && !is_called) {
+        said_cycle.is_active = false;
+        return true;
+    }
+    const nc::SlotMask words = block.given & (nc::kTargetSlots | nc::kArcSlots);
+    if (words == 0) return true;
+    if (plan.skip >= 0) return cycle_active("a block that may be left out", at);
+    if (is_called) {
+        said_cycle.is_due = (words & nc::kTargetSlots) != 0;
+        return true;
+    }
+    if ((words & (nc::kCenterSlots | bit(nc::Slot::Turns))) != 0)
+        return cycle_active("a word of an arc", at);
+    if (!begins) {
+        said_cycle.is_due = true;
+        if (!take_levels(block, at)) return false;
+    }
+    if ((block.given & nc::kTargetSlots) == 0) return true;
+    block.motion = Function::Rapid;
+    modal.active[static_cast<std::size_t>(Group::Motion)] = Function::Rapid;
+    return true;
+}
+
+/// `X10. Z-12. R3.` among the places: from here on the cycle has these levels.
+bool Expander::State::take_levels(Block& block, std::uint32_t at) {
+    const sema::FunctionCode& function = code.functions[said_cycle.said->function];
+    const bool is_modal = modal[Group::Distance] == Function::Incremental;
+    const std::optional<std::size_t> retract = find_parameter(function, "retract");
+    if (block.has(nc::Slot::Radius)) {
+        double level = block.at(nc::Slot::Radius);
+        if (said_cycle.said->has_distances && is_modal) {
+            const std::optional<double> initial = initial_level(at);
+            if (!initial) return false;
+            level += *initial;
+        }
+        set_argument(said_cycle, retract, level);
+    }
+    if (block.has(nc::Slot::Z)) {
+        const nc::SlotMask depth = bit(nc::Slot::Z);
+        const bool is_distance =
+            (block.incremental & depth) != 0 || (is_modal && (block.absolute & depth) == 0);
+        double level = block.at(nc::Slot::Z);
+        if (is_distance && is_given(said_cycle, retract)) level += said_cycle.arguments[*retract];
+        set_argument(said_cycle, find_parameter(function, "to"), level);
+    }
+    const nc::SlotMask levels = bit(nc::Slot::Radius) | bit(nc::Slot::Z);
+    block.given &= ~levels;
+    block.incremental &= ~levels;
+    block.absolute &= ~levels;
+    return true;
+}
+
+bool Expander::State::say_cycle(const Instruction& instruction, const sema::Slot* registers,
+                                std::uint32_t at) {
+    if (!recordings.empty()) return refuse_block("a cycle", at);
+    const SourceCycle& said =
+        code.cycles[static_cast<std::size_t>(instruction.immediate.pair.first)];
+    const bool goes_on = said_cycle.is_active &&
+                         said_cycle.said->kind == SourceCycle::Kind::Modal &&
+                         said.kind == SourceCycle::Kind::Modal;
+    if (said_cycle.is_active && !goes_on && said.kind != SourceCycle::Kind::Called)
+        return cycle_active("another cycle", at);
+    said_cycle.said = &said;
+    said_cycle.given = 0;
+    for (const auto& [parameter, value] : said.fixed) set_argument(said_cycle, parameter, value);
+    for (std::size_t i = 0; i < said.arguments.size(); ++i) {
+        const sema::Slot slot = registers[instruction.a + i];
+        const SourceCycle::Argument argument = said.arguments[i];
+        const double value = argument.is_count ? static_cast<double>(slot.integer) : slot.number;
+        const bool is_missing =
+            argument.is_count ? slot.integer == sema::kNotGivenInteger : value != value;
+        if (is_missing) {
+            not_given(code.functions[said.function].parameters[argument.parameter].name, at);
+            return false;
+        }
+        if (!(std::fabs(value) < 1e15)) {
+            math_fault(sema::MathFault::Overflow, at);
+            return false;
+        }
+        set_argument(said_cycle, argument.parameter, value);
+    }
+    if (!goes_on) {
+        said_cycle.initial = modal.position[kToolAxis];
+        said_cycle.is_initial_known = (modal.known >> kToolAxis & 1u) != 0;
+        said_cycle.frame = modal.frame;
+        said_cycle.work_offset = modal.work_offset;
+    }
+    said_cycle.is_active = said.kind != SourceCycle::Kind::Once;
+    said_cycle.is_due = said.kind != SourceCycle::Kind::Called;
+    return take_distances(at);
+}
+
+/// Under incremental dimensions the retract level counts from the initial one, the depth from it.
+bool Expander::State::take_distances(std::uint32_t at) {
+    if (!said_cycle.said->has_distances || modal[Group::Distance] != Function::Incremental)
+        return true;
+    const sema::FunctionCode& function = code.functions[said_cycle.said->function];
+    const std::optional<std::size_t> retract = find_parameter(function, "retract");
+    const std::optional<std::size_t> to = find_parameter(function, "to");
+    std::optional<double> from = initial_level(at);
+    if (!from) return false;
+    if (is_given(said_cycle, retract)) from = said_cycle.arguments[*retract] += *from;
+    if (is_given(said_cycle, to)) said_cycle.arguments[*to] += *from;
+    return true;
+}
+
+/// The level where the mode began, in the present frame.
+std::optional<double> Expander::State::initial_level(std::uint32_t at) {
+    KnownPoint begin;
+    begin.value[kToolAxis] = said_cycle.initial;
+    begin.is_known[kToolAxis] = said_cycle.is_initial_known;
+    const KnownPoint here = expand::change_frame(begin, said_cycle.frame, modal.frame);
+    if (here.is_known[kToolAxis] && modal.work_offset == said_cycle.work_offset)
+        return here.value[kToolAxis];
+    fault(diag::SourceCycleLevel, at)
+        .arg(said_cycle.said->word)
+        .fix("move the tool axis before the cycle begins: `G0 Z50.`");
+    return std::nullopt;
+}
+
+/// A tapping cycle has its pitch from F: F itself where it counts by the revolution, else F
+/// divided by the speed.
+bool Expander::State::complete_pitch(std::size_t pitch, std::uint32_t at) {
+    const bool is_pitch = modal[Group::FeedMode] == Function::FeedPerRevolution;
+    const bool has_speed =
+        modal.has_speed && modal.speed > 0 && modal[Group::SpeedMode] != Function::CuttingSpeedOn;
+    const bool is_known = modal.has_feed && (is_pitch || has_speed) &&
+                          modal[Group::FeedMode] != Function::FeedInverseTime;
+    if (!is_known) {
+        fault(diag::SourceCyclePitch, at).arg(said_cycle.said->word).arg(is_pitch ? "" : " and S");
+        return false;
+    }
+    set_argument(said_cycle, pitch, is_pitch ? modal.feed : modal.feed / modal.speed);
+    return true;
+}
+
+bool Expander::State::complete_cycle(const sema::FunctionCode& function, std::uint32_t at) {
+    if (said_cycle.taps_rigidly) {
+        set_argument(said_cycle, find_parameter(function, "floating"), 0);
+        if (said_cycle.said->stops_rigid_spindle)
+            set_argument(said_cycle, find_parameter(function, "after"), kSpindleStop);
+    }
+    const std::optional<std::size_t> pitch = find_parameter(function, "pitch");
+    const bool is_said =
+        std::ranges::any_of(said_cycle.said->arguments, [&](const SourceCycle::Argument& argument) {
+            return argument.parameter == pitch.value_or(nc::kMaxArguments);
+        });
+    if (pitch && !is_said && !complete_pitch(*pitch, at)) return false;
+    if (said_cycle.said->kind != SourceCycle::Kind::Modal) return true;
+    const std::optional<std::size_t> retract = find_parameter(function, "retract");
+    const bool stays_low = said_cycle.returns_low && is_given(said_cycle, retract);
+    const std::optional<double> initial =
+        stays_low ? said_cycle.arguments[*retract] : initial_level(at);
+    if (initial) set_argument(said_cycle, find_parameter(function, "initial"), *initial);
+    return initial.has_value();
+}
+
+bool Expander::State::call_cycle(const Instruction& instruction, const sema::Slot* registers,
+                                 std::uint32_t at) {
+    const sema::FunctionCode& function = code.functions[said_cycle.said->function];
+    said_cycle.is_due = false;
+    said_cycle.is_running = true;
+    if (!complete_cycle(function, at)) return false;
+    if (said_cycle.said->kind != SourceCycle::Kind::Modal) said_cycle.motion = modal[Group::Motion];
+    said_cycle.was_incremental = modal[Group::Distance] == Function::Incremental;
+    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.first)};
+    if (said_cycle.was_incremental) say_distance(Function::Absolute, source, at, instruction.c);
+    if (has_failed) return false;
+    if (frames.size() > options.limits.call_depth) {
+        fault(diag::CallDepthLimit, at).arg(static_cast<std::int64_t>(options.limits.call_depth));
+        return false;
+    }
+    const auto base = static_cast<std::uint32_t>(registers - stack.data()) + instruction.a;
+    const std::uint32_t outer_loops = frames.back().loops;
+    CallFrame& frame = frames.push();
+    frame.function = &function;
+    frame.return_to = at + 1;
+    frame.base = base;
+    frame.given = said_cycle.given;
+    frame.promises = static_cast<std::uint32_t>(promises.size());
+    frame.loops = options.trace ? outer_loops + instruction.c : 0;
+    reserve_stack(std::size_t{base} + function.registers + 8);
+    for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+        if ((said_cycle.given >> i & 1u) == 0) continue;
+        set_number(function.parameters[i], said_cycle.arguments[i],
+                   stack[base + function.parameters[i].slot]);
+    }
+    return true;
+}
+
+void Expander::State::say_distance(Function function, SourceId source, std::uint32_t at,
+                                   unsigned depth) {
+    if (is_block_limit(at)) return;
+    Block& block = next_block(source);
+    block.add(function);
+    modal.take_functions(block);
+    if (options.trace) keep_trace(at, depth, source);
+}
+
+void Expander::State::leave_cycle(const Instruction& instruction, std::uint32_t at) {
+    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    said_cycle.is_running = false;
+    modal.active[static_cast<std::size_t>(Group::Motion)] = said_cycle.motion;
+    modal.changed_by[static_cast<std::size_t>(Group::Motion)] = source;
+    modal.restate_motion = true;
+    if (said_cycle.was_incremental) say_distance(Function::Incremental, source, at, instruction.c);
+}
+
+}  // namespace kadr::expand

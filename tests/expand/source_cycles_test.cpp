@@ -1,0 +1,134 @@
+// Cycles written the way of a control: which blocks they are for every target.
+#include <gtest/gtest.h>
+
+#include "tests/sema/running.h"
+
+namespace kadr::testing {
+namespace {
+
+/// A source says its dialect in its first line.
+RunOptions options_of(const std::string& source, const std::string& target) {
+    RunOptions options;
+    options.with_stdlib = true;
+    const std::size_t begin = source.find(' ') + 1;
+    options.source = source.substr(begin, source.find(';') - begin);
+    options.target = target;
+    return options;
+}
+
+std::string fanuc(const std::string& statements) {
+    return "dialect fanuc;\nprogram p() {\nS1000 M3;\nG0 X0. Y0. Z50.;\nF100;\n" + statements +
+           "\n}";
+}
+
+std::string sinumerik(const std::string& statements) {
+    return "dialect sinumerik;\nprogram p() {\nS1000 M3;\nG0 X0 Y0 Z50;\nF100;\n" + statements +
+           "\n}";
+}
+
+/// The blocks behind F100.
+std::string blocks(const std::string& source, const std::string& dialect) {
+    const Outcome outcome = run(source, options_of(source, dialect));
+    EXPECT_EQ(outcome.all_messages(), "") << source;
+    const std::string all = outcome.all_blocks();
+    const std::size_t begin = all.find("F100\n");
+    return begin == std::string::npos ? all : all.substr(begin + 5);
+}
+
+TEST(SourceCycles, AtEveryPlaceUntilTheModeEnds) {
+    const std::string source = fanuc("G81 X10. Z-5. R2.; Y5.; M8; X20.; G80; X30.;");
+    EXPECT_EQ(blocks(source, "fanuc"),
+              "rapid X10\ncycle#0(0=-5, 1=2, 2=50, 3=0)\nrapid Y5\n"
+              "cycle#0(0=-5, 1=2, 2=50, 3=0)\ncoolant_flood\nrapid X20\n"
+              "cycle#0(0=-5, 1=2, 2=50, 3=0)\nrapid X30");
+    EXPECT_EQ(blocks(fanuc("G81 X10. Z-5. R2.; G01 Y5.; X20.;"), "fanuc"),
+              "rapid X10\ncycle#0(0=-5, 1=2, 2=50, 3=0)\nline Y5\nX20");
+    EXPECT_EQ(blocks(fanuc("G81 Z-5. R2.;"), "iso"), "rapid Z2\nline Z-5\nrapid Z50");
+}
+
+TEST(SourceCycles, LevelsThatAPlaceChangesStay) {
+    EXPECT_EQ(blocks(fanuc("G81 X10. Z-5. R2.; X20. Z-6.; X30. R3.; X40.;"), "fanuc"),
+              "rapid X10\ncycle#0(0=-5, 1=2, 2=50, 3=0)\nrapid X20\n"
+              "cycle#0(0=-6, 1=2, 2=50, 3=0)\nrapid X30\ncycle#0(0=-6, 1=3, 2=50, 3=0)\n"
+              "rapid X40\ncycle#0(0=-6, 1=3, 2=50, 3=0)");
+    // Only a level: once more at the same place.
+    EXPECT_EQ(blocks(fanuc("G81 X10. Z-5. R2.; Z-6.;"), "fanuc"),
+              "rapid X10\ncycle#0(0=-5, 1=2, 2=50, 3=0)\ncycle#0(0=-6, 1=2, 2=50, 3=0)");
+}
+
+TEST(SourceCycles, TheReturnLevel) {
+    EXPECT_EQ(blocks(fanuc("G99 G81 X10. Z-5. R2.; G98 X20.;"), "fanuc"),
+              "rapid X10\ncycle#0(0=-5, 1=2, 2=2, 3=0)\nrapid X20\ncycle#0(0=-5, 1=2, 2=50, 3=0)");
+}
+
+TEST(SourceCycles, DistancesOfIncrementalDimensions) {
+    // R from the level where the mode began, Z from R; a level said once stays where it is.
+    EXPECT_EQ(blocks(fanuc("G91 G81 X10. Z-8. R-45.; X10.; G90 X0.;"), "fanuc"),
+              "rapid X10 | incremental\nabsolute\ncycle#0(0=-3, 1=5, 2=50, 3=0)\nincremental\n"
+              "rapid X10\nabsolute\ncycle#0(0=-3, 1=5, 2=50, 3=0)\nincremental\n"
+              "rapid X0 | absolute\ncycle#0(0=-3, 1=5, 2=50, 3=0)");
+    EXPECT_EQ(blocks(fanuc("G81 X10. Z-5. R2.; G91 X10.; Z-9.;"), "fanuc"),
+              "rapid X10\ncycle#0(0=-5, 1=2, 2=50, 3=0)\nrapid X10 | incremental\nabsolute\n"
+              "cycle#0(0=-5, 1=2, 2=50, 3=0)\nincremental\nabsolute\n"
+              "cycle#0(0=-7, 1=2, 2=50, 3=0)\nincremental");
+}
+
+TEST(SourceCycles, TheInitialLevelMovesWithAShift) {
+    EXPECT_EQ(blocks(fanuc("G81 X10. Z-5. R2.; G52 Z10.; X20.; G52 Z0.;"), "fanuc"),
+              "rapid X10\ncycle#0(0=-5, 1=2, 2=50, 3=0)\nshift(z=10)\nrapid X20\n"
+              "cycle#0(0=-5, 1=2, 2=40, 3=0)\nshift(z=0)");
+}
+
+TEST(SourceCycles, PlacesInLoopsAndFunctions) {
+    EXPECT_EQ(blocks("dialect fanuc;\nvoid places() { for (int i : 1..2) X=i*10; }\n"
+                     "program p() {\nS1000 M3;\nG0 X0. Y0. Z50.;\nF100;\n"
+                     "G81 Z-5. R2.; places(); G80; places();\n}",
+                     "fanuc"),
+              "cycle#0(0=-5, 1=2, 2=50, 3=0)\nrapid X10\ncycle#0(0=-5, 1=2, 2=50, 3=0)\n"
+              "rapid X20\ncycle#0(0=-5, 1=2, 2=50, 3=0)\nrapid X10\nX20");
+}
+
+TEST(SourceCycles, TapsHaveTheirPitchFromF) {
+    // In a chuck the spindle turns on, rigid it stands behind; 1 mm a turn.
+    EXPECT_EQ(blocks(fanuc("G84 X10. Z-5. R5. F1000;"), "sinumerik"),
+              "rapid X10 F1000\n"
+              "cycle#3(0=-5, 1=1, 2=5, 3=50, 4=0, 5=0, 6=1, 7=1000, 8=0, 9=3)");
+    EXPECT_EQ(blocks(fanuc("M29 S500; G95 G74 X10. Z-5. R5. P200 F1.5;"), "sinumerik"),
+              "S500\nrapid X10 F1.5 | feed_per_revolution\n"
+              "cycle#3(0=-5, 1=1.5, 2=5, 3=50, 4=0.2, 5=1, 6=0, 7=500, 8=0, 9=5)");
+}
+
+TEST(SourceCycles, CallsOfTheControl) {
+    const std::string once = sinumerik("length d = 5; CYCLE81(50,1,1.5,-d); X10;");
+    EXPECT_EQ(blocks(once, "fanuc"), "cycle#0(0=-5, 1=2.5, 2=50, 3=0)\nrapid X10");
+    EXPECT_EQ(blocks(sinumerik("CYCLE84(50,2,,-5,,0.1,5,,-0.05in,0,500,0);"), "fanuc"),
+              "cycle#3(0=-5, 1=1.27, 2=2, 3=50, 4=0.1, 5=1, 6=0, 7=500, 8=0, 9=5)");
+}
+
+TEST(SourceCycles, ModalCallsBehindEveryMotion) {
+    const std::string source =
+        sinumerik("MCALL CYCLE81(50,2,,-5); G1 X10; M8; G91 Y5; G90; MCALL; X20;");
+    EXPECT_EQ(blocks(source, "fanuc"),
+              "line X10\ncycle#0(0=-5, 1=2, 2=50, 3=0)\ncoolant_flood\nline Y5 | incremental\n"
+              "absolute\ncycle#0(0=-5, 1=2, 2=50, 3=0)\nincremental\nabsolute\nline X20");
+    // A new call takes the place of the one before.
+    EXPECT_EQ(blocks(sinumerik("MCALL CYCLE81(50,2,,-5); MCALL CYCLE81(50,2,,-6); X10;"), "fanuc"),
+              "X10\ncycle#0(0=-6, 1=2, 2=50, 3=0)");
+}
+
+TEST(SourceCycles, TheLibraryHasNoNamesInTheProgram) {
+    const std::string source = fanuc("G81 Z-5. R2.; G80; drill(to: -5mm);");
+    const Outcome outcome = run(source, options_of(source, "fanuc"));
+    EXPECT_EQ(outcome.all_messages(), "6:20 K2002 there is no function, cycle or command `drill`");
+}
+
+TEST(SourceCycles, ContractsPointAtTheBlock) {
+    const std::string source = fanuc("G81 X5. Z10. R2.;");
+    const Outcome outcome = run(source, options_of(source, "fanuc"));
+    ASSERT_EQ(outcome.messages.size(), 1u);
+    EXPECT_TRUE(outcome.messages[0].ends_with("K3301"));
+    EXPECT_EQ(outcome.messages[0], "6:1 K3301");
+}
+
+}  // namespace
+}  // namespace kadr::testing
