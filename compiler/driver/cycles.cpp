@@ -26,8 +26,11 @@ class CycleBlocks final : public Stream<nc::Block> {
           source_(source) {}
 
     bool start(const interp::CycleCall& call) {
-        return expander_.start_cycle(call.name, call.arguments, call.given, call.position,
-                                     call.feed, call.speed);
+        return expander_.start_cycle(call.name, call.arguments, call.given,
+                                     {.position = call.position,
+                                      .feed = call.feed,
+                                      .speed = call.speed,
+                                      .spindle = call.spindle});
     }
 
     std::size_t pull(std::span<nc::Block> out) override {
@@ -62,6 +65,11 @@ std::vector<std::string> cycle_files(const std::string& library) {
     return files;
 }
 
+void CycleMessages::take(Diagnostic diagnostic) {
+    if (diagnostic.severity == Severity::Warning) return next_->take(std::move(diagnostic));
+    if (!refusal_) refusal_ = diagnostic.message();
+}
+
 const Program* LibraryCycles::find(std::string_view cycle) {
     if (!files_) files_ = cycle_files(session_.share().library);
     for (std::size_t i = 0; i < files_->size(); ++i) {
@@ -77,7 +85,8 @@ std::unique_ptr<Stream<nc::Block>> LibraryCycles::expand(const interp::CycleCall
         sink_->report(diag::CycleUnknown).arg(call.name);
         return nullptr;
     }
-    auto blocks = std::make_unique<CycleBlocks>(*library, dialect_, call.source, *sink_);
+    messages_.forget();
+    auto blocks = std::make_unique<CycleBlocks>(*library, dialect_, call.source, messages_);
     if (!blocks->start(call)) return nullptr;
     return blocks;
 }

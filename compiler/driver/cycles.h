@@ -16,18 +16,40 @@ namespace kadr::driver {
 /// The files of the library's cycles, in a fixed order.
 std::vector<std::string> cycle_files(const std::string& library);
 
+/// Keeps the first mistake that a cycle finds in its parameters: its place is the library's, and
+/// who called the cycle knows a better one. Passes on everything else.
+class CycleMessages final : public DiagnosticSink {
+  public:
+    explicit CycleMessages(DiagnosticSink& next) : next_(&next) {}
+    void take(Diagnostic diagnostic) override;
+    void pass_on_to(DiagnosticSink& next) { next_ = &next; }
+    void forget() { refusal_.reset(); }
+    const std::optional<std::string>& refusal() const { return refusal_; }
+
+  private:
+    DiagnosticSink* next_;
+    std::optional<std::string> refusal_;
+};
+
 /// Runs `stdlib/cycles` for cycle calls that the interpreter meets. A file of the library is read
 /// and checked when a call asks for a cycle that none before it has.
 class LibraryCycles final : public interp::CycleExpander {
   public:
     /// References outlive the expander.
     LibraryCycles(Session& session, const nc::Dialect& dialect)
-        : session_(session), dialect_(dialect), sink_(&session.messages()) {}
+        : session_(session),
+          dialect_(dialect),
+          sink_(&session.messages()),
+          messages_(session.messages()) {}
 
     /// Where the messages of the cycles go from now on; it outlives their blocks.
-    void report_to(DiagnosticSink& sink) { sink_ = &sink; }
+    void report_to(DiagnosticSink& sink) {
+        sink_ = &sink;
+        messages_.pass_on_to(sink);
+    }
 
     std::unique_ptr<Stream<nc::Block>> expand(const interp::CycleCall& call) override;
+    std::optional<std::string> refusal() const override { return messages_.refusal(); }
 
   private:
     const Program* find(std::string_view cycle);
@@ -35,6 +57,7 @@ class LibraryCycles final : public interp::CycleExpander {
     Session& session_;
     const nc::Dialect& dialect_;
     DiagnosticSink* sink_;
+    CycleMessages messages_;
     std::optional<std::vector<std::string>> files_;  // of the library; nothing: not looked up yet
     std::vector<std::optional<Program>> programs_;   // of the first files
 };

@@ -16,9 +16,8 @@ bool Expander::start(std::string_view program, const std::vector<sema::Define>& 
 }
 
 bool Expander::start_cycle(std::string_view cycle, std::span<const double> arguments,
-                           std::uint32_t given, const AxisValues& position, double feed,
-                           double speed) {
-    return state_->start_cycle(cycle, arguments, given, position, feed, speed);
+                           std::uint32_t given, const Surroundings& at) {
+    return state_->start_cycle(cycle, arguments, given, at);
 }
 
 bool Expander::start_test(std::uint32_t function, std::span<const sema::Slot> values,

@@ -61,11 +61,17 @@ class Expander final : public Stream<nc::Block> {
 
     /// Chooses the program and sets its parameters (checked, with units). False: reported.
     bool start(std::string_view program, const std::vector<sema::Define>& defines);
-    /// Starts a cycle by name with arguments as the interpreter has them (mm, deg, s) and the
-    /// position at which it begins. False: reported or unknown.
-    /// `feed` and `speed` are those of the surroundings as in a Block (mm/min, rpm); 0: none set.
+    /// What a cycle finds where it is called; values as in a Block.
+    struct Surroundings {
+        AxisValues position{};
+        double feed = 0;                            // mm/min; 0: none is set
+        double speed = 0;                           // rpm; 0: none is set
+        nc::Function spindle = nc::Function::None;  // None: not known how it turns
+    };
+    /// Starts a cycle by name with arguments as the interpreter has them (mm, deg, s). False:
+    /// reported or unknown.
     bool start_cycle(std::string_view cycle, std::span<const double> arguments, std::uint32_t given,
-                     const AxisValues& position, double feed, double speed = 0);
+                     const Surroundings& at);
 
     /// Starts a test or a property of the code with the values of its parameters, in the order of
     /// its registers. It makes no blocks unless it is wrong. `bench` outlives the expander.

@@ -268,8 +268,7 @@ ModalState Expander::State::first_state(const FunctionCode& function) const {
 }
 
 bool Expander::State::start_cycle(std::string_view name, std::span<const double> arguments,
-                                  std::uint32_t given, const AxisValues& position, double feed,
-                                  double speed) {
+                                  std::uint32_t given, const Surroundings& at) {
     has_failed = true;
     const auto found =
         std::find_if(code.functions.begin(), code.functions.end(), [&](const FunctionCode& f) {
@@ -284,12 +283,14 @@ bool Expander::State::start_cycle(std::string_view name, std::span<const double>
                                             code.functions[0].registers + 16));
     options.native_cycles = false;  // this is the body of a native one
     modal = first_state(function);
-    modal.position = position;
+    modal.position = at.position;
     modal.known = static_cast<AxisMask>((1u << kAxes) - 1u);
-    modal.has_feed = feed > 0;
-    modal.feed = feed;
-    modal.has_speed = speed > 0;
-    modal.speed = speed;
+    modal.has_feed = at.feed > 0;
+    modal.feed = at.feed;
+    modal.has_speed = at.speed > 0;
+    modal.speed = at.speed;
+    if (at.spindle == nc::Function::SpindleCw) modal.set_spindle(3, {});
+    if (at.spindle == nc::Function::SpindleCcw) modal.set_spindle(4, {});
     std::uint32_t set = 0;
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         const ParameterInfo& parameter = function.parameters[i];

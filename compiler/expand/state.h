@@ -109,7 +109,7 @@ struct Expander::State {
     // ---- start.cpp
     bool start(std::string_view program, const std::vector<sema::Define>& defines);
     bool start_cycle(std::string_view name, std::span<const double> arguments, std::uint32_t given,
-                     const AxisValues& position, double feed, double speed);
+                     const Surroundings& at);
     const sema::FunctionCode* find_program(std::string_view name);
     bool set_parameter(const sema::FunctionCode& function, const sema::ParameterInfo& parameter,
                        const std::string& text, Slot& slot);

@@ -3,6 +3,7 @@
 // What a cycle does is not known here: the expander runs its definition and hands back blocks, and
 // those are executed like any others, with the caller's frames and feed.
 #include <algorithm>
+#include <cmath>
 
 #include "base/diagnostics/iso.h"
 #include "interp/executor.h"
@@ -49,7 +50,13 @@ bool is_given(const ModalCycle& call, std::optional<std::size_t> parameter) {
 
 }  // namespace
 
-void Executor::call_cycle(const Block& block, const Invocation& invocation) {
+/// Whether further axis words repeat the cycle, so that its words stay in force.
+bool Executor::is_modal(nc::CycleId cycle) const {
+    return rules_.modal_cycles && dialect_.cycles()[cycle].is_modal;
+}
+
+void Executor::call_cycle(const Block& block, const Actions& actions) {
+    const Invocation& invocation = *actions.cycle;
     const nc::CycleInfo& info = dialect_.cycles()[block.cycle];
     if (cycles_ == nullptr || cycle_blocks_) {
         report(diag::CycleUnavailable, block, Function::Cycle).arg(info.name);
@@ -58,23 +65,167 @@ void Executor::call_cycle(const Block& block, const Invocation& invocation) {
     ModalCycle call;
     call.cycle = block.cycle;
     call.given = invocation.given;
+    call.by_form = invocation.by_form;
     for (std::size_t i = 0; i < info.parameters.size(); ++i) {
         call.arguments[i] = block.argument(invocation, i);
     }
     complete_call(call);
-    // The level where the cycle mode begins stays the initial level until the mode ends.
-    const Axis tool_axis = path::axes_of(cycle_plane()).normal;
-    call.initial = modal_cycle_.is_active ? modal_cycle_.initial : position_.here[index(tool_axis)];
-    call.is_active = rules_.modal_cycles && info.is_modal;
+    call.is_active = is_modal(call.cycle);
     if (taps_rigidly_) {
         constexpr double kStop = 5;  // M5
         set_argument(call, find_parameter(info, "floating"), 0);
         if (rules_.rigid_tap_stops_spindle)
             set_argument(call, find_parameter(info, "after"), kStop);
     }
+    if (call.is_active) {
+        if (block.motion != Function::None)
+            report(diag::CycleBesideMotion, block, Function::Cycle).arg("the cycle");
+        // The level where the cycle mode begins stays the initial level until the mode ends.
+        const Axis tool_axis = path::axes_of(cycle_plane()).normal;
+        if (!modal_cycle_.is_active) {
+            cycle_data_ = {};
+            cycle_data_.initial = position_.here[index(tool_axis)];
+        }
+        keep_call(call);
+        keep_words(actions.cycle_words);
+        warn_levels(block);
+    }
     modal_cycle_ = call;
-    start_cycle(block, call);
+    if (count_times(actions.cycle_words)) start_cycle(block, call);
 }
+
+/// The cycle that is called wherever an axis has moved; its place in the text is the motion's.
+void Executor::call_behind_motion(const Block& block) {
+    if (ended_ || cycle_blocks_ || (block.given & nc::kTargetSlots) == 0) return;
+    Block call = *call_behind_motions_;
+    call.line = block.line;
+    call.source = block.source;
+    call.given = 0;
+    Actions actions;
+    actions.cycle = call.find(Function::Cycle);
+    call_cycle(call, actions);
+}
+
+/// The motion code behind a cycle ended it; what was its depth is the place of the tool axis.
+void Executor::move_instead_of_cycle(const Block& block, const Actions& actions) {
+    report(diag::CycleBesideMotion, block, Function::Cycle).arg("the motion");
+    const int depth = dialect_.cycles()[block.cycle].roles.depth;
+    const Invocation& cycle = *actions.cycle;
+    Block moves = block;
+    moves.given &= ~(nc::kCenterSlots | bit(Slot::Radius));
+    if (depth >= 0 && (cycle.given >> depth & 1u) != 0) {
+        moves.set(nc::slot_of(path::axes_of(cycle_plane()).normal),
+                  block.argument(cycle, static_cast<std::size_t>(depth)));
+    }
+    Actions rest = actions;
+    rest.cycle = nullptr;
+    rest.cycle_is_cancelled = false;
+    move(moves, rest);
+}
+
+// ------------------------------------------------------------------------------ words of modal
+// cycles
+
+/// How often the block does the cycle; false: not at all.
+bool Executor::count_times(const CycleWords& words) {
+    const auto times = static_cast<int>(words.times.value_or(1));
+    times_left_ = times - 1;
+    return times > 0;
+}
+
+CycleLevel Executor::level_now(double value) const {
+    return {value, true, rules_.cycle_levels_incremental && modal_.is_incremental};
+}
+
+/// Keeps what a call says by its words; what its code says by itself is not for other cycles.
+void Executor::keep_call(const ModalCycle& call) {
+    const nc::CycleInfo::Roles& roles = dialect_.cycles()[call.cycle].roles;
+    const auto says = [&](int parameter) {
+        return parameter >= 0 && (call.given >> parameter & 1u) != 0 &&
+               (call.by_form >> parameter & 1u) == 0;
+    };
+    const auto value = [&](int parameter) {
+        return call.arguments[static_cast<std::size_t>(parameter)];
+    };
+    if (says(roles.depth)) cycle_data_.depth = level_now(value(roles.depth));
+    if (says(roles.retract)) cycle_data_.retract = level_now(value(roles.retract));
+    // A stroke and a shift have no direction: their sign does not count.
+    if (says(roles.stroke)) cycle_data_.stroke = std::abs(value(roles.stroke));
+    if (says(roles.shift)) cycle_data_.stroke = std::abs(value(roles.shift));
+    if (says(roles.dwell)) cycle_data_.dwell = value(roles.dwell);
+}
+
+void Executor::keep_words(const CycleWords& words) {
+    if (words.stroke) cycle_data_.stroke = std::abs(*words.stroke);
+    if (words.dwell) cycle_data_.dwell = *words.dwell;
+}
+
+void Executor::keep_levels(const Block& block) {
+    const Slot depth = nc::slot_of(path::axes_of(cycle_plane()).normal);
+    if (block.has(depth)) cycle_data_.depth = level_now(block.at(depth));
+    if (block.has(Slot::Radius)) cycle_data_.retract = level_now(block.at(Slot::Radius));
+}
+
+void Executor::warn_levels(const Block& block) {
+    if (dialect_.cycles()[block.cycle].roles.depth < 0) return;
+    if (!cycle_data_.retract.is_given)
+        report(diag::CycleLevelMissing, block, Function::Cycle).arg("retract level");
+    if (!cycle_data_.depth.is_given)
+        report(diag::CycleLevelMissing, block, Function::Cycle).arg("depth");
+}
+
+/// Fills the call with what its own words, and those of the cycles before it, have said.
+void Executor::complete_words(ModalCycle& call) {
+    const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
+    const nc::CycleInfo::Roles& roles = info.roles;
+    if (!is_modal(call.cycle) || roles.depth < 0) return;
+    const auto set = [&](int parameter, double value) {
+        if (parameter >= 0 && (call.by_form >> parameter & 1u) == 0)
+            set_argument(call, static_cast<std::size_t>(parameter), value);
+    };
+    const auto level = [](const CycleLevel& of, double from) {
+        return of.is_distance ? from + of.value : of.value;
+    };
+    // A level that nobody said is 0, or no distance.
+    const bool is_distance = level_now(0).is_distance;
+    for (CycleLevel* of : {&cycle_data_.retract, &cycle_data_.depth}) {
+        if (!of->is_given) of->is_distance = is_distance;
+    }
+    const double retract = level(cycle_data_.retract, cycle_data_.initial);
+    const double depth = level(cycle_data_.depth, retract);
+    set(roles.retract, retract);
+    set(roles.depth, depth);
+    const double stroke = cycle_data_.stroke.value_or(0);
+    set(roles.stroke, stroke > 0 ? stroke : std::abs(retract - depth));
+    set(roles.shift, stroke);
+    if (cycle_data_.dwell) set(roles.dwell, *cycle_data_.dwell);
+
+    // A level under the bottom (boring from below) is no place to come back to.
+    const bool stays_low = returns_to_retract_ && retract > depth;
+    set_argument(call, find_parameter(info, "initial"), stays_low ? retract : cycle_data_.initial);
+}
+
+/// The library's cycles begin and end at their initial level; those of controls go straight to the
+/// retract level, and behind the hole to the level that they return to. Where the tool does not
+/// stand at that level, the two are told apart.
+void Executor::go_straight(ModalCycle& call) {
+    final_level_.reset();
+    const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
+    const nc::CycleInfo::Roles& roles = info.roles;
+    const std::optional<std::size_t> initial = find_parameter(info, "initial");
+    if (!is_given(call, initial) || roles.retract < 0 || roles.depth < 0) return;
+    const double back = call.arguments[*initial];
+    const double retract = call.arguments[static_cast<std::size_t>(roles.retract)];
+    const double depth = call.arguments[static_cast<std::size_t>(roles.depth)];
+    const bool is_hole = retract > depth;
+    // Where cycles are modal, nothing forbids a retract level above the level they return to.
+    const bool is_allowed = back >= retract || is_modal(call.cycle);
+    if (!is_hole || !is_allowed || back == position_in_cycle()[2]) return;
+    call.arguments[*initial] = retract;
+    if (back != retract) final_level_ = back;
+}
+
+// ------------------------------------------------------------------------------ calls
 
 /// Keeps parameters for the calls that follow; each line says all of its own anew.
 void Executor::preset_cycle(const Block& block, const Invocation& invocation) {
@@ -97,15 +248,12 @@ void Executor::complete_call(ModalCycle& call) const {
     }
 }
 
-void Executor::repeat_cycle(const Block& block) {
+void Executor::repeat_cycle(const Block& block, const Actions& actions) {
     const nc::CycleInfo& info = dialect_.cycles()[modal_cycle_.cycle];
-    const Slot depth = nc::slot_of(path::axes_of(cycle_plane()).normal);
-    if (block.has(depth)) {
-        set_argument(modal_cycle_, find_parameter(info, "to"), block.at(depth));
-    }
-    if (block.has(Slot::Radius)) {
-        set_argument(modal_cycle_, find_parameter(info, "retract"), block.at(Slot::Radius));
-    }
+    if (const SlotMask centers = block.given & nc::kCenterSlots; centers != 0)
+        warn_arc_word(block, centers);
+    keep_levels(block);
+    keep_words(actions.cycle_words);
     // Cycles of a lathe have their end in X and Z, and a taper.
     for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
         const Slot slot = nc::slot_of(axis);
@@ -119,7 +267,7 @@ void Executor::repeat_cycle(const Block& block) {
     if (block.has(Slot::Radius)) {
         set_argument(modal_cycle_, find_parameter(info, "taper"), block.at(Slot::Radius));
     }
-    start_cycle(block, modal_cycle_);
+    if (count_times(actions.cycle_words)) start_cycle(block, modal_cycle_);
 }
 
 /// Moves to the place in the plane and opens the stream of the cycle's blocks.
@@ -134,19 +282,9 @@ void Executor::start_cycle(const Block& block, ModalCycle call) {
     if (ended_) return;
 
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
-    const std::optional<std::size_t> to = find_parameter(info, "to");
-    const std::optional<std::size_t> retract = find_parameter(info, "retract");
-    const std::optional<std::size_t> initial = find_parameter(info, "initial");
-    if (rules_.cycle_levels_incremental && modal_.is_incremental) {
-        if (is_given(call, retract)) call.arguments[*retract] += call.initial;
-        const double from = is_given(call, retract) ? call.arguments[*retract] : call.initial;
-        if (is_given(call, to)) call.arguments[*to] += from;
-    }
-    if (rules_.modal_cycles && !is_given(call, initial)) {
-        const bool stays_low = returns_to_retract_ && is_given(call, retract);
-        set_argument(call, initial, stays_low ? call.arguments[*retract] : call.initial);
-    }
-
+    complete_words(call);
+    go_straight(call);
+    if (!time_turns(block, call)) return;
     if (!complete_tap(block, call) || !complete_thread(block, call)) return;
 
     CycleCall request;
@@ -158,10 +296,12 @@ void Executor::start_cycle(const Block& block, ModalCycle call) {
     request.feed = modal_.feed;
     request.feed_mode = modal_.feed_mode;
     request.speed = spindle_.speed;
+    if (spindle_.mode == path::SpindleMode::Cw) request.spindle = Function::SpindleCw;
+    if (spindle_.mode == path::SpindleMode::Ccw) request.spindle = Function::SpindleCcw;
     request.source = block.source;
     cycle_stream_ = cycles_->expand(request);
     if (cycle_stream_ == nullptr) {
-        ended_ = alarmed_ = true;  // the expander has said why
+        if (!was_refused(block)) ended_ = alarmed_ = true;  // the expander has said why
         return;
     }
     caller_ = block;
@@ -207,12 +347,64 @@ bool Executor::complete_thread(const Block& block, ModalCycle& call) {
     return true;
 }
 
+/// Dwells below 0 count turns of the spindle on some controls. False: it has no speed, and it was
+/// said.
+bool Executor::time_turns(const Block& block, ModalCycle& call) {
+    if (!rules_.negative_dwell_turns) return true;
+    const std::vector<nc::Parameter>& parameters = dialect_.cycles()[call.cycle].parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        double& time = call.arguments[i];
+        const bool counts_turns = parameters[i].dimension == nc::Dimension::Time && time < 0;
+        if (!counts_turns || !is_given(call, i)) continue;
+        if (!(spindle_.speed > 0)) {
+            report(diag::DwellInvalid, block, Function::Cycle)
+                .arg("it counts turns of the spindle, and no speed is set");
+            return false;
+        }
+        time *= -60 / spindle_.speed;
+    }
+    return true;
+}
+
+/// Says what the definition of the cycle says against its parameters; false: nothing.
+bool Executor::was_refused(const Block& block) {
+    const std::optional<std::string> words = cycles_->refusal();
+    if (!words) return false;
+    DiagnosticBuilder message = report(diag::CycleRefused, block);
+    message.arg(*words);
+    if (std::optional<nc::AlarmText> alarm = dialect_.alarm(diag::CycleRefused, *words))
+        message.alarm(std::move(alarm->number), std::move(alarm->text));
+    return true;
+}
+
 void Executor::finish_cycle() {
+    if (was_refused(caller_)) return;
     cycle_blocks_.reset();
     cycle_stream_.reset();
     modal_ = modal_before_cycle_;
     modal_cycle_.is_active = is_modal_behind_cycle_;
+    if (final_level_) return_to_level();
+    if (ended_) return;
+    if (times_left_ > 0) {
+        --times_left_;
+        const Actions after = after_cycle_;
+        const Block caller = caller_;
+        start_cycle(caller, modal_cycle_);
+        after_cycle_ = after;
+        return;
+    }
     act_after_motion(caller_, after_cycle_);
+}
+
+/// From the retract level, or from below, to the level where the cycle ends.
+void Executor::return_to_level() {
+    Block way{};
+    way.line = caller_.line;
+    way.source = caller_.source;
+    const Slot slot = nc::slot_of(path::axes_of(cycle_plane()).normal);
+    way.set(slot, *final_level_);
+    way.absolute = bit(slot);
+    line(way, target_of(way, bit(slot)), path::Op::Rapid, modal_.has_exact_stop);
 }
 
 /// The plane in which a cycle works. Lathes drill along Z whatever their plane.

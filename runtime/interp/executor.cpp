@@ -165,7 +165,8 @@ void Executor::execute(const Block& block) {
         if (block.kind == Block::Kind::Raw) report(diag::RawInCycle, block);
         return;
     }
-    if (block.skip >= 0 && (options_.skip_levels >> block.skip & 1u) != 0) return;
+    if (block.skip >= 0 && ((1u << block.skip | block.skip_also) & options_.skip_levels) != 0)
+        return;
     if (spline_ && !continues_spline(block)) {
         finish_spline();
         if (ended_) return;
@@ -184,6 +185,7 @@ void Executor::execute(const Block& block) {
             update_spindle(block);
         }
         move(block, kNone);
+        if (call_behind_motions_) call_behind_motion(block);
         return;
     }
     const Actions actions = apply_functions(block);
@@ -193,6 +195,7 @@ void Executor::execute(const Block& block) {
     if (ended_) return;
     const bool was_in_cycle = cycle_blocks_.has_value();
     move(block, actions);
+    if (call_behind_motions_) call_behind_motion(block);
     if (ended_) return;
     if (cycle_blocks_ && !was_in_cycle) {
         after_cycle_ = actions;  // what the calling block does after its motion waits for the cycle
@@ -363,7 +366,18 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::EndRewind: actions.end = invocation.function; break;
         case Function::Message: actions.message = &invocation; break;
 
-        case Function::CycleOff: modal_cycle_.is_active = taps_rigidly_ = false; break;
+        case Function::CycleOff:
+            actions.cycle_is_cancelled = actions.cycle != nullptr;
+            if (actions.cycle == nullptr) modal_cycle_.is_active = taps_rigidly_ = false;
+            break;
+        case Function::CycleModal: actions.calls_behind_motions = true; break;
+        case Function::CycleWords: {
+            CycleWords& words = actions.cycle_words;
+            if ((invocation.given & 1u) != 0) words.stroke = block.argument(invocation, 0);
+            if ((invocation.given & 2u) != 0) words.dwell = block.argument(invocation, 1);
+            if ((invocation.given & 4u) != 0) words.times = block.argument(invocation, 2);
+            break;
+        }
         case Function::CycleReturnInitial: returns_to_retract_ = false; break;
         case Function::CycleReturnRetract: returns_to_retract_ = true; break;
         case Function::CyclePreset: preset_cycle(block, invocation); break;
@@ -547,6 +561,10 @@ void Executor::select_work_offset(const Block& block, std::int64_t number) {
 
 void Executor::apply_frame(const Block& block, const Invocation& invocation) {
     const bool is_set = invocation.function == Function::SetPosition;
+    if (is_set && modal_cycle_.is_active) {
+        report(diag::SetPositionInCycle, block, invocation.function);
+        return;
+    }
     const double x_scale = rules_.shift_in_diameter ? word_scale_[index(Axis::X)] : 1;
     const FrameWords words = frame_words(block, invocation, 0, x_scale);
     switch (invocation.function) {

@@ -44,6 +44,9 @@ struct Actions {
     const nc::Invocation* message = nullptr;
     const nc::Invocation* limit = nullptr;
     const nc::Invocation* cycle = nullptr;
+    bool cycle_is_cancelled = false;  // … by a motion code behind it
+    bool calls_behind_motions = false;
+    CycleWords cycle_words;
     const nc::Invocation* reference = nullptr;  // ReferencePoint or ReferenceReturn
 };
 
@@ -170,6 +173,7 @@ class Executor {
     // motion.cpp: what is wrong or strange
     void warn_arc_word(const nc::Block& block, nc::SlotMask words);
     bool check_axes(const nc::Block& block, nc::SlotMask targets);
+    bool check_rigid_tap(const nc::Block& block, nc::SlotMask targets);
     bool check_feed(const nc::Block& block, std::string_view what);
     bool check_probe(const nc::Block& block);
     void check_rapid(const nc::Block& block, const Target& target);
@@ -181,14 +185,28 @@ class Executor {
     void report_limit(const nc::Block& block, Axis axis, double at);
 
     // cycles.cpp
-    void call_cycle(const nc::Block& block, const nc::Invocation& invocation);
+    void call_cycle(const nc::Block& block, const Actions& actions);
     void preset_cycle(const nc::Block& block, const nc::Invocation& invocation);
     void complete_call(ModalCycle& call) const;
-    void repeat_cycle(const nc::Block& block);
+    void repeat_cycle(const nc::Block& block, const Actions& actions);
+    void call_behind_motion(const nc::Block& block);
+    void move_instead_of_cycle(const nc::Block& block, const Actions& actions);
+    bool is_modal(nc::CycleId cycle) const;
+    bool count_times(const CycleWords& words);
+    void keep_words(const CycleWords& words);
+    void keep_call(const ModalCycle& call);
+    void keep_levels(const nc::Block& block);
+    void warn_levels(const nc::Block& block);
+    CycleLevel level_now(double value) const;
+    void complete_words(ModalCycle& call);
+    void go_straight(ModalCycle& call);
+    bool time_turns(const nc::Block& block, ModalCycle& call);
     void start_cycle(const nc::Block& block, ModalCycle call);
     bool complete_tap(const nc::Block& block, ModalCycle& call);
     bool complete_thread(const nc::Block& block, ModalCycle& call);
     void finish_cycle();
+    bool was_refused(const nc::Block& block);
+    void return_to_level();
     path::Plane cycle_plane() const;
     AxisValues position_in_cycle() const;
     const nc::Block& in_plane_of_cycle(const nc::Block& block);
@@ -255,7 +273,11 @@ class Executor {
 
     // A cycle that runs: its blocks, who called it, and what to restore behind it.
     ModalCycle modal_cycle_;
-    std::vector<ModalCycle> presets_;  // parameters that the next calls need not give
+    CycleData cycle_data_;
+    std::optional<nc::Block> call_behind_motions_;
+    int times_left_ = 0;                 // that the block does the cycle again
+    std::optional<double> final_level_;  // where the tool goes behind it, unless it is there
+    std::vector<ModalCycle> presets_;    // parameters that the next calls need not give
     bool returns_to_retract_ = false;
     std::unique_ptr<Stream<nc::Block>> cycle_stream_;
     std::optional<BlockQueue> cycle_blocks_;

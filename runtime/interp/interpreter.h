@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,7 +32,8 @@ struct CycleCall {
     AxisValues position{};
     double feed = 0;  // the modal feed, unit of its mode; 0: none
     path::FeedMode feed_mode = path::FeedMode::PerMinute;
-    double speed = 0;  // of the spindle, rpm
+    double speed = 0;                           // of the spindle, rpm
+    nc::Function spindle = nc::Function::None;  // how it turns; None: it does not
     SourceId source;
 };
 
@@ -41,6 +43,9 @@ class CycleExpander {
   public:
     virtual ~CycleExpander() = default;
     virtual std::unique_ptr<Stream<nc::Block>> expand(const CycleCall& call) = 0;
+    /// Why the definition of the latest cycle refused its parameters, in its own words; nothing: it
+    /// did not, or not yet. Known when its blocks have come to their end.
+    virtual std::optional<std::string> refusal() const { return std::nullopt; }
 };
 
 struct InterpreterOptions {

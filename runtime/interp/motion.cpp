@@ -56,13 +56,23 @@ std::string_view slot_word(Slot slot) {
 void Executor::move(const Block& block, const Actions& actions) {
     if (block.motion != Function::None) {
         modal_.motion = block.motion;
-        modal_cycle_.is_active = taps_rigidly_ = false;  // a motion code ends a modal cycle
+        taps_rigidly_ &= !modal_cycle_.is_active;
+        modal_cycle_.is_active = false;  // a motion code ends a modal cycle
     }
     const SlotMask targets = block.given & nc::kTargetSlots;
     const SlotMask arc_words = block.given & kArcSlots;
     if (actions.reference != nullptr) return return_to_reference(block, *actions.reference);
-    if (actions.cycle != nullptr) return call_cycle(block, *actions.cycle);
-    if (modal_cycle_.is_active && (targets | arc_words) != 0) return repeat_cycle(block);
+    if (actions.calls_behind_motions) {
+        call_behind_motions_.reset();
+        if (actions.cycle != nullptr) call_behind_motions_ = block;
+        return;
+    }
+    if (actions.cycle_is_cancelled) return move_instead_of_cycle(block, actions);
+    if (actions.cycle != nullptr) return call_cycle(block, actions);
+    constexpr SlotMask kCycleSlots = nc::kTargetSlots | bit(Slot::Radius);
+    if (modal_cycle_.is_active && (block.given & kCycleSlots) != 0)
+        return repeat_cycle(block, actions);
+    if (!check_rigid_tap(block, targets)) return;
     if (modal_.motion == Function::Spline && !actions.machine_coordinates &&
         (targets != 0 || block.find(Function::SplineKnot) != nullptr))
         return spline(block);
@@ -508,6 +518,14 @@ bool Executor::check_axes(const Block& block, SlotMask targets) {
     if (missing == 0) return true;
     const Slot slot = first_slot(missing);
     report(diag::AxisMissing, block, slot).arg(kAxisNames[static_cast<std::size_t>(slot)]);
+    return false;
+}
+
+/// Between the code that gears the spindle and the tapping cycle no axis moves.
+bool Executor::check_rigid_tap(const Block& block, SlotMask targets) {
+    if (!taps_rigidly_ || targets == 0 || cycle_blocks_) return true;
+    if (block.find(Function::TapRigid) != nullptr) return true;
+    report(diag::TapMoveBefore, block, first_slot(targets));
     return false;
 }
 

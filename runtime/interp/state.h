@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "base/axes.h"
 #include "nc/block.h"
@@ -72,13 +73,36 @@ struct RadiusCompState {
     double allowance = 0;  // mm
 };
 
-/// A modal cycle: repeated in every block with axis words.
+/// A level of a modal cycle, as its word says it.
+struct CycleLevel {
+    double value = 0;
+    bool is_given = false;
+    bool is_distance = false;  // said under incremental dimensions
+};
+
+/// What the words of modal cycles have said: it holds for every further cycle until the mode ends.
+struct CycleData {
+    double initial = 0;  // level of the tool axis when the mode was entered
+    CycleLevel depth;    // a distance counts from the retract level
+    CycleLevel retract;  // a distance counts from the initial level
+    std::optional<double> stroke;
+    std::optional<double> dwell;
+};
+
+/// Words beside a modal cycle that are not its own.
+struct CycleWords {
+    std::optional<double> stroke;
+    std::optional<double> dwell;
+    std::optional<double> times;
+};
+
+/// A cycle that is called, and repeated in every block with axis words while it is active.
 struct ModalCycle {
     bool is_active = false;
     nc::CycleId cycle = 0;
     std::uint32_t given = 0;
+    std::uint16_t by_form = 0;  // parameters that the code itself says
     std::array<double, nc::kMaxArguments> arguments{};
-    double initial = 0;  // level of the tool axis when the cycle mode was entered
 };
 
 }  // namespace kadr::interp

@@ -122,7 +122,8 @@ bool operator==(const Block& a, const Block& b) {
     const bool has_cycle =
         a.find(Function::Cycle) != nullptr || a.find(Function::CyclePreset) != nullptr;
     if (has_cycle && a.cycle != b.cycle) return false;
-    return a.skip == b.skip && a.number == b.number && a.text == b.text && a.comment == b.comment;
+    return a.skip == b.skip && a.skip_also == b.skip_also && a.number == b.number &&
+           a.text == b.text && a.comment == b.comment;
 }
 
 std::string describe(const Block& block) {

@@ -53,7 +53,8 @@ struct Invocation {
     Function function = Function::None;
     std::uint8_t first =
         0;  // of its parameters in Block::arguments, in the order of the vocabulary
-    std::uint32_t given = 0;  // bit i: parameter i was given
+    std::uint16_t by_form = 0;  // bit i: no word says parameter i, the form does (of the first 16)
+    std::uint32_t given = 0;    // bit i: parameter i was given
 };
 
 /// Which cycle a block calls: index into the dialects' common list of cycles (Dialect::cycles).
@@ -76,6 +77,7 @@ struct Block {
     std::uint8_t function_count = 0;
     std::uint8_t argument_count = 0;
     std::int8_t skip = -1;              // optional skip level 0…9; -1 none
+    std::uint16_t skip_also = 0;        // bit n: the block is left out at level n as well
     CycleId cycle = 0;                  // holds if Function::Cycle is among the functions
     std::int32_t number = -1;           // N; -1 none
     std::uint32_t line = 0;             // line of the ISO-7bit text it came from or went to, from 1
@@ -93,6 +95,7 @@ struct Block {
         given = incremental = absolute = 0;
         function_count = argument_count = 0;
         skip = -1;
+        skip_also = 0;
         cycle = 0;
         number = -1;
         line = 0;

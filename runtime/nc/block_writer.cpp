@@ -150,6 +150,7 @@ void BlockWriter::check_front(const Block& block) {
     }
     const bool is_level =
         block.skip >= tables_.rules.default_skip && block.skip < tables_.rules.skip_levels;
+    if (block.skip_also != 0) cannot_express(block, "several skip levels of one block");
     if (block.skip >= 0 && !is_level) {
         cannot_express(block, "the skip level " + std::to_string(block.skip));
     }

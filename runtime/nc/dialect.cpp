@@ -154,7 +154,11 @@ Function Dialect::power_on(Group group) const {
     return tables_->power_on[static_cast<std::size_t>(group)];
 }
 
-std::optional<AlarmText> Dialect::alarm(const DiagnosticRow& row) const {
+std::optional<AlarmText> Dialect::alarm(const DiagnosticRow& row, std::string_view detail) const {
+    for (const AlarmAbout& about : tables_->alarms_about) {
+        const bool fits = about.row == row.name && detail.find(about.words) != detail.npos;
+        if (fits && !detail.empty()) return about.alarm;
+    }
     const auto found = tables_->alarms.find(row.name);
     if (found == tables_->alarms.end()) return std::nullopt;
     return found->second;

@@ -26,6 +26,16 @@ struct CycleInfo {
     std::string meaning;
     std::string module;    // of the library that has it, if a block of a source can be this cycle
     bool is_modal = true;  // where cycles are modal: a call is repeated by further axis words
+
+    /// Which parameters the words of modal cycles set; -1: none.
+    struct Roles {
+        int depth = -1;    // the word of the tool axis
+        int retract = -1;  // where rapid ends and feed begins
+        int stroke = -1;   // left out: the whole way in one
+        int shift = -1;    // said by the same word as a stroke
+        int dwell = -1;
+    };
+    Roles roles;
 };
 
 /// A control's own alarm for an error that the interpreter raises.
@@ -78,7 +88,8 @@ class Dialect {
     /// Member of a modal group at power-on; None if the dialect does not say.
     Function power_on(Group group) const;
     /// The control's alarm for a diagnostic row; nothing if the dialect names none.
-    std::optional<AlarmText> alarm(const DiagnosticRow& row) const;
+    /// `detail`: what the message says in words that are not the row's, where that decides.
+    std::optional<AlarmText> alarm(const DiagnosticRow& row, std::string_view detail = {}) const;
     /// Switches of the interpreter, in the order of the files: what extends comes last and wins.
     std::span<const RuleSetting> rules() const;
     /// Whether the files set this switch to the value.

@@ -96,6 +96,7 @@ class Finisher {
             code.function = form.function;
             code.is_plain = form.function != Function::None && form.sets.empty() &&
                             form.fixed.empty() && form.during.empty() && !form.owns_block &&
+                            !form.owns_axes && !form.owns_address && form.unsupported.empty() &&
                             !form.remembers && form.function != Function::Cycle &&
                             info(form.function).parameters.empty();
         }
@@ -202,6 +203,11 @@ class Finisher {
         for (const Constraint& c : form.when) {
             append_shortest(all, c.least);
             all += ',';
+        }
+        // Of two forms that need different functions to be active, one at most can be meant.
+        for (const Function needed : form.during) {
+            all += '@';
+            all += info(needed).name;
         }
         return all;
     }

@@ -39,6 +39,12 @@ class LineParser {
                const SourceRange& range, DiagnosticSink& sink)
         : line_(line), parameters_(parameters), tables_(tables), range_(range), sink_(sink) {}
 
+    /// Where a cycle is read, what its block leaves out may have been said before.
+    LineParser& completed_by_others(bool is_completed) {
+        completed_by_others_ = is_completed;
+        return *this;
+    }
+
     bool parse(std::vector<FormWord>& words) {
         while (skip_blanks()) {
             FormWord word;
@@ -251,8 +257,9 @@ class LineParser {
         if (word.parameter < 0) return unknown_parameter(name);
         const Parameter& parameter = parameters_[static_cast<std::size_t>(word.parameter)];
         word.dimension = parameter.dimension;
-        if (word.is_optional && !parameter.is_optional)
+        if (word.is_optional && !parameter.is_optional && !completed_by_others_)
             return fail("the parameter " + quoted(name) + " is not optional");
+        word.is_kept = word.is_optional && completed_by_others_;
         word.is_optional |= word.adds;
         if (!parse_operator(word, inner, sign) || !parse_unit(word, unit)) return false;
         if (is_negated) word.factor = -word.factor;
@@ -335,6 +342,7 @@ class LineParser {
     DialectTables& tables_;
     SourceRange range_;
     DiagnosticSink& sink_;
+    bool completed_by_others_ = false;
     std::size_t at_ = 0;
 };
 
@@ -459,7 +467,11 @@ std::vector<Form> parse_form(const Form& prototype, std::string_view text, Diale
         fix_single_values(form);
         return {std::move(form)};
     }
-    if (!LineParser(lines[0], parameters, tables, form.range, sink).parse(form.words)) return {};
+    const bool is_read_cycle = form.function == Function::Cycle && !form.is_written;
+    if (!LineParser(lines[0], parameters, tables, form.range, sink)
+             .completed_by_others(is_read_cycle)
+             .parse(form.words))
+        return {};
     for (std::size_t i = 1; i < lines.size(); ++i) {
         std::vector<FormWord> words;
         if (!LineParser(lines[i], parameters, tables, form.range, sink).parse(words)) return {};

@@ -79,7 +79,10 @@ class Lexer {
 
     void take_skip() {
         skip_blanks();
-        if (peek() != '/') return;
+        while (!fault_ && peek() == '/') take_skip_sign();
+    }
+
+    void take_skip_sign() {
         const std::size_t begin = at_++;
         skip_inner_blanks();
         int level = rules_.default_skip;
@@ -91,9 +94,13 @@ class Lexer {
             fail(diag::IsoSkipLevel, begin, at_, {std::to_string(level)});
             return;
         }
-        out_.skip = static_cast<std::int8_t>(level);
+        if (out_.skip < 0) {
+            out_.skip = static_cast<std::int8_t>(level);
+        } else {
+            out_.skip_also |= static_cast<std::uint16_t>(1u << level);
+        }
         skip_blanks();
-        if (peek() == '/') fail_here(diag::IsoSyntax);
+        if (peek() == '/' && !rules_.has_several_skips) fail_here(diag::IsoSyntax);
     }
 
     // ------------------------------------------------------------ the control's language
@@ -131,6 +138,11 @@ class Lexer {
     void take_piece() {
         if (line_.compare(at_, open_.size(), open_) == 0) return take_comment();
         const char c = peek();
+        if (c == rules_.end_sign && c != '\0') return take_end();
+        if (c == '/' && rules_.has_several_skips) {
+            return fail(diag::IsoNotSupported, at_, line_.size(),
+                        {"a part of a block that the operator may leave out"});
+        }
         const bool is_index = c == '[' && compiler_ != nullptr;
         if (is_index)
             return fail(diag::IsoNotSupported, at_, at_ + 1, {"an address with an index"});
@@ -142,6 +154,13 @@ class Lexer {
         const char next = peek(1);
         const bool is_name = has_names_ && (is_letter(next) || next == '_' || c == '_');
         is_name ? take_name() : take_letter();
+    }
+
+    /// The sign that ends a block; nothing stands behind it in the line.
+    void take_end() {
+        ++at_;
+        if (skip_blanks())
+            fail(diag::IsoNotSupported, at_, line_.size(), {"a second block in one line"});
     }
 
     void take_comment() {
@@ -237,11 +256,15 @@ class Lexer {
             number = number * 10 + (line_[at_++] - '0');
             skip_inner_blanks();
         }
-        const std::string text(line_.substr(begin, at_ - begin));
+        std::size_t end = at_;
+        while (end > begin + 1 && is_blank(line_[end - 1])) --end;
+        const std::string text(line_.substr(begin, end - begin));
         if (at_ == first) return fail(diag::IsoNoValue, begin, begin + 1, {text.substr(0, 1)});
         if (!is_first && rules_.number_first) return fail(diag::IsoSyntax, begin, at_, {text});
         if (number > tables_.block_numbers.most)
             return fail(diag::IsoTooManyDigits, begin, at_, {text});
+        if (number < tables_.block_numbers.least)
+            return fail(diag::IsoBlockNumber, begin, end, {text});
         out_.number = static_cast<std::int32_t>(number);
     }
 
@@ -252,8 +275,11 @@ class Lexer {
         const bool is_minus = peek() == '-';
         if (rules_.blanks_inside_words) {
             const std::size_t beyond = line_.find_first_not_of(" \t", end);
-            if (beyond != std::string_view::npos && end > at_ &&
-                (is_digit(line_[beyond]) || line_[beyond] == '.')) {
+            const bool is_more = beyond != std::string_view::npos && end > at_ &&
+                                 (is_digit(line_[beyond]) || line_[beyond] == '.');
+            const bool has_blank_behind_sign =
+                end == at_ && (is_minus || peek() == '+' || peek() == '.') && is_blank(peek(1));
+            if (is_more || has_blank_behind_sign) {
                 return take_spaced_number(address, begin);
             }
         }
@@ -280,7 +306,7 @@ class Lexer {
             compact_ += c;
         }
         const Decimal decimal = parse_decimal(compact_.data(), compact_.data() + compact_.size());
-        if (decimal.end != compact_.data() + compact_.size()) {
+        if (compact_.size() == 1 || decimal.end != compact_.data() + compact_.size()) {
             fail_here(diag::IsoSyntax);
             return false;
         }
@@ -502,6 +528,7 @@ void LexedLine::clear() {
     comment.clear();
     label.clear();
     skip = -1;
+    skip_also = 0;
     number = -1;
     has_comment = false;
     comment_form = kNoForm;

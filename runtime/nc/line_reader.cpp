@@ -107,10 +107,27 @@ LineReader::LineKind LineReader::kind_of(std::string_view line) {
     const bool is_header = std::ranges::any_of(
         tables_.program.skipped, [&](const std::string& front) { return line.starts_with(front); });
     if (!is_header) return LineKind::Words;
+    if (has_wrong_number(line)) return LineKind::WrongNumber;
     if (!has_content_) return LineKind::Nothing;
     // Where a mark ends the text, another program may begin before it.
     has_ended_ = !ends.empty();
     return has_ended_ ? LineKind::Nothing : LineKind::Misplaced;
+}
+
+/// Whether the line names the program by a number that the control does not have.
+bool LineReader::has_wrong_number(std::string_view line) const {
+    const ProgramFrame& frame = tables_.program;
+    if (frame.most_read_number == 0) return false;
+    for (const std::string& header : frame.header) {
+        const std::size_t front = header.find("{number");
+        if (front == 0 || front == std::string::npos) continue;
+        if (!line.starts_with(std::string_view(header).substr(0, front))) continue;
+        const char* const digits = line.data() + front;
+        const Decimal number = parse_decimal(digits, line.data() + line.size());
+        return number.end != digits && (number.value < static_cast<double>(frame.least_number) ||
+                                        number.value > static_cast<double>(frame.most_read_number));
+    }
+    return false;
 }
 
 bool LineReader::read_plain(std::string_view line, Block& block) {
@@ -120,7 +137,7 @@ bool LineReader::read_plain(std::string_view line, Block& block) {
     }
     has_content_ = true;
     // Later forms depend on modal functions: G68 on its plane, G53 on absolute dimensions.
-    if (block.function_count != 0) follow_modal(block, modal_);
+    if (block.function_count != 0 || block.motion != Function::None) follow_modal(block, modal_);
     return true;
 }
 
@@ -130,6 +147,13 @@ bool LineReader::has_words(std::string_view line) {
         const std::size_t begin = line.find_first_not_of(" \t");
         const auto at = static_cast<std::uint32_t>(begin);
         report(line, LineFault{&diag::IsoSyntax, {at, at + 1}, {std::string(1, line[begin])}});
+    }
+    if (kind == LineKind::WrongNumber) {
+        const std::size_t begin = line.find_first_not_of(" \t");
+        const std::size_t end = std::min(line.find_first_of(" \t(;", begin), line.size());
+        report(line, LineFault{&diag::IsoProgramNumber,
+                               {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)},
+                               {std::string(line.substr(begin, end - begin))}});
     }
     return kind == LineKind::Words;
 }
@@ -178,6 +202,7 @@ bool LineReader::read_words(std::string_view line, ControlLine& compiled,
 void LineReader::recall(const MatchedLine& known, Block& block) {
     const Block& shape = known.shape;
     block.skip = shape.skip;
+    block.skip_also = shape.skip_also;
     block.number = shape.number;
     block.motion = shape.motion;
     block.incremental = shape.incremental;
@@ -342,7 +367,8 @@ bool LineReader::read_fast(std::string_view line, Block& block) const {
             std::int32_t number = 0;
             const char* const digits = p;
             while (p != end && is_digit(*p) && p - digits < 8) number = number * 10 + (*p++ - '0');
-            if (p == digits || (p != end && is_digit(*p)) || number > tables_.block_numbers.most)
+            if (p == digits || (p != end && is_digit(*p)) || number > tables_.block_numbers.most ||
+                number < tables_.block_numbers.least)
                 return false;
             block.number = number;
         } else {
@@ -469,6 +495,7 @@ bool LineReader::read_slow(std::string_view line, Block& block) {
 bool LineReader::fill(std::string_view line, Block& block, MatchedLine* known,
                       const ControlLine* compiled) {
     block.skip = lexed_->skip;
+    block.skip_also = lexed_->skip_also;
     block.number = lexed_->number;
     block.comment = lexed_->comment;
     block.text = lexed_->text;
@@ -623,6 +650,50 @@ void LineReader::follow_units() {
 
 // ---------------------------------------------------------------- messages
 
+namespace {
+
+/// Whether codes of the address are the machine builder's as well; the control passes them on.
+bool is_for_builder(const DialectTables& tables, AddressId address) {
+    const auto& forms = tables.forms_of[static_cast<std::size_t>(Function::MachineFunction)];
+    return !forms.empty() && tables.forms[forms[0]].words[0].address == address;
+}
+
+bool is_tool_offset(Function function) {
+    return function == Function::LengthOffset || function == Function::LengthCompOn ||
+           function == Function::RadiusOffset;
+}
+
+/// "`CYCLE83` with -5 as its 17th argument", "`CYCLE97` without its 3rd argument"
+std::string argument_words(const LexedLine& lexed, const MatchFault& fault,
+                           const std::string& name) {
+    const GivenWord& word = lexed.words[fault.word];
+    const auto place = static_cast<std::size_t>(fault.argument);
+    const std::size_t number = place + 1;
+    const bool is_teen = number / 10 % 10 == 1;
+    const std::string_view ending = is_teen            ? "th"
+                                    : number % 10 == 1 ? "st"
+                                    : number % 10 == 2 ? "nd"
+                                    : number % 10 == 3 ? "rd"
+                                                       : "th";
+    std::string words = '`' + name + "` ";
+    const bool is_given = place < word.argument_count;
+    const GivenArgument given =
+        is_given ? lexed.arguments[word.first_argument + place] : GivenArgument{};
+    if (given.kind == GivenArgument::Kind::Empty) {
+        words += "without its ";
+    } else if (given.kind == GivenArgument::Kind::Text) {
+        words += "with a text as its ";
+    } else {
+        words += "with ";
+        append_shortest(words, given.number);
+        words += " as its ";
+    }
+    append_shortest(words, static_cast<double>(number));
+    return words.append(ending).append(" argument");
+}
+
+}  // namespace
+
 LinePlace LineReader::place(std::string_view line, std::uint64_t number, const Span& span) const {
     constexpr std::size_t kShown = 400;  // bytes of a line that a message keeps
     LinePlace place;
@@ -666,6 +737,10 @@ void LineReader::report(std::string_view line, const MatchFault& fault) {
             const std::string known = tables_.unsupported_words(word);
             out.row = known.empty() ? &diag::IsoUnknownCode : &diag::IsoNotSupported;
             out.arguments = {known.empty() ? word : known};
+            if (known.empty() && is_for_builder(tables_, lexed_->words[fault.word].address)) {
+                out.row = &diag::IsoNotSupported;
+                out.arguments = {'`' + word + "` (a function of the machine's builder)"};
+            }
             break;
         }
         case Kind::NoValue:
@@ -678,14 +753,26 @@ void LineReader::report(std::string_view line, const MatchFault& fault) {
         case Kind::Missing: out.row = &diag::IsoWordsMissing, out.arguments = {word, form}; break;
         case Kind::Value:
             out.row = &diag::IsoValueWrong, out.arguments = {word, form};
+            if (fault.argument >= 0) {
+                const Address& call = tables_.addresses[lexed_->words[fault.word].address];
+                out.row = &diag::IsoNotSupported;
+                out.arguments = {argument_words(*lexed_, fault, call.name)};
+            }
             if (fault.form != kNoForm && tables_.forms[fault.form].function == Function::WorkOffset)
                 out.row = &diag::WorkOffsetUnknown, out.arguments = {other + ' ' + word};
+            if (fault.form != kNoForm && is_tool_offset(tables_.forms[fault.form].function))
+                out.row = &diag::IsoToolOffset, out.arguments = {word};
             break;
         case Kind::Conflict:
             out.row = &diag::IsoWordsConflict, out.arguments = {word, other};
             break;
         case Kind::Unused: out.row = &diag::IsoWordUnused, out.arguments = {word}; break;
         case Kind::Alone: out.row = &diag::IsoAlone, out.arguments = {word}; break;
+        case Kind::Company: out.row = &diag::IsoCompany, out.arguments = {word, other}; break;
+        case Kind::NotSupported:
+            out.row = &diag::IsoNotSupported;
+            out.arguments = {'`' + word + "` (" + tables_.forms[fault.form].unsupported + ')'};
+            break;
         case Kind::Mode: out.row = &diag::IsoModeMisplaced, out.arguments = {word}; break;
         case Kind::Full: out.row = &diag::IsoTooManyWords; break;
     }

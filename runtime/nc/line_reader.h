@@ -50,7 +50,7 @@ class LineReader {
     LineReader(const Dialect& dialect, std::string name, DiagnosticSink& sink);
 
     /// What a line is before its words are looked at.
-    enum class LineKind : std::uint8_t { Nothing, Words, Misplaced };
+    enum class LineKind : std::uint8_t { Nothing, Words, Misplaced, WrongNumber };
 
     /// The meaning of a line of words and numbers. False: it makes no block; what is wrong has been
     /// reported, and `failed()` says so.
@@ -115,6 +115,7 @@ class LineReader {
     bool apply_whole(const Claim& claim, Block& block, std::string_view line);
     bool is_pitch(const Claim& claim, const Block& block) const;
     LineKind kind_of(std::string_view line);
+    bool has_wrong_number(std::string_view line) const;
     bool are_of_motions(const Address& address);
     void prepare(std::size_t letter);
     void follow(const Block& block);

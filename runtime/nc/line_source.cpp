@@ -5,7 +5,21 @@
 
 namespace kadr::nc {
 
+namespace {
+
+/// Editors put it before a text in UTF-8; no control sees it.
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+}  // namespace
+
 bool LineSource::next(std::string_view& line, bool& is_too_long) {
+    const bool is_first = offset() == 0;
+    if (!take(line, is_too_long)) return false;
+    if (is_first && line.starts_with(kByteOrderMark)) line.remove_prefix(kByteOrderMark.size());
+    return true;
+}
+
+bool LineSource::take(std::string_view& line, bool& is_too_long) {
     carry_.clear();
     is_too_long = false;
     while (true) {

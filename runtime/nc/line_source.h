@@ -23,6 +23,8 @@ class LineSource {
     bool seek(std::uint64_t offset);
 
   private:
+    bool take(std::string_view& line, bool& is_too_long);
+
     TextSource& source_;
     std::size_t longest_;
     std::string_view piece_;

@@ -127,7 +127,13 @@ void FormLoader::read_form_attributes(const XmlElement& element, Form& form) {
         form.feed_by_radius = *feed == 3;
         form.feed_is_pitch = *feed == 4;
     }
-    attributes_.read_flag(element, "own_block", form.owns_block);
+    if (const auto own = attributes_.choice(element, "own_block", {"no", "yes", "axes"})) {
+        form.owns_block = *own == 1;
+        form.owns_axes = *own == 2;
+    }
+    attributes_.read_flag(element, "only", form.owns_address);
+    Attributes::read_text(element, "unsupported", form.unsupported);
+    form.is_written &= form.unsupported.empty();
     attributes_.read_flag(element, "remembers", form.remembers);
     attributes_.read_flag(element, "preset", form.is_preset);
     attributes_.read_flag(element, "verbatim", form.is_verbatim);
@@ -239,6 +245,7 @@ void FormLoader::load_cycle(const XmlElement& element) {
     Attributes::read_text(element, "module", tables_.cycles[*id].module);
     if (seen_cycles_.insert(*id).second) clear_forms(tables_, Function::Cycle, *id);
     attributes_.read_flag(element, "modal", tables_.cycles[*id].is_modal);
+    read_roles(element, tables_.cycles[*id]);
     if (const auto otherwise = attributes_.choice(element, "otherwise", {"error", "moves"})) {
         std::erase(tables_.cycles_else_moves, *id);
         if (*otherwise == 1) tables_.cycles_else_moves.push_back(*id);
@@ -248,6 +255,24 @@ void FormLoader::load_cycle(const XmlElement& element) {
     prototype.cycle = *id;
     Attributes::read_text(element, "doc", prototype.doc);
     load_forms(element, prototype);
+}
+
+/// Which parameters the words of modal cycles set.
+void FormLoader::read_roles(const XmlElement& element, CycleInfo& cycle) {
+    const auto read = [&](std::string_view role, std::string_view usual, int& parameter) {
+        if (parameter < 0) parameter = parameter_named(cycle.parameters, usual);
+        const XmlAttribute* attribute = element.find(role);
+        if (attribute == nullptr) return;
+        parameter = parameter_named(cycle.parameters, attribute->value);
+        if (parameter >= 0) return;
+        attributes_.bad_name({attribute->value, attribute->value_range}, attribute->name,
+                             names_of(cycle.parameters), "there is no such parameter");
+    };
+    read("depth", "to", cycle.roles.depth);
+    read("retract", "retract", cycle.roles.retract);
+    read("stroke", "", cycle.roles.stroke);
+    read("shift", "", cycle.roles.shift);
+    read("dwell", "dwell", cycle.roles.dwell);
 }
 
 /// The cycle that the element names; the common core declares it there.

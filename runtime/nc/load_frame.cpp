@@ -62,6 +62,7 @@ void load_program(const XmlElement& element, ProgramFrame& frame, Attributes& at
     attributes.read_number(element, "name_length", frame.name_length);
     attributes.read_number(element, "least_number", frame.least_number);
     attributes.read_number(element, "most_number", frame.most_number);
+    attributes.read_number(element, "most_read_number", frame.most_read_number);
     if (const auto letters = attributes.choice(element, "name_letters", {"any", "two"})) {
         frame.name_needs_two_letters = *letters == 1;
     }
@@ -83,6 +84,7 @@ void load_blocks(const XmlElement& element, BlockNumbers& numbers, Attributes& a
     }
     attributes.read_number(element, "start", numbers.start);
     attributes.read_number(element, "step", numbers.step);
+    attributes.read_number(element, "least", numbers.least);
     attributes.read_number(element, "most", numbers.most);
 }
 
@@ -125,6 +127,11 @@ void load_rules(const XmlElement& element, Rules& rules, Attributes& attributes)
     attributes.read_flag(element, "modes", rules.has_modes);
     attributes.read_flag(element, "number_first", rules.number_first);
     attributes.read_flag(element, "blanks_inside_words", rules.blanks_inside_words);
+    attributes.read_flag(element, "several_skips", rules.has_several_skips);
+    if (const XmlAttribute* sign = element.find("end_sign")) {
+        if (sign->value.size() == 1) rules.end_sign = sign->value[0];
+        else attributes.bad_value(*sign, "one ASCII character is expected");
+    }
     Attributes::read_text(element, "modal_call", rules.modal_call);
     attributes.read_number(element, "skip_levels", rules.skip_levels);
     attributes.read_number(element, "default_skip", rules.default_skip);

@@ -41,6 +41,10 @@ void load_alarm(const XmlElement& element, DialectTables& tables, Attributes& at
     }
     AlarmText alarm{needed(element, "number").value, {}};
     Attributes::read_text(element, "text", alarm.text);
+    if (const XmlAttribute* about = element.find("about")) {
+        tables.alarms_about.push_back({name.value, about->value, std::move(alarm)});
+        return;
+    }
     tables.alarms.insert_or_assign(name.value, std::move(alarm));
 }
 

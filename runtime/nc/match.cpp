@@ -29,13 +29,14 @@ class Matcher {
   public:
     Matcher(const DialectTables& tables, std::span<const GivenWord> words,
             std::span<const GivenArgument> arguments, const ModalFunctions& modal, Block& block,
-            Match& match)
+            Match& match, WordsOf words_of)
         : tables_(tables),
           words_(words),
           arguments_(arguments),
           modal_(modal),
           block_(block),
-          match_(match) {}
+          match_(match),
+          words_of_(words_of) {}
 
     Fault run() {
         if (words_.size() > kMaxWords) return MatchFault{MatchFault::Kind::Full};
@@ -48,6 +49,7 @@ class Matcher {
         for (std::size_t i = 0; i < words_.size(); ++i) {
             if (Fault fault = take_value(i)) return fault;
         }
+        if (Fault fault = cancel_cycle()) return fault;
         order_functions();
         if (Fault fault = check_cycle()) return fault;
         return check_alone();
@@ -190,7 +192,16 @@ class Matcher {
         const bool is_value = first.kind == FormWord::Kind::Value;
         const bool has_slot = is_value && tables_.addresses[first.address].slot >= 0;
         return std::ranges::all_of(form.during, [&](Function needed) {
-            const Group group = info(needed).group;
+            const bool is_cycle = needed == Function::Cycle;
+            if (is_cycle && words_of_ == WordsOf::Source) return false;
+            const bool calls_cycle = block_.find(Function::Cycle) != nullptr;
+            if (is_cycle && calls_cycle) return true;
+            const Group group = is_cycle ? Group::CycleMode : info(needed).group;
+            // Axis words of a modal cycle are no motion that words could belong to.
+            const bool is_in_cycle =
+                calls_cycle ||
+                modal_[static_cast<std::size_t>(Group::CycleMode)] == Function::Cycle;
+            if (group == Group::Motion && is_in_cycle) return false;
             const bool is_said = group == Group::Motion && block_.motion != Function::None;
             const Function active = is_said ? block_.motion : active_of(group);
             return active == needed || (active == Function::None && !has_slot);
@@ -227,7 +238,8 @@ class Matcher {
                 found = true;
                 fit_word(form, wanted, i, fit);
             }
-            if (!found && !wanted.is_optional && !wanted.has_default) {
+            const bool may_lack = wanted.is_kept ? words_of_ == WordsOf::Text : wanted.is_optional;
+            if (!found && !may_lack && !wanted.has_default) {
                 fit.answer = fit.answer == Fit::Answer::Yes ? Fit::Answer::Missing : fit.answer;
             }
         }
@@ -301,7 +313,7 @@ class Matcher {
             const bool fits = want == nullptr ? given.kind == GivenArgument::Kind::Empty
                                               : fits_argument(form, *want, given);
             if (!fits) refuse(fit, Fit::Answer::Value, i, static_cast<int>(a));
-            if (given.kind != GivenArgument::Kind::Empty) ++fit.matched;
+            if (fits && given.kind != GivenArgument::Kind::Empty) ++fit.matched;
         }
     }
 
@@ -325,7 +337,16 @@ class Matcher {
         if (match_.form_count == match_.forms.size())
             return MatchFault{MatchFault::Kind::Full, head};
         match_.forms[match_.form_count++] = id;
+        if (!form.unsupported.empty())
+            return MatchFault{MatchFault::Kind::NotSupported, head, head, id};
         if (form.owns_block && !alone_) alone_ = head;
+        if (form.owns_axes && !without_axes_) without_axes_ = head;
+        if (form.owns_address) {
+            for (std::size_t i = 0; i < words_.size(); ++i) {
+                if (i != head && words_[i].address == words_[head].address)
+                    return MatchFault{MatchFault::Kind::Company, head, i};
+            }
+        }
         if (form.function == Function::None) {
             used_ |= fit.taken;  // the control knows it, and nothing here depends on it
             return {};
@@ -340,6 +361,8 @@ class Matcher {
         for (const auto& [parameter, value] : form.fixed) {
             block_.set_argument(block_.functions[invocation], static_cast<std::size_t>(parameter),
                                 value);
+            if (parameter < 16)
+                block_.functions[invocation].by_form |= static_cast<std::uint16_t>(1u << parameter);
         }
         WordSet left = fit.taken;
         left[head] = false;
@@ -364,6 +387,7 @@ class Matcher {
     Fault say(Function function, std::size_t head, std::size_t parameters) {
         if (info(function).group == Group::Motion) {
             block_.motion = function;
+            motion_head_ = head;
             return {};
         }
         if (block_.add(function, parameters) == nullptr)
@@ -458,6 +482,18 @@ class Matcher {
         return {};
     }
 
+    /// Where cycles are modal, the motion code that stands behind one ends it at once.
+    Fault cancel_cycle() {
+        if (!motion_head_ || tables_.forms_of[static_cast<std::size_t>(Function::CycleOff)].empty())
+            return {};
+        for (std::size_t i = 0; i < block_.function_count; ++i) {
+            const bool is_cycle = block_.functions[i].function == Function::Cycle;
+            if (is_cycle && heads_[i] < *motion_head_)
+                return say(Function::CycleOff, *motion_head_, 0);
+        }
+        return {};
+    }
+
     /// Words of arcs have other meanings beside a cycle (K: repeats); none of them is passed over.
     Fault check_cycle() const {
         if (block_.find(Function::Cycle) == nullptr) return {};
@@ -473,6 +509,10 @@ class Matcher {
     }
 
     Fault check_alone() const {
+        constexpr SlotMask kPlaces =
+            kTargetSlots | kCenterSlots | bit(Slot::Radius) | bit(Slot::Turns);
+        if (without_axes_ && (motion_head_ || (seen_slots_ & kPlaces) != 0))
+            return MatchFault{MatchFault::Kind::Alone, *without_axes_};
         if (!alone_) return {};
         const bool has_more = match_.form_count > 1 || seen_slots_ != 0;
         if (!has_more) return {};
@@ -485,9 +525,12 @@ class Matcher {
     const ModalFunctions& modal_;
     Block& block_;
     Match& match_;
+    WordsOf words_of_;
     WordSet used_;
     SlotMask seen_slots_ = 0;
     std::optional<std::size_t> alone_;
+    std::optional<std::size_t> without_axes_;
+    std::optional<std::size_t> motion_head_;            // word that says the motion
     std::array<std::size_t, kMaxInvocations> heads_{};  // word behind each function
 };
 
@@ -495,18 +538,23 @@ class Matcher {
 
 std::optional<MatchFault> match_words(const DialectTables& tables, std::span<const GivenWord> words,
                                       std::span<const GivenArgument> arguments,
-                                      const ModalFunctions& modal, Block& block, Match& match) {
+                                      const ModalFunctions& modal, Block& block, Match& match,
+                                      WordsOf words_of) {
     match.claim_count = 0;
     match.form_count = 0;
-    return Matcher(tables, words, arguments, modal, block, match).run();
+    return Matcher(tables, words, arguments, modal, block, match, words_of).run();
 }
 
 void follow_modal(const Block& block, ModalFunctions& modal) {
-    if (block.motion != Function::None)
+    Function& cycle_mode = modal[static_cast<std::size_t>(Group::CycleMode)];
+    if (block.motion != Function::None) {
         modal[static_cast<std::size_t>(Group::Motion)] = block.motion;
+        cycle_mode = Function::CycleOff;
+    }
     for (std::size_t i = 0; i < block.function_count; ++i) {
         const Function function = block.functions[i].function;
         const Group group = info(function).group;
+        if (function == Function::Cycle) cycle_mode = Function::Cycle;
         if (group != Group::Once) modal[static_cast<std::size_t>(group)] = function;
     }
 }

@@ -70,6 +70,8 @@ struct MatchFault {
         Conflict,      // `word` and `other` belong to different forms of one code
         Unused,        // `word` means nothing here
         Alone,         // `word` must stand in a block of its own
+        Company,       // `word` does not stand beside `other`
+        NotSupported,  // `word` in `form` is known, and not executed
         Mode,          // `word`: AC() or IC() does not fit here
         Full,          // the block holds too much
     };
@@ -90,11 +92,16 @@ struct Match {
 /// Active members of the modal groups as far as they are known; None: not known.
 using ModalFunctions = std::array<Function, kGroups>;
 
+/// What the words are: a text, where words of modal cycles may have been said before and other
+/// cycles' words wait for their turn, or a block of a source, which says all of its own.
+enum class WordsOf : std::uint8_t { Text, Source };
+
 /// Fills the block's functions and motion and says which word's value goes where. The block is
 /// empty before; values of words are the caller's matter.
 std::optional<MatchFault> match_words(const DialectTables& tables, std::span<const GivenWord> words,
                                       std::span<const GivenArgument> arguments,
-                                      const ModalFunctions& modal, Block& block, Match& match);
+                                      const ModalFunctions& modal, Block& block, Match& match,
+                                      WordsOf words_of = WordsOf::Text);
 
 /// Functions that a block sets become the active members.
 void follow_modal(const Block& block, ModalFunctions& modal);

@@ -171,6 +171,7 @@ NumberFault append_number(std::string& out, double number, const NumberFormat& f
 double read_meaning(const Decimal& decimal, const NumberFormat& format, Dimension dimension,
                     const TextUnits& units) {
     double value = decimal.value;
+    if (dimension == Dimension::Count) return value;
     if (!decimal.has_point) {
         const double increment = increment_of(format, dimension, units);
         if (increment > 0) value *= increment;

@@ -51,7 +51,7 @@ class Planner {
         Match match;
         const ModalFunctions unknown{};
         const auto fault =
-            match_words(tables_, std::span(given_.data(), count_), {}, unknown, plan_.block, match);
+            match_words(tables_, std::span(given_.data(), count_), {}, unknown, plan_.block, match, WordsOf::Source);
         if (fault) {
             report(*fault);
             return std::nullopt;
@@ -234,9 +234,11 @@ class Planner {
                 sink_.report(diag::BlockWordMissing, word.range).arg(text).arg(form);
                 break;
             case Kind::Value:
+            case Kind::NotSupported:
                 sink_.report(diag::BlockWordValueWrong, word.range).arg(text).arg(form);
                 break;
             case Kind::Conflict:
+            case Kind::Company:
                 sink_.report(diag::BlockWordConflict, word.range)
                     .arg(text)
                     .arg(text_of(other))
@@ -299,7 +301,7 @@ std::optional<BlockPlan> plan_call(const Dialect& dialect, std::string_view name
     BlockPlan plan;
     Match match;
     const auto fault = match_words(tables, std::span(&word, 1), std::span(given), ModalFunctions{},
-                                   plan.block, match);
+                                   plan.block, match, WordsOf::Source);
     if (fault) {
         const auto at = static_cast<std::size_t>(std::max(fault->argument, 0));
         const bool is_written = fault->argument >= 0 && at < arguments.size() &&

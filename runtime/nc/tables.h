@@ -103,6 +103,7 @@ struct FormWord {
     bool has_default = false;    // written with `fallback` if the parameter was not given
     double fallback = 0;
     bool is_optional = false;
+    bool is_kept = false;  // optional because a cycle before it may have said the word
     std::vector<FormWord> arguments;  // Call
 };
 
@@ -138,6 +139,8 @@ struct Form {
     bool is_written = true;
     bool is_read = true;
     bool owns_block = false;         // stands alone
+    bool owns_axes = false;          // no motion and no axis word stands beside it
+    bool owns_address = false;       // no other word of its address stands in the block
     bool remembers = false;          // parameters that are left out keep their value
     bool is_verbatim = false;        // a line of the control's own language, letter by letter
     bool is_comment = false;         // stands between the comment signs
@@ -149,7 +152,8 @@ struct Form {
     bool keeps_length = false;       // the tool length acts in its block unless edge 0 is said
     std::string doc;
     std::string note;
-    SourceRange range;  // in the file
+    std::string unsupported;  // what it is, if Kadr does not execute it
+    SourceRange range;        // in the file
 };
 
 /// The pattern of the form's own line: what has to stand in one block.
@@ -177,6 +181,7 @@ struct BlockNumbers {
     bool is_on = false;
     std::int64_t start = 10;
     std::int64_t step = 10;
+    std::int64_t least = 0;  // that is read
     std::int64_t most = 99999999;
 };
 
@@ -192,6 +197,7 @@ struct ProgramFrame {
     bool name_needs_two_letters = false;
     std::int64_t least_number = 0;  // program numbers; 0 and 0: no numbers
     std::int64_t most_number = 0;
+    std::int64_t most_read_number = 0;  // the greatest that is read; 0: none is looked at
 };
 
 /// What happens if a block says something twice.
@@ -205,12 +211,21 @@ struct Rules {
     bool has_modes = true;             // `X=AC(10)`, `X=IC(5)`
     bool number_first = true;          // N behind other words is an alarm
     bool blanks_inside_words = false;  // `X 10`, `G 0 1`
+    bool has_several_skips = false;    // `/1/3`: left out at either level
+    char end_sign = '\0';              // that may end a block before the line ends
     std::string modal_call;            // word that makes the cycle behind it modal; empty: none
     int skip_levels = 10;              // `/0` … `/9`
     int default_skip = 0;              // what `/` alone means; the lowest level
     std::size_t max_line = 512;        // bytes, read
     std::size_t write_line = 512;      // bytes, written
     bool crlf = false;                 // written line ends
+};
+
+/// An alarm for a row whose detail holds these words.
+struct AlarmAbout {
+    std::string row;
+    std::string words;
+    AlarmText alarm;
 };
 
 /// Words that are held back until a block programs an axis or says a function.
@@ -237,6 +252,7 @@ struct DialectTables {
     std::vector<CycleId> cycles_else_moves;  // written as moves where no form takes their values
     std::deque<std::string> texts;           // names of cycle parameters; stay where they are
     std::map<std::string, AlarmText, std::less<>> alarms;  // by row name
+    std::vector<AlarmAbout> alarms_about;                  // looked at first
     std::map<std::string, std::string, std::less<>>
         unsupported;  // words that the control has and Kadr does not read, with their meaning
     std::vector<RuleSetting> rule_settings;  // of the interpreter

@@ -76,7 +76,8 @@ TEST(Native, TheInterpreterGetsTheMoves) {
     AxisValues position{};
     position[index(Axis::Z)] = 20;
     // `initial` is not given: its default is where the tool is.
-    ASSERT_TRUE(expander.start_cycle("drill", arguments, 0b1011, position, 100));
+    ASSERT_TRUE(
+        expander.start_cycle("drill", arguments, 0b1011, {.position = position, .feed = 100}));
     std::array<nc::Block, 16> batch;
     std::string all;
     const std::size_t count = expander.pull(batch);
@@ -86,7 +87,8 @@ TEST(Native, TheInterpreterGetsTheMoves) {
     EXPECT_FALSE(expander.failed());
 
     expand::Expander unknown(*checked.code, dialect("fanuc"), {}, *checked.messages);
-    EXPECT_FALSE(unknown.start_cycle("bore_deep", arguments, 0b1, position, 100));
+    EXPECT_FALSE(
+        unknown.start_cycle("bore_deep", arguments, 0b1, {.position = position, .feed = 100}));
     EXPECT_EQ(checked.messages->all().back().row->code, "K3008");
 }
 

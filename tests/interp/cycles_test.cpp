@@ -17,6 +17,8 @@ constexpr std::string_view kModal =
 /// Drills in one stroke, as the stdlib does; keeps what it was asked.
 class Drill final : public CycleExpander {
   public:
+    std::optional<std::string> refusal() const override { return refused; }
+
     std::unique_ptr<Stream<Block>> expand(const CycleCall& call) override {
         calls.push_back(call);
         names.emplace_back(call.name);
@@ -33,6 +35,7 @@ class Drill final : public CycleExpander {
     }
 
     bool fails = false;
+    std::optional<std::string> refused;
     std::vector<Block> extra;
     std::vector<CycleCall> calls;
     std::vector<std::string> names;
@@ -92,7 +95,7 @@ TEST(Cycles, ModalCycleDrillsInEveryBlockWithAnAxis) {
               "rapid 0 0 20, "
               "rapid 10 0 20, rapid 10 0 2, line 10 0 -12, rapid 10 0 2, "
               "rapid 20 0 2, rapid 20 0 2, line 20 0 -12, rapid 20 0 2, "
-              "rapid 30 0 2, rapid 30 0 2, line 30 0 -5, rapid 30 0 20, "
+              "rapid 30 0 2, rapid 30 0 2, line 30 0 -5, rapid 30 0 2, rapid 30 0 20, "
               "rapid 40 0 20");
 }
 
@@ -161,6 +164,181 @@ TEST(Cycles, AlarmsInsideNameTheCycle) {
     EXPECT_EQ(ran.codes(), "K5210");
     EXPECT_EQ(ran.messages[0].line->line, 2u) << "the place is that of the call";
     EXPECT_EQ(ran.messages[0].notes.at(0).text, "inside the cycle `drill`");
+}
+
+/// Depths of the calls, one hole each.
+std::string holes(const Drill& cycles) {
+    std::string out;
+    for (const CycleCall& call : cycles.calls) {
+        if (!out.empty()) out += ", ";
+        out += format_shortest(call.position[0]) + ": " +
+               format_shortest(call.arguments[kRetract]) + " to " +
+               format_shortest(call.arguments[kTo]);
+    }
+    return out;
+}
+
+TEST(Cycles, ABlockRepeatsTheCycleOrOnlyKeepsItsWords) {
+    // fanuc.md 5.1: K counts, K0 stores; under G91 every repetition moves on.
+    Drill cycles;
+    const auto times = [](double count) { return fn(Function::CycleWords, {{2, count}}); };
+    const Ran ran = run(
+        {rapid().z(20), fn(Function::Incremental), drill({{kTo, -5}, {kRetract, -18}}).x(10).f(100),
+         times(3).x(10), times(0).x(50).z(-7), Words().x(1)},
+        {.rules = kModal, .cycles = &cycles});
+    EXPECT_EQ(ran.codes(), "");
+    EXPECT_EQ(holes(cycles), "10: 2 to -3, 20: 2 to -3, 30: 2 to -3, 40: 2 to -3, 41: 2 to -5");
+}
+
+TEST(Cycles, DistancesStayDistancesBehindG90) {
+    Drill cycles;
+    const Ran ran = run(
+        {rapid().z(20), fn(Function::Incremental), drill({{kTo, -5}, {kRetract, -18}}).x(10).f(100),
+         fn(Function::Absolute).x(5), Words().x(6).r(3), Words().x(7).z(-1)},
+        {.rules = kModal, .cycles = &cycles});
+    EXPECT_EQ(ran.codes(), "");
+    EXPECT_EQ(holes(cycles), "10: 2 to -3, 5: 2 to -3, 6: 3 to -2, 7: 3 to -1");
+}
+
+TEST(Cycles, GoesStraightToTheRetractLevelAndDownToALowerStart) {
+    // fanuc.md 5.1: rapid to R from the present level, at the end to the initial level.
+    Drill cycles;
+    const Ran ran =
+        run({rapid().z(1), drill({{kTo, -12}, {kRetract, 2}}).x(10).f(100), Words().x(20)},
+            {.rules = kModal, .cycles = &cycles});
+    EXPECT_EQ(path_of(ran),
+              "rapid 0 0 1, rapid 10 0 1, rapid 10 0 2, line 10 0 -12, rapid 10 0 2, rapid 10 0 1, "
+              "rapid 20 0 1, rapid 20 0 2, line 20 0 -12, rapid 20 0 2, rapid 20 0 1");
+}
+
+TEST(Cycles, LevelsThatNobodySaidAreZero) {
+    Drill cycles;
+    const Ran ran = run({rapid().z(20), drill({{kTo, -12}}).x(1).f(100), fn(Function::CycleOff),
+                         drill({{kRetract, 5}}).x(2)},
+                        {.rules = kModal, .cycles = &cycles});
+    EXPECT_EQ(ran.codes(), "K5255 K5255");
+    EXPECT_EQ(ran.messages[0].arguments[0], "retract level");
+    EXPECT_EQ(ran.messages[1].arguments[0], "depth");
+    EXPECT_EQ(holes(cycles), "1: 0 to -12, 2: 5 to 0");
+}
+
+TEST(Cycles, WordsAreModalAmongCycles) {
+    // drill_peck(to, peck, …, dwell): its stroke is said by another cycle's block, without a sign.
+    constexpr nc::CycleId kPeck = 1;
+    Drill cycles;
+    const auto peck = [] { return Words().cycle(kPeck, 5, {}); };
+    const Ran ran = run({rapid().z(20), drill({{kTo, -12}, {kRetract, 2}}).x(1).f(100), peck().x(2),
+                         fn(Function::CycleWords, {{0, -3}, {1, 0.5}}), Words().x(3),
+                         fn(Function::CycleWords, {{0, -3}, {1, 0.5}}).x(4), drill({}).x(5)},
+                        {.rules = kModal, .cycles = &cycles});
+    EXPECT_EQ(ran.codes(), "");
+    ASSERT_EQ(cycles.calls.size(), 5u);
+    EXPECT_EQ(cycles.names[1], "drill_peck");
+    EXPECT_EQ(cycles.calls[1].arguments[1], 14) << "no stroke was said: the whole way";
+    EXPECT_EQ(cycles.calls[2].arguments[1], 14) << "a block that does not drill keeps nothing";
+    EXPECT_EQ(cycles.calls[3].arguments[1], 3);
+    EXPECT_EQ(cycles.calls[3].arguments[4], 0.5);
+    EXPECT_EQ(cycles.calls[4].arguments[kDwell], 0.5);
+    EXPECT_EQ(cycles.calls[4].arguments[kTo], -12);
+}
+
+TEST(Cycles, WhatTheCodeSaysByItselfIsNotForOthers) {
+    Drill cycles;
+    Block without_dwell = drill({{kTo, -12}, {kRetract, 2}, {kDwell, 0}}).x(1).f(100);
+    without_dwell.functions[0].by_form = 1u << kDwell;  // G81
+    const Ran ran = run(
+        {rapid().z(20), without_dwell, fn(Function::CycleWords, {{1, 0.25}}).x(2), drill({}).x(3)},
+        {.rules = kModal, .cycles = &cycles});
+    ASSERT_EQ(cycles.calls.size(), 3u);
+    EXPECT_EQ(cycles.calls[1].arguments[kDwell], 0);
+    EXPECT_EQ(cycles.calls[2].arguments[kDwell], 0.25);
+}
+
+TEST(Cycles, AMotionCodeInTheSameBlock) {
+    // fanuc.md 5.1: the code that stands last.
+    Drill cycles;
+    Block drills = drill({{kTo, -12}, {kRetract, 2}}).x(1).f(100);
+    drills.motion = Function::Rapid;
+    const Block moves = Words(drill({{kTo, -12}, {kRetract, 2}}).x(2)).fn(Function::CycleOff);
+    Block only_moves = moves;
+    only_moves.motion = Function::Rapid;
+    const Ran ran = run({rapid().z(20), drills, only_moves, Words().x(3)},
+                        {.rules = kModal, .cycles = &cycles});
+    EXPECT_EQ(ran.codes(), "K5254 K5254");
+    EXPECT_EQ(cycles.calls.size(), 1u);
+    EXPECT_EQ(end_of(ran), "3.0000 0.0000 -12.0000");
+}
+
+TEST(Cycles, ADefinitionThatRefusesItsParametersIsAnAlarm) {
+    Drill cycles;
+    cycles.refused = "the first stroke is too deep";
+    const std::string rules =
+        std::string("<alarm for=\"CycleRefused\" about=\"first stroke\" number=\"61107\"/>") +
+        "<alarm for=\"CycleRefused\" number=\"61000\"/>";
+    const Ran ran = run({rapid().z(20), drill({{kTo, -12}}).f(100), Words().x(1)},
+                        {.rules = rules, .cycles = &cycles});
+    EXPECT_EQ(ran.codes(), "K5253");
+    EXPECT_TRUE(ran.alarmed);
+    EXPECT_EQ(ran.messages[0].alarm_number, "61107");
+    EXPECT_EQ(ran.messages[0].message(), "the first stroke is too deep");
+    EXPECT_EQ(ran.messages[0].line->line, 2u);
+    cycles.refused = "another";
+    EXPECT_EQ(run({drill({{kTo, -12}}).f(100)}, {.rules = rules, .cycles = &cycles})
+                  .messages.at(0)
+                  .alarm_number,
+              "61000");
+    cycles.fails = true;
+    EXPECT_EQ(run({drill({{kTo, -12}}).f(100)}, {.cycles = &cycles}).codes(), "K5253");
+}
+
+TEST(Cycles, ADwellBelowZeroCountsTurns) {
+    const std::string_view rules = "<rule name=\"negative_dwell_turns\" value=\"yes\"/>";
+    Drill cycles;
+    const Ran ran =
+        run({drill({{kTo, -12}, {kDwell, -5}}).f(100)}, {.rules = rules, .cycles = &cycles});
+    EXPECT_EQ(ran.codes(), "");
+    EXPECT_NEAR(cycles.calls.at(0).arguments[kDwell], 0.3, 1e-12) << "5 turns at 1000 rpm";
+    const Ran stands = run({drill({{kTo, -12}, {kDwell, -5}}).f(100)},
+                           {.rules = rules, .cycles = &cycles, .spindle_runs = false});
+    EXPECT_EQ(stands.codes(), "K5218");
+}
+
+TEST(Cycles, NothingMovesBetweenTheRigidCodeAndTheTap) {
+    Drill cycles;
+    EXPECT_EQ(run({fn(Function::TapRigid), Words().x(5)}, {.cycles = &cycles}).codes(), "K5246");
+    EXPECT_EQ(run({fn(Function::TapRigid), rapid().x(5)}, {.cycles = &cycles}).codes(), "K5246");
+    EXPECT_EQ(run({fn(Function::TapRigid), drill({{kTo, -1}, {kRetract, 2}}).x(5).f(1),
+                   Words().x(6), rapid().x(7)},
+                  {.rules = kModal, .cycles = &cycles})
+                  .codes(),
+              "");
+}
+
+TEST(Cycles, NoPositionIsSetWhileOneIsActive) {
+    Drill cycles;
+    const Block set = fn(Function::SetPosition, {{0, 1}});
+    EXPECT_EQ(
+        run({drill({{kTo, -1}, {kRetract, 2}}).f(1), set}, {.rules = kModal, .cycles = &cycles})
+            .codes(),
+        "K5238");
+    EXPECT_EQ(run({drill({{kTo, -1}, {kRetract, 2}}).f(1), fn(Function::CycleOff), set},
+                  {.rules = kModal, .cycles = &cycles})
+                  .codes(),
+              "");
+}
+
+TEST(Cycles, ACycleBehindEveryMotion) {
+    // sinumerik.md 14.15: MCALL after each block with path motion.
+    Drill cycles;
+    const Block modal =
+        Words(drill({{kTo, -12}, {kRetract, 2}, {kInitial, 20}})).fn(Function::CycleModal);
+    const Ran ran = run({rapid().z(20), modal, Words().x(10).f(100), fn(Function::CoolantFlood),
+                         Words().x(20), fn(Function::CycleModal), Words().x(30)},
+                        {.cycles = &cycles});
+    EXPECT_EQ(ran.codes(), "");
+    EXPECT_EQ(holes(cycles), "10: 2 to -12, 20: 2 to -12");
+    EXPECT_EQ(end_of(ran), "30.0000 0.0000 20.0000");
+    EXPECT_EQ(ran.commands.at(2).line, 3u) << "the place is the motion's";
 }
 
 }  // namespace

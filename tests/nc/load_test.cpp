@@ -221,10 +221,12 @@ TEST(Load, Questions) {
 }
 
 TEST(Load, ExplainsWhatIsNotRead) {
-    const std::vector<std::string> lines = explain(testing::shipped("sinumerik"), "MCALL");
+    const std::vector<std::string> lines = explain(testing::shipped("sinumerik"), "TRAORI");
     ASSERT_EQ(lines.size(), 1u);
     EXPECT_EQ(lines[0],
-              "`MCALL` (modal subprogram call) is a word of the control; Kadr does not read it");
+              "`TRAORI` (transformation, tilted working plane) is a word of the control; Kadr does "
+              "not read "
+              "it");
 }
 
 TEST(Load, Explanations) {

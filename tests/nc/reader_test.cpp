@@ -137,8 +137,10 @@ TEST(Reader, SinumerikWords) {
             {"LIMS=3000", "speed_limit(limit=3000)"},
             {"G96 S120\nG97\nG94",
              "S120 | cutting_speed_on | feed_per_revolution\ncutting_speed_off\nfeed_per_minute"},
-            {"CYCLE81(10,0,2,-40)", "cycle#0(0=-40, 1=2, 2=10, 3=0)"},
-            {"CYCLE83(50,2,0,-12,,,3,0,0,0,1,1)", "cycle#1(0=-12, 1=3, 2=2, 3=50, 4=0)"},
+            {"CYCLE81(10,0,2,-40)", "cycle#15(0=10, 1=0, 2=2, 3=-40)"},
+            {"CYCLE83(50,2,0,-12,,,3,0,0,0,1,1,,,,,1)", "cycle#1(0=-12, 1=3, 2=2, 3=50, 4=0)"},
+            {"CYCLE83(50,2,0,-12,,,3,0,0,0,1,1)",
+             "cycle#16(0=50, 1=2, 2=0, 3=-12, 6=3, 7=0, 9=0, 10=0, 11=1, 12=1)"},
             {"G700 X1 F10\nG70 X1 F10", "X25.4 F254 | inch\nX25.4 F10 | inch"},
             {"START:\nM17", "label START\nend"},
         });
@@ -284,17 +286,32 @@ TEST(Reader, WordsWithoutEffectAreAccepted) {
                     "radius_comp_off | length_comp_off | cycle_off | rotate_off | scale_off"},
                    {"G05.1 Q1\nG01 X1.", "line X1"}});
     expect_blocks("sinumerik", {{"G1 SOFT G601 X5 CUT2D", "line X5"}, {"STOPRE", ""}});
-    // Repeats of a cycle are not executed, so they are not passed over either.
-    EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "G81 X1. Z-5. R2. K3").messages),
+    // A word of arcs beside a cycle is not passed over.
+    EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "G81 X1. Z-5. R2. J3.").messages),
               "K5010");
+}
+
+TEST(Reader, WhatPeopleAndEditorsPutAroundBlocks) {
+    // A byte order mark, EOB as a PC shows it, several skip levels, blanks behind a sign.
+    expect_blocks("fanuc", {{"\xEF\xBB\xBFG01 X1.", "line X1"},
+                            {"G01X1.;", "line X1"},
+                            {"/2/3 G01 X - 1 . 5", "/2 line X-1.5"},
+                            {"G04 P500 F100", "F100 | dwell(time=0.5)"}});
+    expect_blocks("sinumerik", {{"\xEF\xBB\xBFG1 X1", "line X1"}});
+    const auto skipped = read_blocks(shipped("fanuc"), "/2/3/9 X1.");
+    ASSERT_EQ(skipped.blocks.size(), 1u);
+    EXPECT_EQ(skipped.blocks[0].skip_also, (1u << 3 | 1u << 9));
+    EXPECT_EQ(testing::codes(read_blocks(shipped("sinumerik"), "/2/3 X1").messages), "K5015");
+    EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "G04 P500 Y1.").messages), "K5013");
+    EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "G01 X - Y1.").messages), "K5015");
 }
 
 TEST(Reader, BlocksHaveALimitOfWords) {
     std::string line;
     for (int i = 0; i < 30; ++i) line += "M8 M9 M7 ";
     EXPECT_EQ(testing::codes(read_blocks(shipped("iso"), line).messages), "K5017");
-    EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "M3 M8 M0").messages), "");
-    EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "M3 M8 M0 M1").messages), "K5007");
+    EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "M3 M8 M88").messages), "");
+    EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "M3 M8 M88 M89").messages), "K5007");
 }
 
 TEST(Reader, GoesOnBehindAMistake) {

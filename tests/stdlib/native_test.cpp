@@ -1,5 +1,7 @@
 // A control's own drilling cycle, as a program of a shop has it, moves as the library's cycle does.
 #include <filesystem>
+#include <initializer_list>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -8,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "base/numbers.h"
 #include "base/text.h"
 #include "tests/common/process.h"
 
@@ -67,9 +70,9 @@ TEST(Native, CyclesOfTheControlsMoveAsTheLibraryDoes) {
         {"sinumerik", "CYCLE81(50,2,0,-15)", "drill(to: -15mm);"},
         {"sinumerik", "CYCLE81(50,0,2,-15)", "drill(to: -15mm);"},
         {"sinumerik", "CYCLE82(50,2,0,-15,,0.3)", "drill(to: -15mm, dwell: 0.3s);"},
-        {"sinumerik", "CYCLE83(50,2,0,-40,,,12,3,0,0,1,1)",
+        {"sinumerik", "CYCLE83(50,2,0,-40,,,12,3,0,0,1,1,,,,,1)",
          "drill_deep(to: -40mm, first: 12mm, less: 3mm);"},
-        {"sinumerik", "CYCLE83(50,2,0,-40,,,12,3,0,0,1,1,,,,0.3)",
+        {"sinumerik", "CYCLE83(50,2,0,-40,,,12,3,0,0,1,1,,,,0.3,1)",
          "drill_deep(to: -40mm, first: 12mm, less: 3mm, dwell: 0.3s);"},
         {"sinumerik", "CYCLE86(50,2,0,-15,,0.2,3,-0.3,0,0.1,90)\nM3",
          "bore_oriented(to: -15mm, lift_x: -0.3mm, lift_z: 0.1mm, stop_at: 90deg, dwell: 0.2s);"},
@@ -114,6 +117,108 @@ TEST(Native, SingleCyclesOfALatheAreRepeated) {
     ASSERT_EQ(native.size(), moves.size());
     for (std::size_t i = 0; i < moves.size(); ++i) EXPECT_EQ(native[i], moves[i]) << i;
     EXPECT_EQ(commands_of(".kadr", program, "fanuc-lathe", "lathe"), moves);
+}
+
+/// What is executed, short: `Z2 z-8 @0.3 S400 …`; rapid in capitals, feed in small letters, dwells,
+/// the spindle.
+std::string short_way(const std::vector<json>& commands) {
+    std::string out;
+    std::map<std::string, double> here;
+    const auto add = [&](const std::string& text) { out += (out.empty() ? "" : " ") + text; };
+    double feed = 0;
+    for (const json& command : commands) {
+        const std::string op = command["op"];
+        if (op == "rapid" || op == "line") {
+            for (const auto& [axis, value] : command["to"].items()) {
+                const double to = value;
+                if (here.contains(axis) && here[axis] == to) continue;
+                here[axis] = to;
+                std::string name = axis;
+                if (op == "line") name[0] = static_cast<char>(name[0] + 32);
+                add(name + kadr::format_shortest(to));
+            }
+            if (op == "line" && command["feed"] != feed) {
+                feed = command["feed"];
+                out += "f" + kadr::format_shortest(feed);
+            }
+        } else if (op == "dwell") {
+            add("@" + kadr::format_shortest(kadr::round_to(command["time"], 6)));
+        } else if (op == "spindle") {
+            const std::string mode = command["mode"];
+            if (mode == "stop") add("M5");
+            else if (mode == "orient") add("M19");
+            else add((mode == "cw" ? "S" : "S-") + kadr::format_shortest(command["speed"]));
+        } else if (op == "stop") {
+            add("M0");
+        }
+    }
+    return out;
+}
+
+struct ShopText {
+    const char* text;  // behind `G0 X0 Y0`, `G0 Z50`
+    const char* way;
+};
+
+void expect_ways(const char* dialect, const char* before, const char* after,
+                 std::initializer_list<ShopText> rows) {
+    for (const ShopText& row : rows) {
+        SCOPED_TRACE(row.text);
+        const auto commands = commands_of(std::string(dialect) == "fanuc" ? ".nc" : ".mpf",
+                                          std::string(before) + row.text + after, dialect);
+        EXPECT_EQ(short_way(commands), "S1000 X0 Y0 Z50" + std::string(row.way));
+    }
+}
+
+// Rows of fanuc.md 5.1 and 5.2.
+TEST(ShopText, FanucCycles) {
+    expect_ways(
+        "fanuc", "%\nO0001\nG17 G90 G94 T1 M06\nS1000 M3\nG0 X0 Y0 Z50. F100\n", "\nG80\nM30\n%\n",
+        {{"G90 G98 G83 X10. Y0 Z-10. R2. Q4.", " X10 Z2 z-2f100 Z2 Z-1 z-6 Z2 Z-5 z-10 Z50"},
+         {"G99 G81 X1. Z-1. R2.\nG98 X2.", " X1 Z2 z-1f100 Z2 X2 z-1 Z2 Z50"},
+         {"G91 G99 G81 X10. R-48. Z-5.\nX10. K2\nX20. K0",
+          " X10 Z2 z-3f100 Z2 X20 z-3 Z2 X30 z-3 Z2"},
+         {"G81 X1. Z-5. R60.", " X1 Z60 z-5f100 Z60 Z50"},
+         {"G85 X1. Z-1. R2.\nG86 X2.", " X1 Z2 z-1f100 z2 Z50 X2 Z2 z-1 M5 Z50 S1000"},
+         {"G73 X1. Z-6. R2. Q-4.", " X1 Z2 z-2f100 Z-1.5 z-6 Z50"},
+         {"G83 X1. Z-6. R2.", " X1 Z2 z-6f100 Z50"},
+         {"G82 X1. Z-1. R2. P500\nX2. P200", " X1 Z2 z-1f100 @0.5 Z50 X2 Z2 z-1 @0.2 Z50"},
+         {"G81 X1. Z-1. R2. P500 Q1.5\nG82 X2.\nG83 X3.",
+          " X1 Z2 z-1f100 Z50 X2 Z2 z-1 @0.5 Z50 X3 Z2 z0.5 Z2 Z1.5 z-1 Z50"},
+         {"G88 X1. Z-1. R2. P500", " X1 Z2 z-1f100 @0.5 M5 M0 Z50 S1000"},
+         {"G4 P500 F200;\nG81 X 1 . Z - 1 . R2.;", " @0.5 X1 Z2 z-1f200 Z50"},
+         {"/1/3 G81 X1. Z-1. R2.", " X1 Z2 z-1f100 Z50"}});
+}
+
+// Rows of sinumerik.md 10.1.
+TEST(ShopText, SinumerikCycles) {
+    expect_ways(
+        "sinumerik", "G17 G90 G94 G71\nT1 D0 M6\nS1000 M3\nG0 X0 Y0 Z50 F100\n", "\nM30\n",
+        {{"CYCLE81(60,0,2,-8)", " Z2 z-8f100 Z60"},
+         {"CYCLE81(20,0,2,,10)", " Z2 z-10f100 Z20"},
+         {"CYCLE82(20,0,2,-8,9,-5,0,0,0)", " Z2 z-9f100 @0.3 Z20"},
+         {"CYCLE81(1,0,2,-8)", " Z2 z-8f100 Z1"},
+         {"CYCLE83(10,0,2,-40,,-12,,3,0.5,1,0.8,1)",
+          " Z2 z-12f80 @0.5 Z2 @1 Z-11.2 z-21f100 @0.5 Z2 @1 Z-20.2 z-27 @0.5 Z2 @1 Z-26.2 z-30 "
+          "@0.5 Z2 @1 Z-29.2 z-33 @0.5 Z2 @1 Z-32.2 z-36 @0.5 Z2 @1 Z-35.2 z-38 @0.5 Z2 @1 Z-37.2 "
+          "z-40 @0.5 Z10"},
+         {"CYCLE83(10,0,2,-15,,,8,-0.5,,,,0,3,2,0.3,1)",
+          " Z2 z-8f100 z-7.7 z-12 z-11.7 z-14 z-13.7 z-15 @1 Z10"},
+         {"CYCLE84(20,0,2,-10,,0.5,5,8,,90,400,600)",
+          " Z2 M19 S400 z-10f1.25 @0.5 S-600 z2 M5 Z20"},
+         {"CYCLE84(20,0,2,-8,,,3,,-1.25,0,400,,,1,,1,6,0.5)",
+          " Z2 M19 S-400 z-4f1.25 S400 z-3.5 S-400 z-8 S400 z2 Z20 S1000"},
+         {"CYCLE840(20,0,2,-10,,1,0,3,0,8)", " Z2 z-10f1.25 S-1000 z2 S1000 Z20"},
+         {"CYCLE840(20,0,2,-10,,1,4,3,1)", " Z2 z-10f100 @1 S-1000 z2 S1000 Z20"},
+         {"CYCLE85(20,0,2,-10,,0.5,80,300)", " Z2 z-10f80 @0.5 z2f300 Z20"},
+         {"M5\nCYCLE86(20,0,2,-10,,0.5,3,-1,0.2,1,45)",
+          " M5 Z2 S1000 z-10f100 @0.5 M19 X-1 Y0.2 Z-9 Z2 Z20 X0 Y0"},
+         {"CYCLE86(20,0,2,-10,,,4,0,0,0,45)", " Z2 S-1000 z-10f100 M19 Z2 Z20"},
+         {"CYCLE87(20,0,2,-10,,3)", " Z2 z-10f100 M5 M0 Z20"},
+         {"CYCLE88(20,0,2,-10,,0.5,4)", " Z2 S-1000 z-10f100 @0.5 M5 M0 Z20"},
+         {"CYCLE89(20,0,2,-10,,0.5)", " Z2 z-10f100 @0.5 z2 Z20"},
+         {"MCALL CYCLE81(20,0,2,-8)\nX10\nM8\nX20\nMCALL\nX30",
+          " X10 Z2 z-8f100 Z20 X20 Z2 z-8 Z20 X30"}});
 }
 
 }  // namespace

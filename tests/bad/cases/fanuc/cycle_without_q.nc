@@ -1,9 +1,12 @@
 %
 O0001
+T1 M6
+S500 M3
 G00 X0. Y0. Z50.
-G83 Z-10. R2. F100.
+G76 Z-10. R2. F100.
 G80
 M30
 %
-(expect: 4:1 PS0010 IMPROPER G-CODE: `G83` lacks words: `G83 Z{to} R{retract} Q{peck}`)
+(G83 without Q drills in one stroke; a G76 without a shift scratches the wall.)
+(expect: 6:1 K5253 without a lift the edge scratches the wall)
 (exit: 3)

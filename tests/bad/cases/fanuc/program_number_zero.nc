@@ -1,0 +1,7 @@
+%
+O0000 (FLANGE)
+G00 X0. Y0.
+M30
+%
+(expect: 2:1 PS0074 ILLEGAL PROGRAM NUMBER: `O0000` is no number of a program)
+(exit: 3)
