@@ -220,7 +220,8 @@ void Executor::go_straight(ModalCycle& call) {
     const bool is_hole = retract > depth;
     // Where cycles are modal, nothing forbids a retract level above the level they return to.
     const bool is_allowed = back >= retract || is_modal(call.cycle);
-    if (!is_hole || !is_allowed || back == position_in_cycle()[2]) return;
+    const bool is_there = back == position_in_cycle()[2] && back >= retract;
+    if (!is_hole || !is_allowed || is_there) return;
     call.arguments[*initial] = retract;
     if (back != retract) final_level_ = back;
 }

@@ -99,6 +99,9 @@ class Explainer {
             for (const Function also : form.sets) line.append(" ").append(info(also).name);
         }
         if (form.owns_block) line += ", in a block of its own";
+        if (form.owns_axes) line += ", without a motion in its block";
+        if (form.owns_address) line += ", alone among its address";
+        if (!form.unsupported.empty()) line += ", not executed: " + form.unsupported;
         if (form.is_preset) line += ", for the calls that follow";
         if (!form.note.empty()) line += "; " + form.note;
         if (std::find(lines_.begin(), lines_.end(), line) == lines_.end()) lines_.push_back(line);

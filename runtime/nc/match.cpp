@@ -135,6 +135,7 @@ class Matcher {
         FormId nearest = kNoForm;
         Fit nearest_fit;
         for (const FormId id : candidates) {
+            if (is_no_source_call(head, tables_.forms[id])) continue;
             const Fit fit = fit_form(head, tables_.forms[id]);
             if (fit.answer == Fit::Answer::Yes) {
                 if (best == kNoForm || fit.matched > best_fit.matched) best = id, best_fit = fit;
@@ -150,6 +151,12 @@ class Matcher {
         }
         if (Fault fault = check_rivals(head, candidates, best, best_fit)) return fault;
         return apply(tables_.forms[best], best, head, best_fit);
+    }
+
+    /// A call of a source is a cycle of a module that it can import.
+    bool is_no_source_call(std::size_t head, const Form& form) const {
+        return words_of_ == WordsOf::Source && address(head).kind == Address::Kind::Call &&
+               form.function == Function::Cycle && tables_.cycles[form.cycle].module.empty();
     }
 
     bool is_slot_word(std::size_t i) const { return address(i).slot >= 0; }

@@ -21,6 +21,9 @@ class Drill final : public CycleExpander {
 
     std::unique_ptr<Stream<Block>> expand(const CycleCall& call) override {
         calls.push_back(call);
+        std::array<double, kParameters + 1>& own = arguments.emplace_back();
+        std::copy_n(call.arguments.begin(), std::min(own.size(), call.arguments.size()),
+                    own.begin());
         names.emplace_back(call.name);
         if (fails) return nullptr;
         std::vector<Block> blocks = extra;
@@ -38,6 +41,7 @@ class Drill final : public CycleExpander {
     std::optional<std::string> refused;
     std::vector<Block> extra;
     std::vector<CycleCall> calls;
+    std::vector<std::array<double, kParameters + 1>> arguments;  // of the calls
     std::vector<std::string> names;
 };
 
@@ -169,11 +173,11 @@ TEST(Cycles, AlarmsInsideNameTheCycle) {
 /// Depths of the calls, one hole each.
 std::string holes(const Drill& cycles) {
     std::string out;
-    for (const CycleCall& call : cycles.calls) {
+    for (std::size_t i = 0; i < cycles.calls.size(); ++i) {
         if (!out.empty()) out += ", ";
-        out += format_shortest(call.position[0]) + ": " +
-               format_shortest(call.arguments[kRetract]) + " to " +
-               format_shortest(call.arguments[kTo]);
+        out += format_shortest(cycles.calls[i].position[0]) + ": " +
+               format_shortest(cycles.arguments[i][kRetract]) + " to " +
+               format_shortest(cycles.arguments[i][kTo]);
     }
     return out;
 }
@@ -234,12 +238,12 @@ TEST(Cycles, WordsAreModalAmongCycles) {
     EXPECT_EQ(ran.codes(), "");
     ASSERT_EQ(cycles.calls.size(), 5u);
     EXPECT_EQ(cycles.names[1], "drill_peck");
-    EXPECT_EQ(cycles.calls[1].arguments[1], 14) << "no stroke was said: the whole way";
-    EXPECT_EQ(cycles.calls[2].arguments[1], 14) << "a block that does not drill keeps nothing";
-    EXPECT_EQ(cycles.calls[3].arguments[1], 3);
-    EXPECT_EQ(cycles.calls[3].arguments[4], 0.5);
-    EXPECT_EQ(cycles.calls[4].arguments[kDwell], 0.5);
-    EXPECT_EQ(cycles.calls[4].arguments[kTo], -12);
+    EXPECT_EQ(cycles.arguments[1][1], 14) << "no stroke was said: the whole way";
+    EXPECT_EQ(cycles.arguments[2][1], 14) << "a block that does not drill keeps nothing";
+    EXPECT_EQ(cycles.arguments[3][1], 3);
+    EXPECT_EQ(cycles.arguments[3][4], 0.5);
+    EXPECT_EQ(cycles.arguments[4][kDwell], 0.5);
+    EXPECT_EQ(cycles.arguments[4][kTo], -12);
 }
 
 TEST(Cycles, WhatTheCodeSaysByItselfIsNotForOthers) {
@@ -250,8 +254,8 @@ TEST(Cycles, WhatTheCodeSaysByItselfIsNotForOthers) {
         {rapid().z(20), without_dwell, fn(Function::CycleWords, {{1, 0.25}}).x(2), drill({}).x(3)},
         {.rules = kModal, .cycles = &cycles});
     ASSERT_EQ(cycles.calls.size(), 3u);
-    EXPECT_EQ(cycles.calls[1].arguments[kDwell], 0);
-    EXPECT_EQ(cycles.calls[2].arguments[kDwell], 0.25);
+    EXPECT_EQ(cycles.arguments[1][kDwell], 0);
+    EXPECT_EQ(cycles.arguments[2][kDwell], 0.25);
 }
 
 TEST(Cycles, AMotionCodeInTheSameBlock) {
@@ -297,7 +301,7 @@ TEST(Cycles, ADwellBelowZeroCountsTurns) {
     const Ran ran =
         run({drill({{kTo, -12}, {kDwell, -5}}).f(100)}, {.rules = rules, .cycles = &cycles});
     EXPECT_EQ(ran.codes(), "");
-    EXPECT_NEAR(cycles.calls.at(0).arguments[kDwell], 0.3, 1e-12) << "5 turns at 1000 rpm";
+    EXPECT_NEAR(cycles.arguments.at(0)[kDwell], 0.3, 1e-12) << "5 turns at 1000 rpm";
     const Ran stands = run({drill({{kTo, -12}, {kDwell, -5}}).f(100)},
                            {.rules = rules, .cycles = &cycles, .spindle_runs = false});
     EXPECT_EQ(stands.codes(), "K5218");

@@ -238,8 +238,9 @@ TEST(Load, Explanations) {
     EXPECT_EQ(text("fanuc", "dwell"),
               "dwell: waits; seconds or spindle revolutions\n"
               "parameters: time (time, optional), revolutions (number, optional)\n"
-              "written and read as `G04 P{time:ms}`, in a block of its own\n"
-              "read as `G04 X{time:s}`, in a block of its own\n"
+              "written as `G04 P{time:ms}`, in a block of its own\n"
+              "read as `G04 P{time:ms}`, without a motion in its block\n"
+              "read as `G04 X{time:s}`, without a motion in its block\n"
               "example: `dwell(0.5s);` is written `G04 P500`\n");
     EXPECT_NE(text("fanuc", "G83").find("the cycle drill_peck"), std::string::npos);
     EXPECT_NE(text("fanuc", "X").find("without a point 1 means 0.001"), std::string::npos);

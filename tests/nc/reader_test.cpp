@@ -137,7 +137,7 @@ TEST(Reader, SinumerikWords) {
             {"LIMS=3000", "speed_limit(limit=3000)"},
             {"G96 S120\nG97\nG94",
              "S120 | cutting_speed_on | feed_per_revolution\ncutting_speed_off\nfeed_per_minute"},
-            {"CYCLE81(10,0,2,-40)", "cycle#15(0=10, 1=0, 2=2, 3=-40)"},
+            {"CYCLE81(10,0,2,-40)", "cycle#0(0=-40, 1=2, 2=10, 3=0)"},
             {"CYCLE83(50,2,0,-12,,,3,0,0,0,1,1,,,,,1)", "cycle#1(0=-12, 1=3, 2=2, 3=50, 4=0)"},
             {"CYCLE83(50,2,0,-12,,,3,0,0,0,1,1)",
              "cycle#16(0=50, 1=2, 2=0, 3=-12, 6=3, 7=0, 9=0, 10=0, 11=1, 12=1)"},
