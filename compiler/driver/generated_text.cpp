@@ -46,7 +46,8 @@ GeneratedText::GeneratedText(Session& session, const Program& program, const nc:
     : session_(session),
       program_(program),
       target_(target),
-      expander_(*program.code, target, expand_options(map != nullptr), sink),
+      expander_messages_(*this, sink),
+      expander_(*program.code, target, expand_options(map != nullptr), expander_messages_),
       writer_messages_(*this, sink),
       writer_(target, write_options(session.options()), writer_messages_),
       map_(map),
@@ -156,15 +157,37 @@ bool GeneratedText::is_in_library(const SourceRange& range) const {
     return session_.sources().name(range.file).starts_with(session_.share().library);
 }
 
+/// What stands in the library gets the place of the innermost call that does not; its own place
+/// becomes a note. False: it stands where it belongs.
+bool GeneratedText::move_to_call(Diagnostic& diagnostic, std::vector<Diagnostic::Note>& calls,
+                                 const char* words) const {
+    if (!diagnostic.range.file.is_valid() || !is_in_library(diagnostic.range)) return false;
+    const auto users = std::ranges::find_if(calls, [&](const Diagnostic::Note& call) {
+        return call.range.file.is_valid() && !is_in_library(call.range);
+    });
+    if (users == calls.end()) return false;
+    const SourceRange found = std::exchange(diagnostic.range, users->range);
+    calls.erase(users);
+    diagnostic.notes.push_back({found, {}, words});
+    return true;
+}
+
+void GeneratedText::ExpanderMessages::take(Diagnostic diagnostic) {
+    const bool is_said = diagnostic.severity == Severity::Error ||
+                         (diagnostic.row != nullptr && diagnostic.row == &diag::ProgramWarning);
+    if (is_said) {
+        std::vector<Diagnostic::Note> notes = std::move(diagnostic.notes);
+        diagnostic.notes.clear();
+        text_.move_to_call(diagnostic, notes, "it is found here");
+        std::ranges::move(notes, std::back_inserter(diagnostic.notes));
+    }
+    sink_.take(std::move(diagnostic));
+}
+
 void GeneratedText::WriterMessages::take(Diagnostic diagnostic) {
     if (diagnostic.severity == Severity::Error && diagnostic.range.file.is_valid()) {
         std::vector<Diagnostic::Note> calls = text_.calls_of_block(text_.blocks_);
-        const auto users = std::ranges::find_if(
-            calls, [&](const Diagnostic::Note& call) { return !text_.is_in_library(call.range); });
-        if (users != calls.end() && text_.is_in_library(diagnostic.range)) {
-            diagnostic.notes.push_back({diagnostic.range, {}, "this statement makes the block"});
-            diagnostic.range = users->range;
-            calls.erase(users);
+        if (text_.move_to_call(diagnostic, calls, "this statement makes the block")) {
             if (diagnostic.range == last_call_ && diagnostic.row == last_row_) return;
             last_call_ = diagnostic.range;
             last_row_ = diagnostic.row;

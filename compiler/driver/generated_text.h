@@ -78,10 +78,25 @@ class GeneratedText final : public nc::TextSource {
         const DiagnosticRow* last_row_ = nullptr;  // … and what
     };
 
+    /// Where errors of evaluating go, and warnings of the library's authors: what a function of the
+    /// library finds is said where the library was called.
+    class ExpanderMessages final : public DiagnosticSink {
+      public:
+        ExpanderMessages(const GeneratedText& text, DiagnosticSink& sink)
+            : text_(text), sink_(sink) {}
+        void take(Diagnostic diagnostic) override;
+
+      private:
+        const GeneratedText& text_;
+        DiagnosticSink& sink_;
+    };
+
     expand::ExpandOptions expand_options(bool has_trace) const;
     void write_batch();
     std::vector<Diagnostic::Note> calls_of_block(std::uint64_t number) const;
     bool is_in_library(const SourceRange& range) const;
+    bool move_to_call(Diagnostic& diagnostic, std::vector<Diagnostic::Note>& calls,
+                      const char* words) const;
     void map_block(std::size_t index, std::uint32_t line);
     SourceRange last_statement() const;
 
@@ -89,6 +104,7 @@ class GeneratedText final : public nc::TextSource {
     const Program& program_;
     const nc::Dialect& target_;
     std::function<bool(expand::Expander&)> start_;
+    ExpanderMessages expander_messages_;
     expand::Expander expander_;
     WriterMessages writer_messages_;
     nc::Writer writer_;

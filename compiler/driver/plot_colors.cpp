@@ -64,6 +64,14 @@ std::vector<LegendEntry> legend_of(const PlotScene& scene, PlotColor color) {
     std::vector<LegendEntry> legend;
     if (shades.size() <= kDistinct.size()) {
         for (const double shade : shades) {
+            // What only rounding of the way makes different is one feed.
+            constexpr double kSame = 1e-4;
+            const bool is_same = color == PlotColor::Feed && !legend.empty() &&
+                                 shade - legend.back().upper < kSame * shade;
+            if (is_same) {
+                legend.back().upper = shade;
+                continue;
+            }
             const std::size_t i = legend.size();
             legend.push_back({color == PlotColor::Line ? kRamp[i] : kDistinct[i],
                               range_label(color, shade, shade), shade});

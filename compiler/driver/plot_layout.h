@@ -27,6 +27,7 @@ struct View {
     double lower_up = 0;      // mm at the bottom edge
     double scale = 1;         // pixels a mm
     std::string name;
+    double up_said = 1;  // what a mm upwards is called: 2 where a radius is said as a diameter
 
     double x(double mm) const { return frame.left + (mm - lower_across) * scale; }
     double y(double mm) const { return frame.bottom() - (mm - lower_up) * scale; }

@@ -88,7 +88,7 @@ void draw_labels(std::string& out, const View& view, double step) {
     }
     for (const double v : grid_values(view.lower_up, view.lower_up + f.height / view.scale, step)) {
         put(out, "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>\n", f.left - 6,
-            view.y(v) + 4, mm(v));
+            view.y(v) + 4, mm(v * view.up_said));
     }
     out += "</g>\n";
     put(out,
@@ -142,7 +142,7 @@ void draw_dimension_up(std::string& out, const View& view, double from, double t
     put(out,
         "<text transform=\"translate({:.1f} {:.1f}) rotate(-90)\" font-size=\"13\" "
         "text-anchor=\"middle\" fill=\"{}\" class=\"halo wide\">{}</text>\n",
-        x + 4.5, (a + b) / 2, kInk, mm(to - from));
+        x + 4.5, (a + b) / 2, kInk, mm((to - from) * view.up_said));
 }
 
 void draw_dimensions(std::string& out, const Layout& layout, const Box& part) {
@@ -393,7 +393,12 @@ text { font-family: "Inter", "Segoe UI", "DejaVu Sans", "Liberation Sans", Arial
 }  // namespace
 
 std::string plot_svg(const PlotScene& scene, const PlotText& text, PlotColor color) {
-    const Layout layout = lay_out(scene);
+    Layout layout = lay_out(scene);
+    for (View& view : layout.views) {
+        if (!text.has_diameters || view.up != 0) continue;
+        view.up_said = 2;
+        view.name += ", X as diameters";
+    }
     const std::vector<LegendEntry> legend = legend_of(scene, color);
     std::string out;
     put(out,

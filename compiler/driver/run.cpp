@@ -205,6 +205,7 @@ void Run::write_plot(const RunFigures& figures) {
     text.subtitle = figures.dialect + " · " +
                     (machine.title.empty() ? machine.name : machine.title) + " · " +
                     duration_text(figures.totals.time);
+    text.has_diameters = machine.is_lathe;
     if (!figures.alarm.empty()) text.warning = "not complete, ended by " + figures.alarm;
     outputs_.plot->write(plot_svg(scene_, text, job_.plot_color));
 }

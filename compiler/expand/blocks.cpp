@@ -671,7 +671,10 @@ bool Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint
         fault(diag::StateUnknown, at).arg(nc::group_name(static_cast<Group>(i)));
         return false;
     }
-    const sema::ModalMask values = changed & before.lost & (sema::kFeedBit | sema::kSpeedBit);
+    // Behind a `with` that set the first F there is none, and none there is behind this one.
+    const sema::ModalMask no_value = before.lost_in == Loss::EndOfWith ? sema::kFeedBit : 0;
+    const sema::ModalMask values =
+        changed & before.lost & ~no_value & (sema::kFeedBit | sema::kSpeedBit);
     if (values != 0) {
         fault(diag::StateUnknown, at).arg((values & sema::kFeedBit) != 0 ? "F" : "S");
         return false;

@@ -55,9 +55,7 @@ std::array<double, 3> difference(std::array<double, 3> a, const std::array<doubl
 
 }  // namespace
 
-bool ProgramFrame::is_identity() const {
-    return shift == std::array<double, 3>{} && angle_deg == 0 && !has_scale() && !has_mirror();
-}
+bool ProgramFrame::is_identity() const { return shift == std::array<double, 3>{} && is_shift(); }
 
 bool ProgramFrame::is_stretched(nc::Function in_plane) const {
     const PlaneAxes axes = axes_of(in_plane);

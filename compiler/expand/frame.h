@@ -32,6 +32,10 @@ struct ProgramFrame {
     bool has_scale() const { return scale != std::array<double, 3>{1, 1, 1}; }
     bool has_center() const { return center != std::array<double, 3>{}; }
     bool is_identity() const;
+    /// Whether it moves the part and nothing else.
+    bool is_shift() const { return angle_deg == 0 && !has_scale() && !has_mirror(); }
+    /// Whether a right-hand screw becomes a left-hand one.
+    bool is_left_handed() const { return is_mirrored[0] != (is_mirrored[1] != is_mirrored[2]); }
     /// Whether the axis may have another coordinate in the other frame.
     bool differs(const ProgramFrame& other, std::size_t axis) const;
     /// Whether circles of the plane become ellipses.

@@ -77,6 +77,13 @@ void ModalState::set_position(const nc::Block& block, const nc::Invocation& invo
     }
 }
 
+/// The zero point moves along one axis (1 is X), in a frame that turns along some.
+void ModalState::lose_corrected(double axis) {
+    const bool is_one = frame.is_shift() && axis >= 1 && axis <= 3;
+    known &= is_one ? static_cast<AxisMask>(~(1u << (static_cast<unsigned>(axis) - 1u)))
+                    : static_cast<AxisMask>(~kLinearXYZ);
+}
+
 void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) {
     const auto vector = [&](std::array<double, 3>& values, std::array<bool, 3>& given) {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -152,9 +159,9 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
             forget_drift(static_cast<AxisMask>(invocation.given >> 1 & kLinearXYZ));
             known = 0;
             return;
-        case Function::ReferenceReturn:
+        case Function::ReferenceReturn: known = 0; return;
         case Function::OffsetToEdge:
-        case Function::OffsetToMiddle: known = 0; return;
+        case Function::OffsetToMiddle: lose_corrected(block.argument(invocation, 1)); return;
         case Function::SetPosition: set_position(block, invocation); return;
         case Function::DiameterOn:
         case Function::DiameterOff:

@@ -92,6 +92,7 @@ struct ModalState {
     void take(const nc::Block& block, const nc::Invocation& invocation);
     void set_position(const nc::Block& block, const nc::Invocation& invocation);
     void change_tool(SourceId source);
+    void lose_corrected(double axis);
     void note_drift(std::size_t axis, bool is_known, double by);
     void forget_drift(AxisMask axes);
 };

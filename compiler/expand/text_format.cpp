@@ -53,6 +53,7 @@ void pad(std::string text, const FormatPiece& piece, std::string& out, bool is_s
 
 std::string Expander::State::format(const sema::FormatPattern& pattern, const Slot* values) const {
     std::string out;
+    const bool is_inch = modal[nc::Group::Units] == nc::Function::Inch;
     for (const FormatPiece& piece : pattern) {
         if (piece.kind == FormatPiece::Kind::Literal) {
             out += piece.text;
@@ -67,7 +68,10 @@ std::string Expander::State::format(const sema::FormatPattern& pattern, const Sl
                 else pad(std::to_string(value.integer), piece, out);
                 break;
             case FormatPiece::Kind::Number:
-                pad(number(value.number * piece.factor, piece), piece, out);
+                pad(number(value.number * (is_inch && piece.inch_factor != 0 ? piece.inch_factor
+                                                                             : piece.factor),
+                           piece),
+                    piece, out);
                 break;
             case FormatPiece::Kind::Feed:
             case FormatPiece::Kind::Speed: {

@@ -1012,6 +1012,10 @@ op_State:
         A.integer = modal.has_tool ? static_cast<std::int64_t>(modal.tool) : sema::kNotGivenInteger;
     } else if (static_cast<sema::StateValue>(ip->c) == sema::StateValue::Spindle) {
         A.integer = spindle_code();
+    } else if (static_cast<sema::StateValue>(ip->c) == sema::StateValue::Mirrored) {
+        A.integer = modal.frame.is_left_handed() ? 1 : 0;
+    } else if (static_cast<sema::StateValue>(ip->c) == sema::StateValue::Turned) {
+        A.integer = modal.frame.is_shift() ? 0 : 1;
     } else {
         A.number = state_value(static_cast<sema::StateValue>(ip->c));
     }

@@ -33,12 +33,15 @@ Units Checker::units_of(const FunctionDecl& function) const {
     return modules_[function.module].units;
 }
 
+bool Checker::is_library(std::uint32_t module) const {
+    return sources_.name(modules_[module].ast->file).find("stdlib") != std::string_view::npos;
+}
+
 std::optional<nc::CycleId> Checker::native_cycle(const FunctionDecl& function) const {
     if (function.kind != DeclKind::Cycle) return std::nullopt;
     // Only the cycles of the standard library are the controls' own: a user's cycle of the same
     // name does what the user wrote.
-    const std::string_view file = sources_.name(modules_[function.module].ast->file);
-    if (file.find("stdlib") == std::string_view::npos) return std::nullopt;
+    if (!is_library(function.module)) return std::nullopt;
     const nc::Dialect& dialect = *modules_[0].dialect;
     const std::optional<nc::CycleId> id = dialect.find_cycle(function.name);
     if (!id) return std::nullopt;
@@ -56,24 +59,37 @@ void Checker::emit_native_cycle() {
     emit_.emit_pair(Op::NativeCycle, 0, 0, 0, *current_native_);
 }
 
+namespace {
+
+/// Whether a statement asks something of the parameters, or warns of them, and does nothing else.
+bool is_contract(const syntax::Ast& tree, syntax::StmtId id) {
+    const syntax::Stmt& stmt = tree[id];
+    switch (stmt.kind) {
+        case syntax::StmtKind::Require:
+        case syntax::StmtKind::Assert:
+        case syntax::StmtKind::WarnStmt: return true;
+        case syntax::StmtKind::If:
+            return !stmt.statement[1].is_valid() && is_contract(tree, stmt.statement[0]);
+        default: return false;
+    }
+}
+
+}  // namespace
+
 bool Checker::only_checks(const FunctionDecl& function) const {
     const syntax::Ast& tree = *modules_[function.module].ast;
     const syntax::Decl& decl = tree[function.decl];
     if (!decl.body.is_valid()) return false;
     const auto statements = tree.stmts(tree[decl.body].statements);
-    return std::all_of(statements.begin(), statements.end(), [&](syntax::StmtId id) {
-        return tree[id].kind == syntax::StmtKind::Require ||
-               tree[id].kind == syntax::StmtKind::Assert;
-    });
+    return std::ranges::all_of(statements,
+                               [&](syntax::StmtId id) { return is_contract(tree, id); });
 }
 
 /// The contract of a cycle holds for a native one too, so it is checked before.
 bool Checker::is_check(syntax::StmtId id) const {
     const syntax::Stmt& stmt = ast()[id];
     switch (stmt.kind) {
-        case syntax::StmtKind::Empty:
-        case syntax::StmtKind::Require:
-        case syntax::StmtKind::Assert: return true;
+        case syntax::StmtKind::Empty: return true;
         case syntax::StmtKind::Expression: {
             const syntax::Expr& expr = ast()[stmt.expression[0]];
             if (expr.kind != syntax::ExprKind::Call ||
@@ -83,7 +99,7 @@ bool Checker::is_check(syntax::StmtId id) const {
             return found != nullptr && found->what == Name::What::Function &&
                    only_checks(functions_[found->index]);
         }
-        default: return false;
+        default: return is_contract(ast(), id);
     }
 }
 

@@ -83,6 +83,7 @@ class Checker {
     void finish();
     Units units_of(const FunctionDecl& function) const;
     /// The common cycle that this function is the body of.
+    bool is_library(std::uint32_t module) const;
     std::optional<nc::CycleId> native_cycle(const FunctionDecl& function) const;
     void emit_native_cycle();
     bool is_check(syntax::StmtId id) const;

@@ -95,7 +95,7 @@ enum class Math : std::uint8_t {
 };
 
 /// What `state.…` reads.
-enum class StateValue : std::uint8_t { Feed, Speed, Tool, Spindle };
+enum class StateValue : std::uint8_t { Feed, Speed, Tool, Spindle, Mirrored, Turned };
 
 /// Registers of a contour's element, in the order of its members.
 enum class ElementSlot : std::uint8_t {
@@ -265,8 +265,9 @@ struct SourceCycle {
 struct FormatPiece {
     enum class Kind : std::uint8_t { Literal, Integer, Number, Feed, Speed, Text, Bool, Enum };
     Kind kind = Kind::Literal;
-    std::string text;   // of a Literal
-    double factor = 1;  // a Number is multiplied by it: mm → the file's units
+    std::string text;        // of a Literal
+    double factor = 1;       // a Number is multiplied by it: mm → the file's units
+    double inch_factor = 0;  // … of the library, which serves programs in inches; 0: the same
     std::int16_t decimals = -1;
     std::int16_t width = 0;
     bool zeros = false;  // filled with zeros instead of blanks

@@ -230,6 +230,11 @@ Value Checker::position_member(const Expr& expr, bool is_position) {
         emit_.emit(Op::State, reg, 0, static_cast<unsigned>(StateValue::Spindle));
         return in_registers(types_.optional(types::kInt), reg);
     }
+    if (name == "mirrored" || name == "turned") {
+        const StateValue asked = name == "turned" ? StateValue::Turned : StateValue::Mirrored;
+        emit_.emit(Op::State, reg, 0, static_cast<unsigned>(asked));
+        return in_registers(types::kBool, reg);
+    }
     report(diag::UnknownMember, expr.range).arg("state").arg(name);
     return error_value();
 }

@@ -52,6 +52,8 @@ bool Checker::format_piece(const Value& value, std::string_view format, const So
         case Kind::Real:
             piece.kind = K::Number;
             piece.factor = 1.0 / bare_factor(info.quantity, units_);
+            if (is_library(module_))
+                piece.inch_factor = 1.0 / bare_factor(info.quantity, Units::Inch);
             break;
         case Kind::Feed:
             piece.kind = K::Feed;
@@ -118,6 +120,7 @@ void Checker::add_unit(Type type, std::string_view between, FormatPiece& piece) 
         if (!unit.empty()) unit.insert(0, between);
     };
     const TypeInfo info = type_info(types_.given(type));
+    piece.inch_factor = 0;
     if (info.kind == Kind::Real) add(info.quantity, piece.unit);
     if (info.kind == Kind::Feed) {
         add(kFeedPerTime, piece.unit);

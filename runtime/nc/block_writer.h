@@ -218,6 +218,8 @@ class BlockWriter {
                      std::string& out);
     void append_call(const Block& block, const FormWord& word, const Invocation* invocation,
                      std::string& out);
+    void append_quantity(const Block& block, const FormWord& word, const NumberFormat& format,
+                         std::string_view name, std::string& out);
     void append_parameter(const Block& block, const FormWord& word, const Invocation* invocation,
                           const NumberFormat& format, std::string_view name, std::string& out);
     void append_whole(const Block& block, const FormWord& word, double value,

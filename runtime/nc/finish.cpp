@@ -110,7 +110,7 @@ class Finisher {
         };
         std::uint64_t groups = bit_of(form.group);
         for (const FormWord& word : form.words) {
-            if (word.kind != FormWord::Kind::Fixed) continue;
+            if (word.kind != FormWord::Kind::Fixed || word.is_quantity) continue;
             const Code* code = tables_.find_code(word.address, word.number);
             if (code != nullptr) groups |= bit_of(tables_.forms[code->forms[0]].group);
         }

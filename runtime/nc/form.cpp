@@ -237,6 +237,7 @@ class LineParser {
         if (close == std::string_view::npos) return fail("`{` is not closed");
         std::string_view inner = line_.substr(at_, close - at_);
         at_ = close + 1;
+        if (inner.starts_with('=')) return parse_quantity(word, inner.substr(1));
         if (!inner.empty() && inner.front() == '+') {
             word.adds = true;
             inner.remove_prefix(1);
@@ -263,6 +264,21 @@ class LineParser {
         word.is_optional |= word.adds;
         if (!parse_operator(word, inner, sign) || !parse_unit(word, unit)) return false;
         if (is_negated) word.factor = -word.factor;
+        return true;
+    }
+
+    /// `{=0.5:length}`: always the same, in the units of the text.
+    bool parse_quantity(FormWord& word, std::string_view inner) {
+        const Decimal number = parse_decimal(inner.data(), inner.data() + inner.size());
+        const auto digits = static_cast<std::size_t>(number.end - inner.data());
+        const bool is_length = digits > 0 && inner.substr(digits) == ":length";
+        if (!is_length ||
+            (word.kind != FormWord::Kind::Value && word.kind != FormWord::Kind::Fixed))
+            return fail("a number of its own is a length, in mm: `{=0.5:length}`");
+        word.kind = FormWord::Kind::Fixed;
+        word.number = number.value;
+        word.dimension = Dimension::Length;
+        word.is_quantity = true;
         return true;
     }
 

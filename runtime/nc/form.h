@@ -6,6 +6,7 @@
 //   T="{tool}"                  a parameter between quotes
 //   NAME({a},{b},,0,"{text}")   a call; arguments may be left out
 //   (MSG,{text})                between the control's comment signs
+// A number that has a dimension is {=0.5:length}, in mm, so that it is right in inches too.
 // A placeholder is {name}, {name?} (may be left out), {name:unit}, {name+6}, {name-6}, {name=0}
 // (written when it is not given), {+name} (written as 0; a value that is read is added to the
 // parameter), {name:named} (the word's presence is the value: written 0).

@@ -437,11 +437,15 @@ bool LineReader::match_verbatim(const Form& form, std::string_view text, Block& 
             ++at;
             ++letter;
         }
-        if (word.parameter < 0) continue;
+        if (word.parameter < 0 && !word.is_quantity) continue;
         skip(at, end);
         const Decimal decimal = parse_decimal(at, end);
         if (decimal.end == at) return false;
         at = decimal.end;
+        if (word.is_quantity) {
+            if (!is_quantity(word, decimal.value, argument_format(tables_), units_)) return false;
+            continue;
+        }
         const auto parameter = static_cast<std::size_t>(word.parameter);
         const double scale = text_scale(word.dimension, units_, false);
         const double value = (decimal.value / scale - word.offset) / word.factor;

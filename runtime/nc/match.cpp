@@ -264,7 +264,7 @@ class Matcher {
         const GivenWord& word = words_[i];
         switch (wanted.kind) {
             case FormWord::Kind::Fixed:
-                if (!word.has_value || (word.is_known && !near(word.number, wanted.number))) {
+                if (!word.has_value || (word.is_known && !is_fixed(wanted, word.number))) {
                     refuse(fit, Fit::Answer::Value, i);
                 }
                 break;
@@ -287,6 +287,18 @@ class Matcher {
             case FormWord::Kind::Empty:
             case FormWord::Kind::Text: break;
         }
+    }
+
+    /// Whether a number is the one of the form. That of a quantity has been rounded in the units of
+    /// the text.
+    bool is_fixed(const FormWord& wanted, double number) const {
+        if (!wanted.is_quantity) return near(number, wanted.number);
+        TextUnits units;
+        units.inch = modal_[static_cast<std::size_t>(Group::Units)] == Function::Inch;
+        return is_quantity(wanted, number,
+                           wanted.address == kNoAddress ? argument_format(tables_)
+                                                        : tables_.addresses[wanted.address].format,
+                           units);
     }
 
     /// Whether a whole number ends in the digits that the pattern wants.
@@ -331,7 +343,7 @@ class Matcher {
         if (want.kind == FormWord::Kind::Empty) return is_empty;
         if (want.kind == FormWord::Kind::Text) return is_text || (is_empty && want.is_optional);
         if (want.kind == FormWord::Kind::Fixed)
-            return is_empty ? want.number == 0 : is_number && near(given.number, want.number);
+            return is_empty ? want.number == 0 : is_number && is_fixed(want, given.number);
         if (is_empty) return want.is_optional || want.has_default;
         // Which form it is cannot wait for the value.
         if (given.kind == GivenArgument::Kind::Computed) return !is_constrained(form, want);

@@ -65,6 +65,18 @@ NumberFormat lead_format(const NumberFormat& format) {
     return lead;
 }
 
+NumberFormat argument_format(const DialectTables& tables) {
+    const AddressId address = tables.find_address("()");
+    return address == kNoAddress ? NumberFormat{} : tables.addresses[address].format;
+}
+
+bool is_quantity(const FormWord& quantity, double number, const NumberFormat& format,
+                 const TextUnits& units) {
+    const double exact = quantity.number * text_scale(quantity.dimension, units, false);
+    const double last = 1 / power_of_ten(text_decimals(format, quantity.dimension, units));
+    return std::fabs(number - exact) < 0.51 * last;
+}
+
 double text_scale(Dimension dimension, const TextUnits& units, bool is_slot) {
     switch (dimension) {
         case Dimension::Length: return units.inch ? 1 / kMmPerInch : 1;

@@ -33,8 +33,14 @@ inline int text_decimals(const NumberFormat& format, Dimension dimension, const 
 
 /// The format for the lead of a thread.
 NumberFormat lead_format(const NumberFormat& format);
+/// The format of the numbers in calls and in lines of the control's own language.
+NumberFormat argument_format(const DialectTables& tables);
 /// What one least increment of the control is, in the text's units; 0.001 mm as a rule.
 double increment_size(const DialectTables& tables, Dimension dimension, const TextUnits& units);
+
+/// Whether a number of the text is that of a form's quantity, rounded as the format has it.
+bool is_quantity(const FormWord& quantity, double number, const NumberFormat& format,
+                 const TextUnits& units);
 
 enum class NumberFault : std::uint8_t { None, NotFinite, TooLarge, NotReadBack, Negative, Point };
 

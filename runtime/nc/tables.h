@@ -85,8 +85,11 @@ struct FormWord {
     };
     Kind kind = Kind::Fixed;
     AddressId address = kNoAddress;
-    std::string text;    // written as it stands (Fixed, Name), or what stands before the value
-    double number = 0;   // Fixed
+    std::string text;   // written as it stands (Fixed, Name), or what stands before the value
+    double number = 0;  // Fixed
+    // Fixed, `{=0.5:length}`: the number is a quantity, written and read in the units of the text;
+    // `text` is what stands before it.
+    bool is_quantity = false;
     int parameter = -1;  // Value, Quoted, Text
     Dimension dimension = Dimension::Number;
     double factor = 1;  // written = value · factor + offset

@@ -259,7 +259,7 @@ bool BlockWriter::takes_word(const Item& item, const Form& other, const FormWord
 /// Codes that stand in a form's further lines change the state of the text, too.
 void BlockWriter::note_line(const std::vector<FormWord>& words) {
     for (const FormWord& word : words) {
-        if (word.kind != FormWord::Kind::Fixed) continue;
+        if (word.kind != FormWord::Kind::Fixed || word.is_quantity) continue;
         const Code* code = tables_.find_code(word.address, word.number);
         if (code != nullptr && code->simple != kNoForm) note_written(tables_.forms[code->simple]);
     }
@@ -294,10 +294,12 @@ void BlockWriter::append_item(const Block& block, const Item& item, const Target
 /// A line of the control's own language: letters as they are, numbers as in arguments.
 void BlockWriter::append_verbatim(const Block& block, const Form& form,
                                   const Invocation& invocation, std::string& out) {
-    const AddressId call = tables_.find_address("()");
-    const NumberFormat format =
-        call == kNoAddress ? NumberFormat{} : tables_.addresses[call].format;
+    const NumberFormat format = argument_format(tables_);
     for (const FormWord& word : form.words) {
+        if (word.is_quantity) {
+            append_quantity(block, word, format, "()", out);
+            continue;
+        }
         out += word.text;
         if (word.parameter >= 0) append_parameter(block, word, &invocation, format, "()", out);
     }
@@ -338,6 +340,13 @@ void BlockWriter::append_word(const Block& block, const FormWord& word,
                               const Invocation* invocation, std::string& out) {
     switch (word.kind) {
         case FormWord::Kind::Fixed:
+            if (word.is_quantity) {
+                blank(out);
+                append_quantity(block, word, tables_.addresses[word.address].format,
+                                tables_.addresses[word.address].name, out);
+                break;
+            }
+            [[fallthrough]];
         case FormWord::Kind::Name:
             blank(out);
             out += word.text;
@@ -370,13 +379,16 @@ void BlockWriter::append_call(const Block& block, const FormWord& word,
     out += word.text;
     out += '(';
     std::size_t last = 0;  // past the last argument that is not empty
+    const NumberFormat format = argument_format(tables_);
     for (std::size_t i = 0; i < word.arguments.size(); ++i) {
         const FormWord& argument = word.arguments[i];
         if (i > 0) out += ',';
         const std::size_t before = out.size();
         const bool is_given = argument.parameter >= 0 && invocation != nullptr &&
                               (invocation->given >> argument.parameter & 1u) != 0;
-        if (argument.kind == FormWord::Kind::Fixed) {
+        if (argument.is_quantity) {
+            append_quantity(block, argument, format, "()", out);
+        } else if (argument.kind == FormWord::Kind::Fixed) {
             out += argument.text;
         } else if (argument.kind == FormWord::Kind::Text) {
             if (!block.text.empty()) {
@@ -387,11 +399,7 @@ void BlockWriter::append_call(const Block& block, const FormWord& word,
         } else if (argument.adds) {
             out += '0';
         } else if (argument.kind == FormWord::Kind::Value && (is_given || argument.has_default)) {
-            const AddressId format = tables_.find_address("()");
-            append_parameter(
-                block, argument, invocation,
-                format == kNoAddress ? NumberFormat{} : tables_.addresses[format].format, "()",
-                out);
+            append_parameter(block, argument, invocation, format, "()", out);
         }
         if (out.size() != before) last = out.size();
     }
@@ -399,6 +407,16 @@ void BlockWriter::append_call(const Block& block, const FormWord& word,
     if (last != 0) out.resize(last);
     while (out.ends_with(',')) out.pop_back();
     out += ')';
+}
+
+/// A number of the form itself, in the units of the text.
+void BlockWriter::append_quantity(const Block& block, const FormWord& word,
+                                  const NumberFormat& format, std::string_view name,
+                                  std::string& out) {
+    out += word.text;
+    const double number = word.number * text_scale(word.dimension, modal_.units, false);
+    const NumberFault fault = append_number(out, number, format, word.dimension, modal_.units);
+    if (fault != NumberFault::None) number_fault(block, fault, number, name);
 }
 
 void BlockWriter::append_parameter(const Block& block, const FormWord& word,

@@ -114,6 +114,23 @@ TEST_F(Plot, TurnedPartLiesInTheChuck) {
     const Layout layout = lay_out(scene_);
     ASSERT_EQ(layout.views.size(), 1u);
     EXPECT_EQ(layout.views[0].name, "Z-X");
+    // On a lathe X is read off as the control shows it.
+    PlotText text;
+    text.has_diameters = true;
+    const std::string svg = plot_svg(scene_, text, PlotColor::Feed);
+    EXPECT_NE(svg.find(">Z-X, X as diameters</text>"), std::string::npos);
+    EXPECT_NE(svg.find(">4</text>"), std::string::npos);  // from diameter 60 to 64
+    EXPECT_NE(svg.find(">60</text>"), std::string::npos);
+}
+
+TEST_F(Plot, FeedsThatOnlyRoundingTellsApartAreOne) {
+    rapid({0, 0, 0});
+    line({10, 0, 0}, 100);
+    line({20, 0, 0}, 1088.931);
+    line({30, 10, 0}, 1088.932);
+    const std::string svg = plot_svg(scene_, {}, PlotColor::Feed);
+    EXPECT_NE(svg.find(">1088.931</text>"), std::string::npos);
+    EXPECT_EQ(svg.find(">1088.932</text>"), std::string::npos);
 }
 
 TEST_F(Plot, RapidsToAndFroAreDrawnOnce) {

@@ -257,6 +257,25 @@ TEST(Contours, PocketsOfAnyShape) {
     }));
 }
 
+/// The way off a ring that was entered on a ramp: beside it nothing has been cut yet.
+TEST(Contours, ARingWithNothingInsideIsLeftStraightUp) {
+    for (const char* allowance : {"0mm", "0.3mm"}) {
+        for (const char* down : {"helix", "ramp", "straight"}) {
+            const std::string call =
+                std::string("contour wall = { G1 X20 Y0; G3 I-20 J0; };\n") +
+                "contour post = { G1 X10 Y0; G3 I-10 J0; };\n" +
+                "pocket_contour(wall, to: -5mm, tool_d: 8mm, step: 2mm, plunge: 200mm/min, "
+                "islands: {post}, down: " +
+                down + ", allowance: " + allowance + ")";
+            SCOPED_TRACE(call);
+            Stock stock = plate();
+            stock.cut(commands_of("cycles.contours", call), 8);
+            EXPECT_EQ(faults_of(stock, std::string(down) == "straight"), "");
+            EXPECT_NEAR(stock.lowest(), -5, 1e-6);
+        }
+    }
+}
+
 TEST(Contours, WallsOfAnyShape) {
     EXPECT_TRUE(rc::check([] {
         const Outline outline = any_star({0, 0}, 8, 24);

@@ -14,6 +14,7 @@
 
 #include "base/text.h"
 #include "tests/common/process.h"
+#include "tests/stdlib/commands.h"
 
 namespace {
 
@@ -132,6 +133,77 @@ TEST(Drilling, StrokesThatBecomeShorter) {
                 EXPECT_GE(hole.strokes[k], less / 2 - 0.001 - kExact) << k;
             }
         }
+    }
+}
+
+/// What a call says that must be refused, or warned of.
+std::string messages_of(const std::string& before, const std::string& call,
+                        const std::string& dialect) {
+    return stdlib_test::outcome_of(
+               "import cycles.drilling;\nimport threads;\nprogram test() {\n"
+               "tool(1);\nS1000 M3;\nF100;\nG0 X10 Y5;\nG0 Z50;\n" +
+                   before + " {\n" + call + ";\n}\nM30;\n}\n",
+               dialect, "mill", "native")
+        .messages;
+}
+
+TEST(Drilling, ADwellIsNotNegative) {
+    for (const char* call :
+         {"center(d: 5mm, dwell: -1s)", "drill(to: -3mm, dwell: -1s)",
+          "drill_peck(to: -3mm, peck: 1mm, dwell: -1s)",
+          "drill_chip(to: -3mm, peck: 1mm, dwell: -1s)",
+          "drill_deep(to: -9mm, first: 4mm, less: 1mm, dwell: -1s)",
+          "tap(to: -3mm, pitch: 1mm, dwell: -1s)", "bore(to: -3mm, dwell: -1s)",
+          "ream(to: -3mm, dwell: -1s)", "ream(to: -3mm, back: 300mm/min, dwell: -1s)",
+          "bore_oriented(to: -3mm, lift_x: 0.2mm, dwell: -1s)",
+          "bore_oriented(to: -3mm, lift_x: 0.2mm, stop_at: 0deg, dwell: -1s)",
+          "back_bore(to: -3mm, below: -9mm, shift_x: 1mm, dwell: -1s)"}) {
+        for (const char* dialect : {"iso", "sinumerik", "fanuc"}) {
+            SCOPED_TRACE(std::string(call) + dialect);
+            const std::string messages = messages_of("", call, dialect);
+            EXPECT_NE(messages.find(":10:1: error[K3301]: `dwell`: a rest of -1 s cannot be"),
+                      std::string::npos)
+                << messages;
+        }
+    }
+}
+
+TEST(Drilling, WhatTheMachineTurnsIsNotMirrored) {
+    struct Row {
+        const char* before;
+        const char* call;
+        const char* message;  // none: it is right
+    };
+    const char* thread = "thread_mill(d: 20mm, pitch: 2mm, to: -4mm, tool_d: 12mm, cut: 300mm/min)";
+    const char* outside =
+        "thread_mill_outside(d: 20mm, pitch: 2mm, to: -4mm, tool_d: 12mm, cut: 300mm/min)";
+    const char* oriented = "bore_oriented(to: -20mm, lift_x: 0.5mm)";
+    const char* stopped =
+        "bore_to_stop(to: -20mm, lift_x: 0.5mm, lift_y: 0mm, lift_z: 0mm, "
+        "stop_at: 0deg)";
+    const char* back = "back_bore(to: -5mm, below: -20mm, shift_x: 1mm)";
+    for (const Row& row :
+         {Row{"with mirror(x: true)", thread, "a mirror turns the hand"},
+          {"with mirror(y: true)", outside, "a mirror turns the hand"},
+          {"with mirror(x: true) mirror(y: true)", thread, ""},
+          {"with rotate(30deg)", thread, ""},
+          {"with mirror(x: true)", oriented, "lifted another way"},
+          {"with rotate(30deg)", oriented, "lifted another way"},
+          {"with scale(2)", oriented, "lifted another way"},
+          {"with shift(x: 10mm)", oriented, ""},
+          {"with mirror(x: true)", stopped, "lifted another way"},
+          {"with mirror(x: true)", back, "lifted another way"},
+          {"spindle(500rpm, ccw);", oriented, "this cycle needs M3"},
+          {"spindle(500rpm, ccw);", "bore_stop(to: -5mm)", "this cycle needs M3"},
+          {"spindle(500rpm, ccw);", back, "this cycle needs M3"},
+          {"spindle(500rpm, ccw);", "drill(to: -5mm)", "only a left-hand tool cuts that way"},
+          {"spindle(500rpm, ccw);", "tap(to: -5mm, pitch: 1mm)", ""}}) {
+        SCOPED_TRACE(std::string(row.before) + row.call);
+        const std::string messages = messages_of(row.before, row.call, "sinumerik");
+        if (std::string(row.message).empty()) {
+            EXPECT_EQ(messages, "");
+        }
+        EXPECT_NE(messages.find(row.message), std::string::npos) << messages;
     }
 }
 

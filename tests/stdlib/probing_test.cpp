@@ -132,6 +132,50 @@ TEST(Probing, AnEdgeIsFoundFromItsFront) {
     }
 }
 
+/// The F that none has set before is none again, and what is not corrected stays known.
+TEST(Probing, OneCycleBehindTheOther) {
+    for (const char* dialect : {"iso", "fanuc", "sinumerik"}) {
+        SCOPED_TRACE(dialect);
+        const auto outcome =
+            outcome_of(program_of("probe_edge(z_minus, at: 0mm, ball_d: 6mm, offset: 1);\n"
+                                  "probe_edge(x_plus, at: 20mm, ball_d: 6mm, offset: 1);\n"
+                                  "probe_edge(y_plus, at: 20mm, ball_d: 6mm, offset: 1);\n"
+                                  "probe_bore(d: 30mm, ball_d: 6mm, offset: 1);\n"
+                                  "probe_boss(d: 9mm, to: 5mm, ball_d: 6mm, offset: 1)",
+                                  "tool(9);\nG0 X0 Y0;\nG0 Z20;"),
+                       dialect, "mill");
+        EXPECT_EQ(outcome.status, 0);
+        EXPECT_EQ(outcome.messages, "");
+    }
+}
+
+TEST(Probing, OnlyAShiftMayAct) {
+    struct Row {
+        const char* frame;
+        int status;
+    };
+    for (const Row& row : {Row{"with mirror(x: true)", 1},
+                           {"with rotate(30deg)", 1},
+                           {"with scale(2)", 1},
+                           {"with shift(x: 10mm)", 0}}) {
+        for (const char* call : {"probe_edge(x_plus, at: 30mm, ball_d: 6mm, offset: 1)",
+                                 "probe_bore(d: 30mm, ball_d: 6mm, offset: 1)",
+                                 "probe_boss(d: 9mm, to: 5mm, ball_d: 6mm, offset: 1)"}) {
+            SCOPED_TRACE(std::string(row.frame) + call);
+            const auto outcome =
+                outcome_of(program_of(std::string(row.frame) + " { " + call + "; }",
+                                      "tool(9);\nG0 X0 Y0;\nG0 Z20;"),
+                           "sinumerik", "mill");
+            EXPECT_EQ(outcome.status, row.status);
+            if (row.status == 1) {
+                EXPECT_NE(outcome.messages.find("are not those of the work offset"),
+                          std::string::npos)
+                    << outcome.messages;
+            }
+        }
+    }
+}
+
 TEST(Probing, ForbiddenParametersSaySo) {
     struct Row {
         const char* call;
@@ -144,6 +188,9 @@ TEST(Probing, ForbiddenParametersSaySo) {
              {"probe_edge(x_plus, at: 20mm, ball_d: 6mm, offset: 1, slow: 0mm/min)", "cannot be"},
              {"probe_edge(x_plus, at: 5mm, ball_d: 6mm, offset: 1)", "the probe stands at 0"},
              {"probe_edge(x_minus, at: 20mm, ball_d: 6mm, offset: 1)", "the probe stands at 0"},
+             {"probe_edge(x_plus, at: 20mm, ball_d: 6mm, offset: 2)",
+              "where the probe stands along X in work offset 2 is not known: move there again "
+              "behind `work_offset(2)`"},
              {"probe_bore(d: 10mm, ball_d: 6mm, offset: 1)", "has no room for a range of 3"},
              {"probe_boss(d: 0mm, to: -5mm, ball_d: 6mm, offset: 1)", "a boss of diameter 0"},
              {"probe_boss(d: 9mm, to: 5mm, ball_d: 6mm, offset: 1)", "below the start at Z 0"},

@@ -356,16 +356,19 @@ TEST(Turning, FinishAlongPoints) {
         std::string points = "{" + mm(2 * here.h) + ", " + mm(here.t) + "}";
         for (int k = dice.number(1, 6); k >= 0; --k) {
             const bool is_first = here.t == shape.start.t && here.h == shape.start.h;
-            // The chamfer is cut on a cylinder.
-            here.h = tenth(here.h + (is_first || dice.coin() ? 0 : dice.length(0, 8)));
-            here.t = tenth(here.t - (is_first ? 3 : dice.length(0, 20)));
+            // There is room for the chamfer, on a cylinder or on a taper.
+            here.h = tenth(here.h + (dice.coin() ? 0 : dice.length(0, is_first ? 4 : 8)));
+            here.t = tenth(here.t - (is_first ? 7 : dice.length(0, 20)));
             points += ", {" + mm(2 * here.h) + ", " + mm(here.t) + "}";
             shape.elements.push_back({here});
         }
         if (chamfer > 0) {
-            const ProfilePoint edge = shape.start;
+            // It falls at 45 degrees from the face and ends where it meets the first element.
+            const ProfilePoint edge = shape.start, to = shape.elements[0].to;
+            const double share = chamfer / (edge.t - to.t - (to.h - edge.h));
             shape.start.h -= chamfer;
-            shape.elements.insert(shape.elements.begin(), {{edge.h, edge.t - chamfer}});
+            shape.elements.insert(shape.elements.begin(), {{edge.h + share * (to.h - edge.h),
+                                                            edge.t + share * (to.t - edge.t)}});
         }
         const ProfilePoint start{tenth(here.h + dice.length(2, 20)), 60};
         const std::string call = "turn_finish({" + points + "}, chamfer: " + mm(chamfer) + ")";
@@ -433,6 +436,61 @@ TEST(Turning, PartingOff) {
     }
 }
 
+/// Behind its last point the bar stays, with the allowance before its face.
+TEST(Turning, TheShoulderBehindTheContourStays) {
+    for (const double nose : {0.0, 0.4, 0.8}) {
+        for (const bool is_inner : {false, true}) {
+            const std::string call = "face_rough(shape, d: " + std::string(is_inner ? "20" : "40") +
+                                     "mm, step: 6mm, allowance: 0.3mm, nose: " + mm(nose) +
+                                     (is_inner ? ", where: inner" : "") + ")";
+            const std::string text = program_text(
+                is_inner ? "{ DIAMON; G1 X60 Z0; X30; Z-25; }" : "{ DIAMON; G1 X0 Z0; X30; Z-25; }",
+                call, {is_inner ? 4.0 : 45.0, 60}, "contour_turning");
+            SCOPED_TRACE(text);
+            const CycleRun run = run_text(text, "iso", "lathe");
+            ASSERT_EQ(run.status, 0) << run.error;
+            double lowest = 0;
+            for (const json& command : run.commands) {
+                if (command.contains("to"))
+                    lowest = std::min(lowest, command["to"]["Z"].get<double>());
+            }
+            EXPECT_NEAR(lowest, -24.7, 1e-6);
+        }
+    }
+}
+
+TEST(Turning, PartingIsSlowFromItsDiameterOn) {
+    struct Row {
+        const char* arguments;
+        double fast_to;  // diameter
+    };
+    for (const Row& row : {Row{"slow_at: 10mm", 10},
+                           {"slow_at: 40mm", 40},
+                           {"slow_at: 41mm", 41},
+                           {"slow_at: 10mm, chamfer: 1mm", 10},
+                           {"slow_at: 40mm, chamfer: 1mm", 40},
+                           {"slow_at: 38mm, chamfer: 1mm", 38},
+                           {"slow_at: 0mm", 0}}) {
+        SCOPED_TRACE(row.arguments);
+        const CycleRun run =
+            run_text(program_text("",
+                                  std::string("part_off(d: 40mm, z: -20mm, tool_w: 3mm, slow: "
+                                              "0.04mm/rev, ") +
+                                      row.arguments + ")",
+                                  {30, 60}, "turning"),
+                     "iso", "lathe");
+        ASSERT_EQ(run.status, 0) << run.error;
+        int cuts = 0;
+        for (const json& command : run.commands) {
+            if (command["op"] != "line") continue;
+            ++cuts;
+            const bool is_slow = 2 * command["to"]["X"].get<double>() < row.fast_to - 1e-6;
+            EXPECT_NEAR(command["feed"].get<double>(), is_slow ? 0.04 : 0.2, 1e-9) << command;
+        }
+        EXPECT_GE(cuts, 1);
+    }
+}
+
 // ---------------------------------------------------------------- what is refused, and everywhere
 
 TEST(Turning, WrongParametersAreRefused) {
@@ -453,6 +511,15 @@ TEST(Turning, WrongParametersAreRefused) {
          "turn_rough(shape, d: 40mm, step: 2mm, falling: 20deg)", "shape[1] falls at 30.0 degrees"},
         {"{ DIAMON; G1 X20 Z0; Z-10; X18; Z-20; }",
          "turn_rough(shape, d: 40mm, step: 2mm, falling: 80deg)", "shape[1] falls at 90.0 degrees"},
+        // A quarter circle whose ends a drawing has rounded.
+        {"{ DIAMON; G1 X20 Z0; Z-10; G2 X24.667 Z-12.333 CR=2.333; G1 X40; }",
+         "turn_rough(shape, d: 40mm, step: 3mm, allowance: 0.3mm, nose: 0.4mm)", ""},
+        {"{ DIAMON; G1 X15.333 Z0; G3 X20 Z-2.333 CR=2.333; G1 Z-10; X40; }",
+         "face_rough(shape, d: 40mm, step: 3mm)", ""},
+        {"{ DIAMON; G1 X15.333 Z0; G3 X20 Z-2.333 CR=2.333; G1 Z-10; X40; }",
+         "turn_contour(shape, nose: 0.4mm)", ""},
+        {"{ DIAMON; G1 X20 Z0; Z-10; G2 X24.667 Z-12.31 CR=2.333; G1 X40; }",
+         "turn_rough(shape, d: 40mm, step: 3mm)", ""},
         {"{ DIAMON; G1 X20 Z0; X40 Z-1; X50; }", "face_rough(shape, d: 60mm, step: 2mm, top: 1mm)",
          ""},
         {"{ DIAMON; G1 X0 Z-2; X20; X10 Z-4; X50; }",
