@@ -50,8 +50,8 @@ class Planner {
         if (failed) return std::nullopt;
         Match match;
         const ModalFunctions unknown{};
-        const auto fault =
-            match_words(tables_, std::span(given_.data(), count_), {}, unknown, plan_.block, match, WordsOf::Source);
+        const auto fault = match_words(tables_, std::span(given_.data(), count_), {}, unknown,
+                                       plan_.block, match, WordsOf::Source);
         if (fault) {
             report(*fault);
             return std::nullopt;

@@ -106,7 +106,7 @@ struct FormWord {
     bool has_default = false;    // written with `fallback` if the parameter was not given
     double fallback = 0;
     bool is_optional = false;
-    bool is_kept = false;  // optional because a cycle before it may have said the word
+    bool is_kept = false;             // optional because a cycle before it may have said the word
     std::vector<FormWord> arguments;  // Call
 };
 
