@@ -206,10 +206,11 @@ void Executor::complete_words(ModalCycle& call) {
 }
 
 /// The library's cycles begin and end at their initial level; those of controls go straight to the
-/// retract level, and behind the hole to the level that they return to. Where the tool does not
-/// stand at that level, the two are told apart.
+/// retract level. Where the tool is not at the initial level, the cycle takes it to be there: then
+/// its first way is the one to the retract level.
 void Executor::go_straight(ModalCycle& call) {
     final_level_.reset();
+    begins_at_.reset();
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     const nc::CycleInfo::Roles& roles = info.roles;
     const std::optional<std::size_t> initial = find_parameter(info, "initial");
@@ -217,13 +218,12 @@ void Executor::go_straight(ModalCycle& call) {
     const double back = call.arguments[*initial];
     const double retract = call.arguments[static_cast<std::size_t>(roles.retract)];
     const double depth = call.arguments[static_cast<std::size_t>(roles.depth)];
-    const bool is_hole = retract > depth;
+    if (retract <= depth) return;  // boring from below
+    if (back > retract) begins_at_ = back;
     // Where cycles are modal, nothing forbids a retract level above the level they return to.
-    const bool is_allowed = back >= retract || is_modal(call.cycle);
-    const bool is_there = back == position_in_cycle()[2] && back >= retract;
-    if (!is_hole || !is_allowed || is_there) return;
+    if (back >= retract || !is_modal(call.cycle)) return;
     call.arguments[*initial] = retract;
-    if (back != retract) final_level_ = back;
+    final_level_ = back;
 }
 
 // ------------------------------------------------------------------------------ calls
@@ -294,6 +294,7 @@ void Executor::start_cycle(const Block& block, ModalCycle call) {
     request.arguments = {call.arguments.data(), info.parameters.size()};
     request.given = call.given;
     request.position = position_in_cycle();
+    if (begins_at_) request.position[2] = *begins_at_;
     request.feed = modal_.feed;
     request.feed_mode = modal_.feed_mode;
     request.speed = spindle_.speed;
@@ -397,7 +398,7 @@ void Executor::finish_cycle() {
     act_after_motion(caller_, after_cycle_);
 }
 
-/// From the retract level, or from below, to the level where the cycle ends.
+/// From the retract level down to where the cycle mode began.
 void Executor::return_to_level() {
     Block way{};
     way.line = caller_.line;

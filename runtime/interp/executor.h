@@ -265,7 +265,8 @@ class Executor {
     CycleData cycle_data_;
     std::optional<nc::Block> call_behind_motions_;
     int times_left_ = 0;                 // that the block does the cycle again
-    std::optional<double> final_level_;  // where the tool goes behind it, unless it is there
+    std::optional<double> begins_at_;    // level at which the cycle takes the tool to be
+    std::optional<double> final_level_;  // below its retract level, where the tool goes behind it
     std::vector<ModalCycle> presets_;    // parameters that the next calls need not give
     bool returns_to_retract_ = false;
     std::unique_ptr<Stream<nc::Block>> cycle_stream_;

@@ -27,7 +27,8 @@ struct CycleCall {
     std::string_view name;
     std::span<const double> arguments;  // in the order of CycleInfo::parameters; mm, deg, s
     std::uint32_t given = 0;            // bit i: argument i holds
-    /// Programmed position, mm and deg: X and Y are the axes of the plane, Z is the tool axis.
+    /// Programmed position, mm and deg: X and Y are the axes of the plane, Z is the tool axis; of a
+    /// cycle that returns to a level, Z is that level, wherever the tool comes from.
     AxisValues position{};
     double feed = 0;  // the modal feed, unit of its mode; 0: none
     path::FeedMode feed_mode = path::FeedMode::PerMinute;

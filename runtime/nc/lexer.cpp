@@ -122,9 +122,16 @@ class Lexer {
 
     /// The sign that ends a block; nothing stands behind it in the line.
     void take_end() {
-        ++at_;
-        if (skip_blanks())
-            fail(diag::IsoNotSupported, at_, line_.size(), {"a second block in one line"});
+        const std::size_t sign = at_++;
+        if (!skip_blanks()) return;
+        // A word, or the comment of another control?
+        const char next = peek(1);
+        const bool is_word =
+            is_letter(peek()) && (is_digit(next) || next == '-' || next == '+' || next == '.');
+        if (is_word)
+            return fail(diag::IsoNotSupported, at_, line_.size(), {"a second block in one line"});
+        at_ = sign;
+        fail_here(diag::IsoSyntax);
     }
 
     void take_comment() {

@@ -99,7 +99,7 @@ TEST(Cycles, ModalCycleDrillsInEveryBlockWithAnAxis) {
               "rapid 0 0 20, "
               "rapid 10 0 20, rapid 10 0 2, line 10 0 -12, rapid 10 0 2, "
               "rapid 20 0 2, rapid 20 0 2, line 20 0 -12, rapid 20 0 2, "
-              "rapid 30 0 2, rapid 30 0 2, line 30 0 -5, rapid 30 0 2, rapid 30 0 20, "
+              "rapid 30 0 2, rapid 30 0 2, line 30 0 -5, rapid 30 0 20, "
               "rapid 40 0 20");
 }
 

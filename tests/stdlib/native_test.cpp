@@ -175,7 +175,7 @@ TEST(ShopText, FanucCycles) {
     expect_ways(
         "fanuc", "%\nO0001\nG17 G90 G94 T1 M06\nS1000 M3\nG0 X0 Y0 Z50. F100\n", "\nG80\nM30\n%\n",
         {{"G90 G98 G83 X10. Y0 Z-10. R2. Q4.", " X10 Z2 z-2f100 Z2 Z-1 z-6 Z2 Z-5 z-10 Z50"},
-         {"G99 G81 X1. Z-1. R2.\nG98 X2.", " X1 Z2 z-1f100 Z2 X2 z-1 Z2 Z50"},
+         {"G99 G81 X1. Z-1. R2.\nG98 X2.", " X1 Z2 z-1f100 Z2 X2 z-1 Z50"},
          {"G91 G99 G81 X10. R-48. Z-5.\nX10. K2\nX20. K0",
           " X10 Z2 z-3f100 Z2 X20 z-3 Z2 X30 z-3 Z2"},
          {"G81 X1. Z-5. R60.", " X1 Z60 z-5f100 Z60 Z50"},
