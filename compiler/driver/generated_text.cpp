@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <ranges>
 #include <utility>
 
 #include "base/diagnostics/expand.h"
@@ -147,8 +146,9 @@ std::vector<Diagnostic::Note> GeneratedText::calls_of_block(std::uint64_t number
     std::size_t count = again.pull(batch);
     for (; count > 0 && first + count <= number; count = again.pull(batch)) first += count;
     if (count == 0) return notes;
-    for (const expand::CallSite& call : again.trace(number - first).calls | std::views::reverse) {
-        notes.push_back({call.range, {}, "`" + std::string(call.function) + "` was called here"});
+    const std::vector<expand::CallSite>& calls = again.trace(number - first).calls;
+    for (auto call = calls.rbegin(); call != calls.rend(); ++call) {
+        notes.push_back({call->range, {}, "`" + std::string(call->function) + "` was called here"});
     }
     return notes;
 }

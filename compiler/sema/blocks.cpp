@@ -503,9 +503,9 @@ bool Checker::emit_words(std::span<const Word> words, ExprId point, const Source
         check_units_words(*planned, words);
         check_counts(*planned, words);
         // The arguments of a cycle stand behind the values of the block itself.
-        std::ranges::stable_partition(planned->holes, [&](const nc::Hole& hole) {
-            return !is_of_cycle(planned->block, hole);
-        });
+        std::stable_partition(
+            planned->holes.begin(), planned->holes.end(),
+            [&](const nc::Hole& hole) { return !is_of_cycle(planned->block, hole); });
         plan = compact(*planned);
         plan.customs = customs_of(plan, words);
         plan.skip = skip;
