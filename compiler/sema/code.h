@@ -353,7 +353,17 @@ struct EnumNames {
 struct ParameterInfo {
     std::string name;
     std::string type_name;
-    enum class Kind : std::uint8_t { Bool, Integer, Number, Feed, Speed, Text, Enum, Contour, Other };
+    enum class Kind : std::uint8_t {
+        Bool,
+        Integer,
+        Number,
+        Feed,
+        Speed,
+        Text,
+        Enum,
+        Contour,
+        Other
+    };
     Kind kind = Kind::Other;
     Quantity quantity;
     bool is_optional = false;

@@ -637,7 +637,7 @@ void Executor::frame_changed() { position_.here = frames_.from_base(position_.ba
 
 Command& Executor::put(Op op, const Block& block) {
     const Block& from = origin(block);
-    Command& command = keeps_shape()          ? shape_->commands.emplace_back()
+    Command& command = keeps_shape()           ? shape_->commands.emplace_back()
                        : compensation_.is_on() ? compensation_.next()
                                                : output_.next();
     command.op = op;

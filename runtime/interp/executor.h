@@ -293,7 +293,7 @@ class Executor {
     std::optional<double> final_level_;  // below its retract level, where the tool goes behind it
     std::vector<ModalCycle> presets_;    // parameters that the next calls need not give
     bool returns_to_retract_ = false;
-    std::optional<ShapeRun> shape_;      // whose blocks are coming
+    std::optional<ShapeRun> shape_;  // whose blocks are coming
     std::unique_ptr<Stream<nc::Block>> cycle_stream_;
     std::optional<BlockQueue> cycle_blocks_;
     std::string_view cycle_name_;

@@ -304,8 +304,7 @@ void Program::State::end_after(const Block& block) {
 }
 
 bool Program::State::is_left_out(const Block& block) const {
-    return block.skip >= 0 &&
-           ((1u << block.skip | block.skip_also) & options.skip_levels) != 0;
+    return block.skip >= 0 && ((1u << block.skip | block.skip_also) & options.skip_levels) != 0;
 }
 
 /// A cycle that works along a shape is followed by the blocks of the shape, wherever they stand;
@@ -333,14 +332,14 @@ void Program::State::follow_shape(const Block& block, std::string_view text, con
         if (last != first) fault = map.find({"", last}, Direction::Forward, begin, end);
     }
     if (fault != ProgramMap::Fault::None) {
-        lines.report_fault(
-            text, LineFault{&diag::ShapeBlockMissing, {0, 1}, {std::to_string(missing)}});
+        lines.report_fault(text,
+                           LineFault{&diag::ShapeBlockMissing, {0, 1}, {std::to_string(missing)}});
         has_ended = true;
         return;
     }
     const bool is_followed = cycle.parameters.size() == 2;
-    const bool is_next = begin.line.offset >= here.offset &&
-                         map.is_empty_between(here, begin.line) && !is_followed;
+    const bool is_next =
+        begin.line.offset >= here.offset && map.is_empty_between(here, begin.line) && !is_followed;
     repeats.push_back({begin.line, end.next, is_next ? end.next : here, 1});
     here = begin.line;
     next_line = nullptr;

@@ -156,8 +156,7 @@ bool ProgramMap::is_empty_between(const Position& from, const Position& to) {
             if (text == std::string_view::npos) return true;
             line.remove_prefix(text);
             if (!line.starts_with(comment.open)) return false;
-            const std::size_t end =
-                comment.close.empty() ? line.npos : line.find(comment.close);
+            const std::size_t end = comment.close.empty() ? line.npos : line.find(comment.close);
             if (end == line.npos) return true;
             line.remove_prefix(end + comment.close.size());
         }

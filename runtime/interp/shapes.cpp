@@ -68,8 +68,7 @@ void Executor::begin_shape(const Block& block, const ModalCycle& call) {
     shape_.emplace();
     shape_->block = block;
     shape_->call = call;
-    shape_->last =
-        std::llround(call.arguments[static_cast<std::size_t>(info.roles.last_block)]);
+    shape_->last = std::llround(call.arguments[static_cast<std::size_t>(info.roles.last_block)]);
     shape_->is_followed = info.parameters.size() == 2;
     shape_->modal = modal_;
     shape_->position = position_;
@@ -126,8 +125,8 @@ void Executor::finish_shape() {
         }
     };
     set("rapid", run.approach == Function::Rapid);
-    set("both", (run.approach_axes & bit(nc::Slot::X)) != 0 &&
-                    (run.approach_axes & bit(nc::Slot::Z)) != 0);
+    set("both",
+        (run.approach_axes & bit(nc::Slot::X)) != 0 && (run.approach_axes & bit(nc::Slot::Z)) != 0);
     const CycleShape shape = shape_of(run);
     modal_cycle_ = call;
     start_cycle(run.block, call, &shape);
@@ -162,8 +161,7 @@ CycleShape Executor::shape_of(const ShapeRun& run) const {
         if (!is_first && is_way) {
             path::Element element = path::line_element(from, to);
             if (command.op == Op::Arc) {
-                const AxisValues center{command.center.x(), command.center.y(),
-                                        command.center.z()};
+                const AxisValues center{command.center.x(), command.center.y(), command.center.z()};
                 element = path::arc_element(from, to, in_plane(center),
                                             command.is_clockwise != is_mirrored);
             }

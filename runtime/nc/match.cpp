@@ -245,8 +245,8 @@ class Matcher {
                 found = true;
                 fit_word(form, wanted, i, fit);
             }
-            // Where distances have letters of their own (U beside X), such a word stands for the one
-            // of the form; it stays a word of the block.
+            // Where distances have letters of their own (U beside X), such a word stands for the
+            // one of the form; it stays a word of the block.
             if (!found && has_distance(wanted)) {
                 ++fit.matched;
                 found = true;

@@ -4,9 +4,10 @@
 //   rule: F 6.3 …            the place in the manual's digest that it shows
 //   expect: #1=14            a variable at the end; `#1 vacant` or `R1 unset`: it was never set
 //   expect: to X10 Y5        the end of the next motion; if one is told, all are
-//   expect: path X20 x40z-30  the next motions in short, what they change: capitals at rapid, small letters at
-//                            feed, t1.5: before a thread of that lead, cw: and ccw: before an arc; f0.2 where
-//                            the feed changes; X of a lathe is a diameter
+//   expect: path X20 x40z-30  the next motions in short, what they change: capitals at rapid, small
+//   letters at
+//                            feed, t1.5: before a thread of that lead, cw: and ccw: before an arc;
+//                            f0.2 where the feed changes; X of a lathe is a diameter
 //   expect: message TEXT     the next message;  expect: stop  a stop of the program
 //   expect: alarm PS0115 K5410 at 3:4   the alarm that ends it, its row, line and column
 //   skip: 1                  blocks of this level are left out
@@ -155,9 +156,9 @@ std::string path_of(const std::vector<path::Command>& motions, bool is_lathe) {
         here = command.to;
         const std::string kind = command.op == path::Op::Thread
                                      ? 't' + format_shortest(round_to(command.feed, 4)) + ':'
-                                 : command.op != path::Op::Arc  ? ""
-                                 : command.is_clockwise         ? "cw:"
-                                                                : "ccw:";
+                                 : command.op != path::Op::Arc ? ""
+                                 : command.is_clockwise        ? "cw:"
+                                                               : "ccw:";
         if (!is_rapid && command.op != path::Op::Thread && command.feed != feed) {
             feed = command.feed;
             word += 'f' + format_shortest(round_to(feed, 4));
@@ -215,7 +216,8 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
     InterpreterOptions interpreting;
     interpreting.skip_levels = expected.skip_levels;
     Interpreter interpreter(dialect, machine, program, &program,
-                            machine.is_lathe ? cycles_of(dialect) : nullptr, interpreting, messages);
+                            machine.is_lathe ? cycles_of(dialect) : nullptr, interpreting,
+                            messages);
     program.follow(interpreter);
     Outcome outcome;
     std::vector<path::Command> batch(5);
@@ -321,23 +323,44 @@ TEST(ControlText, WordsOfTheLanguageAreExplained) {
 
 // ---------------------------------------------------------------- roughing along any shape
 
-/// A shape that rises from its beginning to its end, as G71 roughs it.
+/// A shape that rises from its beginning to its end. It is told for G71: x is the height on the
+/// radius, z the way of the cuts. For G72 the two are exchanged, and moved.
 struct RandomShape {
     struct Point {
-        double x = 0;  // on the radius
+        double x = 0;
         double z = 0;
     };
+    bool facing = false;
     std::string text;           // its blocks, N10 to N20
     std::vector<Point> points;  // along it, close together
     Point start;                // of the cycle
     double step = 0;
     double left_x = 0;  // on the radius
     double left_z = 0;
+
+    Point seen(const AxisValues& to) const {
+        return facing ? Point{to[2] + 60, to[0] - 100} : Point{to[0], to[2]};
+    }
 };
+
+/// A number with its decimal point.
+std::string word_of(char address, double value) {
+    std::string out = format_shortest(round_to(value, 3));
+    return address + (out.find('.') == std::string::npos ? out + '.' : out);
+}
+
+std::string height_word(bool facing, double x) {
+    return facing ? word_of('Z', x - 60) : word_of('X', 2 * x);
+}
+
+std::string way_word(bool facing, double z) {
+    return facing ? word_of('X', 2 * (z + 100)) : word_of('Z', z);
+}
 
 class ShapeMaker {
   public:
-    ShapeMaker(unsigned seed, bool inside) : random_(seed), side_(inside ? -1 : 1) {}
+    ShapeMaker(unsigned seed, bool facing, bool inside)
+        : random_(seed), facing_(facing), side_(inside ? -1 : 1) {}
 
     RandomShape make() {
         RandomShape shape;
@@ -358,14 +381,13 @@ class ShapeMaker {
                 to.z -= width;
                 to.x += side_ * (kind == 2 ? rise : width);
             }
-            const std::string end = " X" + text_of(2 * to.x) + " Z" + text_of(to.z);
+            const std::string end = height_word(facing_, to.x) + way_word(facing_, to.z);
             if (kind >= 3 && !is_last) {
                 const bool clockwise = kind == 3;
-                blocks += (is_last ? "N20 " : "") + std::string(clockwise ? "G02" : "G03") + end +
-                          " R" + text_of(width) + "\n";
+                blocks += (clockwise != facing_ ? "G02" : "G03") + end + word_of('R', width) + '\n';
                 add_quarter(points, at, to, clockwise);
             } else {
-                blocks += std::string(is_last ? "N20 " : "") + "G01" + end + "\n";
+                blocks += (is_last ? "N20G01" : "G01") + end + '\n';
             }
             points.push_back(to);
             at = to;
@@ -374,7 +396,8 @@ class ShapeMaker {
         shape.step = 0.25 * number(2, 12);
         shape.left_x = side_ * 0.1 * number(0, 4);
         shape.left_z = 0.1 * number(0, 4);
-        shape.text = "N10 G00 X" + text_of(2 * first.x) + "\n" + blocks;
+        shape.facing = facing_;
+        shape.text = "N10G00" + height_word(facing_, first.x) + '\n' + blocks;
         shape.points = std::move(points);
         return shape;
     }
@@ -384,17 +407,13 @@ class ShapeMaker {
     double number(int least, int most) {
         return std::uniform_int_distribution<int>(least, most)(random_);
     }
-    static std::string text_of(double value) {
-        std::string out = format_shortest(round_to(value, 3));
-        return out.find('.') == std::string::npos ? out + '.' : out;
-    }
     /// A quarter of a circle, every half degree.
     static void add_quarter(std::vector<RandomShape::Point>& points, RandomShape::Point from,
                             RandomShape::Point to, bool clockwise) {
         // Seen with Z to the right and X up.
         const bool center_beside_end = clockwise == (to.x > from.x);
-        const RandomShape::Point center = center_beside_end ? RandomShape::Point{to.x, from.z}
-                                                            : RandomShape::Point{from.x, to.z};
+        const RandomShape::Point center =
+            center_beside_end ? RandomShape::Point{to.x, from.z} : RandomShape::Point{from.x, to.z};
         for (int i = 1; i < 180; ++i) {
             const double angle = i * 0.5 * std::numbers::pi / 180;
             const double a = std::cos(angle);
@@ -405,6 +424,7 @@ class ShapeMaker {
     }
 
     std::mt19937 random_;
+    bool facing_;
     double side_;
 };
 
@@ -424,62 +444,65 @@ double stands_at(const RandomShape& shape, double z, double side) {
     return most;
 }
 
-/// Every cut of roughing keeps off the shape with its allowances, what it leaves before the last cut
-/// is less than a depth of cut, and the tool comes back to where it was.
-TEST(LatheCycles, RoughingKeepsOffTheShape) {
-    for (unsigned seed = 0; seed < 120; ++seed) {
-        SCOPED_TRACE(seed);
-        const double side = seed % 2 == 0 ? 1 : -1;
-        RandomShape shape = ShapeMaker(seed, side < 0).make();
-        const auto word = [](double value) {
-            std::string out = format_shortest(round_to(value, 3));
-            return out.find('.') == std::string::npos ? out + '.' : out;
-        };
-        const std::string text =
-            "%\nO0001\nG99 G97 S500 M03\nG00 X" + word(2 * shape.start.x) + " Z2.\nG71 U" +
-            word(shape.step) + " R0.3\nG71 P10 Q20 U" + word(2 * shape.left_x) + " W" +
-            word(shape.left_z) + " F0.2\n" + shape.text + "M30\n%\n";
-        const nc::Dialect& dialect = dialect_named("fanuc-lathe");
-        const Outcome outcome = run_program(dialect, text, {}, true);
-        ASSERT_TRUE(std::ranges::none_of(outcome.messages, [](const Diagnostic& message) {
-            return message.severity == Severity::Alarm;
-        })) << text;
-        ASSERT_GT(outcome.motions.size(), 3u);
-        const path::Command& last = outcome.motions.back();
-        EXPECT_NEAR(last.to[0], shape.start.x, 1e-9) << text;
-        EXPECT_NEAR(last.to[2], 2, 1e-9);
+std::string roughing_of(const RandomShape& shape) {
+    const double left_on_x = shape.facing ? shape.left_z : shape.left_x;
+    const double left_on_z = shape.facing ? shape.left_x : shape.left_z;
+    return "%\nO0001\nG99G97S500M03\nG00" + height_word(shape.facing, shape.start.x) +
+           way_word(shape.facing, shape.start.z) + '\n' +
+           (shape.facing ? "G72" + word_of('W', shape.step) : "G71" + word_of('U', shape.step)) +
+           "R0.3\n" + (shape.facing ? "G72" : "G71") + "P10Q20" + word_of('U', 2 * left_on_x) +
+           word_of('W', left_on_z) + "F0.2\n" + shape.text + "M30\n%\n";
+}
 
-        const double begin = shape.points.front().x + shape.left_x;
-        const double end = shape.points.back().z + shape.left_z;
-        std::vector<RandomShape::Point> levels;  // of the parallel cuts: height and end
-        AxisValues here = outcome.motions.front().to;
-        for (std::size_t i = 1; i + 1 < outcome.motions.size(); ++i) {
-            const path::Command& command = outcome.motions[i];
-            if (command.op != path::Op::Arc) {
-                for (int k = 0; k <= 40; ++k) {
-                    const double x = here[0] + (command.to[0] - here[0]) * k / 40;
-                    const double z = here[2] + (command.to[2] - here[2]) * k / 40;
-                    if (z < end - 1e-6) continue;  // behind the shape the bar stays as it is
-                    // On a wall the tool touches what stands behind it.
-                    EXPECT_GE(side * x, stands_at(shape, z + 1e-5, side) - 2e-3)
-                        << "X" << 2 * x << " Z" << z << '\n' << text;
-                }
-            }
-            const bool is_parallel = command.op == path::Op::Line && command.to[0] == here[0] &&
-                                     side * (here[0] - begin) > 1e-6 &&
-                                     std::abs(here[2] - 2 - shape.left_z) < 1e-9;
-            if (is_parallel) levels.push_back({command.to[0], command.to[2]});
-            here = command.to;
+/// Every motion keeps off the shape with its allowances, what the parallel cuts leave is less than
+/// a depth of cut, and the tool comes back to where it was.
+void check_roughing(const RandomShape& shape, double side) {
+    const std::string text = roughing_of(shape);
+    SCOPED_TRACE(text);
+    const Outcome outcome = run_program(dialect_named("fanuc-lathe"), text, {}, true);
+    for (const Diagnostic& message : outcome.messages)
+        ASSERT_NE(message.severity, Severity::Alarm) << message.message();
+    ASSERT_GT(outcome.motions.size(), 3u);
+    const RandomShape::Point last = shape.seen(outcome.motions.back().to);
+    EXPECT_NEAR(last.x, shape.start.x, 1e-9);
+    EXPECT_NEAR(last.z, shape.start.z, 1e-9);
+
+    const double begin = shape.points.front().x + shape.left_x;
+    const double front = shape.start.z + shape.left_z;
+    const double end = shape.points.back().z + shape.left_z;
+    std::vector<RandomShape::Point> cuts;  // parallel ones: height and end
+    RandomShape::Point here = shape.seen(outcome.motions.front().to);
+    for (std::size_t i = 1; i + 1 < outcome.motions.size(); ++i) {
+        const path::Command& command = outcome.motions[i];
+        const RandomShape::Point to = shape.seen(command.to);
+        for (int k = 0; k <= 40 && command.op != path::Op::Arc; ++k) {
+            const double x = here.x + (to.x - here.x) * k / 40;
+            const double z = here.z + (to.z - here.z) * k / 40;
+            if (z < end - 1e-6) continue;  // behind the shape the bar stays as it is
+            // On a wall the tool touches what stands behind it.
+            EXPECT_GE(side * x, stands_at(shape, z + 1e-5, side) - 2e-3) << x << ' ' << z;
         }
-        for (double z = end + 0.01; z < 2; z += 0.37) {
-            const double stands =
-                std::max(stands_at(shape, z, side), side * begin);  // in front of it nothing is left
-            double least = side * (shape.start.x + shape.left_x);
-            for (const auto& level : levels) {
-                if (level.z <= z + 1e-9) least = std::min(least, side * level.x);
-            }
-            EXPECT_LT(least - stands, shape.step + 2e-3) << "Z" << z << '\n' << text;
+        const bool is_parallel = command.op == path::Op::Line && std::abs(to.x - here.x) < 1e-9 &&
+                                 side * (here.x - begin) > 1e-6 && std::abs(here.z - front) < 1e-9;
+        if (is_parallel) cuts.push_back(to);
+        here = to;
+    }
+    for (double z = end + 0.01; z < shape.start.z; z += 0.37) {
+        double least = side * (shape.start.x + shape.left_x);
+        for (const RandomShape::Point& cut : cuts) {
+            if (cut.z <= z + 1e-9) least = std::min(least, side * cut.x);
         }
+        // In front of the shape nothing is left.
+        const double stands = std::max(stands_at(shape, z, side), side * begin);
+        EXPECT_LT(least - stands, shape.step + 2e-3) << z;
+    }
+}
+
+TEST(LatheCycles, RoughingKeepsOffTheShape) {
+    for (unsigned seed = 0; seed < 240; ++seed) {
+        SCOPED_TRACE(seed);
+        const bool inside = seed % 2 != 0;
+        check_roughing(ShapeMaker(seed, seed % 4 > 1, inside).make(), inside ? -1 : 1);
     }
 }
 
