@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Geometry>
-
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
 #include "interp/executor.h"
@@ -108,12 +106,8 @@ double Executor::comp_distance(const Block& block) {
         unknown_radii_.push_back(number);
         report(diag::CompRadiusUnknown, block, comp_.side).arg(number);
     }
-    const path::PlaneAxes axes = path::axes_of(modal_.plane);
-    const path::Frame& frame = frames_.total();
-    const bool is_mirrored = frame.direction(path::unit(axes.first))
-                                 .cross(frame.direction(path::unit(axes.second)))
-                                 .dot(path::unit(axes.normal)) < 0;
-    const bool is_left = (comp_.side == Function::RadiusCompLeft) != is_mirrored;
+    const bool is_left =
+        (comp_.side == Function::RadiusCompLeft) != frames_.is_mirrored(modal_.plane);
     return (radius + comp_.allowance) * (is_left ? 1 : -1);
 }
 

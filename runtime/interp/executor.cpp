@@ -138,7 +138,9 @@ void Executor::execute_next() {
         ended_ = alarmed_ = true;  // the control stops at the line that could not be read
         return;
     }
+    if (shape_ && !check_shape_block(*block)) return;
     execute(*block);
+    if (shape_ && !ended_) end_shape_block(*block);
     if (compensation_.is_on()) settle_comp(*block);
 }
 
@@ -283,7 +285,10 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::CompCornerIntersection:
         case Function::CompCheckOn:
         case Function::CompCheckOff:
-        case Function::CompAllowance: choose_comp(block, invocation, actions); break;
+        case Function::CompAllowance:
+            // Roughing works along the programmed shape; where it is followed, it is compensated.
+            if (!keeps_shape()) choose_comp(block, invocation, actions);
+            break;
         case Function::LengthCompOn:
             if ((invocation.given & 1u) != 0) tool_.offset = count_of(block, invocation);
             set_length_source(Tool::Source::Offset, actions);
@@ -632,7 +637,9 @@ void Executor::frame_changed() { position_.here = frames_.from_base(position_.ba
 
 Command& Executor::put(Op op, const Block& block) {
     const Block& from = origin(block);
-    Command& command = compensation_.is_on() ? compensation_.next() : output_.next();
+    Command& command = keeps_shape()           ? shape_->commands.emplace_back()
+                       : compensation_.is_on() ? compensation_.next()
+                                               : output_.next();
     command.op = op;
     command.feed_mode = modal_.feed_mode;
     command.plane = modal_.plane;

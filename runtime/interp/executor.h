@@ -2,7 +2,7 @@
 //
 // What a block does is told in chapters: executor.cpp (the order of things in a block, its single
 // functions), motion.cpp (targets, lines, arcs, tool length, limits), cycles.cpp (machining
-// cycles).
+// cycles), shapes.cpp (cycles along a shape that stands in the program).
 #pragma once
 
 #include <array>
@@ -16,6 +16,7 @@
 #include "interp/interpreter.h"
 #include "interp/output.h"
 #include "interp/rules.h"
+#include "interp/shape_run.h"
 #include "interp/spline_run.h"
 #include "interp/state.h"
 #include "path/arc.h"
@@ -160,6 +161,15 @@ class Executor {
     double comp_distance(const nc::Block& block);
     void report_comp(const CompAlarm& alarm);
 
+    // shapes.cpp: the blocks of the program along which a cycle works
+    void begin_shape(const nc::Block& block, const ModalCycle& call);
+    bool check_shape_block(const nc::Block& block);
+    void end_shape_block(const nc::Block& block);
+    void finish_shape();
+    void return_from_shape();
+    CycleShape shape_of(const ShapeRun& run) const;
+    bool keeps_shape() const { return shape_ && !shape_->is_followed; }
+
     // splines.cpp
     bool continues_spline(const nc::Block& block) const;
     void set_spline_degree(const nc::Block& block, const nc::Invocation& invocation);
@@ -198,15 +208,18 @@ class Executor {
     void keep_levels(const nc::Block& block);
     void warn_levels(const nc::Block& block);
     CycleLevel level_now(double value) const;
+    CycleLevel retract_now(double value) const;
     void complete_words(ModalCycle& call);
     void go_straight(ModalCycle& call);
     bool time_turns(const nc::Block& block, ModalCycle& call);
-    void start_cycle(const nc::Block& block, ModalCycle call);
+    void start_cycle(const nc::Block& block, ModalCycle call, const CycleShape* shape = nullptr);
     bool complete_tap(const nc::Block& block, ModalCycle& call);
     bool complete_thread(const nc::Block& block, ModalCycle& call);
     void finish_cycle();
     bool was_refused(const nc::Block& block);
     void return_to_level();
+    void take_ends(const nc::Block& block, ModalCycle& call) const;
+    void complete_ends(ModalCycle& call) const;
     path::Plane cycle_plane() const;
     AxisValues position_in_cycle() const;
     const nc::Block& in_plane_of_cycle(const nc::Block& block);
@@ -280,6 +293,7 @@ class Executor {
     std::optional<double> final_level_;  // below its retract level, where the tool goes behind it
     std::vector<ModalCycle> presets_;    // parameters that the next calls need not give
     bool returns_to_retract_ = false;
+    std::optional<ShapeRun> shape_;  // whose blocks are coming
     std::unique_ptr<Stream<nc::Block>> cycle_stream_;
     std::optional<BlockQueue> cycle_blocks_;
     std::string_view cycle_name_;

@@ -103,9 +103,11 @@ void load_address(const XmlElement& element, DialectTables& tables, Attributes& 
     }
     Names slots;
     for (const SlotInfo& slot : slot_infos()) slots.push_back(slot.name);
+    slots.push_back("none");
     if (const auto slot = attributes.choice(element, "slot", slots)) {
-        address.slot = static_cast<int>(*slot);
-        address.dimension = slot_infos()[*slot].dimension;
+        const bool is_none = *slot == slot_infos().size();
+        address.slot = is_none ? -1 : static_cast<int>(*slot);
+        if (!is_none) address.dimension = slot_infos()[*slot].dimension;
     }
     if (const XmlAttribute* attribute = element.find("dimension")) {
         if (const auto dimension = find_dimension(attribute->value)) {

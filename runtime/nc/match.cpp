@@ -245,12 +245,29 @@ class Matcher {
                 found = true;
                 fit_word(form, wanted, i, fit);
             }
+            // Where distances have letters of their own (U beside X), such a word stands for the
+            // one of the form; it stays a word of the block.
+            if (!found && has_distance(wanted)) {
+                ++fit.matched;
+                found = true;
+            }
             const bool may_lack = wanted.is_kept ? words_of_ == WordsOf::Text : wanted.is_optional;
             if (!found && !may_lack && !wanted.has_default) {
                 fit.answer = fit.answer == Fit::Answer::Yes ? Fit::Answer::Missing : fit.answer;
             }
         }
         return fit;
+    }
+
+    bool has_distance(const FormWord& wanted) const {
+        if (wanted.kind != FormWord::Kind::Value || !tables_.has_incremental_letters) return false;
+        const Address& place = tables_.addresses[wanted.address];
+        if (place.slot < 0 || place.is_incremental) return false;
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            if (!used_[i] && address(i).is_incremental && address(i).slot == place.slot)
+                return true;
+        }
+        return false;
     }
 
     static void refuse(Fit& fit, Fit::Answer answer, std::size_t word, int argument = -1) {

@@ -161,7 +161,7 @@ TEST(Reader, FanucLatheWords) {
                       {"G28 U0 W0", "X=IC(0) Z=IC(0) | reference_return(point=1)"},
                       {"G32 Z-20. F1.5 Q90000", "thread Z-20 F1.5 | thread_start(angle=90)"},
                       {"G76 P010060 Q100 R0.1\nG76 X18.16 Z-30. P920 Q350 F1.5",
-                       "cycle_preset#11(6=30, 7=0.1, 8=1, 9=0.1)\n"
+                       "cycle_preset#11(6=30, 7=0.1, 8=1, 9=0.1, 11=0)\n"
                        "F1.5 | cycle#11(0=18.16, 1=-30, 2=0.92, 3=0.35)"},
                   });
 }
