@@ -16,6 +16,7 @@
 #include "interp/interpreter.h"
 #include "interp/output.h"
 #include "interp/rules.h"
+#include "interp/snapshot.h"
 #include "interp/spline_run.h"
 #include "interp/state.h"
 #include "path/arc.h"
@@ -89,6 +90,7 @@ class Executor {
     std::uint64_t blocks() const { return block_count_; }
     std::vector<StateItem> state() const;  // describe.cpp
     const AxisValues& position() const { return position_.here; }
+    Snapshot snapshot() const;  // snapshot.cpp
 
     // answers.cpp: what a program asks while it runs
     std::optional<double> quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second);
