@@ -34,6 +34,7 @@ struct Limits {
 struct CallSite {
     SourceRange range;          // of the call
     std::string_view function;  // called
+    std::size_t loops = 0;      // around the call, of Trace::loop_counts
 };
 
 /// How the block that was yielded last came to be.

@@ -83,7 +83,7 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
       options_(options),
       sink_(sink),
       rules_(rules_of(dialect, sink)),
-      program_(blocks, kProgramBatch) {
+      program_(blocks, options.in_step ? 1 : kProgramBatch) {
     lower_.fill(-std::numeric_limits<double>::infinity());
     upper_.fill(std::numeric_limits<double>::infinity());
     word_scale_.fill(1);
@@ -150,6 +150,7 @@ void Executor::end_of_blocks() {
     if (compensation_.is_on()) flush_comp();
     if (ended_) return;
     ended_ = true;
+    if (places_ != nullptr && places_->stopped()) return;
     // The reader has said already why it stopped.
     if (places_ != nullptr && places_->failed()) {
         alarmed_ = true;

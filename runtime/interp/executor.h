@@ -17,6 +17,7 @@
 #include "interp/output.h"
 #include "interp/rules.h"
 #include "interp/shape_run.h"
+#include "interp/snapshot.h"
 #include "interp/spline_run.h"
 #include "interp/state.h"
 #include "path/arc.h"
@@ -90,6 +91,7 @@ class Executor {
     std::uint64_t blocks() const { return block_count_; }
     std::vector<StateItem> state() const;  // describe.cpp
     const AxisValues& position() const { return position_.here; }
+    Snapshot snapshot() const;  // snapshot.cpp
 
     // answers.cpp: what a program asks while it runs
     std::optional<double> quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second);

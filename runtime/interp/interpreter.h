@@ -15,6 +15,7 @@
 
 #include "base/stream.h"
 #include "interp/control_state.h"
+#include "interp/snapshot.h"
 #include "machine/machine.h"
 #include "nc/dialect.h"
 #include "nc/reader.h"
@@ -63,6 +64,7 @@ struct InterpreterOptions {
     std::uint16_t skip_levels = 0;  // bit n: blocks with skip level n are left out
     bool optional_stop = false;
     bool asks_for_tool = true;  // warns of a cut before any tool is called
+    bool in_step = false;       // no block is read before the one in front of it is executed
 };
 
 /// One entry of the modal state, in words: `feed`, `200 mm/min`.
@@ -88,6 +90,8 @@ class Interpreter final : public Stream<path::Command>, public ControlState {
     std::vector<StateItem> state() const;
     /// Where the tool stands in the programmed system; mm, deg.
     const AxisValues& position() const;
+    /// The same and what the modal state holds, as numbers.
+    Snapshot snapshot() const;
 
     // What a program asks while it runs.
     std::optional<double> quantity(nc::Quantity quantity, std::int64_t first,
