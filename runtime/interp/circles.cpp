@@ -23,6 +23,9 @@ namespace {
 
 Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
 
+/// Opening angles below this are none, deg: a thousandth of the finest increment of angles.
+constexpr double kLeastOpening = 1e-6;
+
 SlotMask plane_slots(const path::PlaneAxes& plane) {
     return bit(nc::slot_of(plane.first)) | bit(nc::slot_of(plane.second));
 }
@@ -38,7 +41,7 @@ Vec3 turned(const Vec3& point, const Vec3& center, const Vec3& axis, double angl
 /// makes the end. Nothing if it was reported.
 std::optional<path::Arc> Executor::arc_by_opening(const Block& block, Target& target) {
     const double opening_deg = block.at(Slot::Opening);
-    if (!(opening_deg > 0) || !(opening_deg < 360)) {
+    if (!(opening_deg > kLeastOpening) || !(opening_deg < 360)) {
         report(diag::ArcOpeningInvalid, block, Slot::Opening).arg(opening_deg);
         return std::nullopt;
     }

@@ -105,7 +105,9 @@ bool Executor::wish_square_corner(const Block& block, const Target& target) {
     const bool along_first = moves(plane.first);
     if (!rules_.corner_by_arc_words || cycle_blocks_ || modal_.motion != Function::Line)
         return false;
-    if ((words & (words - 1)) != 0) {
+    const bool has_other = block.find(Function::CornerChamfer) != nullptr ||
+                           block.find(Function::CornerRound) != nullptr;
+    if ((words & (words - 1)) != 0 || has_other) {
         report(diag::CornerTwice, block);
         return true;
     }

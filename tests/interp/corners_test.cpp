@@ -190,6 +190,25 @@ TEST(Corners, ModalRoundingSaysNothingWhereThereIsNoCorner) {
     EXPECT_EQ(arcs, 1u) << "between X40 and Y10 only";
 }
 
+TEST(Corners, WhatDoesNotFitIsMadeSmallerAndSaid) {
+    struct Row {
+        const char* corner;
+        double made;
+    };
+    // Sides of 40 and 10 mm at a right angle.
+    for (const Row& row : {Row{"RND=50", 10}, {"CHR=50", 10}, {"CHF=50", 14.1421}}) {
+        SCOPED_TRACE(row.corner);
+        const Ran ran = read("sinumerik", kStart + "G1 X40 " + row.corner + "\nY10\nX0\nM30\n");
+        ASSERT_EQ(ran.messages.size(), 1u);
+        EXPECT_EQ(ran.messages[0].row, &diag::CornerReduced);
+        EXPECT_EQ(ran.messages[0].message(), "the chamfer or rounding is made smaller: " +
+                                                 number(row.made) + " instead of 50");
+        const path::Contour contour = contour_of(ran);
+        ASSERT_EQ(contour.size(), 3u) << "nothing is left of Y10";
+        EXPECT_NEAR((contour[1].to - Vec2(40, 10)).norm(), 0, 1e-6);
+    }
+}
+
 TEST(Corners, UnderInverseTimeThePiecesKeepTheSpeed) {
     const Ran ran = read("sinumerik", "M3 S1000\nG0 X0 Y0\nG93 G1 X40 F2 CHR=10\nY40 F2\nM30\n");
     ASSERT_EQ(alarms(ran), "");
