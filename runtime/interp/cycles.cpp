@@ -366,6 +366,8 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
     // The cycle's own motions neither repeat it nor end its mode.
     is_modal_behind_cycle_ = modal_cycle_.is_active;
     modal_cycle_.is_active = false;
+    if (corners_.is_active()) settle(block);
+    leave_corners(diag::CornerWithoutMotion);
     cycle_blocks_.emplace(*cycle_stream_, kCycleBatch);
 }
 
@@ -441,7 +443,10 @@ void Executor::finish_cycle() {
     if (times_left_ > 0) {
         --times_left_;
         const Actions after = after_cycle_;
-        const Block caller = caller_;
+        // Angles and radii that are distances go on from where the last one has come to.
+        const Block* const again =
+            said_in_polar_ ? with_polar_axes(Block(*said_in_polar_)) : &caller_;
+        const Block caller = *again;
         start_cycle(caller, modal_cycle_);
         after_cycle_ = after;
         return;

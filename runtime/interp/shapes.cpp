@@ -107,6 +107,8 @@ void Executor::end_shape_block(const Block& block) {
 }
 
 void Executor::finish_shape() {
+    leave_corners(diag::CornerWithoutMotion);
+    if (alarmed_) return;
     if (shape_->is_followed) return return_from_shape();
     const ShapeRun run = std::move(*shape_);
     shape_.reset();

@@ -7,22 +7,17 @@ namespace kadr::nc {
 
 std::span<const SlotInfo> slot_infos() {
     static constexpr std::array<SlotInfo, kSlots> kInfos = {{
-        {"X", Dimension::Length},
-        {"Y", Dimension::Length},
-        {"Z", Dimension::Length},
-        {"A", Dimension::Angle},
-        {"B", Dimension::Angle},
-        {"C", Dimension::Angle},
-        {"U", Dimension::Length},
-        {"V", Dimension::Length},
-        {"W", Dimension::Length},
-        {"center_x", Dimension::Length},
-        {"center_y", Dimension::Length},
-        {"center_z", Dimension::Length},
-        {"radius", Dimension::Length},
-        {"turns", Dimension::Count},
-        {"feed", Dimension::Feed},
-        {"speed", Dimension::Speed},
+        {"X", Dimension::Length},          {"Y", Dimension::Length},
+        {"Z", Dimension::Length},          {"A", Dimension::Angle},
+        {"B", Dimension::Angle},           {"C", Dimension::Angle},
+        {"U", Dimension::Length},          {"V", Dimension::Length},
+        {"W", Dimension::Length},          {"center_x", Dimension::Length},
+        {"center_y", Dimension::Length},   {"center_z", Dimension::Length},
+        {"radius", Dimension::Length},     {"turns", Dimension::Count},
+        {"feed", Dimension::Feed},         {"speed", Dimension::Speed},
+        {"polar_angle", Dimension::Angle}, {"polar_radius", Dimension::Length},
+        {"opening", Dimension::Angle},     {"through_x", Dimension::Length},
+        {"through_y", Dimension::Length},  {"through_z", Dimension::Length},
     }};
     return kInfos;
 }

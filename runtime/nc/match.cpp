@@ -502,12 +502,7 @@ class Matcher {
         if (block_.has(slot) || (seen_slots_ & bit(slot)) != 0)
             return MatchFault{MatchFault::Kind::AddressTwice, i, i};
         seen_slots_ |= bit(slot);
-        if (word.mode != GivenWord::Mode::Modal) {
-            if ((bit(slot) & (kTargetSlots | kCenterSlots)) == 0)
-                return MatchFault{MatchFault::Kind::Mode, i};
-            (word.mode == GivenWord::Mode::Absolute ? block_.absolute : block_.incremental) |=
-                bit(slot);
-        }
+        if (!take_mode(word.mode, slot)) return MatchFault{MatchFault::Kind::Mode, i};
         if (head.is_incremental) block_.incremental |= bit(slot);
         used_[i] = true;
         Claim& claim = match_.claims[match_.claim_count++];
@@ -516,6 +511,32 @@ class Matcher {
         claim.place = static_cast<std::uint8_t>(head.slot);
         claim.dimension = head.dimension;
         return {};
+    }
+
+    /// False: a word of the slot cannot be said so.
+    bool take_mode(GivenWord::Mode mode, Slot slot) {
+        using Mode = GivenWord::Mode;
+        if (mode == Mode::Modal) return true;
+        if (mode >= Mode::Shortest) {
+            if (slot < Slot::A || slot > Slot::C) return false;
+            block_.set_rotary_way(static_cast<Axis>(slot),
+                                  mode == Mode::Shortest   ? RotaryWay::Shortest
+                                  : mode == Mode::Positive ? RotaryWay::Positive
+                                                           : RotaryWay::Negative);
+            return true;
+        }
+        const bool is_diameter =
+            mode == Mode::DiameterAbsolute || mode == Mode::DiameterIncremental;
+        const bool is_radius = mode == Mode::RadiusAbsolute || mode == Mode::RadiusIncremental;
+        if ((bit(slot) & kModeSlots) == 0) return false;
+        if ((is_diameter || is_radius) && slot != Slot::X) return false;
+        if (is_diameter) block_.x_measure = XMeasure::Diameter;
+        if (is_radius) block_.x_measure = XMeasure::Radius;
+        const bool is_incremental = mode == Mode::Incremental ||
+                                    mode == Mode::DiameterIncremental ||
+                                    mode == Mode::RadiusIncremental;
+        (is_incremental ? block_.incremental : block_.absolute) |= bit(slot);
+        return true;
     }
 
     /// Where cycles are modal, the motion code that stands behind one ends it at once.
@@ -533,7 +554,7 @@ class Matcher {
     /// Words of arcs have other meanings beside a cycle (K: repeats); none of them is passed over.
     Fault check_cycle() const {
         if (block_.find(Function::Cycle) == nullptr) return {};
-        const SlotMask of_arcs = kCenterSlots | bit(Slot::Radius) | bit(Slot::Turns);
+        const SlotMask of_arcs = kArcSlots | kThroughSlots | bit(Slot::Opening);
         for (std::size_t i = 0; i < words_.size(); ++i) {
             if (words_[i].is_left_out) continue;
             const int slot = address(i).slot;
@@ -545,8 +566,7 @@ class Matcher {
     }
 
     Fault check_alone() const {
-        constexpr SlotMask kPlaces =
-            kTargetSlots | kCenterSlots | bit(Slot::Radius) | bit(Slot::Turns);
+        constexpr SlotMask kPlaces = kTargetSlots | kArcSlots | kReadSlots;
         if (without_axes_ && (motion_head_ || (seen_slots_ & kPlaces) != 0))
             return MatchFault{MatchFault::Kind::Alone, *without_axes_};
         if (!alone_) return {};

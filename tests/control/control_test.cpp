@@ -3,11 +3,11 @@
 // A program is a file below the folder of its dialect. Its comments say what must come of it:
 //   rule: F 6.3 …            the place in the manual's digest that it shows
 //   expect: #1=14            a variable at the end; `#1 vacant` or `R1 unset`: it was never set
-//   expect: to X10 Y5        the end of the next motion; if one is told, all are
+//   expect: to X10 Y5        the end of the next motion; if one is told, all are. Behind it may stand
+//                            rapid, line, cw or ccw, the centre I J K of an arc, and the feed F
 //   expect: path X20 x40z-30  the next motions in short, what they change: capitals at rapid, small
-//   letters at
-//                            feed, t1.5: before a thread of that lead, cw: and ccw: before an arc;
-//                            f0.2 where the feed changes; X of a lathe is a diameter
+//                            letters at feed, t1.5: before a thread of that lead, cw: and ccw:
+//                            before an arc; f0.2 where the feed changes; X of a lathe is a diameter
 //   expect: message TEXT     the next message;  expect: stop  a stop of the program
 //   expect: alarm PS0115 K5410 at 3:4   the alarm that ends it, its row, line and column
 //   skip: 1                  blocks of this level are left out
@@ -118,14 +118,34 @@ std::string shown(const ControlVariable& variable) {
     }
 }
 
-/// "X10 Y5": the axes that are told.
+std::string kind_of(const path::Command& command) {
+    if (command.op == path::Op::Rapid) return "rapid";
+    if (command.op == path::Op::Line) return "line";
+    return command.is_clockwise ? "cw" : "ccw";
+}
+
+/// "X10 Y5 ccw I0 J5 F200": what is told.
 bool is_at(const path::Command& command, const std::string& place) {
     std::istringstream words(place);
     for (std::string word; words >> word;) {
+        if (std::islower(static_cast<unsigned char>(word[0])) != 0) {
+            if (word != kind_of(command)) return false;
+            continue;
+        }
+        if (const std::size_t center = std::string_view("IJK").find(word[0]);
+            center != std::string_view::npos) {
+            const double at = command.center[static_cast<Eigen::Index>(center)];
+            if (std::abs(at - std::stod(word.substr(1))) > 1e-4) return false;
+            continue;
+        }
+        if (word[0] == 'F') {
+            if (std::abs(command.feed - std::stod(word.substr(1))) > 1e-6) return false;
+            continue;
+        }
         const auto axis = std::ranges::find(kAxisNames, word.substr(0, 1));
         const double wanted = std::stod(word.substr(1));
         const auto i = static_cast<std::size_t>(axis - kAxisNames.begin());
-        if (std::abs(command.to[i] - wanted) > 1e-6) return false;
+        if (std::abs(command.to[i] - wanted) > 5e-5) return false;
     }
     return true;
 }
@@ -135,7 +155,14 @@ std::string place_of(const path::Command& command) {
     for (std::size_t i = 0; i < 3; ++i) {
         out += std::string(kAxisNames[i]) + format_shortest(round_to(command.to[i], 6)) + ' ';
     }
-    return out;
+    out += kind_of(command);
+    if (command.op == path::Op::Arc) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double at = command.center[static_cast<Eigen::Index>(i)];
+            out += std::string(" ") + "IJK"[i] + format_shortest(round_to(at, 6));
+        }
+    }
+    return out + " F" + format_shortest(command.feed);
 }
 
 /// All motions in short; X of a lathe is a diameter.

@@ -263,8 +263,7 @@ TEST(Reader, WordsOfTheControlThatKadrLacksAreNotTheProgramsMistake) {
     EXPECT_NE(said("sinumerik", "CYCLE832(0.01,1,1)")
                   .find("`CYCLE832` (high-speed settings) is not supported by Kadr yet"),
               std::string::npos);
-    EXPECT_NE(said("sinumerik", "G1 X10 rnd=2").find("`RND` (rounding between two blocks)"),
-              std::string::npos);
+    EXPECT_NE(said("sinumerik", "invcw X10 Y2").find("`INVCW` (involute)"), std::string::npos);
     EXPECT_NE(said("fanuc", "G05.4 Q1").find("`G05.4` (high-speed machining)"), std::string::npos);
     EXPECT_EQ(testing::codes(read_blocks(shipped("sinumerik"), "FOOBAR=2").messages), "K5001");
     EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "G777").messages), "K5002");
