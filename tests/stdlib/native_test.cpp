@@ -123,9 +123,10 @@ TEST(Native, SingleCyclesOfALatheAreRepeated) {
 // The three systems of G codes of a lathe say the same with other numbers: what is written for one
 // of them is read back to the same commands, with the control's own cycles too.
 TEST(Native, LathePartsAreTheSameInEverySystem) {
-    for (const char* part : {"shaft", "pin"}) {
+    for (const char* part :
+         {"examples/shaft", "examples/pin", "tests/golden/cycles/lathe_thread"}) {
         const std::string text =
-            kadr::read_file(KADR_ROOT "/examples/" + std::string(part) + ".kadr").value_or("");
+            kadr::read_file(KADR_ROOT "/" + std::string(part) + ".kadr").value_or("");
         for (const char* cycles : {"moves", "native"}) {
             SCOPED_TRACE(std::string(part) + ", " + cycles);
             const auto first = commands_of(".kadr", text, "fanuc-lathe", "lathe", cycles);
