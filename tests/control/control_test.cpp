@@ -3,7 +3,8 @@
 // A program is a file below the folder of its dialect. Its comments say what must come of it:
 //   rule: F 6.3 …            the place in the manual's digest that it shows
 //   expect: #1=14            a variable at the end; `#1 vacant` or `R1 unset`: it was never set
-//   expect: to X10 Y5        the end of the next motion; if one is told, all are. Behind it may stand
+//   expect: to X10 Y5        the end of the next motion; if one is told, all are. Behind it may
+//   stand
 //                            rapid, line, cw or ccw, the centre I J K of an arc, and the feed F
 //   expect: path X20 x40z-30  the next motions in short, what they change: capitals at rapid, small
 //                            letters at feed, t1.5: before a thread of that lead, cw: and ccw:
