@@ -138,7 +138,7 @@ void Executor::execute_next() {
         ended_ = alarmed_ = true;  // the control stops at the line that could not be read
         return;
     }
-    execute(*block);
+    execute(rules_.center_stays ? with_center(*block) : *block);
     if (compensation_.is_on()) settle_comp(*block);
 }
 
@@ -160,13 +160,18 @@ void Executor::end_of_blocks() {
     report(is_alarm ? diag::EndOfRecord : diag::EndMissing, std::move(place));
 }
 
+/// Whether the operator leaves it out.
+bool Executor::is_left_out(const Block& block) const {
+    return block.skip >= 0 &&
+           ((1u << block.skip | block.skip_also) & options_.skip_levels) != 0;
+}
+
 void Executor::execute(const Block& block) {
     if (block.kind != Block::Kind::Nc) {
         if (block.kind == Block::Kind::Raw) report(diag::RawInCycle, block);
         return;
     }
-    if (block.skip >= 0 && ((1u << block.skip | block.skip_also) & options_.skip_levels) != 0)
-        return;
+    if (is_left_out(block)) return;
     if (spline_ && !continues_spline(block)) {
         finish_spline();
         if (ended_) return;
@@ -196,6 +201,7 @@ void Executor::execute(const Block& block) {
     const bool was_in_cycle = cycle_blocks_.has_value();
     move(block, actions);
     if (call_behind_motions_) call_behind_motion(block);
+    if (actions.calls_defined && !ended_) call_defined(block);
     if (ended_) return;
     if (cycle_blocks_ && !was_in_cycle) {
         after_cycle_ = actions;  // what the calling block does after its motion waits for the cycle
@@ -370,6 +376,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             actions.cycle_is_cancelled = actions.cycle != nullptr;
             if (actions.cycle == nullptr) modal_cycle_.is_active = taps_rigidly_ = false;
             break;
+        case Function::CycleCall: actions.calls_defined = true; break;
         case Function::CycleModal: actions.calls_behind_motions = true; break;
         case Function::CycleWords: {
             CycleWords& words = actions.cycle_words;

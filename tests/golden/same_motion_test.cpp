@@ -156,6 +156,28 @@ TEST_P(SameMotion, OnEveryControl) {
     }
 }
 
+/// What a control of examples/dialects can say of a part moves as it does elsewhere; it can say all
+/// parts for a mill but those that are told here.
+TEST_P(SameMotion, OnControlsMadeByTheDocument) {
+    if (GetParam().machine == "lathe") return;
+    const std::vector<json> reference = commands_of(GetParam(), "sinumerik", "moves");
+    for (const golden::MadeControl& control : golden::kMadeControls) {
+        SCOPED_TRACE(control.name);
+        const std::string file = KADR_ROOT "/examples/dialects/" + std::string(control.name) + ".xml";
+        const ProcessResult result =
+            run_process({KADR_BINARY, "expand", GetParam().source.string(), "-d", file});
+        const auto& missing = control.cannot_say;
+        const bool is_missing =
+            std::find(missing.begin(), missing.end(), GetParam().name()) != missing.end();
+        EXPECT_EQ(result.status != 0, is_missing) << result.err;
+        if (result.status != 0) {
+            EXPECT_NE(result.err.find("K4201"), std::string::npos) << result.err;
+            continue;
+        }
+        expect_same(reference, commands_of(GetParam(), file, "native"), std::string(control.name));
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Parts, SameMotion, testing::ValuesIn(golden::all_parts()),
                          [](const auto& part) { return golden::name_of(part); });
 
