@@ -151,7 +151,7 @@ struct Program::State {
     Done leave(CompiledLine& line, const ControlStatement& statement);
     Done otherwise(CompiledLine& line, const ControlStatement& statement);
     Done repeat_section(CompiledLine& line, const ControlStatement& statement);
-    Done raise(CompiledLine& line, const Span& span, double number, std::string text);
+    Done raise(CompiledLine& line, const Span& span, double number, const std::string& text);
     Done stop_with_message(std::string_view text, Block& out);
 
     // parts
@@ -162,7 +162,7 @@ struct Program::State {
     Done count_on(CompiledLine& line, OpenStructure& loop, bool& goes_on_looping);
     bool resolve(CompiledLine& line, const JumpTarget& target, Target& out, Done& done);
     Done go(CompiledLine& line, const Place& target, const Span& span);
-    Done fail(CompiledLine& line, LineFault fault);
+    Done fail(CompiledLine& line, const LineFault& fault);
     Done fail(CompiledLine& line, const DiagnosticRow& row, const Span& span,
               std::vector<std::string> arguments = {}) {
         return fail(line, LineFault{&row, span, std::move(arguments)});
@@ -405,7 +405,7 @@ Program::State::Done Program::State::read_words(CompiledLine& line, Block& out) 
 
 // ------------------------------------------------------------------------------ faults
 
-Program::State::Done Program::State::fail(CompiledLine& line, LineFault fault) {
+Program::State::Done Program::State::fail(CompiledLine& line, const LineFault& fault) {
     lines.report_fault(line.text, fault);
     return Done::Nothing;
 }
@@ -577,9 +577,10 @@ Program::State::Done Program::State::declare(CompiledLine& line,
             const Done done = evaluate(line, declaration.sizes[i], length);
             if (done == Done::Wait || lines.failed()) return done;
             count *= length.number;
-            if (!(length.number >= 1) || count > 1e6)
+            if (!(length.number >= 1) || count > 1e6) {
                 return fail(line, diag::SizeWrong, declaration.sizes[i].span,
                             {evaluator.written(length)});
+            }
             symbol.sizes[i] = static_cast<std::uint32_t>(length.number);
         }
         if (variables.level().symbols.find(symbol.name) != nullptr)
@@ -605,7 +606,7 @@ Program::State::Done Program::State::declare(CompiledLine& line,
 
 /// The program's own alarm.
 Program::State::Done Program::State::raise(CompiledLine& line, const Span& span, double number,
-                                           std::string text) {
+                                           const std::string& text) {
     const nc::LanguageRules& rules = language.rules;
     const double rounded = std::round(number);
     if (!(rounded >= rules.least_alarm && rounded <= rules.most_alarm))
@@ -737,9 +738,10 @@ Program::State::Done Program::State::enter(CompiledLine& line, const ControlStat
             return fail(line, fault, diag::StructureEndMissing, statement.span,
                         std::to_string(statement.loop));
         }
-        if (static_cast<int>(structures.size()) >= language.rules.most_levels)
+        if (static_cast<int>(structures.size()) >= language.rules.most_levels) {
             return fail(line, diag::StructuresTooDeep, statement.span,
                         {std::to_string(language.rules.most_levels)});
+        }
         structures.push_back(
             {statement.kind, statement.loop, line.place, found->end, found->otherwise, 0, nullptr});
         if (statement.kind == Statement::For)
