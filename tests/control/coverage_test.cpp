@@ -61,6 +61,10 @@ std::vector<std::string> texts_for(const nc::Dialect& dialect) {
         if (file.starts_with(name) && file.ends_with(".nc"))
             texts.push_back(content_of(entry.path()));
     }
+    for (const auto& entry : fs::directory_iterator(kRoot / "tests/golden/made")) {
+        const std::string file = entry.path().filename();
+        if (file.ends_with('.' + name + ".txt")) texts.push_back(content_of(entry.path()));
+    }
     for (const nc::Example& example : dialect.examples()) texts.push_back(example.text);
     return texts;
 }
