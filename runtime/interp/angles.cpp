@@ -51,7 +51,7 @@ path::Plane Executor::plane_in(const Block& block) const {
 
 /// Whether the block is a line at an angle whose end only the next one will tell; then it waits.
 bool Executor::opens_line(const Block& block) {
-    if (block.function_count == 0 || cycle_blocks_) return false;
+    if (cycle_blocks_) return false;
     const nc::Invocation* angle = block.find(Function::ContourAngle);
     if (angle == nullptr) return false;
     const path::PlaneAxes plane = path::axes_of(plane_in(block));

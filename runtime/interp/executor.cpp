@@ -185,7 +185,7 @@ void Executor::execute(const Block& block) {
         return;
     }
     if (open_line_) return close_line(block);
-    if (opens_line(block)) return;
+    if (block.function_count != 0 && opens_line(block)) return;
     run(block);
 }
 

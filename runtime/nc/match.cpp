@@ -383,8 +383,11 @@ class Matcher {
                     return MatchFault{MatchFault::Kind::Company, head, i};
             }
         }
-        if (form.function == Function::None) {
-            used_ |= fit.taken;  // the control knows it, and nothing here depends on it
+        // The control knows it, and nothing here depends on it; no source is polar.
+        const bool is_off_anyhow =
+            words_of_ == WordsOf::Source && form.function == Function::PolarOff;
+        if (form.function == Function::None || is_off_anyhow) {
+            used_ |= fit.taken;
             return {};
         }
         for (const Function before : form.first) {

@@ -103,7 +103,7 @@ class Planner {
             const Form& form = tables_.forms[match.forms[i]];
             plan_.feed_stays_metric = plan_.feed_stays_metric || form.feed_stays_metric;
             const bool is_cycle = form.function == Function::Cycle;
-            if (is_read_only(form.function)) {
+            if (is_read_only(form.function) && form.function != Function::PolarOff) {
                 report_read_only(head_of(form));
                 return true;
             }
