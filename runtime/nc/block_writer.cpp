@@ -139,6 +139,7 @@ void BlockWriter::write_long(const Block& block, std::string& out) {
     }
     if (given_number_ >= 0) {  // all that the block says holds already
         open_line(block.skip, true, out);
+        end_block(out);
         close_line(out);
     }
 }
@@ -692,6 +693,7 @@ void BlockWriter::write_lead(const Form& form, const Block& block, const Invocat
                              std::string& out) {
     open_line(block.skip, true, out);
     append_words(block, form.lead, &invocation, false, out);
+    end_block(out);
     close_line(out);
     note_line(form.lead);
 }

@@ -436,6 +436,7 @@ class Matcher {
     }
 
     void claim_word(const FormWord& wanted, std::size_t i, std::uint8_t invocation) {
+        if (wanted.is_any) return;
         if (wanted.kind == FormWord::Kind::Value || wanted.kind == FormWord::Kind::Quoted) {
             claim(wanted, i, -1, invocation);
         }
@@ -467,6 +468,7 @@ class Matcher {
         claim.tail_digits = wanted.tail_digits;
         claim.tail_parameter = wanted.tail_parameter;
         claim.factor = wanted.factor;
+        claim.plain_factor = wanted.plain_factor;
         claim.offset = wanted.offset;
     }
 
@@ -507,6 +509,9 @@ class Matcher {
         seen_slots_ |= bit(slot);
         if (!take_mode(word.mode, slot)) return MatchFault{MatchFault::Kind::Mode, i};
         if (head.is_incremental) block_.incremental |= bit(slot);
+        if (head.is_coordinate && word.mode == GivenWord::Mode::Modal &&
+            active_of(Group::Distance) != Function::Incremental)
+            block_.absolute |= bit(slot);
         used_[i] = true;
         Claim& claim = match_.claims[match_.claim_count++];
         claim = {};
