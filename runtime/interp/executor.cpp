@@ -162,8 +162,7 @@ void Executor::end_of_blocks() {
 
 /// Whether the operator leaves it out.
 bool Executor::is_left_out(const Block& block) const {
-    return block.skip >= 0 &&
-           ((1u << block.skip | block.skip_also) & options_.skip_levels) != 0;
+    return block.skip >= 0 && ((1u << block.skip | block.skip_also) & options_.skip_levels) != 0;
 }
 
 void Executor::execute(const Block& block) {

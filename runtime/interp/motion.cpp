@@ -423,8 +423,8 @@ void Executor::arc(const Block& block, const Target& target, bool exact_stop) {
     arrive(target);
 }
 
-/// Where a centre stays, the block as if it had said it: an arc has the one that was said last, if it
-/// says no radius; words that stand beside no arc have done all that they do.
+/// Where a centre stays, the block as if it had said it: an arc has the one that was said last, if
+/// it says no radius; words that stand beside no arc have done all that they do.
 const Block& Executor::with_center(const Block& block) {
     if (block.kind != Block::Kind::Nc || is_left_out(block)) return block;
     const SlotMask said = block.given & nc::kCenterSlots;

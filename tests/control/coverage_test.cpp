@@ -1,6 +1,8 @@
 // Which entries of the dialect files no text of the tests uses. The list of each dialect is
 // tests/control/coverage/NAME.txt, an entry a line with the reason behind `#`; it may only shrink:
 // an entry that is not in it must be used, one that is in it must not.
+#include "nc/coverage.h"
+
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -11,7 +13,6 @@
 #include <vector>
 
 #include "interp/program.h"
-#include "nc/coverage.h"
 #include "tests/interp/bench.h"
 
 namespace kadr::interp {

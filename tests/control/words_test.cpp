@@ -1,6 +1,8 @@
-// Words that no program of the corpus uses, one line each: `TEXT => BLOCK`, what the control reads and
-// what it means, in the words of the examples of dialect files; `//` stands between the lines of a
-// text and between blocks. KADR_UPDATE=1 writes what is read today, to be reviewed as an operator would.
+// Words that no program of the corpus uses, one line each: `TEXT => BLOCK`, what the control reads
+// and what it means, in the words of the examples of dialect files; `//` stands between the lines
+// of a text and between blocks. KADR_UPDATE=1 writes what is read today, to be reviewed as an
+// operator would.
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
@@ -63,15 +65,13 @@ TEST_P(Words, MeanWhatIsWritten) {
 
 std::vector<std::string> all_words() {
     std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(kWords))
-        names.push_back(entry.path().stem());
+    for (const auto& entry : fs::directory_iterator(kWords)) names.push_back(entry.path().stem());
     std::sort(names.begin(), names.end());
     return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Dialects, Words, testing::ValuesIn(all_words()), [](const auto& test) {
-    return replaced(test.param, "-", "_");
-});
+INSTANTIATE_TEST_SUITE_P(Dialects, Words, testing::ValuesIn(all_words()),
+                         [](const auto& test) { return replaced(test.param, "-", "_"); });
 
 }  // namespace
 }  // namespace kadr

@@ -152,8 +152,8 @@ TEST_F(Docs, TheNewcomersPathCanBeWalked) {
     EXPECT_TRUE(fs::exists("plate.jsonl"));
 }
 
-/// A piece of the page with a file behind its kind, `xml zarya.xml`: the file; with `add` behind it,
-/// a piece that is put in at the end of the dialect that the file has.
+/// A piece of the page with a file behind its kind, `xml zarya.xml`: the file; with `add` behind
+/// it, a piece that is put in at the end of the dialect that the file has.
 void write_piece(const Fence& fence) {
     const std::vector<std::string> words = words_of(fence.info);
     std::string text = fence.text;
@@ -188,7 +188,8 @@ TEST_F(Docs, TheInventedControlsWork) {
             const ProcessResult result = run_process(words);
             const bool is_refused = line.find("# refused") != std::string::npos;
             EXPECT_EQ(result.status, is_refused ? 1 : 0)
-                << "docs/dialects.md:" << fence.line << ' ' << line << '\n' << result.err;
+                << "docs/dialects.md:" << fence.line << ' ' << line << '\n'
+                << result.err;
             alarms += result.err.find("alarm[E12]: BAD CODE") != std::string::npos ? 1 : 0;
             said = result.out;
         }
@@ -223,8 +224,7 @@ TEST_F(Docs, TheVocabularyIsInThePageOnDialects) {
         expect_row((*at)[1], (*at)[2], (*at)[3]);
     EXPECT_GT(rows, 80);
     const std::string core = kadr::read_file(KADR_ROOT "/dialects/iso.xml").value_or("");
-    const std::regex cycle(
-        R"re(<cycle name="(\w+)" parameters="([^"]*)"[^>]*meaning="([^"]*)")re");
+    const std::regex cycle(R"re(<cycle name="(\w+)" parameters="([^"]*)"[^>]*meaning="([^"]*)")re");
     rows = 0;
     for (std::sregex_iterator at(core.begin(), core.end(), cycle), end; at != end; ++at)
         expect_row((*at)[1], (*at)[2], (*at)[3]);
