@@ -31,8 +31,9 @@ class CycleMessages final : public DiagnosticSink {
     std::optional<std::string> refusal_;
 };
 
-/// Runs `stdlib/cycles`, and the Kadr files of the dialect, for cycle calls that the interpreter meets. A file of the library is read
-/// and checked when a call asks for a cycle that none before it has.
+/// Runs `stdlib/cycles`, and the Kadr files of the dialect, for cycle calls that the interpreter
+/// meets. A file of the library is read and checked when a call asks for a cycle that none before
+/// it has.
 class LibraryCycles final : public interp::CycleExpander {
   public:
     /// References outlive the expander.

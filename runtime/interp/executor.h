@@ -357,10 +357,10 @@ class Executor {
     ModalCycle modal_cycle_;
     CycleData cycle_data_;
     std::optional<nc::Block> call_behind_motions_;
-    int times_left_ = 0;                 // that the block does the cycle again
-    std::optional<double> begins_at_;    // level at which the cycle takes the tool to be
-    std::optional<double> final_level_;  // below its retract level, where the tool goes behind it
-    std::vector<ModalCycle> presets_;    // parameters that the next calls need not give
+    int times_left_ = 0;                  // that the block does the cycle again
+    std::optional<double> begins_at_;     // level at which the cycle takes the tool to be
+    std::optional<double> final_level_;   // below its retract level, where the tool goes behind it
+    std::vector<ModalCycle> presets_;     // parameters that the next calls need not give
     std::optional<nc::CycleId> defined_;  // the one of them that was said last
     bool returns_to_retract_ = false;
     std::optional<ShapeRun> shape_;  // whose blocks are coming
@@ -372,7 +372,7 @@ class Executor {
     bool is_modal_behind_cycle_ = false;
     Actions after_cycle_;
     std::array<std::optional<double>, 3> center_;  // that stays, in the programmed system
-    nc::Block centered_{};  // a block with it
+    nc::Block centered_{};                         // a block with it
     nc::Block remapped_{};  // a block of the cycle, in another plane than X-Y
 
     nc::Block cartesian_{};                   // a block whose other words have become places

@@ -485,8 +485,8 @@ void Executor::put_arc(const Block& block, const path::Arc& programmed, const Ta
     came_from_ = arc.end - arc.normal.cross(arc.end - arc.center);
 }
 
-/// Where a centre stays, the block as if it had said it: an arc has the one that was said last, if it
-/// says no radius; words that stand beside no arc have done all that they do.
+/// Where a centre stays, the block as if it had said it: an arc has the one that was said last, if
+/// it says no radius; words that stand beside no arc have done all that they do.
 const Block& Executor::with_center(const Block& block) {
     if (!acts(block)) return block;
     const SlotMask said = block.given & nc::kCenterSlots;

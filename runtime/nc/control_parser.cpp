@@ -119,6 +119,7 @@ class LineCompiler final : public ValueCompiler, private ExpressionCompiler {
         });
         if (form == language_.functions.end()) return false;
         at_ += word.text.size();
+        tables_.note(&*form);
         out.fills = form->operation == Operation::Fill;
         return take_values(out.list);
     }

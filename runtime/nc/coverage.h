@@ -10,7 +10,7 @@ namespace kadr::nc {
 
 /// An entry of the file that a text can use.
 struct DialectEntry {
-    std::string name;           // as it is written: "form G04 P{time:ms}", "function SIN({a})"
+    std::string name;             // as it is written: "form G04 P{time:ms}", "function SIN({a})"
     const void* place = nullptr;  // as Dialect::record notes it
 };
 

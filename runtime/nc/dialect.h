@@ -25,10 +25,10 @@ struct CycleInfo {
     std::string name;                   // as in stdlib: "drill_peck"
     std::vector<Parameter> parameters;  // names live in the Dialect
     std::string meaning;
-    std::string module;    // of the library that has it, if a block of a source can be this cycle
-    std::string file;      // of a control's own cycle: the Kadr file that says what it does
+    std::string module;      // of the library that has it, if a block of a source can be this cycle
+    std::string file;        // of a control's own cycle: the Kadr file that says what it does
     SourceRange file_range;  // where the dialect names it
-    bool is_modal = true;  // where cycles are modal: a call is repeated by further axis words
+    bool is_modal = true;    // where cycles are modal: a call is repeated by further axis words
 
     /// Which parameters the words of modal cycles set; -1: none.
     struct Roles {
@@ -131,7 +131,8 @@ class Dialect {
     /// Whether a text that begins so has the header of this control (`O0001`, `%_N_PART_MPF`).
     bool has_header(std::string_view text) const;
 
-    /// From now on notes every entry that a text of the control uses (nc/coverage.h); null: no more.
+    /// From now on notes every entry that a text of the control uses (nc/coverage.h); null: no
+    /// more.
     void record(UsedEntries* used);
 
     const DialectTables& tables() const { return *tables_; }

@@ -471,7 +471,8 @@ class Lexer {
         }
         if (!take_number(address, begin)) return;
         skip_blanks();
-        if (peek() == '+' || peek() == '-' || peek() == '*' || peek() == '/') {
+        const bool is_end = peek() == rules_.end_sign && rules_.end_sign != '\0';
+        if (!is_end && (peek() == '+' || peek() == '-' || peek() == '*' || peek() == '/')) {
             fail(diag::IsoNotSupported, begin, at_, {"a computed value"});
         }
     }

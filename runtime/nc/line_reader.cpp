@@ -95,8 +95,7 @@ void LineReader::prepare(std::size_t letter) {
         } else if (address.kind == Address::Kind::Code) {
             fast.kind = FastLetter::Kind::Code;
         } else if (address.slot >= 0 && !address.is_incremental && !address.is_coordinate &&
-                   are_of_motions(address) &&
-                   tables_.code_index[id].empty()) {
+                   are_of_motions(address) && tables_.code_index[id].empty()) {
             fast.kind = FastLetter::Kind::Slot;
             fast.slot = static_cast<Slot>(address.slot);
         }

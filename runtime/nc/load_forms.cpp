@@ -321,7 +321,8 @@ std::optional<CycleId> FormLoader::cycle_of(const XmlElement& element) {
         return std::nullopt;
     }
     if (file != nullptr && (known || is_core || parameters == nullptr)) {
-        attributes_.bad_value(*file, "only a cycle that is declared here, with `parameters`, has one");
+        attributes_.bad_value(*file,
+                              "only a cycle that is declared here, with `parameters`, has one");
         return std::nullopt;
     }
     if (known) return known;

@@ -446,8 +446,7 @@ void BlockWriter::append_parameter(const Block& block, const FormWord& word,
     if (word.plain_factor > 0) {
         NumberFormat pointed = format;  // without its point the number would mean another unit
         pointed.point = PointRule::Always;
-        const NumberFault fault =
-            append_number(out, number, pointed, word.dimension, modal_.units);
+        const NumberFault fault = append_number(out, number, pointed, word.dimension, modal_.units);
         if (fault != NumberFault::None) number_fault(block, fault, number, name);
         return;
     }

@@ -1,6 +1,8 @@
 // Which entries of the dialect files no text of the tests uses. The list of each dialect is
 // tests/control/coverage/NAME.txt, an entry a line with the reason behind `#`; it may only shrink:
 // an entry that is not in it must be used, one that is in it must not.
+#include "nc/coverage.h"
+
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -11,7 +13,6 @@
 #include <vector>
 
 #include "interp/program.h"
-#include "nc/coverage.h"
 #include "tests/interp/bench.h"
 
 namespace kadr::interp {
@@ -64,6 +65,13 @@ std::vector<std::string> texts_for(const nc::Dialect& dialect) {
     for (const auto& entry : fs::directory_iterator(kRoot / "tests/golden/made")) {
         const std::string file = entry.path().filename();
         if (file.ends_with('.' + name + ".txt")) texts.push_back(content_of(entry.path()));
+    }
+    std::istringstream words(content_of(kRoot / "tests/control/words" / (name + ".txt")));
+    for (std::string line; std::getline(words, line);) {
+        std::string text = line.substr(0, line.find(" => "));
+        for (std::size_t at = 0; (at = text.find(" // ", at)) != std::string::npos;)
+            text.replace(at, 4, "\n");
+        texts.push_back(text + '\n');
     }
     for (const nc::Example& example : dialect.examples()) texts.push_back(example.text);
     return texts;

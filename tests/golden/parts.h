@@ -16,14 +16,15 @@ namespace fs = std::filesystem;
 
 inline const std::vector<std::string> kDialects = {"sinumerik", "fanuc", "axioma"};
 
-/// A control of examples/dialects, and the parts for a mill that it has no words for.
+/// A control of examples/dialects, and the parts for a mill that it has no words for. Neither has
+/// splines: a part made of them moves along their lines.
 struct MadeControl {
     std::string_view name;
     std::vector<std::string_view> cannot_say;
 };
 inline const std::vector<MadeControl> kMadeControls = {
-    {"haas", {}},
-    {"heidenhain-iso", {}},
+    {"haas", {"frames", "probe"}},
+    {"heidenhain-iso", {"housing", "cycle_tap", "frames", "probe"}},
 };
 
 /// A Kadr program and the machine that it is made for.

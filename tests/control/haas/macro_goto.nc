@@ -4,7 +4,7 @@ O00001
 (expect: #101=2)
 (expect: to X2)
 #1=5
-IF[#1GT3]GOTO20
+IF [#1 GT 3] GOTO 20
 G00 X1.
 N20 #101=2
 G00 X2.

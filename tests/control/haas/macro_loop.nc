@@ -6,7 +6,7 @@ O00001
 (expect: to X2)
 (expect: to X3)
 #100=0
-WHILE[#100LT3]DO1
+WHILE [#100 LT 3] DO1
 #100=#100+1
 G00 X#100
 END1
