@@ -262,7 +262,8 @@ class Matcher {
     bool has_distance(const FormWord& wanted) const {
         if (wanted.kind != FormWord::Kind::Value || !tables_.has_incremental_letters) return false;
         const Address& place = tables_.addresses[wanted.address];
-        if (place.slot < 0 || place.is_incremental) return false;
+        if (place.slot < 0 || place.is_incremental || wanted.dimension != place.dimension)
+            return false;  // the X of a dwell is no place
         for (std::size_t i = 0; i < words_.size(); ++i) {
             if (!used_[i] && address(i).is_incremental && address(i).slot == place.slot)
                 return true;
