@@ -2,7 +2,8 @@
 // from their blocks does it again.
 //
 // What the languages do differently is left out, and shown by programs of this folder instead:
-//   FANUC counts ATAN from 0 to 360 degrees, knows only whole numbers for MOD, has no NOT
+//   FANUC counts ATAN from 0 to 360 degrees, knows only whole numbers for MOD, has no NOT, and
+//   rounds in a word to the increment where it says ROUND
 //   SINUMERIK takes numbers for equal that differ by a 2·10^12th, and so may compare otherwise
 //   whole numbers that come out of fractions (`ROUND`, `TRUNC` at an edge) hang on the last bit
 //   FANUC and the writer round each word to the increment, SINUMERIK takes it as computed
@@ -233,7 +234,7 @@ void assert_variables(const Outcome& meant, const std::vector<interp::ControlVar
     RC_ASSERT(seen == kVariables - 1);
 }
 
-/// What the writer makes of blocks of a program that a control executed.
+/// What the writer makes of blocks that a control executed.
 std::string written(const nc::Dialect& dialect, const std::vector<Block>& blocks) {
     DiagnosticList messages;
     nc::Writer writer(dialect, {.number_blocks = false}, messages);
@@ -376,12 +377,21 @@ std::string listed(const std::vector<Command>& commands) {
     return out;
 }
 
+/// The lines that a text begins with: they set the state from which its blocks go on.
+std::vector<Block> head_of(const nc::Dialect& dialect) {
+    DiagnosticList messages;
+    nc::Writer writer(dialect, {.number_blocks = false}, messages);
+    std::string text;
+    writer.begin({"random", 1, "", false}, text);
+    writer.write({}, text);  // the modal words come with the first block
+    return nc::testing::read_blocks(dialect, text).blocks;
+}
+
 void check_flat(const char* name) {
     const nc::Dialect& dialect = shipped(name);
     std::vector<Block> blocks = any_flat_program(dialect.tables());
     const std::string text = written(dialect, blocks);
-    // The head of the text sets the state from which the blocks go on.
-    std::vector<Block> all = nc::testing::read_blocks(dialect, written(dialect, {})).blocks;
+    std::vector<Block> all = head_of(dialect);
     all.insert(all.end(), blocks.begin(), blocks.end());
     const std::string again = listed(run_text(dialect, text).commands);
     RC_ASSERT(again == listed(run_blocks(dialect, all)));

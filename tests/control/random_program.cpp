@@ -94,16 +94,28 @@ Condition any_condition() {
     return all;
 }
 
+void without_rounding(Expression& e) {
+    if (e.kind == Kind::Round) e.kind = Kind::Cut;
+    for (Expression& operand : e.operands) without_rounding(operand);
+}
+
+/// In a word FANUC's ROUND rounds to the increment of the address.
+Expression any_of_word(int levels) {
+    Expression e = any_expression(levels);
+    without_rounding(e);
+    return e;
+}
+
 Statement any_move() {
     Statement move{.kind = maybe() ? Statement::Kind::Line : Statement::Kind::Rapid};
     move.axes = static_cast<unsigned>(whole(1, 7));
     for (unsigned axis = 0; axis < 3; ++axis) {
-        if ((move.axes >> axis & 1u) != 0) move.values.push_back(any_expression(2));
+        if ((move.axes >> axis & 1u) != 0) move.values.push_back(any_of_word(2));
     }
     if (move.kind == Statement::Kind::Rapid || whole(0, 2) != 0) return move;
     move.has_feed = true;
     move.values.push_back(maybe() ? number(whole(1, 4000))
-                                  : of(Kind::Add, {number(500), any_expression(1)}));
+                                  : of(Kind::Add, {number(500), any_of_word(1)}));
     return move;
 }
 

@@ -35,7 +35,7 @@ struct Expression {
     Kind kind = Kind::Number;
     double number = 0;
     std::size_t variable = 0;
-    std::vector<Expression> operands;
+    std::vector<Expression> operands = {};
 };
 
 struct Condition {
@@ -50,8 +50,8 @@ struct Condition {
     };
     Kind kind = Kind::Compare;
     Comparison comparison = Comparison::Less;
-    std::vector<Expression> sides;  // of a comparison
-    std::vector<Condition> parts;
+    std::vector<Expression> sides = {};  // of a comparison
+    std::vector<Condition> parts = {};
 };
 
 struct Statement {
@@ -76,10 +76,10 @@ struct Statement {
     unsigned axes = 0;
     bool has_feed = false;
     bool is_clockwise = false;
-    Condition condition;
-    std::vector<Expression> values;
-    std::vector<Statement> body;
-    std::vector<Statement> otherwise;
+    Condition condition = {};
+    std::vector<Expression> values = {};
+    std::vector<Statement> body = {};
+    std::vector<Statement> otherwise = {};
 };
 
 using RandomProgram = std::vector<Statement>;
