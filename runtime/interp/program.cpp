@@ -9,6 +9,7 @@
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "base/units.h"
+#include "interp/code_list.h"
 #include "interp/control_variables.h"
 #include "interp/evaluator.h"
 #include "interp/program_map.h"
@@ -86,7 +87,8 @@ struct Program::State {
           kept(lines),
           map(tables, source),
           variables(dialect_, lines),
-          evaluator(language.rules, variables.globals(), variables.level(), variables) {}
+          evaluator(language.rules, variables.globals(), variables.level(), variables),
+          codes(variables, lines) {}
 
     enum class Done : std::uint8_t {
         Block,    // `out` holds one
@@ -106,6 +108,8 @@ struct Program::State {
     ProgramMap map;
     ControlVariables variables;
     Evaluator evaluator;
+    CodeList codes;
+    LineWatch* watch = nullptr;
 
     Position here;                      // of the line that is next
     Position frontier;                  // of the first line that was never executed
@@ -126,10 +130,15 @@ struct Program::State {
     bool is_only_checking = false;  // the program has ended; lines behind are read for mistakes
     bool has_ended = false;
     bool has_visible_fault = false;  // that blocks of this batch stand behind
+    bool was_stopped = false;        // by who looks on, or because its time is over
+    std::uint32_t steps = 0;
+    std::uint64_t executed = 0;  // statements
 
     // lines
     std::size_t pull(std::span<Block> out);
     Done step(Block& out);
+    bool may_go_on();
+    bool shows(std::string_view text);
     Done first_time(Block& out);
     Done finish_first(Done done, std::string_view text, const Place& place, Block& out);
     Done run(CompiledLine& line, Block& out);
@@ -170,6 +179,8 @@ struct Program::State {
     Done fail(CompiledLine& line, ProgramMap::Fault fault, const DiagnosticRow& missing,
               const Span& span, const std::string& what);
     void end_after(const Block& block);
+    bool is_left_out(const Block& block) const;
+    void follow_shape(const Block& block, std::string_view text, const Place& place);
 };
 
 // ------------------------------------------------------------------------------ the batch
@@ -179,7 +190,7 @@ std::size_t Program::State::pull(std::span<Block> out) {
     given = 0;
     has_visible_fault = lines.failed();
     variables.begin_batch();
-    while (given < out.size() && !has_ended) {
+    while (given < out.size() && !has_ended && may_go_on()) {
         Block& block = out[given];
         block.reset();
         const bool had_fault = lines.failed();
@@ -197,6 +208,28 @@ std::size_t Program::State::pull(std::span<Block> out) {
     return given;
 }
 
+/// Loops without a block give nobody else the occasion to look at the clock.
+bool Program::State::may_go_on() {
+    constexpr std::uint32_t kStepsBetween = 1u << 14;
+    if (++steps % kStepsBetween != 0 || !options.is_over || !options.is_over()) return true;
+    was_stopped = has_ended = true;
+    return false;
+}
+
+/// Shows the line to who looks on. False: the program ends in front of it.
+bool Program::State::shows(std::string_view text) {
+    if (is_only_checking) return true;
+    const nc::LineFront front = nc::front_of(tables, text);
+    WatchedLine line;
+    line.text = text;
+    line.line = here.line;
+    line.number = front.number;
+    line.label = front.label;
+    if (watch->comes_to(line)) return true;
+    was_stopped = has_ended = true;
+    return false;
+}
+
 Program::State::Done Program::State::step(Block& out) {
     goes_on = here;
     if (here.offset >= frontier.offset) return first_time(out);
@@ -205,6 +238,7 @@ Program::State::Done Program::State::step(Block& out) {
         has_ended = true;
         return Done::Nothing;
     }
+    if (watch != nullptr && !shows(line->text)) return Done::Nothing;
     lines.begin(here.line);
     goes_on = line->place.next;
     const Done done = run(*line, out);
@@ -219,7 +253,10 @@ Program::State::Done Program::State::step(Block& out) {
         next_line = nullptr;
     }
     if (!repeats.empty()) advance();
-    if (done == Done::Block) deliver(out, line->text, line->place.line.line, true);
+    if (done == Done::Block) {
+        deliver(out, line->text, line->place.line.line, true);
+        follow_shape(out, line->text, Place(line->place));
+    }
     return done;
 }
 
@@ -244,6 +281,7 @@ Program::State::Done Program::State::first_time(Block& out) {
         has_ended = true;
         return Done::Nothing;
     }
+    if (watch != nullptr && !shows(text)) return Done::Nothing;
     const Place place{here, {source.offset(), here.line + 1}};
     goes_on = place.next;
     most_line = std::max(most_line, here.line);
@@ -270,7 +308,10 @@ Program::State::Done Program::State::finish_first(Done done, std::string_view te
     frontier = place.next;
     here = goes_on;
     if (!repeats.empty()) advance();
-    if (done == Done::Block) deliver(out, text, place.line.line, false);
+    if (done == Done::Block) {
+        deliver(out, text, place.line.line, false);
+        follow_shape(out, text, Place(place));
+    }
     return done;
 }
 
@@ -292,8 +333,49 @@ void Program::State::deliver(Block& block, std::string_view text, std::uint64_t 
 /// What stands behind the end of a program is read for its mistakes only.
 void Program::State::end_after(const Block& block) {
     if (block.find(Function::End) == nullptr && block.find(Function::EndRewind) == nullptr) return;
-    const bool is_left_out = block.skip >= 0 && (options.skip_levels >> block.skip & 1u) != 0;
-    if (!is_left_out) is_only_checking = true;
+    if (!is_left_out(block)) is_only_checking = true;
+}
+
+bool Program::State::is_left_out(const Block& block) const {
+    return block.skip >= 0 && ((1u << block.skip | block.skip_also) & options.skip_levels) != 0;
+}
+
+/// A cycle that works along a shape is followed by the blocks of the shape, wherever they stand;
+/// then the program goes on with the block behind the cycle. Where that is the shape itself, and
+/// the cycle works something out of it, it goes on behind the shape.
+void Program::State::follow_shape(const Block& block, std::string_view text, const Place& place) {
+    if (block.function_count == 0 || is_only_checking || has_ended) return;
+    const nc::Invocation* const call = block.find(Function::Cycle);
+    if (call == nullptr || is_left_out(block)) return;
+    const nc::CycleInfo& cycle = dialect.cycles()[block.cycle];
+    const auto number_of = [&](int parameter) -> std::int64_t {
+        return std::llround(block.argument(*call, static_cast<std::size_t>(parameter), -1));
+    };
+    if (!cycle.takes_shape()) return;
+    const std::int64_t first = number_of(cycle.roles.first_block);
+    const std::int64_t last = number_of(cycle.roles.last_block);
+    if (first < 0 || last < 0) return;  // the interpreter says so
+    Place begin;
+    Place end;
+    ProgramMap::Fault fault = map.find({"", first}, Direction::Both, place, begin);
+    std::int64_t missing = first;
+    if (fault == ProgramMap::Fault::None) {
+        end = begin;
+        missing = last;
+        if (last != first) fault = map.find({"", last}, Direction::Forward, begin, end);
+    }
+    if (fault != ProgramMap::Fault::None) {
+        lines.report_fault(text,
+                           LineFault{&diag::ShapeBlockMissing, {0, 1}, {std::to_string(missing)}});
+        has_ended = true;
+        return;
+    }
+    const bool is_followed = cycle.parameters.size() == 2;
+    const bool is_next =
+        begin.line.offset >= here.offset && map.is_empty_between(here, begin.line) && !is_followed;
+    repeats.push_back({begin.line, end.next, is_next ? end.next : here, 1});
+    here = begin.line;
+    next_line = nullptr;
 }
 
 /// A line that was executed before, kept compiled; nullptr: it cannot be read again.
@@ -357,6 +439,7 @@ Program::State::Done Program::State::run(CompiledLine& line, Block& out) {
         if (statements[0].kind != Statement::Declare) has_executed = true;
         while (resume < statements.size()) {
             evaluator.forget();
+            ++executed;
             const Done done = execute(line, statements[resume], out);
             if (done != Done::Nothing || has_ended) return done;
             if (lines.failed() || goes_on != line.place.next) return Done::Nothing;
@@ -901,6 +984,10 @@ Program::~Program() = default;
 
 void Program::check_only() { state_->is_only_checking = true; }
 void Program::follow(ControlState& state) { state_->variables.follow(state); }
+void Program::show_to(LineWatch* watch, std::vector<VariableChange>* changes) {
+    state_->watch = watch;
+    state_->variables.note_changes(changes);
+}
 std::size_t Program::pull(std::span<Block> out) { return state_->pull(out); }
 LinePlace Program::place(const Block& block) const { return state_->kept.place(block); }
 LinePlace Program::place(const Block& block, nc::Slot slot) const {
@@ -910,6 +997,7 @@ LinePlace Program::place(const Block& block, Function function) const {
     return state_->kept.place(block, function);
 }
 bool Program::failed() const { return state_->has_visible_fault; }
+bool Program::stopped() const { return state_->was_stopped; }
 bool Program::is_behind_fault(const Block& block) const {
     static_cast<void>(block);
     return state_->has_visible_fault;
@@ -917,5 +1005,8 @@ bool Program::is_behind_fault(const Block& block) const {
 std::uint64_t Program::lines() const { return state_->most_line; }
 bool Program::has_fault() const { return state_->lines.failed(); }
 std::vector<ControlVariable> Program::variables() const { return state_->variables.list(); }
+const std::vector<ActiveCode>& Program::codes() { return state_->codes.now(); }
+std::uint64_t Program::line() const { return state_->here.line; }
+std::uint64_t Program::statements() const { return state_->executed; }
 
 }  // namespace kadr::interp
