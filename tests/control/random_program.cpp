@@ -368,12 +368,14 @@ class Evaluation {
                                                                    : Step::Kind::Line};
         std::copy(std::begin(at_), std::end(at_), step.to);
         std::size_t next = 0;
+        Expression* causes[3] = {};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             if ((statement.axes >> axis & 1u) == 0) continue;
-            step.to[axis] = bounded(statement.values[next++], -kMostPosition, kMostPosition).value;
+            causes[axis] = &statement.values[next++];
+            step.to[axis] = bounded(*causes[axis], -kMostPosition, kMostPosition).value;
         }
         if (statement.has_feed) feed_ = bounded(statement.values[next], 1, 9000).value;
-        add(step, statement.values[0]);
+        add(step, causes);
     }
 
     void arc(Statement& statement) {
@@ -384,7 +386,8 @@ class Evaluation {
         variables_[kArc] = a;
         variables_[kArc + 1] = b;
         variables_[kArc + 2] = r;
-        add({.kind = Step::Kind::Line, .to = {a.value, b.value, at_[2]}}, statement.values[0]);
+        Expression* const causes[3] = {&statement.values[0], &statement.values[1]};
+        add({.kind = Step::Kind::Line, .to = {a.value, b.value, at_[2]}}, causes);
         Step step{.kind = Step::Kind::Arc,
                   .to = {a.value, b.value, at_[2]},
                   .center = {a.value + r.value, b.value},
@@ -401,15 +404,21 @@ class Evaluation {
             step.center[1] = b.value - side * r.value * std::sqrt(0.75);
             step.sweep = std::numbers::pi / 3;
         }
-        add(step, statement.values[0]);
+        add(step, causes);
     }
 
-    void add(Step step, Expression& cause) {
+    /// `causes`: what the programmed axes go to.
+    void add(Step step, Expression* const (&causes)[3]) {
         if (fault_ != nullptr) return;
         double way = 0;
-        for (std::size_t i = 0; i < 3; ++i) way = std::max(way, std::abs(step.to[i] - at_[i]));
+        std::size_t longest = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (std::abs(step.to[i] - at_[i]) <= way) continue;
+            way = std::abs(step.to[i] - at_[i]);
+            longest = i;
+        }
         const bool is_turn = step.kind == Step::Kind::Arc;
-        if (!is_turn && way > 0.5 * kShortMove && way < 1.5 * kShortMove) blame(cause);
+        if (!is_turn && way > 0.5 * kShortMove && way < 1.5 * kShortMove) blame(*causes[longest]);
         if (step.kind != Step::Kind::Rapid) step.feed = feed_;
         std::copy(std::begin(step.to), std::end(step.to), at_);
         if (is_turn || way > kShortMove) outcome_.steps.push_back(step);
