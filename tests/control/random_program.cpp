@@ -19,7 +19,10 @@ constexpr std::size_t kFirstCounter = 7;  // 7 to 9 count the loops, by their de
 constexpr std::size_t kArc = 10;          // 10 to 12: start and radius of an arc
 constexpr int kMostLevels = 3;
 
-int whole(int low, int high) { return *rc::gen::inRange(low, high + 1); }
+/// From the whole range in every case: small programs come by themselves.
+int whole(int low, int high) {
+    return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high + 1));
+}
 bool maybe() { return whole(0, 1) == 1; }
 
 Expression number(double value) { return {.number = value}; }
