@@ -20,8 +20,16 @@
 #include "nc/dialect.h"
 #include "nc/reader.h"
 #include "path/command.h"
+#include "path/contour.h"
 
 namespace kadr::interp {
+
+/// The blocks of a shape that a cycle works along, as geometry of the part.
+struct CycleShape {
+    path::Contour elements;  // the first one's start is where the shape's first block ends
+    path::Plane plane = path::Plane::Zx;
+    bool is_diameter = false;  // X of points and words is a diameter
+};
 
 /// What a machining cycle is told about its surroundings.
 struct CycleCall {
@@ -37,6 +45,7 @@ struct CycleCall {
     double speed = 0;                           // of the spindle, rpm
     nc::Function spindle = nc::Function::None;  // how it turns; None: it does not
     SourceId source;
+    const CycleShape* shape = nullptr;  // of a cycle that takes one
 };
 
 /// Expands a machining cycle into blocks. The one thing that the runtime needs from the compiler;

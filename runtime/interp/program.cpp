@@ -179,6 +179,8 @@ struct Program::State {
     Done fail(CompiledLine& line, ProgramMap::Fault fault, const DiagnosticRow& missing,
               const Span& span, const std::string& what);
     void end_after(const Block& block);
+    bool is_left_out(const Block& block) const;
+    void follow_shape(const Block& block, std::string_view text, const Place& place);
 };
 
 // ------------------------------------------------------------------------------ the batch
@@ -251,7 +253,10 @@ Program::State::Done Program::State::step(Block& out) {
         next_line = nullptr;
     }
     if (!repeats.empty()) advance();
-    if (done == Done::Block) deliver(out, line->text, line->place.line.line, true);
+    if (done == Done::Block) {
+        deliver(out, line->text, line->place.line.line, true);
+        follow_shape(out, line->text, Place(line->place));
+    }
     return done;
 }
 
@@ -303,7 +308,10 @@ Program::State::Done Program::State::finish_first(Done done, std::string_view te
     frontier = place.next;
     here = goes_on;
     if (!repeats.empty()) advance();
-    if (done == Done::Block) deliver(out, text, place.line.line, false);
+    if (done == Done::Block) {
+        deliver(out, text, place.line.line, false);
+        follow_shape(out, text, Place(place));
+    }
     return done;
 }
 
@@ -325,8 +333,49 @@ void Program::State::deliver(Block& block, std::string_view text, std::uint64_t 
 /// What stands behind the end of a program is read for its mistakes only.
 void Program::State::end_after(const Block& block) {
     if (block.find(Function::End) == nullptr && block.find(Function::EndRewind) == nullptr) return;
-    const bool is_left_out = block.skip >= 0 && (options.skip_levels >> block.skip & 1u) != 0;
-    if (!is_left_out) is_only_checking = true;
+    if (!is_left_out(block)) is_only_checking = true;
+}
+
+bool Program::State::is_left_out(const Block& block) const {
+    return block.skip >= 0 && ((1u << block.skip | block.skip_also) & options.skip_levels) != 0;
+}
+
+/// A cycle that works along a shape is followed by the blocks of the shape, wherever they stand;
+/// then the program goes on with the block behind the cycle. Where that is the shape itself, and
+/// the cycle works something out of it, it goes on behind the shape.
+void Program::State::follow_shape(const Block& block, std::string_view text, const Place& place) {
+    if (block.function_count == 0 || is_only_checking || has_ended) return;
+    const nc::Invocation* const call = block.find(Function::Cycle);
+    if (call == nullptr || is_left_out(block)) return;
+    const nc::CycleInfo& cycle = dialect.cycles()[block.cycle];
+    const auto number_of = [&](int parameter) -> std::int64_t {
+        return std::llround(block.argument(*call, static_cast<std::size_t>(parameter), -1));
+    };
+    if (!cycle.takes_shape()) return;
+    const std::int64_t first = number_of(cycle.roles.first_block);
+    const std::int64_t last = number_of(cycle.roles.last_block);
+    if (first < 0 || last < 0) return;  // the interpreter says so
+    Place begin;
+    Place end;
+    ProgramMap::Fault fault = map.find({"", first}, Direction::Both, place, begin);
+    std::int64_t missing = first;
+    if (fault == ProgramMap::Fault::None) {
+        end = begin;
+        missing = last;
+        if (last != first) fault = map.find({"", last}, Direction::Forward, begin, end);
+    }
+    if (fault != ProgramMap::Fault::None) {
+        lines.report_fault(text,
+                           LineFault{&diag::ShapeBlockMissing, {0, 1}, {std::to_string(missing)}});
+        has_ended = true;
+        return;
+    }
+    const bool is_followed = cycle.parameters.size() == 2;
+    const bool is_next =
+        begin.line.offset >= here.offset && map.is_empty_between(here, begin.line) && !is_followed;
+    repeats.push_back({begin.line, end.next, is_next ? end.next : here, 1});
+    here = begin.line;
+    next_line = nullptr;
 }
 
 /// A line that was executed before, kept compiled; nullptr: it cannot be read again.
