@@ -200,6 +200,14 @@ bool Execution::open_text(const std::string& source, std::unique_ptr<FileText> t
     dialect_ = session_.chosen_dialect(guess);
     text_name_ = shown_name(source);
     file_ = std::move(text);
+    std::vector<std::string> folders;
+    if (source != "-") {
+        const std::filesystem::path folder = std::filesystem::path(source).parent_path();
+        folders.push_back(folder.empty() ? "." : folder.string());
+    }
+    const std::vector<std::string>& search = session_.options().search;
+    folders.insert(folders.end(), search.begin(), search.end());
+    called_ = std::make_unique<ProgramFolders>(std::move(folders));
     return dialect_ != nullptr;
 }
 
@@ -238,6 +246,7 @@ void Execution::connect(DiagnosticSink& sink) {
     nc::TextSource& text = generated_ ? static_cast<nc::TextSource&>(*generated_) : *file_;
     held_ = std::make_unique<HeldMessages>(*sink_);
     interp::ProgramOptions program_options{.skip_levels = options.skip_levels};
+    program_options.files = called_.get();
     if (options.max_blocks != 0) program_options.max_repeated = options.max_blocks;
     reader_ =
         std::make_unique<interp::Program>(*dialect_, text, text_name_, program_options, *held_);
@@ -293,11 +302,6 @@ std::uint64_t Execution::statement_lines() const {
     return generated_ ? generated_->statement_lines() : 0;
 }
 
-LinePlace Execution::place_of(std::uint32_t line) const {
-    LinePlace place;
-    place.file = text_name_;
-    place.line = line;
-    return place;
-}
+LinePlace Execution::place_of(std::uint32_t line) const { return reader_->place(line); }
 
 }  // namespace kadr::driver

@@ -12,6 +12,7 @@
 
 #include "base/stream.h"
 #include "interp/control_state.h"
+#include "interp/program_files.h"
 #include "nc/reader.h"
 
 namespace kadr::interp {
@@ -21,6 +22,7 @@ struct ProgramOptions {
     std::uint64_t max_turns = 10'000'000;          // jumps back without a block between them
     std::uint64_t max_repeated = 20'000'000;       // blocks that lines give when they run again
     std::size_t kept_text = std::size_t{4} << 20;  // bytes kept of a text that cannot be read again
+    ProgramFiles* files = nullptr;                 // programs that do not stand in the text
 };
 
 /// A variable of the control that the program has set.
@@ -49,6 +51,11 @@ class Program final : public Stream<nc::Block>, public nc::BlockPlaces {
     LinePlace place(const nc::Block& block) const override;
     LinePlace place(const nc::Block& block, nc::Slot slot) const override;
     LinePlace place(const nc::Block& block, nc::Function function) const override;
+    std::vector<LinePlace> calls(const nc::Block& block) const override;
+    /// Where a line of a block (Block::line) stands: its file and its number there.
+    LinePlace place(std::uint32_t line) const;
+    /// Whether such a line is one of the text that was begun with; it then is its number.
+    static bool is_in_main_text(std::uint32_t line) { return line < (std::uint32_t{1} << 31); }
     bool failed() const override;
     bool is_behind_fault(const nc::Block& block) const override;
     std::uint64_t lines() const override;

@@ -6,7 +6,9 @@
 //   expect: to X10 Y5        the end of the next motion; if one is told, all are
 //   expect: message TEXT     the next message;  expect: stop  a stop of the program
 //   expect: alarm PS0115 K5410 at 3:4   the alarm that ends it, its row, line and column
+//   expect: called 5:3       … and where the program of that line was called, the nearest first
 //   skip: 1                  blocks of this level are left out
+// Programs that are called stand in the same file, or in the folder `called` beside it.
 // What is not told must not happen: a program without `alarm` ends without one.
 #include "base/diagnostics/control.h"
 
@@ -18,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "driver/program_files.h"
 #include "interp/program.h"
 #include "tests/interp/bench.h"
 
@@ -54,6 +57,7 @@ struct Expected {
     std::vector<std::string> way;
     std::vector<std::string> shown;  // messages and stops
     std::string alarm;
+    std::string called;
     std::uint16_t skip_levels = 0;
     bool has_rule = false;
 };
@@ -85,6 +89,9 @@ Expected parse(const std::string& text) {
             expected.way.push_back(value.substr(3));
         } else if (value.starts_with("alarm ")) {
             expected.alarm = value.substr(6);
+        } else if (value.starts_with("called ")) {
+            if (!expected.called.empty()) expected.called += ' ';
+            expected.called += value.substr(7);
         } else if (value.starts_with("message") || value == "stop") {
             expected.shown.push_back(value);
         } else if (const std::size_t blank = value.rfind(' ');
@@ -132,7 +139,8 @@ const nc::Dialect& dialect_named(const std::string& name) {
     if (const auto known = loaded.find(name); known != loaded.end()) return known->second;
     Sources sources;
     DiagnosticList messages;
-    auto dialect = nc::load_dialect(name, {KADR_ROOT "/dialects"}, sources, messages);
+    auto dialect = nc::load_dialect(
+        name, {KADR_ROOT "/tests/control/dialects", KADR_ROOT "/dialects"}, sources, messages);
     EXPECT_TRUE(dialect.has_value());
     return loaded.emplace(name, std::move(*dialect)).first->second;
 }
@@ -145,7 +153,7 @@ struct Outcome {
 };
 
 Outcome run_program(const nc::Dialect& dialect, const std::string& text, const Expected& expected,
-                    bool can_seek) {
+                    const fs::path& folder, bool can_seek) {
     machine::Machine machine = mill();
     machine.work_offsets = {{}, {}, {10, 20, 30}};
     machine.tools[0].length = 0;
@@ -155,6 +163,8 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
     options.skip_levels = expected.skip_levels;
     options.max_turns = 20'000;
     options.max_repeated = 5'000;
+    driver::ProgramFolders files({(folder / "called").string()});
+    options.files = &files;
     Program program(dialect, source, "test", options, messages);
     InterpreterOptions interpreting;
     interpreting.skip_levels = expected.skip_levels;
@@ -178,14 +188,23 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
     return outcome;
 }
 
+/// "5:3" in the program itself, "O9100.NC:2:1" in another file.
+std::string place_name(const LinePlace& place) {
+    const std::string file = place.file == "test" ? "" : fs::path(place.file).filename().string() + ':';
+    return file + std::to_string(place.line) + ':' + std::to_string(place.column);
+}
+
 void check_alarm(const Expected& expected, const Outcome& outcome) {
     std::string found;
     for (const Diagnostic& message : outcome.messages) {
         if (message.severity != Severity::Alarm || !found.empty()) continue;
         found = message.alarm_number + ' ' + std::string(message.row->code);
         if (message.line) {
-            found += " at " + std::to_string(message.line->line) + ':' +
-                     std::to_string(message.line->column);
+            found += " at " + place_name(*message.line);
+            std::string called;
+            for (const Diagnostic::Note& note : message.notes)
+                if (note.line) called += (called.empty() ? "" : " ") + place_name(*note.line);
+            EXPECT_EQ(called, expected.called);
         }
         if (expected.alarm.empty()) found += " (" + message.message() + ')';
     }
@@ -268,13 +287,15 @@ TEST_P(Control, DoesWhatTheManualSays) {
     const nc::Dialect& dialect = dialect_named(file.parent_path().filename());
     for (const bool can_seek : {true, false}) {
         SCOPED_TRACE(can_seek ? "from a file" : "through a pipe");
-        check(expected, run_program(dialect, text, expected, can_seek));
+        check(expected, run_program(dialect, text, expected, file.parent_path(), can_seek));
     }
 }
 
 std::vector<fs::path> programs() {
     std::vector<fs::path> files;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kPrograms)) {
+        const fs::path folder = entry.path().parent_path();
+        if (folder.filename() == "called" || folder.filename() == "same_part") continue;
         if (entry.path().extension() == ".nc" || entry.path().extension() == ".mpf")
             files.push_back(entry.path());
     }
