@@ -418,6 +418,12 @@ bool CallCompiler::take_procedure(ControlStatement& out) {
             if (!out.parameters.empty() && !take_sign(',')) return false;
             out.parameters.emplace_back();
             if (!take_parameter(out.parameters.back(), is_named)) return false;
+            const Declaration& added = out.parameters.back().declaration;
+            const auto is_same = [&](const ProcedureParameter& other) {
+                return is_named && other.declaration.name == added.name;
+            };
+            if (std::ranges::count_if(out.parameters, is_same) > 1)
+                return fail(diag::NameTwice, added.span);
             skip();
         }
         if (!take_close(language_.close)) return false;

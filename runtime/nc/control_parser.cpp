@@ -427,7 +427,9 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         const auto is_name_char = [](char c) { return (c >= 'A' && c <= 'Z') || c == '_'; };
         if (out.name.size() < 2 || !is_name_char(out.name[0]) || !is_name_char(out.name[1]))
             return fail(diag::NameInvalid, out.span);
-        if (is_taken(out.name, word)) return fail(diag::NameTwice, out.span);
+        // The parameters of a program that was called are there already.
+        if (is_taken(out.name, word) && !(is_parameter && symbols_.find(out.name) != nullptr))
+            return fail(diag::NameTwice, out.span);
         at_ += word.text.size();
         skip();
         if (peek() == language_.index_open && !take_sizes(out, is_parameter)) return false;

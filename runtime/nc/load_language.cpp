@@ -334,6 +334,9 @@ void load_language(const XmlElement& element, DialectTables& tables, Attributes&
     for (const CallForm& call : language.calls.calls) {
         const char first = call.is_name ? call.code[0] : call.letter;
         if (first != '{') language.call_starts.set(static_cast<unsigned char>(first));
+        // `P=3 NAME`
+        if (call.is_name && call.repeats != '\0')
+            language.call_starts.set(static_cast<unsigned char>(call.repeats));
     }
     // The longest first: `GOTOF` before `GOTO`, `<=` before `<`.
     std::ranges::stable_sort(language.operators, [](const OperatorForm& a, const OperatorForm& b) {

@@ -1,7 +1,7 @@
 %
 O0001
 (rule: F 6.7 GOTO looks in its own program only)
-(expect: alarm PS0128 K5431 at 4:5)
+(expect: alarm PS0128 K5431 at 5:5)
 GOTO20
 M30
 O0002
