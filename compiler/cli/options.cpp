@@ -115,6 +115,7 @@ Parser::Parser() {
 CLI::App* Parser::add(CLI::App& parent, const char* name, const char* text, Verb verb) {
     CLI::App* command = parent.add_subcommand(name, text);
     command->callback([this, verb] { line_.verb = verb; });
+    if (verb == Verb::Repl) return command;  // a conversation is for people
     command->add_option("--diagnostics", messages_, "messages as text or as one JSON object a line")
         ->check(one_of({"text", "json"}))
         ->type_name("text|json");

@@ -126,9 +126,10 @@ void PropertyValues::add_simpler(const Set& set, std::size_t parameter,
     // With fewer digits, towards zero; then nearer by half of the way and so on.
     for (int decimals = 0; decimals < space.decimals; ++decimals) {
         double rounded = round_to(now, decimals);
-        if (std::fabs(rounded - zero) > std::fabs(now - zero))
+        if (std::fabs(rounded - zero) > std::fabs(now - zero)) {
             rounded =
                 round_to(now - std::copysign(std::pow(10.0, -decimals), now - zero), decimals);
+        }
         rounded = std::clamp(rounded, space.from, space.to);
         const bool is_nearer = std::fabs(rounded - zero) < std::fabs(now - zero);
         if (is_nearer) add({0, rounded});

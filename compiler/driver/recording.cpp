@@ -113,9 +113,11 @@ void Recording::add(const path::Command& command) {
     known_ = command.is_unshifted ? static_cast<AxisMask>(known_ & ~moved)
                                   : static_cast<AxisMask>(known_ | moved);
     if (known_ == before) return;
-    if (!knowledge_.empty() && knowledge_.back().line == command.line)
+    if (!knowledge_.empty() && knowledge_.back().line == command.line) {
         knowledge_.back().after = known_;
-    else knowledge_.push_back({command.line, before, known_});
+    } else {
+        knowledge_.push_back({command.line, before, known_});
+    }
 }
 
 void Recording::add(const motion::Segment& segment) {

@@ -105,6 +105,7 @@ Reply explain_message(Session& session, std::string_view code) {
 Reply list_dialects(Session& session) {
     const auto summaries = nc::list_dialects(session.share().dialects);
     std::vector<std::string> names;
+    names.reserve(summaries.size());
     for (const auto& summary : summaries) names.push_back(summary.name);
     const std::size_t width = widest(names);
     std::string out;
@@ -145,6 +146,7 @@ Reply explain_word(Session& session, const std::string& name_or_file, const std:
 Reply list_machines(Session& session) {
     const auto summaries = machine::list(session.share().machines);
     std::vector<std::string> names;
+    names.reserve(summaries.size());
     for (const auto& summary : summaries) names.push_back(summary.name);
     const std::size_t width = widest(names);
     std::string out;

@@ -218,8 +218,9 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
         }
     }
     if ((plan.customs & kOfCycles) != 0 && recordings.empty() && !take_place(block, plan, at))
-        [[unlikely]]
+        [[unlikely]] {
         return false;
+    }
     if (modal.restate_motion && block.motion == Function::None &&
         (block.given & nc::kTargetSlots) != 0) {
         block.motion = modal[Group::Motion];
@@ -613,11 +614,13 @@ void Expander::State::write_frame(const ProgramFrame& next, SourceId source, std
     if (!adds_only) {
         std::array<bool, 3> given = next.is_shifted;
         const bool is_zero = next.shift == std::array<double, 3>{};
-        if (is_zero) given = none;
-        // A component that was shifted before must be named to go back.
-        else
+        if (is_zero) {
+            given = none;
+            // A component that was shifted before must be named to go back.
+        } else {
             for (std::size_t i = 0; i < 3; ++i)
                 given[i] = given[i] || from.is_shifted[i] || is_lost;
+        }
         add(Function::Shift, next.shift, given);
     }
     const auto add_rotation = [&] {

@@ -139,11 +139,14 @@ bool Expander::State::set_parameter(const FunctionCode& function, const Paramete
     };
     switch (parameter.kind) {
         case ParameterInfo::Kind::Bool:
-            if (value == code.true_word || value == "true" || value == "yes" || value == "1")
+            if (value == code.true_word || value == "true" || value == "yes" || value == "1") {
                 slot.integer = 1;
-            else if (value == code.false_word || value == "false" || value == "no" || value == "0")
+            } else if (value == code.false_word || value == "false" || value == "no" ||
+                       value == "0") {
                 slot.integer = 0;
-            else return wrong(code.true_word + " or " + code.false_word);
+            } else {
+                return wrong(code.true_word + " or " + code.false_word);
+            }
             return true;
         case ParameterInfo::Kind::Integer: {
             const auto read =

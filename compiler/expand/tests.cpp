@@ -161,9 +161,11 @@ void Expander::State::ask_figure(const Instruction& instruction, Slot* registers
     first->integer = heap.new_array(static_cast<std::uint32_t>(instruction.immediate.pair.first));
     for (const double number : answer.list) {
         Slot slot{};
-        if (info.result == sema::FigureResult::Counts)
+        if (info.result == sema::FigureResult::Counts) {
             slot.integer = static_cast<std::int64_t>(std::llround(number));
-        else slot.number = number;
+        } else {
+            slot.number = number;
+        }
         heap.append(first->integer, &slot);
     }
 }
@@ -210,9 +212,11 @@ bool Expander::State::expectation_failed(const Instruction& instruction, const S
             builder.note("the text is:\n" + shortened(heap.text(registers[instruction.a].integer)));
         }
         if ((instruction.c & sema::kHasReason) != 0 && !reason.empty()) {
-            if (reason_at.is_valid() && reason_at.index < code.statements.size())
+            if (reason_at.is_valid() && reason_at.index < code.statements.size()) {
                 builder.note(code.statements[reason_at.index], reason);
-            else builder.note(reason);
+            } else {
+                builder.note(reason);
+            }
         }
     }
     return is_running;

@@ -63,9 +63,11 @@ std::string Expander::State::format(const sema::FormatPattern& pattern, const Sl
         switch (piece.kind) {
             case FormatPiece::Kind::Literal: break;
             case FormatPiece::Kind::Integer:
-                if (piece.decimals >= 0)
+                if (piece.decimals >= 0) {
                     pad(number(static_cast<double>(value.integer), piece), piece, out);
-                else pad(std::to_string(value.integer), piece, out);
+                } else {
+                    pad(std::to_string(value.integer), piece, out);
+                }
                 break;
             case FormatPiece::Kind::Number:
                 pad(number(value.number * (is_inch && piece.inch_factor != 0 ? piece.inch_factor

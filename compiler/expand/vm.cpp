@@ -72,9 +72,10 @@ std::int64_t Expander::State::make_table(const sema::TableSchema& schema,
             row[i] = rows.slots[first + i];
             const bool is_text =
                 kinds[i] == SlotKind::Text && row[i].integer != sema::kNotGivenInteger;
-            if (is_text)
+            if (is_text) {
                 row[i].integer =
                     heap.new_text(rows.texts[static_cast<std::size_t>(row[i].integer)]);
+            }
         }
         heap.append(table, row.data());
     }
@@ -512,9 +513,11 @@ op_EqualPart : {
     const bool both = is_given(B, kind) && is_given(C, kind);
     if (!both) A.integer = is_given(B, kind) == is_given(C, kind);
     else if (kind == static_cast<unsigned>(SlotKind::Number)) A.integer = B.number == C.number;
-    else if (kind == static_cast<unsigned>(SlotKind::Text))
+    else if (kind == static_cast<unsigned>(SlotKind::Text)) {
         A.integer = heap.text(B.integer) == heap.text(C.integer);
-    else A.integer = B.integer == C.integer;
+    } else {
+        A.integer = B.integer == C.integer;
+    }
     KADR_NEXT;
 }
 op_IsGiven:
@@ -892,9 +895,11 @@ op_ContainsElement : {
     std::int64_t found = 0;
     for (std::int64_t i = 0; i < array.count && found == 0; ++i) {
         if (kind == SlotKind::Number) found = array.slots[i].number == wanted.number;
-        else if (kind == SlotKind::Text)
+        else if (kind == SlotKind::Text) {
             found = heap.text(array.slots[i].integer) == heap.text(wanted.integer);
-        else found = array.slots[i].integer == wanted.integer;
+        } else {
+            found = array.slots[i].integer == wanted.integer;
+        }
     }
     A.integer = found;
     KADR_NEXT;

@@ -8,9 +8,7 @@
 
 namespace kadr::sema {
 
-using syntax::Expr;
 using syntax::ExprId;
-using syntax::ExprKind;
 using syntax::Stmt;
 using syntax::Word;
 

@@ -101,7 +101,7 @@ class Checker {
     Found find(std::string_view name);
     const Name* find_global(std::uint32_t module, std::string_view name) const;
     void check_unambiguous(std::string_view name, const SourceRange& range);
-    Symbol& add_symbol(Symbol symbol);
+    Symbol& add_symbol(const Symbol& symbol);
     void check_new_name(std::string_view name, const SourceRange& range);
     void report_unknown(std::string_view name, const SourceRange& range);
     bool report_unit(std::string_view name, const SourceRange& range);
@@ -127,7 +127,7 @@ class Checker {
     Value assign(syntax::ExprId id, bool is_value);
     Value step(syntax::ExprId id, bool is_value);
     Value braces(syntax::ExprId id, Type expected, Reg hint);
-    Value brace_array(syntax::ExprId id, Type type, Reg hint);
+    Value brace_array(syntax::ExprId id, Type type);
     Value brace_struct(syntax::ExprId id, Type type, Reg hint);
     void fill_members(syntax::ExprId id, Type type, Reg reg);
     Value member(syntax::ExprId id);

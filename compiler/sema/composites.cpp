@@ -13,7 +13,7 @@ using syntax::ExprKind;
 Value Checker::braces(ExprId id, Type expected, Reg hint) {
     const Expr& expr = ast()[id];
     const Type plain = types_.given(expected);
-    if (kind(plain) == Kind::Array && !is_contour(plain)) return brace_array(id, plain, hint);
+    if (kind(plain) == Kind::Array && !is_contour(plain)) return brace_array(id, plain);
     if (kind(plain) == Kind::Struct) return brace_struct(id, plain, kNoReg);
     if (kind(expected) != Kind::Error) {
         report(diag::BracesPlace, expr.range).arg(type_name(expected));
@@ -25,10 +25,10 @@ Value Checker::braces(ExprId id, Type expected, Reg hint) {
     return error_value();
 }
 
-Value Checker::brace_array(ExprId id, Type type, Reg hint) {
+Value Checker::brace_array(ExprId id, Type type) {
     const Expr& expr = ast()[id];
     const TypeInfo info = type_info(type);
-    const Reg array = hint != kNoReg && false ? hint : emit_.take(1);
+    const Reg array = emit_.take(1);
     emit_.emit_pair(Op::NewArray, array, 0, 0, layout_constant(info.element));
     if (info.count >= 0 && expr.list.count != static_cast<std::uint64_t>(info.count)) {
         report(diag::ElementCount, expr.range).arg(info.count).arg(std::to_string(expr.list.count));

@@ -58,7 +58,7 @@ void Checker::contour_variable(const Decl& decl) {
     symbol.type = types::kContour;
     symbol.reg = emit_.take(1);
     contour_body(decl, symbol.reg);
-    add_symbol(std::move(symbol));
+    add_symbol(symbol);
 }
 
 // ---------------------------------------------------------------- questions

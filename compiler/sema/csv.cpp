@@ -200,6 +200,7 @@ class TableReader {
                                               [&](const Bound& b) { return b.column == &column; });
             if (is_there || column.is_optional) continue;
             std::vector<std::string_view> names;
+            names.reserve(unknown.size());
             for (const UnknownColumn& other : unknown) names.push_back(other.name);
             const auto near = nearest_name(column.name, names.data(), names.size());
             const auto misspelt =
@@ -267,9 +268,11 @@ class TableReader {
                 return;
             case Column::Kind::Bool:
                 if (cell.text == "true" || cell.text == "yes" || cell.text == "1") slot.integer = 1;
-                else if (cell.text == "false" || cell.text == "no" || cell.text == "0")
+                else if (cell.text == "false" || cell.text == "no" || cell.text == "0") {
                     slot.integer = 0;
-                else wrong();
+                } else {
+                    wrong();
+                }
                 return;
             case Column::Kind::Enum:
                 for (const auto& [name, value] : enums_[column.enumeration].members) {

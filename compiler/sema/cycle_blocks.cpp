@@ -215,9 +215,10 @@ Value Checker::cycle_call(const Expr& expr, SourceCycle::Kind kind) {
     if (!plan || !begin_cycle(cycle, plan->block.cycle, range)) return nothing;
     const nc::Invocation& invocation = plan->block.functions[0];
     for (unsigned i = 0; i < 32; ++i) {
-        if ((invocation.given >> i & 1u) != 0)
+        if ((invocation.given >> i & 1u) != 0) {
             cycle.fixed.emplace_back(static_cast<std::uint8_t>(i),
                                      plan->block.argument(invocation, i));
+        }
     }
     const Reg first = emit_.take(std::max<unsigned>(1, static_cast<unsigned>(plan->holes.size())));
     fill_cycle(*plan, values, items, first, cycle);

@@ -186,9 +186,11 @@ bool Checker::for_statement(const Stmt& stmt) {
             emit_.set_place(step_expr.range);
             if (step_expr.kind == ExprKind::Assign) assign(stmt.expression[1], false);
             else if (step_expr.kind == ExprKind::Unary && step_expr.op >= Operator::PreIncrement &&
-                     step_expr.op <= Operator::PostDecrement)
+                     step_expr.op <= Operator::PostDecrement) {
                 step(stmt.expression[1], false);
-            else expression(stmt.expression[1]);
+            } else {
+                expression(stmt.expression[1]);
+            }
             emit_.release_to(above);
         }
         if (condition.is_valid()) jump_if_quietly(condition, top, depth);
@@ -244,7 +246,7 @@ bool Checker::for_range(const Stmt& stmt, const Decl& decl) {
                   "the end of the range");
     symbol.reg = emit_.take(1);
     const Reg counter = symbol.reg;
-    add_symbol(std::move(symbol));
+    add_symbol(symbol);
     Label top;
     Label next;
     Label done;
@@ -316,7 +318,7 @@ bool Checker::for_each(const Stmt& stmt) {
     if (kind(list.type) != Kind::Array) {
         if (!is_error(list)) report(diag::NotAnArray, range).arg(type_name(list.type));
         symbol.reg = emit_.take(std::max<unsigned>(1, type_info(written).slots));
-        add_symbol(std::move(symbol));
+        add_symbol(symbol);
         loops_.push_back({nullptr, nullptr, with_depth_});
         Label nowhere;
         loops_.back() = {&nowhere, &nowhere, with_depth_};
@@ -346,7 +348,7 @@ bool Checker::for_each(const Stmt& stmt) {
             symbol.is_const = true;
     }
     const Symbol copy = symbol;
-    add_symbol(std::move(symbol));
+    add_symbol(symbol);
     Label top;
     Label next;
     Label done;

@@ -59,9 +59,11 @@ std::optional<Place> Checker::name_place(ExprId id) {
         report(diag::NotAPlace, expr.range);
         return std::nullopt;
     } else {
-        if (name == "pi" || name == "position" || name == "state")
+        if (name == "pi" || name == "position" || name == "state") {
             report(diag::NotAPlace, expr.range);
-        else report_unknown(name, expr.range);
+        } else {
+            report_unknown(name, expr.range);
+        }
         return std::nullopt;
     }
     if (kind(symbol->type) == Kind::Error) return std::nullopt;
@@ -124,9 +126,11 @@ std::optional<Place> Checker::part_place(const Place& whole, const Expr& expr) {
     Place part = whole;
     part.symbol = -1;
     part.type = found->type;
-    if (whole.storage == Place::Storage::Local)
+    if (whole.storage == Place::Storage::Local) {
         part.reg = static_cast<Reg>(whole.reg + found->offset);
-    else part.offset += found->offset;
+    } else {
+        part.offset += found->offset;
+    }
     if (kind(part.type) == Kind::Error) return std::nullopt;
     return part;
 }
@@ -248,9 +252,10 @@ Value Checker::load(const Place& place, const SourceRange& range, bool checked, 
         case Place::Storage::Element:
             value.reg = target();
             if (place.stride == 1) emit_.emit(Op::LoadElement, value.reg, place.reg, place.index);
-            else
+            else {
                 emit_.emit_pair(Op::LoadElementN, value.reg, place.reg, place.index, place.offset,
                                 slots);
+            }
             break;
     }
     value.is_variable = !place.is_temporary;
@@ -309,9 +314,10 @@ void Checker::store(const Place& place, const Value& value, const SourceRange& r
             break;
         case Place::Storage::Element:
             if (place.stride == 1) emit_.emit(Op::StoreElement, reg, place.reg, place.index);
-            else
+            else {
                 emit_.emit_pair(Op::StoreElementN, reg, place.reg, place.index, place.offset,
                                 slots);
+            }
             break;
     }
 }

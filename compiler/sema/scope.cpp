@@ -72,10 +72,10 @@ void Checker::check_new_name(std::string_view name, const SourceRange& range) {
     }
 }
 
-Symbol& Checker::add_symbol(Symbol symbol) {
+Symbol& Checker::add_symbol(const Symbol& symbol) {
     check_new_name(symbol.name, symbol.range);
     visible_[symbol.name].push_back(static_cast<std::int32_t>(symbols_.size()));
-    symbols_.push_back(std::move(symbol));
+    symbols_.push_back(symbol);
     return symbols_.back();
 }
 

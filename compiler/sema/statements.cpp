@@ -183,7 +183,7 @@ void Checker::variable(const Decl& decl) {
                            : k == Kind::Struct                  ? Givenness::Perhaps
                                                                 : Givenness::NotGiven;
     }
-    add_symbol(std::move(symbol));
+    add_symbol(symbol);
 }
 
 void Checker::expression_statement(const Stmt& stmt) {
@@ -230,8 +230,7 @@ bool Checker::if_statement(const Stmt& stmt) {
     if (!stmt.statement[1].is_valid()) {
         emit_.bind(otherwise);
         if (then_ends) merge_givenness(after_then);
-        if (always && !then_ends && ast()[condition].kind == ExprKind::Bool) return false;
-        return true;
+        return !always || then_ends || ast()[condition].kind != ExprKind::Bool;
     }
     Label done;
     if (then_ends) emit_.jump(Op::Jump, done);
@@ -349,9 +348,10 @@ bool Checker::switch_statement(const Stmt& stmt) {
 void Checker::leave_function(const SourceRange& range) {
     const SourceRange before = emit_.place();
     emit_.set_place(range);
-    if (with_depth_ > 0)
+    if (with_depth_ > 0) {
         emit_.emit_pair(Op::LeaveWith, 0, 0, static_cast<unsigned>(with_depth_), 0,
                         statement_id(range));
+    }
     if (has_preserves_) emit_.emit(Op::CheckPreserves);
     emit_.set_place(before);
 }

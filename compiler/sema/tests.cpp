@@ -293,9 +293,10 @@ Value Checker::test_call(TestCall::Purpose purpose, std::string_view name, const
         const auto reg = static_cast<Reg>(base + place);
         if (argument(wanted).is_valid()) expression_in(argument(wanted), type, reg, wanted);
         else if (type == types::kString) emit_.emit_integer(Op::LoadI, reg, 0, kNotGivenInteger);
-        else
+        else {
             for (unsigned i = 0; i < type_info(type).slots; ++i)
                 emit_.emit_number(Op::LoadF, reg + i, 0, kNotGivenNumber);
+        }
     };
     option("at", types::kPoint, 0);
     option("feed", types::kFeed, 3);
@@ -334,6 +335,7 @@ Value Checker::test_call(TestCall::Purpose purpose, std::string_view name, const
 bool Checker::figure_arguments(const FigureInfo& info, const Expr& call, Reg first) {
     const std::vector<FigureParameter> parameters = figure_parameters(info);
     std::vector<std::string_view> names;
+    names.reserve(parameters.size());
     for (const FigureParameter& parameter : parameters) names.push_back(parameter.name);
     const auto bound = bind_arguments(call, info.name, names, {});
     if (!bound) return false;
@@ -516,9 +518,10 @@ bool Checker::emit_agreement(const Expr& expr, const Value& left, const Value& r
             emit_.jump(Op::JumpIf, next, same);
             // A part that only one of them has never agrees.
             Label apart;
-            for (const Reg part : {a, b})
+            for (const Reg part : {a, b}) {
                 emit_.jump(Op::JumpNotGiven, apart, part, 0,
                            static_cast<unsigned>(SlotKind::Number));
+            }
             jump_if_near(a, b, next);
             emit_.bind(apart);
             emit_.jump(Op::Jump, op == Operator::Equal ? differs : good);

@@ -80,9 +80,11 @@ void Checker::copy_value(const Value& value, Reg target) {
     }
     switch (kind(value.type)) {
         case Kind::String:
-            if (value.constant.integer == kNotGivenInteger)
+            if (value.constant.integer == kNotGivenInteger) {
                 emit_.emit_integer(Op::LoadI, target, 0, kNotGivenInteger);
-            else emit_.emit_pair(Op::LoadText, target, 0, 0, value.constant.integer);
+            } else {
+                emit_.emit_pair(Op::LoadText, target, 0, 0, value.constant.integer);
+            }
             break;
         case Kind::Real:
         case Kind::Feed:

@@ -280,18 +280,17 @@ ExprId TreeBuilder::text(KadrParser::TextContext& context) {
     std::vector<ExprId> pieces;
     for (Node* child : context.children) {
         Expr piece;
-        if (auto* terminal = dynamic_cast<antlr4::tree::TerminalNode*>(child)) {
-            const Lexeme& spelled = lexeme(terminal);
-            if (spelled.text.is_empty()) continue;
-            piece.kind = ExprKind::String;
-            piece.range = file_.range(spelled);
-            piece.text = spelled.text;
-        } else {
-            auto* formatted = static_cast<KadrParser::FormattedContext*>(child);
+        if (auto* formatted = dynamic_cast<KadrParser::FormattedContext*>(child)) {
             piece.kind = ExprKind::Format;
             piece.range = range_of(*formatted);
             piece.child[0] = expression(*formatted->expression());
             if (auto* format = formatted->Format()) piece.text = lexeme(format).text;
+        } else {
+            const Lexeme& spelled = lexeme(child);
+            if (spelled.text.is_empty()) continue;
+            piece.kind = ExprKind::String;
+            piece.range = file_.range(spelled);
+            piece.text = spelled.text;
         }
         pieces.push_back(add(piece));
     }

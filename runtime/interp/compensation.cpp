@@ -80,9 +80,11 @@ Compensation::Fault Compensation::finish() {
     emit_pieces();
     for (; !held_.empty(); held_.pop_front()) {
         // An approach to no contour at all goes where it is programmed.
-        if (held_.front().index != 0)
+        if (held_.front().index != 0) {
             emit_line(held_.front(), in_plane(held_.front().command.to), false);
-        else emit_empty();
+        } else {
+            emit_empty();
+        }
     }
     corners_ = path::RadiusComp(settings_.corners);
     has_last_ = approaches_ = false;

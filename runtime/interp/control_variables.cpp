@@ -367,7 +367,7 @@ ControlVariables::Fault ControlVariables::store_element(const nc::Symbol& symbol
     std::string written(text);
     if (value.kind == Value::Kind::Char) written = {static_cast<char>(value.number)};
     if (value.kind == Value::Kind::Bool) written = value.number != 0 ? "1" : "0";
-    if (written.size() > symbol.text_size)
+    if (written.size() > symbol.text_size) {
         return {&diag::TextTooLong,
                 {std::to_string(written.size()), std::to_string(symbol.text_size)}};
     store.set_text(slot, written);

@@ -491,9 +491,10 @@ bool Evaluator::text_function(Operation operation, Value* a, int count) {
         case Operation::ToText: *a = keep_text(subject); return true;
         case Operation::Concatenate: {
             std::string joined = subject + written(a[1]);
-            if (joined.size() > kLongestText)
+            if (joined.size() > kLongestText) {
                 return fail(diag::TextTooLong,
                             {std::to_string(joined.size()), std::to_string(kLongestText)});
+            }
             *a = keep_text(std::move(joined));
             return true;
         }

@@ -577,7 +577,7 @@ void Executor::apply_frame(const Block& block, const Invocation& invocation) {
         case Function::Scale: scale(block, invocation); break;
         case Function::ScaleOff: frames_.scale_off(); break;
         case Function::RotateOff: frames_.rotate_off(); break;
-        case Function::Mirror: frames_.mirror(static_cast<AxisMask>(words.given)); break;
+        case Function::Mirror: frames_.mirror(words); break;
         case Function::MirrorOff: frames_.mirror_off(static_cast<AxisMask>(words.given)); break;
         case Function::SetPosition:
             frames_.set_position(words, position_.here, position_.base);

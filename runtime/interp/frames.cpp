@@ -80,22 +80,30 @@ void Frames::scale_off() {
     update();
 }
 
-void Frames::mirror(AxisMask axes) { append(Step::Kind::Mirror, path::mirroring(axes)); }
+void Frames::mirror(const FrameWords& words) {
+    const auto axes = static_cast<AxisMask>(words.given);
+    if (rules_->mirror_replaces && axes != 0) erase_mirrors(axes);
+    append(Step::Kind::Mirror, about(vector_of(words), path::mirroring(axes)));
+}
 
 void Frames::mirror_off(AxisMask axes) {
+    erase_mirrors(axes);
+    update();
+}
+
+void Frames::erase_mirrors(AxisMask axes) {
     for (Step& step : steps_) {
         if (step.kind != Step::Kind::Mirror) continue;
-        AxisMask mirrored = 0;
         for (Eigen::Index i = 0; i < 3; ++i) {
-            if (step.frame.linear(i, i) < 0) mirrored |= static_cast<AxisMask>(1u << i);
+            if (axes != 0 && (axes >> i & 1u) == 0) continue;
+            step.frame.linear(i, i) = 1;
+            step.frame.shift[i] = 0;
         }
-        const AxisMask left = axes == 0 ? AxisMask{0} : static_cast<AxisMask>(mirrored & ~axes);
-        step.frame = path::mirroring(left);
     }
     std::erase_if(steps_, [](const Step& step) {
-        return step.kind == Step::Kind::Mirror && step.frame.linear == path::Mat3::Identity();
+        return step.kind == Step::Kind::Mirror && step.frame.linear == path::Mat3::Identity() &&
+               step.frame.shift == Vec3::Zero();
     });
-    update();
 }
 
 void Frames::set_position(const FrameWords& words, const AxisValues& here, const AxisValues& base) {

@@ -34,7 +34,8 @@ class Frames {
     /// factors  along X, Y, Z, none of them 0
     void scale(const path::Vec3& factors, const FrameWords& center);
     void scale_off();
-    void mirror(AxisMask axes);
+    /// Each axis that is named, about its coordinate in the system reached so far.
+    void mirror(const FrameWords& words);
     /// No axes: all of them.
     void mirror_off(AxisMask axes);
     /// The tool stands at `base`; the words given are the coordinates that it gets, `here` the
@@ -61,6 +62,8 @@ class Frames {
 
     void append(Step::Kind kind, const path::Frame& frame);
     void erase(Step::Kind kind);
+    /// No axes: all of them.
+    void erase_mirrors(AxisMask axes);
     void update();
 
     const Rules* rules_;

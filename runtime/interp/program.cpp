@@ -389,7 +389,7 @@ Program::State::Done Program::State::read_words(CompiledLine& line, Block& out) 
 
 // ------------------------------------------------------------------------------ faults
 
-Program::State::Done Program::State::fail(CompiledLine& line, LineFault fault) {
+Program::State::Done Program::State::fail(CompiledLine& line, const LineFault& fault) {
     lines.report_fault(line.text, fault);
     return Done::Nothing;
 }
@@ -616,7 +616,7 @@ Program::State::Done Program::State::declare_one(CompiledLine& line,
 
 /// The program's own alarm.
 Program::State::Done Program::State::raise(CompiledLine& line, const Span& span, double number,
-                                           std::string text) {
+                                           const std::string& text) {
     const nc::LanguageRules& rules = language.rules;
     const double rounded = std::round(number);
     if (!(rounded >= rules.least_alarm && rounded <= rules.most_alarm))

@@ -48,7 +48,7 @@ std::optional<SplineStep> SplineRun::next() {
             blocks_.pop_front();
             ++first_block_;
         }
-        const auto ready = std::exchange(held_, SplineStep{*span, blocks_.front()});
+        auto ready = std::exchange(held_, SplineStep{*span, blocks_.front()});
         if (ready) return ready;
     }
     if (!is_finished_) return std::nullopt;

@@ -335,9 +335,10 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         int number = 0;
         while (peek() >= '0' && peek() <= '9' && number < 100000)
             number = number * 10 + (line_[at_++] - '0');
-        if (at_ == begin || number < 1 || number > rules_.loop_numbers)
+        if (at_ == begin || number < 1 || number > rules_.loop_numbers) {
             return at_ == begin ? fail_here(diag::LoopNumber)
                                 : fail(diag::LoopNumber, span_from(begin));
+        }
         out.loop = number;
         return true;
     }
@@ -506,6 +507,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         if (!rules_.mixes_words && (has_words || statements.size() > 1))
             return fault(diag::MixedStatement,
                          statements.size() > 1 ? statements[1].span : statements[0].span);
+        }
         const bool are_jumps = std::ranges::all_of(
             statements, [](const ControlStatement& s) { return s.kind == Statement::IfDo; });
         if (!are_assignments && (has_words || (statements.size() > 1 && !are_jumps)))

@@ -119,9 +119,10 @@ class LanguageLoader {
             !form.name.empty() && at < text.value.size() && text.value[at] == language_.open &&
             text.value.back() == language_.close && form.arguments >= operation.least_arguments &&
             form.arguments <= operation.most_arguments;
-        if (!fits)
+        if (!fits) {
             return attributes_.bad_value(
                 text, "a name and its arguments in brackets are expected, as `SIN[{a}]`");
+        }
         std::erase_if(language_.functions,
                       [&](const FunctionForm& old) { return old.form == form.form; });
         language_.functions.push_back(std::move(form));
@@ -134,9 +135,10 @@ class LanguageLoader {
         VariableForm form;
         form.form = text.value;
         form.range = text.value_range;
-        if (!read_variable_form(text.value, form))
+        if (!read_variable_form(text.value, form)) {
             return attributes_.bad_value(
                 text, "a name is expected, and {n} or indices behind it: `R{n}`, `$P_EP[{axis}]`");
+        }
         for (const XmlElement& child : element.children) load_range(child, form);
         if (form.ranges.empty())
             return attributes_.bad_value(text, "it needs a <range> that says what it is");
@@ -231,9 +233,10 @@ class LanguageLoader {
         attributes_.read_flag(element, "repeats", form.repeats);
         Attributes::read_text(element, "doc", form.doc);
         if (const XmlAttribute* closes = element.find("closes")) read_closes(*closes, form);
-        if (!read_tokens(element.text, form))
+        if (!read_tokens(element.text, form)) {
             return attributes_.bad_word({element.text, element.text_range}, "statement",
                                         "a keyword is expected first, and known {holes}");
+        }
         std::erase_if(language_.statements,
                       [&](const StatementForm& old) { return old.form == form.form; });
         language_.statements.push_back(std::move(form));

@@ -217,9 +217,9 @@ class Fitter {
     }
 
     /// Closes in on the corner between two nodes and goes on with what is before and behind it.
-    void cut(const Node& from, std::pair<Node, Node> corner, const Node& to) {
+    void cut(const Node& from, const std::pair<Node, Node>& corner, const Node& to) {
         const double least = std::fabs(options_.to - options_.from) * kCornerShare;
-        auto& [a, b] = corner;
+        auto [a, b] = corner;
         while (std::fabs(b.parameter - a.parameter) > least) {
             const auto middle = between(a, b, 0.5, 0);
             if (!middle) return;

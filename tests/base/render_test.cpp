@@ -7,8 +7,6 @@
 
 namespace {
 
-using kadr::Diagnostic;
-
 struct Fixture {
     kadr::Sources sources;
     kadr::DiagnosticList list;

@@ -61,6 +61,7 @@ ProcessResult run_process(const std::vector<std::string>& arguments, const std::
         redirect(err.path(), O_WRONLY, 2);
         ::alarm(static_cast<unsigned>(limit_seconds));
         std::vector<char*> argv;
+        argv.reserve(arguments.size() + 1);
         for (const std::string& argument : arguments)
             argv.push_back(const_cast<char*>(argument.c_str()));
         argv.push_back(nullptr);

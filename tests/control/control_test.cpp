@@ -177,9 +177,10 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
             if (command.op == path::Op::Rapid || command.op == path::Op::Line ||
                 command.op == path::Op::Arc)
                 outcome.motions.push_back(command);
-            if (command.op == path::Op::Message)
+            if (command.op == path::Op::Message) {
                 outcome.shown.push_back(command.text.empty() ? "message"
                                                              : "message " + command.text);
+            }
             if (command.op == path::Op::Stop) outcome.shown.emplace_back("stop");
         }
     }

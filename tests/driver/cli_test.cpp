@@ -356,6 +356,18 @@ TEST_F(CommandLine, MessagesGoToStandardErrorOnly) {
     EXPECT_EQ(result.err.find('\033'), std::string::npos);  // no colour beside a terminal
 }
 
+TEST_F(CommandLine, TheHouseKeepsItsOwnLayout) {
+    std::vector<std::string> arguments = {"fmt", "--check"};
+    for (const char* folder : {"stdlib", "stdlib/cycles", "examples"}) {
+        for (const auto& entry : fs::directory_iterator(fs::path(KADR_ROOT) / folder)) {
+            if (entry.path().extension() == ".kadr") arguments.push_back(entry.path().string());
+        }
+    }
+    ASSERT_GT(arguments.size(), 25u);
+    const auto checked = kadr(arguments);
+    EXPECT_EQ(checked.status, 0) << checked.err;
+}
+
 TEST_F(CommandLine, FormatRewritesAFileOrOnlyLooks) {
     constexpr const char* kUgly = "program p(){G0 X1;\n  M30 ;}\n";
     constexpr const char* kLaidOut = "program p() {\n    G0 X1;\n    M30;\n}\n";

@@ -39,7 +39,7 @@ class TestCommand : public testing::Test {
 
     std::string file(const std::string& name) const { return (folder_ / name).string(); }
 
-    Outcome run(const std::string& text, driver::Options options = {},
+    Outcome run(const std::string& text, const driver::Options& options = {},
                 driver::TestJob job = {}) const {
         EXPECT_TRUE(write_file_whole(file("part.kadr"), text));
         Outcome outcome;

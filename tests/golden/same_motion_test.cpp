@@ -74,7 +74,7 @@ std::string difference(const json& a, const json& b, const std::string& where = 
         if (a.size() != b.size()) return where + ": " + a.dump() + " and " + b.dump();
         for (const auto& [key, value] : a.items()) {
             if (!b.contains(key)) return where + ": " + key + " is missing in " + b.dump();
-            if (const std::string d = difference(value, b.at(key), where + "/" + key); !d.empty())
+            if (std::string d = difference(value, b.at(key), where + "/" + key); !d.empty())
                 return d;
         }
         return "";
@@ -82,7 +82,7 @@ std::string difference(const json& a, const json& b, const std::string& where = 
     if (a.is_array()) {
         if (a.size() != b.size()) return where + ": " + a.dump() + " and " + b.dump();
         for (std::size_t i = 0; i < a.size(); ++i) {
-            if (const std::string d = difference(a[i], b[i], where); !d.empty()) return d;
+            if (std::string d = difference(a[i], b[i], where); !d.empty()) return d;
         }
         return "";
     }

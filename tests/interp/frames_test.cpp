@@ -15,7 +15,7 @@ Block shift_x(double x) { return fn(Function::Shift, {{0, x}}); }
 Block shift_off() { return fn(Function::Shift); }
 Block shift_add(double x, double y) { return fn(Function::ShiftAdd, {{0, x}, {1, y}}); }
 Block rotate(double angle) { return fn(Function::Rotate, {{0, angle}}); }
-Block mirror_x() { return fn(Function::Mirror, {{0, 0}}); }
+Block mirror_x(double at = 0) { return fn(Function::Mirror, {{0, at}}); }
 Block work_offset(double number) { return fn(Function::WorkOffset, {{0, number}}); }
 Block incremental() { return fn(Function::Incremental); }
 
@@ -65,6 +65,23 @@ TEST(Frames, PointsInTheBaseSystem) {
               {},
               {mirror_x(), rotate(90), fn(Function::MirrorOff), rapid().x(5).y(0)},
               "0.0000 5.0000 0.0000"},
+             // FANUC 3.7: G51.1 X10. mirrors about X 10; a second one takes its place
+             {"mirror about a coordinate",
+              {},
+              {mirror_x(10), rapid().x(4).y(3)},
+              "16.0000 3.0000 0.0000"},
+             {"mirrors add",
+              {},
+              {mirror_x(10), mirror_x(15), rapid().x(4).y(3)},
+              "-6.0000 3.0000 0.0000"},
+             {"a mirror replaces that of its axis",
+              "<rule name=\"mirror_replaces\" value=\"yes\"/>",
+              {mirror_x(10), fn(Function::Mirror, {{1, 1}}), mirror_x(15), rapid().x(4).y(3)},
+              "26.0000 -1.0000 0.0000"},
+             {"… and its end the place too",
+              {},
+              {mirror_x(10), fn(Function::MirrorOff, {{0, 0}}), rapid().x(4).y(3)},
+              "4.0000 3.0000 0.0000"},
              {"rotations add",
               {},
               {rotate(60), rotate(30), rapid().x(5).y(0)},

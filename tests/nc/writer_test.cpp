@@ -496,7 +496,8 @@ TEST(Writer, WhatCannotBeSaidIsAnError) {
              Row{"sinumerik", "G92 X0", "K4201"},
              {"fanuc", "G0 X1234567", "K4202"},
              {"fanuc", "work_offset(0)", "K4201"},
-             {"fanuc", "mirror(x: 5)", "K4201"},  // G51.1 takes the axis, not the place
+             {"sinumerik", "mirror(x: 5)", "K4201"},  // AMIRROR takes the axis, not the place
+             {"fanuc", "mirror(x: 5)", ""},
              {"fanuc", "G54.1 P100", "K4201"},
              {"fanuc", "ATRANS X5", "K4201"},
              {"fanuc", "SPOS=90", "K4201"},

@@ -208,6 +208,7 @@ TEST(Threading, ForbiddenParametersSaySo) {
              {"pitch: 1mm, cuts: 0", "the number of cuts must be 1 to 100, not 0"},
              {"pitch: 1mm, spring: -1", "the number of cuts without infeed"},
              {"pitch: 1mm, run_in: -1mm", "are no ways in and out"},
+             {"pitch: 1mm, run_in: 0mm", "must start in front of the thread"},
              {"pitch: 3mm, run_in: 1mm, infeed: 30deg", "cuts begin up to 1.062 farther along"},
              {"pitch: 3mm, run_in: 1.1mm, infeed: -30deg", "cuts begin up to 2.125 farther along"},
              {"pitch: 2mm, inside: true, clear: 10.1mm, initial: 18mm", "beyond the axis"},
