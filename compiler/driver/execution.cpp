@@ -206,6 +206,12 @@ bool Execution::open_text(const std::string& source, std::unique_ptr<FileText> t
         folders.push_back(folder.empty() ? "." : folder.string());
     }
     const std::vector<std::string>& search = session_.options().search;
+    for (const std::string& folder : search) {
+        if (is_folder(folder)) continue;
+        session_.messages().report(diag::FileUnreadable).arg(folder);
+        session_.mark_usage();
+        return false;
+    }
     folders.insert(folders.end(), search.begin(), search.end());
     called_ = std::make_unique<ProgramFolders>(std::move(folders));
     return dialect_ != nullptr;

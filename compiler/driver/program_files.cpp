@@ -34,7 +34,8 @@ const std::vector<ProgramFolders::Entry>& ProgramFolders::entries(const std::str
 std::optional<interp::ProgramFiles::File> ProgramFolders::open(const nc::Dialect& dialect,
                                                                const std::string& program) {
     const nc::DialectTables& tables = dialect.tables();
-    const bool is_number = std::ranges::all_of(program, [](char c) { return c >= '0' && c <= '9'; });
+    const bool is_number =
+        std::ranges::all_of(program, [](char c) { return c >= '0' && c <= '9'; });
     for (const std::string& folder : folders_) {
         const std::vector<Entry>& names = entries(folder);
         for (const nc::ProgramPattern& pattern : tables.language.calls.files) {

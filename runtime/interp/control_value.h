@@ -48,9 +48,9 @@ struct Level {
     Level(const Level&) = delete;  // others refer to its variables
     Level& operator=(const Level&) = delete;
 
-    Store locals;             // those of the language, then each single value that was declared
-    Store elements;           // of the arrays and the texts that were declared
-    nc::SymbolTable symbols;  // `slot` counts in the store of the symbol
+    Store locals;                // those of the language, then each single value that was declared
+    Store elements;              // of the arrays and the texts that were declared
+    nc::SymbolTable symbols;     // `slot` counts in the store of the symbol
     std::vector<Store*> stores;  // of the symbols; of a parameter by reference the caller's
 };
 

@@ -94,8 +94,8 @@ ControlVariables::VariablePlace ControlVariables::place_of(const Instruction& lo
         case Instruction::Kind::Element: {
             const nc::Symbol& symbol = level_->symbols.at(load.index);
             const bool is_whole = load.count == 0;
-            const auto slot = is_whole ? std::optional(symbol.slot)
-                                       : Evaluator::element(symbol, indices);
+            const auto slot =
+                is_whole ? std::optional(symbol.slot) : Evaluator::element(symbol, indices);
             if (!slot || load.count > symbol.dimensions) return {};
             return {level_->stores[load.index], *slot, symbol.type, &symbol};
         }
@@ -370,6 +370,7 @@ ControlVariables::Fault ControlVariables::store_element(const nc::Symbol& symbol
     if (written.size() > symbol.text_size) {
         return {&diag::TextTooLong,
                 {std::to_string(written.size()), std::to_string(symbol.text_size)}};
+    }
     store.set_text(slot, written);
     return {};
 }

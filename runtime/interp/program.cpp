@@ -84,7 +84,8 @@ Program::State::Done Program::State::step(Block& out) {
     if (lines.has_ended()) return end_of_text();
     frame->goes_on = frame->here;
     if (frame->here.offset >= frontier().offset) return first_time(out);
-    CompiledLine* const line = frame->next_line != nullptr ? frame->next_line : line_at(frame->here);
+    CompiledLine* const line =
+        frame->next_line != nullptr ? frame->next_line : line_at(frame->here);
     if (line == nullptr) {  // said; there is no way on
         has_ended = true;
         return Done::Nothing;
@@ -136,8 +137,7 @@ Program::State::Done Program::State::first_time(Block& out) {
     }
     lines.begin(frame->here.line);
     const bool is_plain = modal_calls.empty() || !takes_blocks();
-    if (is_plain && lines.read_plain(text, out))
-        return finish_first(Done::Block, text, place, out);
+    if (is_plain && lines.read_plain(text, out)) return finish_first(Done::Block, text, place, out);
     scratch.text = text;
     scratch.place = place;
     compile(scratch, out);
@@ -166,7 +166,7 @@ Program::State::Done Program::State::end_of_text() {
             frame->is_returning = true;
             return Done::Nothing;
         }
-        lines.begin(frame->here.line);
+        lines.begin(std::max<std::uint64_t>(frame->here.line, 2) - 1);
         scratch.text.clear();
         scratch.place = {frame->here, frame->here};
         has_ended = true;
@@ -200,9 +200,9 @@ void Program::State::deliver(Block& block, std::string_view text_of_line, std::u
     turns = 0;
     if (block.number >= 0) variables.set_block_number(block.number);
     if (again && ++repeated > options.max_repeated) {
-        lines.report_fault(text_of_line, LineFault{&diag::RepeatedBlocks,
-                                                   {0, 1},
-                                                   {std::to_string(options.max_repeated)}});
+        lines.report_fault(
+            text_of_line,
+            LineFault{&diag::RepeatedBlocks, {0, 1}, {std::to_string(options.max_repeated)}});
         has_ended = true;
     }
     if (!modal_calls.empty()) call_behind(block, text_of_line, number);
@@ -226,8 +226,8 @@ void Program::State::end_after(Block& block) {
         std::move(found + 1, functions.end(), found);
         --block.function_count;
         // Nothing is left of a block that said only this.
-        const bool is_empty = block.function_count == 0 && block.given == 0 &&
-                              block.motion == Function::None;
+        const bool is_empty =
+            block.function_count == 0 && block.given == 0 && block.motion == Function::None;
         if (is_empty) block.kind = Block::Kind::Comment;
         if (!cancel_repeat()) frame->is_returning = true;
         return;
@@ -245,15 +245,16 @@ void Program::State::end_after(Block& block) {
 /// A line that was executed before, kept compiled; nullptr: it cannot be read again.
 CompiledLine* Program::State::line_at(const Position& position) {
     if (position.offset >= frontier().offset) return nullptr;
-    if (const auto known = frame->unit->compiled.find(position.offset); known != frame->unit->compiled.end())
+    if (const auto known = frame->unit->compiled.find(position.offset);
+        known != frame->unit->compiled.end())
         return known->second.get();
     std::string_view text;
     bool is_too_long = false;
     const bool is_there = source().seek(position.offset) && source().next(text, is_too_long);
     CompiledLine* line = &scratch;
     if (frame->unit->compiled.size() < kMostCompiled && is_there) {
-        line =
-            frame->unit->compiled.emplace(position.offset, std::make_unique<CompiledLine>()).first->second.get();
+        line = frame->unit->compiled.emplace(position.offset, std::make_unique<CompiledLine>())
+                   .first->second.get();
     }
     line->text = text;
     line->place = {position, {source().offset(), position.line + 1}};
@@ -357,9 +358,10 @@ void Program::State::compile_language(CompiledLine& line) {
     plain.is_argument = false;
     auto fault = compile_line(tables, symbols, line.text, line.line, plain);
     // Under a modal call of blocks those that are no statements are its arguments.
-    const bool is_argument = line.context.is_argument &&
-                             (fault ? line.line.statements.empty() && line.line.calls.empty()
-                                    : line.line.statements.empty() && !line.line.words.words.empty());
+    const bool is_argument =
+        line.context.is_argument &&
+        (fault ? line.line.statements.empty() && line.line.calls.empty()
+               : line.line.statements.empty() && !line.line.words.words.empty());
     if (is_argument) fault = compile_line(tables, symbols, line.text, line.line, line.context);
     if (!fault) line.kind = CompiledLine::Kind::Compiled;
     if (fault) lines.report_fault(line.text, *fault);
@@ -561,8 +563,7 @@ Program::State::Done Program::State::declare(CompiledLine& line,
 }
 
 /// Characters of a text variable.
-Program::State::Done Program::State::text_size(CompiledLine& line,
-                                               const nc::Expression& expression,
+Program::State::Done Program::State::text_size(CompiledLine& line, const nc::Expression& expression,
                                                std::uint32_t& out) {
     if (!expression.is_given()) return Done::Nothing;
     Value size;
@@ -590,9 +591,10 @@ Program::State::Done Program::State::declare_one(CompiledLine& line,
         if (declaration.sizes[i].is_given()) done = evaluate(line, declaration.sizes[i], length);
         if (done == Done::Wait || (lines.failed() && !had_failed)) return done;
         count *= length.number;
-        if (!(length.number >= 1) || count > 1e6)
+        if (!(length.number >= 1) || count > 1e6) {
             return fail(line, diag::SizeWrong, declaration.sizes[i].span,
                         {evaluator.written(length)});
+        }
         symbol.sizes[i] = static_cast<std::uint32_t>(length.number);
     }
     if (variables.level().symbols.find(symbol.name) != nullptr)
@@ -701,8 +703,8 @@ Program::State::Done Program::State::go(CompiledLine& line, const Place& target,
 /// A jump leaves structures and sections that the target does not stand in.
 void Program::State::leave_open(const Position& target) {
     const std::uint64_t to = target.offset;
-    while (!frame->structures.empty() &&
-           (to <= frame->structures.back().head.line.offset || to > frame->structures.back().end.line.offset))
+    while (!frame->structures.empty() && (to <= frame->structures.back().head.line.offset ||
+                                          to > frame->structures.back().end.line.offset))
         frame->structures.pop_back();
     // A section that is repeated is left for good by a jump out of it.
     while (!frame->repeats.empty() &&
@@ -738,7 +740,8 @@ Program::State::Done Program::State::choose_case(CompiledLine& line,
 // ------------------------------------------------------------------------------ structures
 
 Program::State::Done Program::State::enter(CompiledLine& line, const ControlStatement& statement) {
-    const bool is_known = !frame->structures.empty() && frame->structures.back().head.line == line.place.line &&
+    const bool is_known = !frame->structures.empty() &&
+                          frame->structures.back().head.line == line.place.line &&
                           statement.kind == Statement::While;
     bool is_true = true;
     if (statement.kind == Statement::If || statement.kind == Statement::While) {
@@ -755,9 +758,10 @@ Program::State::Done Program::State::enter(CompiledLine& line, const ControlStat
             return fail(line, fault, diag::StructureEndMissing, statement.span,
                         std::to_string(statement.loop));
         }
-        if (static_cast<int>(frame->structures.size()) >= language.rules.most_levels)
+        if (static_cast<int>(frame->structures.size()) >= language.rules.most_levels) {
             return fail(line, diag::StructuresTooDeep, statement.span,
                         {std::to_string(language.rules.most_levels)});
+        }
         frame->structures.push_back(
             {statement.kind, statement.loop, line.place, found->end, found->otherwise, 0, nullptr});
         if (statement.kind == Statement::For)
@@ -791,7 +795,8 @@ Program::State::Done Program::State::enter(CompiledLine& line, const ControlStat
 /// The end of a structure, or of one pass.
 Program::State::Done Program::State::leave(CompiledLine& line, const ControlStatement& statement) {
     const auto is_own = [&](const OpenStructure& open) { return open.end.line == line.place.line; };
-    while (!frame->structures.empty() && !is_own(frame->structures.back())) frame->structures.pop_back();
+    while (!frame->structures.empty() && !is_own(frame->structures.back()))
+        frame->structures.pop_back();
     if (frame->structures.empty()) return fail(line, diag::StructureBeginMissing, statement.span);
     OpenStructure& open = frame->structures.back();
     bool once_more = false;
@@ -847,7 +852,8 @@ Program::State::Done Program::State::otherwise(CompiledLine& line,
     const auto is_own = [&](const OpenStructure& open) {
         return open.otherwise && open.otherwise->line == line.place.line;
     };
-    while (!frame->structures.empty() && !is_own(frame->structures.back())) frame->structures.pop_back();
+    while (!frame->structures.empty() && !is_own(frame->structures.back()))
+        frame->structures.pop_back();
     if (frame->structures.empty()) return fail(line, diag::StructureBeginMissing, statement.span);
     frame->goes_on = frame->structures.back().end.next;
     frame->structures.pop_back();

@@ -87,9 +87,10 @@ Program::State::Done Program::State::program_name(CompiledLine& line,
         const Done done = evaluate(line, statement.second, text);
         if (done == Done::Wait || lines.failed()) return done;
         name = nc::program_of_path(language.calls, evaluator.text(text), tables.rules.ignores_case);
-        if (name.empty())
+        if (name.empty()) {
             return fail(line, diag::CallIncomplete, statement.second.span,
                         {std::string(evaluator.text(text))});
+        }
         return Done::Nothing;
     }
     const nc::Call& words = line.line.calls[statement.call];
@@ -142,10 +143,9 @@ Program::State::Done Program::State::missing_program(CompiledLine& line,
     const nc::Span span = is_by_text                     ? statement.second.span
                           : words->program.span.end != 0 ? words->program.span
                                                          : words->span;
-    const bool is_free_name = words != nullptr && statement.kind == Statement::Call &&
-                              words->form >= 0 &&
-                              language.calls.calls[static_cast<std::size_t>(words->form)].code ==
-                                  "{name}";
+    const bool is_free_name =
+        words != nullptr && statement.kind == Statement::Call && words->form >= 0 &&
+        language.calls.calls[static_cast<std::size_t>(words->form)].code == "{name}";
     const std::string known = tables.unsupported_words(name);
     if (!known.empty()) return fail(line, diag::IsoNotSupported, span, {known});
     if (is_free_name) return fail(line, diag::IsoUnknownWord, span, {name});
@@ -344,9 +344,10 @@ Program::State::Done Program::State::begin(CompiledLine& line, const PreparedCal
         Place found;
         const auto fault = call.unit->map.find({{}, call.start}, Direction::Forward,
                                                {call.unit->begin, call.unit->begin}, found);
-        if (fault != ProgramMap::Fault::None)
+        if (fault != ProgramMap::Fault::None) {
             return fail(line, fault, diag::JumpTargetMissing, span,
                         quoted("N" + std::to_string(call.start)));
+        }
         callee->here = found.line;
     }
     if (call.from) callee->here = call.from->line;
@@ -377,10 +378,11 @@ Program::State::Done Program::State::bind_parameters(CompiledLine& line, const P
                                                      Frame& callee) {
     const ControlStatement* const head = call.unit->procedure();
     const std::size_t count = head == nullptr ? 0 : head->parameters.size();
-    if (call.arguments.size() > count)
+    if (call.arguments.size() > count) {
         return fail(line, diag::CallArguments, call.arguments[count].span,
                     {quoted(call.unit->name), std::to_string(count),
                      std::to_string(call.arguments.size())});
+    }
     if (count == 0) return Done::Nothing;
     variables.enter(*callee.level);
     evaluator.enter(*callee.level);
@@ -406,9 +408,10 @@ Program::State::Done Program::State::bind_parameter(CompiledLine& line, const Pr
         return evaluator.run(head, expression, out) == Evaluator::Outcome::Done;
     };
     Value size;
-    if (parameter.type_size.is_given() && work_out(parameter.type_size, size))
+    if (parameter.type_size.is_given() && work_out(parameter.type_size, size)) {
         symbol.text_size = static_cast<std::uint32_t>(
             std::clamp<double>(size.number, 1, language.rules.most_text));
+    }
     for (std::size_t i = 0; i < symbol.dimensions; ++i) {
         const nc::Expression& length = parameter.declaration.sizes[i];
         if (length.is_given() && work_out(length, size))
@@ -419,9 +422,10 @@ Program::State::Done Program::State::bind_parameter(CompiledLine& line, const Pr
     if (parameter.is_reference) return bind_reference(line, parameter, given_value, symbol);
     const std::size_t dimensions =
         given_value.is_array ? given_value.place.symbol->dimensions : std::size_t{0};
-    if (given_value.is_given && dimensions != symbol.dimensions)
+    if (given_value.is_given && dimensions != symbol.dimensions) {
         return fail(line, diag::ArgumentDiffers, given_value.span,
                     {quoted(symbol.name), symbol.dimensions > 0 ? "an array" : "one value"});
+    }
     const nc::Symbol& added = variables.declare(std::move(symbol));
     const nc::Span span = given_value.is_given ? given_value.span : nc::Span{0, 1};
     const auto set = [&](std::uint32_t place, const Value& value, std::string_view text) {
@@ -431,8 +435,7 @@ Program::State::Done Program::State::bind_parameter(CompiledLine& line, const Pr
     };
     if (given_value.is_array) {
         const Store& from = *given_value.place.store;
-        const std::uint32_t most =
-            std::min(added.count(), given_value.place.symbol->count());
+        const std::uint32_t most = std::min(added.count(), given_value.place.symbol->count());
         for (std::uint32_t i = 0; i < most && !lines.failed(); ++i) {
             const Value& value = from.values[given_value.place.slot + i];
             if (!value.is_vacant()) set(i, value, value.is_text() ? from.texts[value.text] : "");
@@ -459,9 +462,9 @@ Program::State::Done Program::State::bind_reference(CompiledLine& line,
                                                     const GivenValue& given_value,
                                                     nc::Symbol symbol) {
     const ControlVariables::VariablePlace& place = given_value.place;
-    const nc::Span span = given_value.is_given          ? given_value.span
-                          : line.line.calls.empty()     ? nc::Span{0, 1}
-                                                        : line.line.calls[0].span;
+    const nc::Span span = given_value.is_given      ? given_value.span
+                          : line.line.calls.empty() ? nc::Span{0, 1}
+                                                    : line.line.calls[0].span;
     if (place.store == nullptr)
         return fail(line, diag::ArgumentNoVariable, span, {quoted(symbol.name)});
     const std::size_t dimensions = given_value.is_array ? place.symbol->dimensions : std::size_t{0};
@@ -504,12 +507,12 @@ Program::State::Done Program::State::check_external(CompiledLine& line,
     if (unit == nullptr) return Done::Nothing;  // told where it is called
     static const std::vector<nc::ProcedureParameter> kNone;
     const auto& wanted = unit->procedure() != nullptr ? unit->procedure()->parameters : kNone;
-    const bool is_same = std::ranges::equal(
-        wanted, statement.parameters,
-        [](const nc::ProcedureParameter& a, const nc::ProcedureParameter& b) {
-            return a.type == b.type && a.is_reference == b.is_reference &&
-                   a.declaration.dimensions == b.declaration.dimensions;
-        });
+    const bool is_same =
+        std::ranges::equal(wanted, statement.parameters,
+                           [](const nc::ProcedureParameter& a, const nc::ProcedureParameter& b) {
+                               return a.type == b.type && a.is_reference == b.is_reference &&
+                                      a.declaration.dimensions == b.declaration.dimensions;
+                           });
     if (is_same) return Done::Nothing;
     return fail(line, diag::ExternalDiffers, statement.span, {quoted(statement.name)});
 }
@@ -622,10 +625,11 @@ Program::State::Done Program::State::leave_program(CompiledLine& line,
     if (number) target = Target{{}, static_cast<std::int64_t>(*number)};
     if (!target && cancel_repeat()) return Done::Nothing;
     if (frames.size() == 1) return return_in_main(line, statement, target, out);
-    if (frame->call.is_modal && !line.line.words.words.empty())
-        return fail(line, diag::ReturnWithWords, statement.span,
-                    {line.text.substr(statement.span.begin,
-                                      statement.span.end - statement.span.begin)});
+    if (frame->call.is_modal && !line.line.words.words.empty()) {
+        return fail(
+            line, diag::ReturnWithWords, statement.span,
+            {line.text.substr(statement.span.begin, statement.span.end - statement.span.begin)});
+    }
     // How many levels, and which block of the program that goes on.
     Value behind;
     Value levels = Value::real(1);
@@ -668,9 +672,10 @@ Program::State::Done Program::State::return_in_main(CompiledLine& line,
     Place found{frame->unit->begin, frame->unit->begin};
     if (target) {
         const auto fault = map().find(*target, Direction::Forward, found, found);
-        if (fault != ProgramMap::Fault::None)
+        if (fault != ProgramMap::Fault::None) {
             return fail(line, fault, diag::JumpTargetMissing, statement.span,
                         quoted("N" + std::to_string(target->number)));
+        }
     } else {
         frame->text.has_content = false;
     }

@@ -42,8 +42,8 @@ struct OpenRepeat {
 struct GivenValue {
     bool is_given = false;
     Value value;
-    std::string text;                        // of a text
-    ControlVariables::VariablePlace place;   // of a variable alone
+    std::string text;                       // of a text
+    ControlVariables::VariablePlace place;  // of a variable alone
     bool is_array = false;
     nc::Span span;
 };
@@ -53,10 +53,10 @@ struct PreparedCall {
     ProgramUnit* unit = nullptr;
     const nc::CallForm* form = nullptr;  // null: a statement without a code
     std::int64_t passes = 1;
-    std::int64_t start = -1;             // number of the block where it begins
-    std::vector<GivenValue> arguments;   // by their places
-    std::shared_ptr<Level> level;        // of a macro: arguments are set once
-    std::optional<Place> from;           // of a section
+    std::int64_t start = -1;            // number of the block where it begins
+    std::vector<GivenValue> arguments;  // by their places
+    std::shared_ptr<Level> level;       // of a macro: arguments are set once
+    std::optional<Place> from;          // of a section
     std::optional<Position> to;
     std::shared_ptr<const nc::CallSite> site;
     bool is_modal = false;
@@ -68,28 +68,28 @@ struct Frame {
     ProgramUnit* unit = nullptr;
     nc::TextState text;
     Level* level = nullptr;
-    std::shared_ptr<Level> own_level;  // null: the caller's
-    Position here;                     // of the line that is next
-    Position goes_on;                  // behind the line that is executed
+    std::shared_ptr<Level> own_level;   // null: the caller's
+    Position here;                      // of the line that is next
+    Position goes_on;                   // behind the line that is executed
     CompiledLine* next_line = nullptr;  // if the next line is kept
     std::vector<OpenStructure> structures;
     std::vector<OpenRepeat> repeats;
-    std::size_t resume = 0;         // statements of the line that are executed already
-    bool has_executed = false;      // something besides declarations
-    bool has_given_words = false;   // of the line: its call is next
+    std::size_t resume = 0;        // statements of the line that are executed already
+    bool has_executed = false;     // something besides declarations
+    bool has_given_words = false;  // of the line: its call is next
     std::shared_ptr<const nc::CallSite> site;
-    PreparedCall call;              // that has begun it
-    std::int64_t left = 1;          // passes, this one included
+    PreparedCall call;      // that has begun it
+    std::int64_t left = 1;  // passes, this one included
     bool saves = false;
     nc::ModalFunctions modal_before{};
-    bool is_in_code_call = false;   // codes that call programs mean what they are here
+    bool is_in_code_call = false;  // codes that call programs mean what they are here
     bool is_external = false;
     std::size_t modal_limit = ~std::size_t{0};  // modal calls below this one act here
     // How it ends.
     bool is_returning = false;
     bool leaves_all_passes = false;
-    int levels = 1;                          // that are left
-    std::optional<Place> returns_to;         // in the program that goes on
+    int levels = 1;                   // that are left
+    std::optional<Place> returns_to;  // in the program that goes on
 };
 
 struct Program::State {
@@ -167,7 +167,7 @@ struct Program::State {
     Done leave(CompiledLine& line, const nc::ControlStatement& statement);
     Done otherwise(CompiledLine& line, const nc::ControlStatement& statement);
     Done repeat_section(CompiledLine& line, const nc::ControlStatement& statement);
-    Done raise(CompiledLine& line, const nc::Span& span, double number, std::string text);
+    Done raise(CompiledLine& line, const nc::Span& span, double number, const std::string& text);
     Done stop_with_message(std::string_view text, nc::Block& out);
 
     // parts
@@ -179,7 +179,7 @@ struct Program::State {
     bool resolve(CompiledLine& line, const nc::JumpTarget& target, Target& out, Done& done);
     Done go(CompiledLine& line, const Place& target, const nc::Span& span);
     void leave_open(const Position& target);
-    Done fail(CompiledLine& line, nc::LineFault fault);
+    Done fail(CompiledLine& line, const nc::LineFault& fault);
     Done fail(CompiledLine& line, const DiagnosticRow& row, const nc::Span& span,
               std::vector<std::string> arguments = {}) {
         return fail(line, nc::LineFault{&row, span, std::move(arguments)});
@@ -222,8 +222,7 @@ struct Program::State {
 
     // … returns
     Done declare_procedure(CompiledLine& line, const nc::ControlStatement& statement);
-    Done leave_program(CompiledLine& line, const nc::ControlStatement& statement,
-                       nc::Block& out);
+    Done leave_program(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
     Done return_in_main(CompiledLine& line, const nc::ControlStatement& statement,
                         const std::optional<Target>& target, nc::Block& out);
     bool cancel_repeat();

@@ -24,8 +24,8 @@ ProgramText::ProgramText(nc::TextSource& text, std::string name_, std::size_t ke
 ProgramUnits::ProgramUnits(const nc::Dialect& dialect, nc::TextSource& main, std::string name,
                            std::size_t kept, ProgramFiles* files)
     : dialect_(dialect), tables_(dialect.tables()), kept_(kept), files_(files) {
-    texts_.push_back(std::make_unique<ProgramText>(main, std::move(name), kept_,
-                                                   tables_.rules.max_line));
+    texts_.push_back(
+        std::make_unique<ProgramText>(main, std::move(name), kept_, tables_.rules.max_line));
     main_ = std::make_unique<ProgramUnit>(tables_, *texts_[0], Position{}, std::string());
 }
 

@@ -68,9 +68,7 @@ struct ProgramUnit {
     bool has_looked_for_head = false;
     std::optional<nc::ControlLine> head;  // with its statement, if it is a procedure
 
-    const nc::ControlStatement* procedure() const {
-        return head ? &head->statements[0] : nullptr;
-    }
+    const nc::ControlStatement* procedure() const { return head ? &head->statements[0] : nullptr; }
 };
 
 class ProgramUnits {

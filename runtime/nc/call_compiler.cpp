@@ -31,8 +31,8 @@ const CallForm* CallCompiler::find_code(std::size_t& at, const LineContext& cont
         !language_.call_starts[static_cast<unsigned char>(letter)])
         return nullptr;
     const std::size_t first = words_.is_blank_insensitive() ? words_.skip_blanks(at + 1) : at + 1;
-    const Decimal decimal = parse_decimal(line_.data() + std::min(first, line_.size()),
-                                          line_.data() + line_.size());
+    const Decimal decimal =
+        parse_decimal(line_.data() + std::min(first, line_.size()), line_.data() + line_.size());
     const auto end = static_cast<std::size_t>(decimal.end - line_.data());
     for (const CallForm& form : language_.calls.calls) {
         if (form.is_name || form.letter != letter) continue;
@@ -72,8 +72,8 @@ bool CallCompiler::take_code_call(const LineContext& context) {
     if (open_call_ >= 0) return fail(diag::CallTwice, span_from(begin));
     using Kind = CallForm::Kind;
     const bool is_macro = form->kind == Kind::Macro;
-    const Statement kind = form->kind == Kind::Return     ? Statement::Return
-                           : form->kind == Kind::EndModal ? Statement::EndModal
+    const Statement kind = form->kind == Kind::Return             ? Statement::Return
+                           : form->kind == Kind::EndModal         ? Statement::EndModal
                            : form->modal != CallForm::Modal::None ? Statement::CallModal
                                                                   : Statement::Call;
     if (is_macro && (!out_.words.words.empty() || !out_.statements.empty()))
@@ -97,9 +97,10 @@ bool CallCompiler::take_program_in_brackets(Call& call) {
     if (peek() != '<') return true;
     const std::size_t begin = at_;
     const std::size_t close = line_.find('>', at_);
-    if (close == std::string_view::npos || close == at_ + 1)
-        return fail(diag::CallIncomplete, {static_cast<std::uint32_t>(begin),
-                                           static_cast<std::uint32_t>(line_.size())});
+    if (close == std::string_view::npos || close == at_ + 1) {
+        return fail(diag::CallIncomplete,
+                    {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(line_.size())});
+    }
     call.name = program_of_path(language_.calls, line_.substr(at_ + 1, close - at_ - 1),
                                 tables_.rules.ignores_case);
     at_ = close + 1;
@@ -144,17 +145,17 @@ bool CallCompiler::take_value_of_word(CallValue& out) {
         return true;
     }
     const std::size_t value = words_.skip_blanks(peek() == '-' || peek() == '+' ? at_ + 1 : at_);
-    const bool begins_value = value < line_.size() && (line_[value] == language_.open ||
-                                                       words_.begins_variable(value));
+    const bool begins_value =
+        value < line_.size() && (line_[value] == language_.open || words_.begins_variable(value));
     if (!begins_value && !rules_.values_need_assignment) {
-        fault_ = LineFault{&diag::IsoNoValue,
-                           {static_cast<std::uint32_t>(begin - 1),
-                            static_cast<std::uint32_t>(begin)},
-                           {std::string(line_.substr(begin - 1, 1))}};
+        fault_ =
+            LineFault{&diag::IsoNoValue,
+                      {static_cast<std::uint32_t>(begin - 1), static_cast<std::uint32_t>(begin)},
+                      {std::string(line_.substr(begin - 1, 1))}};
         return false;
     }
-    const bool is_fine = rules_.values_need_assignment ? take_expression(out.value)
-                                                       : take_operand(out.value);
+    const bool is_fine =
+        rules_.values_need_assignment ? take_expression(out.value) : take_operand(out.value);
     out.span = span_from(begin);
     return is_fine;
 }
@@ -225,9 +226,8 @@ std::string CallCompiler::program_name(std::size_t& at) const {
 const CallForm* CallCompiler::form_of_name(std::string_view name) const {
     for (const CallForm& form : language_.calls.calls) {
         if (!form.is_name || name.size() < 2) continue;
-        const bool is_digits =
-            form.letter != '\0' && name.size() <= 8 && name[0] == form.letter &&
-            std::ranges::all_of(name.substr(1), is_digit);
+        const bool is_digits = form.letter != '\0' && name.size() <= 8 && name[0] == form.letter &&
+                               std::ranges::all_of(name.substr(1), is_digit);
         const bool is_free = form.letter == '\0' && is_letter(name[0]) && is_letter(name[1]);
         if (is_digits || is_free) return &form;
     }

@@ -44,9 +44,9 @@ class CallCompiler : protected ExpressionCompiler {
     bool is_known_name(std::string_view name) const;
     bool is_at_end();
 
-    std::int32_t open_call_ = -1;   // whose words may follow
-    std::vector<char> series_;      // letters of the series that were said in this round
-    int rounds_ = 0;                // of the series
+    std::int32_t open_call_ = -1;  // whose words may follow
+    std::vector<char> series_;     // letters of the series that were said in this round
+    int rounds_ = 0;               // of the series
 };
 
 }  // namespace kadr::nc

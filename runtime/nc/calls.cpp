@@ -53,8 +53,7 @@ std::optional<std::string> match_program(const ProgramPattern& pattern, std::str
         while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
     }
     const auto is_sign = pattern.is_number ? is_digit : is_name_char;
-    auto length =
-        static_cast<std::size_t>(std::ranges::find_if_not(text, is_sign) - text.begin());
+    auto length = static_cast<std::size_t>(std::ranges::find_if_not(text, is_sign) - text.begin());
     // What stands behind the name may be made of letters as well: `POCK_SPF`.
     while (length > 0 && !starts_with(text.substr(length), pattern.behind)) --length;
     if (length == 0) return std::nullopt;

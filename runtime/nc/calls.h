@@ -31,18 +31,18 @@ struct CallForm {
     enum class Modal : std::uint8_t { None, Motion, Block };
     Kind kind = Kind::Subprogram;
     Modal modal = Modal::None;
-    std::string code;         // `M98`, `T{n}`, `{name}`, `L{digits}`
-    char letter = '\0';       // of the code
-    double number = 0;        // of the code
-    bool any_number = false;  // `T{n}`
-    bool is_name = false;     // the word itself names the program
-    char program = '\0';      // the address that says the program
-    char repeats = '\0';      // … how often; of a return: how often still
-    char start = '\0';        // … the block number where it begins
-    char target = '\0';       // of a return: the block of the caller where that goes on
-    std::string fixed;        // the program that the code always calls
-    std::string value;        // the variable that gets the number of the code
-    int split = 0;            // longer numbers of a program hold repeats before so many digits
+    std::string code;          // `M98`, `T{n}`, `{name}`, `L{digits}`
+    char letter = '\0';        // of the code
+    double number = 0;         // of the code
+    bool any_number = false;   // `T{n}`
+    bool is_name = false;      // the word itself names the program
+    char program = '\0';       // the address that says the program
+    char repeats = '\0';       // … how often; of a return: how often still
+    char start = '\0';         // … the block number where it begins
+    char target = '\0';        // of a return: the block of the caller where that goes on
+    std::string fixed;         // the program that the code always calls
+    std::string value;         // the variable that gets the number of the code
+    int split = 0;             // longer numbers of a program hold repeats before so many digits
     bool is_external = false;  // from outside of the control's memory; not inside of each other
     std::string doc;
 };

@@ -92,10 +92,10 @@ struct CallValue {
 };
 
 struct CallArgument : CallValue {
-    std::uint32_t slot = 0;            // by letter: the variable that it sets
-    AddressId like = kNoAddress;       // by letter: the address whose numbers it has
-    Reference variable;                // in a list: if it is nothing but a variable
-    bool is_array = false;             // … of which all elements are meant
+    std::uint32_t slot = 0;       // by letter: the variable that it sets
+    AddressId like = kNoAddress;  // by letter: the address whose numbers it has
+    Reference variable;           // in a list: if it is nothing but a variable
+    bool is_array = false;        // … of which all elements are meant
 };
 
 /// A call of a program, or the end of one.
@@ -128,10 +128,10 @@ struct ControlStatement {
     ValueType type = ValueType::Real;
     Expression type_size;  // characters of a text
     std::vector<Declaration> declarations;
-    std::string name;                   // of a procedure
+    std::string name;                            // of a procedure
     std::vector<ProcedureParameter> parameters;  // … and what it takes
-    bool saves = false;                 // … and leaves the modal state as it was
-    std::vector<Expression> list;  // values for an array from the variable on
+    bool saves = false;                          // … and leaves the modal state as it was
+    std::vector<Expression> list;                // values for an array from the variable on
     bool fills = false;
     /// What an IfDo does; of a Case: the jump of each value of `list`, and the default.
     std::vector<ControlStatement> inner;

@@ -504,7 +504,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         const bool are_assignments = std::ranges::all_of(
             statements, [](const ControlStatement& s) { return s.kind == Statement::Assign; });
         if (is_call_with_words(statements[0])) return {};
-        if (!rules_.mixes_words && (has_words || statements.size() > 1))
+        if (!rules_.mixes_words && (has_words || statements.size() > 1)) {
             return fault(diag::MixedStatement,
                          statements.size() > 1 ? statements[1].span : statements[0].span);
         }
@@ -527,8 +527,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
                              statement.kind == Statement::EndModal;
         if (!is_call || out_.statements.size() != 1 || out_.calls.empty()) return false;
         const std::int32_t form = out_.calls[0].form;
-        return form >= 0 &&
-               !language_.calls.calls[static_cast<std::size_t>(form)].is_name;
+        return form >= 0 && !language_.calls.calls[static_cast<std::size_t>(form)].is_name;
     }
 
     const LineContext context_;

@@ -69,7 +69,8 @@ void explain_calls(const CallLanguage& calls, std::string_view word,
     for (const CallForm& call : calls.calls) {
         if (call.code != word) continue;
         std::string line = quoted(call.code).append(" ").append(kind_of(call));
-        if (call.modal == CallForm::Modal::Motion) line += ", behind every block that moves an axis";
+        if (call.modal == CallForm::Modal::Motion)
+            line += ", behind every block that moves an axis";
         if (call.modal == CallForm::Modal::Block) line += ", instead of every block";
         if (!call.fixed.empty()) line += ": always " + shown_program(calls, call.fixed);
         add_address(call.program, "the program", line);
@@ -82,8 +83,8 @@ void explain_calls(const CallLanguage& calls, std::string_view word,
     }
     for (const ArgumentForm& argument : calls.arguments) {
         if (word.size() != 1 || argument.letter != word[0]) continue;
-        std::string line = quoted(word) + " as an argument of a call sets " +
-                           quoted(argument.variable);
+        std::string line =
+            quoted(word) + " as an argument of a call sets " + quoted(argument.variable);
         if (argument.in_series) line += ", said again the one three places behind";
         if (argument.only_block) line += ", only where whole blocks are arguments";
         lines.push_back(std::move(line));

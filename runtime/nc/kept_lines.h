@@ -26,11 +26,10 @@ class KeptLines {
     /// id  by which a block names its line (Block::line); of a single text its number
     void add(std::uint32_t id, std::string_view line) { add(id, id, line, nullptr, nullptr); }
     /// file  that the line stands in; null: that of the reader
-    void add(std::uint32_t id, std::uint64_t number, std::string_view line,
-             const std::string* file, std::shared_ptr<const CallSite> calls) {
+    void add(std::uint32_t id, std::uint64_t number, std::string_view line, const std::string* file,
+             std::shared_ptr<const CallSite> calls) {
         lines_.push_back({id, static_cast<std::uint32_t>(text_.size()),
-                          static_cast<std::uint32_t>(line.size()), number, file,
-                          std::move(calls)});
+                          static_cast<std::uint32_t>(line.size()), number, file, std::move(calls)});
         text_ += line;
     }
     /// The calls that have led to the block, the nearest first.

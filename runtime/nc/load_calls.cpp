@@ -44,7 +44,8 @@ class CallLoader {
         form.code = code.value;
         if (!read_code(form)) {
             return attributes_.bad_value(
-                code, "a code as M98 is expected, T{n} for any number, {name} or L{digits} for a name");
+                code,
+                "a code as M98 is expected, T{n} for any number, {name} or L{digits} for a name");
         }
         const auto kind =
             attributes_.choice(element, "kind", {"subprogram", "macro", "return", "end_modal"});
@@ -67,8 +68,8 @@ class CallLoader {
             if (!find_variable(value->value, slot, scope) || scope != VariableRange::Kind::Global)
                 return attributes_.bad_value(*value, "a variable of the whole run is expected");
         }
-        const bool calls = form.kind == CallForm::Kind::Subprogram ||
-                           form.kind == CallForm::Kind::Macro;
+        const bool calls =
+            form.kind == CallForm::Kind::Subprogram || form.kind == CallForm::Kind::Macro;
         const bool has_program = form.program != '\0' || form.is_name || !form.fixed.empty();
         if (calls && !has_program) {
             return attributes_.bad_value(

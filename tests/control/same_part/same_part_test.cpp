@@ -21,9 +21,9 @@ const std::string kFolder = KADR_ROOT "/tests/control/same_part/";
 /// What is executed, without the place in the text.
 std::vector<json> commands_of(const std::string& program, const std::string& dialect) {
     const fs::path out = fs::temp_directory_path() / ("same_part_" + dialect + ".jsonl");
-    std::vector<std::string> words = {KADR_BINARY, "run",        kFolder + program,
-                                      "-d",        dialect,      "--search",
-                                      kFolder + "programs", "--commands", out.string()};
+    std::vector<std::string> words = {KADR_BINARY, "run",      kFolder + program,    "-d",
+                                      dialect,     "--search", kFolder + "programs", "--commands",
+                                      out.string()};
     const ProcessResult result = run_process(words);
     EXPECT_EQ(result.status, 0) << program << '\n' << result.err;
     std::vector<json> commands;

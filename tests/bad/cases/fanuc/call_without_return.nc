@@ -7,5 +7,5 @@ M30
 O0002
 G00 X10.
 %
-(expect: 10:1 PS5010 END OF RECORD: the program ends without a return)
+(expect: 9:1 PS5010 END OF RECORD: the program ends without a return)
 (exit: 3)
