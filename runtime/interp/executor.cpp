@@ -722,19 +722,27 @@ const Block& Executor::origin(const Block& block) const { return cycle_blocks_ ?
 
 DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block) {
     const Block& from = origin(block);
-    return report(row,
-                  places_ != nullptr ? places_->place(from) : LinePlace{{}, from.line, 1, 1, {}});
+    return note_calls(
+        report(row, places_ != nullptr ? places_->place(from) : LinePlace{{}, from.line, 1, 1, {}}),
+        from);
 }
 
 DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block, Slot slot) {
     if (places_ == nullptr || cycle_blocks_) return report(row, block);
-    return report(row, places_->place(block, slot));
+    return note_calls(report(row, places_->place(block, slot)), block);
 }
 
 DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block,
                                    Function function) {
     if (places_ == nullptr || cycle_blocks_) return report(row, block);
-    return report(row, places_->place(block, function));
+    return note_calls(report(row, places_->place(block, function)), block);
+}
+
+/// Adds where the program of the block was called.
+DiagnosticBuilder Executor::note_calls(DiagnosticBuilder builder, const Block& block) const {
+    if (places_ == nullptr) return builder;
+    for (LinePlace& place : places_->calls(block)) builder.note(std::move(place), "called here");
+    return builder;
 }
 
 DiagnosticBuilder Executor::report(const DiagnosticRow& row, LinePlace place) {

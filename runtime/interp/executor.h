@@ -110,6 +110,8 @@ class Executor {
     bool is_length(std::int64_t axis) const;
     double word_factor(std::int64_t axis) const;
     bool is_compensated() const { return compensation_.is_on(); }
+    void keep_frames() { kept_frames_.push_back({frames_, work_offset_}); }
+    void restore_frames(bool is_wanted);
 
   private:
     std::optional<Axis> axis_of(std::int64_t index) const;
@@ -296,6 +298,7 @@ class Executor {
     DiagnosticBuilder report(const DiagnosticRow& row, const nc::Block& block,
                              nc::Function function);
     DiagnosticBuilder report(const DiagnosticRow& row, LinePlace place);
+    DiagnosticBuilder note_calls(DiagnosticBuilder builder, const nc::Block& block) const;
     /// The block in the text that is being executed: `block`, or the one that called the cycle.
     const nc::Block& origin(const nc::Block& block) const;
 
@@ -318,6 +321,11 @@ class Executor {
     Modal modal_;
     Position position_;
     Frames frames_{rules_};
+    struct KeptFrames {
+        Frames frames;
+        std::int64_t work_offset;
+    };
+    std::vector<KeptFrames> kept_frames_;  // of programs that go back to them
     Spindle spindle_;
     Tool tool_;
     Polar polar_;

@@ -529,9 +529,10 @@ bool ExpressionCompiler::take_symbol(const Word& word, Reference& out) {
         if (!take_close(language_.index_close)) return false;
     }
     const bool is_text = symbol->type == ValueType::Text;
-    if (count != symbol->dimensions && !(is_text && count == symbol->dimensions + 1))
+    const bool is_whole = takes_whole_arrays_ && count == 0;
+    if (count != symbol->dimensions && !(is_text && count == symbol->dimensions + 1) && !is_whole)
         return fail(diag::IndexWrong, span_from(word.begin));
-    if (symbol->dimensions == 0 && !is_text) {
+    if (symbol->is_plain()) {
         out.load.kind = Instruction::Kind::Local;
         out.load.index = symbol->slot;
         return true;

@@ -109,6 +109,7 @@ class ExpressionCompiler {
     ControlLine& out_;
     std::size_t at_ = 0;
     int depth_ = 0;
+    bool takes_whole_arrays_ = false;  // a name of an array without indices is one
     std::optional<LineFault> fault_;
 };
 

@@ -60,7 +60,7 @@ bool is_end_line(std::string_view line, std::string_view end) {
 }  // namespace
 
 LineReader::LineReader(const Dialect& dialect, std::string name, DiagnosticSink& sink)
-    : dialect_(dialect), tables_(dialect.tables()), name_(std::move(name)), sink_(sink) {
+    : dialect_(dialect), tables_(dialect.tables()), own_text_{std::move(name)}, sink_(sink) {
     for (std::size_t letter = 0; letter < letters_.size(); ++letter) prepare(letter);
     modal_ = tables_.power_on;
     modal_[static_cast<std::size_t>(Group::Motion)] = Function::None;
@@ -111,16 +111,21 @@ LineReader::LineKind LineReader::kind_of(std::string_view line) {
     if (line.empty()) return LineKind::Nothing;
     const std::vector<std::string>& ends = tables_.program.end;
     const auto is_end = [&](const std::string& end) { return is_end_line(line, end); };
-    if (has_content_ && std::ranges::any_of(ends, is_end)) has_ended_ = true;
-    if (has_ended_) return LineKind::Nothing;
+    if (text_->has_content && std::ranges::any_of(ends, is_end)) text_->has_ended = true;
+    if (text_->has_ended) return LineKind::Nothing;
     const bool is_header = std::ranges::any_of(
         tables_.program.skipped, [&](const std::string& front) { return line.starts_with(front); });
     if (!is_header) return LineKind::Words;
+    if (text_->has_content &&
+        program_of_header(tables_.language.calls, line, tables_.rules.ignores_case)) {
+        text_->has_ended = true;
+        return LineKind::Nothing;
+    }
     if (has_wrong_number(line)) return LineKind::WrongNumber;
-    if (!has_content_) return LineKind::Nothing;
+    if (!text_->has_content) return LineKind::Nothing;
     // Where a mark ends the text, another program may begin before it.
-    has_ended_ = !ends.empty();
-    return has_ended_ ? LineKind::Nothing : LineKind::Misplaced;
+    text_->has_ended = !ends.empty();
+    return text_->has_ended ? LineKind::Nothing : LineKind::Misplaced;
 }
 
 /// Whether the line names the program by a number that the control does not have.
@@ -144,7 +149,7 @@ bool LineReader::read_plain(std::string_view line, Block& block) {
         block.reset();
         return false;
     }
-    has_content_ = true;
+    text_->has_content = true;
     // Later forms depend on modal functions: G68 on its plane, G53 on absolute dimensions.
     if (block.function_count != 0 || block.motion != Function::None) follow_modal(block, modal_);
     return true;
@@ -169,7 +174,7 @@ bool LineReader::has_words(std::string_view line) {
 
 bool LineReader::read_known(std::string_view line, Block& block) {
     if (!read_verbatim(line, block)) return false;
-    has_content_ = true;
+    text_->has_content = true;
     follow_modal(block, modal_);
     return true;
 }
@@ -179,7 +184,7 @@ bool LineReader::read(std::string_view line, std::uint64_t number, Block& block)
     if (read_plain(line, block)) return true;
     if (!has_words(line)) return false;
     if (read_slow(line, block)) {
-        has_content_ |= block.kind != Block::Kind::Comment;
+        text_->has_content |= block.kind != Block::Kind::Comment;
         follow(block);
         return true;
     }
@@ -191,7 +196,7 @@ bool LineReader::read_words(std::string_view line, ControlLine& compiled,
                             std::span<const WordValue> values, Block& block, MatchedLine* known) {
     lexed_ = &compiled.words;
     set_values(compiled, values);
-    has_content_ = true;
+    text_->has_content = true;
     const bool is_whole = std::ranges::none_of(
         values, [](const WordValue& value) { return value.kind == WordValue::Kind::Vacant; });
     const bool is_known =
@@ -659,6 +664,25 @@ void LineReader::follow(const Block& block) {
     }
 }
 
+void LineReader::restore(const ModalFunctions& wanted, Block& block) {
+    for (std::size_t i = 1; i < kGroups; ++i) {
+        const auto group = static_cast<Group>(i);
+        if (wanted[i] == modal_[i] || wanted[i] == Function::None) continue;
+        // The spindle and the coolant run on; offsets come back with the frames.
+        const bool is_state = group == Group::Spindle || group == Group::Coolant ||
+                              group == Group::WorkOffsets || group == Group::LengthComp ||
+                              group == Group::CycleMode || group == Group::SpeedMode;
+        if (is_state) continue;
+        if (group == Group::Motion) {
+            block.motion = wanted[i];
+        } else {
+            block.add(wanted[i]);
+        }
+    }
+    follow_modal(block, modal_);
+    follow_units();
+}
+
 void LineReader::follow_units() {
     const auto active = [&](Group group) { return modal_[static_cast<std::size_t>(group)]; };
     units_.inch = active(Group::Units) == Function::Inch;
@@ -716,10 +740,11 @@ std::string argument_words(const LexedLine& lexed, const MatchFault& fault,
 
 }  // namespace
 
-LinePlace LineReader::place(std::string_view line, std::uint64_t number, const Span& span) const {
+LinePlace LineReader::place(const std::string& file, std::string_view line, std::uint64_t number,
+                            const Span& span) {
     constexpr std::size_t kShown = 400;  // bytes of a line that a message keeps
     LinePlace place;
-    place.file = name_;
+    place.file = file;
     place.line = static_cast<std::uint32_t>(number);
     const std::size_t begin = std::min<std::size_t>(span.begin, line.size());
     const std::size_t end = std::clamp<std::size_t>(span.end, begin, line.size());
@@ -743,6 +768,7 @@ void LineReader::report(std::string_view line, const LineFault& fault) {
         fault.arguments.empty() ? std::string_view() : fault.arguments[0];
     if (const auto alarm = dialect_.alarm(*fault.row, detail))
         builder.alarm(alarm->number, alarm->text);
+    write_notes(builder);
 }
 
 void LineReader::report(std::string_view line, const MatchFault& fault) {

@@ -25,8 +25,9 @@ bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0
 bool is_name_char(char c) { return is_letter(c) || c == '_'; }
 
 constexpr std::string_view kHoleNames[] = {
-    "variable", "value", "condition", "target", "loop",         "first", "last", "number",   "text",
-    "count",    "from",  "to",        "type",   "declarations", "cases", "jump", "statement"};
+    "variable", "value", "condition", "target", "loop",     "first", "last",
+    "number",   "text",  "count",     "from",   "to",       "type",  "declarations",
+    "cases",    "jump",  "statement", "call",   "procedure"};
 
 class LanguageLoader {
   public:
@@ -52,6 +53,7 @@ class LanguageLoader {
             if (child.name == "type") load_type(child);
             if (child.name == "codes") load_codes(child);
         }
+        load_calls(element, language_, attributes_);
     }
 
   private:
@@ -341,6 +343,14 @@ void load_language(const XmlElement& element, DialectTables& tables, Attributes&
         if (first < 128) language.variable_starts.set(first);
         if (first < 128 && tables.rules.ignores_case)
             language.variable_starts.set(static_cast<unsigned char>(std::tolower(first)));
+    }
+    language.call_starts.reset();
+    for (const CallForm& call : language.calls.calls) {
+        const char first = call.is_name ? call.code[0] : call.letter;
+        if (first != '{') language.call_starts.set(static_cast<unsigned char>(first));
+        // `P=3 NAME`
+        if (call.is_name && call.repeats != '\0')
+            language.call_starts.set(static_cast<unsigned char>(call.repeats));
     }
     // The longest first: `GOTOF` before `GOTO`, `<=` before `<`.
     std::ranges::stable_sort(language.operators, [](const OperatorForm& a, const OperatorForm& b) {

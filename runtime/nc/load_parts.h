@@ -32,6 +32,9 @@ void load_example(const XmlElement& element, DialectTables& tables);
 // load_language.cpp: the control's own parametric language.
 void load_language(const XmlElement& element, DialectTables& tables, Attributes& attributes);
 
+// load_calls.cpp: how programs are called; a part of the language.
+void load_calls(const XmlElement& language, Language& out, Attributes& attributes);
+
 /// load_forms.cpp: the spellings of functions and cycles. The first time that a file spells a
 /// function, the spellings of the files it extends are dropped.
 class FormLoader {
