@@ -201,7 +201,8 @@ const nc::Dialect& dialect_named(const std::string& name) {
     if (const auto known = loaded.find(name); known != loaded.end()) return known->second;
     Sources sources;
     DiagnosticList messages;
-    auto dialect = nc::load_dialect(name, {KADR_ROOT "/dialects"}, sources, messages);
+    auto dialect = nc::load_dialect(name, {KADR_ROOT "/dialects", KADR_ROOT "/examples/dialects"},
+                                    sources, messages);
     EXPECT_TRUE(dialect.has_value());
     return loaded.emplace(name, std::move(*dialect)).first->second;
 }
@@ -557,8 +558,8 @@ TEST_P(Control, DoesWhatTheManualSays) {
 std::vector<fs::path> programs() {
     std::vector<fs::path> files;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kPrograms)) {
-        if (entry.path().extension() == ".nc" || entry.path().extension() == ".mpf")
-            files.push_back(entry.path());
+        const std::string suffix = entry.path().extension();
+        if (suffix == ".nc" || suffix == ".mpf" || suffix == ".i") files.push_back(entry.path());
     }
     std::ranges::sort(files);
     return files;
