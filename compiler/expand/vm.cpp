@@ -124,14 +124,14 @@ void Expander::State::run() {
     goto* kLabels[static_cast<unsigned>(ip->op)];
 
     // The chapters.
-#include "expand/vm/copying.inc"
-#include "expand/vm/numbers.inc"
-#include "expand/vm/conditions.inc"
-#include "expand/vm/calls.inc"
-#include "expand/vm/texts.inc"
 #include "expand/vm/arrays.inc"
 #include "expand/vm/blocks.inc"
+#include "expand/vm/calls.inc"
+#include "expand/vm/conditions.inc"
+#include "expand/vm/copying.inc"
 #include "expand/vm/messages.inc"
+#include "expand/vm/numbers.inc"
+#include "expand/vm/texts.inc"
 
     // ---------------------------------------------------------------- ways out
 batch_or_next:
