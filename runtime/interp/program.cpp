@@ -457,6 +457,9 @@ Program::State::Done Program::State::execute(CompiledLine& line, const ControlSt
         case Statement::RepeatSection:
         case Statement::RepeatBlock: return repeat_section(line, statement);
         case Statement::Declare: return declare(line, statement);
+        case Statement::Print:
+        case Statement::PrintOpen:
+        case Statement::PrintClose: return print(line, statement);
         case Statement::Call:
         case Statement::CallModal:
         case Statement::CallByText:

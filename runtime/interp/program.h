@@ -12,6 +12,7 @@
 
 #include "base/stream.h"
 #include "interp/control_state.h"
+#include "interp/printer.h"
 #include "interp/program_files.h"
 #include "nc/reader.h"
 
@@ -23,6 +24,7 @@ struct ProgramOptions {
     std::uint64_t max_repeated = 20'000'000;       // blocks that lines give when they run again
     std::size_t kept_text = std::size_t{4} << 20;  // bytes kept of a text that cannot be read again
     ProgramFiles* files = nullptr;                 // programs that do not stand in the text
+    Printer* printer = nullptr;                    // null: what the program prints is lost
 };
 
 /// A variable of the control that the program has set.

@@ -129,6 +129,7 @@ struct Program::State {
     bool is_waiting = false;        // the line in `scratch` is to be run again
     bool is_only_checking = false;  // the program has ended; lines behind are read for mistakes
     bool has_ended = false;
+    bool is_printer_open = false;
     bool has_visible_fault = false;  // that blocks of this batch stand behind
 
     ProgramText& text() { return *frame->unit->text; }
@@ -168,6 +169,7 @@ struct Program::State {
     Done otherwise(CompiledLine& line, const nc::ControlStatement& statement);
     Done repeat_section(CompiledLine& line, const nc::ControlStatement& statement);
     Done raise(CompiledLine& line, const nc::Span& span, double number, const std::string& text);
+    Done print(CompiledLine& line, const nc::ControlStatement& statement);  // printing.cpp
     Done stop_with_message(std::string_view text, nc::Block& out);
 
     // parts

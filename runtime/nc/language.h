@@ -114,10 +114,12 @@ struct VariableRange {
     std::int64_t last = 0;
     ValueType type = ValueType::Real;
     bool is_vacant = false;  // Constant: the value is "vacant"
-    double value = 0;        // Constant
+    double value = 0;        // Constant; Global: what it holds at the beginning, if has_initial
+    bool has_initial = false;
     Quantity quantity = Quantity::None;
     std::int64_t start = 1;   // System: the index that `first` stands for
     std::int64_t stride = 0;  // System with two indices: so many numbers an index
+    std::int64_t second = 1;  // … of which the first number stands for this second index
     std::uint32_t slot = 0;   // Global, Local: of `first` in its store
     std::string meaning;      // for explanations and messages
 };
@@ -162,6 +164,7 @@ struct StatementToken {
         Statement,
         Call,
         Procedure,
+        Print,
     };
     Kind kind = Kind::Word;
     Hole hole = Hole::Value;

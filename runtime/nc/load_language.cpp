@@ -27,7 +27,8 @@ bool is_name_char(char c) { return is_letter(c) || c == '_'; }
 constexpr std::string_view kHoleNames[] = {
     "variable", "value", "condition", "target", "loop",     "first", "last",
     "number",   "text",  "count",     "from",   "to",       "type",  "declarations",
-    "cases",    "jump",  "statement", "call",   "procedure"};
+    "cases",    "jump",  "statement", "call",   "procedure",
+    "print"};
 
 class LanguageLoader {
   public:
@@ -185,6 +186,7 @@ class LanguageLoader {
         attributes_.read_number(element, "last", range.last);
         attributes_.read_number(element, "start", range.start);
         attributes_.read_number(element, "stride", range.stride);
+        attributes_.read_number(element, "second", range.second);
         Attributes::read_text(element, "meaning", range.meaning);
         if (const auto type = attributes_.choice(element, "type", kTypeNames))
             range.type = static_cast<ValueType>(*type);
@@ -195,6 +197,8 @@ class LanguageLoader {
             const auto found = attributes_.choice(element, "scope", {"global", "local"});
             range.kind =
                 found == std::size_t{1} ? VariableRange::Kind::Local : VariableRange::Kind::Global;
+            range.has_initial = element.find("initial") != nullptr;
+            attributes_.read_number(element, "initial", range.value);
             allot(range);
         } else if (constant != nullptr) {
             range.kind = VariableRange::Kind::Constant;

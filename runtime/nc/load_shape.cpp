@@ -107,7 +107,7 @@ const std::vector<XmlRule>& dialect_rules() {
         {"function", {{"name", Filled}, {"form", Filled}, "doc"}, {}},
         {"variable", {{"form", Filled}}, {"range"}},
         {"range",
-         {"first", "last", "type", "scope", "constant", "quantity", "start", "stride", "meaning"},
+         {"first", "last", "type", "scope", "constant", "quantity", "start", "stride", "second", "initial", "meaning"},
          {}},
         {"statement", {{"name", Filled}, "closes", "repeats", "doc"}, {}, Text},
         {"type", {{"name", Filled}, {"type", Filled}}, {}},
