@@ -156,6 +156,7 @@ Variables::Answer ControlVariables::family(std::uint32_t form, std::int64_t numb
         case VariableRange::Kind::Constant:
             out = range->is_vacant ? Value{} : Value::of(range->value, range->type);
             return Answer::Value;
+        case VariableRange::Kind::Same:
         case VariableRange::Kind::Unsupported: return Answer::Unsupported;
         case VariableRange::Kind::System: {
             const Indices indices = indices_of(*range, number);
@@ -415,6 +416,7 @@ ControlVariables::Fault ControlVariables::store_family(std::uint32_t form, std::
             return {};
         }
         case VariableRange::Kind::Constant: return {&diag::VariableReadOnly, {name}};
+        case VariableRange::Kind::Same:
         case VariableRange::Kind::Unsupported:
             return {&diag::IsoNotSupported, {'`' + name + "` (" + range->meaning + ')'}};
         case VariableRange::Kind::System: break;

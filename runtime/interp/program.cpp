@@ -457,6 +457,7 @@ Program::State::Done Program::State::execute(CompiledLine& line, const ControlSt
         case Statement::RepeatSection:
         case Statement::RepeatBlock: return repeat_section(line, statement);
         case Statement::Declare: return declare(line, statement);
+        case Statement::Synchronous: return pass_synchronous(line, statement);
         case Statement::Print:
         case Statement::PrintOpen:
         case Statement::PrintClose: return print(line, statement);
@@ -635,6 +636,19 @@ Program::State::Done Program::State::raise(CompiledLine& line, const Span& span,
         .alarm((own ? own->number : std::string()) + shown, text);
     lines.write_notes(message);
     lines.note_fault();
+    return Done::Nothing;
+}
+
+/// What happens beside the motion is not executed; each such action is said once.
+Program::State::Done Program::State::pass_synchronous(CompiledLine& line,
+                                                      const ControlStatement& statement) {
+    if (!said_synchronous.insert({frame->unit, line.place.line.offset}).second)
+        return Done::Nothing;
+    const Span whole{statement.span.begin, static_cast<std::uint32_t>(line.text.size())};
+    DiagnosticBuilder message = sink.report(
+        diag::SynchronousPassed, lines.place(line.text, line.place.line.line, whole));
+    message.arg(statement.name);
+    lines.write_notes(message);
     return Done::Nothing;
 }
 

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -130,6 +131,7 @@ struct Program::State {
     bool is_only_checking = false;  // the program has ended; lines behind are read for mistakes
     bool has_ended = false;
     bool is_printer_open = false;
+    std::set<std::pair<const ProgramUnit*, std::uint64_t>> said_synchronous;  // unit, place of line
     bool has_visible_fault = false;  // that blocks of this batch stand behind
 
     ProgramText& text() { return *frame->unit->text; }
@@ -170,6 +172,7 @@ struct Program::State {
     Done repeat_section(CompiledLine& line, const nc::ControlStatement& statement);
     Done raise(CompiledLine& line, const nc::Span& span, double number, const std::string& text);
     Done print(CompiledLine& line, const nc::ControlStatement& statement);  // printing.cpp
+    Done pass_synchronous(CompiledLine& line, const nc::ControlStatement& statement);
     Done stop_with_message(std::string_view text, nc::Block& out);
 
     // parts

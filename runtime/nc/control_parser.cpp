@@ -308,6 +308,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
             case Hole::Call: return take_call_hole(out);
             case Hole::Procedure: return take_procedure(out);
             case Hole::Print: return take_print(out.print);
+            case Hole::Rest: return take_rest(out.name);
         }
         return false;
     }
@@ -328,6 +329,15 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         }
         out.inner.push_back(std::move(inner));
         return true;
+    }
+
+    /// All up to the comment.
+    bool take_rest(std::string& out) {
+        const std::size_t begin = at_;
+        while (at_ < line_.size() && !words_.is_comment(at_)) ++at_;
+        const std::size_t end = words_.trim(begin, at_);
+        out = line_.substr(begin, end - begin);
+        return !out.empty();
     }
 
     /// `X#100[53]**DEPTH`: text as it stands, a blank for each `*`, values with their digits.

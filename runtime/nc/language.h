@@ -107,6 +107,7 @@ struct VariableRange {
         Local,        // one of each level of calls
         Constant,     // `value`, read only
         System,       // a quantity of the interpreter
+        Same,         // another name of a variable of the family: of number `value`, or that and more
         Unsupported,  // the control has it and Kadr does not
     };
     Kind kind = Kind::Global;
@@ -165,6 +166,7 @@ struct StatementToken {
         Call,
         Procedure,
         Print,
+        Rest,
     };
     Kind kind = Kind::Word;
     Hole hole = Hole::Value;

@@ -28,7 +28,7 @@ constexpr std::string_view kHoleNames[] = {
     "variable", "value", "condition", "target", "loop",     "first", "last",
     "number",   "text",  "count",     "from",   "to",       "type",  "declarations",
     "cases",    "jump",  "statement", "call",   "procedure",
-    "print"};
+    "print",    "rest"};
 
 class LanguageLoader {
   public:
@@ -204,6 +204,9 @@ class LanguageLoader {
             range.kind = VariableRange::Kind::Constant;
             range.is_vacant = constant->value == "vacant";
             if (!range.is_vacant) attributes_.read_number(element, "constant", range.value);
+        } else if (element.find("same") != nullptr) {
+            range.kind = VariableRange::Kind::Same;
+            attributes_.read_number(element, "same", range.value);
         } else if (quantity != nullptr) {
             range.kind = VariableRange::Kind::System;
             const auto row =
