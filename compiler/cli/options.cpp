@@ -195,6 +195,8 @@ void Parser::add_run() {
         ->type_name("text|json");
     command->add_option("--variables", job.variables, "the control's variables at the end, JSON")
         ->type_name("OUT.json");
+    command->add_option("--print", job.print, "lines that the program prints (DPRNT)")
+        ->type_name("OUT.txt");
     command->add_option("--tick", tick_, "time between setpoints")->type_name("TIME");
     command->add_option("--skip", skips_, "leave out blocks of this skip level")
         ->check(CLI::Range(0, 9).description(""))

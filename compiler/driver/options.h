@@ -63,6 +63,7 @@ struct RunJob {
     std::string setpoints;
     std::string plot;
     std::string variables;
+    std::string print;  // what the program prints
     std::string map;
     SummaryFormat summary = SummaryFormat::None;
     PlotColor plot_color = PlotColor::Feed;

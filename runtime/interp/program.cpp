@@ -943,6 +943,7 @@ void Program::follow(ControlState& state) {
     state_->interpreter = &state;
     state_->variables.follow(state);
 }
+void Program::print_to(Printer& printer) { state_->options.printer = &printer; }
 std::size_t Program::pull(std::span<Block> out) { return state_->pull(out); }
 LinePlace Program::place(const Block& block) const { return state_->kept.place(block); }
 LinePlace Program::place(const Block& block, nc::Slot slot) const {

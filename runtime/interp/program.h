@@ -47,6 +47,8 @@ class Program final : public Stream<nc::Block>, public nc::BlockPlaces {
     void check_only();
     /// Who executes the blocks. Without one, asking for its state is an alarm.
     void follow(ControlState& state);
+    /// Who gets the lines that the program prints; it outlives the run.
+    void print_to(Printer& printer);
 
     std::size_t pull(std::span<nc::Block> out) override;
 
