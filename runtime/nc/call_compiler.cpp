@@ -123,8 +123,10 @@ bool CallCompiler::take_word_of_call() {
                                                       : nullptr;
     if (value == nullptr || letter == '\0' || value->is_given) return false;
     if (value == &call.program && !call.name.empty()) return false;
-    ++at_;
-    return take_value_of_word(*value);
+    const std::size_t begin = at_++;
+    if (!take_value_of_word(*value)) return false;
+    value->span = span_from(begin);
+    return true;
 }
 
 /// `12`, `-1.5`, `#3`, `[#1*2]` behind a letter.

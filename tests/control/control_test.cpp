@@ -283,6 +283,56 @@ TEST(ControlText, JumpsBackAsFarAsTextIsKept) {
     }
 }
 
+/// One program in a file; counts how often it is opened and read.
+class CountedFile final : public ProgramFiles {
+  public:
+    std::optional<File> open(const nc::Dialect& dialect, const std::string& program) override {
+        static_cast<void>(dialect);
+        ++opened;
+        if (program != "2") return std::nullopt;
+        return File{"O2", std::make_unique<Text>(*this)};
+    }
+    int opened = 0;
+    int read = 0;
+
+  private:
+    class Text final : public nc::TextSource {
+      public:
+        explicit Text(CountedFile& file) : file_(file) {}
+        std::string_view next() override {
+            const std::string_view rest = std::string_view("O2\n#100=#100+#1\nM99\n").substr(at_);
+            at_ += rest.size();
+            if (!rest.empty()) ++file_.read;
+            return rest;
+        }
+        bool seek(std::uint64_t offset) override {
+            at_ = static_cast<std::size_t>(offset);
+            return true;
+        }
+
+      private:
+        CountedFile& file_;
+        std::size_t at_ = 0;
+    };
+};
+
+TEST(ControlText, AProgramThatIsCalledOftenIsReadOnce) {
+    const std::string text = "WHILE[#1LT500]DO1\n#1=#1+1\nG65P2A2.\nEND1\nM30\n";
+    DiagnosticList messages;
+    PiecedText source(text, true);
+    CountedFile file;
+    ProgramOptions options;
+    options.files = &file;
+    Program program(dialect_named("fanuc"), source, "test", options, messages);
+    std::vector<nc::Block> blocks(8);
+    while (program.pull(blocks) > 0) continue;
+    EXPECT_TRUE(messages.all().empty());
+    EXPECT_EQ(shown(program.variables().at(1)), "1000");
+    EXPECT_EQ(file.opened, 1);
+    // To look for its head, for the first pass, and to keep its lines.
+    EXPECT_LE(file.read, 6);
+}
+
 TEST(ControlText, WordsOfTheLanguageAreExplained) {
     const auto first = [](const char* dialect, const char* word) {
         const std::vector<std::string> lines = nc::explain(dialect_named(dialect), word);
@@ -305,6 +355,14 @@ TEST(ControlText, WordsOfTheLanguageAreExplained) {
               "`R{n}` from 0 to 999 is a variable of the whole run; R parameter");
     EXPECT_EQ(first("sinumerik", "SQRT"),
               "`SQRT({a})` is square_root: of a number that is not negative");
+    EXPECT_EQ(
+        first("fanuc", "M98"),
+        "`M98` calls a subprogram, behind the words of its block; P is the program; L is how "
+        "often; Q is the block where it begins; M98 P30012 is 3 times O0012; with Q from that "
+        "block on");
+    EXPECT_EQ(first("sinumerik", "RET"),
+              "`RET` is return: ends the program; the one that has called it goes on, at a target "
+              "if one is given");
     EXPECT_EQ(first("sinumerik", "$P_F"),
               "`$P_F` is feed: programmed feed in the unit of its mode; 0 none; programmed feed");
 }

@@ -1,5 +1,6 @@
 // The same parts written by hand in the language of each control and in Kadr: the commands are the
 // same. The programs beside, in the folder `programs`, are found by --search.
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -37,6 +38,20 @@ std::vector<json> commands_of(const std::string& program, const std::string& dia
     return commands;
 }
 
+/// The same but for what one increment of the controls, a thousandth, rounds away.
+bool is_same(const json& a, const json& b) {
+    constexpr double kRounding = 0.0006;
+    if (a.is_number() && b.is_number())
+        return std::abs(a.get<double>() - b.get<double>()) <= kRounding;
+    if (a.size() != b.size() || a.type() != b.type()) return false;
+    if (!a.is_structured()) return a == b;
+    for (const auto& [key, value] : a.items()) {
+        if (a.is_object() && !b.contains(key)) return false;
+        if (!is_same(value, a.is_object() ? b[key] : b[std::stoul(key)])) return false;
+    }
+    return true;
+}
+
 TEST(SamePart, FlangeInThreeLanguages) {
     const std::vector<json> kadr = commands_of("flange.kadr", "iso");
     EXPECT_GT(kadr.size(), 60u);
@@ -45,7 +60,9 @@ TEST(SamePart, FlangeInThreeLanguages) {
         SCOPED_TRACE(program);
         const std::vector<json> hand = commands_of(program, dialect);
         ASSERT_EQ(hand.size(), kadr.size());
-        for (std::size_t i = 0; i < kadr.size(); ++i) EXPECT_EQ(hand[i], kadr[i]) << i;
+        for (std::size_t i = 0; i < kadr.size(); ++i) {
+            EXPECT_TRUE(is_same(hand[i], kadr[i])) << i << ' ' << hand[i] << ' ' << kadr[i];
+        }
     }
 }
 
