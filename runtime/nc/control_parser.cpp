@@ -369,7 +369,9 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
             out.decimals = digit(at_ + 2);
             at_ += 4;
         } else {
-            at_ = std::min(line_.size(), line_.find(language_.index_close, at_));
+            // What was meant to be one goes up to the bracket.
+            const std::size_t close = line_.find(language_.index_close, at_);
+            at_ = close < line_.size() ? close + 1 : line_.size();
         }
         const int digits = out.whole + out.decimals;
         if (is_format && digits > 0 && digits <= rules_.print_digits) return true;
