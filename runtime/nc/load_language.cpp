@@ -143,6 +143,11 @@ class LanguageLoader {
         for (const XmlElement& child : element.children) load_range(child, form);
         if (form.ranges.empty())
             return attributes_.bad_value(text, "it needs a <range> that says what it is");
+        // Of a family only the numbers that are said become something else.
+        for (const VariableForm& old : language_.variables) {
+            if (old.form == form.form && form.is_family)
+                form.ranges.insert(form.ranges.end(), old.ranges.begin(), old.ranges.end());
+        }
         std::erase_if(language_.variables,
                       [&](const VariableForm& old) { return old.form == form.form; });
         language_.variables.push_back(std::move(form));
