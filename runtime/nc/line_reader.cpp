@@ -784,7 +784,11 @@ void LineReader::report(std::string_view line, const MatchFault& fault) {
             out.arguments = {tables_.addresses[lexed_->words[fault.word].address].name};
             break;
         case Kind::GroupTwice: out.row = &diag::IsoGroupTwice, out.arguments = {word, other}; break;
-        case Kind::Missing: out.row = &diag::IsoWordsMissing, out.arguments = {word, form}; break;
+        case Kind::Missing:
+            out.row = &diag::IsoWordsMissing, out.arguments = {word, form};
+            if (fault.form != kNoForm && writes_data(tables_.forms[fault.form].function))
+                out.row = &diag::OffsetDataFormat;
+            break;
         case Kind::Value:
             out.row = &diag::IsoValueWrong, out.arguments = {word, form};
             if (fault.argument >= 0) {
@@ -795,7 +799,7 @@ void LineReader::report(std::string_view line, const MatchFault& fault) {
             if (fault.form != kNoForm && tables_.forms[fault.form].function == Function::WorkOffset)
                 out.row = &diag::WorkOffsetUnknown, out.arguments = {other + ' ' + word};
             if (fault.form != kNoForm && writes_data(tables_.forms[fault.form].function))
-                out.row = &diag::OffsetDataNumber, out.arguments = {word};
+                out.row = &diag::OffsetDataNumber, out.arguments = {other + ' ' + word};
             if (fault.form != kNoForm && is_tool_offset(tables_.forms[fault.form].function))
                 out.row = &diag::IsoToolOffset, out.arguments = {word};
             break;

@@ -252,7 +252,9 @@ void check(const Expected& expected, const Outcome& outcome) {
         if (message.severity == Severity::Warning && message.line)
             warnings.push_back(std::string(message.row->code) + " at " + place_name(*message.line));
     }
-    if (!expected.warnings.empty()) EXPECT_EQ(warnings, expected.warnings);
+    if (!expected.warnings.empty()) {
+        EXPECT_EQ(warnings, expected.warnings);
+    }
     if (expected.way.empty()) return;
     EXPECT_EQ(outcome.motions.size(), expected.way.size());
     for (std::size_t i = 0; i < outcome.motions.size() && i < expected.way.size(); ++i) {

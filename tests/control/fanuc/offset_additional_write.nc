@@ -1,6 +1,6 @@
 %
 O0001
-(rule: F 6.5 7001+20(p-1)+(n-1), and 14001 and 101001 for the same offsets)
+(rule: F 6.5 #7021, #14022 and #101051 are the same additional offsets)
 (expect: to X5 Y6)
 (expect: #1=5)
 (expect: #2=6)
