@@ -1,6 +1,7 @@
 // main.cpp — the program `kadr`: arguments in, exit status out. Everything between is the driver's.
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -30,10 +31,35 @@ Status show(const driver::Reply& reply) {
     return std::fflush(stdout) == 0 ? reply.status : Status::Usage;
 }
 
-Status perform(driver::Session& session, const cli::CommandLine& line) {
+/// A command at a break point; nothing at the end of the input.
+std::optional<std::string> ask() {
+    print(stderr, "kadr: ");
+    std::string line;
+    for (int c = std::getchar(); c != '\n'; c = std::getchar()) {
+        if (c == EOF) return std::nullopt;
+        line += static_cast<char>(c);
+    }
+    return line;
+}
+
+/// With somebody who looks on if the program does not come from where he types.
+Status run(driver::Session& session, const cli::CommandLine& line, cli::ProgressLine& progress) {
+    driver::RunJob job = line.run;
+    job.onlooker.say = [&progress](std::string_view text) {
+        progress.clear();
+        print(stderr, text);
+    };
+    job.onlooker.reads_json = line.messages == driver::MessageFormat::Json;
+    const bool is_terminal = ::isatty(STDIN_FILENO) != 0 && ::isatty(STDERR_FILENO) != 0;
+    if (is_terminal && job.source != "-" && !job.onlooker.reads_json) job.onlooker.ask = ask;
+    return driver::run(session, job);
+}
+
+Status perform(driver::Session& session, const cli::CommandLine& line,
+               cli::ProgressLine& progress) {
     switch (line.verb) {
         case cli::Verb::Expand: return driver::expand(session, line.expand);
-        case cli::Verb::Run: return driver::run(session, line.run);
+        case cli::Verb::Run: return run(session, line, progress);
         case cli::Verb::Check: return driver::check(session, line.sources);
         case cli::Verb::Test: return driver::test(session, line.test);
         case cli::Verb::Format: return driver::format(session, line.sources, line.format);
@@ -63,7 +89,7 @@ Status perform(const cli::CommandLine& line) {
     });
     driver::Session session(line.options, driver::find_share(), sources, messages);
     if (is_terminal) session.set_progress([&](const driver::Progress& at) { progress.show(at); });
-    const Status status = perform(session, line);
+    const Status status = perform(session, line, progress);
     progress.clear();
     messages.finish();
     return status;

@@ -75,6 +75,7 @@ class Parser {
     void add_program(CLI::App& command);
     void add_search(CLI::App& command);
     void add_expansion(CLI::App& command);
+    void add_limits(CLI::App& command);
     void add_expand();
     void add_run();
     void add_check();
@@ -152,6 +153,11 @@ void Parser::add_expansion(CLI::App& command) {
         ->check(one_of({"native", "moves"}))
         ->type_name("native|moves");
     command.add_flag("--verbose-modal", line_.options.verbose_modal, "repeat modal words");
+    add_limits(command);
+    command.add_option("--map", map_, "source map, JSON Lines")->type_name("OUT.json");
+}
+
+void Parser::add_limits(CLI::App& command) {
     command
         .add_option("--max-blocks", line_.options.max_blocks,
                     "stop after so many blocks (made: 20000000 unless it is given)")
@@ -159,7 +165,6 @@ void Parser::add_expansion(CLI::App& command) {
         ->type_name("N");
     command.add_option("--max-time", max_time_, "stop after so much time of computing")
         ->type_name("TIME");
-    command.add_option("--map", map_, "source map, JSON Lines")->type_name("OUT.json");
 }
 
 void Parser::add_expand() {
@@ -197,6 +202,14 @@ void Parser::add_run() {
         ->type_name("OUT.json");
     command->add_option("--print", job.print, "lines that the program prints (DPRNT)")
         ->type_name("OUT.txt");
+    command->add_option("--trace", job.trace, "what each block changes; a table or JSON Lines")
+        ->type_name("OUT[.jsonl]");
+    command->add_option("--break", job.breaks, "stop in front of a block, a line, a name")
+        ->type_name("BLOCK|NAME")
+        ->allow_extra_args(false);
+    command->add_option("--until", job.until, "the program ends in front of it")
+        ->type_name("BLOCK|NAME")
+        ->allow_extra_args(false);
     command->add_option("--tick", tick_, "time between setpoints")->type_name("TIME");
     command->add_option("--skip", skips_, "leave out blocks of this skip level")
         ->check(CLI::Range(0, 9).description(""))
@@ -217,6 +230,7 @@ void Parser::add_check() {
                      "folder in which imports are looked for")
         ->type_name("DIR")
         ->allow_extra_args(false);
+    add_limits(*command);
 }
 
 void Parser::add_test() {

@@ -17,7 +17,7 @@ constexpr const char* kDefaultTarget = "iso";
 
 /// Interprets ISO-7bit text to its end; what it commands is nobody's concern.
 void interpret(Session& session, const std::string& source, std::unique_ptr<FileText> text) {
-    const auto execution = Execution::open(session, source, std::move(text), nullptr);
+    const auto execution = Execution::open(session, source, std::move(text));
     if (!execution) return;
     std::vector<path::Command> batch(kBatch);
     while (execution->pull(batch) > 0) {

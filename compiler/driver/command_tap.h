@@ -20,13 +20,13 @@ class CommandTap final : public Stream<path::Command> {
   public:
     using Look = std::function<void(const path::Command&)>;
 
-    /// `commands` outlives the tap.
-    CommandTap(Stream<path::Command>& commands, Look look)
-        : commands_(commands), look_(std::move(look)) {}
+    /// `commands` outlives the tap. `batch`: no more are read ahead; 0: as many as are asked for.
+    CommandTap(Stream<path::Command>& commands, Look look, std::size_t batch = 0)
+        : commands_(commands), look_(std::move(look)), most_(batch) {}
 
     std::size_t pull(std::span<path::Command> out) override {
         pass_until(passed_ + waiting_);
-        waiting_ = commands_.pull(out);
+        waiting_ = commands_.pull(most_ == 0 ? out : out.first(std::min(most_, out.size())));
         if (batch_.size() < waiting_) batch_.resize(waiting_);
         std::copy_n(out.begin(), waiting_, batch_.begin());
         return waiting_;
@@ -44,6 +44,7 @@ class CommandTap final : public Stream<path::Command> {
   private:
     Stream<path::Command>& commands_;
     Look look_;
+    std::size_t most_;
     std::vector<path::Command> batch_;
     std::size_t waiting_ = 0;
     std::uint64_t passed_ = 0;

@@ -26,11 +26,16 @@ class CycleBlocks final : public Stream<nc::Block> {
           source_(source) {}
 
     bool start(const interp::CycleCall& call) {
-        return expander_.start_cycle(call.name, call.arguments, call.given,
-                                     {.position = call.position,
-                                      .feed = call.feed,
-                                      .speed = call.speed,
-                                      .spindle = call.spindle});
+        expand::Expander::Surroundings at{.position = call.position,
+                                          .feed = call.feed,
+                                          .speed = call.speed,
+                                          .spindle = call.spindle};
+        if (call.shape != nullptr) {
+            at.shape = &call.shape->elements;
+            at.plane = call.shape->plane;
+            at.is_diameter = call.shape->is_diameter;
+        }
+        return expander_.start_cycle(call.name, call.arguments, call.given, at);
     }
 
     std::size_t pull(std::span<nc::Block> out) override {

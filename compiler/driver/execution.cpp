@@ -161,12 +161,13 @@ FileId keep_source(Session& session, const std::string& source, FileText& text) 
 }
 
 std::unique_ptr<Execution> Execution::open(Session& session, const std::string& source,
-                                           std::unique_ptr<FileText> text, Output* map) {
+                                           std::unique_ptr<FileText> text, const Aside& aside) {
     std::unique_ptr<Execution> execution(new Execution(session));
+    execution->aside_ = aside;
     execution->machine_ = session.machine();
     if (execution->machine_ == nullptr) return nullptr;
     const bool is_open = is_kadr_source(source, *text)
-                             ? execution->open_program(keep_source(session, source, *text), map)
+                             ? execution->open_program(keep_source(session, source, *text))
                              : execution->open_text(source, std::move(text));
     if (!is_open) return nullptr;
     execution->connect_with_library();
@@ -222,19 +223,20 @@ std::unique_ptr<Execution> Execution::open(Session& session, FileId program,
     std::unique_ptr<Execution> execution(new Execution(session));
     execution->machine_ = session.machine();
     if (execution->machine_ == nullptr) return nullptr;
-    if (!execution->open_program(program, nullptr, std::move(tap))) return nullptr;
+    if (!execution->open_program(program, std::move(tap))) return nullptr;
     execution->connect_with_library();
     return execution;
 }
 
-bool Execution::open_program(FileId file, Output* map, GeneratedText::Tap tap) {
+bool Execution::open_program(FileId file, GeneratedText::Tap tap) {
     dialect_ = session_.chosen_dialect(kDefaultDialect);
     if (dialect_ == nullptr) return false;
     own_program_ = load_program(session_, file);
     if (!own_program_) return false;
     program_ = &*own_program_;
     text_name_ = generated_name(session_.sources().name(file), *dialect_);
-    generated_ = std::make_unique<GeneratedText>(session_, *program_, *dialect_, map);
+    generated_ = std::make_unique<GeneratedText>(session_, *program_, *dialect_, aside_.map,
+                                                 aside_.watch != nullptr);
     generated_->set_tap(std::move(tap));
     return generated_->start();
 }
@@ -251,8 +253,10 @@ void Execution::connect(DiagnosticSink& sink) {
     sink_ = std::make_unique<StatementNotes>(*this, sink);
     nc::TextSource& text = generated_ ? static_cast<nc::TextSource&>(*generated_) : *file_;
     held_ = std::make_unique<HeldMessages>(*sink_);
-    interp::ProgramOptions program_options{.skip_levels = options.skip_levels};
+    interp::ProgramOptions program_options;
+    program_options.skip_levels = options.skip_levels;
     program_options.files = called_.get();
+    if (options.max_time > 0) program_options.is_over = [this] { return deadline_.is_over(); };
     if (options.max_blocks != 0) program_options.max_repeated = options.max_blocks;
     reader_ =
         std::make_unique<interp::Program>(*dialect_, text, text_name_, program_options, *held_);
@@ -263,22 +267,32 @@ void Execution::connect(DiagnosticSink& sink) {
     const interp::InterpreterOptions interpreter_options{.max_blocks = options.max_blocks,
                                                          .skip_levels = options.skip_levels,
                                                          .optional_stop = options.optional_stop,
-                                                         .asks_for_tool = !is_subject};
+                                                         .asks_for_tool = !is_subject,
+                                                         .in_step = aside_.watch != nullptr};
     interpreter_ = std::make_unique<interp::Interpreter>(
         *dialect_, *machine_, *tagged_, reader_.get(), cycles_, interpreter_options, *sink_);
     reader_->follow(*interpreter_);
+    reader_->show_to(aside_.watch, aside_.changes);
+}
+
+/// Says that the time is over. True: it is.
+bool Execution::came_too_late() {
+    if (!deadline_.is_over()) return false;
+    is_late_ = true;
+    // A loop without blocks was cut in the middle.
+    const std::uint64_t line = reader_->stopped() ? reader_->line() : last_line_;
+    sink_->report(diag::TimeIsUp, place_of(static_cast<std::uint32_t>(line)))
+        .arg(deadline_.seconds())
+        .arg(static_cast<std::size_t>(blocks()));
+    return true;
 }
 
 std::size_t Execution::pull(std::span<path::Command> out) {
-    if (is_late_) return 0;
-    if (deadline_.is_over()) {
-        is_late_ = true;
-        sink_->report(diag::TimeIsUp, place_of(last_line_)).arg(deadline_.seconds());
-        return 0;
-    }
+    if (is_late_ || came_too_late()) return 0;
     const std::size_t alarms = sink_->alarms();
     const std::size_t count = interpreter_->pull(out);
     if (count > 0) last_line_ = out[count - 1].line;
+    if (count == 0 && reader_->stopped()) came_too_late();
     has_stopped_ = has_stopped_ || sink_->alarms() > alarms;
     // Stopped without a word of its own: the reader knows why.
     if (count == 0 && interpreter_->alarmed() && !has_stopped_) held_->release();

@@ -40,12 +40,19 @@ struct Subject {
     std::string* text;      // gets the ISO-7bit text
 };
 
+/// What goes on beside an execution.
+struct Aside {
+    Output* map = nullptr;               // gets the source map of a Kadr program
+    interp::LineWatch* watch = nullptr;  // is shown every line; then blocks are executed one by one
+    std::vector<interp::VariableChange>* changes = nullptr;  // gets the variables that are set
+};
+
 class Execution final : public Stream<path::Command> {
   public:
     /// Loads dialect and machine, checks a Kadr program. Null: reported, the status of the session
-    /// says what it was. `map` gets the source map of a Kadr program; null: none is made.
+    /// says what it was. What `aside` names outlives the execution.
     static std::unique_ptr<Execution> open(Session& session, const std::string& source,
-                                           std::unique_ptr<FileText> text, Output* map);
+                                           std::unique_ptr<FileText> text, const Aside& aside = {});
     /// The same for a program among the sources of the session. `tap` sees the text that is
     /// executed.
     static std::unique_ptr<Execution> open(Session& session, FileId program,
@@ -73,6 +80,8 @@ class Execution final : public Stream<path::Command> {
     /// The modal state and the position behind what was pulled so far.
     const interp::Interpreter& interpreter() const { return *interpreter_; }
 
+    /// The control's program, of which an onlooker asks what acts.
+    interp::Program& reader() { return *reader_; }
     /// Variables of the control that the program has set.
     std::vector<interp::ControlVariable> variables() const { return reader_->variables(); }
 
@@ -96,11 +105,13 @@ class Execution final : public Stream<path::Command> {
     explicit Execution(Session& session);
 
     bool open_text(const std::string& source, std::unique_ptr<FileText> text);
-    bool open_program(FileId file, Output* map, GeneratedText::Tap tap = {});
+    bool open_program(FileId file, GeneratedText::Tap tap = {});
     void connect_with_library();
     void connect(DiagnosticSink& sink);
+    bool came_too_late();
 
     Session& session_;
+    Aside aside_;
     std::string text_name_;
     const nc::Dialect* dialect_ = nullptr;
     const machine::Machine* machine_ = nullptr;

@@ -33,24 +33,26 @@ const sema::FunctionCode* chosen_program(const sema::Code& code, std::string_vie
 }
 
 GeneratedText::GeneratedText(Session& session, const Program& program, const nc::Dialect& target,
-                             Output* map)
-    : GeneratedText(session, program, target, map, session.messages()) {}
+                             Output* map, bool keeps_calls)
+    : GeneratedText(session, program, target, map, keeps_calls, session.messages()) {}
 
 GeneratedText::GeneratedText(Session& session, const Program& program, const nc::Dialect& target,
                              DiagnosticSink& sink)
-    : GeneratedText(session, program, target, nullptr, sink) {}
+    : GeneratedText(session, program, target, nullptr, false, sink) {}
 
 GeneratedText::GeneratedText(Session& session, const Program& program, const nc::Dialect& target,
-                             Output* map, DiagnosticSink& sink)
+                             Output* map, bool keeps_calls, DiagnosticSink& sink)
     : session_(session),
       program_(program),
       target_(target),
       expander_messages_(*this, sink),
-      expander_(*program.code, target, expand_options(map != nullptr), expander_messages_),
+      expander_(*program.code, target, expand_options(map != nullptr || keeps_calls),
+                expander_messages_),
       writer_messages_(*this, sink),
       writer_(target, write_options(session.options()), writer_messages_),
       map_(map),
       line_map_(std::make_unique<LineMap>()),
+      call_map_(keeps_calls ? std::make_unique<CallMap>() : nullptr),
       batch_(kPiece),
       deadline_(session.options().max_time) {}
 
@@ -125,6 +127,7 @@ void GeneratedText::write_batch() {
         line_map_->add(first, writer_.lines(), batch_[i].source);
         if (batch_[i].source.is_valid()) statement_lines_ += writer_.lines() + 1 - first;
         if (map_ != nullptr) map_block(i, first);
+        if (call_map_) call_map_->add(first, writer_.lines(), expander_.trace(i));
     }
     is_at_end_ = count == 0 || failed();
     if (!is_at_end_) return;

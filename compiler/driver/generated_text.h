@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "driver/call_map.h"
 #include "driver/deadline.h"
 #include "driver/line_map.h"
 #include "driver/output.h"
@@ -31,7 +32,9 @@ struct Entry {
 class GeneratedText final : public nc::TextSource {
   public:
     /// All references outlive the text. `map` gets a line for every block; null: no source map.
-    GeneratedText(Session& session, const Program& program, const nc::Dialect& target, Output* map);
+    /// `keeps_calls`: for `calls_behind`.
+    GeneratedText(Session& session, const Program& program, const nc::Dialect& target, Output* map,
+                  bool keeps_calls = false);
     /// The same for one entry, with its messages to a sink of its own.
     GeneratedText(Session& session, const Program& program, const nc::Dialect& target,
                   DiagnosticSink& sink);
@@ -56,13 +59,17 @@ class GeneratedText final : public nc::TextSource {
     /// Whether evaluating or writing came to an error.
     bool failed() const;
     const LineMap& lines() const { return *line_map_; }
+    /// The calls that led to a line; null if there are none, or they are forgotten or not kept.
+    const expand::Trace* calls_behind(std::uint32_t line) const {
+        return call_map_ ? call_map_->find(line) : nullptr;
+    }
     std::uint64_t blocks() const { return blocks_; }
     /// Lines so far that a statement of the program made.
     std::uint64_t statement_lines() const { return statement_lines_; }
 
   private:
     GeneratedText(Session& session, const Program& program, const nc::Dialect& target, Output* map,
-                  DiagnosticSink& sink);
+                  bool keeps_calls, DiagnosticSink& sink);
     /// Where errors of the writer go: to each the calls that led to the block are added, and what
     /// a statement of the library cannot say is an error where the library was called.
     class WriterMessages final : public DiagnosticSink {
@@ -110,6 +117,7 @@ class GeneratedText final : public nc::TextSource {
     nc::Writer writer_;
     Output* map_;
     std::unique_ptr<LineMap> line_map_;
+    std::unique_ptr<CallMap> call_map_;  // null: nobody asks
     std::vector<nc::Block> batch_;
     std::string text_;
     std::string entry_;

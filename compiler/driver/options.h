@@ -6,8 +6,10 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sema/check.h"
@@ -56,6 +58,15 @@ struct ExpandJob {
 enum class SummaryFormat : std::uint8_t { None, Text, Json };
 enum class PlotColor : std::uint8_t { Feed, Line };
 
+/// Somebody who looks on while a program runs.
+struct Onlooker {
+    std::function<void(std::string_view)> say;  // shows a text; empty: nobody reads it
+    /// The next command, without its line end; nothing: there are no more. Empty: nobody answers,
+    /// and a break point ends the run.
+    std::function<std::optional<std::string>()> ask;
+    bool reads_json = false;
+};
+
 /// Where the results of a run go; an empty name means that nobody asked.
 struct RunJob {
     std::string source;
@@ -65,6 +76,10 @@ struct RunJob {
     std::string variables;
     std::string print;  // what the program prints
     std::string map;
+    std::string trace;                // every block with what it changed; JSON Lines if `.jsonl`
+    std::vector<std::string> breaks;  // places in front of which the run stops
+    std::vector<std::string> until;   // … in front of which the program ends
+    Onlooker onlooker;
     SummaryFormat summary = SummaryFormat::None;
     PlotColor plot_color = PlotColor::Feed;
 };

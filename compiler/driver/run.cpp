@@ -12,6 +12,7 @@
 #include "base/units.h"
 #include "driver/command_list.h"
 #include "driver/command_tap.h"
+#include "driver/debugger.h"
 #include "driver/execution.h"
 #include "driver/output.h"
 #include "driver/places.h"
@@ -33,11 +34,12 @@ struct Outputs {
     std::unique_ptr<Output> variables;
     std::unique_ptr<Output> print;
     std::unique_ptr<Output> map;
+    std::unique_ptr<Output> trace;
     std::unique_ptr<Output> summary;
 
-    std::array<Output*, 7> all() const {
+    std::array<Output*, 8> all() const {
         return {commands.get(), setpoints.get(), plot.get(),   variables.get(),
-                print.get(),    map.get(),       summary.get()};
+                map.get(),      trace.get(),    print.get(),  summary.get()};
     }
 };
 
@@ -62,7 +64,8 @@ class PrintedLines final : public interp::Printer {
 
 bool asks_for_nothing(const RunJob& job) {
     return job.summary == SummaryFormat::None && job.commands.empty() && job.setpoints.empty() &&
-           job.plot.empty() && job.variables.empty() && job.print.empty() && job.map.empty();
+           job.plot.empty() && job.variables.empty() && job.print.empty() && job.map.empty() &&
+           job.trace.empty() && job.breaks.empty();
 }
 
 /// Opens an output if it has a name. False: reported.
@@ -97,6 +100,7 @@ class Run {
 
   private:
     bool open_outputs(bool is_kadr);
+    bool open_execution(std::unique_ptr<FileText> text);
     void execute();
     void draw(const motion::Segment& segment);
     RunFigures figures(const motion::Totals& totals) const;
@@ -111,6 +115,7 @@ class Run {
     Session& session_;
     const RunJob& job_;
     Outputs outputs_;
+    std::unique_ptr<Debugger> debugger_;  // null: nobody looks on
     std::unique_ptr<Execution> execution_;
     std::unique_ptr<CommandList> list_;
     PlotScene scene_;
@@ -121,9 +126,9 @@ class Run {
 bool Run::open_outputs(bool is_kadr) {
     Messages& messages = session_.messages();
     const bool has_summary = job_.summary != SummaryFormat::None || asks_for_nothing(job_);
-    const std::array<std::string, 7> names = {job_.commands,  job_.setpoints, job_.plot,
-                                              job_.variables, job_.map,       has_summary ? "-" : "",
-                                              job_.print};
+    const std::array<std::string, 8> names = {job_.commands, job_.setpoints,         job_.plot,
+                                              job_.variables, job_.map,              job_.trace,
+                                              has_summary ? "-" : "", job_.print};
     if (!are_outputs_apart(job_.source, names, messages)) return false;
     if (!job_.map.empty() && !is_kadr) {
         messages.report(diag::NoSourceMap).arg(job_.source);
@@ -134,8 +139,9 @@ bool Run::open_outputs(bool is_kadr) {
            open_if_named(outputs_.plot, names[2], messages) &&
            open_if_named(outputs_.variables, names[3], messages) &&
            open_if_named(outputs_.map, names[4], messages) &&
-           open_if_named(outputs_.summary, names[5], messages) &&
-           open_if_named(outputs_.print, names[6], messages);
+           open_if_named(outputs_.trace, names[5], messages) &&
+           open_if_named(outputs_.summary, names[6], messages) &&
+           open_if_named(outputs_.print, names[7], messages);
 }
 
 void Run::draw(const motion::Segment& segment) {
@@ -155,10 +161,12 @@ void Run::execute() {
     if (outputs_.commands) {
         list_ = std::make_unique<CommandList>(*execution_, session_, *outputs_.commands);
     }
-    CommandTap tap(*execution_, [this](const path::Command& command) {
+    const auto look = [this](const path::Command& command) {
         ++commands_;
         if (list_) list_->write(command);
-    });
+    };
+    // An alarm of the motion has to come before the next block is shown.
+    CommandTap tap(*execution_, look, debugger_ ? 1 : 0);
     motion::PlannerOptions options;
     options.tick = session_.options().tick.value_or(0);
     options.place_of = [this](std::uint32_t line, SourceId) { return execution_->place_of(line); };
@@ -213,6 +221,7 @@ RunFigures Run::figures(const motion::Totals& totals) const {
 
 /// Writes what is known only at the end, and into each output that it is not complete.
 void Run::finish(const RunFigures& figures) {
+    if (debugger_) debugger_->finish(figures.alarm);
     const machine::Machine& machine = execution_->machine();
     if (list_ && !figures.alarm.empty()) list_->write_alarm(figures.alarm);
     if (outputs_.setpoints && !figures.alarm.empty()) {
@@ -253,12 +262,25 @@ Status Run::commit() {
     return status;
 }
 
+bool Run::open_execution(std::unique_ptr<FileText> text) {
+    Aside aside;
+    aside.map = outputs_.map.get();
+    if (debugger_) debugger_->look_on(aside);
+    execution_ = Execution::open(session_, job_.source, std::move(text), aside);
+    if (execution_ && debugger_) debugger_->follow(*execution_);
+    return execution_ != nullptr;
+}
+
 Status Run::perform() {
     auto text = open_source(session_, job_.source);
     if (!text) return session_.status();
     if (!open_outputs(is_kadr_source(job_.source, *text))) return refused();
-    execution_ = Execution::open(session_, job_.source, std::move(text), outputs_.map.get());
-    if (!execution_) return session_.status();
+    const bool is_watched = outputs_.trace || !job_.breaks.empty() || !job_.until.empty();
+    if (is_watched) {
+        debugger_ = Debugger::open(session_, job_, outputs_.trace.get());
+        if (!debugger_) return refused();
+    }
+    if (!open_execution(std::move(text))) return session_.status();
     execute();
     return commit();
 }

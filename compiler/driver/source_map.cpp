@@ -20,6 +20,8 @@ void append_start(std::string& out, const Session& session, const SourceRange& r
     append_number(out, "column", at.column);
 }
 
+}  // namespace
+
 void append_calls(std::string& out, const expand::Trace& trace, const Session& session) {
     out += ",\"calls\":[";
     for (const expand::CallSite& call : trace.calls) {
@@ -30,8 +32,6 @@ void append_calls(std::string& out, const expand::Trace& trace, const Session& s
     }
     out += ']';
 }
-
-}  // namespace
 
 void append_map_entry(std::string& out, LineSpan lines, const expand::Trace& trace,
                       const Session& session) {

@@ -15,6 +15,9 @@ struct LineSpan {
     std::uint32_t count = 1;
 };
 
+/// Appends `,"calls":[{"function":"f","file":"a.kadr","line":50,"column":3}]`, the outermost first.
+void append_calls(std::string& out, const expand::Trace& trace, const Session& session);
+
 /// Appends one object and a line end:
 /// `{"iso":12,"lines":1,"file":"a.kadr","line":34,"column":5,"end_line":34,"end_column":20,
 ///   "calls":[{"function":"f","file":"a.kadr","line":50,"column":3}],"loops":[2]}`.

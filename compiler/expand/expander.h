@@ -15,6 +15,8 @@
 #include "base/stream.h"
 #include "expand/test_bench.h"
 #include "nc/block.h"
+#include "path/command.h"
+#include "path/contour.h"
 #include "sema/check.h"
 #include "sema/code.h"
 
@@ -32,6 +34,7 @@ struct Limits {
 struct CallSite {
     SourceRange range;          // of the call
     std::string_view function;  // called
+    std::size_t loops = 0;      // around the call, of Trace::loop_counts
 };
 
 /// How the block that was yielded last came to be.
@@ -67,9 +70,12 @@ class Expander final : public Stream<nc::Block> {
         double feed = 0;                            // mm/min; 0: none is set
         double speed = 0;                           // rpm; 0: none is set
         nc::Function spindle = nc::Function::None;  // None: not known how it turns
+        const path::Contour* shape = nullptr;       // for a parameter that is a contour, …
+        path::Plane plane = path::Plane::Zx;        // its plane,
+        bool is_diameter = false;                   // and whether X of its points is a diameter
     };
-    /// Starts a cycle by name with arguments as the interpreter has them (mm, deg, s). False:
-    /// reported or unknown.
+    /// Starts a cycle by name with arguments as the interpreter has them (mm, deg, s). A contour
+    /// stands for two of them, the numbers of its first and last block. False: reported or unknown.
     bool start_cycle(std::string_view cycle, std::span<const double> arguments, std::uint32_t given,
                      const Surroundings& at);
 

@@ -180,6 +180,7 @@ bool Expander::State::set_parameter(const FunctionCode& function, const Paramete
             }
             return wrong("one of " + all);
         }
+        case ParameterInfo::Kind::Contour:
         case ParameterInfo::Kind::Other: break;
     }
     sink.report(diag::DefineType)
@@ -236,7 +237,8 @@ bool Expander::State::start(std::string_view name, const std::vector<sema::Defin
         sink.report(diag::DefineMissing, parameter.range)
             .arg(function->name)
             .arg(parameter.name)
-            .fix(parameter.kind == ParameterInfo::Kind::Other
+            .fix(parameter.kind == ParameterInfo::Kind::Other ||
+                         parameter.kind == ParameterInfo::Kind::Contour
                      ? "give it a default value: no option can set `" + parameter.type_name + '`'
                      : "give it on the command line: `-D " + parameter.name + "=…`");
         is_good = false;
@@ -259,6 +261,7 @@ bool Expander::State::set_number(const ParameterInfo& parameter, double value, S
             slot.integer = static_cast<std::int64_t>(std::llround(value));
             return true;
         case ParameterInfo::Kind::Text:
+        case ParameterInfo::Kind::Contour:
         case ParameterInfo::Kind::Other: break;
     }
     return false;
@@ -294,10 +297,25 @@ bool Expander::State::start_cycle(std::string_view name, std::span<const double>
     modal.speed = at.speed;
     if (at.spindle == nc::Function::SpindleCw) modal.set_spindle(3, {});
     if (at.spindle == nc::Function::SpindleCcw) modal.set_spindle(4, {});
+    if (at.shape != nullptr) {  // such a cycle works in the plane of its shape
+        modal.active[static_cast<std::size_t>(nc::Group::Plane)] =
+            at.plane == path::Plane::Xy   ? nc::Function::PlaneXy
+            : at.plane == path::Plane::Zx ? nc::Function::PlaneZx
+                                          : nc::Function::PlaneYz;
+    }
     std::uint32_t set = 0;
+    std::size_t next = 0;  // of the arguments
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         const ParameterInfo& parameter = function.parameters[i];
-        const bool is_given = i < arguments.size() && (given >> i & 1u) != 0;
+        if (parameter.kind == ParameterInfo::Kind::Contour && at.shape != nullptr) {
+            stack[code.globals + parameter.slot].integer =
+                make_contour({*at.shape, at.plane, at.is_diameter}, parameter.layout);
+            set |= 1u << i;
+            next += 2;
+            continue;
+        }
+        const std::size_t argument = next++;
+        const bool is_given = argument < arguments.size() && (given >> argument & 1u) != 0;
         if (!is_given) {
             if (parameter.has_default) continue;
             sink.report(diag::DefineMissing, parameter.range)
@@ -305,7 +323,7 @@ bool Expander::State::start_cycle(std::string_view name, std::span<const double>
                 .arg(parameter.name);
             return false;
         }
-        if (!set_number(parameter, arguments[i], stack[code.globals + parameter.slot])) {
+        if (!set_number(parameter, arguments[argument], stack[code.globals + parameter.slot])) {
             sink.report(diag::DefineType).arg(parameter.name).arg(parameter.type_name);
             return false;
         }

@@ -37,7 +37,8 @@ Value Checker::call(ExprId id, Reg hint) {
     }
     if (const std::optional<Value> value = builtin(name, expr, hint)) return *value;
     if (const std::optional<nc::Function> function = nc::find_function(name);
-        function && *function != nc::Function::None && *function != nc::Function::Cycle) {
+        function && *function != nc::Function::None && *function != nc::Function::Cycle &&
+        !nc::is_read_only(*function)) {
         return call_vocabulary(nc::info(*function), expr);
     }
     if (found.symbol >= 0 || found.name != nullptr) {

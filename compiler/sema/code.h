@@ -353,7 +353,17 @@ struct EnumNames {
 struct ParameterInfo {
     std::string name;
     std::string type_name;
-    enum class Kind : std::uint8_t { Bool, Integer, Number, Feed, Speed, Text, Enum, Other };
+    enum class Kind : std::uint8_t {
+        Bool,
+        Integer,
+        Number,
+        Feed,
+        Speed,
+        Text,
+        Enum,
+        Contour,
+        Other
+    };
     Kind kind = Kind::Other;
     Quantity quantity;
     bool is_optional = false;
@@ -361,6 +371,7 @@ struct ParameterInfo {
     std::uint16_t slot = 0;  // its first register
     std::uint16_t slots = 1;
     std::uint32_t enumeration = 0;  // index into Code::enums
+    std::uint32_t layout = 0;       // of the elements of a Contour
     SourceRange range;
 };
 

@@ -672,7 +672,9 @@ ParameterInfo Checker::describe_parameter(const ParameterDecl& parameter) {
         case Kind::Void:
         case Kind::Error: info.kind = K::Other; break;
     }
+    if (type.is_contour) info.kind = K::Contour;
     if (parameter.is_reference) info.kind = K::Other;
+    if (info.kind == K::Contour) info.layout = layout_constant(type.element);
     info.quantity = type.quantity;
     info.is_optional = type.is_optional;
     info.has_default = !parameter.is_required;

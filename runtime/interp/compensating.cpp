@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Geometry>
-
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
 #include "interp/executor.h"
@@ -41,7 +39,7 @@ void Executor::choose_comp(const Block& block, const Invocation& invocation, Act
 void Executor::act_on_comp(const Block& block, const Actions& actions) {
     if (actions.radius_comp == Function::RadiusCompOff) {
         comp_.side = Function::RadiusCompOff;
-        compensation_.leave();
+        send_comp({CompChange::Kind::Leave, {}, modal_.plane, 0, position_.base});
         return;
     }
     if (actions.radius_comp != Function::None && actions.radius_comp != comp_.side) {
@@ -49,8 +47,30 @@ void Executor::act_on_comp(const Block& block, const Actions& actions) {
         return;
     }
     if (comp_.side == Function::RadiusCompOff) return;
-    compensation_.set_settings(comp_settings());
-    compensation_.set_distance(comp_distance(block));
+    send_comp({CompChange::Kind::Set, comp_settings(), modal_.plane, comp_distance(block),
+               position_.base});
+}
+
+/// At its place among the commands: behind a corner that is not known yet.
+void Executor::send_comp(const CompChange& change) {
+    if (corners_.is_active()) return corners_.change(change);
+    change_comp(change);
+}
+
+void Executor::change_comp(const CompChange& change) {
+    switch (change.kind) {
+        case CompChange::Kind::Leave: compensation_.leave(); break;
+        case CompChange::Kind::Set:
+            compensation_.set_settings(change.settings);
+            compensation_.set_distance(change.distance);
+            break;
+        case CompChange::Kind::Begin:
+            // From one side to the other: the contour so far ends on its normal.
+            if (compensation_.is_on()) flush_comp();
+            if (ended_) return;
+            compensation_.begin(change.settings, change.plane, change.distance, change.here);
+            break;
+    }
 }
 
 void Executor::begin_comp(const Block& block, Function side) {
@@ -58,13 +78,10 @@ void Executor::begin_comp(const Block& block, Function side) {
         report(diag::RadiusCompUnsupported, block, side);
         return;
     }
-    // From one side to the other: the contour so far ends on its normal.
-    if (compensation_.is_on()) flush_comp();
-    if (ended_) return;
     comp_.side = side;
     const double distance = comp_distance(block);
     if (ended_) return;
-    compensation_.begin(comp_settings(), modal_.plane, distance, position_.base);
+    send_comp({CompChange::Kind::Begin, comp_settings(), modal_.plane, distance, position_.base});
 }
 
 CompSettings Executor::comp_settings() const {
@@ -107,25 +124,24 @@ double Executor::comp_distance(const Block& block) {
         unknown_radii_.push_back(number);
         report(diag::CompRadiusUnknown, block, comp_.side).arg(number);
     }
-    const path::PlaneAxes axes = path::axes_of(modal_.plane);
-    const path::Frame& frame = frames_.total();
-    const bool is_mirrored = frame.direction(path::unit(axes.first))
-                                 .cross(frame.direction(path::unit(axes.second)))
-                                 .dot(path::unit(axes.normal)) < 0;
-    const bool is_left = (comp_.side == Function::RadiusCompLeft) != is_mirrored;
+    const bool is_left =
+        (comp_.side == Function::RadiusCompLeft) != frames_.is_mirrored(modal_.plane);
     return (radius + comp_.allowance) * (is_left ? 1 : -1);
 }
 
 /// What a block has put goes through the compensation; what is settled of it goes out.
-void Executor::settle_comp(const Block& block) {
+///
+/// here     where the tool is behind the block, not compensated
+/// is_last  no block waits behind it
+void Executor::settle_comp(const Block& block, const AxisValues& here, bool is_last) {
     std::optional<CompAlarm> alarm;
     if (!alarmed_ && modal_.plane != compensation_.plane()) {
         report(diag::CompPlane, block);
     } else if (!alarmed_ && cycle_blocks_) {
         report(diag::CompMotion, block);
     }
-    if (!alarmed_) alarm = compensation_.end_block(position_.base, block);
-    if (!alarmed_ && !alarm && ended_) alarm = compensation_.flush();
+    if (!alarmed_) alarm = compensation_.end_block(here, block);
+    if (!alarmed_ && !alarm && ended_ && is_last) alarm = compensation_.flush();
     for (path::Command& command : compensation_.settled()) output_.next() = std::move(command);
     compensation_.settled().clear();
     if (alarm) report_comp(*alarm);

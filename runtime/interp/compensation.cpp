@@ -153,6 +153,8 @@ Compensation::Fault Compensation::take(Command& command, const AxisValues& behin
 
 Compensation::Fault Compensation::take_motion(Command& command) {
     if (!is_straight(command.op) && command.op != Op::Arc) return &diag::CompMotion;
+    const double side = command.normal.dot(path::unit(axes_.normal));
+    if (command.op == Op::Arc && std::abs(side) < 1 - 1e-9) return &diag::CompMotion;  // it tilts
     if (command.feed_mode == path::FeedMode::InverseTime && command.op != Op::Rapid)
         return &diag::CompMotion;
     switch (state_) {

@@ -217,7 +217,6 @@ double ControlVariables::to_text_units(Quantity quantity, const Indices& indices
 
 // ---------------------------------------------------------------- active codes
 
-/// The code of the group that acts: the one said last, if what it says still acts.
 const nc::Form* ControlVariables::active_form(std::size_t group) const {
     const auto acts = [&](const nc::Form& form) {
         const nc::Group of = info(form.function).group;
@@ -267,6 +266,90 @@ std::optional<double> ControlVariables::modal_code(std::int64_t number, bool by_
         return std::nullopt;
     }
     return std::nullopt;
+}
+
+// ---------------------------------------------------------------- names
+
+namespace {
+
+ControlVariable shown(std::string name, const Value& value, std::string_view text) {
+    ControlVariable variable;
+    variable.name = std::move(name);
+    variable.number = value.number;
+    variable.text = text;
+    switch (value.kind) {
+        case Value::Kind::Bool: variable.kind = ControlVariable::Kind::Bool; break;
+        case Value::Kind::Int:
+        case Value::Kind::Char: variable.kind = ControlVariable::Kind::Int; break;
+        case Value::Kind::Text: variable.kind = ControlVariable::Kind::Text; break;
+        case Value::Kind::Vacant: variable.kind = ControlVariable::Kind::Vacant; break;
+        default: variable.kind = ControlVariable::Kind::Real;
+    }
+    return variable;
+}
+
+std::string element_name(const nc::Symbol& symbol, std::uint32_t place, char open, char close) {
+    if (symbol.dimensions == 0) return symbol.name;
+    std::array<std::uint32_t, 3> indices{};
+    for (std::size_t i = symbol.dimensions; i-- > 0;) {
+        indices[i] = place % symbol.sizes[i];
+        place /= symbol.sizes[i];
+    }
+    std::string name = symbol.name + open;
+    for (std::size_t i = 0; i < symbol.dimensions; ++i) {
+        if (i > 0) name += ',';
+        name += std::to_string(indices[i]);
+    }
+    return name + close;
+}
+
+}  // namespace
+
+/// As the program writes it: `R1`, `#100`.
+std::string ControlVariables::name_of(const nc::VariableForm& form, std::int64_t number) const {
+    std::string name = form.name;
+    const std::string digits = std::to_string(number);
+    if (form.is_family) name += digits;
+    if (!form.indices.empty()) name += language_.index_open + digits + language_.index_close;
+    return name;
+}
+
+std::string ControlVariables::name_in(const Store& store, std::size_t slot) const {
+    const auto wanted =
+        &store == &globals_ ? VariableRange::Kind::Global : VariableRange::Kind::Local;
+    for (const nc::VariableForm& form : language_.variables) {
+        for (const VariableRange& range : form.ranges) {
+            const std::int64_t number = range.first + static_cast<std::int64_t>(slot) - range.slot;
+            if (range.kind == wanted && number >= range.first && number <= range.last)
+                return name_of(form, number);
+        }
+    }
+    return {};
+}
+
+ControlVariable ControlVariables::shown_in(const Store& store, std::size_t slot,
+                                           const nc::Symbol* symbol) const {
+    const Value& value = store.values[slot];
+    std::string name = symbol == nullptr
+                           ? name_in(store, slot)
+                           : element_name(*symbol, static_cast<std::uint32_t>(slot) - symbol->slot,
+                                          language_.index_open, language_.index_close);
+    const std::string_view text =
+        value.is_text() ? std::string_view(store.texts[value.text]) : std::string_view();
+    return shown(std::move(name), value, text);
+}
+
+template <typename Set>
+void ControlVariables::change(Store& store, std::size_t slot, const nc::Symbol* symbol, Set set) {
+    if (changes_ == nullptr) return set();
+    VariableChange& change = changes_->emplace_back();
+    change.before = shown_in(store, slot, symbol);
+    set();
+    change.after = shown_in(store, slot, symbol);
+    // Where nothing is vacant, a variable of the language is 0 until it is set.
+    const bool was_zero = symbol == nullptr && !language_.rules.has_vacant &&
+                          change.before.kind == ControlVariable::Kind::Vacant;
+    if (was_zero) change.before.kind = change.after.kind;
 }
 
 // ---------------------------------------------------------------- write
@@ -335,7 +418,7 @@ ControlVariables::Fault ControlVariables::store(const Instruction& target,
             if (Fault fault = convert(target.type, converted, text); fault.row != nullptr)
                 return fault;
             Store& store = target.kind == Instruction::Kind::Global ? globals_ : level_->locals;
-            store.values[target.index] = converted;
+            change(store, target.index, nullptr, [&] { store.values[target.index] = converted; });
             return {};
         }
         case Instruction::Kind::Family: return store_family(target.index, indices[0], value);
@@ -365,7 +448,7 @@ ControlVariables::Fault ControlVariables::store(const Instruction& target,
                 whole.resize(at, ' ');
                 whole += static_cast<char>(converted.number);
             }
-            texts.set_text(*slot, whole);
+            change(texts, *slot, &symbol, [&] { texts.set_text(*slot, whole); });
             return {};
         }
         case Instruction::Kind::Number:
@@ -383,7 +466,7 @@ ControlVariables::Fault ControlVariables::store_element(const nc::Symbol& symbol
     if (Fault fault = convert(symbol.type, converted, text); fault.row != nullptr) return fault;
     Store& store = *level_->stores[level_->symbols.index_of(symbol)];
     if (symbol.type != nc::ValueType::Text) {
-        store.values[slot] = converted;
+        change(store, slot, &symbol, [&] { store.values[slot] = converted; });
         return {};
     }
     std::string written(text);
@@ -393,7 +476,7 @@ ControlVariables::Fault ControlVariables::store_element(const nc::Symbol& symbol
         return {&diag::TextTooLong,
                 {std::to_string(written.size()), std::to_string(symbol.text_size)}};
     }
-    store.set_text(slot, written);
+    change(store, slot, &symbol, [&] { store.set_text(slot, written); });
     return {};
 }
 
@@ -412,7 +495,8 @@ ControlVariables::Fault ControlVariables::store_family(std::uint32_t form, std::
             if (Fault fault = convert(range->type, converted, {}); fault.row != nullptr)
                 return fault;
             const bool is_global = range->kind == VariableRange::Kind::Global;
-            (is_global ? globals_ : level_->locals).values[slot] = converted;
+            Store& store = is_global ? globals_ : level_->locals;
+            change(store, slot, nullptr, [&] { store.values[slot] = converted; });
             return {};
         }
         case VariableRange::Kind::Constant: return {&diag::VariableReadOnly, {name}};
@@ -465,40 +549,6 @@ bool ControlVariables::load(const Instruction& from, std::span<const std::int64_
 
 // ---------------------------------------------------------------- the list
 
-namespace {
-
-ControlVariable shown(std::string name, const Value& value, std::string_view text) {
-    ControlVariable variable;
-    variable.name = std::move(name);
-    variable.number = value.number;
-    variable.text = text;
-    switch (value.kind) {
-        case Value::Kind::Bool: variable.kind = ControlVariable::Kind::Bool; break;
-        case Value::Kind::Int:
-        case Value::Kind::Char: variable.kind = ControlVariable::Kind::Int; break;
-        case Value::Kind::Text: variable.kind = ControlVariable::Kind::Text; break;
-        default: variable.kind = ControlVariable::Kind::Real;
-    }
-    return variable;
-}
-
-std::string element_name(const nc::Symbol& symbol, std::uint32_t place, char open, char close) {
-    if (symbol.dimensions == 0) return symbol.name;
-    std::array<std::uint32_t, 3> indices{};
-    for (std::size_t i = symbol.dimensions; i-- > 0;) {
-        indices[i] = place % symbol.sizes[i];
-        place /= symbol.sizes[i];
-    }
-    std::string name = symbol.name + open;
-    for (std::size_t i = 0; i < symbol.dimensions; ++i) {
-        if (i > 0) name += ',';
-        name += std::to_string(indices[i]);
-    }
-    return name + close;
-}
-
-}  // namespace
-
 void ControlVariables::list_family(const nc::VariableForm& form,
                                    std::vector<ControlVariable>& out) const {
     for (const VariableRange& range : form.ranges) {
@@ -510,12 +560,7 @@ void ControlVariables::list_family(const nc::VariableForm& form,
             const Value& value = store.values[slot];
             const bool is_untouched = range.has_initial && value.number == range.value;
             if (value.is_vacant() || is_untouched) continue;
-            std::string name = form.name;
-            const std::string digits = std::to_string(number);
-            if (form.is_family) name += digits;
-            if (!form.indices.empty())
-                name += language_.index_open + digits + language_.index_close;
-            out.push_back(shown(std::move(name), value, {}));
+            out.push_back(shown(name_of(form, number), value, {}));
         }
     }
 }
@@ -526,12 +571,8 @@ std::vector<ControlVariable> ControlVariables::list() const {
     for (const nc::Symbol& symbol : main_.symbols.all()) {
         const Store& store = *main_.stores[main_.symbols.index_of(symbol)];
         for (std::uint32_t i = 0; i < symbol.count(); ++i) {
-            const Value& value = store.values[symbol.slot + i];
-            if (value.is_vacant()) continue;
-            const std::string_view text =
-                value.is_text() ? std::string_view(store.texts[value.text]) : std::string_view();
-            out.push_back(shown(
-                element_name(symbol, i, language_.index_open, language_.index_close), value, text));
+            if (store.values[symbol.slot + i].is_vacant()) continue;
+            out.push_back(shown_in(store, symbol.slot + i, &symbol));
         }
     }
     return out;

@@ -70,6 +70,10 @@ class ControlVariables final : public Variables {
     bool load(const nc::Instruction& from, std::span<const std::int64_t> indices, Value& out);
 
     std::vector<ControlVariable> list() const;
+    /// Every variable that is set from now on is noted here; null: nobody wants to know.
+    void note_changes(std::vector<VariableChange>* changes) { changes_ = changes; }
+    /// The code of a group of the dialect that acts: the one said last, if what it says still acts.
+    const nc::Form* active_form(std::size_t group) const;
 
   private:
     struct Indices {
@@ -83,7 +87,13 @@ class ControlVariables final : public Variables {
     double to_text_units(nc::Quantity quantity, const Indices& indices, double value) const;
     double text_factor(const Indices& indices, std::int64_t axis) const;
     std::optional<double> modal_code(std::int64_t group, bool by_place) const;
-    const nc::Form* active_form(std::size_t group) const;
+    /// Sets a variable of a store by `set`, and notes it if somebody wants to know. `symbol`: that
+    /// it is a part of; null: a variable of the language.
+    template <typename Set>
+    void change(Store& store, std::size_t slot, const nc::Symbol* symbol, Set set);
+    ControlVariable shown_in(const Store& store, std::size_t slot, const nc::Symbol* symbol) const;
+    std::string name_in(const Store& store, std::size_t slot) const;
+    std::string name_of(const nc::VariableForm& form, std::int64_t number) const;
     void list_family(const nc::VariableForm& form, std::vector<ControlVariable>& out) const;
 
     const nc::Dialect& dialect_;
@@ -96,6 +106,7 @@ class ControlVariables final : public Variables {
     Level* level_ = &main_;
     std::int64_t block_number_ = 0;
     bool in_step_ = true;
+    std::vector<VariableChange>* changes_ = nullptr;
 };
 
 }  // namespace kadr::interp

@@ -58,7 +58,7 @@ bool Executor::is_modal(nc::CycleId cycle) const {
 void Executor::call_cycle(const Block& block, const Actions& actions) {
     const Invocation& invocation = *actions.cycle;
     const nc::CycleInfo& info = dialect_.cycles()[block.cycle];
-    if (cycles_ == nullptr || cycle_blocks_) {
+    if (cycles_ == nullptr || cycle_blocks_ || shape_) {
         report(diag::CycleUnavailable, block, Function::Cycle).arg(info.name);
         return;
     }
@@ -70,6 +70,9 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
         call.arguments[i] = block.argument(invocation, i);
     }
     complete_call(call);
+    take_ends(block, call);
+    complete_ends(call);
+    if (info.takes_shape()) return begin_shape(block, call);
     call.is_active = is_modal(call.cycle);
     if (taps_rigidly_) {
         constexpr double kStop = 5;  // M5
@@ -87,6 +90,7 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
             cycle_data_.initial = position_.here[index(tool_axis)];
         }
         keep_call(call);
+        if (info.roles.depth >= 0) keep_levels(block);
         keep_words(actions.cycle_words);
         warn_levels(block);
     }
@@ -137,6 +141,12 @@ CycleLevel Executor::level_now(double value) const {
     return {value, true, rules_.cycle_levels_incremental && modal_.is_incremental};
 }
 
+CycleLevel Executor::retract_now(double value) const {
+    CycleLevel level = level_now(value);
+    level.is_distance |= rules_.cycle_retract_distance;
+    return level;
+}
+
 /// Keeps what a call says by its words; what its code says by itself is not for other cycles.
 void Executor::keep_call(const ModalCycle& call) {
     const nc::CycleInfo::Roles& roles = dialect_.cycles()[call.cycle].roles;
@@ -148,7 +158,7 @@ void Executor::keep_call(const ModalCycle& call) {
         return call.arguments[static_cast<std::size_t>(parameter)];
     };
     if (says(roles.depth)) cycle_data_.depth = level_now(value(roles.depth));
-    if (says(roles.retract)) cycle_data_.retract = level_now(value(roles.retract));
+    if (says(roles.retract)) cycle_data_.retract = retract_now(value(roles.retract));
     // A stroke and a shift have no direction: their sign does not count.
     if (says(roles.stroke)) cycle_data_.stroke = std::abs(value(roles.stroke));
     if (says(roles.shift)) cycle_data_.stroke = std::abs(value(roles.shift));
@@ -162,8 +172,11 @@ void Executor::keep_words(const CycleWords& words) {
 
 void Executor::keep_levels(const Block& block) {
     const Slot depth = nc::slot_of(path::axes_of(cycle_plane()).normal);
-    if (block.has(depth)) cycle_data_.depth = level_now(block.at(depth));
-    if (block.has(Slot::Radius)) cycle_data_.retract = level_now(block.at(Slot::Radius));
+    if (block.has(depth)) {
+        cycle_data_.depth = level_now(block.at(depth));
+        cycle_data_.depth.is_distance |= (block.incremental & bit(depth)) != 0;
+    }
+    if (block.has(Slot::Radius)) cycle_data_.retract = retract_now(block.at(Slot::Radius));
 }
 
 void Executor::warn_levels(const Block& block) {
@@ -187,10 +200,8 @@ void Executor::complete_words(ModalCycle& call) {
         return of.is_distance ? from + of.value : of.value;
     };
     // A level that nobody said is 0, or no distance.
-    const bool is_distance = level_now(0).is_distance;
-    for (CycleLevel* of : {&cycle_data_.retract, &cycle_data_.depth}) {
-        if (!of->is_given) of->is_distance = is_distance;
-    }
+    if (!cycle_data_.retract.is_given) cycle_data_.retract.is_distance = retract_now(0).is_distance;
+    if (!cycle_data_.depth.is_given) cycle_data_.depth.is_distance = level_now(0).is_distance;
     const double retract = level(cycle_data_.retract, cycle_data_.initial);
     const double depth = level(cycle_data_.depth, retract);
     set(roles.retract, retract);
@@ -230,6 +241,12 @@ void Executor::go_straight(ModalCycle& call) {
 
 /// Keeps parameters for the calls that follow; each line says all of its own anew.
 void Executor::preset_cycle(const Block& block, const Invocation& invocation) {
+    // Words of a target are those of a call, which lacks something; they must move nothing.
+    if ((block.given & nc::kTargetSlots) != 0) {
+        report(diag::CycleWordsMissing, block, Function::CyclePreset)
+            .arg(dialect_.cycles()[block.cycle].name);
+        return;
+    }
     const auto old = std::ranges::find(presets_, block.cycle, &ModalCycle::cycle);
     ModalCycle& preset = old != presets_.end() ? *old : presets_.emplace_back();
     preset.cycle = block.cycle;
@@ -247,6 +264,43 @@ void Executor::complete_call(ModalCycle& call) const {
             if ((preset.given & ~call.given) >> i & 1u) set_argument(call, i, preset.arguments[i]);
         }
     }
+    for (const nc::CycleInfo::Setting& setting : dialect_.cycles()[call.cycle].settings) {
+        const auto parameter = static_cast<std::size_t>(setting.parameter);
+        if ((call.given >> parameter & 1u) == 0) set_argument(call, parameter, setting.value);
+    }
+}
+
+/// Cycles of a lathe have their end in X and Z. What a word of the call says of it may be a
+/// distance, and so is what the block says besides, where the end has letters of its own for them.
+void Executor::take_ends(const Block& block, ModalCycle& call) const {
+    for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
+        const Slot slot = nc::slot_of(axis);
+        const std::optional<std::size_t> end =
+            find_parameter(dialect_.cycles()[call.cycle], end_name(axis));
+        if (!end) continue;
+        const double here = position_in_cycle()[index(axis)];
+        if (is_given(call, end) && modal_.is_incremental) call.arguments[*end] += here;
+        if (!block.has(slot)) continue;
+        const bool is_distance = modal_.is_incremental ? (block.absolute & bit(slot)) == 0
+                                                       : (block.incremental & bit(slot)) != 0;
+        set_argument(call, end, (is_distance ? here : 0) + block.at(slot));
+    }
+}
+
+/// A modal cycle to an end in X and Z keeps what its calls before have said; what none has said of
+/// the end is where the tool stands.
+void Executor::complete_ends(ModalCycle& call) const {
+    const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
+    if (!is_modal(call.cycle) || !find_parameter(info, "x")) return;
+    const bool goes_on = modal_cycle_.is_active && modal_cycle_.cycle == call.cycle;
+    for (std::size_t i = 0; goes_on && i < info.parameters.size(); ++i) {
+        if (!is_given(call, i) && is_given(modal_cycle_, i))
+            set_argument(call, i, modal_cycle_.arguments[i]);
+    }
+    for (const Axis axis : {Axis::X, Axis::Z}) {
+        const std::optional<std::size_t> end = find_parameter(info, end_name(axis));
+        if (end && !is_given(call, end)) set_argument(call, end, position_in_cycle()[index(axis)]);
+    }
 }
 
 void Executor::repeat_cycle(const Block& block, const Actions& actions) {
@@ -255,15 +309,11 @@ void Executor::repeat_cycle(const Block& block, const Actions& actions) {
         warn_arc_word(block, centers);
     keep_levels(block);
     keep_words(actions.cycle_words);
-    // Cycles of a lathe have their end in X and Z, and a taper.
-    for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
-        const Slot slot = nc::slot_of(axis);
-        const std::optional<std::size_t> end = find_parameter(info, end_name(axis));
-        if (!end || !block.has(slot)) continue;
-        const bool is_distance = modal_.is_incremental ? (block.absolute & bit(slot)) == 0
-                                                       : (block.incremental & bit(slot)) != 0;
-        const double from = is_distance ? position_in_cycle()[index(axis)] : 0;
-        set_argument(modal_cycle_, end, from + block.at(slot));
+    ModalCycle ends = modal_cycle_;
+    ends.given = 0;  // what the calls before have said are places already
+    take_ends(block, ends);
+    for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+        if ((ends.given >> i & 1u) != 0) set_argument(modal_cycle_, i, ends.arguments[i]);
     }
     if (block.has(Slot::Radius)) {
         set_argument(modal_cycle_, find_parameter(info, "taper"), block.at(Slot::Radius));
@@ -272,7 +322,7 @@ void Executor::repeat_cycle(const Block& block, const Actions& actions) {
 }
 
 /// Moves to the place in the plane and opens the stream of the cycle's blocks.
-void Executor::start_cycle(const Block& block, ModalCycle call) {
+void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape* shape) {
     const path::PlaneAxes plane = path::axes_of(cycle_plane());
     const SlotMask place =
         block.given & nc::kTargetSlots & ~SlotMask{bit(nc::slot_of(plane.normal))};
@@ -301,6 +351,7 @@ void Executor::start_cycle(const Block& block, ModalCycle call) {
     if (spindle_.mode == path::SpindleMode::Cw) request.spindle = Function::SpindleCw;
     if (spindle_.mode == path::SpindleMode::Ccw) request.spindle = Function::SpindleCcw;
     request.source = block.source;
+    request.shape = shape;
     cycle_stream_ = cycles_->expand(request);
     if (cycle_stream_ == nullptr) {
         if (!was_refused(block)) ended_ = alarmed_ = true;  // the expander has said why
@@ -315,6 +366,8 @@ void Executor::start_cycle(const Block& block, ModalCycle call) {
     // The cycle's own motions neither repeat it nor end its mode.
     is_modal_behind_cycle_ = modal_cycle_.is_active;
     modal_cycle_.is_active = false;
+    if (corners_.is_active()) settle(block);
+    leave_corners(diag::CornerWithoutMotion);
     cycle_blocks_.emplace(*cycle_stream_, kCycleBatch);
 }
 
@@ -390,7 +443,10 @@ void Executor::finish_cycle() {
     if (times_left_ > 0) {
         --times_left_;
         const Actions after = after_cycle_;
-        const Block caller = caller_;
+        // Angles and radii that are distances go on from where the last one has come to.
+        const Block* const again =
+            said_in_polar_ ? with_polar_axes(Block(*said_in_polar_)) : &caller_;
+        const Block caller = *again;
         start_cycle(caller, modal_cycle_);
         after_cycle_ = after;
         return;

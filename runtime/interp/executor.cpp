@@ -36,6 +36,8 @@ bool set_modal(Modal& modal, Function function) {
         case Function::ArcCcw:
         case Function::TapIn:
         case Function::TapOut:
+        case Function::ArcThrough:
+        case Function::ArcTangent:
         case Function::Thread: modal.motion = function; return true;
         case Function::PlaneXy: modal.plane = Plane::Xy; return true;
         case Function::PlaneZx: modal.plane = Plane::Zx; return true;
@@ -84,7 +86,7 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
       options_(options),
       sink_(sink),
       rules_(rules_of(dialect, sink)),
-      program_(blocks, kProgramBatch),
+      program_(blocks, options.in_step ? 1 : kProgramBatch),
       clock_(machine) {
     lower_.fill(-std::numeric_limits<double>::infinity());
     upper_.fill(std::numeric_limits<double>::infinity());
@@ -116,6 +118,8 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
     frame_changed();
     clock_.start(position_.base);
     position_.programmed = position_.here;
+    for (std::size_t i = 0; i < 3; ++i)
+        came_from_[static_cast<Eigen::Index>(i)] = position_.base[i];
 }
 
 std::size_t Executor::pull(std::span<Command> out) {
@@ -142,16 +146,25 @@ void Executor::execute_next() {
         ended_ = alarmed_ = true;  // the control stops at the line that could not be read
         return;
     }
+    if (shape_ && !check_shape_block(*block)) return;
     execute(*block);
-    if (compensation_.is_on()) settle_comp(*block);
+    const bool has_stages = corners_.is_active() || compensation_.is_on();  // nearly never
+    const bool is_open = open_line_ || (corners_.is_active() && !acts(*block));
+    if (has_stages && !is_open) settle(*block);
+    if (shape_ && !ended_) end_shape_block(*block);
 }
 
 void Executor::end_of_blocks() {
     if (spline_) finish_spline();
     if (ended_) return;
+    if (open_line_) report(diag::AngleSecondMissing, *open_line_);
+    if (ended_) return;
+    leave_corners(diag::CornerWithoutMotion);
+    if (ended_) return;
     if (compensation_.is_on()) flush_comp();
     if (ended_) return;
     ended_ = true;
+    if (places_ != nullptr && places_->stopped()) return;
     // The reader has said already why it stopped.
     if (places_ != nullptr && places_->failed()) {
         alarmed_ = true;
@@ -164,13 +177,23 @@ void Executor::end_of_blocks() {
     report(is_alarm ? diag::EndOfRecord : diag::EndMissing, std::move(place));
 }
 
+/// Whether it is a block of the control that the operator lets run.
+bool Executor::acts(const Block& block) const {
+    if (block.kind != Block::Kind::Nc) return false;
+    return block.skip < 0 || ((1u << block.skip | block.skip_also) & options_.skip_levels) == 0;
+}
+
 void Executor::execute(const Block& block) {
-    if (block.kind != Block::Kind::Nc) {
+    if (!acts(block)) {
         if (block.kind == Block::Kind::Raw) report(diag::RawInCycle, block);
         return;
     }
-    if (block.skip >= 0 && ((1u << block.skip | block.skip_also) & options_.skip_levels) != 0)
-        return;
+    if (open_line_) return close_line(block);
+    if (block.function_count != 0 && opens_line(block)) return;
+    run(block);
+}
+
+void Executor::run(const Block& block) {
     if (spline_ && !continues_spline(block)) {
         finish_spline();
         if (ended_) return;
@@ -181,25 +204,36 @@ void Executor::execute(const Block& block) {
         report(diag::TooManyBlocks, block).arg(static_cast<std::size_t>(options_.max_blocks));
         return;
     }
-    if (block.function_count == 0) {  // nothing but words: nearly every block
-        static constexpr Actions kNone{};
-        if (block.has(Slot::Feed)) set_feed(block);
-        if (block.has(Slot::Speed)) {
-            program_speed(block);
-            update_spindle(block);
-        }
-        move(block, kNone);
-        if (call_behind_motions_) call_behind_motion(block);
-        return;
+    if (block.function_count != 0) return run_functions(block);
+    // Nothing but words: nearly every block.
+    static constexpr Actions kNone{};
+    if (block.has(Slot::Feed)) set_feed(block);
+    if (block.has(Slot::Speed)) {
+        program_speed(block);
+        update_spindle(block);
     }
+    if (rounding_ > 0) wish_corner(block, kNone);
+    const bool has_others = polar_.is_on || (block.given & nc::kPolarSlots) != 0;
+    const Block* places = has_others ? with_places(block) : &block;
+    if (places == nullptr) return;
+    move(*places, kNone);
+    if (call_behind_motions_) call_behind_motion(*places);
+}
+
+void Executor::run_functions(const Block& block) {
     const Actions actions = apply_functions(block);
     if (ended_) return;
     if (block.has(Slot::Feed)) set_feed(block);
+    if (actions.corner != nullptr || rounding_ > 0) wish_corner(block, actions);
+    if (ended_) return;
     act_before_motion(block, actions);
     if (ended_) return;
     const bool was_in_cycle = cycle_blocks_.has_value();
-    move(block, actions);
-    if (call_behind_motions_) call_behind_motion(block);
+    const Block* places = with_places(block);
+    if (places != nullptr && actions.angle != nullptr) places = with_angle(*places, *actions.angle);
+    if (places == nullptr) return;
+    move(*places, actions);
+    if (call_behind_motions_) call_behind_motion(*places);
     if (ended_) return;
     if (cycle_blocks_ && !was_in_cycle) {
         after_cycle_ = actions;  // what the calling block does after its motion waits for the cycle
@@ -265,6 +299,10 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::Incremental:
         case Function::ExactStop:
         case Function::ContinuousPath:
+        case Function::ArcThrough:
+        case Function::ArcTangent:
+            if (nc::info(invocation.function).group == Group::Plane)
+                change_plane(invocation.function);
             set_modal(modal_, invocation.function);
             // A tool length acts along the normal of the plane.
             tool_.has_changed |= wanted_length_axis() != tool_.axis;
@@ -287,7 +325,10 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::CompCornerIntersection:
         case Function::CompCheckOn:
         case Function::CompCheckOff:
-        case Function::CompAllowance: choose_comp(block, invocation, actions); break;
+        case Function::CompAllowance:
+            // Roughing works along the programmed shape; where it is followed, it is compensated.
+            if (!keeps_shape()) choose_comp(block, invocation, actions);
+            break;
         case Function::LengthCompOn:
             if ((invocation.given & 1u) != 0) tool_.offset = count_of(block, invocation);
             set_length_source(Tool::Source::Offset, actions);
@@ -339,8 +380,21 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::OffsetToMiddle: break;
         case Function::ThreadStart: actions.thread_start_deg = block.argument(invocation, 0); break;
         case Function::TapRigid: taps_rigidly_ = true; break;
-        case Function::DiameterOn: word_scale_[index(Axis::X)] = 0.5; break;
-        case Function::DiameterOff: word_scale_[index(Axis::X)] = 1; break;
+        case Function::DiameterOn:
+        case Function::DiameterOff:
+        case Function::DiameterAbsolute:
+            word_scale_[index(Axis::X)] = invocation.function == Function::DiameterOff ? 1 : 0.5;
+            diameter_is_absolute_ = invocation.function == Function::DiameterAbsolute;
+            break;
+        case Function::Pole: set_pole(block, invocation); break;
+        case Function::PolarOn: switch_polar(true); break;
+        case Function::PolarOff: switch_polar(false); break;
+        case Function::CornerChamfer:
+        case Function::CornerRound:
+        case Function::CornerRoundModal:
+        case Function::CornerFeed:
+        case Function::CornerFeedModal: choose_corner(block, invocation, actions); break;
+        case Function::ContourAngle: actions.angle = &invocation; break;
         case Function::MachineFunction:
             pass_machine_function(block, count_of(block, invocation));
             break;
@@ -389,6 +443,15 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::CyclePreset: preset_cycle(block, invocation); break;
         case Function::Cycle: actions.cycle = &invocation; break;
     }
+}
+
+/// A pole belongs to its plane.
+void Executor::change_plane(Function plane) {
+    const Plane before = modal_.plane;
+    set_modal(modal_, plane);
+    if (modal_.plane == before) return;
+    polar_.pole = path::Vec2::Zero();
+    polar_.angle_deg = 0;
 }
 
 void Executor::act_before_motion(const Block& block, const Actions& actions) {
@@ -635,9 +698,15 @@ void Executor::frame_changed() { position_.here = frames_.from_base(position_.ba
 
 // ------------------------------------------------------------------------------ out
 
+/// Where a command goes that no corner waits for.
+Command& Executor::behind_corners() {
+    if (keeps_shape()) return shape_->commands.emplace_back();
+    return compensation_.is_on() ? compensation_.next() : output_.next();
+}
+
 Command& Executor::put(Op op, const Block& block) {
     const Block& from = origin(block);
-    Command& command = compensation_.is_on() ? compensation_.next() : output_.next();
+    Command& command = corners_.is_active() ? corners_.next() : behind_corners();
     command.op = op;
     command.feed_mode = modal_.feed_mode;
     command.plane = modal_.plane;

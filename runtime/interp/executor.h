@@ -1,8 +1,10 @@
 // executor.h — executes blocks one by one and puts commands out. Internal to interp.
 //
 // What a block does is told in chapters: executor.cpp (the order of things in a block, its single
-// functions), motion.cpp (targets, lines, arcs, tool length, limits), cycles.cpp (machining
-// cycles).
+// functions), motion.cpp (targets, lines, arcs, tool length, limits), circles.cpp, polar.cpp and
+// angles.cpp (what controls work out of other words), cornering.cpp and compensating.cpp (what the
+// commands pass through), cycles.cpp (machining cycles), shapes.cpp (cycles along a shape that
+// stands in the program).
 #pragma once
 
 #include <array>
@@ -12,11 +14,14 @@
 #include <vector>
 
 #include "interp/compensation.h"
+#include "interp/corners.h"
 #include "interp/frames.h"
 #include "interp/interpreter.h"
 #include "interp/output.h"
 #include "interp/rules.h"
 #include "interp/run_clock.h"
+#include "interp/shape_run.h"
+#include "interp/snapshot.h"
 #include "interp/spline_run.h"
 #include "interp/state.h"
 #include "interp/tool_offsets.h"
@@ -40,7 +45,10 @@ struct Actions {
     nc::Function stop = nc::Function::None;
     nc::Function end = nc::Function::None;
     nc::Function radius_comp = nc::Function::None;
-    bool comp_changed = false;  // its radius, allowance or rules
+    bool comp_changed = false;               // its radius, allowance or rules
+    const nc::Invocation* corner = nullptr;  // chamfer or rounding at the end of the block
+    double corner_feed = 0;                  // 0: not said
+    const nc::Invocation* angle = nullptr;
     const nc::Invocation* orient = nullptr;
     const nc::Invocation* dwell = nullptr;
     const nc::Invocation* message = nullptr;
@@ -81,6 +89,10 @@ class BlockQueue {
     std::size_t count_ = 0;
 };
 
+constexpr CornerSettings corner_settings(const Rules& rules) {
+    return {rules.corner_strict, rules.corner_feed_of_next, rules.corner_empty_blocks};
+}
+
 class Executor {
   public:
     Executor(const nc::Dialect& dialect, const machine::Machine& machine, Stream<nc::Block>& blocks,
@@ -92,6 +104,7 @@ class Executor {
     std::uint64_t blocks() const { return block_count_; }
     std::vector<StateItem> state() const;  // describe.cpp
     const AxisValues& position() const { return position_.here; }
+    Snapshot snapshot() const;  // snapshot.cpp
 
     // answers.cpp: what a program asks while it runs
     std::optional<double> quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second);
@@ -120,7 +133,10 @@ class Executor {
                                         double value);
     // executor.cpp: the order of things
     void execute_next();
+    bool acts(const nc::Block& block) const;
     void execute(const nc::Block& block);
+    void run(const nc::Block& block);
+    void run_functions(const nc::Block& block);
     void end_of_blocks();
     Actions apply_functions(const nc::Block& block);
     void apply_function(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
@@ -142,6 +158,7 @@ class Executor {
     std::int64_t tool_number(const nc::Block& block, const nc::Invocation& invocation);
     void change_tool(const nc::Block& block);
     void select_work_offset(const nc::Block& block, std::int64_t number);
+    void change_plane(nc::Function plane);
     bool is_too_late(nc::Function function) const;
     void apply_frame(const nc::Block& block, const nc::Invocation& invocation);
     FrameWords center_of(const nc::Block& block, const nc::Invocation& invocation) const;
@@ -151,6 +168,9 @@ class Executor {
     // motion.cpp
     void move(const nc::Block& block, const Actions& actions);
     Target target_of(const nc::Block& block, nc::SlotMask targets) const;
+    double x_scale(const nc::Block& block, bool is_distance) const;
+    bool check_rotary_ways(const nc::Block& block);
+    void turn_rotary(const nc::Block& block, Target& target) const;
     void arrive(const Target& target);
     void line(const nc::Block& block, const Target& target, path::Op op, bool exact_stop);
     void move_in_machine_coordinates(const nc::Block& block);
@@ -164,19 +184,68 @@ class Executor {
     void activate_length(const nc::Block& block, AxisMask moved);
     void move_length_alone(const nc::Block& block);
     void arc(const nc::Block& block, const Target& target, bool exact_stop);
+    void put_arc(const nc::Block& block, const path::Arc& programmed, const Target& target,
+                 bool exact_stop);
     std::optional<path::Arc> resolve_arc(const nc::Block& block, const Target& target);
+    std::optional<int> turns_of(const nc::Block& block);
+    std::optional<path::Vec3> center_of_arc(const nc::Block& block, const path::Vec3& start);
     void report_radius_arc(const nc::Block& block, path::ArcFault fault, const path::ArcEnds& ends);
     void report_center_arc(const nc::Block& block, path::ArcFault fault, const path::ArcEnds& ends,
                            const path::Vec3& center);
+    // circles.cpp
+    std::optional<path::Arc> arc_by_opening(const nc::Block& block, Target& target);
+    std::nullopt_t report_arc_words(const nc::Block& block, nc::SlotMask words);
+    void arc_over_point(const nc::Block& block, const Target& target, bool exact_stop);
+    void arc_along(const nc::Block& block, const Target& target, bool exact_stop);
+
+    // polar.cpp
+    void set_pole(const nc::Block& block, const nc::Invocation& invocation);
+    path::Vec2 place_in_plane() const;
+    void switch_polar(bool is_on);
+    const nc::Block* with_places(const nc::Block& block);
+    const nc::Block* with_polar_slots(const nc::Block& block);
+    const nc::Block* with_polar_axes(const nc::Block& block);
+    bool is_distance(const nc::Block& block, nc::Slot slot) const;
+    void set_polar_place(const nc::Block& block);
+    void set_place(nc::Block& block, Axis axis, double value) const;
+
+    // angles.cpp
+    path::Plane plane_in(const nc::Block& block) const;
+    bool opens_line(const nc::Block& block);
+    void close_line(const nc::Block& block);
+    bool is_open_distance(const nc::Block& first, const nc::Block& second, nc::Slot slot) const;
+    const nc::Block* with_angle(const nc::Block& block, const nc::Invocation& angle);
+
+    // cornering.cpp
+    void choose_corner(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
+    void wish_corner(const nc::Block& block, const Actions& actions);
+    void put_wish(const nc::Block& block, CornerWish wish);
+    bool wish_square_corner(const nc::Block& block, const Target& target);
+    void settle(const nc::Block& block);
+    void leave_corners(const DiagnosticRow& why);
+    void pass_corners();
+    void report_corner(const CornerMessage& message);
+
     // compensating.cpp
     void choose_comp(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
     void begin_comp(const nc::Block& block, nc::Function side);
     void act_on_comp(const nc::Block& block, const Actions& actions);
-    void settle_comp(const nc::Block& block);
+    void send_comp(const CompChange& change);
+    void change_comp(const CompChange& change);
+    void settle_comp(const nc::Block& block, const AxisValues& here, bool is_last = true);
     void flush_comp();
     CompSettings comp_settings() const;
     double comp_distance(const nc::Block& block);
     void report_comp(const CompAlarm& alarm);
+
+    // shapes.cpp: the blocks of the program along which a cycle works
+    void begin_shape(const nc::Block& block, const ModalCycle& call);
+    bool check_shape_block(const nc::Block& block);
+    void end_shape_block(const nc::Block& block);
+    void finish_shape();
+    void return_from_shape();
+    CycleShape shape_of(const ShapeRun& run) const;
+    bool keeps_shape() const { return shape_ && !shape_->is_followed; }
 
     // splines.cpp
     bool continues_spline(const nc::Block& block) const;
@@ -216,19 +285,23 @@ class Executor {
     void keep_levels(const nc::Block& block);
     void warn_levels(const nc::Block& block);
     CycleLevel level_now(double value) const;
+    CycleLevel retract_now(double value) const;
     void complete_words(ModalCycle& call);
     void go_straight(ModalCycle& call);
     bool time_turns(const nc::Block& block, ModalCycle& call);
-    void start_cycle(const nc::Block& block, ModalCycle call);
+    void start_cycle(const nc::Block& block, ModalCycle call, const CycleShape* shape = nullptr);
     bool complete_tap(const nc::Block& block, ModalCycle& call);
     bool complete_thread(const nc::Block& block, ModalCycle& call);
     void finish_cycle();
     bool was_refused(const nc::Block& block);
     void return_to_level();
+    void take_ends(const nc::Block& block, ModalCycle& call) const;
+    void complete_ends(ModalCycle& call) const;
     path::Plane cycle_plane() const;
     AxisValues position_in_cycle() const;
     const nc::Block& in_plane_of_cycle(const nc::Block& block);
 
+    path::Command& behind_corners();
     path::Command& put(path::Op op, const nc::Block& block);
     void frame_changed();
     /// A message at the block, or at the word that set the slot or said the function. Inside a
@@ -274,6 +347,12 @@ class Executor {
     std::vector<KeptFrames> kept_frames_;  // of programs that go back to them
     Spindle spindle_;
     Tool tool_;
+    Polar polar_;
+    path::Vec3 came_from_ = path::Vec3::Zero();  // in the base system: a place on the way to here
+    bool diameter_is_absolute_ = false;          // X is a diameter as a coordinate only
+    double rounding_ = 0;                        // of every corner, mm; 0: none
+    double corner_feed_ = 0;                     // of every corner; 0: that of a neighbour
+    Corners corners_{corner_settings(rules_)};
     RadiusCompState comp_;
     Compensation compensation_;
     path::CoolantMode coolant_ = path::CoolantMode::Off;
@@ -310,6 +389,7 @@ class Executor {
     std::optional<double> final_level_;  // below its retract level, where the tool goes behind it
     std::vector<ModalCycle> presets_;    // parameters that the next calls need not give
     bool returns_to_retract_ = false;
+    std::optional<ShapeRun> shape_;  // whose blocks are coming
     std::unique_ptr<Stream<nc::Block>> cycle_stream_;
     std::optional<BlockQueue> cycle_blocks_;
     std::string_view cycle_name_;
@@ -318,6 +398,10 @@ class Executor {
     bool is_modal_behind_cycle_ = false;
     Actions after_cycle_;
     nc::Block remapped_{};  // a block of the cycle, in another plane than X-Y
+
+    nc::Block cartesian_{};                   // a block whose other words have become places
+    std::optional<nc::Block> said_in_polar_;  // … that it was made of
+    std::optional<nc::Block> open_line_;      // waits for the one that tells its end
 };
 
 }  // namespace kadr::interp

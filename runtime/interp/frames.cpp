@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include "base/assert.h"
 
 namespace kadr::interp {
@@ -174,6 +176,14 @@ bool Frames::is_stretched(path::Plane plane) const {
     const double size = first.squaredNorm();
     return std::abs(size - second.squaredNorm()) > kSameShape * size ||
            std::abs(first.dot(second)) > kSameShape * size;
+}
+
+bool Frames::is_mirrored(path::Plane plane) const {
+    if (is_shift_) return false;
+    const path::PlaneAxes axes = path::axes_of(plane);
+    return total_.direction(path::unit(axes.first))
+               .cross(total_.direction(path::unit(axes.second)))
+               .dot(path::unit(axes.normal)) < 0;
 }
 
 AxisValues Frames::to_base(const AxisValues& programmed) const {

@@ -48,6 +48,8 @@ class Frames {
     AxisMask mirrored() const;
     /// Whether circles of the plane become ellipses.
     bool is_stretched(path::Plane plane) const;
+    /// Whether what is seen from the normal of the plane is seen in a mirror.
+    bool is_mirrored(path::Plane plane) const;
     /// Nothing but a shift: each axis can be worked out by itself.
     bool is_shift() const { return is_shift_; }
     const AxisValues& shift_values() const { return shift_values_; }

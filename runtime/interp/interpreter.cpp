@@ -20,6 +20,7 @@ std::size_t Interpreter::pull(std::span<path::Command> out) { return state_->exe
 bool Interpreter::alarmed() const { return state_->executor.alarmed(); }
 std::vector<StateItem> Interpreter::state() const { return state_->executor.state(); }
 const AxisValues& Interpreter::position() const { return state_->executor.position(); }
+Snapshot Interpreter::snapshot() const { return state_->executor.snapshot(); }
 std::uint64_t Interpreter::blocks() const { return state_->executor.blocks(); }
 
 std::optional<double> Interpreter::quantity(nc::Quantity quantity, std::int64_t first,

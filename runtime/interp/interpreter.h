@@ -15,12 +15,21 @@
 
 #include "base/stream.h"
 #include "interp/control_state.h"
+#include "interp/snapshot.h"
 #include "machine/machine.h"
 #include "nc/dialect.h"
 #include "nc/reader.h"
 #include "path/command.h"
+#include "path/contour.h"
 
 namespace kadr::interp {
+
+/// The blocks of a shape that a cycle works along, as geometry of the part.
+struct CycleShape {
+    path::Contour elements;  // the first one's start is where the shape's first block ends
+    path::Plane plane = path::Plane::Zx;
+    bool is_diameter = false;  // X of points and words is a diameter
+};
 
 /// What a machining cycle is told about its surroundings.
 struct CycleCall {
@@ -36,6 +45,7 @@ struct CycleCall {
     double speed = 0;                           // of the spindle, rpm
     nc::Function spindle = nc::Function::None;  // how it turns; None: it does not
     SourceId source;
+    const CycleShape* shape = nullptr;  // of a cycle that takes one
 };
 
 /// Expands a machining cycle into blocks. The one thing that the runtime needs from the compiler;
@@ -59,6 +69,7 @@ struct InterpreterOptions {
     bool asks_for_tool = true;  // warns of a cut before any tool is called
     std::int64_t date = kFirstDate;  // day on which the run begins, YYYYMMDD
     int time_of_day = 0;             // … and when, in seconds since midnight
+    bool in_step = false;       // no block is read before the one in front of it is executed
 };
 
 /// One entry of the modal state, in words: `feed`, `200 mm/min`.
@@ -84,6 +95,8 @@ class Interpreter final : public Stream<path::Command>, public ControlState {
     std::vector<StateItem> state() const;
     /// Where the tool stands in the programmed system; mm, deg.
     const AxisValues& position() const;
+    /// The same and what the modal state holds, as numbers.
+    Snapshot snapshot() const;
 
     // What a program asks while it runs.
     std::optional<double> quantity(nc::Quantity quantity, std::int64_t first,

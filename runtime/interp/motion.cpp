@@ -24,7 +24,11 @@ using path::Vec3;
 
 namespace {
 
-constexpr SlotMask kArcSlots = nc::kCenterSlots | bit(Slot::Radius) | bit(Slot::Turns);
+constexpr SlotMask kArcSlots = nc::kArcSlots | nc::kThroughSlots | bit(Slot::Opening);
+
+bool is_circle(Function motion) {
+    return is_arc(motion) || motion == Function::ArcThrough || motion == Function::ArcTangent;
+}
 
 /// Rounding of the text and of frames: an axis may stand this far behind its limit.
 constexpr double kLimitSlack = 1e-6;  // mm, deg
@@ -47,7 +51,8 @@ std::string_view slot_word(Slot slot) {
         case Slot::CenterY: return "J";
         case Slot::CenterZ: return "K";
         case Slot::Radius: return "radius";
-        default: return "turns";
+        case Slot::Turns: return "turns";
+        default: return nc::slot_name(slot);
     }
 }
 
@@ -76,12 +81,12 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (modal_.motion == Function::Spline && !actions.machine_coordinates &&
         (targets != 0 || block.find(Function::SplineKnot) != nullptr))
         return spline(block);
-    if (targets == 0 && (arc_words == 0 || !is_arc(modal_.motion))) {
+    if (targets == 0 && (arc_words == 0 || !is_circle(modal_.motion))) {
         if (arc_words != 0) warn_arc_word(block, arc_words);
         if (actions.length_changed) move_length_alone(block);
         return;
     }
-    if (!check_axes(block, targets)) return;
+    if (!check_axes(block, targets) || !check_rotary_ways(block)) return;
     if (actions.machine_coordinates) return move_in_machine_coordinates(block);
 
     const Target target = target_of(block, targets);
@@ -91,7 +96,10 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (modal_.motion == Function::Thread) return thread(block, target, actions);
     if (is_tapping(modal_.motion)) return tap(block, target);
     if (is_arc(modal_.motion)) return arc(block, target, exact_stop);
-    if (arc_words != 0) warn_arc_word(block, arc_words);
+    if (modal_.motion == Function::ArcThrough) return arc_over_point(block, target, exact_stop);
+    if (modal_.motion == Function::ArcTangent) return arc_along(block, target, exact_stop);
+    if (arc_words != 0 && !wish_square_corner(block, target)) warn_arc_word(block, arc_words);
+    if (ended_) return;
     line(block, target, modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, exact_stop);
 }
 
@@ -104,16 +112,59 @@ Target Executor::target_of(const Block& block, SlotMask targets) const {
     const AxisValues& shift = frames_.shift_values();
     for (SlotMask rest = targets; rest != 0; rest &= rest - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-        double value = block.values[i] * word_scale_[i];
-        if ((incremental >> i & 1u) != 0) value += last[i];
+        const bool is_distance = (incremental >> i & 1u) != 0;
+        double value = block.values[i] * (i == 0 ? x_scale(block, is_distance) : word_scale_[i]);
+        if (is_distance) value += last[i];
         target.here[i] = value;
         target.base[i] = value + shift[i];
     }
+    if (block.rotary_ways != 0) turn_rotary(block, target);
     if (!frames_.is_shift()) target.base = frames_.to_base(target.here);
     return target;
 }
 
+/// What a word for X is multiplied with: half a diameter is a radius.
+double Executor::x_scale(const Block& block, bool is_distance) const {
+    switch (block.x_measure) {
+        case nc::XMeasure::Diameter: return 0.5;
+        case nc::XMeasure::Radius: return 1;
+        case nc::XMeasure::Modal: break;
+    }
+    return diameter_is_absolute_ && is_distance ? 1 : word_scale_[index(Axis::X)];
+}
+
+/// Places of rotary axes whose direction is said lie within one turn.
+bool Executor::check_rotary_ways(const Block& block) {
+    if (block.rotary_ways == 0) return true;
+    for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
+        const nc::RotaryWay way = block.rotary_way(axis);
+        const double place = block.at(nc::slot_of(axis));
+        const bool is_free = way == nc::RotaryWay::AsProgrammed || way == nc::RotaryWay::Shortest;
+        if (is_free || (place >= 0 && place < 360)) continue;
+        report(diag::RotaryRange, block, nc::slot_of(axis)).arg(place);
+        return false;
+    }
+    return true;
+}
+
+/// Rotary axes go to a place of their turn on the way that the word says.
+void Executor::turn_rotary(const Block& block, Target& target) const {
+    for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
+        const nc::RotaryWay way = block.rotary_way(axis);
+        if (way == nc::RotaryWay::AsProgrammed || !block.has(nc::slot_of(axis))) continue;
+        const std::size_t i = index(axis);
+        double turn = std::fmod(block.values[i] - position_.here[i], 360);
+        if (way == nc::RotaryWay::Shortest) turn = std::remainder(turn, 360);
+        if (way == nc::RotaryWay::Positive && turn < 0) turn += 360;
+        if (way == nc::RotaryWay::Negative && turn > 0) turn -= 360;
+        target.here[i] = position_.here[i] + turn;
+        target.base[i] = target.here[i] + frames_.shift_values()[i];
+    }
+}
+
 void Executor::arrive(const Target& target) {
+    const Vec3 before = linear(position_.base);
+    if (before != linear(target.base)) came_from_ = before;
     position_.here = target.here;
     position_.base = target.base;
     for (AxisMask rest = target.moved; rest != 0; rest = static_cast<AxisMask>(rest & (rest - 1))) {
@@ -387,27 +438,37 @@ void Executor::arc(const Block& block, const Target& target, bool exact_stop) {
         report(diag::ArcStretched, block, modal_.motion);
         return;
     }
-    const bool has_radius = block.has(Slot::Radius);
-    const bool has_center = (block.given & nc::kCenterSlots) != 0;
-    if (!has_radius && !has_center && rules_.arc_without_center == ArcWithoutCenter::Line) {
+    const bool has_opening = block.has(Slot::Opening);
+    const bool has_form = (block.given & (nc::kCenterSlots | bit(Slot::Radius))) != 0;
+    if (!has_form && !has_opening && rules_.arc_without_center == ArcWithoutCenter::Line) {
         return line(block, target, Op::Line, exact_stop);
     }
     if (tool_.has_changed) activate_length(block, target.moved);
-    std::optional<path::Arc> resolved = resolve_arc(block, target);
-    if (!resolved) return;
+    if (const SlotMask through = block.given & nc::kThroughSlots; through != 0) {
+        report_arc_words(block, through);
+        return;
+    }
+    Target end = target;
+    const std::optional<path::Arc> resolved =
+        has_opening ? arc_by_opening(block, end) : resolve_arc(block, target);
+    if (resolved) put_arc(block, *resolved, end, exact_stop);
+}
 
-    // From the programmed into the base system. A frame that mirrors the plane turns the arc round,
-    // which the product of the two directions of the plane shows.
-    path::Arc& arc = *resolved;
+/// An arc of the programmed system becomes one of the base system, and a command. A frame that
+/// mirrors turns the arc round, which the product of two directions across its axis shows.
+void Executor::put_arc(const Block& block, const path::Arc& programmed, const Target& target,
+                       bool exact_stop) {
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
     const Vec3 third = path::unit(plane.normal);
     const path::Frame& frame = frames_.total();
-    const double side = arc.normal.dot(third);
-    arc = {linear(position_.base), linear(target.base), frame(arc.center),
-           side * frame.direction(path::unit(plane.first))
-                      .cross(frame.direction(path::unit(plane.second)))
-                      .normalized(),
-           arc.sweep};
+    const double side = programmed.normal.dot(third);
+    const bool is_tilted = std::abs(side) < 1 - 1e-12;
+    const Vec3 first = is_tilted ? programmed.normal.unitOrthogonal() : path::unit(plane.first);
+    const Vec3 second =
+        is_tilted ? Vec3(programmed.normal.cross(first)) : Vec3(side * path::unit(plane.second));
+    const path::Arc arc{linear(position_.base), linear(target.base), frame(programmed.center),
+                        frame.direction(first).cross(frame.direction(second)).normalized(),
+                        programmed.sweep};
     if (!check_arc_limits(block, arc, target)) return;
 
     Command& command = put(Op::Arc, block);
@@ -425,19 +486,16 @@ void Executor::arc(const Block& block, const Target& target, bool exact_stop) {
         command.feed = modal_.feed / arc.sweep;
     }
     arrive(target);
+    came_from_ = arc.end - arc.normal.cross(arc.end - arc.center);
 }
 
 /// The arc in the programmed system; nothing if it was reported, or if there is nothing to move.
 std::optional<path::Arc> Executor::resolve_arc(const Block& block, const Target& target) {
     const bool has_center = (block.given & nc::kCenterSlots) != 0;
-    const double turns = block.has(Slot::Turns) ? block.at(Slot::Turns) : 0;
-    if (turns != std::floor(turns) || turns < 0 || turns > path::kMaxTurns) {
-        report(diag::ArcTurnsInvalid, block, Slot::Turns).arg(turns);
-        return std::nullopt;
-    }
+    const std::optional<int> turns = turns_of(block);
+    if (!turns) return std::nullopt;
     const path::ArcEnds ends{linear(position_.here), linear(target.here)};
-    const path::ArcTurning turning{modal_.plane, modal_.motion == Function::ArcCw,
-                                   static_cast<int>(turns)};
+    const path::ArcTurning turning{modal_.plane, modal_.motion == Function::ArcCw, *turns};
     if (block.has(Slot::Radius)) {
         if (has_center && !rules_.arc_radius_wins) {
             report(diag::ArcCenterAndRadius, block, Slot::Radius);
@@ -449,28 +507,44 @@ std::optional<path::Arc> Executor::resolve_arc(const Block& block, const Target&
         report_radius_arc(block, arc.error(), ends);
         return std::nullopt;
     }
+    const std::optional<Vec3> center = center_of_arc(block, ends.start);
+    if (!center) return std::nullopt;
+    const path::ArcTolerance tolerance{rules_.arc_tolerance, rules_.arc_tolerance_factor,
+                                       rules_.arc_error == ArcError::ShiftCenter
+                                           ? path::RadiusError::ShiftCenter
+                                           : path::RadiusError::Spread};
+    const Result<path::Arc, path::ArcFault> arc =
+        path::arc_about_center(ends, *center, turning, tolerance);
+    if (arc) return *arc;
+    report_center_arc(block, arc.error(), ends, *center);
+    return std::nullopt;
+}
+
+/// Additional full turns; nothing if they were reported.
+std::optional<int> Executor::turns_of(const Block& block) {
+    const double turns = block.has(Slot::Turns) ? block.at(Slot::Turns) : 0;
+    if (turns == std::floor(turns) && turns >= 0 && turns <= path::kMaxTurns)
+        return static_cast<int>(turns);
+    report(diag::ArcTurnsInvalid, block, Slot::Turns).arg(turns);
+    return std::nullopt;
+}
+
+/// The centre that the words say, in the programmed system; nothing if it was reported.
+std::optional<Vec3> Executor::center_of_arc(const Block& block, const Vec3& start) {
     const Slot across = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) +
                                           index(path::axes_of(modal_.plane).normal));
     if (block.has(across)) {
         report(diag::ArcCenterOutsidePlane, block, across).arg(slot_word(across));
         return std::nullopt;
     }
-    Vec3 center = ends.start;
+    Vec3 center = start;
     for (std::size_t i = 0; i < 3; ++i) {
         const Slot slot = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + i);
         if (!block.has(slot)) continue;
         double& value = center[static_cast<Eigen::Index>(i)];
         value = (block.absolute & bit(slot)) != 0 ? block.at(slot) : value + block.at(slot);
     }
-    const path::ArcTolerance tolerance{rules_.arc_tolerance, rules_.arc_tolerance_factor,
-                                       rules_.arc_error == ArcError::ShiftCenter
-                                           ? path::RadiusError::ShiftCenter
-                                           : path::RadiusError::Spread};
-    const Result<path::Arc, path::ArcFault> arc =
-        path::arc_about_center(ends, center, turning, tolerance);
-    if (arc) return *arc;
-    report_center_arc(block, arc.error(), ends, center);
-    return std::nullopt;
+    return center;
 }
 
 void Executor::report_radius_arc(const Block& block, path::ArcFault fault,

@@ -39,7 +39,8 @@ Program::State::State(const nc::Dialect& dialect_, nc::TextSource& text, std::st
       kept(lines),
       units(dialect_, text, name, options.kept_text, options.files),
       variables(dialect_, lines),
-      evaluator(language.rules, variables.globals(), variables.level(), variables) {
+      evaluator(language.rules, variables.globals(), variables.level(), variables),
+      codes(variables, lines) {
     auto main = std::make_unique<Frame>();
     main->unit = &units.main();
     main->text.name = std::move(name);
@@ -59,7 +60,7 @@ std::size_t Program::State::pull(std::span<Block> out) {
     given = 0;
     has_visible_fault = lines.failed();
     variables.begin_batch();
-    while (given < out.size() && !has_ended) {
+    while (given < out.size() && !has_ended && may_go_on()) {
         Block& block = out[given];
         block.reset();
         const bool had_fault = lines.failed();
@@ -77,6 +78,28 @@ std::size_t Program::State::pull(std::span<Block> out) {
     return given;
 }
 
+/// Loops without a block give nobody else the occasion to look at the clock.
+bool Program::State::may_go_on() {
+    constexpr std::uint32_t kStepsBetween = 1u << 14;
+    if (++steps % kStepsBetween != 0 || !options.is_over || !options.is_over()) return true;
+    was_stopped = has_ended = true;
+    return false;
+}
+
+/// Shows the line to who looks on. False: the program ends in front of it.
+bool Program::State::shows(std::string_view text) {
+    if (is_only_checking) return true;
+    const nc::LineFront front = nc::front_of(tables, text);
+    WatchedLine line;
+    line.text = text;
+    line.line = frame->here.line;
+    line.number = front.number;
+    line.label = front.label;
+    if (watch->comes_to(line)) return true;
+    was_stopped = has_ended = true;
+    return false;
+}
+
 Program::State::Done Program::State::step(Block& out) {
     if (due) return begin_due();
     if (frame->call.to && frame->here == *frame->call.to) frame->is_returning = true;
@@ -90,6 +113,7 @@ Program::State::Done Program::State::step(Block& out) {
         has_ended = true;
         return Done::Nothing;
     }
+    if (watch != nullptr && !shows(line->text)) return Done::Nothing;
     lines.begin(frame->here.line);
     frame->goes_on = line->place.next;
     const Done done = run(*line, out);
@@ -104,7 +128,10 @@ Program::State::Done Program::State::step(Block& out) {
         frame->next_line = nullptr;
     }
     if (!frame->repeats.empty()) advance();
-    if (done == Done::Block) deliver(out, line->text, line->place.line.line, true);
+    if (done == Done::Block) {
+        deliver(out, line->text, line->place.line.line, true);
+        follow_shape(out, line->text, Place(line->place));
+    }
     if (begins) perform_call();
     return done;
 }
@@ -127,6 +154,7 @@ Program::State::Done Program::State::first_time(Block& out) {
     std::string_view text;
     bool is_too_long = false;
     if (!source().next(text, is_too_long)) return end_of_text();
+    if (watch != nullptr && !shows(text)) return Done::Nothing;
     const Place place{frame->here, {source().offset(), frame->here.line + 1}};
     frame->goes_on = place.next;
     most_line = std::max(most_line, frame->here.line);
@@ -154,7 +182,10 @@ Program::State::Done Program::State::finish_first(Done done, std::string_view te
     frontier() = place.next;
     frame->here = frame->goes_on;
     if (!frame->repeats.empty()) advance();
-    if (done == Done::Block) deliver(out, text, place.line.line, false);
+    if (done == Done::Block) {
+        deliver(out, text, place.line.line, false);
+        follow_shape(out, text, Place(place));
+    }
     if (begins) perform_call();
     return done;
 }
@@ -218,8 +249,7 @@ void Program::State::end_after(Block& block) {
     const auto functions = std::span(block.functions).first(block.function_count);
     const auto found = std::find_if(functions.begin(), functions.end(), is_end);
     if (found == functions.end()) return;
-    const bool is_left_out = block.skip >= 0 && (options.skip_levels >> block.skip & 1u) != 0;
-    if (is_left_out) return;
+    if (is_left_out(block)) return;
     const bool is_cancelled = !frame->repeats.empty() && !is_only_checking;
     if ((frames.size() > 1 || is_cancelled) && language.rules.program_end_returns &&
         !is_only_checking) {
@@ -239,6 +269,48 @@ void Program::State::end_after(Block& block) {
     frames.resize(1);
     resume_frame(*frames[0]);
     frame->here = frontier();
+    frame->next_line = nullptr;
+}
+
+bool Program::State::is_left_out(const Block& block) const {
+    return block.skip >= 0 && ((1u << block.skip | block.skip_also) & options.skip_levels) != 0;
+}
+
+/// A cycle that works along a shape is followed by the blocks of the shape, wherever they stand;
+/// then the program goes on with the block behind the cycle. Where that is the shape itself, and
+/// the cycle works something out of it, it goes on behind the shape.
+void Program::State::follow_shape(const Block& block, std::string_view text, const Place& place) {
+    if (block.function_count == 0 || is_only_checking || has_ended) return;
+    const nc::Invocation* const call = block.find(Function::Cycle);
+    if (call == nullptr || is_left_out(block)) return;
+    const nc::CycleInfo& cycle = dialect.cycles()[block.cycle];
+    const auto number_of = [&](int parameter) -> std::int64_t {
+        return std::llround(block.argument(*call, static_cast<std::size_t>(parameter), -1));
+    };
+    if (!cycle.takes_shape()) return;
+    const std::int64_t first = number_of(cycle.roles.first_block);
+    const std::int64_t last = number_of(cycle.roles.last_block);
+    if (first < 0 || last < 0) return;  // the interpreter says so
+    Place begin;
+    Place end;
+    ProgramMap::Fault fault = map().find({"", first}, Direction::Both, place, begin);
+    std::int64_t missing = first;
+    if (fault == ProgramMap::Fault::None) {
+        end = begin;
+        missing = last;
+        if (last != first) fault = map().find({"", last}, Direction::Forward, begin, end);
+    }
+    if (fault != ProgramMap::Fault::None) {
+        lines.report_fault(text,
+                           LineFault{&diag::ShapeBlockMissing, {0, 1}, {std::to_string(missing)}});
+        has_ended = true;
+        return;
+    }
+    const bool is_followed = cycle.parameters.size() == 2;
+    const bool is_next = begin.line.offset >= frame->here.offset &&
+                         map().is_empty_between(frame->here, begin.line) && !is_followed;
+    frame->repeats.push_back({begin.line, end.next, is_next ? end.next : frame->here, 1});
+    frame->here = begin.line;
     frame->next_line = nullptr;
 }
 
@@ -322,6 +394,7 @@ Program::State::Done Program::State::run(CompiledLine& line, Block& out) {
         if (!is_head) frame->has_executed = true;
         while (frame->resume < statements.size()) {
             evaluator.forget();
+            ++executed;
             const Done done = execute(line, statements[frame->resume], out);
             if (done != Done::Nothing || has_ended) return done;
             if (lines.failed() || frame->goes_on != line.place.next) return Done::Nothing;
@@ -944,6 +1017,10 @@ void Program::follow(ControlState& state) {
     state_->variables.follow(state);
 }
 void Program::print_to(Printer& printer) { state_->options.printer = &printer; }
+void Program::show_to(LineWatch* watch, std::vector<VariableChange>* changes) {
+    state_->watch = watch;
+    state_->variables.note_changes(changes);
+}
 std::size_t Program::pull(std::span<Block> out) { return state_->pull(out); }
 LinePlace Program::place(const Block& block) const { return state_->kept.place(block); }
 LinePlace Program::place(const Block& block, nc::Slot slot) const {
@@ -963,6 +1040,7 @@ LinePlace Program::place(std::uint32_t line) const {
     return place;
 }
 bool Program::failed() const { return state_->has_visible_fault; }
+bool Program::stopped() const { return state_->was_stopped; }
 bool Program::is_behind_fault(const Block& block) const {
     static_cast<void>(block);
     return state_->has_visible_fault;
@@ -970,5 +1048,8 @@ bool Program::is_behind_fault(const Block& block) const {
 std::uint64_t Program::lines() const { return state_->most_line; }
 bool Program::has_fault() const { return state_->lines.failed(); }
 std::vector<ControlVariable> Program::variables() const { return state_->variables.list(); }
+const std::vector<ActiveCode>& Program::codes() { return state_->codes.now(); }
+std::uint64_t Program::line() const { return state_->frame->here.line; }
+std::uint64_t Program::statements() const { return state_->executed; }
 
 }  // namespace kadr::interp

@@ -6,12 +6,14 @@
 // the state of the interpreter wait until it has executed what was given before.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "base/stream.h"
 #include "interp/control_state.h"
+#include "interp/line_watch.h"
 #include "interp/printer.h"
 #include "interp/program_files.h"
 #include "nc/reader.h"
@@ -23,18 +25,28 @@ struct ProgramOptions {
     std::uint64_t max_turns = 10'000'000;          // jumps back without a block between them
     std::uint64_t max_repeated = 20'000'000;       // blocks that lines give when they run again
     std::size_t kept_text = std::size_t{4} << 20;  // bytes kept of a text that cannot be read again
+    std::function<bool()>
+        is_over;  // asked now and then: whether the program has to end; may be empty
     ProgramFiles* files = nullptr;                 // programs that do not stand in the text
     Printer* printer = nullptr;                    // null: what the program prints is lost
 };
 
 /// A variable of the control that the program has set.
 struct ControlVariable {
-    enum class Kind : std::uint8_t { Real, Int, Bool, Text };
+    enum class Kind : std::uint8_t { Real, Int, Bool, Text, Vacant };
     std::string name;  // as the program writes it: `R1`, `#100`, `LIST[0,2]`
     Kind kind = Kind::Real;
     double number = 0;
     std::string text;
 };
+
+/// A variable before and behind a line that has set it; Vacant: it had, or has, no value.
+struct VariableChange {
+    ControlVariable before;
+    ControlVariable after;  // of the same name
+};
+
+struct ActiveCode;  // code_list.h
 
 class Program final : public Stream<nc::Block>, public nc::BlockPlaces {
   public:
@@ -50,6 +62,9 @@ class Program final : public Stream<nc::Block>, public nc::BlockPlaces {
     /// Who gets the lines that the program prints; it outlives the run.
     void print_to(Printer& printer);
 
+    /// Who looks on, and where each variable that is set is noted from now on. Null: nobody.
+    void show_to(LineWatch* watch, std::vector<VariableChange>* changes);
+
     std::size_t pull(std::span<nc::Block> out) override;
 
     LinePlace place(const nc::Block& block) const override;
@@ -61,6 +76,7 @@ class Program final : public Stream<nc::Block>, public nc::BlockPlaces {
     /// Whether such a line is one of the text that was begun with; it then is its number.
     static bool is_in_main_text(std::uint32_t line) { return line < (std::uint32_t{1} << 31); }
     bool failed() const override;
+    bool stopped() const override;
     bool is_behind_fault(const nc::Block& block) const override;
     std::uint64_t lines() const override;
     /// Whether a line could not be read, or an alarm came up, even if nobody has come to it yet.
@@ -68,6 +84,12 @@ class Program final : public Stream<nc::Block>, public nc::BlockPlaces {
 
     /// In the order of the dialect's tables, then as declared.
     std::vector<ControlVariable> variables() const;
+    /// The codes that act behind the lines that were read so far.
+    const std::vector<ActiveCode>& codes();
+    /// Statements of the control's own language that were executed so far.
+    std::uint64_t statements() const;
+    /// The line that is next.
+    std::uint64_t line() const;
 
   private:
     struct State;

@@ -570,8 +570,7 @@ void Program::State::call_behind(const Block& block, std::string_view text_of_li
         return;
     }
     const PreparedCall* const active = active_modal_call();
-    const bool is_left_out = block.skip >= 0 && (options.skip_levels >> block.skip & 1u) != 0;
-    if (active == nullptr || is_left_out || !moves(block)) return;
+    if (active == nullptr || is_left_out(block) || !moves(block)) return;
     due = *active;
     due->site = std::make_shared<nc::CallSite>(
         nc::CallSite{lines.place(text_of_line, number, {0, 1}), frame->site});

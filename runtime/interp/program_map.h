@@ -60,6 +60,9 @@ class ProgramMap {
     Fault find_label_between(std::string_view label, const Position& from, const Position& to,
                              Place& out);
 
+    /// Whether nothing but comments stands between two places.
+    bool is_empty_between(const Position& from, const Position& to);
+
   private:
     /// Calls `look` with each line from `from` on and its place, until it says false.
     template <typename Look>

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "interp/code_list.h"
 #include "interp/control_variables.h"
 #include "interp/evaluator.h"
 #include "interp/program.h"
@@ -113,6 +114,8 @@ struct Program::State {
     ProgramUnits units;
     ControlVariables variables;
     Evaluator evaluator;
+    CodeList codes;
+    LineWatch* watch = nullptr;
     ControlState* interpreter = nullptr;
 
     std::vector<std::unique_ptr<Frame>> frames;  // the main program first
@@ -133,6 +136,9 @@ struct Program::State {
     bool is_printer_open = false;
     std::set<std::pair<const ProgramUnit*, std::uint64_t>> said_synchronous;  // unit, place of line
     bool has_visible_fault = false;  // that blocks of this batch stand behind
+    bool was_stopped = false;        // by who looks on, or because its time is over
+    std::uint32_t steps = 0;
+    std::uint64_t executed = 0;  // statements
 
     ProgramText& text() { return *frame->unit->text; }
     nc::LineSource& source() { return frame->unit->text->source; }
@@ -142,6 +148,8 @@ struct Program::State {
     // lines
     std::size_t pull(std::span<nc::Block> out);
     Done step(nc::Block& out);
+    bool may_go_on();
+    bool shows(std::string_view text);
     Done first_time(nc::Block& out);
     Done finish_first(Done done, std::string_view text, const Place& place, nc::Block& out);
     Done run(CompiledLine& line, nc::Block& out);
@@ -150,6 +158,8 @@ struct Program::State {
     void compile_language(CompiledLine& line);
     void deliver(nc::Block& block, std::string_view text, std::uint64_t number, bool again);
     void end_after(nc::Block& block);
+    bool is_left_out(const nc::Block& block) const;
+    void follow_shape(const nc::Block& block, std::string_view text, const Place& place);
     Done end_of_text();
     void advance();
     Done read_words(CompiledLine& line, nc::Block& out);

@@ -104,6 +104,8 @@ void Executor::spline(const Block& block) {
 bool Executor::start_spline(const Block& block, bool by_knots) {
     const bool counts_knots =
         dialect_.can_write(Function::SplineKnot) && !dialect_.can_write(Function::SplineInterval);
+    leave_corners(diag::CornerNotContour);
+    if (ended_) return false;
     if (!by_knots && counts_knots) {
         report(diag::SplineKnots, block).arg("are missing");
         return false;

@@ -8,6 +8,7 @@
 #include "base/axes.h"
 #include "nc/block.h"
 #include "path/command.h"
+#include "path/contour.h"
 
 namespace kadr::interp {
 
@@ -71,6 +72,14 @@ struct RadiusCompState {
     nc::Function corner = nc::Function::None;
     bool has_check = false;
     double allowance = 0;  // mm
+};
+
+/// Polar coordinates, in the working plane of the programmed system.
+struct Polar {
+    bool is_on = false;  // the words of the plane's axes are radius and angle
+    path::Vec2 pole = path::Vec2::Zero();
+    double radius = 0;  // said last, mm
+    double angle_deg = 0;
 };
 
 /// A level of a modal cycle, as its word says it.

@@ -7,7 +7,8 @@ namespace kadr::nc {
 namespace {
 
 constexpr std::array<std::string_view, kSlots> kSlotNames = {
-    "X", "Y", "Z", "A", "B", "C", "U", "V", "W", "I", "J", "K", "R", "TURN", "F", "S"};
+    "X", "Y", "Z",    "A", "B", "C",  "U",  "V",  "W",  "I",  "J",
+    "K", "R", "TURN", "F", "S", "AP", "RP", "AR", "I1", "J1", "K1"};
 
 }  // namespace
 
@@ -41,16 +42,33 @@ bool same_functions(const Block& a, const Block& b) {
     return true;
 }
 
+/// "IC", "DAC", "ACP"; empty: as the modal state says.
+std::string_view mode_of(const Block& block, Slot slot) {
+    const bool is_incremental = (block.incremental & bit(slot)) != 0;
+    if (slot == Slot::X && block.x_measure == XMeasure::Diameter)
+        return is_incremental ? "DIC" : "DAC";
+    if (slot == Slot::X && block.x_measure == XMeasure::Radius)
+        return is_incremental ? "RIC" : "RAC";
+    if (slot >= Slot::A && slot <= Slot::C) {
+        switch (block.rotary_way(static_cast<Axis>(slot))) {
+            case RotaryWay::AsProgrammed: break;
+            case RotaryWay::Shortest: return "DC";
+            case RotaryWay::Positive: return "ACP";
+            case RotaryWay::Negative: return "ACN";
+        }
+    }
+    if (is_incremental) return "IC";
+    return (block.absolute & bit(slot)) != 0 ? "AC" : "";
+}
+
 void describe_slot(const Block& block, Slot slot, std::string& out) {
     out += ' ';
     out += slot_name(slot);
-    const bool is_incremental = (block.incremental & bit(slot)) != 0;
-    const bool is_absolute = (block.absolute & bit(slot)) != 0;
-    if (is_incremental) out += "=IC(";
-    if (is_absolute) out += "=AC(";
-    if (slot == Slot::Turns) out += '=';
+    const std::string_view mode = mode_of(block, slot);
+    if (!mode.empty()) out.append("=").append(mode).append("(");
+    if (mode.empty() && slot_name(slot).size() > 1) out += '=';
     append_shortest(out, block.at(slot));
-    if (is_incremental || is_absolute) out += ')';
+    if (!mode.empty()) out += ')';
 }
 
 void describe_invocation(const Block& block, const Invocation& invocation, std::string& out) {
@@ -122,6 +140,7 @@ bool operator==(const Block& a, const Block& b) {
     const bool has_cycle =
         a.find(Function::Cycle) != nullptr || a.find(Function::CyclePreset) != nullptr;
     if (has_cycle && a.cycle != b.cycle) return false;
+    if (a.x_measure != b.x_measure || a.rotary_ways != b.rotary_ways) return false;
     return a.skip == b.skip && a.skip_also == b.skip_also && a.number == b.number &&
            a.text == b.text && a.comment == b.comment;
 }

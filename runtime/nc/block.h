@@ -36,8 +36,15 @@ enum class Slot : std::uint8_t {
     Turns,  // arc radius (negative: more than half a turn), additional full turns
     Feed,
     Speed,
+    // Read, and never written: polar coordinates, the opening angle of an arc, a point on it.
+    PolarAngle,
+    PolarRadius,
+    Opening,
+    ThroughX,
+    ThroughY,
+    ThroughZ,
 };
-inline constexpr std::size_t kSlots = 16;
+inline constexpr std::size_t kSlots = 22;
 using SlotMask = std::uint32_t;
 constexpr SlotMask bit(Slot slot) { return SlotMask{1} << static_cast<unsigned>(slot); }
 /// As `describe` shows it: "X", "I", "TURN".
@@ -47,6 +54,18 @@ inline constexpr SlotMask kTargetSlots = (SlotMask{1} << kAxes) - 1;
 inline constexpr SlotMask kCenterSlots =
     bit(Slot::CenterX) | bit(Slot::CenterY) | bit(Slot::CenterZ);
 inline constexpr SlotMask kArcSlots = kCenterSlots | bit(Slot::Radius) | bit(Slot::Turns);
+inline constexpr SlotMask kPolarSlots = bit(Slot::PolarAngle) | bit(Slot::PolarRadius);
+inline constexpr SlotMask kThroughSlots =
+    bit(Slot::ThroughX) | bit(Slot::ThroughY) | bit(Slot::ThroughZ);
+inline constexpr SlotMask kReadSlots = kPolarSlots | kThroughSlots | bit(Slot::Opening);
+/// Slots whose words may be absolute or incremental by themselves.
+inline constexpr SlotMask kModeSlots =
+    kTargetSlots | kCenterSlots | kThroughSlots | bit(Slot::PolarAngle);
+
+/// Whether a word for X says its dimension by itself.
+enum class XMeasure : std::uint8_t { Modal, Diameter, Radius };
+/// The way on which a rotary axis comes to its target.
+enum class RotaryWay : std::uint8_t { AsProgrammed, Shortest, Positive, Negative };
 
 /// A function of the vocabulary as it stands in a block, with its parameters.
 struct Invocation {
@@ -76,8 +95,10 @@ struct Block {
     SlotMask absolute = 0;     // … absolute by themselves; neither: as the modal state says
     std::uint8_t function_count = 0;
     std::uint8_t argument_count = 0;
-    std::int8_t skip = -1;              // optional skip level 0…9; -1 none
-    std::uint16_t skip_also = 0;        // bit n: the block is left out at level n as well
+    std::int8_t skip = -1;        // optional skip level 0…9; -1 none
+    std::uint16_t skip_also = 0;  // bit n: the block is left out at level n as well
+    XMeasure x_measure = XMeasure::Modal;
+    std::uint8_t rotary_ways = 0;       // of A, B, C: two bits each, a RotaryWay
     CycleId cycle = 0;                  // holds if Function::Cycle is among the functions
     std::int32_t number = -1;           // N; -1 none
     std::uint32_t line = 0;             // line of the ISO-7bit text it came from or went to, from 1
@@ -96,6 +117,8 @@ struct Block {
         function_count = argument_count = 0;
         skip = -1;
         skip_also = 0;
+        x_measure = XMeasure::Modal;
+        rotary_ways = 0;
         cycle = 0;
         number = -1;
         line = 0;
@@ -109,6 +132,16 @@ struct Block {
     void set(Slot slot, double value) {
         values[static_cast<std::size_t>(slot)] = value;
         given |= bit(slot);
+    }
+
+    RotaryWay rotary_way(Axis axis) const {
+        const auto shift = 2 * (index(axis) - index(Axis::A));
+        return static_cast<RotaryWay>(rotary_ways >> shift & 3u);
+    }
+    void set_rotary_way(Axis axis, RotaryWay way) {
+        const auto shift = 2 * (index(axis) - index(Axis::A));
+        rotary_ways = static_cast<std::uint8_t>((rotary_ways & ~(3u << shift)) |
+                                                static_cast<unsigned>(way) << shift);
     }
 
     /// Adds a function without parameters given; false if the block is full.

@@ -34,8 +34,18 @@ struct CycleInfo {
         int stroke = -1;   // left out: the whole way in one
         int shift = -1;    // said by the same word as a stroke
         int dwell = -1;
+        int first_block = -1;  // number of the block with which the shape begins …
+        int last_block = -1;   // … and ends, of a cycle that works along a shape in the program
     };
     Roles roles;
+    bool takes_shape() const { return roles.first_block >= 0 && roles.last_block >= 0; }
+
+    /// A parameter that the machine's builder has set for calls which do not say it.
+    struct Setting {
+        int parameter = 0;
+        double value = 0;
+    };
+    std::vector<Setting> settings;
 };
 
 /// A control's own alarm for an error that the interpreter raises.

@@ -124,6 +124,7 @@ class Finisher {
             const Address& address = tables_.addresses[i];
             if (address.slot < 0) continue;
             const auto slot = static_cast<std::size_t>(address.slot);
+            if ((kReadSlots >> slot & 1u) != 0) continue;
             AddressId& writer = address.is_incremental ? tables_.incremental_address[slot]
                                                        : tables_.slot_address[slot];
             tables_.has_incremental_letters |= address.is_incremental;

@@ -103,6 +103,12 @@ class LineParser {
 
     bool parse_word(FormWord& word) {
         const std::size_t begin = at_;
+        if (take(',') && at_ < line_.size() && is_letter(line_[at_])) {  // `,C{width}`
+            ++at_;
+            if (at_ == line_.size() || line_[at_] != '{')
+                return fail("behind an address with a comma stands a `{…}`");
+            return parse_value(word, line_.substr(begin, 2), begin);
+        }
         while (at_ < line_.size() && is_letter(line_[at_])) ++at_;
         // Names of several letters may hold digits: `CUT2D`, `CYCLE83(…)`.
         std::size_t behind = at_;

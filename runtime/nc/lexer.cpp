@@ -1,5 +1,6 @@
 #include "nc/lexer.h"
 
+#include <array>
 #include <cmath>
 
 #include "base/diagnostics/iso.h"
@@ -15,6 +16,20 @@ bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 char upper(char c) { return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c; }
 
+struct ModeName {
+    std::string_view name;
+    GivenWord::Mode mode;
+};
+constexpr std::array<ModeName, 9> kModes = {{{"AC", GivenWord::Mode::Absolute},
+                                             {"IC", GivenWord::Mode::Incremental},
+                                             {"DAC", GivenWord::Mode::DiameterAbsolute},
+                                             {"DIC", GivenWord::Mode::DiameterIncremental},
+                                             {"RAC", GivenWord::Mode::RadiusAbsolute},
+                                             {"RIC", GivenWord::Mode::RadiusIncremental},
+                                             {"DC", GivenWord::Mode::Shortest},
+                                             {"ACP", GivenWord::Mode::Positive},
+                                             {"ACN", GivenWord::Mode::Negative}}};
+
 class Lexer {
   public:
     Lexer(const DialectTables& tables, std::string_view line, LexedLine& out,
@@ -22,7 +37,10 @@ class Lexer {
         : tables_(tables), rules_(tables.rules), line_(line), out_(out), compiler_(compiler) {
         open_ = tables.comment.open;
         while (open_.ends_with(' ')) open_.remove_suffix(1);
-        for (const auto& [name, id] : tables.names) has_names_ |= name.size() > 1 && name != "()";
+        for (const auto& [name, id] : tables.names) {
+            has_names_ |= name.size() > 1 && name != "()" && name[0] != ',';
+            has_comma_words_ |= name.size() == 2 && name[0] == ',';
+        }
     }
 
     std::optional<LineFault> run() {
@@ -143,6 +161,7 @@ class Lexer {
             return fail(diag::IsoNotSupported, at_, line_.size(),
                         {"a part of a block that the operator may leave out"});
         }
+        if (c == ',' && has_comma_words_) return take_comma_word();
         const bool is_index = c == '[' && compiler_ != nullptr;
         if (is_index)
             return fail(diag::IsoNotSupported, at_, at_ + 1, {"an address with an index"});
@@ -238,6 +257,23 @@ class Lexer {
         if (!take_number(address, begin)) return;
         if (peek() == '=')
             fail(diag::IsoNotSupported, begin, at_, {"an address with a number of its own"});
+    }
+
+    /// `,C5.`: an address of two characters.
+    void take_comma_word() {
+        const std::size_t begin = at_++;
+        skip_inner_blanks();
+        const std::string name{',', peek()};
+        const AddressId address = tables_.find_address(name);
+        if (address == kNoAddress) {
+            at_ = std::min(at_ + 1, line_.size());
+            return fail_unknown(begin, at_);
+        }
+        ++at_;
+        skip_inner_blanks();
+        if (compiler_ != nullptr && compiler_->begins_value(at_))
+            return take_computed(address, begin);
+        take_number(address, begin);
     }
 
     /// `X1=0`: a letter with a number of its own, if the dialect declares it.
@@ -386,16 +422,14 @@ class Lexer {
         fail(diag::IsoNoValue, begin, end, {std::string(written)});
     }
 
-    /// `=10`, `=AC(10)`, `=IC(-5)`, `="text"`; behind the address.
+    /// `=10`, `=AC(10)`, `=IC(-5)`, `=DC(90)`, `="text"`; behind the address.
     void take_assigned(AddressId address, std::size_t begin) {
         ++at_;
         skip_blanks();
         if (peek() == '"' && !is_computed_text()) return take_quoted(address, begin);
         if (peek() == '"') return take_computed(address, begin);
-        const bool is_absolute = peek() == 'A' && peek(1) == 'C';
-        const bool is_incremental = peek() == 'I' && peek(1) == 'C';
-        if (rules_.has_modes && (is_absolute || is_incremental) && peek(2) == '(') {
-            at_ += 3;
+        if (const ModeName* mode = rules_.has_modes ? mode_here() : nullptr) {
+            at_ += mode->name.size() + 1;
             skip_blanks();
             if (is_computed(at_)) {
                 take_computed(address, begin);
@@ -404,8 +438,7 @@ class Lexer {
             }
             if (fault_) return;
             skip_blanks();
-            out_.words.back().mode =
-                is_absolute ? GivenWord::Mode::Absolute : GivenWord::Mode::Incremental;
+            out_.words.back().mode = mode->mode;
             skip_blanks();
             if (peek() != ')') return fail_here(diag::IsoSyntax);
             ++at_;
@@ -423,6 +456,16 @@ class Lexer {
         if (peek() == '+' || peek() == '-' || peek() == '*' || peek() == '/') {
             fail(diag::IsoNotSupported, begin, at_, {"a computed value"});
         }
+    }
+
+    /// `AC(`, `DIC(`, … stands here.
+    const ModeName* mode_here() const {
+        for (const ModeName& mode : kModes) {
+            std::size_t i = 0;
+            while (i < mode.name.size() && peek(i) == mode.name[i]) ++i;
+            if (i == mode.name.size() && peek(i) == '(') return &mode;
+        }
+        return nullptr;
     }
 
     /// Whether more than one text stands here: `"X="<<R1`.
@@ -519,6 +562,7 @@ class Lexer {
     std::string_view open_;
     std::string compact_;
     bool has_names_ = false;
+    bool has_comma_words_ = false;  // `,C`
     std::size_t at_ = 0;
     std::optional<LineFault> fault_;
 };

@@ -212,6 +212,8 @@ void LineReader::recall(const MatchedLine& known, Block& block) {
     block.motion = shape.motion;
     block.incremental = shape.incremental;
     block.absolute = shape.absolute;
+    block.x_measure = shape.x_measure;
+    block.rotary_ways = shape.rotary_ways;
     block.cycle = shape.cycle;
     block.function_count = shape.function_count;
     block.argument_count = shape.argument_count;
@@ -750,7 +752,10 @@ void LineReader::report(std::string_view line, const LineFault& fault) {
     note_fault();
     DiagnosticBuilder builder = sink_.report(*fault.row, place(line, line_number_, fault.span));
     for (const std::string& argument : fault.arguments) builder.arg(argument);
-    if (const auto alarm = dialect_.alarm(*fault.row)) builder.alarm(alarm->number, alarm->text);
+    const std::string_view detail =
+        fault.arguments.empty() ? std::string_view() : fault.arguments[0];
+    if (const auto alarm = dialect_.alarm(*fault.row, detail))
+        builder.alarm(alarm->number, alarm->text);
     write_notes(builder);
 }
 

@@ -7,22 +7,17 @@ namespace kadr::nc {
 
 std::span<const SlotInfo> slot_infos() {
     static constexpr std::array<SlotInfo, kSlots> kInfos = {{
-        {"X", Dimension::Length},
-        {"Y", Dimension::Length},
-        {"Z", Dimension::Length},
-        {"A", Dimension::Angle},
-        {"B", Dimension::Angle},
-        {"C", Dimension::Angle},
-        {"U", Dimension::Length},
-        {"V", Dimension::Length},
-        {"W", Dimension::Length},
-        {"center_x", Dimension::Length},
-        {"center_y", Dimension::Length},
-        {"center_z", Dimension::Length},
-        {"radius", Dimension::Length},
-        {"turns", Dimension::Count},
-        {"feed", Dimension::Feed},
-        {"speed", Dimension::Speed},
+        {"X", Dimension::Length},          {"Y", Dimension::Length},
+        {"Z", Dimension::Length},          {"A", Dimension::Angle},
+        {"B", Dimension::Angle},           {"C", Dimension::Angle},
+        {"U", Dimension::Length},          {"V", Dimension::Length},
+        {"W", Dimension::Length},          {"center_x", Dimension::Length},
+        {"center_y", Dimension::Length},   {"center_z", Dimension::Length},
+        {"radius", Dimension::Length},     {"turns", Dimension::Count},
+        {"feed", Dimension::Feed},         {"speed", Dimension::Speed},
+        {"polar_angle", Dimension::Angle}, {"polar_radius", Dimension::Length},
+        {"opening", Dimension::Angle},     {"through_x", Dimension::Length},
+        {"through_y", Dimension::Length},  {"through_z", Dimension::Length},
     }};
     return kInfos;
 }
@@ -103,9 +98,11 @@ void load_address(const XmlElement& element, DialectTables& tables, Attributes& 
     }
     Names slots;
     for (const SlotInfo& slot : slot_infos()) slots.push_back(slot.name);
+    slots.push_back("none");
     if (const auto slot = attributes.choice(element, "slot", slots)) {
-        address.slot = static_cast<int>(*slot);
-        address.dimension = slot_infos()[*slot].dimension;
+        const bool is_none = *slot == slot_infos().size();
+        address.slot = is_none ? -1 : static_cast<int>(*slot);
+        if (!is_none) address.dimension = slot_infos()[*slot].dimension;
     }
     if (const XmlAttribute* attribute = element.find("dimension")) {
         if (const auto dimension = find_dimension(attribute->value)) {

@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "base/diagnostics/dialect.h"
+#include "base/numbers.h"
 #include "nc/form.h"
 #include "nc/load_parts.h"
 
@@ -246,6 +247,7 @@ void FormLoader::load_cycle(const XmlElement& element) {
     if (seen_cycles_.insert(*id).second) clear_forms(tables_, Function::Cycle, *id);
     attributes_.read_flag(element, "modal", tables_.cycles[*id].is_modal);
     read_roles(element, tables_.cycles[*id]);
+    read_settings(element, tables_.cycles[*id]);
     if (const auto otherwise = attributes_.choice(element, "otherwise", {"error", "moves"})) {
         std::erase(tables_.cycles_else_moves, *id);
         if (*otherwise == 1) tables_.cycles_else_moves.push_back(*id);
@@ -273,6 +275,34 @@ void FormLoader::read_roles(const XmlElement& element, CycleInfo& cycle) {
     read("stroke", "", cycle.roles.stroke);
     read("shift", "", cycle.roles.shift);
     read("dwell", "dwell", cycle.roles.dwell);
+    cycle.roles.first_block = parameter_named(cycle.parameters, "first_block");
+    cycle.roles.last_block = parameter_named(cycle.parameters, "last_block");
+}
+
+/// `step 2; escape 0.5`
+void FormLoader::read_settings(const XmlElement& element, CycleInfo& cycle) {
+    const XmlAttribute* attribute = element.find("settings");
+    if (attribute == nullptr) return;
+    cycle.settings.clear();
+    const std::vector<XmlWord> words = words_of(*attribute);
+    if (words.empty() || words.size() % 2 != 0) {
+        return attributes_.bad_value(*attribute, "`parameter 0.5` is expected");
+    }
+    for (std::size_t i = 0; i < words.size(); i += 2) {
+        const int parameter = parameter_named(cycle.parameters, words[i].text);
+        if (parameter < 0) {
+            return attributes_.bad_name(words[i], attribute->name, names_of(cycle.parameters),
+                                        "there is no such parameter");
+        }
+        std::string_view number = words[i + 1].text;
+        if (number.ends_with(';')) number.remove_suffix(1);
+        const char* const end = number.data() + number.size();
+        const Decimal value = parse_decimal(number.data(), end);
+        if (number.empty() || value.end != end) {
+            return attributes_.bad_word(words[i + 1], attribute->name, "a number is expected");
+        }
+        cycle.settings.push_back({parameter, value.value});
+    }
 }
 
 /// The cycle that the element names; the common core declares it there.

@@ -54,6 +54,7 @@ class FormLoader {
     void begin_function(Function function);
     std::optional<CycleId> cycle_of(const XmlElement& element);
     void read_roles(const XmlElement& element, CycleInfo& cycle);
+    void read_settings(const XmlElement& element, CycleInfo& cycle);
     CycleId declare_cycle(std::string_view name, const XmlAttribute& parameters);
     int group_named(std::string_view name);
     void add_forms(const Form& prototype, std::string_view text);

@@ -85,6 +85,7 @@ const std::vector<XmlRule>& dialect_rules() {
           "meaning",
           "modal",
           "otherwise",
+          "settings",
           "depth",
           "retract",
           "stroke",

@@ -245,12 +245,29 @@ class Matcher {
                 found = true;
                 fit_word(form, wanted, i, fit);
             }
+            // Where distances have letters of their own (U beside X), such a word stands for the
+            // one of the form; it stays a word of the block.
+            if (!found && has_distance(wanted)) {
+                ++fit.matched;
+                found = true;
+            }
             const bool may_lack = wanted.is_kept ? words_of_ == WordsOf::Text : wanted.is_optional;
             if (!found && !may_lack && !wanted.has_default) {
                 fit.answer = fit.answer == Fit::Answer::Yes ? Fit::Answer::Missing : fit.answer;
             }
         }
         return fit;
+    }
+
+    bool has_distance(const FormWord& wanted) const {
+        if (wanted.kind != FormWord::Kind::Value || !tables_.has_incremental_letters) return false;
+        const Address& place = tables_.addresses[wanted.address];
+        if (place.slot < 0 || place.is_incremental) return false;
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            if (!used_[i] && address(i).is_incremental && address(i).slot == place.slot)
+                return true;
+        }
+        return false;
     }
 
     static void refuse(Fit& fit, Fit::Answer answer, std::size_t word, int argument = -1) {
@@ -366,8 +383,11 @@ class Matcher {
                     return MatchFault{MatchFault::Kind::Company, head, i};
             }
         }
-        if (form.function == Function::None) {
-            used_ |= fit.taken;  // the control knows it, and nothing here depends on it
+        // The control knows it, and nothing here depends on it; no source is polar.
+        const bool is_off_anyhow =
+            words_of_ == WordsOf::Source && form.function == Function::PolarOff;
+        if (form.function == Function::None || is_off_anyhow) {
+            used_ |= fit.taken;
             return {};
         }
         for (const Function before : form.first) {
@@ -485,12 +505,7 @@ class Matcher {
         if (block_.has(slot) || (seen_slots_ & bit(slot)) != 0)
             return MatchFault{MatchFault::Kind::AddressTwice, i, i};
         seen_slots_ |= bit(slot);
-        if (word.mode != GivenWord::Mode::Modal) {
-            if ((bit(slot) & (kTargetSlots | kCenterSlots)) == 0)
-                return MatchFault{MatchFault::Kind::Mode, i};
-            (word.mode == GivenWord::Mode::Absolute ? block_.absolute : block_.incremental) |=
-                bit(slot);
-        }
+        if (!take_mode(word.mode, slot)) return MatchFault{MatchFault::Kind::Mode, i};
         if (head.is_incremental) block_.incremental |= bit(slot);
         used_[i] = true;
         Claim& claim = match_.claims[match_.claim_count++];
@@ -499,6 +514,32 @@ class Matcher {
         claim.place = static_cast<std::uint8_t>(head.slot);
         claim.dimension = head.dimension;
         return {};
+    }
+
+    /// False: a word of the slot cannot be said so.
+    bool take_mode(GivenWord::Mode mode, Slot slot) {
+        using Mode = GivenWord::Mode;
+        if (mode == Mode::Modal) return true;
+        if (mode >= Mode::Shortest) {
+            if (slot < Slot::A || slot > Slot::C) return false;
+            block_.set_rotary_way(static_cast<Axis>(slot),
+                                  mode == Mode::Shortest   ? RotaryWay::Shortest
+                                  : mode == Mode::Positive ? RotaryWay::Positive
+                                                           : RotaryWay::Negative);
+            return true;
+        }
+        const bool is_diameter =
+            mode == Mode::DiameterAbsolute || mode == Mode::DiameterIncremental;
+        const bool is_radius = mode == Mode::RadiusAbsolute || mode == Mode::RadiusIncremental;
+        if ((bit(slot) & kModeSlots) == 0) return false;
+        if ((is_diameter || is_radius) && slot != Slot::X) return false;
+        if (is_diameter) block_.x_measure = XMeasure::Diameter;
+        if (is_radius) block_.x_measure = XMeasure::Radius;
+        const bool is_incremental = mode == Mode::Incremental ||
+                                    mode == Mode::DiameterIncremental ||
+                                    mode == Mode::RadiusIncremental;
+        (is_incremental ? block_.incremental : block_.absolute) |= bit(slot);
+        return true;
     }
 
     /// Where cycles are modal, the motion code that stands behind one ends it at once.
@@ -516,7 +557,7 @@ class Matcher {
     /// Words of arcs have other meanings beside a cycle (K: repeats); none of them is passed over.
     Fault check_cycle() const {
         if (block_.find(Function::Cycle) == nullptr) return {};
-        const SlotMask of_arcs = kCenterSlots | bit(Slot::Radius) | bit(Slot::Turns);
+        const SlotMask of_arcs = kArcSlots | kThroughSlots | bit(Slot::Opening);
         for (std::size_t i = 0; i < words_.size(); ++i) {
             if (words_[i].is_left_out) continue;
             const int slot = address(i).slot;
@@ -528,8 +569,7 @@ class Matcher {
     }
 
     Fault check_alone() const {
-        constexpr SlotMask kPlaces =
-            kTargetSlots | kCenterSlots | bit(Slot::Radius) | bit(Slot::Turns);
+        constexpr SlotMask kPlaces = kTargetSlots | kArcSlots | kReadSlots;
         if (without_axes_ && (motion_head_ || (seen_slots_ & kPlaces) != 0))
             return MatchFault{MatchFault::Kind::Alone, *without_axes_};
         if (!alone_) return {};

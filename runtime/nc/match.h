@@ -17,7 +17,18 @@ inline constexpr std::size_t kMaxCallArguments = 64;
 
 /// A word as it stands in a block.
 struct GivenWord {
-    enum class Mode : std::uint8_t { Modal, Absolute, Incremental };
+    enum class Mode : std::uint8_t {
+        Modal,
+        Absolute,
+        Incremental,
+        DiameterAbsolute,
+        DiameterIncremental,
+        RadiusAbsolute,
+        RadiusIncremental,
+        Shortest,
+        Positive,
+        Negative,
+    };
     AddressId address = kNoAddress;
     bool has_value = false;
     bool is_known = false;  // the number is known now
@@ -72,7 +83,7 @@ struct MatchFault {
         Alone,         // `word` must stand in a block of its own
         Company,       // `word` does not stand beside `other`
         NotSupported,  // `word` in `form` is known, and not executed
-        Mode,          // `word`: AC() or IC() does not fit here
+        Mode,          // `word`: AC(), IC() or the like does not fit here
         Full,          // the block holds too much
     };
     Kind kind;

@@ -103,6 +103,10 @@ class Planner {
             const Form& form = tables_.forms[match.forms[i]];
             plan_.feed_stays_metric = plan_.feed_stays_metric || form.feed_stays_metric;
             const bool is_cycle = form.function == Function::Cycle;
+            if (is_read_only(form.function) && form.function != Function::PolarOff) {
+                report_read_only(head_of(form));
+                return true;
+            }
             if (is_cycle && !form.is_preset && can_be_source(dialect_, form.cycle)) continue;
             if (!is_cycle && !form.feed_by_radius) continue;
             const SourceWord& word = head_of(form);
@@ -116,7 +120,17 @@ class Planner {
             }
             return true;
         }
+        for (std::size_t i = 0; i < match.claim_count; ++i) {
+            const Claim& claim = match.claims[i];
+            if (claim.is_parameter || (kReadSlots >> claim.place & 1u) == 0) continue;
+            report_read_only(words_[source_[claim.word]]);
+            return true;
+        }
         return false;
+    }
+
+    void report_read_only(const SourceWord& word) {
+        sink_.report(diag::SourceReadOnly, word.range).arg(text_of(word));
     }
 
     /// The word that a form begins with.
@@ -124,7 +138,9 @@ class Planner {
         for (std::size_t i = 0; i < count_; ++i) {
             const FormWord& head = form.words[0];
             if (given_[i].address != head.address) continue;
-            if (std::fabs(given_[i].number - head.number) < 1e-9) return words_[source_[i]];
+            const bool is_any = head.kind == FormWord::Kind::Value;
+            if (is_any || std::fabs(given_[i].number - head.number) < 1e-9)
+                return words_[source_[i]];
         }
         return words_[0];
     }

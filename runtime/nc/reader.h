@@ -43,6 +43,8 @@ class BlockPlaces {
         return {};
     }
     virtual bool failed() const = 0;
+    /// Whether the blocks ended where somebody wanted them to, in front of more.
+    virtual bool stopped() const { return false; }
     /// Whether the control stopped at a mistake before this block.
     virtual bool is_behind_fault(const Block& block) const = 0;
     virtual std::uint64_t lines() const = 0;  // read so far

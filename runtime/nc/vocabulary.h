@@ -85,5 +85,7 @@ constexpr bool is_tapping(Function f) { return f == Function::TapIn || f == Func
 /// Motions whose centre word is a pitch.
 constexpr bool takes_pitch(Function f) { return is_tapping(f) || f == Function::Thread; }
 constexpr bool is_arc(Function f) { return f == Function::ArcCw || f == Function::ArcCcw; }
+/// Functions that are read and executed, and neither written nor said in a source.
+constexpr bool is_read_only(Function f) { return f >= Function::ArcThrough; }
 
 }  // namespace kadr::nc

@@ -11,7 +11,7 @@
 namespace kadr::nc {
 
 void BlockWriter::collect_slots(const Block& block, const Targets& targets, Items& items) {
-    const SlotMask scalars = bit(Slot::Turns) | bit(Slot::Feed) | bit(Slot::Speed);
+    const SlotMask scalars = bit(Slot::Turns) | bit(Slot::Feed) | bit(Slot::Speed) | kReadSlots;
     for (const Slot slot : tables_.slot_order) {
         const SlotMask mask = bit(slot);
         const bool is_target = (targets.written & mask) != 0;

@@ -3,7 +3,12 @@
 // A program is a file below the folder of its dialect. Its comments say what must come of it:
 //   rule: F 6.3 …            the place in the manual's digest that it shows
 //   expect: #1=14            a variable at the end; `#1 vacant` or `R1 unset`: it was never set
-//   expect: to X10 Y5        the end of the next motion; if one is told, all are
+//   expect: to X10 Y5        the end of the next motion; if one is told, all are. Behind it may
+//   stand
+//                            rapid, line, cw or ccw, the centre I J K of an arc, and the feed F
+//   expect: path X20 x40z-30  the next motions in short, what they change: capitals at rapid, small
+//                            letters at feed, t1.5: before a thread of that lead, cw: and ccw:
+//                            before an arc; f0.2 where the feed changes; X of a lathe is a diameter
 //   expect: message TEXT     the next message;  expect: stop  a stop of the program
 //   expect: print [TEXT]        the next line that is printed, between brackets
 //   expect: warning K5488 at 3:1  the next warning; if one is told, all are
@@ -18,11 +23,15 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <numbers>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "driver/cycles.h"
 #include "driver/program_files.h"
+#include "driver/session.h"
 #include "interp/program.h"
 #include "tests/interp/bench.h"
 
@@ -57,9 +66,10 @@ class PiecedText final : public nc::TextSource {
 struct Expected {
     std::map<std::string, std::string> variables;  // empty: unset
     std::vector<std::string> way;
-    std::vector<std::string> shown;    // messages and stops
-    std::vector<std::string> printed;  // lines, if any is told
-    std::vector<std::string> warnings;  // codes, if any is told
+    std::string path;
+    std::vector<std::string> shown;  // messages and stops
+    std::vector<std::string> printed;   // lines
+    std::vector<std::string> warnings;  // if any is told
     std::string alarm;
     std::string called;
     std::uint16_t skip_levels = 0;
@@ -91,6 +101,8 @@ Expected parse(const std::string& text) {
         if (value.empty()) continue;
         if (value.starts_with("to ")) {
             expected.way.push_back(value.substr(3));
+        } else if (value.starts_with("path ")) {
+            expected.path += (expected.path.empty() ? "" : " ") + value.substr(5);
         } else if (value.starts_with("alarm ")) {
             expected.alarm = value.substr(6);
         } else if (value.starts_with("called ")) {
@@ -122,14 +134,34 @@ std::string shown(const ControlVariable& variable) {
     }
 }
 
-/// "X10 Y5": the axes that are told.
+std::string kind_of(const path::Command& command) {
+    if (command.op == path::Op::Rapid) return "rapid";
+    if (command.op == path::Op::Line) return "line";
+    return command.is_clockwise ? "cw" : "ccw";
+}
+
+/// "X10 Y5 ccw I0 J5 F200": what is told.
 bool is_at(const path::Command& command, const std::string& place) {
     std::istringstream words(place);
     for (std::string word; words >> word;) {
+        if (std::islower(static_cast<unsigned char>(word[0])) != 0) {
+            if (word != kind_of(command)) return false;
+            continue;
+        }
+        if (const std::size_t center = std::string_view("IJK").find(word[0]);
+            center != std::string_view::npos) {
+            const double at = command.center[static_cast<Eigen::Index>(center)];
+            if (std::abs(at - std::stod(word.substr(1))) > 1e-4) return false;
+            continue;
+        }
+        if (word[0] == 'F') {
+            if (std::abs(command.feed - std::stod(word.substr(1))) > 1e-6) return false;
+            continue;
+        }
         const auto axis = std::ranges::find(kAxisNames, word.substr(0, 1));
         const double wanted = std::stod(word.substr(1));
         const auto i = static_cast<std::size_t>(axis - kAxisNames.begin());
-        if (std::abs(command.to[i] - wanted) > 1e-6) return false;
+        if (std::abs(command.to[i] - wanted) > 5e-5) return false;
     }
     return true;
 }
@@ -138,6 +170,43 @@ std::string place_of(const path::Command& command) {
     std::string out;
     for (std::size_t i = 0; i < 3; ++i) {
         out += std::string(kAxisNames[i]) + format_shortest(round_to(command.to[i], 6)) + ' ';
+    }
+    out += kind_of(command);
+    if (command.op == path::Op::Arc) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double at = command.center[static_cast<Eigen::Index>(i)];
+            out += std::string(" ") + "IJK"[i] + format_shortest(round_to(at, 6));
+        }
+    }
+    return out + " F" + format_shortest(command.feed);
+}
+
+/// All motions in short; X of a lathe is a diameter.
+std::string path_of(const std::vector<path::Command>& motions, bool is_lathe) {
+    std::string out;
+    AxisValues here{};
+    double feed = 0;
+    for (const path::Command& command : motions) {
+        std::string word;
+        const bool is_rapid = command.op == path::Op::Rapid;
+        for (std::size_t i = 0; i < kAxes; ++i) {
+            if (std::abs(command.to[i] - here[i]) < 1e-6) continue;
+            const char name = kAxisNames[i][0];
+            const double value = command.to[i] * (is_lathe && i == 0 ? 2 : 1);
+            word += is_rapid ? name : static_cast<char>(name - 'A' + 'a');
+            word += format_shortest(round_to(value, 3));
+        }
+        here = command.to;
+        const std::string kind = command.op == path::Op::Thread
+                                     ? 't' + format_shortest(round_to(command.feed, 4)) + ':'
+                                 : command.op != path::Op::Arc ? ""
+                                 : command.is_clockwise        ? "cw:"
+                                                               : "ccw:";
+        if (!is_rapid && command.op != path::Op::Thread && command.feed != feed) {
+            feed = command.feed;
+            word += 'f' + format_shortest(round_to(feed, 4));
+        }
+        if (!word.empty()) out += (out.empty() ? "" : " ") + kind + word;
     }
     return out;
 }
@@ -171,11 +240,27 @@ class KeptLines final : public Printer {
     std::vector<std::string>& lines_;
 };
 
+bool is_of_lathe(const nc::Dialect& dialect) {
+    return dialect.name().find("lathe") != std::string_view::npos;
+}
+
+/// Runs the library's cycles for the cycles of a control.
+CycleExpander* cycles_of(const nc::Dialect& dialect) {
+    static Sources sources;
+    static driver::Messages messages(sources, {}, [](std::string_view) {});
+    static driver::Session session({}, driver::share_below(KADR_ROOT), sources, messages);
+    static std::map<std::string, std::unique_ptr<driver::LibraryCycles>> all;
+    std::unique_ptr<driver::LibraryCycles>& cycles = all[std::string(dialect.name())];
+    if (!cycles) cycles = std::make_unique<driver::LibraryCycles>(session, dialect);
+    return cycles.get();
+}
+
 Outcome run_program(const nc::Dialect& dialect, const std::string& text, const Expected& expected,
                     const fs::path& folder, bool can_seek) {
     machine::Machine machine = mill();
     machine.work_offsets = {{}, {}, {10, 20, 30}};
     machine.tools[0].length = 0;
+    machine.is_lathe = is_of_lathe(dialect);
     DiagnosticList messages;
     PiecedText source(text, can_seek);
     ProgramOptions options;
@@ -192,13 +277,15 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
     interpreting.date = 20261122;
     interpreting.time_of_day = 13 * 3600 + 5 * 60 + 9;
     interpreting.skip_levels = expected.skip_levels;
-    Interpreter interpreter(dialect, machine, program, &program, nullptr, interpreting, messages);
+    Interpreter interpreter(dialect, machine, program, &program,
+                            machine.is_lathe ? cycles_of(dialect) : nullptr, interpreting,
+                            messages);
     program.follow(interpreter);
     std::vector<path::Command> batch(5);
     while (const std::size_t count = interpreter.pull(batch)) {
         for (const path::Command& command : std::span(batch).first(count)) {
             if (command.op == path::Op::Rapid || command.op == path::Op::Line ||
-                command.op == path::Op::Arc)
+                command.op == path::Op::Arc || command.op == path::Op::Thread)
                 outcome.motions.push_back(command);
             if (command.op == path::Op::Message) {
                 outcome.shown.push_back(command.text.empty() ? "message"
@@ -236,7 +323,7 @@ void check_alarm(const Expected& expected, const Outcome& outcome) {
     EXPECT_EQ(found, expected.alarm);
 }
 
-void check(const Expected& expected, const Outcome& outcome) {
+void check(const Expected& expected, const Outcome& outcome, bool is_lathe) {
     check_alarm(expected, outcome);
     for (const auto& [name, value] : expected.variables) {
         std::string found;
@@ -254,6 +341,9 @@ void check(const Expected& expected, const Outcome& outcome) {
     }
     if (!expected.warnings.empty()) {
         EXPECT_EQ(warnings, expected.warnings);
+    }
+    if (!expected.path.empty()) {
+        EXPECT_EQ(path_of(outcome.motions, is_lathe), expected.path);
     }
     if (expected.way.empty()) return;
     EXPECT_EQ(outcome.motions.size(), expected.way.size());
@@ -369,6 +459,191 @@ TEST(ControlText, WordsOfTheLanguageAreExplained) {
               "`$P_F` is feed: programmed feed in the unit of its mode; 0 none; programmed feed");
 }
 
+// ---------------------------------------------------------------- roughing along any shape
+
+/// A shape that rises from its beginning to its end. It is told for G71: x is the height on the
+/// radius, z the way of the cuts. For G72 the two are exchanged, and moved.
+struct RandomShape {
+    struct Point {
+        double x = 0;
+        double z = 0;
+    };
+    bool facing = false;
+    std::string text;           // its blocks, N10 to N20
+    std::vector<Point> points;  // along it, close together
+    Point start;                // of the cycle
+    double step = 0;
+    double left_x = 0;  // on the radius
+    double left_z = 0;
+
+    Point seen(const AxisValues& to) const {
+        return facing ? Point{to[2] + 60, to[0] - 100} : Point{to[0], to[2]};
+    }
+};
+
+/// A number with its decimal point.
+std::string word_of(char address, double value) {
+    std::string out = format_shortest(round_to(value, 3));
+    return address + (out.find('.') == std::string::npos ? out + '.' : out);
+}
+
+std::string height_word(bool facing, double x) {
+    return facing ? word_of('Z', x - 60) : word_of('X', 2 * x);
+}
+
+std::string way_word(bool facing, double z) {
+    return facing ? word_of('X', 2 * (z + 100)) : word_of('Z', z);
+}
+
+class ShapeMaker {
+  public:
+    ShapeMaker(unsigned seed, bool facing, bool inside)
+        : random_(seed), facing_(facing), side_(inside ? -1 : 1) {}
+
+    RandomShape make() {
+        RandomShape shape;
+        const int count = static_cast<int>(number(2, 6));
+        RandomShape::Point at{inside() ? 60.0 : 10.0, 2};
+        const RandomShape::Point first = at;
+        std::string blocks;
+        std::vector<RandomShape::Point> points{at};
+        for (int i = 0; i < count; ++i) {
+            const bool is_last = i + 1 == count;
+            const int kind = i == 0 ? 0 : static_cast<int>(number(0, 5));
+            const double width = 0.5 * number(1, 12);
+            const double rise = 0.5 * number(1, 8);
+            RandomShape::Point to = at;
+            if (kind == 0 && !is_last) to.z -= width;
+            if (kind == 1 || is_last) to.x += side_ * rise;
+            if (!is_last && kind >= 2) {
+                to.z -= width;
+                to.x += side_ * (kind == 2 ? rise : width);
+            }
+            const std::string end = height_word(facing_, to.x) + way_word(facing_, to.z);
+            if (kind >= 3 && !is_last) {
+                const bool clockwise = kind == 3;
+                blocks += (clockwise != facing_ ? "G02" : "G03") + end + word_of('R', width) + '\n';
+                add_quarter(points, at, to, clockwise);
+            } else {
+                blocks += (is_last ? "N20G01" : "G01") + end + '\n';
+            }
+            points.push_back(to);
+            at = to;
+        }
+        shape.start = {at.x + side_ * 0.5 * number(0, 6), 2};
+        shape.step = 0.25 * number(2, 12);
+        shape.left_x = side_ * 0.1 * number(0, 4);
+        shape.left_z = 0.1 * number(0, 4);
+        shape.facing = facing_;
+        shape.text = "N10G00" + height_word(facing_, first.x) + '\n' + blocks;
+        shape.points = std::move(points);
+        return shape;
+    }
+
+  private:
+    bool inside() const { return side_ < 0; }
+    double number(int least, int most) {
+        return std::uniform_int_distribution<int>(least, most)(random_);
+    }
+    /// A quarter of a circle, every half degree.
+    static void add_quarter(std::vector<RandomShape::Point>& points, RandomShape::Point from,
+                            RandomShape::Point to, bool clockwise) {
+        // Seen with Z to the right and X up.
+        const bool center_beside_end = clockwise == (to.x > from.x);
+        const RandomShape::Point center =
+            center_beside_end ? RandomShape::Point{to.x, from.z} : RandomShape::Point{from.x, to.z};
+        for (int i = 1; i < 180; ++i) {
+            const double angle = i * 0.5 * std::numbers::pi / 180;
+            const double a = std::cos(angle);
+            const double b = std::sin(angle);
+            points.push_back({center.x + (from.x - center.x) * a + (to.x - center.x) * b,
+                              center.z + (from.z - center.z) * a + (to.z - center.z) * b});
+        }
+    }
+
+    std::mt19937 random_;
+    bool facing_;
+    double side_;
+};
+
+/// How far the shape with its allowances stands out towards the tool at a place, on the radius.
+double stands_at(const RandomShape& shape, double z, double side) {
+    double most = -1e9;
+    const auto& points = shape.points;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const double z0 = points[i - 1].z + shape.left_z;
+        const double z1 = points[i].z + shape.left_z;
+        if (z > std::max(z0, z1) || z < std::min(z0, z1)) continue;
+        const double part = z0 == z1 ? 1 : (z - z0) / (z1 - z0);
+        const double x = points[i - 1].x + (points[i].x - points[i - 1].x) * part + shape.left_x;
+        const double end = points[i].x + shape.left_x;
+        most = std::max(most, side * (z0 == z1 ? end : x));
+    }
+    return most;
+}
+
+std::string roughing_of(const RandomShape& shape) {
+    const double left_on_x = shape.facing ? shape.left_z : shape.left_x;
+    const double left_on_z = shape.facing ? shape.left_x : shape.left_z;
+    return "%\nO0001\nG99G97S500M03\nG00" + height_word(shape.facing, shape.start.x) +
+           way_word(shape.facing, shape.start.z) + '\n' +
+           (shape.facing ? "G72" + word_of('W', shape.step) : "G71" + word_of('U', shape.step)) +
+           "R0.3\n" + (shape.facing ? "G72" : "G71") + "P10Q20" + word_of('U', 2 * left_on_x) +
+           word_of('W', left_on_z) + "F0.2\n" + shape.text + "M30\n%\n";
+}
+
+/// Every motion keeps off the shape with its allowances, what the parallel cuts leave is less than
+/// a depth of cut, and the tool comes back to where it was.
+void check_roughing(const RandomShape& shape, double side) {
+    const std::string text = roughing_of(shape);
+    SCOPED_TRACE(text);
+    const Outcome outcome = run_program(dialect_named("fanuc-lathe"), text, {}, kPrograms, true);
+    for (const Diagnostic& message : outcome.messages)
+        ASSERT_NE(message.severity, Severity::Alarm) << message.message();
+    ASSERT_GT(outcome.motions.size(), 3u);
+    const RandomShape::Point last = shape.seen(outcome.motions.back().to);
+    EXPECT_NEAR(last.x, shape.start.x, 1e-9);
+    EXPECT_NEAR(last.z, shape.start.z, 1e-9);
+
+    const double begin = shape.points.front().x + shape.left_x;
+    const double front = shape.start.z + shape.left_z;
+    const double end = shape.points.back().z + shape.left_z;
+    std::vector<RandomShape::Point> cuts;  // parallel ones: height and end
+    RandomShape::Point here = shape.seen(outcome.motions.front().to);
+    for (std::size_t i = 1; i + 1 < outcome.motions.size(); ++i) {
+        const path::Command& command = outcome.motions[i];
+        const RandomShape::Point to = shape.seen(command.to);
+        for (int k = 0; k <= 40 && command.op != path::Op::Arc; ++k) {
+            const double x = here.x + (to.x - here.x) * k / 40;
+            const double z = here.z + (to.z - here.z) * k / 40;
+            if (z < end - 1e-6) continue;  // behind the shape the bar stays as it is
+            // On a wall the tool touches what stands behind it.
+            EXPECT_GE(side * x, stands_at(shape, z + 1e-5, side) - 2e-3) << x << ' ' << z;
+        }
+        const bool is_parallel = command.op == path::Op::Line && std::abs(to.x - here.x) < 1e-9 &&
+                                 side * (here.x - begin) > 1e-6 && std::abs(here.z - front) < 1e-9;
+        if (is_parallel) cuts.push_back(to);
+        here = to;
+    }
+    for (double z = end + 0.01; z < shape.start.z; z += 0.37) {
+        double least = side * (shape.start.x + shape.left_x);
+        for (const RandomShape::Point& cut : cuts) {
+            if (cut.z <= z + 1e-9) least = std::min(least, side * cut.x);
+        }
+        // In front of the shape nothing is left.
+        const double stands = std::max(stands_at(shape, z, side), side * begin);
+        EXPECT_LT(least - stands, shape.step + 2e-3) << z;
+    }
+}
+
+TEST(LatheCycles, RoughingKeepsOffTheShape) {
+    for (unsigned seed = 0; seed < 240; ++seed) {
+        SCOPED_TRACE(seed);
+        const bool inside = seed % 2 != 0;
+        check_roughing(ShapeMaker(seed, seed % 4 > 1, inside).make(), inside ? -1 : 1);
+    }
+}
+
 class Control : public testing::TestWithParam<fs::path> {};
 
 TEST_P(Control, DoesWhatTheManualSays) {
@@ -379,7 +654,8 @@ TEST_P(Control, DoesWhatTheManualSays) {
     const nc::Dialect& dialect = dialect_named(file.parent_path().filename());
     for (const bool can_seek : {true, false}) {
         SCOPED_TRACE(can_seek ? "from a file" : "through a pipe");
-        check(expected, run_program(dialect, text, expected, file.parent_path(), can_seek));
+        check(expected, run_program(dialect, text, expected, file.parent_path(), can_seek),
+              is_of_lathe(dialect));
     }
 }
 

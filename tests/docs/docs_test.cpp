@@ -184,6 +184,27 @@ TEST_F(Docs, TheInventedControlWorks) {
     EXPECT_EQ(texts, 2);
 }
 
+TEST_F(Docs, ThePageOnDebuggingShowsWhatIsSaid) {
+    int texts = 0;
+    std::string said;
+    for (const Fence& fence : fences("docs/debugging.md")) {
+        if (fence.info.starts_with("iso ")) {
+            ASSERT_TRUE(kadr::write_file_whole(fence.info.substr(4), fence.text));
+        } else if (fence.info == "sh") {
+            std::vector<std::string> words = words_of(fence.text);
+            words[0] = KADR_BINARY;
+            const ProcessResult result = run_process(words, "");
+            EXPECT_EQ(result.status, 0) << fence.text << result.err;
+            said = result.out + result.err;
+        } else {
+            ++texts;
+            EXPECT_EQ(said, fence.text) << "docs/debugging.md:" << fence.line;
+        }
+    }
+    EXPECT_EQ(texts, 3);
+    EXPECT_TRUE(fs::exists("slot.jsonl"));
+}
+
 TEST_F(Docs, EveryRuleIsInThePageOnDialects) {
     const std::string page = kadr::read_file(KADR_ROOT "/docs/dialects.md").value_or("");
     std::istringstream table(kadr::read_file(KADR_ROOT "/runtime/interp/rules.def").value_or(""));

@@ -90,7 +90,13 @@ TEST_F(CommandLine, ExitStatusSaysHowItEnded) {
              Row{"map of ISO text", {"run", file("flat.nc"), "--map", file("map")}, 2},  // K9011
              Row{"no time",
                  {"run", file("flat.nc"), "-d", "iso", "--max-time", "1us"},
-                 3},                                                   // K5263
+                 3},  // K5263
+             Row{"no time to check",
+                 {"check", file("flat.nc"), "-d", "iso", "--max-time", "1us"},
+                 1},  // K5263
+             Row{"too many blocks to check",
+                 {"check", file("flat.nc"), "-d", "iso", "--max-blocks", "2"},
+                 1},                                                   // K5262
              Row{"of several controls", {"run", file("flat.nc")}, 2},  // K9015
              Row{"not a number of blocks", {"run", file("flat.nc"), "--max-blocks", "0"}, 2},
              Row{"two results to standard output",

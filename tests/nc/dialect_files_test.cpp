@@ -8,8 +8,8 @@
 namespace kadr::nc {
 namespace {
 
-constexpr std::array<const char*, 5> kShipped = {"iso", "sinumerik", "fanuc", "fanuc-lathe",
-                                                 "axioma"};
+constexpr std::array<const char*, 7> kShipped = {
+    "iso", "sinumerik", "fanuc", "fanuc-lathe", "fanuc-lathe-b", "fanuc-lathe-c", "axioma"};
 
 TEST(DialectFiles, Load) {
     for (const char* name : kShipped) {

@@ -154,6 +154,11 @@ TEST(Plan, CallsOfTheControl) {
     EXPECT_EQ(testing::codes(too_many), "K4113");
 }
 
+/// Safety lines end polar coordinates, which no source has.
+TEST(Plan, PolarOffIsWithoutEffect) {
+    EXPECT_EQ(describe(source_block(testing::shipped("fanuc"), "G15 G80")), "cycle_off");
+}
+
 TEST(Plan, CyclesOfWords) {
     const Dialect& fanuc = testing::shipped("fanuc");
     ASSERT_TRUE(cycle_of(fanuc, "G", 83));

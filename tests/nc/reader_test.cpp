@@ -161,7 +161,7 @@ TEST(Reader, FanucLatheWords) {
                       {"G28 U0 W0", "X=IC(0) Z=IC(0) | reference_return(point=1)"},
                       {"G32 Z-20. F1.5 Q90000", "thread Z-20 F1.5 | thread_start(angle=90)"},
                       {"G76 P010060 Q100 R0.1\nG76 X18.16 Z-30. P920 Q350 F1.5",
-                       "cycle_preset#11(6=30, 7=0.1, 8=1, 9=0.1)\n"
+                       "cycle_preset#11(6=30, 7=0.1, 8=1, 9=0.1, 11=0)\n"
                        "F1.5 | cycle#11(0=18.16, 1=-30, 2=0.92, 3=0.35)"},
                   });
 }
@@ -265,8 +265,7 @@ TEST(Reader, WordsOfTheControlThatKadrLacksAreNotTheProgramsMistake) {
     EXPECT_NE(said("sinumerik", "CYCLE832(0.01,1,1)")
                   .find("`CYCLE832` (high-speed settings) is not supported by Kadr yet"),
               std::string::npos);
-    EXPECT_NE(said("sinumerik", "G1 X10 rnd=2").find("`RND` (rounding between two blocks)"),
-              std::string::npos);
+    EXPECT_NE(said("sinumerik", "invcw X10 Y2").find("`INVCW` (involute)"), std::string::npos);
     EXPECT_NE(said("fanuc", "G05.4 Q1").find("`G05.4` (high-speed machining)"), std::string::npos);
     EXPECT_EQ(testing::codes(read_blocks(shipped("sinumerik"), "FOOBAR=2").messages), "K5001");
     EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "G777").messages), "K5002");
@@ -283,10 +282,11 @@ TEST(Reader, ALeadHasItsOwnDecimals) {
 }
 
 TEST(Reader, WordsWithoutEffectAreAccepted) {
-    expect_blocks("fanuc",
-                  {{"G40G49G80G69G50G15",
-                    "radius_comp_off | length_comp_off | cycle_off | rotate_off | scale_off"},
-                   {"G05.1 Q1\nG01 X1.", "line X1"}});
+    expect_blocks(
+        "fanuc",
+        {{"G40G49G80G69G50G15",
+          "radius_comp_off | length_comp_off | cycle_off | rotate_off | scale_off | polar_off"},
+         {"G05.1 Q1\nG01 X1.", "line X1"}});
     expect_blocks("sinumerik", {{"G1 SOFT G601 X5 CUT2D", "line X5"}, {"STOPRE", ""}});
     // A word of arcs beside a cycle is not passed over.
     EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "G81 X1. Z-5. R2. J3.").messages),

@@ -21,13 +21,14 @@ using nlohmann::json;
 
 /// What moves, turns and waits, without where it stands in the text.
 std::vector<json> commands_of(const std::string& suffix, const std::string& text,
-                              const std::string& dialect, const std::string& machine = "mill") {
+                              const std::string& dialect, const std::string& machine = "mill",
+                              const std::string& cycles = "moves") {
     const fs::path file =
         fs::temp_directory_path() / ("kadr-native-" + std::to_string(::getpid()) + suffix);
     EXPECT_TRUE(kadr::write_file_whole(file.string(), text));
     const ProcessResult result =
         run_process({KADR_BINARY, "run", file.string(), "-d", dialect, "-m", machine, "--cycles",
-                     "moves", "--commands", "-"});
+                     cycles, "--commands", "-"});
     EXPECT_EQ(result.status, 0) << text << result.err;
     std::error_code ignored;
     fs::remove(file, ignored);
@@ -109,14 +110,31 @@ TEST(Native, SingleCyclesOfALatheAreRepeated) {
         "F0.2;\n"
         "G0 X50 Z5;\nturn_once(x: 46mm, z: -20mm);\nturn_once(x: 42mm, z: -20mm);\n"
         "turn_once(x: 40mm, z: -20mm, taper: -1mm);\nface_once(x: 20mm, z: 2mm);\n"
-        "face_once(x: 20mm, z: -1mm);\nthread_once(x: 38mm, z: -30mm, lead: 1.5mm);\n"
-        "thread_once(x: 37mm, z: -30mm, lead: 1.5mm);\nG0 X60;\nM30;\n}\n";
+        "face_once(x: 20mm, z: -1mm);\nthread_once(x: 38mm, z: -30mm, lead: 1.5mm, run_off: 1);\n"
+        "thread_once(x: 37mm, z: -30mm, lead: 1.5mm, run_off: 1);\nG0 X60;\nM30;\n}\n";
     const auto native = commands_of(".nc", text, "fanuc-lathe", "lathe");
     const auto moves = commands_of(".kadr", program, "iso", "lathe");
     ASSERT_GT(moves.size(), 25u);
     ASSERT_EQ(native.size(), moves.size());
     for (std::size_t i = 0; i < moves.size(); ++i) EXPECT_EQ(native[i], moves[i]) << i;
     EXPECT_EQ(commands_of(".kadr", program, "fanuc-lathe", "lathe"), moves);
+}
+
+// The three systems of G codes of a lathe say the same with other numbers: what is written for one
+// of them is read back to the same commands, with the control's own cycles too.
+TEST(Native, LathePartsAreTheSameInEverySystem) {
+    for (const char* part :
+         {"examples/shaft", "examples/pin", "tests/golden/cycles/lathe_thread"}) {
+        const std::string text =
+            kadr::read_file(KADR_ROOT "/" + std::string(part) + ".kadr").value_or("");
+        for (const char* cycles : {"moves", "native"}) {
+            SCOPED_TRACE(std::string(part) + ", " + cycles);
+            const auto first = commands_of(".kadr", text, "fanuc-lathe", "lathe", cycles);
+            ASSERT_GT(first.size(), 20u);
+            EXPECT_EQ(commands_of(".kadr", text, "fanuc-lathe-b", "lathe", cycles), first);
+            EXPECT_EQ(commands_of(".kadr", text, "fanuc-lathe-c", "lathe", cycles), first);
+        }
+    }
 }
 
 /// What is executed, short: `Z2 z-8 @0.3 S400 …`; rapid in capitals, feed in small letters, dwells,

@@ -1,0 +1,102 @@
+#include "driver/break_points.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "base/text.h"
+
+namespace kadr::driver {
+
+namespace {
+
+std::optional<std::uint64_t> whole(std::string_view digits) {
+    std::uint64_t value = 0;
+    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    const bool is_whole = read.ec == std::errc() && read.ptr == digits.data() + digits.size();
+    return is_whole ? std::optional(value) : std::nullopt;
+}
+
+bool is_name(std::string_view text) {
+    return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+        const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+        const bool is_digit = c >= '0' && c <= '9';
+        return is_letter || is_digit || c == '_' || c == '.' || c == '%' || c == '/' || c == '-' ||
+               static_cast<unsigned char>(c) >= 0x80;
+    });
+}
+
+/// `rows.kadr` is what `parts/rows.kadr` may be called.
+bool is_file(std::string_view file, std::string_view called) {
+    if (file.empty() || !file.ends_with(called)) return false;
+    return file.size() == called.size() || file[file.size() - called.size() - 1] == '/';
+}
+
+}  // namespace
+
+std::optional<BreakPoint> BreakPoint::parse(std::string_view text) {
+    BreakPoint point;
+    point.text_ = text;
+    if (const std::size_t colon = text.rfind(':'); colon != std::string_view::npos) {
+        const auto line = whole(text.substr(colon + 1));
+        if (!line || *line == 0) return std::nullopt;
+        point.kind_ = Kind::Line;
+        point.number_ = *line;
+        point.name_ = text.substr(0, colon);
+        return point;
+    }
+    const bool has_letter = text.starts_with('N') || text.starts_with('n');
+    if (const auto number = whole(has_letter ? text.substr(1) : text)) {
+        point.kind_ = Kind::Number;
+        point.number_ = *number;
+        return point;
+    }
+    if (!is_name(text)) return std::nullopt;
+    point.name_ = upper_ascii(text);
+    return point;
+}
+
+bool BreakPoint::is_line(const FileLine& line, std::string_view started) const {
+    if (line.file.empty() || number_ < line.first || number_ > line.last) return false;
+    return name_.empty() ? line.file == started : is_file(line.file, name_);
+}
+
+bool BreakPoint::is_at(const Arrival& arrival) const {
+    switch (kind_) {
+        case Kind::Number: return arrival.has_number && arrival.number == number_;
+        case Kind::Line:
+            return is_line(arrival.text, arrival.started) ||
+                   is_line(arrival.statement, arrival.started) ||
+                   std::any_of(arrival.entered.begin(), arrival.entered.end(),
+                               [this, &arrival](const Arrival::Entered& call) {
+                                   return is_line(call.call, arrival.started);
+                               });
+        case Kind::Name: break;
+    }
+    const auto is_called = [this](std::string_view name) {
+        return !name.empty() && upper_ascii(name) == name_;
+    };
+    return is_called(arrival.label) || is_called(arrival.program) ||
+           std::any_of(arrival.entered.begin(), arrival.entered.end(),
+                       [&](const Arrival::Entered& call) { return is_called(call.function); });
+}
+
+std::size_t CallWatch::known_calls(const expand::Trace& now) {
+    // The same call in another turn of a loop around it is another call.
+    const auto is_same_turn = [&](std::size_t loops) {
+        return loops <= now.loop_counts.size() && loops <= before_.loop_counts.size() &&
+               std::equal(now.loop_counts.begin(),
+                          now.loop_counts.begin() + static_cast<std::ptrdiff_t>(loops),
+                          before_.loop_counts.begin());
+    };
+    std::size_t known = 0;
+    while (known < now.calls.size() && known < before_.calls.size() &&
+           now.calls[known].range == before_.calls[known].range &&
+           now.calls[known].function == before_.calls[known].function &&
+           is_same_turn(now.calls[known].loops)) {
+        ++known;
+    }
+    before_ = now;
+    return known;
+}
+
+}  // namespace kadr::driver

@@ -1,0 +1,85 @@
+// debugger.h — looks on while a control's program runs: writes the trace, stops at break points.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "driver/break_points.h"
+#include "driver/execution.h"
+#include "driver/output.h"
+#include "driver/trace.h"
+
+namespace kadr::driver {
+
+class Debugger final : public interp::LineWatch {
+  public:
+    /// Null: a place of the job is none, which is reported. `trace`: where it goes; null: nowhere.
+    /// All references outlive the debugger.
+    static std::unique_ptr<Debugger> open(Session& session, const RunJob& job, Output* trace);
+
+    /// What the execution is opened with, besides its map.
+    void look_on(Aside& aside) {
+        aside.watch = this;
+        aside.changes = &changes_;
+    }
+    /// The execution that it looks at; before the first command is pulled.
+    void follow(Execution& execution);
+
+    bool comes_to(const interp::WatchedLine& line) override;
+    /// Writes what is left of the trace, and warns of places that the run never came to. `alarm`:
+    /// that ended the run; empty: none.
+    void finish(const std::string& alarm);
+
+  private:
+    struct Place {
+        BreakPoint point;
+        bool was_reached = false;
+    };
+    Debugger(Session& session, const RunJob& job, Output* trace);
+
+    static bool take_places(const std::vector<std::string>& texts, std::vector<Place>& places,
+                            DiagnosticSink& sink);
+    TraceState state();
+    void end_step();
+    void begin_step(const interp::WatchedLine& line);
+    void find_statement(TraceStep& step) const;
+    Arrival arrival_at(const interp::WatchedLine& line);
+    FileLine lines_of(const SourceRange& range) const;
+    static const Place* find(std::vector<Place>& places, const Arrival& arrival);
+    void warn_of(const std::vector<Place>& places);
+
+    // the conversation
+    bool stop(std::string_view reason);
+    bool obey(std::string_view command, bool& is_over);
+    void show_stop(std::string_view reason);
+    void show_position();
+    void show_state();
+    void show_variables(std::string_view part);
+    void show_calls();
+    std::string stop_json(std::string_view reason);
+    void say(const std::string& text) const;
+
+    Session& session_;
+    const RunJob& job_;
+    Output* out_;
+    std::optional<Trace> trace_;
+    Execution* execution_ = nullptr;
+    std::vector<Place> breaks_;
+    std::vector<Place> until_;
+    std::vector<interp::VariableChange> changes_;
+    std::optional<TraceStep> step_;  // that is executed
+    std::uint64_t traced_ = 0;
+    std::uint64_t blocks_before_ = 0;
+    std::uint64_t statements_before_ = 0;
+    CallWatch calls_;
+    std::string program_;  // that the line before belongs to
+    std::size_t level_ = 0;
+    bool is_stepping_ = false;
+    bool has_begun_ = false;
+    std::string last_command_;
+    std::string buffer_;
+};
+
+}  // namespace kadr::driver

@@ -1,0 +1,80 @@
+// trace.h — `--trace`: what each executed block has changed, as a table or as JSON Lines.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "driver/session.h"
+#include "expand/expander.h"
+#include "interp/code_list.h"
+#include "interp/program.h"
+#include "interp/snapshot.h"
+
+namespace kadr::driver {
+
+/// One entry of the modal state behind a block.
+struct ModalEntry {
+    std::string_view name;   // in JSON: `feed`
+    std::string_view label;  // in the table: `F`
+    std::string value;       // as JSON has it: `200`, `"cw"`, `null`
+};
+
+/// Feed, speed, spindle, tools and offsets; always the same entries in the same order.
+std::vector<ModalEntry> modal_entries(const interp::Snapshot& now);
+
+/// The state of a control between two blocks.
+struct TraceState {
+    interp::Snapshot now;
+    std::vector<interp::ActiveCode> codes;
+    std::vector<ModalEntry> modal;
+};
+
+/// A block that was executed.
+struct TraceStep {
+    std::uint64_t block = 0;  // from 1; 0: what the program found when it began
+    std::string file;
+    std::uint64_t line = 0;
+    std::int64_t number = -1;  // N; -1 none
+    std::string text;
+    SourceRange statement;   // of the Kadr program; invalid: none
+    bool has_calls = false;  // `calls` holds
+    expand::Trace calls;
+    std::vector<interp::VariableChange> variables;  // each once, and only if it has changed
+};
+
+/// A value of a variable as JSON has it; null for one that is vacant.
+std::string json_value(const interp::ControlVariable& variable);
+
+/// `{"X":1.5,"Y":0}` of the axes that the machine has.
+std::string json_axes(AxisMask axes, const AxisValues& values);
+
+enum class TraceFormat : std::uint8_t { Table, Json };
+
+/// Writes steps one by one; keeps nothing but the state behind the last one.
+class Trace {
+  public:
+    /// The session outlives the trace. `main`: the file whose lines need no name in the table.
+    Trace(const Session& session, TraceFormat format, std::string main)
+        : session_(session), format_(format), main_(std::move(main)) {}
+
+    /// Appends a step and what the state became by it.
+    void append(const TraceStep& step, TraceState state, std::string& out);
+    /// Appends the last line of a run that came to an alarm.
+    void append_alarm(std::string_view text, std::string& out) const;
+
+  private:
+    void append_json(const TraceStep& step, const TraceState& state, std::string& out) const;
+    void append_head(AxisMask axes, std::string& out) const;
+    void append_row(const TraceStep& step, const TraceState& state, std::string& out) const;
+    std::string changes(const TraceStep& step, const TraceState& state) const;
+
+    const Session& session_;
+    TraceFormat format_;
+    std::string main_;
+    bool has_state_ = false;
+    TraceState before_;
+};
+
+}  // namespace kadr::driver

@@ -1,0 +1,201 @@
+// cornering.cpp — what switches chamfers and roundings, and what passes through them.
+#include <cmath>
+
+#include "base/diagnostics/iso.h"
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Invocation;
+using nc::Slot;
+using nc::SlotMask;
+
+namespace {
+
+Slot slot_across(Axis axis) {
+    return static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + index(axis));
+}
+
+}  // namespace
+
+void Executor::choose_corner(const Block& block, const Invocation& invocation, Actions& actions) {
+    const double value = block.argument(invocation, 0);
+    switch (invocation.function) {
+        case Function::CornerRoundModal:
+            if (value < 0) {
+                report(diag::CornerNegative, block, invocation.function).arg(value);
+                return;
+            }
+            rounding_ = value;
+            break;
+        case Function::CornerFeed:
+        case Function::CornerFeedModal: {
+            const bool is_off = invocation.function == Function::CornerFeedModal && value == 0;
+            if (!(value > 0) && !is_off) {
+                report(diag::CornerFeedInvalid, block, invocation.function).arg(value);
+                return;
+            }
+            (invocation.function == Function::CornerFeed ? actions.corner_feed : corner_feed_) =
+                value;
+            break;
+        }
+        default: {
+            const bool is_round = invocation.function == Function::CornerRound;
+            const bool was_round =
+                actions.corner != nullptr && actions.corner->function == Function::CornerRound;
+            // Where a chamfer and a rounding stand together, the rounding is made.
+            const bool is_twice =
+                actions.corner != nullptr && (rules_.corner_strict || is_round == was_round);
+            if (is_twice) {
+                report(diag::CornerTwice, block, invocation.function);
+                return;
+            }
+            if (!was_round) actions.corner = &invocation;
+        }
+    }
+}
+
+/// Tells the corners what this block wants, before it puts its motion.
+void Executor::wish_corner(const Block& block, const Actions& actions) {
+    if (cycle_blocks_) return;
+    CornerWish wish;
+    if (actions.corner != nullptr) {
+        const Invocation& said = *actions.corner;
+        const bool is_round = said.function == Function::CornerRound;
+        const bool is_width = !is_round && (said.given & 2u) != 0;
+        wish.kind = is_round   ? CornerWish::Kind::Round
+                    : is_width ? CornerWish::Kind::Width
+                               : CornerWish::Kind::Length;
+        wish.size = block.argument(said, is_width ? 1 : 0);
+        if (wish.size < 0) {
+            report(diag::CornerNegative, block, said.function).arg(wish.size);
+            return;
+        }
+    } else {
+        wish.kind = CornerWish::Kind::Round;
+        wish.size = rounding_;
+        wish.is_modal = true;
+    }
+    wish.feed = actions.corner_feed > 0 ? actions.corner_feed : corner_feed_;
+    put_wish(block, wish);
+}
+
+/// The size counts in the programmed system, the commands are of the base system.
+void Executor::put_wish(const Block& block, CornerWish wish) {
+    if (!(wish.size > 0)) return;
+    if (frames_.is_stretched(modal_.plane)) {
+        if (!wish.is_modal) report(diag::ArcStretched, block);
+        return;
+    }
+    const path::PlaneAxes plane = path::axes_of(modal_.plane);
+    wish.size *= frames_.total().direction(path::unit(plane.first)).norm();
+    corners_.wish(wish, position_.base, {block.source, block.line});
+}
+
+/// A chamfer or a rounding at a square corner, said by the words of arcs beside a line: the centre
+/// word of the other axis, or a radius, whose sign is the way on. False: the words say none.
+bool Executor::wish_square_corner(const Block& block, const Target& target) {
+    const SlotMask words = block.given & nc::kArcSlots;
+    const path::PlaneAxes plane = path::axes_of(modal_.plane);
+    const auto moves = [&](Axis axis) {
+        return std::abs(target.here[index(axis)] - position_.here[index(axis)]) > path::kSamePoint;
+    };
+    const bool along_first = moves(plane.first);
+    if (!rules_.corner_by_arc_words || cycle_blocks_ || modal_.motion != Function::Line)
+        return false;
+    const bool has_other = block.find(Function::CornerChamfer) != nullptr ||
+                           block.find(Function::CornerRound) != nullptr;
+    if ((words & (words - 1)) != 0 || has_other) {
+        report(diag::CornerTwice, block);
+        return true;
+    }
+    if (along_first == moves(plane.second)) {
+        report(diag::CornerNotSquare, block);
+        return true;
+    }
+    CornerWish wish;
+    wish.is_square = true;
+    wish.next = along_first ? plane.second : plane.first;
+    const bool is_round = words == bit(Slot::Radius);
+    if (!is_round && words != bit(slot_across(wish.next))) {
+        report(diag::CornerNotSquare, block);
+        return true;
+    }
+    wish.kind = is_round ? CornerWish::Kind::Round : CornerWish::Kind::Width;
+    const double size = block.at(is_round ? Slot::Radius : slot_across(wish.next));
+    wish.sign = size < 0 ? -1 : 1;
+    wish.size = std::abs(size);
+    put_wish(block, wish);
+    return true;
+}
+
+// ------------------------------------------------------------------------------ out
+
+/// What a block has put goes through the corners and the compensation; what is settled goes out.
+void Executor::settle(const Block& block) {
+    if (!corners_.is_active()) {
+        if (compensation_.is_on()) settle_comp(block, position_.base);
+        return;
+    }
+    std::optional<CornerMessage> message;
+    if (alarmed_) {
+        message = corners_.leave(diag::CornerWithoutMotion);
+        message.reset();  // the block has said what is wrong
+    } else {
+        message = corners_.end_block(position_.base, {block.source, block.line});
+        if (!message && ended_) message = corners_.leave(diag::CornerWithoutMotion);
+    }
+    pass_corners();
+    if (message) report_corner(*message);
+    if (!alarmed_ && ended_ && compensation_.is_on()) flush_comp();
+}
+
+/// A cycle, or the end of the text, has no corner with the motion before it.
+void Executor::leave_corners(const DiagnosticRow& why) {
+    if (!corners_.is_active()) return;
+    const std::optional<CornerMessage> message = corners_.leave(why);
+    pass_corners();
+    if (message) report_corner(*message);
+}
+
+void Executor::pass_corners() {
+    std::vector<Corners::Item> items;
+    items.swap(corners_.settled());
+    Block at{};
+    bool has_put = false;  // since the last end of a block
+    for (Corners::Item& item : items) {
+        const bool is_command = item.kind == Corners::Item::Kind::Command;
+        const bool is_change = item.kind == Corners::Item::Kind::Comp;
+        if (is_command) {
+            has_put = true;
+            at.source = item.command.source;
+            at.line = item.command.line;
+            behind_corners() = std::move(item.command);
+            continue;
+        }
+        if (!is_change) {
+            at.source = item.place.source;
+            at.line = item.place.line;
+        }
+        // A change acts on what comes behind it.
+        if (compensation_.is_on() && (!is_change || has_put))
+            settle_comp(at, is_change ? item.change.here : item.here, false);
+        has_put = false;
+        if (is_change) change_comp(item.change);
+    }
+    std::vector<CornerMessage> warnings;
+    warnings.swap(corners_.warnings());
+    for (const CornerMessage& warning : warnings) report_corner(warning);
+}
+
+void Executor::report_corner(const CornerMessage& message) {
+    Block at{};
+    at.source = message.place.source;
+    at.line = message.place.line;
+    DiagnosticBuilder builder = report(*message.row, at);
+    if (message.row == &diag::CornerReduced) builder.arg(message.made).arg(message.wanted);
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,345 @@
+#include "interp/corners.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "base/diagnostics/iso.h"
+#include "base/numbers.h"
+
+namespace kadr::interp {
+
+using path::Command;
+using path::CornerCut;
+using path::Element;
+using path::Op;
+using path::Vec2;
+using std::numbers::pi;
+
+namespace {
+
+/// Arcs at rapid are lines that touch them, one for each 10 degrees.
+constexpr double kRapidPart = pi / 18;
+
+bool is_straight(Op op) { return op == Op::Line || op == Op::Rapid; }
+
+/// Under inverse time F belongs to the length of its block; of a part it is as much greater.
+void keep_speed(Command& command, double share) {
+    if (command.feed_mode == path::FeedMode::InverseTime && share > 0) command.feed /= share;
+}
+
+}  // namespace
+
+void Corners::wish(const CornerWish& wish, const AxisValues& here, const CornerPlace& place) {
+    if (!is_active_) at_ = here;
+    block_place_ = place;
+    is_active_ = true;
+    wish_ = wish;
+}
+
+Command& Corners::next() { return fresh_.emplace_back().command; }
+
+void Corners::change(const CompChange& change) {
+    Item& item = fresh_.emplace_back();
+    item.kind = Item::Kind::Comp;
+    item.change = change;
+}
+
+std::optional<CornerMessage> Corners::end_block(const AxisValues& here, const CornerPlace& place) {
+    block_place_ = place;
+    const std::size_t motions = motions_;
+    const bool waited = waits_;
+    for (Item& item : fresh_) {
+        if (const Fault fault = take(item)) return end_with(*fault);
+    }
+    fresh_.clear();
+    Item end;
+    end.kind = Item::Kind::EndOfBlock;
+    end.here = here;
+    end.place = place;
+    pass(std::move(end));
+    // A wish that found no motion in its own block.
+    const bool is_lost = wish_.kind != CornerWish::Kind::None && !wish_.is_modal;
+    if (is_lost) {
+        place_ = place;
+        return end_with(diag::CornerWithoutMotion);
+    }
+    wish_ = {};
+    const bool is_empty = waited && waits_ && motions == motions_;
+    if (is_empty && ++empty_blocks_ > settings_.empty_blocks)
+        return leave(settings_.is_strict ? diag::CornerWithoutMotion : diag::CornerEmptyBlocks);
+    is_active_ = waits_;
+    return std::nullopt;
+}
+
+std::optional<CornerMessage> Corners::leave(const DiagnosticRow& why) {
+    const bool is_own = wish_.kind != CornerWish::Kind::None && !wish_.is_modal;
+    const bool is_said = (waits_ && !held_wish_.is_modal) || is_own;
+    if (!waits_) place_ = block_place_;
+    const CornerMessage message = end_with(why);
+    if (!is_said) return std::nullopt;
+    return message;
+}
+
+/// What waits goes on as it was programmed.
+CornerMessage Corners::end_with(const DiagnosticRow& row) {
+    fresh_.clear();
+    wish_ = {};
+    waits_ = false;
+    release();
+    is_active_ = false;
+    return {&row, place_, 0, 0};
+}
+
+void Corners::release() {
+    for (Item& item : held_) settled_.push_back(std::move(item));
+    held_.clear();
+}
+
+void Corners::pass(Item item) { (waits_ ? held_ : settled_).push_back(std::move(item)); }
+
+// ------------------------------------------------------------------------------ commands in
+
+Corners::Fault Corners::take(Item& item) {
+    const Command& command = item.command;
+    if (item.kind != Item::Kind::Command || !path::is_motion(command.op)) {
+        pass(std::move(item));
+        return nullptr;
+    }
+    if (waits_ && command.plane != plane_) {  // no corner between two planes
+        if (settings_.is_strict && !held_wish_.is_modal) return &diag::CornerNotContour;
+        waits_ = false;
+        release();
+    }
+    plane_ = command.plane;
+    axes_ = path::axes_of(plane_);
+    const bool is_contour = (is_straight(command.op) || command.op == Op::Arc) &&
+                            !command.is_unshifted && command.turns == 0;
+    if (!is_contour || (command.op == Op::Arc && !is_in_plane(command)))
+        return take_other_motion(item);
+    if (is_in_plane(command)) return take_motion(item);
+    at_ = command.to;
+    pass(std::move(item));
+    return nullptr;
+}
+
+Corners::Fault Corners::take_other_motion(Item& item) {
+    const bool is_thread = item.command.op == Op::Thread;
+    const bool is_own = wish_.kind != CornerWish::Kind::None && !wish_.is_modal;
+    const bool is_said = (waits_ && !held_wish_.is_modal) || is_own;
+    if (!waits_) place_ = block_place_;
+    if (is_said) return is_thread ? &diag::CornerInThread : &diag::CornerNotContour;
+    at_ = item.command.to;
+    waits_ = false;
+    wish_ = {};
+    release();
+    settled_.push_back(std::move(item));
+    return nullptr;
+}
+
+Corners::Fault Corners::take_motion(Item& item) {
+    if (waits_) {
+        if (const Fault fault = join(item.command)) return fault;
+    }
+    waits_ = false;
+    release();
+    ++motions_;
+    const AxisValues from = at_;
+    at_ = item.command.to;
+    const bool is_left = item.command.op == Op::Arc
+                             ? item.command.sweep > path::kNoTurn
+                             : (in_plane(at_) - in_plane(from)).norm() > path::kSamePoint;
+    if (!is_left) return nullptr;  // the corner has taken all of it
+    if (wish_.kind == CornerWish::Kind::None) {
+        settled_.push_back(std::move(item));
+        return nullptr;
+    }
+    place_ = block_place_;
+    if (settings_.is_strict && item.command.op == Op::Rapid) return &diag::CornerNotContour;
+    wait(std::move(item), from);
+    return nullptr;
+}
+
+void Corners::wait(Item item, const AxisValues& from) {
+    waits_ = true;
+    held_wish_ = wish_;
+    wish_ = {};
+    held_from_ = from;
+    empty_blocks_ = 0;
+    held_.push_back(std::move(item));
+}
+
+// ------------------------------------------------------------------------------ the corner
+
+Corners::Fault Corners::join(Command& next) {
+    const Command first = held_.front().command;
+    if (settings_.is_strict && next.op == Op::Rapid) return &diag::CornerNotContour;
+    const Element a = element_of(first, held_from_);
+    Element b = element_of(next, at_);
+    b.from = a.to;
+    if (const Fault fault = check_sides(next, a, b)) return fault;
+    if (std::fabs(path::turn_between(a, b)) < path::kNoTurn) return nullptr;
+    Fault fault = nullptr;
+    const std::optional<CornerCut> found = cut(a, b, fault);
+    if (fault != nullptr || !found) return fault;
+    shorten(*found);
+    // A change of the compensation is for the motion behind the corner.
+    const auto changes = std::stable_partition(
+        held_.begin(), held_.end(), [](const Item& item) { return item.kind != Item::Kind::Comp; });
+    for (auto item = held_.begin(); item != changes; ++item) settled_.push_back(std::move(*item));
+    held_.erase(held_.begin(), changes);
+    for (Item& item : held_) set_in_plane(item.change.here, found->piece.to);
+    insert(*found, first, next);
+    release();
+    return nullptr;
+}
+
+/// A form that says where the contour goes on has a square corner there.
+Corners::Fault Corners::check_sides(const Command& next, const Element& a, const Element& b) const {
+    if (!held_wish_.is_square) return nullptr;
+    if (a.is_arc() || b.is_arc() || !is_straight(next.op)) return &diag::CornerNotContour;
+    const Vec2 way = b.to - b.from;
+    const double along = held_wish_.next == axes_.first ? way.x() : way.y();
+    const double across = held_wish_.next == axes_.first ? way.y() : way.x();
+    if (std::fabs(across) > path::kSamePoint) return &diag::CornerNotSquare;
+    return along * held_wish_.sign > 0 ? nullptr : &diag::CornerWithoutMotion;
+}
+
+std::optional<CornerCut> Corners::cut(const Element& a, const Element& b, Fault& fault) {
+    const double size = held_wish_.size;
+    std::optional<CornerCut> found;
+    double made = size;
+    if (held_wish_.kind == CornerWish::Kind::Round) {
+        found = path::rounding(a, b, size);
+        if (!found && !settings_.is_strict) {
+            made = path::greatest_rounding(a, b, size);
+            if (made > path::kSamePoint) found = path::rounding(a, b, made);
+        }
+    } else {
+        const bool is_length = held_wish_.kind == CornerWish::Kind::Length;
+        const std::optional<double> width =
+            is_length ? path::chamfer_width(a, b, size) : std::optional(size);
+        const double widest = path::widest_chamfer(a, b);
+        if (width && *width <= widest + path::kSamePoint)
+            found = path::chamfer(a, b, std::min(*width, widest));
+        if (!found && !settings_.is_strict) {
+            found = path::chamfer(a, b, widest);
+            if (found && path::length(found->piece) < path::kSamePoint) found.reset();
+            if (found) made = is_length ? path::length(found->piece) : widest;
+        }
+    }
+    if (!found && !held_wish_.is_modal) fault = &diag::CornerTooLarge;
+    if (found && made < size && !held_wish_.is_modal)
+        warnings_.push_back({&diag::CornerReduced, place_, round_to(made, 4), round_to(size, 4)});
+    return found;
+}
+
+/// The motion before the corner ends earlier, and what stands behind it happens there.
+void Corners::shorten(const CornerCut& cut) {
+    Command& first = held_.front().command;
+    const Vec2 end = cut.piece.from;
+    first.to = between(held_from_, first.to, cut.leaves, end);
+    if (first.op == Op::Arc) first.sweep *= cut.leaves;
+    keep_speed(first, cut.leaves);
+    for (auto item = held_.begin() + 1; item != held_.end(); ++item) {
+        const bool is_motion =
+            item->kind == Item::Kind::Command && path::is_motion(item->command.op);
+        if (is_motion) set_in_plane(item->command.to, end);
+        if (item->kind == Item::Kind::EndOfBlock) set_in_plane(item->here, end);
+    }
+    const bool is_gone = (in_plane(first.to) - in_plane(held_from_)).norm() <= path::kSamePoint &&
+                         is_straight(first.op);
+    if (is_gone) held_.erase(held_.begin());
+}
+
+/// The chamfer or rounding, and what is left of the motion behind it.
+void Corners::insert(const CornerCut& cut, const Command& first, Command& next) {
+    const Element& piece = cut.piece;
+    const Command& own = settings_.feed_of_next ? next : first;
+    const Command& other = settings_.feed_of_next ? first : next;
+    Command inserted = own.op == Op::Rapid ? other : own;
+    if (inserted.op != Op::Rapid) inserted.op = Op::Line;
+    if (inserted.op != Op::Rapid && held_wish_.feed > 0) inserted.feed = held_wish_.feed;
+    inserted.line = first.line;
+    inserted.source = first.source;
+    inserted.exact_stop = first.exact_stop;
+    inserted.moved = static_cast<AxisMask>(next.moved | bit(axes_.first) | bit(axes_.second));
+    inserted.to = between(at_, next.to, cut.joins, piece.to);
+    at_ = inserted.to;
+    if (next.op == Op::Arc) next.sweep *= 1 - cut.joins;
+    keep_speed(next, 1 - cut.joins);
+    if (piece.is_arc()) return insert_arc(std::move(inserted), piece);
+    settled_.emplace_back().command = std::move(inserted);
+}
+
+void Corners::insert_arc(Command arc, const Element& piece) {
+    if (arc.op == Op::Rapid) {
+        insert_rapid_arc(arc, piece);
+    } else {
+        arc.op = Op::Arc;
+        arc.center = {arc.to[0], arc.to[1], arc.to[2]};
+        arc.center[static_cast<Eigen::Index>(index(axes_.first))] = piece.center.x();
+        arc.center[static_cast<Eigen::Index>(index(axes_.second))] = piece.center.y();
+        arc.normal = path::unit(axes_.normal) * (piece.sweep > 0 ? 1 : -1);
+        arc.sweep = std::fabs(piece.sweep);
+        arc.is_clockwise = piece.sweep < 0;
+        arc.turns = 0;
+    }
+    settled_.emplace_back().command = std::move(arc);
+}
+
+/// At rapid there are no arcs: lines outside of it that touch it. The last one, to its end, comes
+/// behind them.
+void Corners::insert_rapid_arc(Command part, const Element& arc) {
+    const int parts = std::max(1, static_cast<int>(std::ceil(std::fabs(arc.sweep) / kRapidPart)));
+    const double half = arc.sweep / parts / 2;
+    part.exact_stop = false;
+    Vec2 arm = arc.from - arc.center;
+    for (int i = 0; i < parts; ++i) {
+        set_in_plane(part.to, arc.center + Eigen::Rotation2D(half) * arm / std::cos(half));
+        settled_.emplace_back().command = part;
+        arm = Eigen::Rotation2D(2 * half) * arm;
+    }
+}
+
+// ------------------------------------------------------------------------------ the plane
+
+bool Corners::is_in_plane(const Command& command) const {
+    const double side = command.normal.dot(path::unit(axes_.normal));
+    if (command.op == Op::Arc) return std::fabs(side) > 1 - 1e-9;
+    return (in_plane(command.to) - in_plane(at_)).norm() > path::kSamePoint;
+}
+
+Element Corners::element_of(const Command& command, const AxisValues& from) const {
+    if (command.op != Op::Arc) return path::line_element(in_plane(from), in_plane(command.to));
+    Element arc{in_plane(from), in_plane(command.to), {}, 0};
+    arc.center = {command.center[static_cast<Eigen::Index>(index(axes_.first))],
+                  command.center[static_cast<Eigen::Index>(index(axes_.second))]};
+    const bool is_left = command.normal.dot(path::unit(axes_.normal)) > 0;
+    arc.sweep = command.sweep * (is_left ? 1 : -1);
+    return arc;
+}
+
+/// A place on a motion: the other axes go evenly along it.
+AxisValues Corners::between(const AxisValues& from, const AxisValues& to, double share,
+                            const Vec2& at) const {
+    AxisValues values = to;
+    for (std::size_t i = 0; i < kAxes; ++i) values[i] = from[i] + (to[i] - from[i]) * share;
+    if (share >= 1) values = to;
+    set_in_plane(values, at);
+    return values;
+}
+
+Vec2 Corners::in_plane(const AxisValues& values) const {
+    return {values[index(axes_.first)], values[index(axes_.second)]};
+}
+
+void Corners::set_in_plane(AxisValues& values, const Vec2& at) const {
+    values[index(axes_.first)] = at.x();
+    values[index(axes_.second)] = at.y();
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,139 @@
+// corners.h — chamfers and roundings: commands of the programmed contour in, commands with the
+// corners cut out, a motion later.
+//
+// What a chamfer or a rounding is, is path/contour_corner.h; here is the order of things in a
+// program: a motion waits for the next one in the plane, and what stands between them waits too.
+// The cutter radius compensation comes behind it and sees the inserted elements as blocks of the
+// contour.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "interp/compensation.h"
+#include "path/command.h"
+#include "path/contour_corner.h"
+
+namespace kadr::interp {
+
+/// The corner that a block wants at its end.
+struct CornerWish {
+    enum class Kind : std::uint8_t { None, Length, Width, Round };  // Length, Width: of a chamfer
+    Kind kind = Kind::None;
+    double size = 0;         // mm in the base system
+    double feed = 0;         // of the inserted element; 0: that of a neighbour
+    bool is_modal = false;   // nothing is said where there is no corner
+    bool is_square = false;  // along `next` the contour goes on, in the direction of `sign`
+    Axis next = Axis::X;
+    double sign = 1;
+};
+
+struct CornerSettings {
+    bool is_strict = false;
+    bool feed_of_next = true;
+    int empty_blocks = 3;
+};
+
+/// Where a message about a corner points to.
+struct CornerPlace {
+    SourceId source;
+    std::uint32_t line = 0;
+};
+
+struct CornerMessage {
+    const DiagnosticRow* row = nullptr;
+    CornerPlace place;
+    double made = 0;  // CornerReduced: what was made, and what was wanted
+    double wanted = 0;
+};
+
+/// A change of the compensation, at its place among the commands.
+struct CompChange {
+    enum class Kind : std::uint8_t { Leave, Begin, Set };
+    Kind kind = Kind::Set;
+    CompSettings settings;
+    path::Plane plane = path::Plane::Xy;
+    double distance = 0;
+    AxisValues here{};  // where the tool is, Begin
+};
+
+class Corners {
+  public:
+    /// What comes out, in order.
+    struct Item {
+        enum class Kind : std::uint8_t { Command, Comp, EndOfBlock };
+        Kind kind = Kind::Command;
+        path::Command command;
+        CompChange change;
+        AxisValues here{};  // EndOfBlock: where the tool is behind the block
+        CornerPlace place;  // EndOfBlock: the block
+    };
+
+    explicit Corners(const CornerSettings& settings) : settings_(settings) {}
+
+    /// Whether commands go through here: from a block with a wish to the corner's other side.
+    bool is_active() const { return is_active_; }
+    /// The block that begins now wants a corner. `here` is where the tool is.
+    void wish(const CornerWish& wish, const AxisValues& here, const CornerPlace& place);
+
+    /// Where the executor puts a command while corners are active.
+    path::Command& next();
+    void change(const CompChange& change);
+    /// Takes what a block has put. `here` is where the tool is behind it.
+    std::optional<CornerMessage> end_block(const AxisValues& here, const CornerPlace& place);
+    /// Nothing follows that could be the other side of a corner; `why` is said if one waits that
+    /// was wished for.
+    std::optional<CornerMessage> leave(const DiagnosticRow& why);
+    /// Items that are settled. The caller clears them.
+    std::vector<Item>& settled() { return settled_; }
+    /// Warnings; the caller clears them.
+    std::vector<CornerMessage>& warnings() { return warnings_; }
+
+  private:
+    using Fault = const DiagnosticRow*;  // null: none
+
+    Fault take(Item& item);
+    Fault take_motion(Item& item);
+    Fault take_other_motion(Item& item);
+    Fault join(path::Command& next);
+    void wait(Item item, const AxisValues& from);
+    std::optional<path::CornerCut> cut(const path::Element& a, const path::Element& b,
+                                       Fault& fault);
+    Fault check_sides(const path::Command& next, const path::Element& a,
+                      const path::Element& b) const;
+    void shorten(const path::CornerCut& cut);
+    void insert(const path::CornerCut& cut, const path::Command& first, path::Command& next);
+    void insert_arc(path::Command arc, const path::Element& piece);
+    void insert_rapid_arc(path::Command part, const path::Element& arc);
+    void release();
+    void pass(Item item);
+    bool is_in_plane(const path::Command& command) const;
+    path::Element element_of(const path::Command& command, const AxisValues& from) const;
+    AxisValues between(const AxisValues& from, const AxisValues& to, double share,
+                       const path::Vec2& at) const;
+    void set_in_plane(AxisValues& values, const path::Vec2& at) const;
+    path::Vec2 in_plane(const AxisValues& values) const;
+    CornerMessage end_with(const DiagnosticRow& row);
+
+    CornerSettings settings_;
+    bool is_active_ = false;
+    bool waits_ = false;  // the first of `held_` is the motion before the corner
+    CornerWish wish_;     // of the block that is being taken
+    CornerWish held_wish_;
+    CornerPlace place_;        // of the block that wished
+    CornerPlace block_place_;  // of the block that is being taken
+    AxisValues held_from_{};   // start of the motion that waits
+    AxisValues at_{};          // end of the latest motion
+    path::Plane plane_ = path::Plane::Xy;
+    path::PlaneAxes axes_;
+    int empty_blocks_ = 0;
+    std::size_t motions_ = 0;  // in the plane, so far
+    std::vector<Item> fresh_;
+    std::vector<Item> held_;
+    std::vector<Item> settled_;
+    std::vector<CornerMessage> warnings_;
+};
+
+}  // namespace kadr::interp

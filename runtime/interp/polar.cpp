@@ -1,0 +1,199 @@
+// polar.cpp — polar coordinates: blocks that say angle and radius become blocks that say places.
+#include <bit>
+#include <cmath>
+
+#include "base/diagnostics/iso.h"
+#include "base/units.h"
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Invocation;
+using nc::Slot;
+using nc::SlotMask;
+
+namespace {
+
+constexpr double kFullTurn = 360;  // deg
+
+}  // namespace
+
+/// The pole by its coordinates or its polar coordinates, from where it is counted.
+void Executor::set_pole(const Block& block, const Invocation& invocation) {
+    constexpr double kHere = 0;
+    constexpr double kPole = 2;
+    constexpr std::size_t kX = 1;
+    constexpr std::size_t kAngle = 4;
+    constexpr std::size_t kRadius = 5;
+    const auto has = [&](std::size_t i) { return (invocation.given >> i & 1u) != 0; };
+    const path::PlaneAxes plane = path::axes_of(modal_.plane);
+    const std::size_t across = index(plane.normal);
+    if (has(kX + across)) {
+        report(diag::PoleOutsidePlane, block, Function::Pole).arg(kAxisNames[across]);
+        return;
+    }
+    const bool is_polar = has(kAngle) || has(kRadius);
+    const bool has_axes = has(kX + index(plane.first)) || has(kX + index(plane.second));
+    const double angle_deg = block.argument(invocation, kAngle);
+    const double radius = block.argument(invocation, kRadius);
+    if (is_polar && has_axes) {
+        const Axis named = has(kX + index(plane.first)) ? plane.first : plane.second;
+        report(diag::PolarMixed, block, Function::Pole).arg(kAxisNames[index(named)]);
+        return;
+    }
+    if (radius < 0) {
+        report(diag::PoleRadiusNegative, block, Function::Pole).arg(radius);
+        return;
+    }
+    if (std::abs(angle_deg) > kFullTurn) {
+        report(diag::PoleAngleTooLarge, block, Function::Pole).arg(angle_deg);
+        return;
+    }
+    path::Vec2 place{radius * std::cos(rad_from_deg(angle_deg)),
+                     radius * std::sin(rad_from_deg(angle_deg))};
+    if (!is_polar) {
+        const auto word = [&](Axis axis) {
+            return block.argument(invocation, kX + index(axis)) * word_scale_[index(axis)];
+        };
+        place = {word(plane.first), word(plane.second)};
+    }
+    const double from = block.argument(invocation, 0);
+    if (from == kHere) place += place_in_plane();
+    if (from == kPole) place += polar_.pole;
+    polar_.pole = place;
+    polar_.angle_deg = 0;
+}
+
+path::Vec2 Executor::place_in_plane() const {
+    const path::PlaneAxes plane = path::axes_of(modal_.plane);
+    return {position_.here[index(plane.first)], position_.here[index(plane.second)]};
+}
+
+/// From here on the words of the plane's axes are radius and angle; until they are said, they are
+/// those of the place where the tool is.
+void Executor::switch_polar(bool is_on) {
+    if (is_on && !polar_.is_on) {
+        const path::Vec2 here = place_in_plane();
+        polar_.pole = path::Vec2::Zero();
+        polar_.radius = here.norm();
+        polar_.angle_deg = deg_from_rad(std::atan2(here.y(), here.x()));
+    }
+    polar_.is_on = is_on;
+    said_in_polar_.reset();
+}
+
+/// The block with places instead of polar coordinates; the block itself if it has none. Null: it
+/// was reported.
+const Block* Executor::with_places(const Block& block) {
+    if (said_in_polar_ && !cycle_blocks_) said_in_polar_.reset();
+    if ((block.given & nc::kPolarSlots) != 0) return with_polar_slots(block);
+    if (!polar_.is_on || cycle_blocks_) return &block;
+    const path::PlaneAxes plane = path::axes_of(modal_.plane);
+    const SlotMask words =
+        block.given & (bit(nc::slot_of(plane.first)) | bit(nc::slot_of(plane.second)));
+    const bool is_place = block.find(Function::MachineCoordinates) != nullptr ||
+                          block.find(Function::ReferenceReturn) != nullptr;
+    if (words == 0 || is_place) return &block;
+    said_in_polar_ = block;
+    return with_polar_axes(block);
+}
+
+/// Angle and radius have words of their own.
+const Block* Executor::with_polar_slots(const Block& block) {
+    const path::PlaneAxes plane = path::axes_of(modal_.plane);
+    for (const Axis axis : {plane.first, plane.second}) {
+        if (!block.has(nc::slot_of(axis))) continue;
+        report(diag::PolarMixed, block, nc::slot_of(axis)).arg(kAxisNames[index(axis)]);
+        return nullptr;
+    }
+    if (block.has(Slot::PolarRadius)) {
+        if (block.at(Slot::PolarRadius) < 0) {
+            report(diag::PolarRadiusNegative, block, Slot::PolarRadius)
+                .arg(block.at(Slot::PolarRadius));
+            return nullptr;
+        }
+        polar_.radius = block.at(Slot::PolarRadius);
+    }
+    if (block.has(Slot::PolarAngle)) {
+        const double angle_deg = block.at(Slot::PolarAngle);
+        if (std::abs(angle_deg) > kFullTurn) {
+            report(diag::PolarAngleTooLarge, block, Slot::PolarAngle).arg(angle_deg);
+            return nullptr;
+        }
+        polar_.angle_deg =
+            is_distance(block, Slot::PolarAngle) ? polar_.angle_deg + angle_deg : angle_deg;
+    }
+    set_polar_place(block);
+    const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
+    if (!is_arc(motion)) return &cartesian_;
+    // The pole is the centre of the arc.
+    const SlotMask others = block.given & (nc::kCenterSlots | nc::kThroughSlots |
+                                           bit(Slot::Radius) | bit(Slot::Opening));
+    if (others != 0) {
+        const auto slot = static_cast<Slot>(std::countr_zero(others));
+        report(diag::ArcWordsMixed, block, slot).arg(nc::slot_name(slot));
+        return nullptr;
+    }
+    for (const auto& [axis, value] :
+         {std::pair(plane.first, polar_.pole.x()), std::pair(plane.second, polar_.pole.y())}) {
+        const auto center =
+            static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + index(axis));
+        cartesian_.set(center, value);
+        cartesian_.absolute |= bit(center);
+        cartesian_.incremental &= ~bit(center);
+    }
+    return &cartesian_;
+}
+
+/// The words of the plane's first and second axis are radius and angle. A radius that is a distance
+/// counts from where the tool is, and there is the pole from then on.
+const Block* Executor::with_polar_axes(const Block& block) {
+    const path::PlaneAxes plane = path::axes_of(modal_.plane);
+    const Slot radius = nc::slot_of(plane.first);
+    const Slot angle = nc::slot_of(plane.second);
+    if (block.has(radius)) {
+        polar_.pole = is_distance(block, radius) ? place_in_plane() : path::Vec2::Zero();
+        polar_.radius = block.at(radius);
+    }
+    if (block.has(angle)) {
+        // The reader took the number for a length.
+        const double angle_deg =
+            units_ == Function::Inch ? block.at(angle) / kMmPerInch : block.at(angle);
+        polar_.angle_deg = is_distance(block, angle) ? polar_.angle_deg + angle_deg : angle_deg;
+    }
+    set_polar_place(block);
+    return &cartesian_;
+}
+
+/// Whether a word is a distance: by itself, or as the modal state says.
+bool Executor::is_distance(const Block& block, Slot slot) const {
+    return modal_.is_incremental ? (block.absolute & bit(slot)) == 0
+                                 : (block.incremental & bit(slot)) != 0;
+}
+
+/// `cartesian_` is the block with the place that the polar coordinates have come to.
+void Executor::set_polar_place(const Block& block) {
+    const path::PlaneAxes plane = path::axes_of(modal_.plane);
+    const double angle = rad_from_deg(polar_.angle_deg);
+    const path::Vec2 place =
+        polar_.pole + polar_.radius * path::Vec2(std::cos(angle), std::sin(angle));
+    cartesian_ = block;
+    cartesian_.given &= ~nc::kPolarSlots;
+    set_place(cartesian_, plane.first, place.x());
+    set_place(cartesian_, plane.second, place.y());
+}
+
+/// The axis goes to a coordinate of the programmed system.
+void Executor::set_place(Block& block, Axis axis, double value) const {
+    const Slot slot = nc::slot_of(axis);
+    block.set(slot, value / word_scale_[index(axis)]);
+    block.absolute |= bit(slot);
+    block.incremental &= ~bit(slot);
+    if (axis == Axis::X) {
+        block.x_measure = word_scale_[0] == 1 ? nc::XMeasure::Radius : nc::XMeasure::Diameter;
+    }
+}
+
+}  // namespace kadr::interp

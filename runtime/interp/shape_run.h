@@ -1,0 +1,33 @@
+// shape_run.h — a cycle along a shape whose blocks are still coming.
+//
+// The blocks follow the call in the stream. For most cycles they are not executed but kept, as
+// geometry, and what they change besides the geometry is forgotten; one cycle executes them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "interp/state.h"
+
+namespace kadr::interp {
+
+struct ShapeRun {
+    nc::Block block;  // that called the cycle
+    ModalCycle call;
+    std::int64_t last = 0;     // number of the shape's last block
+    bool is_followed = false;  // the blocks are executed; then the tool goes back to its start
+    bool has_begun = false;    // a block of the shape has come
+    nc::Function approach = nc::Function::None;  // motion of the first block
+    nc::SlotMask approach_axes = 0;              // … and the axes that it names
+
+    // As the cycle found them.
+    Modal modal;
+    Position position;
+    Spindle spindle;
+    Tool tool;
+    path::CoolantMode coolant = path::CoolantMode::Off;
+
+    std::vector<path::Command> commands;  // of the blocks that are kept
+};
+
+}  // namespace kadr::interp

@@ -1,0 +1,178 @@
+// shapes.cpp — cycles along a shape: its blocks stand in the program, from one number to another.
+#include <algorithm>
+#include <cmath>
+
+#include "base/diagnostics/iso.h"
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using path::Command;
+using path::Op;
+using path::Vec2;
+
+namespace {
+
+/// What is not the way along a shape, and cannot be a part of it.
+bool is_foreign(Function function) {
+    switch (function) {
+        case Function::Cycle:
+        case Function::CyclePreset:
+        case Function::CycleModal:
+        case Function::End:
+        case Function::EndRewind:
+        case Function::ReferencePoint:
+        case Function::ReferenceReturn:
+        case Function::MachineCoordinates:
+        case Function::SetPosition:
+        case Function::WorkOffset:
+        case Function::Shift:
+        case Function::ShiftAdd:
+        case Function::Rotate:
+        case Function::RotateOff:
+        case Function::Scale:
+        case Function::ScaleOff:
+        case Function::Mirror:
+        case Function::MirrorOff:
+        case Function::PlaneXy:
+        case Function::PlaneYz:
+        case Function::Inch:
+        case Function::Metric:
+        case Function::Probe:
+        case Function::Dwell: return true;
+        default: return false;
+    }
+}
+
+bool is_shape_motion(Function motion) {
+    return motion == Function::None || motion == Function::Rapid || motion == Function::Line ||
+           is_arc(motion);
+}
+
+}  // namespace
+
+void Executor::begin_shape(const Block& block, const ModalCycle& call) {
+    const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
+    const auto given = [&](int parameter) { return (call.given >> parameter & 1u) != 0; };
+    if (!given(info.roles.first_block) || !given(info.roles.last_block)) {
+        report(diag::ShapeNotNamed, block, Function::Cycle);
+        return;
+    }
+    if (modal_.plane != path::Plane::Zx) {
+        report(diag::ShapePlane, block, Function::Cycle);
+        return;
+    }
+    modal_cycle_.is_active = false;
+    shape_.emplace();
+    shape_->block = block;
+    shape_->call = call;
+    shape_->last = std::llround(call.arguments[static_cast<std::size_t>(info.roles.last_block)]);
+    shape_->is_followed = info.parameters.size() == 2;
+    shape_->modal = modal_;
+    shape_->position = position_;
+    shape_->spindle = spindle_;
+    shape_->tool = tool_;
+    shape_->coolant = coolant_;
+}
+
+/// Whether the block can be a part of the shape; false: it was reported.
+bool Executor::check_shape_block(const Block& block) {
+    if (block.kind != Block::Kind::Nc) return true;
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        if (!is_foreign(block.functions[i].function)) continue;
+        report(diag::ShapeBlockWrong, block, block.functions[i].function)
+            .arg(nc::info(block.functions[i].function).name);
+        return false;
+    }
+    if (!is_shape_motion(block.motion)) {
+        report(diag::ShapeBlockWrong, block, block.motion).arg(nc::info(block.motion).name);
+        return false;
+    }
+    if (shape_->has_begun) return true;
+    shape_->has_begun = true;
+    if (block.motion == Function::Rapid || block.motion == Function::Line) {
+        shape_->approach = block.motion;
+        shape_->approach_axes = block.given & nc::kTargetSlots;
+        return true;
+    }
+    report(diag::ShapeFirstBlock, block);
+    return false;
+}
+
+void Executor::end_shape_block(const Block& block) {
+    if (!shape_->has_begun || block.number < 0 || block.number != shape_->last) return;
+    finish_shape();
+}
+
+void Executor::finish_shape() {
+    leave_corners(diag::CornerWithoutMotion);
+    if (alarmed_) return;
+    if (shape_->is_followed) return return_from_shape();
+    const ShapeRun run = std::move(*shape_);
+    shape_.reset();
+    modal_ = run.modal;
+    position_ = run.position;
+    spindle_ = run.spindle;
+    tool_ = run.tool;
+    coolant_ = run.coolant;
+    const nc::CycleInfo& info = dialect_.cycles()[run.call.cycle];
+    ModalCycle call = run.call;
+    const auto set = [&](std::string_view name, bool value) {
+        for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+            if (info.parameters[i].name != name) continue;
+            call.arguments[i] = value ? 1 : 0;
+            call.given |= 1u << i;
+        }
+    };
+    set("rapid", run.approach == Function::Rapid);
+    set("both",
+        (run.approach_axes & bit(nc::Slot::X)) != 0 && (run.approach_axes & bit(nc::Slot::Z)) != 0);
+    const CycleShape shape = shape_of(run);
+    modal_cycle_ = call;
+    start_cycle(run.block, call, &shape);
+}
+
+/// Back to where the tool stood before the first block.
+void Executor::return_from_shape() {
+    const Block from = std::move(shape_->block);
+    const AxisValues start = shape_->position.here;
+    shape_.reset();
+    Target back{start, frames_.to_base(start), 0};
+    for (const Axis axis : {Axis::X, Axis::Z}) back.moved |= bit(axis);
+    line(from, back, Op::Rapid, modal_.has_exact_stop);
+}
+
+CycleShape Executor::shape_of(const ShapeRun& run) const {
+    CycleShape shape;
+    shape.plane = run.modal.plane;
+    shape.is_diameter = word_scale_[index(Axis::X)] != 1;
+    const path::PlaneAxes axes = path::axes_of(shape.plane);
+    const auto in_plane = [&](const AxisValues& base) -> Vec2 {
+        const AxisValues here = frames_.from_base(base);
+        return {here[index(axes.first)], here[index(axes.second)]};
+    };
+    const bool is_mirrored = frames_.is_mirrored(shape.plane);
+    Vec2 from = in_plane(run.position.base);
+    bool is_first = true;
+    for (const Command& command : run.commands) {
+        if (!path::is_motion(command.op)) continue;
+        const Vec2 to = in_plane(command.to);
+        const bool is_way = (to - from).norm() > path::kSamePoint || command.op == Op::Arc;
+        if (!is_first && is_way) {
+            path::Element element = path::line_element(from, to);
+            if (command.op == Op::Arc) {
+                const AxisValues center{command.center.x(), command.center.y(), command.center.z()};
+                element = path::arc_element(from, to, in_plane(center),
+                                            command.is_clockwise != is_mirrored);
+            }
+            shape.elements.push_back(element);
+        }
+        is_first = false;
+        from = to;
+    }
+    return shape;
+}
+
+}  // namespace kadr::interp

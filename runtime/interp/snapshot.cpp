@@ -1,0 +1,30 @@
+#include "interp/snapshot.h"
+
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+Snapshot Executor::snapshot() const {
+    Snapshot now;
+    now.axes = axes_;
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        now.work[i] = position_.here[i] / word_scale_[i];
+        now.machine[i] = position_.base[i] + length_shift_[i];
+    }
+    if (modal_.has_feed) now.feed = modal_.feed;
+    now.feed_mode = modal_.feed_mode;
+    now.spindle = spindle_.mode;
+    now.has_cutting_speed = spindle_.has_cutting_speed;
+    now.speed = spindle_.has_cutting_speed ? spindle_.cutting_speed : spindle_.speed;
+    now.tool = tool_.current;
+    now.selected_tool = tool_.selected;
+    now.length_offset = tool_.source == Tool::Source::Offset ? tool_.offset : 0;
+    now.radius_offset = tool_.radius_offset;
+    now.tool_length = tool_.length;
+    now.work_offset = work_offset_;
+    now.coolant = coolant_;
+    if (modal_cycle_.is_active) now.cycle = dialect_.cycles()[modal_cycle_.cycle].name;
+    return now;
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,13 @@
+%
+O0001
+(rule: F 2.3, 5.6 T-C: G74 roughs across)
+(expect: path X20Z2 Z0 x40f0.2 x39z0.5 X20 Z-2 x40 x39z-1.5 X20 Z-3 x40 z2 X20)
+G90 G95 G97 S500 M03
+G00 X20. Z2.
+G74 W2. R0.5
+G74 P10 Q20 F0.2
+N10 G00 Z-3.
+G01 X40.
+N20 Z2.
+M30
+%

@@ -1,0 +1,14 @@
+%
+O0001
+(rule: F 2.3, 5.6 T-C: G76 and G77 cut in strokes)
+(expect: path Z5 z-5f0.1 Z-4.5 z-15 Z-14.5 z-22 Z5 X50 Z-10 x46 X46.6 x42 X42.6 x40 X50)
+G90 G95 G97 S500 M03
+G00 X0. Z5.
+G76 R0.5
+G76 Z-22. Q10000 F0.1
+G00 X50.
+Z-10.
+G77 R0.3
+G77 X40. P2000 F0.1
+M30
+%

@@ -1,0 +1,10 @@
+%
+O0001
+(rule: F 2.3, 5.6 T-C: G78 cuts a thread in passes)
+(expect: path X24Z5 X19 t2:z-30 X24 Z5 X18.586 t2:z-30 X24 Z5 X18.186 t2:z-30 X24 Z5 X18.1 t2:z-30 X24 Z5 X18 t2:z-30 X24 Z5)
+G90 G95 G97 S500 M03
+G00 X24. Z5.
+G78 P010000 Q200 R0.05
+G78 X18. Z-30. P1000 Q500 F2.
+M30
+%

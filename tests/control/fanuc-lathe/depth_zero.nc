@@ -1,0 +1,12 @@
+%
+O0001
+(rule: F 11 PS0062: the depth of cut is 0)
+(expect: alarm PS0062 K5253 at 8:1)
+G99 G97 S500 M03
+G00 X30. Z2.
+G71 U0. R0.5
+G71 P10 Q20 F0.2
+N10 G00 X20.
+N20 G01 Z-10.
+M30
+%

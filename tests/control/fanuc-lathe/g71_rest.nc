@@ -1,0 +1,12 @@
+%
+O0001
+(rule: F 5.6 G71 in one line: I and K are left by the parallel cuts for the cut along the shape)
+(expect: path X30Z2 X26 z-9.8f0.2 x27z-9.3 Z2 X22 z-9.8 x23z-9.3 Z2 X20 z-10 x30 Z2)
+G99 G97 S500 M03
+G00 X30. Z2.
+G71 P10 Q20 I0.5 K0.2 D2. F0.2
+N10 G00 X20.
+G01 Z-10.
+N20 X30.
+M30
+%

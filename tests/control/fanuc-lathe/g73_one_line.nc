@@ -1,0 +1,12 @@
+%
+O0001
+(rule: F 5.6 G73 in one line: I, K and D)
+(expect: path X40Z5 X44Z6 X24 z-9f0.2 x34z-14 X40Z5 X20 z-10 x30z-15 X40Z5)
+G99 G97 S500 M03
+G00 X40. Z5.
+G73 P10 Q20 I2. K1. D2 F0.2
+N10 G00 X20.
+G01 Z-10.
+N20 X30. Z-15.
+M30
+%

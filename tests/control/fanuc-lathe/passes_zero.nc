@@ -1,0 +1,12 @@
+%
+O0001
+(rule: F 11 PS0321: G73 without a pass)
+(expect: alarm PS0321 K5253 at 8:1)
+G99 G97 S500 M03
+G00 X30. Z2.
+G73 U2. W1. R0
+G73 P10 Q20 F0.2
+N10 G00 X20.
+N20 G01 Z-10.
+M30
+%

@@ -1,0 +1,12 @@
+%
+O0001
+(rule: F 11 PS0061: P or Q missing)
+(expect: alarm PS0061 K5257 at 8:1)
+G99 G97 S500 M03
+G00 X30. Z2.
+G71 U2. R0.5
+G71 P10 U0.4 W0.1 F0.2
+N10 G00 X20.
+N20 G01 Z-10.
+M30
+%

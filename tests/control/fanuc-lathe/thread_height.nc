@@ -1,0 +1,10 @@
+%
+O0001
+(rule: F 11 PS0317: G76 without a height)
+(expect: alarm PS0317 K5253 at 8:1)
+G99 G97 S500 M03
+G00 X30. Z2.
+G76 P020060 Q100 R0.05
+G76 X18. Z-30. P0 Q500 F2.
+M30
+%

@@ -1,0 +1,390 @@
+// A debugger's eyes: the trace, break points, and that looking on changes nothing.
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "driver/break_points.h"
+#include "driver/run.h"
+#include "driver/session.h"
+#include "tests/common/process.h"
+
+namespace kadr {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* kSinumerik =
+    "DEF INT COUNT=3\n"
+    "N10 G90 G54 G17\n"
+    "; nothing is done here\n"
+    "R1=5 R2=R1*2\n"
+    "N20 G0 X=R1 Y0 Z10 S1000 M3\n"
+    "AGAIN:\n"
+    "N30 G1 X=IC(2) F200\n"
+    "R1=R1+1 R2=R2\n"
+    "IF R1<7 GOTOB AGAIN\n"
+    "N40 M30\n";
+constexpr const char* kFanuc =
+    "%\nO0001\nN10 G90 G54 G00 X0. Y0. T1\n#1=[2.+3.]\n#1=#0\nN20 G43 H3 Z5.\n"
+    "IF[#1EQ#0]GOTO50\nN40 X99.\nN50 M30\n%\n";
+constexpr const char* kKadr =
+    "void row(int n, length y) {\n"
+    "    for (int i = 0; i < n; i++) {\n"
+    "        G1 X=10*i Y=y;\n"
+    "    }\n"
+    "}\n"
+    "program part() {\n"
+    "    S1000 M3; F200;\n"
+    "    G0 X0 Y0 Z5;\n"
+    "    for (int k = 0; k < 2; k++) {\n"
+    "        row(3, 5mm*k + 1mm);\n"
+    "    }\n"
+    "}\n";
+
+class TraceTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        folder_ = fs::temp_directory_path() / ("kadr-trace-" + std::to_string(::getpid()));
+        fs::create_directories(folder_);
+        save("a.mpf", kSinumerik);
+        save("a.nc", kFanuc);
+        save("a.kadr", kKadr);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::string file(const std::string& name) const { return (folder_ / name).string(); }
+    void save(const std::string& name, const std::string& text) const {
+        ASSERT_TRUE(write_file_whole(file(name), text));
+    }
+    static ProcessResult kadr(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), KADR_BINARY);
+        return run_process(arguments, "");
+    }
+    /// The objects of a trace.
+    std::vector<json> traced(std::vector<std::string> arguments, int status = 0) const {
+        arguments.insert(arguments.begin(), "run");
+        arguments.insert(arguments.end(), {"--trace", file("t.jsonl")});
+        const ProcessResult result = kadr(arguments);
+        EXPECT_EQ(result.status, status) << result.err;
+        std::istringstream in(read_file(file("t.jsonl")).value_or(""));
+        std::vector<json> steps;
+        for (std::string line; std::getline(in, line);) steps.push_back(json::parse(line));
+        return steps;
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(TraceTest, EveryBlockSaysWhatItChanged) {
+    const std::vector<json> steps = traced({file("a.mpf")});
+    // Begin, DEF, N10, R1, N20, twice N30 R1 IF, N40; neither the comment nor the label.
+    ASSERT_EQ(steps.size(), 12u);
+    for (const json& step : steps) {
+        for (const char* key : {"block", "file", "line", "text", "variables", "codes", "modal",
+                                "position", "machine"})
+            EXPECT_TRUE(step.contains(key)) << key << ' ' << step;
+    }
+    EXPECT_EQ(steps[0]["codes"]["6"], json::parse(R"([null,"G17"])"));
+    EXPECT_EQ(steps[1]["variables"], json::parse(R"({"COUNT":[null,3]})"));
+    EXPECT_EQ(steps[2]["number"], 10);
+    EXPECT_EQ(steps[2]["codes"], json::parse(R"({"8":["G500","G54"]})"));
+    EXPECT_EQ(steps[2]["modal"], json::parse(R"({"work_offset":[0,1]})"));
+    // An R parameter that was never set is 0; both of a line, in their order.
+    EXPECT_EQ(steps[3]["variables"], json::parse(R"({"R1":[0,5],"R2":[0,10]})"));
+    EXPECT_EQ(steps[3]["line"], 4);
+    EXPECT_FALSE(steps[3].contains("number"));
+    EXPECT_EQ(steps[4]["modal"], json::parse(R"({"speed":[0,1000],"spindle":["stop","cw"]})"));
+    EXPECT_EQ(steps[4]["position"], json::parse(R"({"X":5,"Y":0,"Z":10})"));
+    EXPECT_EQ(steps[5]["codes"], json::parse(R"({"1":["G0","G1"]})"));
+    EXPECT_EQ(steps[5]["modal"], json::parse(R"({"feed":[null,200]})"));
+    EXPECT_EQ(steps[5]["position"]["X"], 7);
+    // What has its value again was not changed.
+    EXPECT_EQ(steps[6]["variables"], json::parse(R"({"R1":[5,6]})"));
+    EXPECT_EQ(steps[7]["text"], "IF R1<7 GOTOB AGAIN");
+    EXPECT_EQ(steps[8]["line"], 7);
+    EXPECT_EQ(steps[8]["codes"], json::object());
+    EXPECT_EQ(steps[8]["position"]["X"], 9);
+    EXPECT_EQ(steps[11]["block"], 11);
+}
+
+TEST_F(TraceTest, VacantIsNull) {
+    const std::vector<json> steps = traced({file("a.nc"), "-d", "fanuc"});
+    std::vector<std::string> numbers;
+    std::string lengths;
+    json variables = json::array();
+    for (const json& step : steps) {
+        if (step.contains("number")) numbers.push_back("N" + step["number"].dump());
+        if (!step["variables"].empty()) variables.push_back(step["variables"]);
+        if (step["modal"].contains("length_offset") && step["block"] != 0)
+            lengths += step["modal"]["length_offset"].dump();
+    }
+    EXPECT_EQ(numbers, (std::vector<std::string>{"N10", "N20", "N50"}));
+    EXPECT_EQ(variables, json::parse(R"([{"#1":[null,5]},{"#1":[5,null]}])"));
+    EXPECT_EQ(lengths, "[0,3]");
+}
+
+TEST_F(TraceTest, PositionsAreThoseOfTheScreen) {
+    // The machine's own position counts from its zero: work offset and tool length are in it.
+    save("offset.mpf", "$P_UIFR[1,X,TR]=100\nN10 G54 G0 X1 Y2\nN20 M30\n");
+    const std::vector<json> steps = traced({file("offset.mpf")});
+    EXPECT_EQ(steps[2]["position"]["X"], 1);
+    EXPECT_EQ(steps[2]["machine"]["X"], 101);
+    // On a lathe X is a diameter where the program's is.
+    save("lathe.mpf", "N10 G18 DIAMON G0 X40 Z2\nN20 M30\n");
+    const std::vector<json> turned = traced({file("lathe.mpf"), "-m", "lathe"});
+    EXPECT_EQ(turned[1]["position"]["X"], 40);
+    EXPECT_EQ(turned[1]["machine"]["X"], 20);
+}
+
+TEST_F(TraceTest, BlocksOfAKadrProgramNameStatementAndCalls) {
+    const std::vector<json> steps = traced({file("a.kadr"), "-d", "sinumerik"});
+    std::size_t in_rows = 0;
+    for (const json& step : steps) {
+        if (!step.contains("calls") || step["calls"].empty()) continue;
+        ++in_rows;
+        EXPECT_EQ(step["src"], file("a.kadr") + ":3");
+        EXPECT_EQ(step["calls"][0]["function"], "row");
+        EXPECT_EQ(step["calls"][0]["line"], 10);
+        EXPECT_EQ(step["file"], "a.mpf");
+    }
+    EXPECT_EQ(in_rows, 6u);
+    const ProcessResult table = kadr({"run", file("a.kadr"), "-d", "sinumerik", "--trace", "-"});
+    EXPECT_NE(table.out.find("a.kadr:3 < row " + file("a.kadr") + ":10"), std::string::npos)
+        << table.out;
+}
+
+TEST_F(TraceTest, AnAlarmIsTheLastLine) {
+    save("alarm.mpf", "N10 G0 X1\nR1=1/0\nN30 M30\n");
+    const std::vector<json> steps = traced({file("alarm.mpf")}, 3);
+    ASSERT_GE(steps.size(), 3u);
+    EXPECT_EQ(steps[1]["number"], 10);
+    EXPECT_NE(steps.back()["alarm"].get<std::string>().find("alarm.mpf:2:"), std::string::npos);
+    const ProcessResult table = kadr({"run", file("alarm.mpf"), "--trace", "-"});
+    EXPECT_NE(table.out.find("\n# not complete, ended by "), std::string::npos) << table.out;
+}
+
+TEST_F(TraceTest, AnAlarmOfTheMotionComesBeforeTheNextBlock) {
+    // The axis stops at its limit: nothing behind this block was executed for the eye either.
+    std::string text = "N10 G0 X1\nN20 G1 X2 F100\nN30 X1000000\n";
+    for (int i = 0; i < 50; ++i) text += "N" + std::to_string(100 + i) + " X3\n";
+    save("limit.mpf", text + "M30\n");
+    const std::vector<json> steps = traced({file("limit.mpf")}, 3);
+    EXPECT_TRUE(steps.back().contains("alarm"));
+    EXPECT_LE(steps.size(), 5u);
+}
+
+TEST_F(TraceTest, TheTableHasAColumnForEverything) {
+    const ProcessResult result = kadr({"run", file("a.mpf"), "--trace", "-"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    std::istringstream in(result.out);
+    std::vector<std::string> rows;
+    for (std::string row; std::getline(in, row);) rows.push_back(row);
+    ASSERT_EQ(rows.size(), 13u);
+    const std::size_t text = rows[0].find("text");
+    const std::size_t changes = rows[0].find("changes");
+    EXPECT_EQ(rows[4].find("R1=5 R2=R1*2"), text);
+    EXPECT_EQ(rows[4].find("R1 0 → 5, R2 0 → 10"), changes);
+    EXPECT_EQ(rows[6].find("G0 → G1, F - → 200"), changes);
+    EXPECT_EQ(rows[6].find("7.000") + 5, rows[0].find('X') + 1);
+}
+
+/// Programs with jumps, cycles and compensation give the same commands whether somebody looks on.
+TEST_F(TraceTest, LookingOnChangesNothing) {
+    std::vector<std::vector<std::string>> programs = {{file("a.mpf")},
+                                                      {file("a.nc"), "-d", "fanuc"}};
+    for (const char* name : {"bracket", "ellipse", "housing", "lid"}) {
+        for (const char* dialect : {"sinumerik", "fanuc"})
+            programs.push_back(
+                {std::string(KADR_ROOT "/examples/") + name + ".kadr", "-d", dialect});
+    }
+    for (std::vector<std::string> run : programs) {
+        SCOPED_TRACE(run[0]);
+        run.insert(run.begin(), "run");
+        run.insert(run.end(), {"--commands", "-"});
+        const ProcessResult alone = kadr(run);
+        EXPECT_EQ(alone.status, 0) << alone.err;
+        run.insert(run.end(), {"--trace", "/dev/null", "--break", "nowhere"});
+        const ProcessResult watched = kadr(run);
+        EXPECT_TRUE(alone.out == watched.out);
+        EXPECT_NE(watched.err.find("K9017"), std::string::npos) << watched.err;
+    }
+}
+
+TEST_F(TraceTest, StopsInFrontOfAPlace) {
+    struct Row {
+        const char* name;
+        const char* program;
+        const char* place;
+        const char* shown;  // of what is said
+    };
+    for (const Row& row :
+         {Row{"block number", "a.mpf", "N30", "   7 | N30 G1 X=IC(2) F200\n     | ^\n"},
+          Row{"its digits", "a.mpf", "30", "   7 | N30"},
+          Row{"line", "a.mpf", ":8", "a.mpf:8: stopped before `:8`\n"},
+          Row{"label", "a.mpf", "again", "   6 | AGAIN:"},
+          Row{"line of the text", "a.kadr", "a.mpf:5", "   5 | "},
+          Row{"line of the source", "a.kadr", ":8", "G0 X0 Y0 Z5\n"},
+          Row{"line of a call", "a.kadr", "a.kadr:10", "in row, called at "},
+          Row{"function", "a.kadr", "row", "in row, called at "}}) {
+        SCOPED_TRACE(row.name);
+        const ProcessResult result =
+            kadr({"run", file(row.program), "-d", "sinumerik", "--break", row.place});
+        EXPECT_EQ(result.status, 0) << result.err;
+        EXPECT_EQ(result.out, "");
+        EXPECT_NE(result.err.find(row.shown), std::string::npos) << result.err;
+        EXPECT_NE(result.err.find("position "), std::string::npos) << result.err;
+        EXPECT_NE(result.err.find("codes "), std::string::npos) << result.err;
+    }
+    const ProcessResult shown = kadr({"run", file("a.mpf"), "--break", ":8"});
+    EXPECT_NE(shown.err.find("X7.000 Y0.000 Z10.000"), std::string::npos) << shown.err;
+    EXPECT_NE(shown.err.find("feed           200\n"), std::string::npos) << shown.err;
+    EXPECT_NE(shown.err.find("R2 = 10\n"), std::string::npos) << shown.err;
+}
+
+TEST_F(TraceTest, ProgramsSeeTheStopAsAnObject) {
+    const ProcessResult result =
+        kadr({"run", file("a.mpf"), "--break", "N30", "--diagnostics", "json"});
+    const json stop = json::parse(result.err);
+    EXPECT_EQ(stop["line"], 7);
+    EXPECT_EQ(stop["variables"]["R1"], 5);
+    EXPECT_EQ(stop["codes"]["1"], "G0");
+    EXPECT_EQ(stop["modal"]["speed"], 1000);
+    EXPECT_EQ(stop["modal"]["feed"], nullptr);
+    EXPECT_EQ(stop["position"]["X"], 5);
+}
+
+TEST_F(TraceTest, UntilEndsTheProgramThere) {
+    const ProcessResult result =
+        kadr({"run", file("a.mpf"), "--until", "N40", "--until", ":9", "--summary", "json",
+              "--variables", file("v.json"), "--commands", file("c.jsonl")});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(result.err.ends_with("warning[K9017]: the run never came to `N40`\n"))
+        << result.err;
+    EXPECT_EQ(result.err.find("K9017"), result.err.rfind("K9017")) << result.err;
+    EXPECT_EQ(json::parse(result.out)["blocks"], 3);
+    EXPECT_EQ(json::parse(result.out)["alarms"], 0);
+    EXPECT_EQ(json::parse(read_file(file("v.json")).value())["R1"], 6);
+    const std::string commands = read_file(file("c.jsonl")).value();
+    EXPECT_EQ(commands.find("\"end\""), std::string::npos) << commands;
+    // Without another output the summary is for a person.
+    const ProcessResult summary = kadr({"run", file("a.mpf"), "--until", "N40"});
+    EXPECT_NE(summary.out.find("4 executed"), std::string::npos) << summary.out;
+}
+
+TEST_F(TraceTest, PlacesThatAreNoneAreRefused) {
+    for (const char* place : {":0", ":x", "a b", "", "part.mpf:"}) {
+        SCOPED_TRACE(place);
+        const ProcessResult result = kadr({"run", file("a.mpf"), "--until", place});
+        EXPECT_EQ(result.status, 2);
+        EXPECT_NE(result.err.find("K9016"), std::string::npos) << result.err;
+    }
+}
+
+/// What is said when the answers at the stops are these.
+std::string conversation(const std::string& program, const std::vector<std::string>& places,
+                         std::vector<std::string> answers) {
+    std::string said;
+    Sources sources;
+    driver::Messages messages(sources, {}, [&said](std::string_view text) { said += text; });
+    driver::Options options;
+    options.dialect = "sinumerik";
+    driver::Session session(options, driver::find_share(), sources, messages);
+    driver::RunJob job;
+    job.source = program;
+    job.breaks = places;
+    job.onlooker.say = [&said](std::string_view text) { said += text; };
+    std::size_t next = 0;
+    job.onlooker.ask = [&]() -> std::optional<std::string> {
+        if (next == answers.size()) return std::nullopt;
+        said += "> " + answers[next] + '\n';
+        return answers[next++];
+    };
+    EXPECT_EQ(driver::run(session, job), driver::Status::Done);
+    return said;
+}
+
+TEST_F(TraceTest, AConversationAtABreakPoint) {
+    const std::string name = file("a.mpf");
+    EXPECT_EQ(conversation(name, {"N30"},
+                           {":step", "", ":vars R2", ":break N40", ":b", ":continue", ":c", ":q"}),
+              name +
+                  ":7: stopped before `N30`\n   7 | N30 G1 X=IC(2) F200\n     | ^\n"
+                  "position  X5.000 Y0.000 Z10.000\nmachine   X5.000 Y0.000 Z10.000\n"
+                  "> :step\n" +
+                  name +
+                  ":7:5: warning[K5265]: the first cut comes before any tool is called\n"
+                  "   7 | N30 G1 X=IC(2) F200\n     |     ^~\n" +
+                  name +
+                  ":8: stopped\n   8 | R1=R1+1 R2=R2\n     | ^\n"
+                  "position  X7.000 Y0.000 Z10.000\nmachine   X7.000 Y0.000 Z10.000\n"
+                  "> \n" +
+                  name +
+                  ":9: stopped\n   9 | IF R1<7 GOTOB AGAIN\n     | ^\n"
+                  "position  X7.000 Y0.000 Z10.000\nmachine   X7.000 Y0.000 Z10.000\n"
+                  "> :vars R2\nR2 = 10\n"
+                  "> :break N40\n"
+                  "> :b\n"
+                  "a place is missing: `:break N120`, `:break :34`, `:break NAME`\n"
+                  "> :continue\n" +
+                  name +
+                  ":7: stopped before `N30`\n   7 | N30 G1 X=IC(2) F200\n     | ^\n"
+                  "position  X7.000 Y0.000 Z10.000\nmachine   X7.000 Y0.000 Z10.000\n"
+                  "> :c\n" +
+                  name +
+                  ":10: stopped before `N40`\n  10 | N40 M30\n     | ^\n"
+                  "position  X9.000 Y0.000 Z10.000\nmachine   X9.000 Y0.000 Z10.000\n"
+                  "> :q\n");
+    const std::string state = conversation(name, {"N40"}, {":state", ":calls", ":nonsense"});
+    EXPECT_NE(state.find("codes     M3 M9 G1 G17"), std::string::npos) << state;
+    EXPECT_NE(state.find(":continue   on to the next break point"), std::string::npos) << state;
+}
+
+TEST_F(TraceTest, AFunctionIsEnteredOnceACall) {
+    // Twice by the loop; three blocks each.
+    const std::string said =
+        conversation(file("a.kadr"), {"row"}, {":c", ":calls", ":c", ":c", ":c"});
+    std::size_t stops = 0;
+    for (std::size_t at = said.find("stopped before"); at != std::string::npos;
+         at = said.find("stopped before", at + 1))
+        ++stops;
+    EXPECT_EQ(stops, 2u) << said;
+    EXPECT_NE(said.find("in row, called at " + file("a.kadr") + ":10"), std::string::npos) << said;
+}
+
+TEST(BreakPoints, Places) {
+    using driver::BreakPoint;
+    driver::Arrival at;
+    at.number = 120;
+    at.has_number = true;
+    at.label = "Again";
+    at.program = "L100";
+    at.text = {"parts/a.mpf", 12, 12};
+    at.statement = {"parts/a.kadr", 30, 34};
+    at.started = "parts/a.kadr";
+    struct Row {
+        const char* text;
+        bool is_there;
+    };
+    for (const Row& row :
+         {Row{"N120", true}, Row{"n120", true}, Row{"120", true}, Row{"N12", false},
+          Row{"N0120", true}, Row{"again", true}, Row{"L100", true}, Row{"L10", false},
+          Row{":30", true}, Row{":34", true}, Row{":35", false}, Row{":12", false},
+          Row{"a.mpf:12", true}, Row{"parts/a.mpf:12", true}, Row{".mpf:12", false},
+          Row{"b.mpf:12", false}, Row{"a.kadr:31", true}}) {
+        SCOPED_TRACE(row.text);
+        const auto point = BreakPoint::parse(row.text);
+        ASSERT_TRUE(point);
+        EXPECT_EQ(point->is_at(at), row.is_there);
+    }
+}
+
+}  // namespace
+}  // namespace kadr
