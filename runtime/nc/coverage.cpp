@@ -44,10 +44,10 @@ std::vector<DialectEntry> entries_of(const Dialect& dialect) {
     }
     const Language& language = tables.language;
     // A file that changes some variables of an inherited language has not made that language.
-    const bool is_own =
-        !language.variables.empty() &&
-        std::ranges::all_of(language.variables,
-                            [&](const VariableForm& form) { return form.range.file == own; });
+    const bool is_own = !language.variables.empty() &&
+                        std::ranges::all_of(language.variables, [&](const VariableForm& form) {
+                            return form.range.file == own;
+                        });
     if (!is_own) return entries;
     for (const OperatorForm& form : language.operators)
         entries.push_back({"operator " + form.text + (form.is_prefix ? " before" : ""), &form});
