@@ -556,6 +556,12 @@ bool BlockWriter::split_turns(const Block& block, std::string& out) {
         }
         write_block(circle, out);
     }
+    // Of a distance the last block has what the circles have left.
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        const auto slot = static_cast<Slot>(axis);
+        if (axis == axes[0] || axis == axes[1] || !block.has(slot)) continue;
+        if (is_distance(block, axis)) last.set(slot, end[axis] - start.meant[axis]);
+    }
     last.function_count = 0;
     last.argument_count = 0;
     write_block(last, out);
