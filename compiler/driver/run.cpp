@@ -38,8 +38,8 @@ struct Outputs {
     std::unique_ptr<Output> summary;
 
     std::array<Output*, 8> all() const {
-        return {commands.get(), setpoints.get(), plot.get(),   variables.get(),
-                map.get(),      trace.get(),    print.get(),  summary.get()};
+        return {commands.get(), setpoints.get(), plot.get(),  variables.get(),
+                map.get(),      trace.get(),     print.get(), summary.get()};
     }
 };
 
@@ -126,8 +126,8 @@ class Run {
 bool Run::open_outputs(bool is_kadr) {
     Messages& messages = session_.messages();
     const bool has_summary = job_.summary != SummaryFormat::None || asks_for_nothing(job_);
-    const std::array<std::string, 8> names = {job_.commands, job_.setpoints,         job_.plot,
-                                              job_.variables, job_.map,              job_.trace,
+    const std::array<std::string, 8> names = {job_.commands,          job_.setpoints, job_.plot,
+                                              job_.variables,         job_.map,       job_.trace,
                                               has_summary ? "-" : "", job_.print};
     if (!are_outputs_apart(job_.source, names, messages)) return false;
     if (!job_.map.empty() && !is_kadr) {

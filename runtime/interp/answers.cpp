@@ -48,7 +48,8 @@ double Executor::mirrored_axes() const {
     const AxisMask mirrored = frames_.mirrored();
     double bits = 0;
     for (std::size_t i = 0; i < machine_.axes.size(); ++i)
-        if ((mirrored & bit(machine_.axes[i].axis)) != 0) bits += std::ldexp(1.0, static_cast<int>(i));
+        if ((mirrored & bit(machine_.axes[i].axis)) != 0)
+            bits += std::ldexp(1.0, static_cast<int>(i));
     return bits;
 }
 

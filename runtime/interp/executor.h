@@ -329,7 +329,7 @@ class Executor {
     BlockQueue program_;
     Output output_;
     RunClock clock_;
-    std::size_t timed_ = 0;  // commands of this batch that the clock knows
+    std::size_t timed_ = 0;         // commands of this batch that the clock knows
     double milliseconds_from_ = 0;  // what the program has set, without the time since
     double hours_from_ = 0;
     std::optional<AxisValues> probed_;  // where the last probing ended, in the programmed system

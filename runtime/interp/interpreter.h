@@ -66,10 +66,10 @@ struct InterpreterOptions {
     std::uint64_t max_blocks = 0;   // 0: no limit
     std::uint16_t skip_levels = 0;  // bit n: blocks with skip level n are left out
     bool optional_stop = false;
-    bool asks_for_tool = true;  // warns of a cut before any tool is called
+    bool asks_for_tool = true;       // warns of a cut before any tool is called
     std::int64_t date = kFirstDate;  // day on which the run begins, YYYYMMDD
     int time_of_day = 0;             // … and when, in seconds since midnight
-    bool in_step = false;       // no block is read before the one in front of it is executed
+    bool in_step = false;            // no block is read before the one in front of it is executed
 };
 
 /// One entry of the modal state, in words: `feed`, `200 mm/min`.

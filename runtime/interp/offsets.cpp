@@ -104,7 +104,8 @@ void Executor::write_work_offset(const Block& block, const Invocation& invocatio
 }
 
 void Executor::write_tool_offset(const Block& block, const Invocation& invocation) {
-    const auto column = static_cast<ToolOffsets::Column>(std::llround(block.argument(invocation, 0)));
+    const auto column =
+        static_cast<ToolOffsets::Column>(std::llround(block.argument(invocation, 0)));
     const std::int64_t number = std::llround(block.argument(invocation, 1));
     double value = block.argument(invocation, 2);
     if (modal_.is_incremental) value += tool_offsets_.value(column, number);

@@ -50,7 +50,8 @@ Program::State::Done Program::State::print(CompiledLine& line,
         Value value;
         const Done done = evaluate(line, piece.value, value);
         if (done == Done::Wait || lines.failed()) return done;
-        if (!value.is_vacant()) append_printed(text, value.number, piece, language.rules.print_pads);
+        if (!value.is_vacant())
+            append_printed(text, value.number, piece, language.rules.print_pads);
     }
     if (options.printer != nullptr) options.printer->line(text);
     return Done::Nothing;

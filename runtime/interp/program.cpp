@@ -718,8 +718,8 @@ Program::State::Done Program::State::pass_synchronous(CompiledLine& line,
     if (!said_synchronous.insert({frame->unit, line.place.line.offset}).second)
         return Done::Nothing;
     const Span whole{statement.span.begin, static_cast<std::uint32_t>(line.text.size())};
-    DiagnosticBuilder message = sink.report(
-        diag::SynchronousPassed, lines.place(line.text, line.place.line.line, whole));
+    DiagnosticBuilder message =
+        sink.report(diag::SynchronousPassed, lines.place(line.text, line.place.line.line, whole));
     message.arg(statement.name);
     lines.write_notes(message);
     return Done::Nothing;

@@ -27,8 +27,8 @@ struct ProgramOptions {
     std::size_t kept_text = std::size_t{4} << 20;  // bytes kept of a text that cannot be read again
     std::function<bool()>
         is_over;  // asked now and then: whether the program has to end; may be empty
-    ProgramFiles* files = nullptr;                 // programs that do not stand in the text
-    Printer* printer = nullptr;                    // null: what the program prints is lost
+    ProgramFiles* files = nullptr;  // programs that do not stand in the text
+    Printer* printer = nullptr;     // null: what the program prints is lost
 };
 
 /// A variable of the control that the program has set.

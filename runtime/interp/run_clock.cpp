@@ -64,8 +64,8 @@ double RunClock::rapid(const AxisValues& to) const {
     for (const machine::MachineAxis& axis : machine_.axes) {
         const std::size_t i = index(axis.axis);
         const double distance = std::abs(to[i] - at_[i]);
-        longest = std::max(longest,
-                           (axis.is_rotary ? rad_from_deg(distance) : distance) / axis.velocity);
+        longest =
+            std::max(longest, (axis.is_rotary ? rad_from_deg(distance) : distance) / axis.velocity);
     }
     return longest;
 }

@@ -103,11 +103,11 @@ struct FunctionForm {
 /// What the numbers `first` to `last` of a family of variables are, or a named variable.
 struct VariableRange {
     enum class Kind : std::uint8_t {
-        Global,       // a store of the whole run
-        Local,        // one of each level of calls
-        Constant,     // `value`, read only
-        System,       // a quantity of the interpreter
-        Same,         // another name of a variable of the family: of number `value`, or that and more
+        Global,    // a store of the whole run
+        Local,     // one of each level of calls
+        Constant,  // `value`, read only
+        System,    // a quantity of the interpreter
+        Same,      // another name of a variable of the family: of number `value`, or that and more
         Unsupported,  // the control has it and Kadr does not
     };
     Kind kind = Kind::Global;

@@ -25,10 +25,9 @@ bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0
 bool is_name_char(char c) { return is_letter(c) || c == '_'; }
 
 constexpr std::string_view kHoleNames[] = {
-    "variable", "value", "condition", "target", "loop",     "first", "last",
-    "number",   "text",  "count",     "from",   "to",       "type",  "declarations",
-    "cases",    "jump",  "statement", "call",   "procedure",
-    "print",    "rest"};
+    "variable", "value", "condition", "target", "loop",      "first", "last",
+    "number",   "text",  "count",     "from",   "to",        "type",  "declarations",
+    "cases",    "jump",  "statement", "call",   "procedure", "print", "rest"};
 
 class LanguageLoader {
   public:

@@ -67,7 +67,7 @@ struct Expected {
     std::map<std::string, std::string> variables;  // empty: unset
     std::vector<std::string> way;
     std::string path;
-    std::vector<std::string> shown;  // messages and stops
+    std::vector<std::string> shown;     // messages and stops
     std::vector<std::string> printed;   // lines
     std::vector<std::string> warnings;  // if any is told
     std::string alarm;

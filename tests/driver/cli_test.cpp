@@ -256,8 +256,7 @@ TEST_F(CommandLine, VariablesAreAnObject) {
 
 TEST_F(CommandLine, WhatAProgramPrintsGoesToAFile) {
     save("print.nc", "%\nO0001\n#1=12.5\nPOPEN\nDPRNT[X#1[43]]\nDPRNT[END]\nPCLOS\nM30\n%\n");
-    const ProcessResult printed =
-        kadr({"run", file("print.nc"), "-d", "fanuc", "--print", "-"});
+    const ProcessResult printed = kadr({"run", file("print.nc"), "-d", "fanuc", "--print", "-"});
     EXPECT_EQ(printed.status, 0) << printed.err;
     EXPECT_EQ(printed.out, "X   12.500\nEND\n");
     // What came before an alarm is kept.
