@@ -123,6 +123,7 @@ Reply check_dialect(Session& session, const std::string& name_or_file) {
     if (dialect == nullptr) return {session.status(), {}};
     (void)interp::rules_of(*dialect, session.messages());
     nc::check_frame(*dialect, session.messages());
+    check_cycles(session, *dialect);
     check_examples(session, *dialect);
     if (session.messages().errors() > 0) return {session.status(), {}};
     return {session.status(),

@@ -57,6 +57,7 @@ struct Actions {
     const nc::Invocation* cycle = nullptr;
     bool cycle_is_cancelled = false;  // … by a motion code behind it
     bool calls_behind_motions = false;
+    bool calls_defined = false;  // the cycle that was defined last, behind the motion
     CycleWords cycle_words;
     const nc::Invocation* reference = nullptr;  // ReferencePoint or ReferenceReturn
 };
@@ -258,6 +259,7 @@ class Executor {
     void report_spline(const nc::Block& block, path::NurbsFault fault);
 
     // motion.cpp: what is wrong or strange
+    const nc::Block& with_center(const nc::Block& block);
     void warn_arc_word(const nc::Block& block, nc::SlotMask words);
     bool check_axes(const nc::Block& block, nc::SlotMask targets);
     bool check_rigid_tap(const nc::Block& block, nc::SlotMask targets);
@@ -275,6 +277,7 @@ class Executor {
     void call_cycle(const nc::Block& block, const Actions& actions);
     void preset_cycle(const nc::Block& block, const nc::Invocation& invocation);
     void complete_call(ModalCycle& call) const;
+    void call_defined(const nc::Block& block);
     void repeat_cycle(const nc::Block& block, const Actions& actions);
     void call_behind_motion(const nc::Block& block);
     void move_instead_of_cycle(const nc::Block& block, const Actions& actions);
@@ -384,10 +387,11 @@ class Executor {
     ModalCycle modal_cycle_;
     CycleData cycle_data_;
     std::optional<nc::Block> call_behind_motions_;
-    int times_left_ = 0;                 // that the block does the cycle again
-    std::optional<double> begins_at_;    // level at which the cycle takes the tool to be
-    std::optional<double> final_level_;  // below its retract level, where the tool goes behind it
-    std::vector<ModalCycle> presets_;    // parameters that the next calls need not give
+    int times_left_ = 0;                  // that the block does the cycle again
+    std::optional<double> begins_at_;     // level at which the cycle takes the tool to be
+    std::optional<double> final_level_;   // below its retract level, where the tool goes behind it
+    std::vector<ModalCycle> presets_;     // parameters that the next calls need not give
+    std::optional<nc::CycleId> defined_;  // the one of them that was said last
     bool returns_to_retract_ = false;
     std::optional<ShapeRun> shape_;  // whose blocks are coming
     std::unique_ptr<Stream<nc::Block>> cycle_stream_;
@@ -397,6 +401,8 @@ class Executor {
     Modal modal_before_cycle_;
     bool is_modal_behind_cycle_ = false;
     Actions after_cycle_;
+    std::array<std::optional<double>, 3> center_;  // that stays, in the programmed system
+    nc::Block centered_{};                         // a block with it
     nc::Block remapped_{};  // a block of the cycle, in another plane than X-Y
 
     nc::Block cartesian_{};                   // a block whose other words have become places

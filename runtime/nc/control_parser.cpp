@@ -135,6 +135,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         });
         if (form == language_.functions.end()) return false;
         at_ += word.text.size();
+        tables_.note(&*form);
         out.fills = form->operation == Operation::Fill;
         return take_values(out.list);
     }
@@ -204,6 +205,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
             statement.span = {static_cast<std::uint32_t>(begin),
                               static_cast<std::uint32_t>(begin + word.text.size())};
             if (take_tokens(form, word, statement)) {
+                tables_.note(&form);
                 out = std::move(statement);
                 return true;
             }
@@ -259,7 +261,8 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
     /// Nothing but a comment behind the statement.
     bool is_finished() {
         skip();
-        if (is_inner_ || at_ >= line_.size() || words_.is_comment(at_)) return true;
+        if (is_inner_ || at_ >= line_.size() || words_.is_comment(at_) || is_block_end(at_))
+            return true;
         return fail_here(rules_.mixes_words ? diag::StatementSyntax : diag::MixedStatement);
     }
 

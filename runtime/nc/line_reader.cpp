@@ -49,6 +49,14 @@ inline bool take_short_number(const char*& p, const char* end, double& value) {
     return true;
 }
 
+/// Whether a line is the last one of a program: it begins as the template does before what is
+/// filled in.
+bool is_end_line(std::string_view line, std::string_view end) {
+    const std::size_t fixed = end.find_first_of("{[");
+    if (fixed == 0 || fixed == std::string_view::npos) return line == end;
+    return line.starts_with(end.substr(0, fixed));
+}
+
 }  // namespace
 
 LineReader::LineReader(const Dialect& dialect, std::string name, DiagnosticSink& sink)
@@ -86,8 +94,8 @@ void LineReader::prepare(std::size_t letter) {
             fast.kind = FastLetter::Kind::Number;
         } else if (address.kind == Address::Kind::Code) {
             fast.kind = FastLetter::Kind::Code;
-        } else if (address.slot >= 0 && !address.is_incremental && are_of_motions(address) &&
-                   tables_.code_index[id].empty()) {
+        } else if (address.slot >= 0 && !address.is_incremental && !address.is_coordinate &&
+                   are_of_motions(address) && tables_.code_index[id].empty()) {
             fast.kind = FastLetter::Kind::Slot;
             fast.slot = static_cast<Slot>(address.slot);
         }
@@ -102,7 +110,8 @@ LineReader::LineKind LineReader::kind_of(std::string_view line) {
     while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
     if (line.empty()) return LineKind::Nothing;
     const std::vector<std::string>& ends = tables_.program.end;
-    if (text_->has_content && std::ranges::find(ends, line) != ends.end()) text_->has_ended = true;
+    const auto is_end = [&](const std::string& end) { return is_end_line(line, end); };
+    if (text_->has_content && std::ranges::any_of(ends, is_end)) text_->has_ended = true;
     if (text_->has_ended) return LineKind::Nothing;
     const bool is_header = std::ranges::any_of(
         tables_.program.skipped, [&](const std::string& front) { return line.starts_with(front); });
@@ -322,7 +331,7 @@ bool LineReader::read_fast(std::string_view line, Block& block) const {
     std::uint32_t groups = 0;
     bool has_word = false;
     const Function motion = modal_[static_cast<std::size_t>(Group::Motion)];
-    if (closely_read_[static_cast<std::size_t>(motion)]) return false;
+    if (closely_read_[static_cast<std::size_t>(motion)] || tables_.used != nullptr) return false;
     while (true) {
         while (p != end && is_blank(*p)) ++p;
         if (p == end) return has_word;
@@ -418,6 +427,7 @@ bool LineReader::read_verbatim(std::string_view line, Block& block) const {
     for (const FormId id : tables_.verbatim_forms) {
         const Form& form = tables_.forms[id];
         if (!match_verbatim(form, {begin, end}, block)) continue;
+        tables_.note(&form);
         block.number = number;
         block.skip = skip;
         return true;
@@ -510,7 +520,10 @@ bool LineReader::fill(std::string_view line, Block& block, MatchedLine* known,
     block.number = lexed_->number;
     block.comment = lexed_->comment;
     block.text = lexed_->text;
-    if (lexed_->comment_form != kNoForm) block.add(tables_.forms[lexed_->comment_form].function);
+    if (lexed_->comment_form != kNoForm) {
+        tables_.note(&tables_.forms[lexed_->comment_form]);
+        block.add(tables_.forms[lexed_->comment_form].function);
+    }
     if (lexed_->words.empty()) {
         if (lexed_->has_comment && block.number < 0 && block.skip < 0 &&
             block.function_count == 0) {
@@ -531,6 +544,7 @@ bool LineReader::fill(std::string_view line, Block& block, MatchedLine* known,
 bool LineReader::apply(Block& block, std::string_view line) {
     for (std::size_t i = 0; i < match_.form_count; ++i) {
         const Form& form = tables_.forms[match_.forms[i]];
+        tables_.note(&form);
         if (info(form.function).group == Group::Units) feed_stays_metric_ = form.feed_stays_metric;
         if (form.group >= 0) last_forms_[static_cast<std::size_t>(form.group)] = match_.forms[i];
     }
@@ -577,6 +591,8 @@ bool LineReader::apply_claim(const Claim& claim, Block& block, std::string_view 
                                : read_meaning(decimal, format, claim.dimension, units_);
     Decimal written = decimal;
     if (word.is_computed) written.has_point = format.point != PointRule::Never;
+    const bool is_plain = claim.plain_factor > 0 && !decimal.has_point;
+    const double factor = is_plain ? claim.plain_factor : claim.factor;
     const NumberFault fault =
         check_read(written, lexed_->minus[claim.word], meaning, format, claim.dimension, units_);
     if (fault != NumberFault::None) {
@@ -592,7 +608,7 @@ bool LineReader::apply_claim(const Claim& claim, Block& block, std::string_view 
         return true;
     }
     const double scaled = meaning / text_scale(claim.dimension, units_, false);
-    block.set_argument(*invocation, claim.parameter, (scaled - claim.offset) / claim.factor);
+    block.set_argument(*invocation, claim.parameter, (scaled - claim.offset) / factor);
     return true;
 }
 

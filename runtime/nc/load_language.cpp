@@ -32,7 +32,7 @@ constexpr std::string_view kHoleNames[] = {
 class LanguageLoader {
   public:
     LanguageLoader(DialectTables& tables, Attributes& attributes)
-        : language_(tables.language), attributes_(attributes) {}
+        : tables_(tables), language_(tables.language), attributes_(attributes) {}
 
     void load(const XmlElement& element) {
         language_.is_present = true;
@@ -43,6 +43,8 @@ class LanguageLoader {
         Attributes::read_text(element, "label_sign", language_.label_sign);
         Attributes::read_text(element, "end_label", language_.end_label);
         for (const XmlElement& child : element.children) {
+            load_examples(child);
+            if (child.name == "example") load_example(child, tables_);
             if (child.name == "rule") load_rule(child);
             if (child.name == "operator") load_operator(child);
             if (child.name == "function") load_function(child);
@@ -61,6 +63,12 @@ class LanguageLoader {
         if (attribute->value.size() != 1)
             return attributes_.bad_value(*attribute, "one sign is expected");
         out = attribute->value[0];
+    }
+
+    void load_examples(const XmlElement& element) {
+        for (const XmlElement& child : element.children) {
+            if (child.name == "example") load_example(child, tables_);
+        }
     }
 
     void load_rule(const XmlElement& element) {
@@ -139,7 +147,9 @@ class LanguageLoader {
             return attributes_.bad_value(
                 text, "a name is expected, and {n} or indices behind it: `R{n}`, `$P_EP[{axis}]`");
         }
-        for (const XmlElement& child : element.children) load_range(child, form);
+        for (const XmlElement& child : element.children) {
+            if (child.name == "range") load_range(child, form);
+        }
         if (form.ranges.empty())
             return attributes_.bad_value(text, "it needs a <range> that says what it is");
         // Of a family only the numbers that are said become something else.
@@ -325,6 +335,7 @@ class LanguageLoader {
 
     inline static const Names kTypeNames = {"real", "int", "bool", "char", "text"};
 
+    DialectTables& tables_;
     Language& language_;
     Attributes& attributes_;
 };

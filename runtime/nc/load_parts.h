@@ -55,6 +55,7 @@ class FormLoader {
     std::optional<CycleId> cycle_of(const XmlElement& element);
     void read_roles(const XmlElement& element, CycleInfo& cycle);
     void read_settings(const XmlElement& element, CycleInfo& cycle);
+    void read_cycle_file(const XmlAttribute& file, CycleInfo& cycle);
     CycleId declare_cycle(std::string_view name, const XmlAttribute& parameters);
     int group_named(std::string_view name);
     void add_forms(const Form& prototype, std::string_view text);

@@ -216,8 +216,10 @@ const nc::Dialect& dialect_named(const std::string& name) {
     if (const auto known = loaded.find(name); known != loaded.end()) return known->second;
     Sources sources;
     DiagnosticList messages;
-    auto dialect = nc::load_dialect(
-        name, {KADR_ROOT "/tests/control/dialects", KADR_ROOT "/dialects"}, sources, messages);
+    auto dialect = nc::load_dialect(name,
+                                    {KADR_ROOT "/tests/control/dialects", KADR_ROOT "/dialects",
+                                     KADR_ROOT "/examples/dialects"},
+                                    sources, messages);
     EXPECT_TRUE(dialect.has_value());
     return loaded.emplace(name, std::move(*dialect)).first->second;
 }
@@ -644,14 +646,20 @@ TEST(LatheCycles, RoughingKeepsOffTheShape) {
     }
 }
 
-class Control : public testing::TestWithParam<fs::path> {};
+/// A program, and the control that executes it.
+struct Case {
+    fs::path file;
+    std::string dialect;
+};
+
+class Control : public testing::TestWithParam<Case> {};
 
 TEST_P(Control, DoesWhatTheManualSays) {
-    const fs::path& file = GetParam();
+    const fs::path& file = GetParam().file;
     const std::string text = content_of(file);
     const Expected expected = parse(text);
     EXPECT_TRUE(expected.has_rule) << "the file names no rule";
-    const nc::Dialect& dialect = dialect_named(file.parent_path().filename());
+    const nc::Dialect& dialect = dialect_named(GetParam().dialect);
     for (const bool can_seek : {true, false}) {
         SCOPED_TRACE(can_seek ? "from a file" : "through a pipe");
         check(expected, run_program(dialect, text, expected, file.parent_path(), can_seek),
@@ -664,22 +672,35 @@ std::vector<fs::path> programs() {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kPrograms)) {
         const fs::path folder = entry.path().parent_path();
         if (folder.filename() == "called" || folder.filename() == "same_part") continue;
-        if (entry.path().extension() == ".nc" || entry.path().extension() == ".mpf")
-            files.push_back(entry.path());
+        const std::string suffix = entry.path().extension();
+        if (suffix == ".nc" || suffix == ".mpf" || suffix == ".i") files.push_back(entry.path());
     }
     std::ranges::sort(files);
     return files;
 }
 
-std::string test_name(const testing::TestParamInfo<fs::path>& test) {
-    std::string name =
-        test.param.parent_path().filename().string() + '_' + test.param.stem().string();
+/// Every program on the control of its folder; those of SINUMERIK on AxiOMA, too: nothing is known
+/// of its language that differs in what these programs use, and so there is no exception.
+std::vector<Case> cases() {
+    std::vector<Case> all;
+    for (const fs::path& file : programs()) {
+        const std::string dialect = file.parent_path().filename();
+        all.push_back({file, dialect});
+        if (dialect == "sinumerik") all.push_back({file, "axioma"});
+    }
+    return all;
+}
+
+std::string test_name(const testing::TestParamInfo<Case>& test) {
+    std::string name = test.param.dialect + '_' +
+                       test.param.file.parent_path().filename().string() + '_' +
+                       test.param.file.stem().string();
     std::ranges::replace_if(
         name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
     return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Programs, Control, testing::ValuesIn(programs()), test_name);
+INSTANTIATE_TEST_SUITE_P(Programs, Control, testing::ValuesIn(cases()), test_name);
 
 }  // namespace
 }  // namespace kadr::interp
