@@ -1,7 +1,7 @@
 // control_frame.h — a frame as the control's language holds it: shifts, rotation, scale, mirror.
 //
-// p_outer = (shift + fine) + rotation · scale · mirror · p. What a program assigns, chains and reads
-// by component; where it acts is the matter of frames.h.
+// p_outer = (shift + fine) + rotation · scale · mirror · p. What a program assigns, chains and
+// reads by component; where it acts is the matter of frames.h.
 #pragma once
 
 #include <optional>

@@ -59,7 +59,7 @@ struct Content {
 /// Variables side by side; one that was never set is vacant.
 struct Store {
     std::vector<Value> values;
-    std::vector<std::string> texts;  // of the text variables among them, one for each slot
+    std::vector<std::string> texts;    // of the text variables among them, one for each slot
     std::vector<ControlFrame> frames;  // … of those that are frames
 
     void grow(std::size_t count) { values.resize(std::max(values.size(), count)); }

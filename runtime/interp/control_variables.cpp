@@ -362,8 +362,8 @@ ControlVariable ControlVariables::shown_in(const Store& store, std::size_t slot,
 std::string ControlVariables::written(const ControlFrame& frame) const {
     std::string out;
     const auto name_of_constant = [this](nc::Operation operation) -> std::string {
-        const auto form = std::ranges::find(language_.functions, operation,
-                                            &nc::FunctionForm::operation);
+        const auto form =
+            std::ranges::find(language_.functions, operation, &nc::FunctionForm::operation);
         return form == language_.functions.end() ? std::string(info(operation).name) : form->name;
     };
     const auto add = [&](nc::Operation operation, nc::FramePart part, double neutral) {
@@ -558,8 +558,7 @@ ControlVariables::Fault ControlVariables::store_family(std::uint32_t form, std::
     const VariableRange* range = find_range(family, number);
     const std::string name = family.name + std::to_string(number);
     if (range == nullptr) return {&diag::VariableNumber, {name}};
-    if (!value.is_number())
-        return {&diag::TypesDiffer, {name, std::string(kind_name(value))}};
+    if (!value.is_number()) return {&diag::TypesDiffer, {name, std::string(kind_name(value))}};
     const auto slot = static_cast<std::size_t>(range->slot + (number - range->first));
     Value converted = value;
     switch (range->kind) {
@@ -587,8 +586,7 @@ ControlVariables::Fault ControlVariables::store_system(Quantity quantity, const 
         return {&diag::VariableReadOnly, {std::string(info(quantity).name)}};
     const std::string name(info(quantity).name);
     if (state_ == nullptr) return {&diag::IsoNotSupported, {name}};
-    if (!value.is_number())
-        return {&diag::TypesDiffer, {name, std::string(kind_name(value))}};
+    if (!value.is_number()) return {&diag::TypesDiffer, {name, std::string(kind_name(value))}};
     double factor = 1;
     if (quantity == Quantity::WorkOffset) factor = text_factor(indices, indices.second);
     if (is_of_tool_data(quantity)) factor = to_text_units(quantity, indices, 1);

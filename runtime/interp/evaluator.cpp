@@ -393,8 +393,8 @@ bool Evaluator::compare(Operation operation, Value& a, const Value& b) {
 bool Evaluator::bits(Operation operation, Value& a, const Value& b) {
     const bool is_single = operation == Operation::Not || operation == Operation::BitNot;
     if (!a.is_number() || (!is_single && !b.is_number())) {
-        return fail(diag::TypesDiffer, {"a logical operation",
-                                        std::string(kind_name(a.is_number() ? b : a))});
+        return fail(diag::TypesDiffer,
+                    {"a logical operation", std::string(kind_name(a.is_number() ? b : a))});
     }
     const bool p = a.number != 0;
     const bool q = !is_single && b.number != 0;

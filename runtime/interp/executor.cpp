@@ -112,7 +112,8 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
         set_modal(modal_, dialect.power_on(group));
     }
     returns_to_retract_ = dialect.power_on(Group::CycleReturn) == Function::CycleReturnRetract;
-    for (const AxisValues& offset : machine.work_offsets) work_offsets_.push_back({.shift = offset});
+    for (const AxisValues& offset : machine.work_offsets)
+        work_offsets_.push_back({.shift = offset});
     work_offset_ = rules_.default_work_offset;
     frames_.select_work_offset(work_offset_frame(work_offset_));
     frame_changed();

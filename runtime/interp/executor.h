@@ -326,7 +326,7 @@ class Executor {
     const nc::Dialect& dialect_;
     const machine::Machine& machine_;
     std::vector<ControlFrame> work_offsets_;  // as the machine has them, until the program sets one
-    std::int64_t work_offset_ = 0;          // that acts
+    std::int64_t work_offset_ = 0;            // that acts
     ToolOffsets tool_offsets_;
     const nc::BlockPlaces* places_;
     CycleExpander* cycles_;

@@ -1,7 +1,7 @@
 // frames.h — the frames in force: work offset, set position, programmable frame.
 //
-// base = set shift + base frame : work offset : programmable frame (programmed point). Keeps the product and its
-// inverse ready, so that a block pays for frames only when one changes.
+// base = set shift + base frame : work offset : programmable frame (programmed point). Keeps the
+// product and its inverse ready, so that a block pays for frames only when one changes.
 #pragma once
 
 #include <array>

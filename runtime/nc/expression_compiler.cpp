@@ -542,10 +542,9 @@ bool ExpressionCompiler::take_frame_part(bool is_first, Instruction& load) {
     if (!take_axis_index() || !take_sign(',')) return false;
     skip();
     const Word word = words_.word_at(at_);
-    const auto named =
-        std::ranges::find_if(language_.frame_parts, [&](const FramePartName& name) {
-            return words_.is_same(word.text, name.word);
-        });
+    const auto named = std::ranges::find_if(language_.frame_parts, [&](const FramePartName& name) {
+        return words_.is_same(word.text, name.word);
+    });
     if (named == language_.frame_parts.end()) return fail_here(diag::NameUnknown);
     at_ += word.text.size();
     load.kind = load.kind == Instruction::Kind::System ? Instruction::Kind::SystemPart

@@ -135,7 +135,8 @@ class Lexer {
         if (compiler_ == nullptr || name.empty() || upper(line_[at_]) != name[0]) return false;
         const std::size_t begin = at_;
         bool was_taken = false;
-        fault_ = compiler_->take_axis(at_, static_cast<std::uint16_t>(out_.words.size()), was_taken);
+        fault_ =
+            compiler_->take_axis(at_, static_cast<std::uint16_t>(out_.words.size()), was_taken);
         if (!was_taken || fault_) return fault_.has_value();
         skip_blanks();
         if (peek() == '=') {

@@ -347,8 +347,7 @@ class LanguageLoader {
         language_.code_lists.push_back(std::move(list));
     }
 
-    inline static const Names kTypeNames = {"real", "int",  "bool", "char",
-                                            "text", "axis", "frame"};
+    inline static const Names kTypeNames = {"real", "int", "bool", "char", "text", "axis", "frame"};
 
     DialectTables& tables_;
     Language& language_;
