@@ -73,6 +73,7 @@ class Parser {
     CLI::App* add(CLI::App& parent, const char* name, const char* text, Verb verb);
     void add_dialect(CLI::App& command);
     void add_program(CLI::App& command);
+    void add_search(CLI::App& command);
     void add_expansion(CLI::App& command);
     void add_limits(CLI::App& command);
     void add_expand();
@@ -139,6 +140,14 @@ void Parser::add_program(CLI::App& command) {
         ->type_name("NAME");
 }
 
+void Parser::add_search(CLI::App& command) {
+    command
+        .add_option("--search", line_.options.search,
+                    "folder with programs that ISO-7bit text calls, besides its own")
+        ->type_name("DIR")
+        ->allow_extra_args(false);
+}
+
 void Parser::add_expansion(CLI::App& command) {
     command.add_option("--cycles", cycles_, "the control's own cycles, or single moves")
         ->check(one_of({"native", "moves"}))
@@ -175,6 +184,7 @@ void Parser::add_run() {
     add_dialect(*command);
     command->add_option("-m,--machine", options.machine, "machine: a name or an XML file")
         ->type_name("MACHINE");
+    add_search(*command);
     add_program(*command);
     add_expansion(*command);
     command->add_option("--commands", job.commands, "what is executed, JSON Lines")
@@ -210,6 +220,7 @@ void Parser::add_check() {
     CLI::App* command = add(app_, "check", "find mistakes, write nothing", Verb::Check);
     command->add_option("SRC", line_.sources, "Kadr programs or ISO-7bit texts")->required();
     add_dialect(*command);
+    add_search(*command);
     command->add_option("-m,--machine", line_.options.machine, "machine: a name or an XML file")
         ->type_name("MACHINE");
     command

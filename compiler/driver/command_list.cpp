@@ -20,7 +20,14 @@ const std::string& CommandList::source_of(const path::Command& command) {
 
 void CommandList::write(const path::Command& command) {
     line_.clear();
-    listing_.append(command, source_of(command), line_);
+    if (interp::Program::is_in_main_text(command.line)) {
+        listing_.append(command, source_of(command), line_);
+    } else {
+        const LinePlace place = execution_.place_of(command.line);
+        called_ = command;
+        called_.line = place.line;
+        listing_.append(called_, place.file + ':' + std::to_string(place.line), line_);
+    }
     out_.write(line_);
 }
 

@@ -29,6 +29,7 @@ class CommandList {
     interp::Listing listing_;
     std::vector<std::string> names_;  // of statements, by SourceId; empty: not asked for yet
     std::string line_;
+    path::Command called_;  // with the number of its line in its own file
 };
 
 }  // namespace kadr::driver

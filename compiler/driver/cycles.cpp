@@ -76,12 +76,24 @@ void CycleMessages::take(Diagnostic diagnostic) {
 }
 
 const Program* LibraryCycles::find(std::string_view cycle) {
-    if (!files_) files_ = cycle_files(session_.share().library);
+    if (!files_) files_ = files_of_cycles();
     for (std::size_t i = 0; i < files_->size(); ++i) {
         if (i == programs_.size()) programs_.push_back(load_program(session_, (*files_)[i]));
         if (programs_[i] && has_cycle(*programs_[i], cycle)) return &*programs_[i];
     }
     return nullptr;
+}
+
+/// The control's own cycles are looked for first: their names are their own.
+std::vector<std::string> LibraryCycles::files_of_cycles() const {
+    std::vector<std::string> files;
+    for (const nc::CycleInfo& cycle : dialect_.cycles()) {
+        const bool is_new = std::ranges::find(files, cycle.file) == files.end();
+        if (!cycle.file.empty() && is_new) files.push_back(cycle.file);
+    }
+    const std::vector<std::string> library = cycle_files(session_.share().library);
+    files.insert(files.end(), library.begin(), library.end());
+    return files;
 }
 
 std::unique_ptr<Stream<nc::Block>> LibraryCycles::expand(const interp::CycleCall& call) {

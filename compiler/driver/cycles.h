@@ -31,8 +31,9 @@ class CycleMessages final : public DiagnosticSink {
     std::optional<std::string> refusal_;
 };
 
-/// Runs `stdlib/cycles` for cycle calls that the interpreter meets. A file of the library is read
-/// and checked when a call asks for a cycle that none before it has.
+/// Runs `stdlib/cycles`, and the Kadr files of the dialect, for cycle calls that the interpreter
+/// meets. A file of the library is read and checked when a call asks for a cycle that none before
+/// it has.
 class LibraryCycles final : public interp::CycleExpander {
   public:
     /// References outlive the expander.
@@ -52,13 +53,14 @@ class LibraryCycles final : public interp::CycleExpander {
     std::optional<std::string> refusal() const override { return messages_.refusal(); }
 
   private:
+    std::vector<std::string> files_of_cycles() const;
     const Program* find(std::string_view cycle);
 
     Session& session_;
     const nc::Dialect& dialect_;
     DiagnosticSink* sink_;
     CycleMessages messages_;
-    std::optional<std::vector<std::string>> files_;  // of the library; nothing: not looked up yet
+    std::optional<std::vector<std::string>> files_;  // of the cycles; nothing: not looked up yet
     std::vector<std::optional<Program>> programs_;   // of the first files
 };
 

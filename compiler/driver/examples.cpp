@@ -11,6 +11,7 @@
 #include "base/diagnostics/dialect.h"
 #include "driver/cycles.h"
 #include "driver/program.h"
+#include "driver/program_example.h"
 #include "expand/expander.h"
 #include "nc/check.h"
 
@@ -24,14 +25,20 @@ struct Trial {
     std::string fault;
 };
 
-/// The name in front of the first parenthesis: of a command or a cycle.
-std::string_view called(std::string_view source) { return source.substr(0, source.find('(')); }
+/// Whether the source calls a cycle: `G0 Z20; drill(to: -10mm);`
+bool calls_cycle(std::string_view source, const nc::Dialect& dialect) {
+    return std::ranges::any_of(dialect.cycles(), [&](const nc::CycleInfo& cycle) {
+        const std::size_t at = source.find(cycle.name + '(');
+        return at != std::string_view::npos &&
+               (at == 0 || source[at - 1] == ' ' || source[at - 1] == ';');
+    });
+}
 
 /// A program of this one statement. A cycle is a function of the library and has to be imported.
 std::string program_of(const nc::Example& example, const nc::Dialect& dialect,
                        const std::string& library) {
     std::string text;
-    if (dialect.find_cycle(called(example.source))) {
+    if (calls_cycle(example.source, dialect)) {
         for (const std::string& file : cycle_files(library)) {
             text += "import cycles." + std::filesystem::path(file).stem().string() + ";\n";
         }
@@ -62,10 +69,55 @@ Trial run_source(Session& session, const nc::Example& example, const nc::Dialect
     return trial;
 }
 
+/// Why the file does not say what the control's own cycle does; empty if it does.
+std::string fault_of_cycle(const sema::Code& code, const nc::CycleInfo& cycle) {
+    const auto function =
+        std::ranges::find_if(code.functions, [&](const sema::FunctionCode& candidate) {
+            return candidate.kind == sema::FunctionKind::Cycle && candidate.is_main_file &&
+                   candidate.name == cycle.name;
+        });
+    if (function == code.functions.end()) return "it has no cycle `" + cycle.name + '`';
+    const bool is_same = std::ranges::equal(
+        cycle.parameters, function->parameters,
+        [](const nc::Parameter& a, const sema::ParameterInfo& b) { return a.name == b.name; });
+    if (!is_same) return "the parameters of its cycle `" + cycle.name + "` are others";
+    return "";
+}
+
+/// An example of the control's own language is a program, executed to its end.
+void check_program(Session& session, const nc::Dialect& dialect, const nc::Example& example) {
+    const std::string found = outcome_of(session, dialect, example.text, example.gives);
+    if (found == example.gives) return;
+    session.messages()
+        .report(diag::DialectExampleMeans, example.gives_range)
+        .arg(example.text)
+        .arg(found)
+        .arg(example.gives);
+}
+
 }  // namespace
+
+void check_cycles(Session& session, const nc::Dialect& dialect) {
+    for (const nc::CycleInfo& cycle : dialect.cycles()) {
+        if (cycle.file.empty()) continue;
+        const std::optional<Program> program = load_program(session, cycle.file);
+        if (!program) continue;  // its mistakes have been reported
+        const std::string fault = fault_of_cycle(*program->code, cycle);
+        if (fault.empty()) continue;
+        session.messages()
+            .report(diag::DialectBadValue, cycle.file_range)
+            .arg(std::filesystem::path(cycle.file).filename().string())
+            .arg("file")
+            .arg(fault);
+    }
+}
 
 void check_examples(Session& session, const nc::Dialect& dialect) {
     for (const nc::Example& example : dialect.examples()) {
+        if (!example.gives.empty()) {
+            check_program(session, dialect, example);
+            continue;
+        }
         Trial trial;
         if (!example.source.empty()) trial = run_source(session, example, dialect);
         if (trial.fault.empty()) {

@@ -201,6 +201,20 @@ bool Execution::open_text(const std::string& source, std::unique_ptr<FileText> t
     dialect_ = session_.chosen_dialect(guess);
     text_name_ = shown_name(source);
     file_ = std::move(text);
+    std::vector<std::string> folders;
+    if (source != "-") {
+        const std::filesystem::path folder = std::filesystem::path(source).parent_path();
+        folders.push_back(folder.empty() ? "." : folder.string());
+    }
+    const std::vector<std::string>& search = session_.options().search;
+    for (const std::string& folder : search) {
+        if (is_folder(folder)) continue;
+        session_.messages().report(diag::FileUnreadable).arg(folder);
+        session_.mark_usage();
+        return false;
+    }
+    folders.insert(folders.end(), search.begin(), search.end());
+    called_ = std::make_unique<ProgramFolders>(std::move(folders));
     return dialect_ != nullptr;
 }
 
@@ -241,6 +255,7 @@ void Execution::connect(DiagnosticSink& sink) {
     held_ = std::make_unique<HeldMessages>(*sink_);
     interp::ProgramOptions program_options;
     program_options.skip_levels = options.skip_levels;
+    program_options.files = called_.get();
     if (options.max_time > 0) program_options.is_over = [this] { return deadline_.is_over(); };
     if (options.max_blocks != 0) program_options.max_repeated = options.max_blocks;
     reader_ =
@@ -307,11 +322,6 @@ std::uint64_t Execution::statement_lines() const {
     return generated_ ? generated_->statement_lines() : 0;
 }
 
-LinePlace Execution::place_of(std::uint32_t line) const {
-    LinePlace place;
-    place.file = text_name_;
-    place.line = line;
-    return place;
-}
+LinePlace Execution::place_of(std::uint32_t line) const { return reader_->place(line); }
 
 }  // namespace kadr::driver

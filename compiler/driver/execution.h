@@ -13,6 +13,7 @@
 #include "driver/file_text.h"
 #include "driver/generated_text.h"
 #include "driver/program.h"
+#include "driver/program_files.h"
 #include "driver/session.h"
 #include "interp/interpreter.h"
 #include "interp/program.h"
@@ -88,7 +89,7 @@ class Execution final : public Stream<path::Command> {
     const std::string& text_name() const { return text_name_; }
     /// The statement behind a command, invalid for ISO-7bit text.
     SourceRange statement(SourceId source) const;
-    /// A line of the text for messages of the motion.
+    /// A line (Command::line) for messages of the motion; of a program that was called its file.
     LinePlace place_of(std::uint32_t line) const;
     /// Where messages about the text go: it adds the statement of the Kadr program.
     DiagnosticSink& sink();
@@ -116,6 +117,7 @@ class Execution final : public Stream<path::Command> {
     const Program* program_ = nullptr;  // null: ISO-7bit text
     std::unique_ptr<GeneratedText> generated_;
     std::unique_ptr<FileText> file_;
+    std::unique_ptr<ProgramFolders> called_;  // programs that the text calls
     std::unique_ptr<StatementNotes> sink_;
     std::unique_ptr<HeldMessages> held_;
     std::unique_ptr<interp::Program> reader_;

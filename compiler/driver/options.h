@@ -34,6 +34,7 @@ struct Options {
     std::string program;                // which program of the file; empty: the only one
     std::vector<sema::Define> defines;  // values of the program's parameters
     std::vector<std::string> folders;   // searched for imports before the standard library
+    std::vector<std::string> search;    // … for programs that ISO-7bit text calls, behind its own
     bool native_cycles = true;          // cycles as the control's own where it has them
     bool verbose_modal = false;         // repeat modal words in the text
     std::uint64_t max_blocks = 0;       // blocks after which expanding and executing are cut;

@@ -160,6 +160,10 @@ void Run::execute() {
         motion::Sampler sampler(segments, machine, options.tick);
         std::vector<motion::Setpoint> batch(kBatch);
         while (const std::size_t count = sampler.pull(batch)) {
+            for (motion::Setpoint& setpoint : std::span(batch).first(count)) {
+                if (!interp::Program::is_in_main_text(setpoint.line))
+                    setpoint.line = execution_->place_of(setpoint.line).line;
+            }
             table.write(std::span(batch).first(count));
             setpoints_ += count;
             tell();

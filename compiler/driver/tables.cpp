@@ -13,7 +13,7 @@
 #include "interp/rules.h"
 #include "machine/machine.h"
 #include "nc/check.h"
-#include "nc/command_list.h"
+#include "nc/command_names.h"
 
 namespace kadr::driver {
 
@@ -124,6 +124,7 @@ Reply check_dialect(Session& session, const std::string& name_or_file) {
     if (dialect == nullptr) return {session.status(), {}};
     (void)interp::rules_of(*dialect, session.messages());
     nc::check_frame(*dialect, session.messages());
+    check_cycles(session, *dialect);
     check_examples(session, *dialect);
     if (session.messages().errors() > 0) return {session.status(), {}};
     return {session.status(),
@@ -139,7 +140,7 @@ Reply explain_word(Session& session, const std::string& name_or_file, const std:
     }
     std::string out;
     const std::vector<std::string> lines =
-        word.empty() ? nc::list_commands(*dialect) : nc::explain(*dialect, word);
+        word.empty() ? nc::command_names(*dialect) : nc::explain(*dialect, word);
     for (const std::string& line : lines) out += line + '\n';
     if (!out.empty()) return {Status::Done, std::move(out)};
     session.messages().report(diag::WordUnknown).arg(dialect->name()).arg(word);

@@ -121,8 +121,8 @@ void Expander::State::keep_trace(std::uint32_t at, unsigned depth, SourceId sour
                           : code.places[at];
     for (std::size_t i = 1; i < frames.size(); ++i) {
         if (frames[i].return_to == 0) continue;
-        trace.calls.push_back({code.places[frames[i].return_to - 1], frames[i].function->name,
-                               frames[i].loops});
+        trace.calls.push_back(
+            {code.places[frames[i].return_to - 1], frames[i].function->name, frames[i].loops});
     }
     const std::size_t loops = frames.back().loops + depth;
     trace.loop_counts.assign(

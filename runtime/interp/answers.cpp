@@ -110,4 +110,14 @@ bool Executor::set_work_offset(std::int64_t number, std::int64_t axis_index, dou
     return true;
 }
 
+void Executor::restore_frames(bool is_wanted) {
+    if (kept_frames_.empty()) return;
+    if (is_wanted) {
+        frames_ = kept_frames_.back().frames;
+        work_offset_ = kept_frames_.back().work_offset;
+        frame_changed();
+    }
+    kept_frames_.pop_back();
+}
+
 }  // namespace kadr::interp

@@ -25,6 +25,10 @@ class ControlState {
     virtual double word_factor(std::int64_t axis) const = 0;
     /// Whether the tool stands beside the programmed contour.
     virtual bool is_compensated() const = 0;
+    /// Keeps the frames that act, for a program that leaves them as they were.
+    virtual void keep_frames() = 0;
+    /// Goes back to those that were kept last; `is_wanted` false: only forgets them.
+    virtual void restore_frames(bool is_wanted) = 0;
 };
 
 }  // namespace kadr::interp

@@ -1,6 +1,7 @@
 // control_value.h — values and variables of the control's own language.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -41,10 +42,16 @@ struct Store {
     }
 };
 
-/// What a level of the program has of its own. The main program is one; each call will be another.
+/// What a level of the program has of its own; a call may bring a new one.
 struct Level {
-    Store locals;  // those of the language, then those that were declared
-    nc::SymbolTable symbols;
+    Level() = default;
+    Level(const Level&) = delete;  // others refer to its variables
+    Level& operator=(const Level&) = delete;
+
+    Store locals;                // those of the language, then each single value that was declared
+    Store elements;              // of the arrays and the texts that were declared
+    nc::SymbolTable symbols;     // `slot` counts in the store of the symbol
+    std::vector<Store*> stores;  // of the symbols; of a parameter by reference the caller's
 };
 
 }  // namespace kadr::interp

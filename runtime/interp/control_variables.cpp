@@ -53,14 +53,67 @@ std::string_view type_name(nc::ValueType type) {
 ControlVariables::ControlVariables(const nc::Dialect& dialect, const nc::LineReader& reader)
     : dialect_(dialect), tables_(dialect.tables()), language_(tables_.language), reader_(reader) {
     globals_.grow(language_.global_slots);
-    level_.locals.grow(language_.local_slots);
+    main_.locals.grow(language_.local_slots);
+}
+
+std::unique_ptr<Level> ControlVariables::new_level() const {
+    auto level = std::make_unique<Level>();
+    level->locals.grow(language_.local_slots);
+    return level;
 }
 
 const nc::Symbol& ControlVariables::declare(nc::Symbol symbol) {
-    symbol.slot = static_cast<std::uint32_t>(level_.locals.values.size());
-    level_.locals.grow(symbol.slot + std::size_t{symbol.count()});
-    level_.symbols.add(std::move(symbol));
-    return level_.symbols.all().back();
+    Store& store = symbol.is_plain() ? level_->locals : level_->elements;
+    symbol.slot = static_cast<std::uint32_t>(store.values.size());
+    store.grow(symbol.slot + std::size_t{symbol.count()});
+    bind(*level_, std::move(symbol), store);
+    return level_->symbols.all().back();
+}
+
+void ControlVariables::bind(Level& level, nc::Symbol symbol, Store& store) {
+    // Code names single values by their slots: each symbol has one, so that they are the same in
+    // every call, whatever sizes arrays have.
+    if (!symbol.is_plain()) level.locals.grow(level.locals.values.size() + 1);
+    level.symbols.add(std::move(symbol));
+    level.stores.push_back(&store);
+}
+
+ControlVariables::VariablePlace ControlVariables::place_of(const Instruction& load,
+                                                           std::span<const std::int64_t> indices) {
+    switch (load.kind) {
+        case Instruction::Kind::Global: return {&globals_, load.index, load.type, nullptr};
+        case Instruction::Kind::Local: return {&level_->locals, load.index, load.type, nullptr};
+        case Instruction::Kind::Family: {
+            const VariableRange* range = find_range(language_.variables[load.index], indices[0]);
+            const bool is_global = range != nullptr && range->kind == VariableRange::Kind::Global;
+            if (!is_global && (range == nullptr || range->kind != VariableRange::Kind::Local))
+                return {};
+            const auto slot = static_cast<std::uint32_t>(range->slot + (indices[0] - range->first));
+            return {is_global ? &globals_ : &level_->locals, slot, range->type, nullptr};
+        }
+        case Instruction::Kind::Element: {
+            const nc::Symbol& symbol = level_->symbols.at(load.index);
+            const bool is_whole = load.count == 0;
+            const auto slot =
+                is_whole ? std::optional(symbol.slot) : Evaluator::element(symbol, indices);
+            if (!slot || load.count > symbol.dimensions) return {};
+            return {level_->stores[load.index], *slot, symbol.type, &symbol};
+        }
+        default: return {};
+    }
+}
+
+bool ControlVariables::set_global(std::string_view name, double value) {
+    for (const nc::VariableForm& form : language_.variables) {
+        if (!form.is_family || !name.starts_with(form.name)) continue;
+        const auto number = number_of(name.substr(form.name.size()));
+        const VariableRange* range = number ? find_range(form, *number) : nullptr;
+        if (range == nullptr || range->kind != VariableRange::Kind::Global) continue;
+        const auto slot = static_cast<std::size_t>(range->slot + (*number - range->first));
+        globals_.values[slot] = Value::of(value, range->type);
+        return true;
+    }
+    return false;
 }
 
 // ---------------------------------------------------------------- read
@@ -78,7 +131,7 @@ Variables::Answer ControlVariables::family(std::uint32_t form, std::int64_t numb
     const auto slot = static_cast<std::size_t>(range->slot + (number - range->first));
     switch (range->kind) {
         case VariableRange::Kind::Global: out = globals_.values[slot]; break;
-        case VariableRange::Kind::Local: out = level_.locals.values[slot]; break;
+        case VariableRange::Kind::Local: out = level_->locals.values[slot]; break;
         case VariableRange::Kind::Constant:
             out = range->is_vacant ? Value{} : Value::of(range->value, range->type);
             return Answer::Value;
@@ -342,7 +395,7 @@ ControlVariables::Fault ControlVariables::store(const Instruction& target,
         case Instruction::Kind::Local: {
             if (Fault fault = convert(target.type, converted, text); fault.row != nullptr)
                 return fault;
-            Store& store = target.kind == Instruction::Kind::Global ? globals_ : level_.locals;
+            Store& store = target.kind == Instruction::Kind::Global ? globals_ : level_->locals;
             change(store, target.index, nullptr, [&] { store.values[target.index] = converted; });
             return {};
         }
@@ -351,7 +404,7 @@ ControlVariables::Fault ControlVariables::store(const Instruction& target,
             return store_system(static_cast<Quantity>(target.index), {indices[0], indices[1]},
                                 value);
         case Instruction::Kind::Element: {
-            const nc::Symbol& symbol = level_.symbols.at(target.index);
+            const nc::Symbol& symbol = level_->symbols.at(target.index);
             const auto slot = Evaluator::element(symbol, indices);
             if (!slot) return {&diag::IndexWrong, {'`' + symbol.name + '`'}};
             if (target.count == symbol.dimensions) return store_element(symbol, *slot, value, text);
@@ -359,8 +412,9 @@ ControlVariables::Fault ControlVariables::store(const Instruction& target,
             const std::int64_t place = indices[symbol.dimensions];
             if (Fault fault = convert(nc::ValueType::Char, converted, text); fault.row != nullptr)
                 return fault;
-            const Value& old = level_.locals.values[*slot];
-            std::string whole = old.is_text() ? level_.locals.texts[old.text] : std::string();
+            Store& texts = *level_->stores[target.index];
+            const Value& old = texts.values[*slot];
+            std::string whole = old.is_text() ? texts.texts[old.text] : std::string();
             if (place < 0 || place >= symbol.text_size)
                 return {&diag::IndexWrong, {'`' + symbol.name + '`'}};
             const auto at = static_cast<std::size_t>(place);
@@ -372,7 +426,7 @@ ControlVariables::Fault ControlVariables::store(const Instruction& target,
                 whole.resize(at, ' ');
                 whole += static_cast<char>(converted.number);
             }
-            change(level_.locals, *slot, &symbol, [&] { level_.locals.set_text(*slot, whole); });
+            change(texts, *slot, &symbol, [&] { texts.set_text(*slot, whole); });
             return {};
         }
         case Instruction::Kind::Number:
@@ -388,8 +442,9 @@ ControlVariables::Fault ControlVariables::store_element(const nc::Symbol& symbol
                                                         std::string_view text) {
     Value converted = value;
     if (Fault fault = convert(symbol.type, converted, text); fault.row != nullptr) return fault;
+    Store& store = *level_->stores[level_->symbols.index_of(symbol)];
     if (symbol.type != nc::ValueType::Text) {
-        change(level_.locals, slot, &symbol, [&] { level_.locals.values[slot] = converted; });
+        change(store, slot, &symbol, [&] { store.values[slot] = converted; });
         return {};
     }
     std::string written(text);
@@ -399,7 +454,7 @@ ControlVariables::Fault ControlVariables::store_element(const nc::Symbol& symbol
         return {&diag::TextTooLong,
                 {std::to_string(written.size()), std::to_string(symbol.text_size)}};
     }
-    change(level_.locals, slot, &symbol, [&] { level_.locals.set_text(slot, written); });
+    change(store, slot, &symbol, [&] { store.set_text(slot, written); });
     return {};
 }
 
@@ -418,7 +473,7 @@ ControlVariables::Fault ControlVariables::store_family(std::uint32_t form, std::
             if (Fault fault = convert(range->type, converted, {}); fault.row != nullptr)
                 return fault;
             const bool is_global = range->kind == VariableRange::Kind::Global;
-            Store& store = is_global ? globals_ : level_.locals;
+            Store& store = is_global ? globals_ : level_->locals;
             change(store, slot, nullptr, [&] { store.values[slot] = converted; });
             return {};
         }
@@ -448,11 +503,11 @@ bool ControlVariables::load(const Instruction& from, std::span<const std::int64_
                             Value& out) {
     switch (from.kind) {
         case Instruction::Kind::Global: out = globals_.values[from.index]; return true;
-        case Instruction::Kind::Local: out = level_.locals.values[from.index]; return true;
+        case Instruction::Kind::Local: out = level_->locals.values[from.index]; return true;
         case Instruction::Kind::Family: return family(from.index, indices[0], out) == Answer::Value;
         case Instruction::Kind::Element: {
-            const auto slot = Evaluator::element(level_.symbols.at(from.index), indices);
-            if (slot) out = level_.locals.values[*slot];
+            const auto slot = Evaluator::element(level_->symbols.at(from.index), indices);
+            if (slot) out = level_->stores[from.index]->values[*slot];
             return slot.has_value();
         }
         default: return false;
@@ -466,7 +521,7 @@ void ControlVariables::list_family(const nc::VariableForm& form,
     for (const VariableRange& range : form.ranges) {
         const bool is_global = range.kind == VariableRange::Kind::Global;
         if (!is_global && range.kind != VariableRange::Kind::Local) continue;
-        const Store& store = is_global ? globals_ : level_.locals;
+        const Store& store = is_global ? globals_ : main_.locals;
         for (std::int64_t number = range.first; number <= range.last; ++number) {
             const auto slot = static_cast<std::size_t>(range.slot + (number - range.first));
             const Value& value = store.values[slot];
@@ -479,8 +534,8 @@ void ControlVariables::list_family(const nc::VariableForm& form,
 std::vector<ControlVariable> ControlVariables::list() const {
     std::vector<ControlVariable> out;
     for (const nc::VariableForm& form : language_.variables) list_family(form, out);
-    const Store& store = level_.locals;
-    for (const nc::Symbol& symbol : level_.symbols.all()) {
+    for (const nc::Symbol& symbol : main_.symbols.all()) {
+        const Store& store = *main_.stores[main_.symbols.index_of(symbol)];
         for (std::uint32_t i = 0; i < symbol.count(); ++i) {
             if (store.values[symbol.slot + i].is_vacant()) continue;
             out.push_back(shown_in(store, symbol.slot + i, &symbol));

@@ -2,6 +2,7 @@
 // state of the control.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,8 +34,23 @@ class ControlVariables final : public Variables {
                   double& out) override;
 
     const Store& globals() const { return globals_; }
-    Level& level() { return level_; }
+    Level& level() { return *level_; }
+    Level& main_level() { return main_; }
+    /// A level with the variables of the language, none of them set.
+    std::unique_ptr<Level> new_level() const;
+    /// What follows reads and writes the variables of this level.
+    void enter(Level& level) { level_ = &level; }
     const nc::Symbol& declare(nc::Symbol symbol);
+    /// The place of a variable, for a parameter that stands for it.
+    struct VariablePlace {
+        Store* store = nullptr;  // null: it holds nothing that a program could write
+        std::uint32_t slot = 0;
+        nc::ValueType type = nc::ValueType::Real;
+        const nc::Symbol* symbol = nullptr;  // if it was declared
+    };
+    VariablePlace place_of(const nc::Instruction& load, std::span<const std::int64_t> indices);
+    /// The parameter of `level` stands for a variable elsewhere; `symbol.slot` counts there.
+    static void bind(Level& level, nc::Symbol symbol, Store& store);
 
     /// What the number of a family stands for; None: a variable that holds something.
     nc::Quantity quantity_of(std::uint32_t form, std::int64_t number) const;
@@ -44,6 +60,12 @@ class ControlVariables final : public Variables {
                 const Value& value, std::string_view text);
     Fault store_element(const nc::Symbol& symbol, std::uint32_t slot, const Value& value,
                         std::string_view text);
+    /// An argument by its letter: a variable of the language at this slot of `level`.
+    static void set_local(Level& level, std::uint32_t slot, const Value& value) {
+        level.locals.values[slot] = value;
+    }
+    /// The variable of the whole run that this name means; false: there is none.
+    bool set_global(std::string_view name, double value);
     /// The counter of a loop; false: it cannot be read.
     bool load(const nc::Instruction& from, std::span<const std::int64_t> indices, Value& out);
 
@@ -80,7 +102,8 @@ class ControlVariables final : public Variables {
     const nc::LineReader& reader_;
     ControlState* state_ = nullptr;
     Store globals_;
-    Level level_;
+    Level main_;
+    Level* level_ = &main_;
     std::int64_t block_number_ = 0;
     bool in_step_ = true;
     std::vector<VariableChange>* changes_ = nullptr;

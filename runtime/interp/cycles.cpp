@@ -110,6 +110,22 @@ void Executor::call_behind_motion(const Block& block) {
     call_cycle(call, actions);
 }
 
+/// The cycle that was defined last, with the parameters of its definition.
+void Executor::call_defined(const Block& block) {
+    if (!defined_) {
+        report(diag::CycleUndefined, block, Function::CycleCall);
+        return;
+    }
+    Block call{};
+    call.line = block.line;
+    call.source = block.source;
+    call.cycle = *defined_;
+    call.add(Function::Cycle, dialect_.cycles()[*defined_].parameters.size());
+    Actions actions;
+    actions.cycle = call.find(Function::Cycle);
+    call_cycle(call, actions);
+}
+
 /// The motion code behind a cycle ended it; what was its depth is the place of the tool axis.
 void Executor::move_instead_of_cycle(const Block& block, const Actions& actions) {
     report(diag::CycleBesideMotion, block, Function::Cycle).arg("the motion");
@@ -250,6 +266,7 @@ void Executor::preset_cycle(const Block& block, const Invocation& invocation) {
     const auto old = std::ranges::find(presets_, block.cycle, &ModalCycle::cycle);
     ModalCycle& preset = old != presets_.end() ? *old : presets_.emplace_back();
     preset.cycle = block.cycle;
+    defined_ = block.cycle;
     preset.given = invocation.given;
     const std::size_t count = dialect_.cycles()[block.cycle].parameters.size();
     for (std::size_t i = 0; i < count; ++i) preset.arguments[i] = block.argument(invocation, i);

@@ -206,7 +206,7 @@ bool Evaluator::load_element(const Instruction& instruction) {
         indices[i] = index_of(stack_[size_ + i].number);
     const auto slot = element(symbol, indices);
     if (!slot) return fail(diag::IndexWrong, {'`' + symbol.name + '`'});
-    const Store& store = level_->locals;
+    const Store& store = *level_->stores[instruction.index];
     Value value = store.values[*slot];
     if (symbol.type != nc::ValueType::Text) {
         push(value.is_vacant() ? Value::of(0, symbol.type) : value);

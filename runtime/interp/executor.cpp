@@ -143,7 +143,7 @@ void Executor::execute_next() {
         return;
     }
     if (shape_ && !check_shape_block(*block)) return;
-    execute(*block);
+    execute(rules_.center_stays ? with_center(*block) : *block);
     const bool has_stages = corners_.is_active() || compensation_.is_on();  // nearly never
     const bool is_open = open_line_ || (corners_.is_active() && !acts(*block));
     if (has_stages && !is_open) settle(*block);
@@ -230,6 +230,7 @@ void Executor::run_functions(const Block& block) {
     if (places == nullptr) return;
     move(*places, actions);
     if (call_behind_motions_) call_behind_motion(*places);
+    if (actions.calls_defined && !ended_) call_defined(block);
     if (ended_) return;
     if (cycle_blocks_ && !was_in_cycle) {
         after_cycle_ = actions;  // what the calling block does after its motion waits for the cycle
@@ -424,6 +425,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             actions.cycle_is_cancelled = actions.cycle != nullptr;
             if (actions.cycle == nullptr) modal_cycle_.is_active = taps_rigidly_ = false;
             break;
+        case Function::CycleCall: actions.calls_defined = true; break;
         case Function::CycleModal: actions.calls_behind_motions = true; break;
         case Function::CycleWords: {
             CycleWords& words = actions.cycle_words;
@@ -733,19 +735,27 @@ const Block& Executor::origin(const Block& block) const { return cycle_blocks_ ?
 
 DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block) {
     const Block& from = origin(block);
-    return report(row,
-                  places_ != nullptr ? places_->place(from) : LinePlace{{}, from.line, 1, 1, {}});
+    return note_calls(
+        report(row, places_ != nullptr ? places_->place(from) : LinePlace{{}, from.line, 1, 1, {}}),
+        from);
 }
 
 DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block, Slot slot) {
     if (places_ == nullptr || cycle_blocks_) return report(row, block);
-    return report(row, places_->place(block, slot));
+    return note_calls(report(row, places_->place(block, slot)), block);
 }
 
 DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block,
                                    Function function) {
     if (places_ == nullptr || cycle_blocks_) return report(row, block);
-    return report(row, places_->place(block, function));
+    return note_calls(report(row, places_->place(block, function)), block);
+}
+
+/// Adds where the program of the block was called.
+DiagnosticBuilder Executor::note_calls(DiagnosticBuilder builder, const Block& block) const {
+    if (places_ == nullptr) return builder;
+    for (LinePlace& place : places_->calls(block)) builder.note(std::move(place), "called here");
+    return builder;
 }
 
 DiagnosticBuilder Executor::report(const DiagnosticRow& row, LinePlace place) {

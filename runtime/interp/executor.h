@@ -55,6 +55,7 @@ struct Actions {
     const nc::Invocation* cycle = nullptr;
     bool cycle_is_cancelled = false;  // … by a motion code behind it
     bool calls_behind_motions = false;
+    bool calls_defined = false;  // the cycle that was defined last, behind the motion
     CycleWords cycle_words;
     const nc::Invocation* reference = nullptr;  // ReferencePoint or ReferenceReturn
 };
@@ -110,6 +111,8 @@ class Executor {
     bool is_length(std::int64_t axis) const;
     double word_factor(std::int64_t axis) const;
     bool is_compensated() const { return compensation_.is_on(); }
+    void keep_frames() { kept_frames_.push_back({frames_, work_offset_}); }
+    void restore_frames(bool is_wanted);
 
   private:
     std::optional<Axis> axis_of(std::int64_t index) const;
@@ -242,6 +245,7 @@ class Executor {
     void report_spline(const nc::Block& block, path::NurbsFault fault);
 
     // motion.cpp: what is wrong or strange
+    const nc::Block& with_center(const nc::Block& block);
     void warn_arc_word(const nc::Block& block, nc::SlotMask words);
     bool check_axes(const nc::Block& block, nc::SlotMask targets);
     bool check_rigid_tap(const nc::Block& block, nc::SlotMask targets);
@@ -259,6 +263,7 @@ class Executor {
     void call_cycle(const nc::Block& block, const Actions& actions);
     void preset_cycle(const nc::Block& block, const nc::Invocation& invocation);
     void complete_call(ModalCycle& call) const;
+    void call_defined(const nc::Block& block);
     void repeat_cycle(const nc::Block& block, const Actions& actions);
     void call_behind_motion(const nc::Block& block);
     void move_instead_of_cycle(const nc::Block& block, const Actions& actions);
@@ -295,6 +300,7 @@ class Executor {
     DiagnosticBuilder report(const DiagnosticRow& row, const nc::Block& block,
                              nc::Function function);
     DiagnosticBuilder report(const DiagnosticRow& row, LinePlace place);
+    DiagnosticBuilder note_calls(DiagnosticBuilder builder, const nc::Block& block) const;
     /// The block in the text that is being executed: `block`, or the one that called the cycle.
     const nc::Block& origin(const nc::Block& block) const;
 
@@ -317,6 +323,11 @@ class Executor {
     Modal modal_;
     Position position_;
     Frames frames_{rules_};
+    struct KeptFrames {
+        Frames frames;
+        std::int64_t work_offset;
+    };
+    std::vector<KeptFrames> kept_frames_;  // of programs that go back to them
     Spindle spindle_;
     Tool tool_;
     Polar polar_;
@@ -357,10 +368,11 @@ class Executor {
     ModalCycle modal_cycle_;
     CycleData cycle_data_;
     std::optional<nc::Block> call_behind_motions_;
-    int times_left_ = 0;                 // that the block does the cycle again
-    std::optional<double> begins_at_;    // level at which the cycle takes the tool to be
-    std::optional<double> final_level_;  // below its retract level, where the tool goes behind it
-    std::vector<ModalCycle> presets_;    // parameters that the next calls need not give
+    int times_left_ = 0;                  // that the block does the cycle again
+    std::optional<double> begins_at_;     // level at which the cycle takes the tool to be
+    std::optional<double> final_level_;   // below its retract level, where the tool goes behind it
+    std::vector<ModalCycle> presets_;     // parameters that the next calls need not give
+    std::optional<nc::CycleId> defined_;  // the one of them that was said last
     bool returns_to_retract_ = false;
     std::optional<ShapeRun> shape_;  // whose blocks are coming
     std::unique_ptr<Stream<nc::Block>> cycle_stream_;
@@ -370,6 +382,8 @@ class Executor {
     Modal modal_before_cycle_;
     bool is_modal_behind_cycle_ = false;
     Actions after_cycle_;
+    std::array<std::optional<double>, 3> center_;  // that stays, in the programmed system
+    nc::Block centered_{};                         // a block with it
     nc::Block remapped_{};  // a block of the cycle, in another plane than X-Y
 
     nc::Block cartesian_{};                   // a block whose other words have become places

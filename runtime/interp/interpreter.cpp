@@ -33,6 +33,8 @@ bool Interpreter::set_work_offset(std::int64_t number, std::int64_t axis, double
 }
 bool Interpreter::is_length(std::int64_t axis) const { return state_->executor.is_length(axis); }
 bool Interpreter::is_compensated() const { return state_->executor.is_compensated(); }
+void Interpreter::keep_frames() { state_->executor.keep_frames(); }
+void Interpreter::restore_frames(bool is_wanted) { state_->executor.restore_frames(is_wanted); }
 double Interpreter::word_factor(std::int64_t axis) const {
     return state_->executor.word_factor(axis);
 }

@@ -101,6 +101,8 @@ class Interpreter final : public Stream<path::Command>, public ControlState {
     bool is_length(std::int64_t axis) const override;
     double word_factor(std::int64_t axis) const override;
     bool is_compensated() const override;
+    void keep_frames() override;
+    void restore_frames(bool is_wanted) override;
 
   private:
     struct State;

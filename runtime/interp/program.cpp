@@ -3,19 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <unordered_map>
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
-#include "base/units.h"
-#include "interp/code_list.h"
-#include "interp/control_variables.h"
-#include "interp/evaluator.h"
-#include "interp/program_map.h"
+#include "interp/program_state.h"
 #include "nc/control_words.h"
-#include "nc/kept_lines.h"
-#include "nc/line_reader.h"
 
 namespace kadr::interp {
 
@@ -35,153 +28,30 @@ constexpr double kMostPasses = 9999;  // of a section that is repeated; S 8.7
 
 }  // namespace
 
-/// A line that runs more than once.
-struct CompiledLine {
-    std::string text;
-    Place place;
-    enum class Kind : std::uint8_t {
-        New,       // nobody has looked at it
-        Plain,     // words and numbers: the reader's way
-        Known,     // the dialect knows it by its letters
-        Compiled,  // `line` holds
-        Nothing,   // nothing stands there
-    };
-    Kind kind = Kind::New;
-    nc::ControlLine line;
-    nc::MatchedLine matched;
-    CompiledLine* next = nullptr;  // the line behind it, if that one is kept as well
-};
-
-/// A structure that was entered and not left yet.
-struct OpenStructure {
-    Statement kind = Statement::None;
-    int loop = 0;
-    Place head;
-    Place end;
-    std::optional<Place> otherwise;
-    double last = 0;                          // For
-    std::unique_ptr<nc::ControlLine> counts;  // … its head
-};
-
-/// A section that is being repeated.
-struct OpenRepeat {
-    Position begin;
-    Position end;     // reached: the section is through
-    Position behind;  // where the program goes on in the end
-    std::int64_t left = 0;
-};
-
-struct Program::State {
-    State(const nc::Dialect& dialect_, nc::TextSource& text, std::string name,
-          const ProgramOptions& options_, DiagnosticSink& sink_)
-        : dialect(dialect_),
-          tables(dialect_.tables()),
-          language(tables.language),
-          options(options_),
-          sink(sink_),
-          kept_text(text, options.kept_text),
-          // A text that can be sought is read again where it is.
-          source(text.seek(0) ? text : static_cast<nc::TextSource&>(kept_text),
-                 tables.rules.max_line),
-          lines(dialect_, std::move(name), sink_),
-          kept(lines),
-          map(tables, source),
-          variables(dialect_, lines),
-          evaluator(language.rules, variables.globals(), variables.level(), variables),
-          codes(variables, lines) {}
-
-    enum class Done : std::uint8_t {
-        Block,    // `out` holds one
-        Nothing,  // go on
-        Wait,     // the line is run again when the blocks before are executed
-    };
-
-    const nc::Dialect& dialect;
-    const nc::DialectTables& tables;
-    const nc::Language& language;
-    ProgramOptions options;
-    DiagnosticSink& sink;
-    nc::KeptText kept_text;
-    nc::LineSource source;
-    nc::LineReader lines;
-    nc::KeptLines kept;
-    ProgramMap map;
-    ControlVariables variables;
-    Evaluator evaluator;
-    CodeList codes;
-    LineWatch* watch = nullptr;
-
-    Position here;                      // of the line that is next
-    Position frontier;                  // of the first line that was never executed
-    Position goes_on;                   // behind the line that is executed
-    CompiledLine* next_line = nullptr;  // if the next line is kept
-    CompiledLine scratch;
-    std::unordered_map<std::uint64_t, std::unique_ptr<CompiledLine>> compiled;
-    std::vector<OpenStructure> structures;
-    std::vector<OpenRepeat> repeats;
-    std::vector<nc::WordValue> values;
-    std::size_t resume = 0;      // statements of the line that are executed already
-    std::size_t given = 0;       // blocks of this batch
-    std::uint64_t turns = 0;     // jumps back since the last block
-    std::uint64_t repeated = 0;  // blocks of lines that ran again
-    std::uint64_t most_line = 0;
-    bool is_waiting = false;        // the line in `scratch` is to be run again
-    bool has_executed = false;      // something besides declarations
-    bool is_only_checking = false;  // the program has ended; lines behind are read for mistakes
-    bool has_ended = false;
-    bool has_visible_fault = false;  // that blocks of this batch stand behind
-    bool was_stopped = false;        // by who looks on, or because its time is over
-    std::uint32_t steps = 0;
-    std::uint64_t executed = 0;  // statements
-
-    // lines
-    std::size_t pull(std::span<Block> out);
-    Done step(Block& out);
-    bool may_go_on();
-    bool shows(std::string_view text);
-    Done first_time(Block& out);
-    Done finish_first(Done done, std::string_view text, const Place& place, Block& out);
-    Done run(CompiledLine& line, Block& out);
-    CompiledLine* line_at(const Position& position);
-    void compile(CompiledLine& line, Block& out);
-    void deliver(Block& block, std::string_view text, std::uint64_t number, bool again);
-    void advance();
-    Done read_words(CompiledLine& line, Block& out);
-
-    // statements
-    Done execute(CompiledLine& line, const ControlStatement& statement, Block& out);
-    Done assign(CompiledLine& line, const ControlStatement& statement, Block& out);
-    Done assign_list(CompiledLine& line, const ControlStatement& statement);
-    Done declare(CompiledLine& line, const ControlStatement& statement);
-    Done jump(CompiledLine& line, const ControlStatement& statement);
-    Done choose(CompiledLine& line, const ControlStatement& statement, Block& out);
-    Done choose_case(CompiledLine& line, const ControlStatement& statement);
-    Done enter(CompiledLine& line, const ControlStatement& statement);
-    Done leave(CompiledLine& line, const ControlStatement& statement);
-    Done otherwise(CompiledLine& line, const ControlStatement& statement);
-    Done repeat_section(CompiledLine& line, const ControlStatement& statement);
-    Done raise(CompiledLine& line, const Span& span, double number, const std::string& text);
-    Done stop_with_message(std::string_view text, Block& out);
-
-    // parts
-    Done evaluate(CompiledLine& line, const nc::Expression& expression, Value& out,
-                  int decimals = -1);
-    Done truth(CompiledLine& line, const nc::Expression& expression, bool& out);
-    Done store(CompiledLine& line, const nc::Reference& reference, const Value& value);
-    Done count_on(CompiledLine& line, OpenStructure& loop, bool& goes_on_looping);
-    bool resolve(CompiledLine& line, const JumpTarget& target, Target& out, Done& done);
-    Done go(CompiledLine& line, const Place& target, const Span& span);
-    Done fail(CompiledLine& line, const LineFault& fault);
-    Done fail(CompiledLine& line, const DiagnosticRow& row, const Span& span,
-              std::vector<std::string> arguments = {}) {
-        return fail(line, LineFault{&row, span, std::move(arguments)});
-    }
-    Done fail(CompiledLine& line, ProgramMap::Fault fault, const DiagnosticRow& missing,
-              const Span& span, const std::string& what);
-    void end_after(const Block& block);
-    bool is_left_out(const Block& block) const;
-    void follow_shape(const Block& block, std::string_view text, const Place& place);
-};
+Program::State::State(const nc::Dialect& dialect_, nc::TextSource& text, std::string name,
+                      const ProgramOptions& options_, DiagnosticSink& sink_)
+    : dialect(dialect_),
+      tables(dialect_.tables()),
+      language(tables.language),
+      options(options_),
+      sink(sink_),
+      lines(dialect_, name, sink_),
+      kept(lines),
+      units(dialect_, text, name, options.kept_text, options.files),
+      variables(dialect_, lines),
+      evaluator(language.rules, variables.globals(), variables.level(), variables),
+      codes(variables, lines) {
+    auto main = std::make_unique<Frame>();
+    main->unit = &units.main();
+    main->text.name = std::move(name);
+    main->level = &variables.main_level();
+    frames.push_back(std::move(main));
+    resume_frame(*frames[0]);
+    lines.add_notes([this](DiagnosticBuilder& message) {
+        for (const nc::CallSite* site = frame->site.get(); site != nullptr; site = site->from.get())
+            message.note(site->place, "called here");
+    });
+}
 
 // ------------------------------------------------------------------------------ the batch
 
@@ -222,7 +92,7 @@ bool Program::State::shows(std::string_view text) {
     const nc::LineFront front = nc::front_of(tables, text);
     WatchedLine line;
     line.text = text;
-    line.line = here.line;
+    line.line = frame->here.line;
     line.number = front.number;
     line.label = front.label;
     if (watch->comes_to(line)) return true;
@@ -231,67 +101,71 @@ bool Program::State::shows(std::string_view text) {
 }
 
 Program::State::Done Program::State::step(Block& out) {
-    goes_on = here;
-    if (here.offset >= frontier.offset) return first_time(out);
-    CompiledLine* const line = next_line != nullptr ? next_line : line_at(here);
+    if (due) return begin_due();
+    if (frame->call.to && frame->here == *frame->call.to) frame->is_returning = true;
+    if (frame->is_returning) return finish_return(out);
+    if (lines.has_ended()) return end_of_text();
+    frame->goes_on = frame->here;
+    if (frame->here.offset >= frontier().offset) return first_time(out);
+    CompiledLine* const line =
+        frame->next_line != nullptr ? frame->next_line : line_at(frame->here);
     if (line == nullptr) {  // said; there is no way on
         has_ended = true;
         return Done::Nothing;
     }
     if (watch != nullptr && !shows(line->text)) return Done::Nothing;
-    lines.begin(here.line);
-    goes_on = line->place.next;
+    lines.begin(frame->here.line);
+    frame->goes_on = line->place.next;
     const Done done = run(*line, out);
     if (done == Done::Wait) return done;
-    resume = 0;
-    const bool is_straight = goes_on == line->place.next;
-    here = goes_on;
-    if (is_straight && line != &scratch && here.offset < frontier.offset) {
-        if (line->next == nullptr) line->next = line_at(here);
-        next_line = line->next == &scratch ? nullptr : line->next;
+    frame->resume = 0;
+    const bool is_straight = frame->goes_on == line->place.next;
+    frame->here = frame->goes_on;
+    if (is_straight && line != &scratch && frame->here.offset < frontier().offset) {
+        if (line->next == nullptr) line->next = line_at(frame->here);
+        frame->next_line = line->next == &scratch ? nullptr : line->next;
     } else {
-        next_line = nullptr;
+        frame->next_line = nullptr;
     }
-    if (!repeats.empty()) advance();
+    if (!frame->repeats.empty()) advance();
     if (done == Done::Block) {
         deliver(out, line->text, line->place.line.line, true);
         follow_shape(out, line->text, Place(line->place));
     }
+    if (begins) perform_call();
     return done;
 }
 
 /// The line that nobody has executed yet: most are plain words, and go straight out.
 Program::State::Done Program::State::first_time(Block& out) {
     if (is_waiting) {
-        goes_on = scratch.place.next;
-        lines.begin(here.line);
+        frame->goes_on = scratch.place.next;
+        lines.begin(frame->here.line);
         return finish_first(run(scratch, out), scratch.text, scratch.place, out);
     }
-    if (source.offset() != here.offset && !source.seek(here.offset)) {
-        lines.begin(here.line);
+    if (source().offset() != frame->here.offset && !source().seek(frame->here.offset)) {
+        lines.begin(frame->here.line);
         scratch.text.clear();
-        scratch.place = {here, here};
+        scratch.place = {frame->here, frame->here};
         has_ended = true;
         if (lines.failed()) return Done::Nothing;  // said at the jump
-        return fail(scratch, diag::TextGone, {}, {"line " + std::to_string(here.line)});
+        return fail(scratch, diag::TextGone, {}, {"line " + std::to_string(frame->here.line)});
     }
     std::string_view text;
     bool is_too_long = false;
-    if (lines.has_ended() || !source.next(text, is_too_long)) {
-        has_ended = true;
-        return Done::Nothing;
-    }
+    if (!source().next(text, is_too_long)) return end_of_text();
     if (watch != nullptr && !shows(text)) return Done::Nothing;
-    const Place place{here, {source.offset(), here.line + 1}};
-    goes_on = place.next;
-    most_line = std::max(most_line, here.line);
+    const Place place{frame->here, {source().offset(), frame->here.line + 1}};
+    frame->goes_on = place.next;
+    most_line = std::max(most_line, frame->here.line);
     if (is_too_long) {
-        lines.report_too_long(text, here.line);
-        here = frontier = place.next;
+        lines.report_too_long(text, frame->here.line);
+        frame->here = frontier() = place.next;
         return Done::Nothing;
     }
-    lines.begin(here.line);
-    if (lines.read_plain(text, out)) return finish_first(Done::Block, text, place, out);
+    lines.begin(frame->here.line);
+    const bool is_plain = modal_calls.empty() || !takes_blocks();
+    if (is_plain && lines.read_plain(text, out)) return finish_first(Done::Block, text, place, out);
     scratch.text = text;
     scratch.place = place;
     compile(scratch, out);
@@ -304,36 +178,98 @@ Program::State::Done Program::State::finish_first(Done done, std::string_view te
                                                   const Place& place, Block& out) {
     is_waiting = done == Done::Wait;
     if (is_waiting) return done;
-    resume = 0;
-    frontier = place.next;
-    here = goes_on;
-    if (!repeats.empty()) advance();
+    frame->resume = 0;
+    frontier() = place.next;
+    frame->here = frame->goes_on;
+    if (!frame->repeats.empty()) advance();
     if (done == Done::Block) {
         deliver(out, text, place.line.line, false);
         follow_shape(out, text, Place(place));
     }
+    if (begins) perform_call();
     return done;
 }
 
-void Program::State::deliver(Block& block, std::string_view text, std::uint64_t number,
+/// Behind the last line of the program that runs.
+Program::State::Done Program::State::end_of_text() {
+    if (frames.size() > 1 && !is_only_checking) {
+        if (language.rules.text_end_returns) {
+            frame->is_returning = true;
+            return Done::Nothing;
+        }
+        lines.begin(std::max<std::uint64_t>(frame->here.line, 2) - 1);
+        scratch.text.clear();
+        scratch.place = {frame->here, frame->here};
+        has_ended = true;
+        return fail(scratch, diag::ReturnMissing, {});
+    }
+    // Programs that stand behind are read for their mistakes.
+    const bool is_at_head = lines.has_ended() && !language.calls.headers.empty();
+    if (!is_only_checking || !is_at_head || !source().seek(frame->here.offset)) {
+        has_ended = true;
+        return Done::Nothing;
+    }
+    std::string_view line;
+    bool is_too_long = false;
+    const bool is_more = source().next(line, is_too_long);
+    frame->text.has_content = frame->text.has_ended = false;
+    frame->here = frontier() = {source().offset(), frame->here.line + 1};
+    frame->own_level = variables.new_level();
+    frame->level = frame->own_level.get();
+    frame->has_executed = false;
+    resume_frame(*frame);
+    if (!is_more) has_ended = true;
+    return Done::Nothing;
+}
+
+void Program::State::deliver(Block& block, std::string_view text_of_line, std::uint64_t number,
                              bool again) {
-    block.line = static_cast<std::uint32_t>(number);
-    kept.add(block.line, text);
-    has_executed = true;
+    ProgramText& in = text();
+    block.line = units.line_id(in, number);
+    kept.add(block.line, number, text_of_line, &in.name, frame->site);
+    frame->has_executed = true;
     turns = 0;
     if (block.number >= 0) variables.set_block_number(block.number);
     if (again && ++repeated > options.max_repeated) {
         lines.report_fault(
-            text, LineFault{&diag::RepeatedBlocks, {0, 1}, {std::to_string(options.max_repeated)}});
+            text_of_line,
+            LineFault{&diag::RepeatedBlocks, {0, 1}, {std::to_string(options.max_repeated)}});
         has_ended = true;
     }
+    if (!modal_calls.empty()) call_behind(block, text_of_line, number);
     if (block.function_count != 0) end_after(block);
 }
 
-/// What stands behind the end of a program is read for its mistakes only.
-void Program::State::end_after(const Block& block) {
-    if (block.find(Function::End) == nullptr && block.find(Function::EndRewind) == nullptr) return;
-    if (!is_left_out(block)) is_only_checking = true;
+/// What stands behind the end of a program is read for its mistakes only; in a subprogram of some
+/// controls it is a return.
+void Program::State::end_after(Block& block) {
+    const auto is_end = [](const nc::Invocation& invocation) {
+        return invocation.function == Function::End || invocation.function == Function::EndRewind;
+    };
+    const auto functions = std::span(block.functions).first(block.function_count);
+    const auto found = std::find_if(functions.begin(), functions.end(), is_end);
+    if (found == functions.end()) return;
+    if (is_left_out(block)) return;
+    const bool is_cancelled = !frame->repeats.empty() && !is_only_checking;
+    if ((frames.size() > 1 || is_cancelled) && language.rules.program_end_returns &&
+        !is_only_checking) {
+        std::move(found + 1, functions.end(), found);
+        --block.function_count;
+        // Nothing is left of a block that said only this.
+        const bool is_empty =
+            block.function_count == 0 && block.given == 0 && block.motion == Function::None;
+        if (is_empty) block.kind = Block::Kind::Comment;
+        if (!cancel_repeat()) frame->is_returning = true;
+        return;
+    }
+    is_only_checking = true;
+    due.reset();
+    if (frames.size() == 1) return;
+    // Behind the main program's part that was executed there may be more of it.
+    frames.resize(1);
+    resume_frame(*frames[0]);
+    frame->here = frontier();
+    frame->next_line = nullptr;
 }
 
 bool Program::State::is_left_out(const Block& block) const {
@@ -357,12 +293,12 @@ void Program::State::follow_shape(const Block& block, std::string_view text, con
     if (first < 0 || last < 0) return;  // the interpreter says so
     Place begin;
     Place end;
-    ProgramMap::Fault fault = map.find({"", first}, Direction::Both, place, begin);
+    ProgramMap::Fault fault = map().find({"", first}, Direction::Both, place, begin);
     std::int64_t missing = first;
     if (fault == ProgramMap::Fault::None) {
         end = begin;
         missing = last;
-        if (last != first) fault = map.find({"", last}, Direction::Forward, begin, end);
+        if (last != first) fault = map().find({"", last}, Direction::Forward, begin, end);
     }
     if (fault != ProgramMap::Fault::None) {
         lines.report_fault(text,
@@ -371,28 +307,29 @@ void Program::State::follow_shape(const Block& block, std::string_view text, con
         return;
     }
     const bool is_followed = cycle.parameters.size() == 2;
-    const bool is_next =
-        begin.line.offset >= here.offset && map.is_empty_between(here, begin.line) && !is_followed;
-    repeats.push_back({begin.line, end.next, is_next ? end.next : here, 1});
-    here = begin.line;
-    next_line = nullptr;
+    const bool is_next = begin.line.offset >= frame->here.offset &&
+                         map().is_empty_between(frame->here, begin.line) && !is_followed;
+    frame->repeats.push_back({begin.line, end.next, is_next ? end.next : frame->here, 1});
+    frame->here = begin.line;
+    frame->next_line = nullptr;
 }
 
 /// A line that was executed before, kept compiled; nullptr: it cannot be read again.
 CompiledLine* Program::State::line_at(const Position& position) {
-    if (position.offset >= frontier.offset) return nullptr;
-    if (const auto known = compiled.find(position.offset); known != compiled.end())
+    if (position.offset >= frontier().offset) return nullptr;
+    if (const auto known = frame->unit->compiled.find(position.offset);
+        known != frame->unit->compiled.end())
         return known->second.get();
     std::string_view text;
     bool is_too_long = false;
-    const bool is_there = source.seek(position.offset) && source.next(text, is_too_long);
+    const bool is_there = source().seek(position.offset) && source().next(text, is_too_long);
     CompiledLine* line = &scratch;
-    if (compiled.size() < kMostCompiled && is_there) {
-        line =
-            compiled.emplace(position.offset, std::make_unique<CompiledLine>()).first->second.get();
+    if (frame->unit->compiled.size() < kMostCompiled && is_there) {
+        line = frame->unit->compiled.emplace(position.offset, std::make_unique<CompiledLine>())
+                   .first->second.get();
     }
     line->text = text;
-    line->place = {position, {source.offset(), position.line + 1}};
+    line->place = {position, {source().offset(), position.line + 1}};
     line->kind = CompiledLine::Kind::New;
     line->next = nullptr;
     if (is_there) return line;
@@ -403,16 +340,16 @@ CompiledLine* Program::State::line_at(const Position& position) {
 
 /// Behind the end of a section that is repeated: once more, or on behind it.
 void Program::State::advance() {
-    while (!repeats.empty() && here == repeats.back().end) {
-        OpenRepeat& repeat = repeats.back();
-        next_line = nullptr;
+    while (!frame->repeats.empty() && frame->here == frame->repeats.back().end) {
+        OpenRepeat& repeat = frame->repeats.back();
+        frame->next_line = nullptr;
         if (--repeat.left > 0) {
-            here = repeat.begin;
+            frame->here = repeat.begin;
             ++turns;
             return;
         }
-        here = repeat.behind;
-        repeats.pop_back();
+        frame->here = repeat.behind;
+        frame->repeats.pop_back();
     }
 }
 
@@ -420,34 +357,56 @@ void Program::State::advance() {
 
 Program::State::Done Program::State::run(CompiledLine& line, Block& out) {
     using Kind = CompiledLine::Kind;
+    if (line.kind != Kind::New && !(line.context == context())) line.kind = Kind::New;
     if (line.kind == Kind::New || line.kind == Kind::Plain) {
-        if (lines.read_plain(line.text, out)) {
+        const bool is_plain = modal_calls.empty() || !takes_blocks();
+        if (is_plain && lines.read_plain(line.text, out)) {
             line.kind = Kind::Plain;
+            line.context = context();
             return Done::Block;
         }
         compile(line, out);
     }
-    if (line.kind == Kind::Nothing || line.kind == Kind::New) return Done::Nothing;
+    if (line.kind == Kind::End) frame->text.has_ended = true;
+    if (line.kind == Kind::Nothing || line.kind == Kind::New || line.kind == Kind::End)
+        return Done::Nothing;
     if (line.kind == Kind::Known)
         return lines.read_known(line.text, out) ? Done::Block : Done::Nothing;
     const nc::LexedLine& words = line.line.words;
     if (words.skip >= 0 && (options.skip_levels >> words.skip & 1u) != 0) return Done::Nothing;
     const std::vector<ControlStatement>& statements = line.line.statements;
+    // A subprogram is called behind the words of its block.
+    const bool is_call = !line.line.calls.empty();
+    const bool has_words = !words.words.empty() || words.comment_form != nc::kNoForm;
+    if (is_call && has_words && !frame->has_given_words) {
+        const Done done = read_words(line, out);
+        if (done != Done::Block || is_only_checking) return done;
+        frame->has_given_words = true;
+        frame->goes_on = line.place.line;
+        return done;
+    }
     // Names are declared for the sake of the lines that are only checked.
-    const bool is_declaration = !statements.empty() && statements[0].kind == Statement::Declare;
+    const bool is_declaration = !statements.empty() && (statements[0].kind == Statement::Declare ||
+                                                        statements[0].kind == Statement::Procedure);
+    if (!statements.empty()) lines.note_content();
     if (!statements.empty() && (!is_only_checking || is_declaration)) {
-        if (statements[0].kind != Statement::Declare) has_executed = true;
-        while (resume < statements.size()) {
+        const bool is_head = is_declaration || statements[0].kind == Statement::External;
+        if (!is_head) frame->has_executed = true;
+        while (frame->resume < statements.size()) {
             evaluator.forget();
             ++executed;
-            const Done done = execute(line, statements[resume], out);
+            const Done done = execute(line, statements[frame->resume], out);
             if (done != Done::Nothing || has_ended) return done;
-            if (lines.failed() || goes_on != line.place.next) return Done::Nothing;
-            ++resume;
+            if (lines.failed() || frame->goes_on != line.place.next) return Done::Nothing;
+            ++frame->resume;
         }
     }
-    const bool has_nothing_else = words.words.empty() && words.comment_form == nc::kNoForm &&
-                                  (!statements.empty() || words.number < 0);
+    if (is_call) {
+        if (is_only_checking) check_call(line, statements[0]);
+        frame->has_given_words = false;
+        return Done::Nothing;
+    }
+    const bool has_nothing_else = !has_words && (!statements.empty() || words.number < 0);
     if (has_nothing_else) return Done::Nothing;
     return read_words(line, out);
 }
@@ -455,11 +414,28 @@ Program::State::Done Program::State::run(CompiledLine& line, Block& out) {
 /// What kind of line it is; one that cannot be read stays New.
 void Program::State::compile(CompiledLine& line, Block& out) {
     line.kind = CompiledLine::Kind::Nothing;
-    if (!lines.has_words(line.text)) return;
+    line.context = context();
+    if (!lines.has_words(line.text)) {
+        if (lines.has_ended()) line.kind = CompiledLine::Kind::End;
+        return;
+    }
     line.kind = CompiledLine::Kind::Known;
     if (lines.knows(line.text, out)) return;
+    compile_language(line);
+}
+
+void Program::State::compile_language(CompiledLine& line) {
     line.kind = CompiledLine::Kind::New;
-    const auto fault = compile_line(tables, variables.level().symbols, line.text, line.line);
+    const nc::SymbolTable& symbols = variables.level().symbols;
+    nc::LineContext plain = line.context;
+    plain.is_argument = false;
+    auto fault = compile_line(tables, symbols, line.text, line.line, plain);
+    // Under a modal call of blocks those that are no statements are its arguments.
+    const bool is_argument =
+        line.context.is_argument &&
+        (fault ? line.line.statements.empty() && line.line.calls.empty()
+               : line.line.statements.empty() && !line.line.words.words.empty());
+    if (is_argument) fault = compile_line(tables, symbols, line.text, line.line, line.context);
     if (!fault) line.kind = CompiledLine::Kind::Compiled;
     if (fault) lines.report_fault(line.text, *fault);
 }
@@ -554,6 +530,13 @@ Program::State::Done Program::State::execute(CompiledLine& line, const ControlSt
         case Statement::RepeatSection:
         case Statement::RepeatBlock: return repeat_section(line, statement);
         case Statement::Declare: return declare(line, statement);
+        case Statement::Call:
+        case Statement::CallModal:
+        case Statement::CallByText:
+        case Statement::EndModal:
+        case Statement::Return:
+        case Statement::Procedure:
+        case Statement::External: return execute_call(line, statement, out);
         case Statement::Alarm: {
             Value number;
             Value text;
@@ -640,49 +623,68 @@ Program::State::Done Program::State::assign_list(CompiledLine& line,
 
 Program::State::Done Program::State::declare(CompiledLine& line,
                                              const ControlStatement& statement) {
-    if (has_executed) return fail(line, diag::DeclarationMisplaced, statement.span);
-    Value size;
-    if (statement.type_size.is_given()) {
-        const Done done = evaluate(line, statement.type_size, size);
-        if (done == Done::Wait || lines.failed()) return done;
-        if (size.number < 1 || size.number > language.rules.most_text)
-            return fail(line, diag::SizeWrong, statement.type_size.span, {evaluator.written(size)});
-    }
+    if (frame->has_executed) return fail(line, diag::DeclarationMisplaced, statement.span);
+    // Behind a mistake names are declared for the sake of the lines that are only read.
+    const bool had_failed = lines.failed();
+    std::uint32_t characters = 0;
+    Done done = text_size(line, statement.type_size, characters);
     for (const nc::Declaration& declaration : statement.declarations) {
-        nc::Symbol symbol;
-        symbol.name = declaration.name;
-        symbol.type = statement.type;
-        symbol.text_size = static_cast<std::uint32_t>(size.number);
-        symbol.dimensions = declaration.dimensions;
-        double count = 1;
-        for (std::size_t i = 0; i < declaration.dimensions; ++i) {
-            Value length;
-            const Done done = evaluate(line, declaration.sizes[i], length);
-            if (done == Done::Wait || lines.failed()) return done;
-            count *= length.number;
-            if (!(length.number >= 1) || count > 1e6) {
-                return fail(line, diag::SizeWrong, declaration.sizes[i].span,
-                            {evaluator.written(length)});
-            }
-            symbol.sizes[i] = static_cast<std::uint32_t>(length.number);
+        if (done == Done::Wait || (lines.failed() && !had_failed)) return done;
+        done = declare_one(line, declaration, statement.type, characters);
+    }
+    return done;
+}
+
+/// Characters of a text variable.
+Program::State::Done Program::State::text_size(CompiledLine& line, const nc::Expression& expression,
+                                               std::uint32_t& out) {
+    if (!expression.is_given()) return Done::Nothing;
+    Value size;
+    const Done done = evaluate(line, expression, size);
+    if (done == Done::Wait || lines.failed()) return done;
+    if (size.number < 1 || size.number > language.rules.most_text)
+        return fail(line, diag::SizeWrong, expression.span, {evaluator.written(size)});
+    out = static_cast<std::uint32_t>(size.number);
+    return Done::Nothing;
+}
+
+Program::State::Done Program::State::declare_one(CompiledLine& line,
+                                                 const nc::Declaration& declaration,
+                                                 nc::ValueType type, std::uint32_t characters) {
+    nc::Symbol symbol;
+    symbol.name = declaration.name;
+    symbol.type = type;
+    symbol.text_size = characters;
+    symbol.dimensions = declaration.dimensions;
+    double count = 1;
+    const bool had_failed = lines.failed();
+    for (std::size_t i = 0; i < declaration.dimensions; ++i) {
+        Value length = Value::real(1);  // of a parameter whose size the caller's array says
+        Done done = Done::Nothing;
+        if (declaration.sizes[i].is_given()) done = evaluate(line, declaration.sizes[i], length);
+        if (done == Done::Wait || (lines.failed() && !had_failed)) return done;
+        count *= length.number;
+        if (!(length.number >= 1) || count > 1e6) {
+            return fail(line, diag::SizeWrong, declaration.sizes[i].span,
+                        {evaluator.written(length)});
         }
-        if (variables.level().symbols.find(symbol.name) != nullptr)
-            return fail(line, diag::NameTwice, declaration.span, {symbol.name});
-        const nc::Symbol& added = variables.declare(std::move(symbol));
-        if (declaration.values.size() > added.count())
-            return fail(line, diag::TooManyInitialValues, declaration.span, {added.name});
-        const std::size_t filled = declaration.fills ? added.count() : declaration.values.size();
-        for (std::size_t i = 0; i < filled; ++i) {
-            const nc::Expression& expression = declaration.values[declaration.fills ? 0 : i];
-            if (!expression.is_given()) continue;
-            Value value;
-            const Done done = evaluate(line, expression, value);
-            if (done == Done::Wait || lines.failed()) return done;
-            const auto fault = variables.store_element(
-                added, added.slot + static_cast<std::uint32_t>(i), value, evaluator.text(value));
-            if (fault.row != nullptr)
-                return fail(line, *fault.row, expression.span, fault.arguments);
-        }
+        symbol.sizes[i] = static_cast<std::uint32_t>(length.number);
+    }
+    if (variables.level().symbols.find(symbol.name) != nullptr)
+        return fail(line, diag::NameTwice, declaration.span, {symbol.name});
+    const nc::Symbol& added = variables.declare(std::move(symbol));
+    if (declaration.values.size() > added.count())
+        return fail(line, diag::TooManyInitialValues, declaration.span, {added.name});
+    const std::size_t filled = declaration.fills ? added.count() : declaration.values.size();
+    for (std::size_t i = 0; i < filled; ++i) {
+        const nc::Expression& expression = declaration.values[declaration.fills ? 0 : i];
+        if (!expression.is_given()) continue;
+        Value value;
+        const Done done = evaluate(line, expression, value);
+        if (done == Done::Wait || lines.failed()) return done;
+        const auto fault = variables.store_element(
+            added, added.slot + static_cast<std::uint32_t>(i), value, evaluator.text(value));
+        if (fault.row != nullptr) return fail(line, *fault.row, expression.span, fault.arguments);
     }
     return Done::Nothing;
 }
@@ -698,9 +700,10 @@ Program::State::Done Program::State::raise(CompiledLine& line, const Span& span,
     const std::string shown = std::to_string(std::llround(rounded) + rules.alarm_base);
     const LinePlace place = lines.place(line.text, line.place.line.line, span);
     const auto own = dialect.alarm(diag::ProgramAlarm);
-    sink.report(diag::ProgramAlarm, place)
-        .arg(text.empty() ? shown : text)
+    DiagnosticBuilder message = sink.report(diag::ProgramAlarm, place);
+    message.arg(text.empty() ? shown : text)
         .alarm((own ? own->number : std::string()) + shown, text);
+    lines.write_notes(message);
     lines.note_fault();
     return Done::Nothing;
 }
@@ -750,7 +753,7 @@ Program::State::Done Program::State::jump(CompiledLine& line, const ControlState
                                 : statement.kind == Statement::JumpBackward ? Direction::Backward
                                                                             : Direction::Both;
     Place found;
-    const ProgramMap::Fault fault = map.find(target, direction, line.place, found);
+    const ProgramMap::Fault fault = map().find(target, direction, line.place, found);
     if (fault == ProgramMap::Fault::Missing && statement.kind == Statement::JumpIfThere)
         return Done::Nothing;
     if (fault != ProgramMap::Fault::None) {
@@ -763,17 +766,23 @@ Program::State::Done Program::State::jump(CompiledLine& line, const ControlState
 
 Program::State::Done Program::State::go(CompiledLine& line, const Place& target, const Span& span) {
     const std::uint64_t to = target.line.offset;
-    while (!structures.empty() &&
-           (to <= structures.back().head.line.offset || to > structures.back().end.line.offset))
-        structures.pop_back();
-    goes_on = target.line;
-    // A section that is repeated is left for good by a jump out of it.
-    while (!repeats.empty() &&
-           (to < repeats.back().begin.offset || to >= repeats.back().end.offset))
-        repeats.pop_back();
+    leave_open(target.line);
+    frame->goes_on = target.line;
     if (to <= line.place.line.offset && ++turns > options.max_turns)
         return fail(line, diag::EndlessLoop, span, {std::to_string(options.max_turns)});
     return Done::Nothing;
+}
+
+/// A jump leaves structures and sections that the target does not stand in.
+void Program::State::leave_open(const Position& target) {
+    const std::uint64_t to = target.offset;
+    while (!frame->structures.empty() && (to <= frame->structures.back().head.line.offset ||
+                                          to > frame->structures.back().end.line.offset))
+        frame->structures.pop_back();
+    // A section that is repeated is left for good by a jump out of it.
+    while (!frame->repeats.empty() &&
+           (to < frame->repeats.back().begin.offset || to >= frame->repeats.back().end.offset))
+        frame->repeats.pop_back();
 }
 
 Program::State::Done Program::State::choose(CompiledLine& line, const ControlStatement& statement,
@@ -804,7 +813,8 @@ Program::State::Done Program::State::choose_case(CompiledLine& line,
 // ------------------------------------------------------------------------------ structures
 
 Program::State::Done Program::State::enter(CompiledLine& line, const ControlStatement& statement) {
-    const bool is_known = !structures.empty() && structures.back().head.line == line.place.line &&
+    const bool is_known = !frame->structures.empty() &&
+                          frame->structures.back().head.line == line.place.line &&
                           statement.kind == Statement::While;
     bool is_true = true;
     if (statement.kind == Statement::If || statement.kind == Statement::While) {
@@ -816,21 +826,21 @@ Program::State::Done Program::State::enter(CompiledLine& line, const ControlStat
         front.statement = statement.kind;
         front.loop = statement.loop;
         const Structure* found = nullptr;
-        const auto fault = map.find_end(line.place, front, found);
+        const auto fault = map().find_end(line.place, front, found);
         if (fault != ProgramMap::Fault::None) {
             return fail(line, fault, diag::StructureEndMissing, statement.span,
                         std::to_string(statement.loop));
         }
-        if (static_cast<int>(structures.size()) >= language.rules.most_levels) {
+        if (static_cast<int>(frame->structures.size()) >= language.rules.most_levels) {
             return fail(line, diag::StructuresTooDeep, statement.span,
                         {std::to_string(language.rules.most_levels)});
         }
-        structures.push_back(
+        frame->structures.push_back(
             {statement.kind, statement.loop, line.place, found->end, found->otherwise, 0, nullptr});
         if (statement.kind == Statement::For)
-            structures.back().counts = std::make_unique<nc::ControlLine>(line.line);
+            frame->structures.back().counts = std::make_unique<nc::ControlLine>(line.line);
     }
-    OpenStructure& open = structures.back();
+    OpenStructure& open = frame->structures.back();
     if (statement.kind == Statement::For) {
         Value first;
         Value last;
@@ -840,31 +850,32 @@ Program::State::Done Program::State::enter(CompiledLine& line, const ControlStat
             first.number = std::round(first.number);
             done = store(line, statement.variable, first);
         }
-        if (done == Done::Wait) structures.pop_back();
+        if (done == Done::Wait) frame->structures.pop_back();
         if (done == Done::Wait || lines.failed()) return done;
         open.last = last.number;
         is_true = first.number <= last.number;
     }
     if (is_true) return Done::Nothing;
     if (statement.kind == Statement::If && open.otherwise) {
-        goes_on = open.otherwise->next;
+        frame->goes_on = open.otherwise->next;
         return Done::Nothing;
     }
-    goes_on = open.end.next;
-    structures.pop_back();
+    frame->goes_on = open.end.next;
+    frame->structures.pop_back();
     return Done::Nothing;
 }
 
 /// The end of a structure, or of one pass.
 Program::State::Done Program::State::leave(CompiledLine& line, const ControlStatement& statement) {
     const auto is_own = [&](const OpenStructure& open) { return open.end.line == line.place.line; };
-    while (!structures.empty() && !is_own(structures.back())) structures.pop_back();
-    if (structures.empty()) return fail(line, diag::StructureBeginMissing, statement.span);
-    OpenStructure& open = structures.back();
+    while (!frame->structures.empty() && !is_own(frame->structures.back()))
+        frame->structures.pop_back();
+    if (frame->structures.empty()) return fail(line, diag::StructureBeginMissing, statement.span);
+    OpenStructure& open = frame->structures.back();
     bool once_more = false;
     switch (open.kind) {
-        case Statement::While: goes_on = open.head.line; break;
-        case Statement::Loop: goes_on = open.head.next; break;
+        case Statement::While: frame->goes_on = open.head.line; break;
+        case Statement::Loop: frame->goes_on = open.head.next; break;
         case Statement::For: {
             const Done done = count_on(line, open, once_more);
             if (done == Done::Wait || lines.failed()) return done;
@@ -876,14 +887,14 @@ Program::State::Done Program::State::leave(CompiledLine& line, const ControlStat
             once_more = !once_more;
             break;
         }
-        default: structures.pop_back(); return Done::Nothing;
+        default: frame->structures.pop_back(); return Done::Nothing;
     }
     if (open.kind == Statement::For || open.kind == Statement::Repeat) {
         if (!once_more) {
-            structures.pop_back();
+            frame->structures.pop_back();
             return Done::Nothing;
         }
-        goes_on = open.head.next;
+        frame->goes_on = open.head.next;
     }
     if (++turns > options.max_turns)
         return fail(line, diag::EndlessLoop, statement.span, {std::to_string(options.max_turns)});
@@ -914,10 +925,11 @@ Program::State::Done Program::State::otherwise(CompiledLine& line,
     const auto is_own = [&](const OpenStructure& open) {
         return open.otherwise && open.otherwise->line == line.place.line;
     };
-    while (!structures.empty() && !is_own(structures.back())) structures.pop_back();
-    if (structures.empty()) return fail(line, diag::StructureBeginMissing, statement.span);
-    goes_on = structures.back().end.next;
-    structures.pop_back();
+    while (!frame->structures.empty() && !is_own(frame->structures.back()))
+        frame->structures.pop_back();
+    if (frame->structures.empty()) return fail(line, diag::StructureBeginMissing, statement.span);
+    frame->goes_on = frame->structures.back().end.next;
+    frame->structures.pop_back();
     return Done::Nothing;
 }
 
@@ -941,9 +953,9 @@ Program::State::Done Program::State::repeat_section(CompiledLine& line,
     };
     Place begin;
     // Toward the head first, then forward.
-    ProgramMap::Fault fault = map.find(target, Direction::Backward, line.place, begin);
+    ProgramMap::Fault fault = map().find(target, Direction::Backward, line.place, begin);
     if (fault == ProgramMap::Fault::Missing)
-        fault = map.find(target, Direction::Forward, line.place, begin);
+        fault = map().find(target, Direction::Forward, line.place, begin);
     if (fault != ProgramMap::Fault::None) return missing(fault, statement.from);
     OpenRepeat repeat{begin.line, line.place.line, line.place.next, passes};
     const bool is_behind = begin.line.offset > line.place.line.offset;
@@ -953,7 +965,7 @@ Program::State::Done Program::State::repeat_section(CompiledLine& line,
         Target last;
         if (!resolve(line, statement.to, last, done)) return done;
         Place end;
-        fault = map.find(last, Direction::Forward, begin, end);
+        fault = map().find(last, Direction::Forward, begin, end);
         const bool is_before_end = fault == ProgramMap::Fault::None &&
                                    (is_behind || end.line.offset < line.place.line.offset);
         if (is_before_end) repeat.end = end.next;
@@ -961,7 +973,7 @@ Program::State::Done Program::State::repeat_section(CompiledLine& line,
     } else if (!language.end_label.empty()) {
         Place end;
         const Position limit = is_behind ? Position{~std::uint64_t{0}, 0} : line.place.line;
-        fault = map.find_label_between(language.end_label, begin.line, limit, end);
+        fault = map().find_label_between(language.end_label, begin.line, limit, end);
         if (fault == ProgramMap::Fault::None) repeat.end = end.next;
         if (fault != ProgramMap::Fault::None && is_behind) return missing(fault, statement.from);
     }
@@ -970,8 +982,8 @@ Program::State::Done Program::State::repeat_section(CompiledLine& line,
     // once more later.
     if (++turns > options.max_turns)
         return fail(line, diag::EndlessLoop, statement.span, {std::to_string(options.max_turns)});
-    repeats.push_back(repeat);
-    goes_on = begin.line;
+    frame->repeats.push_back(repeat);
+    frame->goes_on = begin.line;
     return Done::Nothing;
 }
 
@@ -983,7 +995,10 @@ Program::Program(const nc::Dialect& dialect, nc::TextSource& text, std::string n
 Program::~Program() = default;
 
 void Program::check_only() { state_->is_only_checking = true; }
-void Program::follow(ControlState& state) { state_->variables.follow(state); }
+void Program::follow(ControlState& state) {
+    state_->interpreter = &state;
+    state_->variables.follow(state);
+}
 void Program::show_to(LineWatch* watch, std::vector<VariableChange>* changes) {
     state_->watch = watch;
     state_->variables.note_changes(changes);
@@ -996,6 +1011,16 @@ LinePlace Program::place(const Block& block, nc::Slot slot) const {
 LinePlace Program::place(const Block& block, Function function) const {
     return state_->kept.place(block, function);
 }
+std::vector<LinePlace> Program::calls(const Block& block) const {
+    return state_->kept.calls(block);
+}
+LinePlace Program::place(std::uint32_t line) const {
+    const ProgramUnits::Line found = state_->units.line_of(line);
+    LinePlace place;
+    place.file = found.text->name;
+    place.line = static_cast<std::uint32_t>(found.number);
+    return place;
+}
 bool Program::failed() const { return state_->has_visible_fault; }
 bool Program::stopped() const { return state_->was_stopped; }
 bool Program::is_behind_fault(const Block& block) const {
@@ -1006,7 +1031,7 @@ std::uint64_t Program::lines() const { return state_->most_line; }
 bool Program::has_fault() const { return state_->lines.failed(); }
 std::vector<ControlVariable> Program::variables() const { return state_->variables.list(); }
 const std::vector<ActiveCode>& Program::codes() { return state_->codes.now(); }
-std::uint64_t Program::line() const { return state_->here.line; }
+std::uint64_t Program::line() const { return state_->frame->here.line; }
 std::uint64_t Program::statements() const { return state_->executed; }
 
 }  // namespace kadr::interp

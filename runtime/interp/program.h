@@ -14,6 +14,7 @@
 #include "base/stream.h"
 #include "interp/control_state.h"
 #include "interp/line_watch.h"
+#include "interp/program_files.h"
 #include "nc/reader.h"
 
 namespace kadr::interp {
@@ -25,6 +26,7 @@ struct ProgramOptions {
     std::size_t kept_text = std::size_t{4} << 20;  // bytes kept of a text that cannot be read again
     std::function<bool()>
         is_over;  // asked now and then: whether the program has to end; may be empty
+    ProgramFiles* files = nullptr;  // programs that do not stand in the text
 };
 
 /// A variable of the control that the program has set.
@@ -64,6 +66,11 @@ class Program final : public Stream<nc::Block>, public nc::BlockPlaces {
     LinePlace place(const nc::Block& block) const override;
     LinePlace place(const nc::Block& block, nc::Slot slot) const override;
     LinePlace place(const nc::Block& block, nc::Function function) const override;
+    std::vector<LinePlace> calls(const nc::Block& block) const override;
+    /// Where a line of a block (Block::line) stands: its file and its number there.
+    LinePlace place(std::uint32_t line) const;
+    /// Whether such a line is one of the text that was begun with; it then is its number.
+    static bool is_in_main_text(std::uint32_t line) { return line < (std::uint32_t{1} << 31); }
     bool failed() const override;
     bool stopped() const override;
     bool is_behind_fault(const nc::Block& block) const override;

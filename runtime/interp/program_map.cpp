@@ -49,9 +49,14 @@ ProgramMap::Fault ProgramMap::scan(const Position& from, Look look) {
     std::string_view line;
     bool is_too_long = false;
     const std::vector<std::string>& ends = tables_.program.end;
+    bool is_behind_head = !(from == begin_);
     while (source_.next(line, is_too_long)) {
         // The mark at the head of a file looks like the one at its end.
-        if (here.line > 1 && std::ranges::find(ends, line) != ends.end()) break;
+        if (here.line > begin_.line && std::ranges::find(ends, line) != ends.end()) break;
+        if (nc::program_of_header(tables_.language.calls, line, tables_.rules.ignores_case)) {
+            if (is_behind_head) break;
+            is_behind_head = true;
+        }
         const Place place{here, {source_.offset(), here.line + 1}};
         if (!look(line, place)) break;
         here = place.next;
@@ -81,7 +86,7 @@ ProgramMap::Fault ProgramMap::find(const Target& target, Direction direction, co
     }
     if (!found && fault == Fault::None && direction != Direction::Forward) {
         // Backward the nearest one is the last before the jump; from the head on it is the first.
-        fault = scan({}, [&](std::string_view line, const Place& place) {
+        fault = scan(begin_, [&](std::string_view line, const Place& place) {
             if (place.line.offset > from.line.offset) return false;
             if (is_target(nc::front_of(tables_, line), target)) found = place;
             return !found || direction == Direction::Backward;

@@ -45,8 +45,9 @@ struct Target {
 
 class ProgramMap {
   public:
-    ProgramMap(const nc::DialectTables& tables, nc::LineSource& source)
-        : tables_(tables), source_(source) {}
+    /// begin  of the program in its text
+    ProgramMap(const nc::DialectTables& tables, nc::LineSource& source, const Position& begin = {})
+        : tables_(tables), source_(source), begin_(begin) {}
 
     enum class Fault : std::uint8_t { None, Missing, TextGone, LoopNumber };
 
@@ -70,6 +71,7 @@ class ProgramMap {
 
     const nc::DialectTables& tables_;
     nc::LineSource& source_;
+    Position begin_;
     std::map<std::tuple<std::uint64_t, Direction, Target>, Place> targets_;
     std::unordered_map<std::uint64_t, Structure> structures_;
 };

@@ -82,6 +82,12 @@ void BlockWriter::begin(const ProgramInfo& program) {
     modal_.meant_of(Group::SpeedMode) = Function::CuttingSpeedOff;
     modal_.meant_of(Group::RadiusComp) = Function::RadiusCompOff;
     modal_.units.inch = modal_.units.inch_feed = program.is_inch;
+    // What the control has no code for it cannot have left: feeds a minute, where no code says so.
+    for (std::size_t group = 0; group < kGroups; ++group) {
+        const Function standing = tables_.power_on[group];
+        const bool has_code = !tables_.forms_of[static_cast<std::size_t>(standing)].empty();
+        if (standing != Function::None && !has_code) modal_.text[group] = standing;
+    }
     // A shift that keeps its words may be left over from another program.
     const auto& shifts = tables_.forms_of[static_cast<std::size_t>(Function::Shift)];
     const bool is_kept =
@@ -139,6 +145,7 @@ void BlockWriter::write_long(const Block& block, std::string& out) {
     }
     if (given_number_ >= 0) {  // all that the block says holds already
         open_line(block.skip, true, out);
+        end_block(out);
         close_line(out);
     }
 }
@@ -714,6 +721,7 @@ void BlockWriter::write_lead(const Form& form, const Block& block, const Invocat
                              std::string& out) {
     open_line(block.skip, true, out);
     append_words(block, form.lead, &invocation, false, out);
+    end_block(out);
     close_line(out);
     note_line(form.lead);
 }

@@ -170,6 +170,9 @@ class BlockWriter {
     void place_arc(const Block& block, const WrittenPosition& start, Targets& targets);
     void place_center(const Block& block, const WrittenPosition& start, Targets& targets);
     void place_arc_as_given(const Block& block, const WrittenPosition& start, Targets& targets);
+    bool is_coordinate_center(Slot slot) const;
+    void place_center_as_coordinates(const Block& block, const WrittenPosition& start,
+                                     const PlanePoint& center, Targets& targets);
     void place_center_as_given(const Block& block, const WrittenPosition& start, Targets& targets);
     ArcPoints arc_points(const WrittenPosition& start) const;
     bool place_radius(const Block& block, const WrittenPosition& start, Targets& targets);
@@ -231,6 +234,7 @@ class BlockWriter {
     void append_slot(const Block& block, Slot slot, const Targets& targets, std::string& out);
     void append_text(const Block& block, std::string& out);
     void open_line(int skip, bool is_numbered, std::string& out);
+    void end_block(std::string& out) const;
     void close_line(std::string& out);
     void append_comment(const std::string& comment, std::string& out);
     static void blank(std::string& out) {

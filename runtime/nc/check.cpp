@@ -1,6 +1,7 @@
 #include "nc/check.h"
 
 #include <array>
+#include <charconv>
 #include <string>
 #include <utility>
 
@@ -22,6 +23,55 @@ class OneText final : public TextSource {
     std::string_view text_;
 };
 
+/// `(0=-10, 1=2)` at the front of the text, which is taken off: `(to=-10, retract=2)`.
+std::string named_arguments(const CycleInfo& cycle, std::string_view& text) {
+    std::string out;
+    const std::size_t close = std::min(text.find(')'), text.size() - 1);
+    std::string_view rest = text.substr(0, close + 1);
+    text.remove_prefix(rest.size());
+    while (!rest.empty()) {
+        out += rest.front();
+        rest.remove_prefix(1);
+        const bool begins = out.back() == '(' || out.back() == ' ';
+        std::size_t index = 0;
+        const auto number = std::from_chars(rest.data(), rest.data() + rest.size(), index);
+        const bool is_index = begins && number.ec == std::errc() &&
+                              number.ptr != rest.data() + rest.size() && *number.ptr == '=' &&
+                              index < cycle.parameters.size();
+        if (!is_index) continue;
+        out += cycle.parameters[index].name;
+        rest.remove_prefix(static_cast<std::size_t>(number.ptr - rest.data()));
+    }
+    return out;
+}
+
+/// Cycles and their parameters by name: `cycle#0(0=-10, 1=2)` is `drill(to=-10, retract=2)`.
+std::string with_names(const Dialect& dialect, std::string_view text) {
+    std::string out;
+    while (true) {
+        const std::size_t sign = text.find('#');
+        out += text.substr(0, sign);
+        if (sign == std::string_view::npos) return out;
+        const char* const end = text.data() + text.size();
+        std::size_t id = 0;
+        const auto number = std::from_chars(text.data() + sign + 1, end, id);
+        const bool is_cycle = number.ec == std::errc() && id < dialect.cycles().size();
+        if (!is_cycle) {
+            out += '#';
+            text.remove_prefix(sign + 1);
+            continue;
+        }
+        constexpr std::string_view kPlain = "cycle";
+        const bool is_preset = !out.ends_with(kPlain);
+        if (is_preset) out += ' ';
+        else out.resize(out.size() - kPlain.size());
+        const CycleInfo& cycle = dialect.cycles()[id];
+        out += cycle.name;
+        text.remove_prefix(static_cast<std::size_t>(number.ptr - text.data()));
+        if (text.starts_with('(')) out += named_arguments(cycle, text);
+    }
+}
+
 /// What a text means, a line for every block that means something; or why it cannot be read.
 struct Reading {
     std::string blocks;
@@ -37,7 +87,7 @@ Reading read(const Dialect& dialect, std::string_view text) {
     while (const std::size_t count = reader.pull(batch)) {
         for (const Block& block : std::span(batch).first(count)) {
             if (!reading.blocks.empty()) reading.blocks += '\n';
-            reading.blocks += describe(block);
+            reading.blocks += with_names(dialect, describe(block));
         }
     }
     if (!messages.all().empty()) reading.fault = messages.all()[0].message();
@@ -115,7 +165,7 @@ void check_frame(const Dialect& dialect, DiagnosticSink& sink) {
 
 void check_example(const Dialect& dialect, const Example& example, std::span<const Block> blocks,
                    DiagnosticSink& sink) {
-    std::string meant = example.block;
+    std::string meant = with_names(dialect, example.block);
     if (!blocks.empty()) {
         const Writing writing = write(dialect, blocks);
         const std::string text = without_returns(writing.text);
@@ -132,7 +182,7 @@ void check_example(const Dialect& dialect, const Example& example, std::span<con
         if (meant.empty()) {
             for (const Block& block : blocks) {
                 if (!meant.empty()) meant += '\n';
-                meant += describe(block);
+                meant += with_names(dialect, describe(block));
             }
         }
     }

@@ -74,8 +74,47 @@ struct Declaration {
     bool fills = false;              // the value goes into all elements
 };
 
+/// A parameter of a procedure of the control.
+struct ProcedureParameter {
+    Declaration declaration;
+    ValueType type = ValueType::Real;
+    Expression type_size;       // characters of a text
+    bool is_reference = false;  // the caller's variable itself
+};
+
+/// A value in a call: a number as it stands, or one that is worked out.
+struct CallValue {
+    bool is_given = false;
+    bool is_plain = false;  // `decimal` holds; else `value`
+    Decimal decimal;
+    Expression value;
+    Span span;
+};
+
+struct CallArgument : CallValue {
+    std::uint32_t slot = 0;       // by letter: the variable that it sets
+    AddressId like = kNoAddress;  // by letter: the address whose numbers it has
+    Reference variable;           // in a list: if it is nothing but a variable
+    bool is_array = false;        // … of which all elements are meant
+};
+
+/// A call of a program, or the end of one.
+struct Call {
+    std::int32_t form = -1;  // index into CallLanguage::calls; -1: a statement without a code
+    std::string name;        // if it is written in the line
+    Span span;               // of the code or the name
+    CallValue program;       // by a number
+    CallValue repeats;
+    CallValue start;
+    CallValue target;
+    CallValue code;  // the number behind the letter of the code
+    std::vector<CallArgument> arguments;
+    bool has_list = false;  // arguments in brackets, by their places
+};
+
 struct ControlStatement {
     Statement kind = Statement::None;
+    std::uint32_t call = 0;    // of a call: index into ControlLine::calls
     std::uint32_t closes = 0;  // EndLoop: which statements it ends
     Span span;                 // of the keyword
     Reference variable;
@@ -89,7 +128,10 @@ struct ControlStatement {
     ValueType type = ValueType::Real;
     Expression type_size;  // characters of a text
     std::vector<Declaration> declarations;
-    std::vector<Expression> list;  // values for an array from the variable on
+    std::string name;                            // of a procedure
+    std::vector<ProcedureParameter> parameters;  // … and what it takes
+    bool saves = false;                          // … and leaves the modal state as it was
+    std::vector<Expression> list;                // values for an array from the variable on
     bool fills = false;
     /// What an IfDo does; of a Case: the jump of each value of `list`, and the default.
     std::vector<ControlStatement> inner;
@@ -106,6 +148,7 @@ struct ControlLine {
     LexedLine words;
     std::vector<ComputedValue> computed;
     std::vector<ControlStatement> statements;
+    std::vector<Call> calls;
     std::vector<Instruction> code;
     std::vector<Span> places;  // of the instructions
     std::vector<std::string> texts;
@@ -121,6 +164,9 @@ struct Symbol {
     std::uint8_t dimensions = 0;
     std::array<std::uint32_t, 3> sizes{1, 1, 1};
     std::uint32_t text_size = 0;
+    bool is_reference = false;  // stands for a variable of the caller
+    /// Whether it is one value in the store of the level, that code names by its slot.
+    bool is_plain() const { return dimensions == 0 && type != ValueType::Text && !is_reference; }
     std::uint32_t count() const { return sizes[0] * sizes[1] * sizes[2]; }
 };
 
@@ -146,9 +192,17 @@ class SymbolTable {
     std::map<std::string, std::uint32_t, std::less<>> by_name_;
 };
 
+/// How a line is understood beyond what stands in it.
+struct LineContext {
+    bool has_plain_codes = false;  // codes that call a program of their own mean what they are
+    bool is_argument = false;      // the words are arguments of a modal call
+    friend bool operator==(const LineContext&, const LineContext&) = default;
+};
+
 /// Compiles a line by the language of the dialect. On a fault the line is not to be used.
 std::optional<LineFault> compile_line(const DialectTables& tables, const SymbolTable& symbols,
-                                      std::string_view line, ControlLine& out);
+                                      std::string_view line, ControlLine& out,
+                                      const LineContext& context = {});
 
 /// What a line is for someone who looks for a place in the program: its targets, and the statement
 /// at its front. Quick: nothing is compiled.

@@ -3,8 +3,8 @@
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
 #include "base/text.h"
+#include "nc/call_compiler.h"
 #include "nc/control_line.h"
-#include "nc/expression_compiler.h"
 
 namespace kadr::nc {
 
@@ -12,6 +12,7 @@ void ControlLine::clear() {
     words.clear();
     computed.clear();
     statements.clear();
+    calls.clear();
     code.clear();
     places.clear();
     texts.clear();
@@ -20,11 +21,11 @@ void ControlLine::clear() {
 namespace {
 
 /// Reads one line; the lexer asks it wherever the control's language may stand.
-class LineCompiler final : public ValueCompiler, private ExpressionCompiler {
+class LineCompiler final : public ValueCompiler, private CallCompiler {
   public:
     LineCompiler(const DialectTables& tables, const SymbolTable& symbols, std::string_view line,
-                 ControlLine& out)
-        : ExpressionCompiler(tables, symbols, line, out) {}
+                 ControlLine& out, const LineContext& context)
+        : CallCompiler(tables, symbols, line, out), context_(context) {}
 
     std::optional<LineFault> run() {
         auto fault = lex_line(tables_, line_, out_.words, language_.is_present ? this : nullptr);
@@ -36,9 +37,17 @@ class LineCompiler final : public ValueCompiler, private ExpressionCompiler {
 
     std::optional<LineFault> take_piece(std::size_t& at, bool& was_taken) override {
         was_taken = false;
+        if (begins_call_word(at)) {
+            begin(at);
+            was_taken = context_.is_argument ? take_line_as_arguments()
+                                             : take_code_call(context_) || take_word_of_call();
+            if (!was_taken && !fault_) was_taken = take_named_call();
+            if (was_taken || fault_) return finish(at, was_taken);
+        }
         if (is_plain_word(at)) return {};
         begin(at);
-        was_taken = take_main_number() || take_statement() || take_assignment();
+        was_taken = take_main_number() || take_statement() || take_assignment() ||
+                    (!fault_ && take_named_call());
         return finish(at, was_taken);
     }
 
@@ -70,6 +79,13 @@ class LineCompiler final : public ValueCompiler, private ExpressionCompiler {
     }
 
   private:
+    /// Whether a code of a call may begin here, or a word that belongs to one.
+    bool begins_call_word(std::size_t at) const {
+        if (context_.is_argument || !out_.calls.empty()) return true;
+        const auto letter = static_cast<unsigned char>(words_.upper(line_[at]));
+        return letter < 128 && language_.call_starts[letter];
+    }
+
     /// A letter with its number, as most words are: nothing of the language begins so.
     bool is_plain_word(std::size_t at) const {
         const auto is_letter = [](char c) {
@@ -119,6 +135,7 @@ class LineCompiler final : public ValueCompiler, private ExpressionCompiler {
         });
         if (form == language_.functions.end()) return false;
         at_ += word.text.size();
+        tables_.note(&*form);
         out.fills = form->operation == Operation::Fill;
         return take_values(out.list);
     }
@@ -175,17 +192,20 @@ class LineCompiler final : public ValueCompiler, private ExpressionCompiler {
         const std::size_t code = out_.code.size();
         for (const StatementForm& form : language_.statements) {
             if (!words_.says(word, form.tokens[0].text) || !is_wanted(form.statement)) continue;
+            if (wants_call(form) && !begins_call(begin + word.text.size())) continue;
             at_ = begin;
             depth_ = 0;
             fault_.reset();
             out_.code.resize(code);
             out_.places.resize(code);
+            out_.calls.clear();
             ControlStatement statement;
             statement.kind = form.statement;
             statement.closes = form.closes;
             statement.span = {static_cast<std::uint32_t>(begin),
                               static_cast<std::uint32_t>(begin + word.text.size())};
             if (take_tokens(form, word, statement)) {
+                tables_.note(&form);
                 out = std::move(statement);
                 return true;
             }
@@ -196,6 +216,12 @@ class LineCompiler final : public ValueCompiler, private ExpressionCompiler {
         if (fault_) return false;
         at_ = begin;
         return false;
+    }
+
+    /// Whether a program must be named directly behind the keyword, or it is another word.
+    static bool wants_call(const StatementForm& form) {
+        return form.tokens.size() > 1 && form.tokens[1].kind == StatementToken::Kind::Hole &&
+               form.tokens[1].hole == StatementToken::Hole::Call;
     }
 
     bool take_tokens(const StatementForm& form, const Word& keyword, ControlStatement& out) {
@@ -235,7 +261,8 @@ class LineCompiler final : public ValueCompiler, private ExpressionCompiler {
     /// Nothing but a comment behind the statement.
     bool is_finished() {
         skip();
-        if (is_inner_ || at_ >= line_.size() || words_.is_comment(at_)) return true;
+        if (is_inner_ || at_ >= line_.size() || words_.is_comment(at_) || is_block_end(at_))
+            return true;
         return fail_here(rules_.mixes_words ? diag::StatementSyntax : diag::MixedStatement);
     }
 
@@ -281,6 +308,8 @@ class LineCompiler final : public ValueCompiler, private ExpressionCompiler {
             case Hole::Cases: return take_cases(next, out);
             case Hole::Jump: return take_inner(out, false);
             case Hole::Statement: return take_inner(out, true);
+            case Hole::Call: return take_call_hole(out);
+            case Hole::Procedure: return take_procedure(out);
         }
         return false;
     }
@@ -370,7 +399,28 @@ class LineCompiler final : public ValueCompiler, private ExpressionCompiler {
         return true;
     }
 
-    bool take_declaration(Declaration& out) {
+    /// `VAR REAL LIST[4]`, of an external procedure without the name.
+    bool take_parameter(ProcedureParameter& out, bool is_named) override {
+        Word word = words_.word_at(words_.skip_blanks(at_));
+        skip();
+        out.is_reference = !language_.calls.reference_word.empty() &&
+                           words_.is_same(word.text, language_.calls.reference_word);
+        if (out.is_reference) at_ += word.text.size();
+        skip();
+        ControlStatement typed;
+        if (!take_type(typed)) return false;
+        out.type = typed.type;
+        out.type_size = typed.type_size;
+        skip();
+        if (is_named) return take_declaration(out.declaration, true);
+        // The name may stand there all the same.
+        word = words_.word_at(at_);
+        at_ += word.text.size();
+        skip();
+        return peek() != language_.index_open || take_sizes(out.declaration, true);
+    }
+
+    bool take_declaration(Declaration& out, bool is_parameter = false) {
         skip();
         const Word word = words_.word_at(at_);
         out.name = words_.normal(word.text);
@@ -381,10 +431,12 @@ class LineCompiler final : public ValueCompiler, private ExpressionCompiler {
         const auto is_name_char = [](char c) { return (c >= 'A' && c <= 'Z') || c == '_'; };
         if (out.name.size() < 2 || !is_name_char(out.name[0]) || !is_name_char(out.name[1]))
             return fail(diag::NameInvalid, out.span);
-        if (is_taken(out.name, word)) return fail(diag::NameTwice, out.span);
+        // The parameters of a program that was called are there already.
+        if (is_taken(out.name, word) && !(is_parameter && symbols_.find(out.name) != nullptr))
+            return fail(diag::NameTwice, out.span);
         at_ += word.text.size();
         skip();
-        if (peek() == language_.index_open && !take_sizes(out)) return false;
+        if (peek() == language_.index_open && !take_sizes(out, is_parameter)) return false;
         skip();
         if (peek() != '=') return true;
         ++at_;
@@ -402,12 +454,16 @@ class LineCompiler final : public ValueCompiler, private ExpressionCompiler {
                });
     }
 
-    bool take_sizes(Declaration& out) {
+    /// `[3,4]`; of a parameter `[,]` as well.
+    bool take_sizes(Declaration& out, bool is_parameter = false) {
         if (!take_open(language_.index_open)) return false;
         do {
             if (out.dimensions > 0) ++at_;
             if (out.dimensions == 3) return fail_here(diag::IndexWrong);
-            if (!take_stored(out.sizes[out.dimensions++])) return false;
+            Expression& size = out.sizes[out.dimensions++];
+            skip();
+            const bool is_open = is_parameter && (peek() == ',' || peek() == language_.index_close);
+            if (!is_open && !take_stored(size)) return false;
             skip();
         } while (peek() == ',');
         return take_close(language_.index_close);
@@ -450,6 +506,7 @@ class LineCompiler final : public ValueCompiler, private ExpressionCompiler {
         };
         const bool are_assignments = std::ranges::all_of(
             statements, [](const ControlStatement& s) { return s.kind == Statement::Assign; });
+        if (is_call_with_words(statements[0])) return {};
         if (!rules_.mixes_words && (has_words || statements.size() > 1)) {
             return fault(diag::MixedStatement,
                          statements.size() > 1 ? statements[1].span : statements[0].span);
@@ -466,15 +523,27 @@ class LineCompiler final : public ValueCompiler, private ExpressionCompiler {
         return {};
     }
 
+    /// A subprogram is called, or ended, behind the words of its block.
+    bool is_call_with_words(const ControlStatement& statement) const {
+        const bool is_call = statement.kind == Statement::Call ||
+                             statement.kind == Statement::Return ||
+                             statement.kind == Statement::EndModal;
+        if (!is_call || out_.statements.size() != 1 || out_.calls.empty()) return false;
+        const std::int32_t form = out_.calls[0].form;
+        return form >= 0 && !language_.calls.calls[static_cast<std::size_t>(form)].is_name;
+    }
+
+    const LineContext context_;
     bool is_inner_ = false;
 };
 
 }  // namespace
 
 std::optional<LineFault> compile_line(const DialectTables& tables, const SymbolTable& symbols,
-                                      std::string_view line, ControlLine& out) {
+                                      std::string_view line, ControlLine& out,
+                                      const LineContext& context) {
     out.clear();
-    return LineCompiler(tables, symbols, line, out).run();
+    return LineCompiler(tables, symbols, line, out, context).run();
 }
 
 }  // namespace kadr::nc

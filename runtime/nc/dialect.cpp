@@ -148,6 +148,8 @@ bool Dialect::can_write(Function function) const {
     return !tables_->forms_of[static_cast<std::size_t>(function)].empty();
 }
 
+void Dialect::record(UsedEntries* used) { tables_->used = used; }
+
 std::string_view Dialect::modal_call() const { return tables_->rules.modal_call; }
 
 Function Dialect::power_on(Group group) const {

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,8 +25,10 @@ struct CycleInfo {
     std::string name;                   // as in stdlib: "drill_peck"
     std::vector<Parameter> parameters;  // names live in the Dialect
     std::string meaning;
-    std::string module;    // of the library that has it, if a block of a source can be this cycle
-    bool is_modal = true;  // where cycles are modal: a call is repeated by further axis words
+    std::string module;      // of the library that has it, if a block of a source can be this cycle
+    std::string file;        // of a control's own cycle: the Kadr file that says what it does
+    SourceRange file_range;  // where the dialect names it
+    bool is_modal = true;    // where cycles are modal: a call is repeated by further axis words
 
     /// Which parameters the words of modal cycles set; -1: none.
     struct Roles {
@@ -69,10 +72,15 @@ struct Example {
     std::string text;    // what the control reads; lines joined by line ends
     std::string block;   // `describe` of what it means, if it differs from what the source says
     std::string meaning;
+    std::string gives;         // of the control's language: what its program leaves in variables
     SourceRange source_range;  // of the attributes' values; of the element where there is none
     SourceRange text_range;
     SourceRange block_range;
+    SourceRange gives_range;
 };
+
+/// Entries of the tables that texts have used, by their place in memory.
+using UsedEntries = std::set<const void*>;
 
 /// Immutable. Movable, not copyable.
 class Dialect {
@@ -122,6 +130,10 @@ class Dialect {
     std::span<const Example> examples() const;
     /// Whether a text that begins so has the header of this control (`O0001`, `%_N_PART_MPF`).
     bool has_header(std::string_view text) const;
+
+    /// From now on notes every entry that a text of the control uses (nc/coverage.h); null: no
+    /// more.
+    void record(UsedEntries* used);
 
     const DialectTables& tables() const { return *tables_; }
 

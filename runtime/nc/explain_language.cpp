@@ -49,6 +49,48 @@ void explain_variables(const Language& language, std::string_view word,
     }
 }
 
+std::string_view kind_of(const CallForm& call) {
+    switch (call.kind) {
+        case CallForm::Kind::Subprogram: return "calls a subprogram, behind the words of its block";
+        case CallForm::Kind::Macro: return "calls a macro with arguments";
+        case CallForm::Kind::Return: return "ends a program that was called";
+        case CallForm::Kind::EndModal: return "ends a modal call";
+    }
+    return "";
+}
+
+/// Which address of the call says what: `P the program`.
+void add_address(char letter, std::string_view meaning, std::string& line) {
+    if (letter != '\0') line.append("; ").append(1, letter).append(" is ").append(meaning);
+}
+
+void explain_calls(const CallLanguage& calls, std::string_view word,
+                   std::vector<std::string>& lines) {
+    for (const CallForm& call : calls.calls) {
+        if (call.code != word) continue;
+        std::string line = quoted(call.code).append(" ").append(kind_of(call));
+        if (call.modal == CallForm::Modal::Motion)
+            line += ", behind every block that moves an axis";
+        if (call.modal == CallForm::Modal::Block) line += ", instead of every block";
+        if (!call.fixed.empty()) line += ": always " + shown_program(calls, call.fixed);
+        add_address(call.program, "the program", line);
+        add_address(call.repeats, "how often", line);
+        add_address(call.start, "the block where it begins", line);
+        add_address(call.target, "the block of the caller where that goes on", line);
+        if (!call.value.empty()) line += "; " + quoted(call.value) + " gets the number";
+        if (!call.doc.empty()) line += "; " + call.doc;
+        lines.push_back(std::move(line));
+    }
+    for (const ArgumentForm& argument : calls.arguments) {
+        if (word.size() != 1 || argument.letter != word[0]) continue;
+        std::string line =
+            quoted(word) + " as an argument of a call sets " + quoted(argument.variable);
+        if (argument.in_series) line += ", said again the one three places behind";
+        if (argument.only_block) line += ", only where whole blocks are arguments";
+        lines.push_back(std::move(line));
+    }
+}
+
 }  // namespace
 
 void explain_language(const Language& language, std::string_view word,
@@ -77,6 +119,7 @@ void explain_language(const Language& language, std::string_view word,
         lines.push_back(std::move(line));
     }
     explain_variables(language, word, lines);
+    explain_calls(language.calls, word, lines);
 }
 
 }  // namespace kadr::nc

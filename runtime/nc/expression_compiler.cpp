@@ -112,7 +112,17 @@ bool ExpressionCompiler::take_stored(Expression& out) {
 
 // ---------------- operators
 
+/// Whether the sign that ends a block stands here, and not an operator that looks like it: nothing
+/// but a comment follows.
+bool ExpressionCompiler::is_block_end(std::size_t at) const {
+    const char sign = tables_.rules.end_sign;
+    if (sign == '\0' || at >= line_.size() || line_[at] != sign) return false;
+    const std::size_t next = words_.skip_blanks(at + 1);
+    return next >= line_.size() || words_.is_comment(next);
+}
+
 const OperatorForm* ExpressionCompiler::find_operator(std::size_t at, bool is_prefix) const {
+    if (is_block_end(at)) return nullptr;
     const Word word = words_.word_at(at);
     for (const OperatorForm& form : language_.operators) {
         if (form.is_prefix != is_prefix) continue;
@@ -133,6 +143,7 @@ bool ExpressionCompiler::take_level(int level, bool& is_logical) {
         if (form == nullptr || form->level != level) return true;
         const std::size_t begin = at_;
         at_ += form->text.size();
+        tables_.note(form);
         bool is_right_logical = false;
         if (!take_level(level - 1, is_right_logical)) return false;
         is_logical = is_comparison(form->operation) ||
@@ -147,6 +158,7 @@ bool ExpressionCompiler::take_primary(bool& is_logical) {
     const std::size_t begin = at_;
     if (const OperatorForm* form = find_operator(at_, true)) {
         at_ += form->text.size();
+        tables_.note(form);
         if (!take_level(std::max(0, form->level - 1), is_logical)) return false;
         is_logical = is_logical && is_connective(form->operation);
         emit_operation(form->operation, 1, begin);
@@ -324,6 +336,7 @@ bool ExpressionCompiler::take_function(const Word& word, const FunctionForm& fou
     }
     for (const FunctionForm& form : language_.functions) {
         if (!is_form(form, count, is_divided)) continue;
+        tables_.note(&form);
         emit_operation(form.operation, count, begin);
         return true;
     }
@@ -402,6 +415,7 @@ bool ExpressionCompiler::place_in_family(const VariableForm& form, std::size_t f
     const VariableRange* range = find_range(form, number);
     if (range == nullptr) return fail(diag::VariableNumber, span_from(begin));
     load.type = range->type;
+    tables_.note(range);
     if (range->kind == VariableRange::Kind::Global || range->kind == VariableRange::Kind::Local) {
         const bool is_global = range->kind == VariableRange::Kind::Global;
         load.kind = is_global ? Instruction::Kind::Global : Instruction::Kind::Local;
@@ -432,6 +446,7 @@ bool ExpressionCompiler::take_named(const Word& word, Reference& out) {
         at_ += word.text.size();
         if (!form.indices.empty() && !take_indices(form)) return false;
         const VariableRange& range = form.ranges[0];
+        tables_.note(&range);
         Instruction& load = out.load;
         load.type = range.type;
         load.count = static_cast<std::uint8_t>(std::ranges::count_if(
@@ -514,9 +529,10 @@ bool ExpressionCompiler::take_symbol(const Word& word, Reference& out) {
         if (!take_close(language_.index_close)) return false;
     }
     const bool is_text = symbol->type == ValueType::Text;
-    if (count != symbol->dimensions && !(is_text && count == symbol->dimensions + 1))
+    const bool is_whole = takes_whole_arrays_ && count == 0;
+    if (count != symbol->dimensions && !(is_text && count == symbol->dimensions + 1) && !is_whole)
         return fail(diag::IndexWrong, span_from(word.begin));
-    if (symbol->dimensions == 0 && !is_text) {
+    if (symbol->is_plain()) {
         out.load.kind = Instruction::Kind::Local;
         out.load.index = symbol->slot;
         return true;

@@ -59,6 +59,7 @@ class ExpressionCompiler {
     bool take_stored(Expression& out);
 
     // ------------------------------------------------------------ operators
+    bool is_block_end(std::size_t at) const;
     const OperatorForm* find_operator(std::size_t at, bool is_prefix) const;
     /// Operators of this level and those that bind stronger, from left to right.
     bool take_level(int level, bool& is_logical);
@@ -108,6 +109,7 @@ class ExpressionCompiler {
     ControlLine& out_;
     std::size_t at_ = 0;
     int depth_ = 0;
+    bool takes_whole_arrays_ = false;  // a name of an array without indices is one
     std::optional<LineFault> fault_;
 };
 

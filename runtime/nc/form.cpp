@@ -45,6 +45,12 @@ class LineParser {
         return *this;
     }
 
+    /// A form that is never written may hold numbers on which nothing depends.
+    LineParser& read_only(bool is_read_only) {
+        is_read_only_ = is_read_only;
+        return *this;
+    }
+
     bool parse(std::vector<FormWord>& words) {
         while (skip_blanks()) {
             FormWord word;
@@ -258,6 +264,7 @@ class LineParser {
             word.is_optional = true;
             inner.remove_suffix(1);
         }
+        if (inner.empty()) return parse_any(word);
         const std::size_t sign = inner.find_first_of("+-=");
         const std::string_view name = inner.substr(0, std::min(sign, inner.size()));
         word.parameter = parameter_named(name);
@@ -270,6 +277,14 @@ class LineParser {
         word.is_optional |= word.adds;
         if (!parse_operator(word, inner, sign) || !parse_unit(word, unit)) return false;
         if (is_negated) word.factor = -word.factor;
+        return true;
+    }
+
+    /// `{}`, `{?}`: a number on which nothing depends.
+    bool parse_any(FormWord& word) {
+        if (word.kind != FormWord::Kind::Value || !is_read_only_)
+            return fail("`{}` is the number of a letter, in a form that is only read");
+        word.is_any = true;
         return true;
     }
 
@@ -324,13 +339,17 @@ class LineParser {
             word.in_increments = true;
             return true;
         }
+        if (unit == "s|ms") {
+            word.plain_factor = 1000;
+            return true;
+        }
         for (const Unit& known : kUnits) {
             if (known.name != unit) continue;
             word.factor = known.factor;
             return true;
         }
         return fail("there is no unit " + quoted(unit) +
-                    "; known are s, ms, min, deg, mm, permille, increments, lead and named");
+                    "; known are s, ms, s|ms, min, deg, mm, permille, increments, lead and named");
     }
 
     bool declared(FormWord& word, std::string_view name) {
@@ -365,6 +384,7 @@ class LineParser {
     SourceRange range_;
     DiagnosticSink& sink_;
     bool completed_by_others_ = false;
+    bool is_read_only_ = false;
     std::size_t at_ = 0;
 };
 
@@ -492,6 +512,7 @@ std::vector<Form> parse_form(const Form& prototype, std::string_view text, Diale
     const bool is_read_cycle = form.function == Function::Cycle && !form.is_written;
     if (!LineParser(lines[0], parameters, tables, form.range, sink)
              .completed_by_others(is_read_cycle)
+             .read_only(!form.is_written || form.function == Function::None)
              .parse(form.words))
         return {};
     for (std::size_t i = 1; i < lines.size(); ++i) {

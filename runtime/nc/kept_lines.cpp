@@ -27,10 +27,25 @@ Span find_word(const DialectTables& tables, std::string_view line, IsWanted is_w
 
 template <typename IsWanted>
 LinePlace KeptLines::place_word(const Block& block, IsWanted is_wanted) const {
-    const auto kept = std::ranges::find(lines_, block.line, &Line::number);
+    const auto kept = find(block);
     if (kept == lines_.end()) return reader_.place({}, block.line, {});
     const std::string_view line = std::string_view(text_).substr(kept->offset, kept->length);
-    return reader_.place(line, block.line, find_word(reader_.tables(), line, is_wanted));
+    const std::string& file = kept->file != nullptr ? *kept->file : reader_.text().name;
+    return LineReader::place(file, line, kept->number,
+                             find_word(reader_.tables(), line, is_wanted));
+}
+
+std::vector<KeptLines::Line>::const_iterator KeptLines::find(const Block& block) const {
+    return std::ranges::find(lines_, block.line, &Line::id);
+}
+
+std::vector<LinePlace> KeptLines::calls(const Block& block) const {
+    std::vector<LinePlace> places;
+    const auto kept = find(block);
+    if (kept == lines_.end()) return places;
+    for (const CallSite* call = kept->calls.get(); call != nullptr; call = call->from.get())
+        places.push_back(call->place);
+    return places;
 }
 
 LinePlace KeptLines::place(const Block& block) const {

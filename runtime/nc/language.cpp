@@ -44,7 +44,7 @@ bool read(std::string_view text, double& value) {
 
 bool read(std::string_view text, int& value) {
     double number = 0;
-    if (!read(text, number) || number != std::floor(number) || std::abs(number) > 1e6) return false;
+    if (!read(text, number) || number != std::floor(number) || std::abs(number) > 1e9) return false;
     value = static_cast<int>(number);
     return true;
 }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/source.h"
+#include "nc/calls.h"
 
 namespace kadr::nc {
 
@@ -159,6 +160,8 @@ struct StatementToken {
         Cases,
         Jump,
         Statement,
+        Call,
+        Procedure,
     };
     Kind kind = Kind::Word;
     Hole hole = Hole::Value;
@@ -202,11 +205,13 @@ struct Language {
     std::vector<StatementForm> statements;
     std::vector<TypeName> types;
     std::vector<CodeList> code_lists;
+    CallLanguage calls;
     // Made when it is loaded.
     std::uint32_t global_slots = 0;
     std::uint32_t local_slots = 0;
     int lowest_level = 0;              // of the operators: the number of the weakest
     std::bitset<128> variable_starts;  // first letters of variables
+    std::bitset<128> call_starts;      // first letters of codes that call a program
 };
 
 /// The range that holds the number; nullptr if the family has no such variable.

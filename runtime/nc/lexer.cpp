@@ -47,7 +47,7 @@ class Lexer {
         out_.clear();
         take_skip();
         while (!fault_ && skip_blanks()) {
-            if (!take_language()) take_piece();
+            if (is_declared_name() || !take_language()) take_piece();
         }
         return std::move(fault_);
     }
@@ -179,6 +179,9 @@ class Lexer {
     void take_end() {
         const std::size_t sign = at_++;
         if (!skip_blanks()) return;
+        // What runs to the end of the line belongs to no block.
+        const bool is_comment = line_.compare(at_, open_.size(), open_) == 0;
+        if (is_comment && tables_.comment.close.empty()) return take_comment();
         // A word, or the comment of another control?
         const char next = peek(1);
         const bool is_word =
@@ -230,7 +233,7 @@ class Lexer {
         const std::size_t begin = at_;
         const char letter = peek();
         ++at_;
-        if (rules_.has_assignment && is_digit(peek()) && take_extended(begin)) return;
+        if (is_digit(peek()) && take_extended(begin)) return;
         const AddressId address = tables_.letters[static_cast<unsigned char>(letter) & 127u];
         if (address == kNoAddress) {
             skip_inner_blanks();
@@ -276,14 +279,29 @@ class Lexer {
         take_number(address, begin);
     }
 
-    /// `X1=0`: a letter with a number of its own, if the dialect declares it.
-    bool take_extended(std::size_t begin) {
-        std::size_t end = at_;
+    /// The address of a letter with a number of its own that stands at `begin`, if the dialect
+    /// declares it; `end` is behind its name.
+    AddressId extended_at(std::size_t begin, std::size_t& end) const {
+        end = begin + 1;
         while (end < line_.size() && is_digit(line_[end])) ++end;
-        if (end == line_.size() || line_[end] != '=') return false;
+        if (end == begin + 1 || end == line_.size() || line_[end] != '=') return kNoAddress;
         std::string name(line_.substr(begin, end - begin));
         if (rules_.ignores_case) name = upper_ascii(name);
-        const AddressId address = tables_.find_address(name);
+        return tables_.find_address(name);
+    }
+
+    /// Whether such a word stands here: it is a word of the control even where its language has
+    /// variables with such names.
+    bool is_declared_name() const {
+        std::size_t end = 0;
+        return has_names_ && compiler_ != nullptr && is_letter(peek()) && is_digit(peek(1)) &&
+               extended_at(at_, end) != kNoAddress;
+    }
+
+    /// `X1=0`
+    bool take_extended(std::size_t begin) {
+        std::size_t end = 0;
+        const AddressId address = extended_at(begin, end);
         if (address == kNoAddress) return false;
         at_ = end;
         take_assigned(address, begin);
@@ -453,7 +471,8 @@ class Lexer {
         }
         if (!take_number(address, begin)) return;
         skip_blanks();
-        if (peek() == '+' || peek() == '-' || peek() == '*' || peek() == '/') {
+        const bool is_end = peek() == rules_.end_sign && rules_.end_sign != '\0';
+        if (!is_end && (peek() == '+' || peek() == '-' || peek() == '*' || peek() == '/')) {
             fail(diag::IsoNotSupported, begin, at_, {"a computed value"});
         }
     }

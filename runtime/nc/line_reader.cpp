@@ -49,10 +49,18 @@ inline bool take_short_number(const char*& p, const char* end, double& value) {
     return true;
 }
 
+/// Whether a line is the last one of a program: it begins as the template does before what is
+/// filled in.
+bool is_end_line(std::string_view line, std::string_view end) {
+    const std::size_t fixed = end.find_first_of("{[");
+    if (fixed == 0 || fixed == std::string_view::npos) return line == end;
+    return line.starts_with(end.substr(0, fixed));
+}
+
 }  // namespace
 
 LineReader::LineReader(const Dialect& dialect, std::string name, DiagnosticSink& sink)
-    : dialect_(dialect), tables_(dialect.tables()), name_(std::move(name)), sink_(sink) {
+    : dialect_(dialect), tables_(dialect.tables()), own_text_{std::move(name)}, sink_(sink) {
     for (std::size_t letter = 0; letter < letters_.size(); ++letter) prepare(letter);
     modal_ = tables_.power_on;
     modal_[static_cast<std::size_t>(Group::Motion)] = Function::None;
@@ -86,8 +94,8 @@ void LineReader::prepare(std::size_t letter) {
             fast.kind = FastLetter::Kind::Number;
         } else if (address.kind == Address::Kind::Code) {
             fast.kind = FastLetter::Kind::Code;
-        } else if (address.slot >= 0 && !address.is_incremental && are_of_motions(address) &&
-                   tables_.code_index[id].empty()) {
+        } else if (address.slot >= 0 && !address.is_incremental && !address.is_coordinate &&
+                   are_of_motions(address) && tables_.code_index[id].empty()) {
             fast.kind = FastLetter::Kind::Slot;
             fast.slot = static_cast<Slot>(address.slot);
         }
@@ -102,16 +110,22 @@ LineReader::LineKind LineReader::kind_of(std::string_view line) {
     while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
     if (line.empty()) return LineKind::Nothing;
     const std::vector<std::string>& ends = tables_.program.end;
-    if (has_content_ && std::ranges::find(ends, line) != ends.end()) has_ended_ = true;
-    if (has_ended_) return LineKind::Nothing;
+    const auto is_end = [&](const std::string& end) { return is_end_line(line, end); };
+    if (text_->has_content && std::ranges::any_of(ends, is_end)) text_->has_ended = true;
+    if (text_->has_ended) return LineKind::Nothing;
     const bool is_header = std::ranges::any_of(
         tables_.program.skipped, [&](const std::string& front) { return line.starts_with(front); });
     if (!is_header) return LineKind::Words;
+    if (text_->has_content &&
+        program_of_header(tables_.language.calls, line, tables_.rules.ignores_case)) {
+        text_->has_ended = true;
+        return LineKind::Nothing;
+    }
     if (has_wrong_number(line)) return LineKind::WrongNumber;
-    if (!has_content_) return LineKind::Nothing;
+    if (!text_->has_content) return LineKind::Nothing;
     // Where a mark ends the text, another program may begin before it.
-    has_ended_ = !ends.empty();
-    return has_ended_ ? LineKind::Nothing : LineKind::Misplaced;
+    text_->has_ended = !ends.empty();
+    return text_->has_ended ? LineKind::Nothing : LineKind::Misplaced;
 }
 
 /// Whether the line names the program by a number that the control does not have.
@@ -135,7 +149,7 @@ bool LineReader::read_plain(std::string_view line, Block& block) {
         block.reset();
         return false;
     }
-    has_content_ = true;
+    text_->has_content = true;
     // Later forms depend on modal functions: G68 on its plane, G53 on absolute dimensions.
     if (block.function_count != 0 || block.motion != Function::None) follow_modal(block, modal_);
     return true;
@@ -160,7 +174,7 @@ bool LineReader::has_words(std::string_view line) {
 
 bool LineReader::read_known(std::string_view line, Block& block) {
     if (!read_verbatim(line, block)) return false;
-    has_content_ = true;
+    text_->has_content = true;
     follow_modal(block, modal_);
     return true;
 }
@@ -170,7 +184,7 @@ bool LineReader::read(std::string_view line, std::uint64_t number, Block& block)
     if (read_plain(line, block)) return true;
     if (!has_words(line)) return false;
     if (read_slow(line, block)) {
-        has_content_ |= block.kind != Block::Kind::Comment;
+        text_->has_content |= block.kind != Block::Kind::Comment;
         follow(block);
         return true;
     }
@@ -182,7 +196,7 @@ bool LineReader::read_words(std::string_view line, ControlLine& compiled,
                             std::span<const WordValue> values, Block& block, MatchedLine* known) {
     lexed_ = &compiled.words;
     set_values(compiled, values);
-    has_content_ = true;
+    text_->has_content = true;
     const bool is_whole = std::ranges::none_of(
         values, [](const WordValue& value) { return value.kind == WordValue::Kind::Vacant; });
     const bool is_known =
@@ -317,7 +331,7 @@ bool LineReader::read_fast(std::string_view line, Block& block) const {
     std::uint32_t groups = 0;
     bool has_word = false;
     const Function motion = modal_[static_cast<std::size_t>(Group::Motion)];
-    if (closely_read_[static_cast<std::size_t>(motion)]) return false;
+    if (closely_read_[static_cast<std::size_t>(motion)] || tables_.used != nullptr) return false;
     while (true) {
         while (p != end && is_blank(*p)) ++p;
         if (p == end) return has_word;
@@ -413,6 +427,7 @@ bool LineReader::read_verbatim(std::string_view line, Block& block) const {
     for (const FormId id : tables_.verbatim_forms) {
         const Form& form = tables_.forms[id];
         if (!match_verbatim(form, {begin, end}, block)) continue;
+        tables_.note(&form);
         block.number = number;
         block.skip = skip;
         return true;
@@ -505,7 +520,10 @@ bool LineReader::fill(std::string_view line, Block& block, MatchedLine* known,
     block.number = lexed_->number;
     block.comment = lexed_->comment;
     block.text = lexed_->text;
-    if (lexed_->comment_form != kNoForm) block.add(tables_.forms[lexed_->comment_form].function);
+    if (lexed_->comment_form != kNoForm) {
+        tables_.note(&tables_.forms[lexed_->comment_form]);
+        block.add(tables_.forms[lexed_->comment_form].function);
+    }
     if (lexed_->words.empty()) {
         if (lexed_->has_comment && block.number < 0 && block.skip < 0 &&
             block.function_count == 0) {
@@ -526,6 +544,7 @@ bool LineReader::fill(std::string_view line, Block& block, MatchedLine* known,
 bool LineReader::apply(Block& block, std::string_view line) {
     for (std::size_t i = 0; i < match_.form_count; ++i) {
         const Form& form = tables_.forms[match_.forms[i]];
+        tables_.note(&form);
         if (info(form.function).group == Group::Units) feed_stays_metric_ = form.feed_stays_metric;
         if (form.group >= 0) last_forms_[static_cast<std::size_t>(form.group)] = match_.forms[i];
     }
@@ -572,6 +591,8 @@ bool LineReader::apply_claim(const Claim& claim, Block& block, std::string_view 
                                : read_meaning(decimal, format, claim.dimension, units_);
     Decimal written = decimal;
     if (word.is_computed) written.has_point = format.point != PointRule::Never;
+    const bool is_plain = claim.plain_factor > 0 && !decimal.has_point;
+    const double factor = is_plain ? claim.plain_factor : claim.factor;
     const NumberFault fault =
         check_read(written, lexed_->minus[claim.word], meaning, format, claim.dimension, units_);
     if (fault != NumberFault::None) {
@@ -587,7 +608,7 @@ bool LineReader::apply_claim(const Claim& claim, Block& block, std::string_view 
         return true;
     }
     const double scaled = meaning / text_scale(claim.dimension, units_, false);
-    block.set_argument(*invocation, claim.parameter, (scaled - claim.offset) / claim.factor);
+    block.set_argument(*invocation, claim.parameter, (scaled - claim.offset) / factor);
     return true;
 }
 
@@ -641,6 +662,25 @@ void LineReader::follow(const Block& block) {
             group == Group::Units || group == Group::FeedMode || group == Group::SpeedMode;
         if (!scales) modal_[static_cast<std::size_t>(group)] = Function::None;
     }
+}
+
+void LineReader::restore(const ModalFunctions& wanted, Block& block) {
+    for (std::size_t i = 1; i < kGroups; ++i) {
+        const auto group = static_cast<Group>(i);
+        if (wanted[i] == modal_[i] || wanted[i] == Function::None) continue;
+        // The spindle and the coolant run on; offsets come back with the frames.
+        const bool is_state = group == Group::Spindle || group == Group::Coolant ||
+                              group == Group::WorkOffsets || group == Group::LengthComp ||
+                              group == Group::CycleMode || group == Group::SpeedMode;
+        if (is_state) continue;
+        if (group == Group::Motion) {
+            block.motion = wanted[i];
+        } else {
+            block.add(wanted[i]);
+        }
+    }
+    follow_modal(block, modal_);
+    follow_units();
 }
 
 void LineReader::follow_units() {
@@ -700,10 +740,11 @@ std::string argument_words(const LexedLine& lexed, const MatchFault& fault,
 
 }  // namespace
 
-LinePlace LineReader::place(std::string_view line, std::uint64_t number, const Span& span) const {
+LinePlace LineReader::place(const std::string& file, std::string_view line, std::uint64_t number,
+                            const Span& span) {
     constexpr std::size_t kShown = 400;  // bytes of a line that a message keeps
     LinePlace place;
-    place.file = name_;
+    place.file = file;
     place.line = static_cast<std::uint32_t>(number);
     const std::size_t begin = std::min<std::size_t>(span.begin, line.size());
     const std::size_t end = std::clamp<std::size_t>(span.end, begin, line.size());
@@ -727,6 +768,7 @@ void LineReader::report(std::string_view line, const LineFault& fault) {
         fault.arguments.empty() ? std::string_view() : fault.arguments[0];
     if (const auto alarm = dialect_.alarm(*fault.row, detail))
         builder.alarm(alarm->number, alarm->text);
+    write_notes(builder);
 }
 
 void LineReader::report(std::string_view line, const MatchFault& fault) {

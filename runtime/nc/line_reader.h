@@ -6,6 +6,7 @@
 #pragma once
 
 #include <bitset>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -42,6 +43,13 @@ struct MatchedLine {
     std::vector<Claim> claims;
     std::vector<FormId> forms;
     Block shape;  // functions and modes, without values
+};
+
+/// The text that lines stand in, and how far a program in it is read.
+struct TextState {
+    std::string name;          // shown in messages
+    bool has_content = false;  // blocks or statements were read
+    bool has_ended = false;    // the end mark, or the head of another program
 };
 
 class LineReader {
@@ -86,7 +94,20 @@ class LineReader {
         if (first_fault_ == 0) first_fault_ = line_number_;
     }
     /// The end mark of the program was read.
-    bool has_ended() const { return has_ended_; }
+    bool has_ended() const { return text_->has_ended; }
+    /// The lines that follow stand in this text, which outlives its use.
+    void enter(TextState& text) { text_ = &text; }
+    const TextState& text() const { return *text_; }
+    /// Something that is no block was executed; a head of a program behind it begins another one.
+    void note_content() { text_->has_content = true; }
+    /// Adds to each message what is to be said about the place of the line.
+    void add_notes(std::function<void(DiagnosticBuilder&)> notes) { notes_ = std::move(notes); }
+    void write_notes(DiagnosticBuilder& message) const {
+        if (notes_) notes_(message);
+    }
+    /// Goes back to modal functions of before: adds to the block what restores them, as if words
+    /// had said it, and follows it.
+    void restore(const ModalFunctions& wanted, Block& block);
 
     bool failed() const { return failed_; }
     std::uint64_t first_fault() const { return first_fault_; }
@@ -94,7 +115,11 @@ class LineReader {
     const ModalFunctions& modal() const { return modal_; }
     /// The form that said something for a group of the dialect last; kNoForm.
     FormId last_form(std::size_t group) const { return last_forms_[group]; }
-    LinePlace place(std::string_view line, std::uint64_t number, const Span& span) const;
+    LinePlace place(std::string_view line, std::uint64_t number, const Span& span) const {
+        return place(text_->name, line, number, span);
+    }
+    static LinePlace place(const std::string& file, std::string_view line, std::uint64_t number,
+                           const Span& span);
     const DialectTables& tables() const { return tables_; }
 
   private:
@@ -126,8 +151,10 @@ class LineReader {
 
     const Dialect& dialect_;
     const DialectTables& tables_;
-    std::string name_;
+    TextState own_text_;
+    TextState* text_ = &own_text_;
     DiagnosticSink& sink_;
+    std::function<void(DiagnosticBuilder&)> notes_;
     std::array<FastLetter, 128> letters_;
     ModalFunctions modal_{};
     std::bitset<kFunctions> closely_read_;  // motions under which words have other meanings
@@ -138,8 +165,6 @@ class LineReader {
     std::uint64_t line_number_ = 0;
     bool failed_ = false;
     std::uint64_t first_fault_ = 0;
-    bool has_content_ = false;
-    bool has_ended_ = false;
     LexedLine* lexed_ = nullptr;  // of the line that is read
     LexedLine own_lexed_;
     Match match_;

@@ -73,7 +73,7 @@ std::string_view KeptText::next() {
         return piece;
     }
     const std::string_view piece = source_.next();
-    if (is_lost_ || text_.size() + piece.size() > most_) {
+    if (is_lost_ || piece.size() > most_ - text_.size()) {
         is_lost_ = true;
         text_ = {};
         at_ = 0;

@@ -40,6 +40,11 @@ class KeptText final : public TextSource {
 
     std::string_view next() override;
     bool seek(std::uint64_t offset) override;
+    /// From here on all is kept, however long; false: the beginning is gone already.
+    bool keep_all() {
+        if (!is_lost_) most_ = ~std::size_t{0};
+        return !is_lost_;
+    }
 
   private:
     TextSource& source_;

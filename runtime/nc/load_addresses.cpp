@@ -53,6 +53,7 @@ void read_format(const XmlElement& element, NumberFormat& format, Attributes& at
     attributes.read_number(element, "revolution_increment", format.revolution_increment);
     attributes.read_flag(element, "truncates", format.truncates);
     attributes.read_flag(element, "minus", format.allows_minus);
+    attributes.read_flag(element, "plus", format.writes_plus);
 }
 
 /// More decimals than the writer's scaled integers hold. True if there are no more.
@@ -112,6 +113,7 @@ void load_address(const XmlElement& element, DialectTables& tables, Attributes& 
         }
     }
     attributes.read_flag(element, "incremental", address.is_incremental);
+    attributes.read_flag(element, "coordinate", address.is_coordinate);
     attributes.read_number(element, "order", address.order);
     attributes.read_number(element, "write_max", address.write_max);
     attributes.read_number(element, "read_max", address.read_max);

@@ -1,6 +1,8 @@
 // The spellings of functions and cycles: groups of codes, commands, cycles, deferred words.
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
+#include <system_error>
 
 #include "base/diagnostics/dialect.h"
 #include "base/numbers.h"
@@ -309,17 +311,42 @@ void FormLoader::read_settings(const XmlElement& element, CycleInfo& cycle) {
 std::optional<CycleId> FormLoader::cycle_of(const XmlElement& element) {
     const XmlAttribute& name = needed(element, "name");
     const XmlAttribute* parameters = element.find("parameters");
-    if (parameters != nullptr && !tables_.extends.empty()) {
-        attributes_.bad_value(*parameters, "cycles are declared in the common core only");
+    const XmlAttribute* file = element.find("file");
+    const auto known = cycle_named(tables_, name.value);
+    const bool is_core = tables_.extends.empty();
+    if (parameters != nullptr && !is_core && (known || file == nullptr)) {
+        attributes_.bad_value(*parameters,
+                              known ? "this cycle is declared already"
+                                    : "a cycle of the control's own needs its Kadr `file`");
         return std::nullopt;
     }
-    if (const auto known = cycle_named(tables_, name.value)) return known;
-    if (parameters != nullptr) return declare_cycle(name.value, *parameters);
+    if (file != nullptr && (known || is_core || parameters == nullptr)) {
+        attributes_.bad_value(*file,
+                              "only a cycle that is declared here, with `parameters`, has one");
+        return std::nullopt;
+    }
+    if (known) return known;
+    if (parameters != nullptr) {
+        const CycleId id = declare_cycle(name.value, *parameters);
+        if (file != nullptr) read_cycle_file(*file, tables_.cycles[id]);
+        return id;
+    }
     Names names;
     for (const CycleInfo& cycle : tables_.cycles) names.push_back(cycle.name);
     attributes_.bad_name({name.value, name.value_range}, name.name, names,
-                         "the common core declares no such cycle");
+                         "no cycle of this name is declared");
     return std::nullopt;
+}
+
+/// The Kadr file of a cycle lies beside the dialect that declares it.
+void FormLoader::read_cycle_file(const XmlAttribute& file, CycleInfo& cycle) {
+    namespace fs = std::filesystem;
+    const fs::path path = fs::path(tables_.file).parent_path() / file.value;
+    std::error_code error;
+    cycle.file = path.string();
+    cycle.file_range = file.value_range;
+    if (!fs::is_regular_file(path, error))
+        attributes_.bad_value(file, "there is no such file beside the dialect");
 }
 
 /// `to:length retract:length initial?:length`; the names stay in the tables.

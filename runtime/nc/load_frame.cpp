@@ -36,13 +36,15 @@ std::string fault_of_template(std::string_view line) {
 }
 
 void check_line(const XmlElement& line, Attributes& attributes) {
-    const bool is_filled = line.name == "header" || line.name == "start";
-    const bool is_plain = line.name == "finish" || line.name == "end";
+    const bool is_filled = line.name == "header" || line.name == "start" || line.name == "end";
+    const bool is_plain = line.name == "finish";
     std::string fault;
     if (is_filled) fault = fault_of_template(line.text);
     if (is_plain && line.text.find('{') != std::string::npos) {
-        fault = "only `header` and `start` are filled";
+        fault = "only `header`, `start` and `end` are filled";
     }
+    if (line.name == "end" && (line.text.starts_with('{') || line.text.starts_with('[')))
+        fault = "a reader knows the `end` line by what stands before its first placeholder";
     if (fault.empty()) return;
     attributes.fail();
     attributes.sink()
@@ -132,6 +134,7 @@ void load_rules(const XmlElement& element, Rules& rules, Attributes& attributes)
         if (sign->value.size() == 1) rules.end_sign = sign->value[0];
         else attributes.bad_value(*sign, "one ASCII character is expected");
     }
+    Attributes::read_text(element, "block_end", rules.block_end);
     Attributes::read_text(element, "modal_call", rules.modal_call);
     attributes.read_number(element, "skip_levels", rules.skip_levels);
     attributes.read_number(element, "default_skip", rules.default_skip);

@@ -25,13 +25,14 @@ bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0
 bool is_name_char(char c) { return is_letter(c) || c == '_'; }
 
 constexpr std::string_view kHoleNames[] = {
-    "variable", "value", "condition", "target", "loop",         "first", "last", "number",   "text",
-    "count",    "from",  "to",        "type",   "declarations", "cases", "jump", "statement"};
+    "variable", "value", "condition", "target", "loop",     "first", "last",
+    "number",   "text",  "count",     "from",   "to",       "type",  "declarations",
+    "cases",    "jump",  "statement", "call",   "procedure"};
 
 class LanguageLoader {
   public:
     LanguageLoader(DialectTables& tables, Attributes& attributes)
-        : language_(tables.language), attributes_(attributes) {}
+        : tables_(tables), language_(tables.language), attributes_(attributes) {}
 
     void load(const XmlElement& element) {
         language_.is_present = true;
@@ -42,6 +43,8 @@ class LanguageLoader {
         Attributes::read_text(element, "label_sign", language_.label_sign);
         Attributes::read_text(element, "end_label", language_.end_label);
         for (const XmlElement& child : element.children) {
+            load_examples(child);
+            if (child.name == "example") load_example(child, tables_);
             if (child.name == "rule") load_rule(child);
             if (child.name == "operator") load_operator(child);
             if (child.name == "function") load_function(child);
@@ -50,6 +53,7 @@ class LanguageLoader {
             if (child.name == "type") load_type(child);
             if (child.name == "codes") load_codes(child);
         }
+        load_calls(element, language_, attributes_);
     }
 
   private:
@@ -59,6 +63,12 @@ class LanguageLoader {
         if (attribute->value.size() != 1)
             return attributes_.bad_value(*attribute, "one sign is expected");
         out = attribute->value[0];
+    }
+
+    void load_examples(const XmlElement& element) {
+        for (const XmlElement& child : element.children) {
+            if (child.name == "example") load_example(child, tables_);
+        }
     }
 
     void load_rule(const XmlElement& element) {
@@ -137,7 +147,9 @@ class LanguageLoader {
             return attributes_.bad_value(
                 text, "a name is expected, and {n} or indices behind it: `R{n}`, `$P_EP[{axis}]`");
         }
-        for (const XmlElement& child : element.children) load_range(child, form);
+        for (const XmlElement& child : element.children) {
+            if (child.name == "range") load_range(child, form);
+        }
         if (form.ranges.empty())
             return attributes_.bad_value(text, "it needs a <range> that says what it is");
         std::erase_if(language_.variables,
@@ -312,6 +324,7 @@ class LanguageLoader {
 
     inline static const Names kTypeNames = {"real", "int", "bool", "char", "text"};
 
+    DialectTables& tables_;
     Language& language_;
     Attributes& attributes_;
 };
@@ -330,6 +343,14 @@ void load_language(const XmlElement& element, DialectTables& tables, Attributes&
         if (first < 128) language.variable_starts.set(first);
         if (first < 128 && tables.rules.ignores_case)
             language.variable_starts.set(static_cast<unsigned char>(std::tolower(first)));
+    }
+    language.call_starts.reset();
+    for (const CallForm& call : language.calls.calls) {
+        const char first = call.is_name ? call.code[0] : call.letter;
+        if (first != '{') language.call_starts.set(static_cast<unsigned char>(first));
+        // `P=3 NAME`
+        if (call.is_name && call.repeats != '\0')
+            language.call_starts.set(static_cast<unsigned char>(call.repeats));
     }
     // The longest first: `GOTOF` before `GOTO`, `<=` before `<`.
     std::ranges::stable_sort(language.operators, [](const OperatorForm& a, const OperatorForm& b) {

@@ -32,6 +32,9 @@ void load_example(const XmlElement& element, DialectTables& tables);
 // load_language.cpp: the control's own parametric language.
 void load_language(const XmlElement& element, DialectTables& tables, Attributes& attributes);
 
+// load_calls.cpp: how programs are called; a part of the language.
+void load_calls(const XmlElement& language, Language& out, Attributes& attributes);
+
 /// load_forms.cpp: the spellings of functions and cycles. The first time that a file spells a
 /// function, the spellings of the files it extends are dropped.
 class FormLoader {
@@ -52,6 +55,7 @@ class FormLoader {
     std::optional<CycleId> cycle_of(const XmlElement& element);
     void read_roles(const XmlElement& element, CycleInfo& cycle);
     void read_settings(const XmlElement& element, CycleInfo& cycle);
+    void read_cycle_file(const XmlAttribute& file, CycleInfo& cycle);
     CycleId declare_cycle(std::string_view name, const XmlAttribute& parameters);
     int group_named(std::string_view name);
     void add_forms(const Form& prototype, std::string_view text);

@@ -39,8 +39,11 @@ void load_alarm(const XmlElement& element, DialectTables& tables, Attributes& at
         return attributes.bad_name({name.value, name.value_range}, name.name, names,
                                    "there is no such diagnostic");
     }
-    AlarmText alarm{needed(element, "number").value, {}};
+    AlarmText alarm;
+    Attributes::read_text(element, "number", alarm.number);
     Attributes::read_text(element, "text", alarm.text);
+    if (alarm.number.empty() && alarm.text.empty())
+        return attributes.bad_value(name, "the control's `number` or its `text` is expected");
     if (const XmlAttribute* about = element.find("about")) {
         tables.alarms_about.push_back({name.value, about->value, std::move(alarm)});
         return;
@@ -73,10 +76,12 @@ void load_example(const XmlElement& element, DialectTables& tables) {
     Attributes::read_text(element, "source", example.source);
     Attributes::read_text(element, "block", example.block);
     Attributes::read_text(element, "meaning", example.meaning);
+    Attributes::read_text(element, "gives", example.gives);
     example.text = needed(element, "text").value;
     example.source_range = place("source");
     example.text_range = place("text");
     example.block_range = place("block");
+    example.gives_range = place("gives");
     tables.examples.push_back(std::move(example));
 }
 

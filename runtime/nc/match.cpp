@@ -262,7 +262,8 @@ class Matcher {
     bool has_distance(const FormWord& wanted) const {
         if (wanted.kind != FormWord::Kind::Value || !tables_.has_incremental_letters) return false;
         const Address& place = tables_.addresses[wanted.address];
-        if (place.slot < 0 || place.is_incremental) return false;
+        if (place.slot < 0 || place.is_incremental || wanted.dimension != place.dimension)
+            return false;  // the X of a dwell is no place
         for (std::size_t i = 0; i < words_.size(); ++i) {
             if (!used_[i] && address(i).is_incremental && address(i).slot == place.slot)
                 return true;
@@ -436,6 +437,7 @@ class Matcher {
     }
 
     void claim_word(const FormWord& wanted, std::size_t i, std::uint8_t invocation) {
+        if (wanted.is_any) return;
         if (wanted.kind == FormWord::Kind::Value || wanted.kind == FormWord::Kind::Quoted) {
             claim(wanted, i, -1, invocation);
         }
@@ -467,6 +469,7 @@ class Matcher {
         claim.tail_digits = wanted.tail_digits;
         claim.tail_parameter = wanted.tail_parameter;
         claim.factor = wanted.factor;
+        claim.plain_factor = wanted.plain_factor;
         claim.offset = wanted.offset;
     }
 
@@ -507,6 +510,9 @@ class Matcher {
         seen_slots_ |= bit(slot);
         if (!take_mode(word.mode, slot)) return MatchFault{MatchFault::Kind::Mode, i};
         if (head.is_incremental) block_.incremental |= bit(slot);
+        if (head.is_coordinate && word.mode == GivenWord::Mode::Modal &&
+            active_of(Group::Distance) != Function::Incremental)
+            block_.absolute |= bit(slot);
         used_[i] = true;
         Claim& claim = match_.claims[match_.claim_count++];
         claim = {};

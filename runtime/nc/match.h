@@ -63,7 +63,8 @@ struct Claim {
     bool in_increments = false;  // the number counts least increments
     int tail_digits = 0;         // that are another parameter, or none
     int tail_parameter = -1;
-    double factor = 1;  // number in the text = value · factor + offset
+    double factor = 1;        // number in the text = value · factor + offset
+    double plain_factor = 0;  // as factor, of a number without a point; 0: the same
     double offset = 0;
 };
 

@@ -142,6 +142,7 @@ bool append_plain(std::string& out, double number, const NumberFormat& format, D
     const bool is_minus = number < 0 && scaled != 0;
     if (is_minus && !format.allows_minus) return false;
     if (dimension == Dimension::Count && number != std::nearbyint(number)) return false;
+    if (format.writes_plus && !is_minus) out += '+';
     std::array<char, 32> text;
     out.append(text.data(), write_scaled(text.data(), scaled, is_minus, decimals, has_point));
     return true;
@@ -169,6 +170,7 @@ NumberFault append_number(std::string& out, double number, const NumberFormat& f
         for (std::ptrdiff_t missing = format.digits - (end - begin); missing > 0; --missing)
             out += '0';
     }
+    if (format.writes_plus && *begin != '-') out += '+';
     out.append(text.data(), end);
     const Decimal decimal = parse_decimal(begin, end);
     const double meaning = read_meaning(decimal, format, dimension, units);

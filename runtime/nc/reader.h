@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string_view>
+#include <vector>
 
 #include "base/stream.h"
 #include "nc/dialect.h"
@@ -36,6 +37,11 @@ class BlockPlaces {
     virtual LinePlace place(const Block& block) const = 0;
     virtual LinePlace place(const Block& block, Slot slot) const = 0;
     virtual LinePlace place(const Block& block, Function function) const = 0;
+    /// Where the program of the block was called, the nearest call first.
+    virtual std::vector<LinePlace> calls(const Block& block) const {
+        static_cast<void>(block);
+        return {};
+    }
     virtual bool failed() const = 0;
     /// Whether the blocks ended where somebody wanted them to, in front of more.
     virtual bool stopped() const { return false; }

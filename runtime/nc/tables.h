@@ -41,6 +41,7 @@ struct NumberFormat {
     double revolution_increment = 0;  // the same for a feed per revolution; 0: as `increment`
     bool truncates = false;           // digits beyond `decimals` are dropped when read
     bool allows_minus = true;
+    bool writes_plus = false;  // `X+10`
 };
 
 using AddressId = std::uint16_t;
@@ -60,6 +61,7 @@ struct Address {
     std::uint8_t read_max = 1;   // … and read
     bool is_block_number = false;
     bool is_incremental = false;  // its words are distances: U on a lathe is a way along X
+    bool is_coordinate = false;   // of a centre: counts as the axis words do, not from the start
     NumberFormat format;
     std::vector<FormId> forms;  // that begin with it, any value (Value, Word, Call)
 };
@@ -102,6 +104,8 @@ struct FormWord {
     int tail_value = 0;
     bool is_named_only = false;  // the word stands for itself, its number is always 0
     bool is_lead = false;        // the lead of a thread, which counts on every turn
+    bool is_any = false;         // `{}`: a number on which nothing depends; read only
+    double plain_factor = 0;     // `s|ms`: as `factor`, of a number without a point; 0: the same
     bool adds = false;           // read: added to the parameter; written: 0
     bool has_default = false;    // written with `fallback` if the parameter was not given
     double fallback = 0;
@@ -216,6 +220,7 @@ struct Rules {
     bool blanks_inside_words = false;  // `X 10`, `G 0 1`
     bool has_several_skips = false;    // `/1/3`: left out at either level
     char end_sign = '\0';              // that may end a block before the line ends
+    std::string block_end;             // written behind the words of every block
     std::string modal_call;            // word that makes the cycle behind it modal; empty: none
     int skip_levels = 10;              // `/0` … `/9`
     int default_skip = 0;              // what `/` alone means; the lowest level
@@ -284,6 +289,11 @@ struct DialectTables {
     std::vector<FormId> comment_forms;         // `(MSG,{text})`
     std::bitset<kFunctions> said_with_others;  // functions of forms that also set others
 
+    UsedEntries* used = nullptr;  // notes what texts use; as a rule nobody does
+
+    void note(const void* entry) const {
+        if (used != nullptr) used->insert(entry);
+    }
     AddressId find_address(std::string_view text) const {
         if (text.size() == 1) {
             const auto letter = static_cast<unsigned char>(text[0]);

@@ -18,6 +18,7 @@ struct Writer::State {
     const DialectTables& tables;
     BlockWriter blocks;
     std::vector<std::string> start_lines;  // waiting for the first block that does something
+    std::vector<std::string> end_lines;
     bool has_started = false;
 };
 
@@ -113,6 +114,8 @@ void Writer::begin(const ProgramInfo& program, std::string& out) {
     s.start_lines.clear();
     for (const std::string& line : s.tables.program.start)
         s.start_lines.push_back(filler.fill(line));
+    s.end_lines.clear();
+    for (const std::string& line : s.tables.program.end) s.end_lines.push_back(filler.fill(line));
     s.has_started = false;
 }
 
@@ -135,7 +138,7 @@ void Writer::end(std::string& out) {
         for (const std::string& line : s.tables.program.finish)
             s.blocks.write_line(line, true, out);
     }
-    for (const std::string& line : s.tables.program.end) s.blocks.write_line(line, false, out);
+    for (const std::string& line : s.end_lines) s.blocks.write_line(line, false, out);
 }
 
 std::uint32_t Writer::lines() const { return state_->blocks.lines(); }

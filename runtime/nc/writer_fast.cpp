@@ -33,7 +33,7 @@ void BlockWriter::prepare_fast() {
         // A missing point must not change the meaning, and minus must be allowed.
         const bool has_increments = format.increment > 0 || format.inch_increment > 0;
         const bool is_usual = address.name.size() == 1 && format.point != PointRule::Never &&
-                              format.allows_minus &&
+                              format.allows_minus && !format.writes_plus &&
                               (format.point == PointRule::Always || !has_increments);
         if (!is_usual) continue;
         FastAxis axis;
@@ -127,6 +127,7 @@ bool BlockWriter::write_fast(const Block& block, std::string& out) {
         modal_.meant_feed = block.at(Slot::Feed);
         modal_.has_meant_feed = true;
     }
+    end_block(out);
     close_line(out);
     return true;
 }

@@ -145,6 +145,7 @@ void BlockWriter::write_items(const Block& block, Items& items, const Targets& t
             later.add(item);
         }
     }
+    end_block(out);
     if (!block.comment.empty() && fits) append_comment(block.comment, out);
     close_line(out);
     for (const Item& item : items.all()) {
@@ -152,6 +153,7 @@ void BlockWriter::write_items(const Block& block, Items& items, const Targets& t
         for (const std::vector<FormWord>& line : tables_.forms[item.form].extra) {
             open_line(block.skip, true, out);
             append_words(block, line, item.invocation, false, out);
+            end_block(out);
             close_line(out);
             note_line(line);
         }
@@ -441,6 +443,13 @@ void BlockWriter::append_parameter(const Block& block, const FormWord& word,
         append_factor(block, number, std::abs(word.factor) == 1000, format, name, out);
         return;
     }
+    if (word.plain_factor > 0) {
+        NumberFormat pointed = format;  // without its point the number would mean another unit
+        pointed.point = PointRule::Always;
+        const NumberFault fault = append_number(out, number, pointed, word.dimension, modal_.units);
+        if (fault != NumberFault::None) number_fault(block, fault, number, name);
+        return;
+    }
     const NumberFault fault =
         word.is_lead ? append_number(out, number, lead_format(format), word.dimension, modal_.units)
                      : append_number(out, number, format, word.dimension, modal_.units);
@@ -576,6 +585,9 @@ void BlockWriter::open_line(int skip, bool is_numbered, std::string& out) {
     out.append(begin, end);
 }
 
+/// The sign that the control wants behind the words of a block.
+void BlockWriter::end_block(std::string& out) const { out += tables_.rules.block_end; }
+
 void BlockWriter::close_line(std::string& out) {
     const std::size_t length = out.size() - line_start_;
     if (length + 1 > tables_.rules.write_line) {
@@ -603,6 +615,7 @@ void BlockWriter::write_line(std::string_view line, bool is_numbered, std::strin
     open_line(-1, is_numbered, out);
     if (is_numbered) blank(out);
     out += line;
+    if (is_numbered) end_block(out);
     close_line(out);
 }
 

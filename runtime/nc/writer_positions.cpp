@@ -228,9 +228,13 @@ void BlockWriter::place_center_as_given(const Block& block, const WrittenPositio
         if (!block.has(slot)) continue;
         if (!has_address(slot)) return cannot_express(block, "an arc centre");
         double number = to_text(slot, block.at(slot));
-        if ((block.absolute & bit(slot)) != 0) {
+        const bool is_start_known = (start.known >> axis & 1u) != 0;
+        const bool is_coordinate = (block.absolute & bit(slot)) != 0;
+        if (is_coordinate_center(slot)) {
+            if (!is_coordinate && is_start_known) number += to_text(slot, start.text[axis]);
+            if (!is_coordinate && !is_start_known) position_unknown(block, address_of(slot).name);
+        } else if (is_coordinate) {
             // A coordinate, where the control takes distances only, needs the start.
-            const bool is_start_known = (start.known >> axis & 1u) != 0;
             if (tables_.rules.has_modes) targets.wrapped_absolute |= bit(slot);
             else if (is_start_known) number -= to_text(slot, start.text[axis]);
             else position_unknown(block, address_of(slot).name);
@@ -280,6 +284,8 @@ void BlockWriter::place_center(const Block& block, const WrittenPosition& start,
             center = other;
         }
     }
+    if (is_coordinate_center(center_slot(axes[0])))
+        return place_center_as_coordinates(block, start, center, targets);
     const SlotMask coordinates = block.absolute & block.given & in_plane;
     const bool writes_absolute = is_absolute && tables_.rules.has_modes;
     const int places = decimals(center_slot(axes[0]));
@@ -297,6 +303,31 @@ void BlockWriter::place_center(const Block& block, const WrittenPosition& start,
         if (writes_absolute && (coordinates & bit(slot)) != 0)
             targets.wrapped_absolute |= bit(slot);
         targets.number[static_cast<std::size_t>(slot)] = number;
+    }
+}
+
+/// Whether the letter of a centre counts as axis words do, and those are coordinates now.
+bool BlockWriter::is_coordinate_center(Slot slot) const {
+    return has_address(slot) && address_of(slot).is_coordinate &&
+           modal_.text_of(Group::Distance) != Function::Incremental;
+}
+
+/// Centre and end of an arc as coordinates, all of them: where a centre stays for the next arc, a
+/// word that is missing is not 0.
+void BlockWriter::place_center_as_coordinates(const Block& block, const WrittenPosition& start,
+                                              const PlanePoint& center, Targets& targets) {
+    const std::array<std::size_t, 3> axes = plane_axes();
+    const ArcPoints arc = arc_points(start);
+    const int places = decimals(center_slot(axes[0]));
+    const PlanePoint words = center_words(arc, center, places, {false, false}, true);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Slot slot = center_slot(axes[i]);
+        if (!has_address(slot)) return cannot_express(block, "an arc centre");
+        if ((start.known >> axes[i] & 1u) == 0) return position_unknown(block, kAxisNames[axes[i]]);
+        const SlotMask end = bit(static_cast<Slot>(axes[i]));
+        if ((targets.written & end) == 0) targets.number[axes[i]] = arc.text_end[i];
+        targets.written |= bit(slot) | end;
+        targets.number[static_cast<std::size_t>(slot)] = words[i];
     }
 }
 
@@ -348,6 +379,10 @@ bool BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
     }
     if (!exact || !has_center || !is_comparable) {
         cannot_express(block, "an arc by radius from an unknown position");
+        return true;
+    }
+    if (is_coordinate_center(center_slot(axes[0]))) {
+        place_center_as_coordinates(block, start, *exact, targets);
         return true;
     }
     const PlanePoint words = center_words(points, *exact, places, {false, false}, false);

@@ -54,6 +54,7 @@ struct WriterModal {
     std::array<Standing, 3> origin{};  // programmable shift as the program means it, mm
 
     Function& text_of(Group group) { return text[static_cast<std::size_t>(group)]; }
+    Function text_of(Group group) const { return text[static_cast<std::size_t>(group)]; }
     Function& meant_of(Group group) { return meant[static_cast<std::size_t>(group)]; }
 
     /// Keeps of the control's state only what was the same in another one.

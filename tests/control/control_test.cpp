@@ -3,14 +3,17 @@
 // A program is a file below the folder of its dialect. Its comments say what must come of it:
 //   rule: F 6.3 …            the place in the manual's digest that it shows
 //   expect: #1=14            a variable at the end; `#1 vacant` or `R1 unset`: it was never set
-//   expect: to X10 Y5        the end of the next motion; if one is told, all are. Behind it may stand
+//   expect: to X10 Y5        the end of the next motion; if one is told, all are. Behind it may
+//   stand
 //                            rapid, line, cw or ccw, the centre I J K of an arc, and the feed F
 //   expect: path X20 x40z-30  the next motions in short, what they change: capitals at rapid, small
 //                            letters at feed, t1.5: before a thread of that lead, cw: and ccw:
 //                            before an arc; f0.2 where the feed changes; X of a lathe is a diameter
 //   expect: message TEXT     the next message;  expect: stop  a stop of the program
 //   expect: alarm PS0115 K5410 at 3:4   the alarm that ends it, its row, line and column
+//   expect: called 5:3       … and where the program of that line was called, the nearest first
 //   skip: 1                  blocks of this level are left out
+// Programs that are called stand in the same file, or in the folder `called` beside it.
 // What is not told must not happen: a program without `alarm` ends without one.
 #include "base/diagnostics/control.h"
 
@@ -25,6 +28,7 @@
 #include <vector>
 
 #include "driver/cycles.h"
+#include "driver/program_files.h"
 #include "driver/session.h"
 #include "interp/program.h"
 #include "tests/interp/bench.h"
@@ -63,6 +67,7 @@ struct Expected {
     std::string path;
     std::vector<std::string> shown;  // messages and stops
     std::string alarm;
+    std::string called;
     std::uint16_t skip_levels = 0;
     bool has_rule = false;
 };
@@ -96,6 +101,9 @@ Expected parse(const std::string& text) {
             expected.path += (expected.path.empty() ? "" : " ") + value.substr(5);
         } else if (value.starts_with("alarm ")) {
             expected.alarm = value.substr(6);
+        } else if (value.starts_with("called ")) {
+            if (!expected.called.empty()) expected.called += ' ';
+            expected.called += value.substr(7);
         } else if (value.starts_with("message") || value == "stop") {
             expected.shown.push_back(value);
         } else if (const std::size_t blank = value.rfind(' ');
@@ -200,7 +208,10 @@ const nc::Dialect& dialect_named(const std::string& name) {
     if (const auto known = loaded.find(name); known != loaded.end()) return known->second;
     Sources sources;
     DiagnosticList messages;
-    auto dialect = nc::load_dialect(name, {KADR_ROOT "/dialects"}, sources, messages);
+    auto dialect = nc::load_dialect(name,
+                                    {KADR_ROOT "/tests/control/dialects", KADR_ROOT "/dialects",
+                                     KADR_ROOT "/examples/dialects"},
+                                    sources, messages);
     EXPECT_TRUE(dialect.has_value());
     return loaded.emplace(name, std::move(*dialect)).first->second;
 }
@@ -228,7 +239,7 @@ CycleExpander* cycles_of(const nc::Dialect& dialect) {
 }
 
 Outcome run_program(const nc::Dialect& dialect, const std::string& text, const Expected& expected,
-                    bool can_seek) {
+                    const fs::path& folder, bool can_seek) {
     machine::Machine machine = mill();
     machine.work_offsets = {{}, {}, {10, 20, 30}};
     machine.tools[0].length = 0;
@@ -239,6 +250,8 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
     options.skip_levels = expected.skip_levels;
     options.max_turns = 20'000;
     options.max_repeated = 5'000;
+    driver::ProgramFolders files({(folder / "called").string()});
+    options.files = &files;
     Program program(dialect, source, "test", options, messages);
     InterpreterOptions interpreting;
     interpreting.skip_levels = expected.skip_levels;
@@ -265,14 +278,24 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
     return outcome;
 }
 
+/// "5:3" in the program itself, "O9100.NC:2:1" in another file.
+std::string place_name(const LinePlace& place) {
+    const std::string file =
+        place.file == "test" ? "" : fs::path(place.file).filename().string() + ':';
+    return file + std::to_string(place.line) + ':' + std::to_string(place.column);
+}
+
 void check_alarm(const Expected& expected, const Outcome& outcome) {
     std::string found;
     for (const Diagnostic& message : outcome.messages) {
         if (message.severity != Severity::Alarm || !found.empty()) continue;
         found = message.alarm_number + ' ' + std::string(message.row->code);
         if (message.line) {
-            found += " at " + std::to_string(message.line->line) + ':' +
-                     std::to_string(message.line->column);
+            found += " at " + place_name(*message.line);
+            std::string called;
+            for (const Diagnostic::Note& note : message.notes)
+                if (note.line) called += (called.empty() ? "" : " ") + place_name(*note.line);
+            EXPECT_EQ(called, expected.called);
         }
         if (expected.alarm.empty()) found += " (" + message.message() + ')';
     }
@@ -322,6 +345,56 @@ TEST(ControlText, JumpsBackAsFarAsTextIsKept) {
     }
 }
 
+/// One program in a file; counts how often it is opened and read.
+class CountedFile final : public ProgramFiles {
+  public:
+    std::optional<File> open(const nc::Dialect& dialect, const std::string& program) override {
+        static_cast<void>(dialect);
+        ++opened;
+        if (program != "2") return std::nullopt;
+        return File{"O2", std::make_unique<Text>(*this)};
+    }
+    int opened = 0;
+    int read = 0;
+
+  private:
+    class Text final : public nc::TextSource {
+      public:
+        explicit Text(CountedFile& file) : file_(file) {}
+        std::string_view next() override {
+            const std::string_view rest = std::string_view("O2\n#100=#100+#1\nM99\n").substr(at_);
+            at_ += rest.size();
+            if (!rest.empty()) ++file_.read;
+            return rest;
+        }
+        bool seek(std::uint64_t offset) override {
+            at_ = static_cast<std::size_t>(offset);
+            return true;
+        }
+
+      private:
+        CountedFile& file_;
+        std::size_t at_ = 0;
+    };
+};
+
+TEST(ControlText, AProgramThatIsCalledOftenIsReadOnce) {
+    const std::string text = "WHILE[#1LT500]DO1\n#1=#1+1\nG65P2A2.\nEND1\nM30\n";
+    DiagnosticList messages;
+    PiecedText source(text, true);
+    CountedFile file;
+    ProgramOptions options;
+    options.files = &file;
+    Program program(dialect_named("fanuc"), source, "test", options, messages);
+    std::vector<nc::Block> blocks(8);
+    while (program.pull(blocks) > 0) continue;
+    EXPECT_TRUE(messages.all().empty());
+    EXPECT_EQ(shown(program.variables().at(1)), "1000");
+    EXPECT_EQ(file.opened, 1);
+    // To look for its head, for the first pass, and to keep its lines.
+    EXPECT_LE(file.read, 6);
+}
+
 TEST(ControlText, WordsOfTheLanguageAreExplained) {
     const auto first = [](const char* dialect, const char* word) {
         const std::vector<std::string> lines = nc::explain(dialect_named(dialect), word);
@@ -344,6 +417,14 @@ TEST(ControlText, WordsOfTheLanguageAreExplained) {
               "`R{n}` from 0 to 999 is a variable of the whole run; R parameter");
     EXPECT_EQ(first("sinumerik", "SQRT"),
               "`SQRT({a})` is square_root: of a number that is not negative");
+    EXPECT_EQ(
+        first("fanuc", "M98"),
+        "`M98` calls a subprogram, behind the words of its block; P is the program; L is how "
+        "often; Q is the block where it begins; M98 P30012 is 3 times O0012; with Q from that "
+        "block on");
+    EXPECT_EQ(first("sinumerik", "RET"),
+              "`RET` is return: ends the program; the one that has called it goes on, at a target "
+              "if one is given");
     EXPECT_EQ(first("sinumerik", "$P_F"),
               "`$P_F` is feed: programmed feed in the unit of its mode; 0 none; programmed feed");
 }
@@ -486,7 +567,7 @@ std::string roughing_of(const RandomShape& shape) {
 void check_roughing(const RandomShape& shape, double side) {
     const std::string text = roughing_of(shape);
     SCOPED_TRACE(text);
-    const Outcome outcome = run_program(dialect_named("fanuc-lathe"), text, {}, true);
+    const Outcome outcome = run_program(dialect_named("fanuc-lathe"), text, {}, kPrograms, true);
     for (const Diagnostic& message : outcome.messages)
         ASSERT_NE(message.severity, Severity::Alarm) << message.message();
     ASSERT_GT(outcome.motions.size(), 3u);
@@ -533,39 +614,61 @@ TEST(LatheCycles, RoughingKeepsOffTheShape) {
     }
 }
 
-class Control : public testing::TestWithParam<fs::path> {};
+/// A program, and the control that executes it.
+struct Case {
+    fs::path file;
+    std::string dialect;
+};
+
+class Control : public testing::TestWithParam<Case> {};
 
 TEST_P(Control, DoesWhatTheManualSays) {
-    const fs::path& file = GetParam();
+    const fs::path& file = GetParam().file;
     const std::string text = content_of(file);
     const Expected expected = parse(text);
     EXPECT_TRUE(expected.has_rule) << "the file names no rule";
-    const nc::Dialect& dialect = dialect_named(file.parent_path().filename());
+    const nc::Dialect& dialect = dialect_named(GetParam().dialect);
     for (const bool can_seek : {true, false}) {
         SCOPED_TRACE(can_seek ? "from a file" : "through a pipe");
-        check(expected, run_program(dialect, text, expected, can_seek), is_of_lathe(dialect));
+        check(expected, run_program(dialect, text, expected, file.parent_path(), can_seek),
+              is_of_lathe(dialect));
     }
 }
 
 std::vector<fs::path> programs() {
     std::vector<fs::path> files;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kPrograms)) {
-        if (entry.path().extension() == ".nc" || entry.path().extension() == ".mpf")
-            files.push_back(entry.path());
+        const fs::path folder = entry.path().parent_path();
+        if (folder.filename() == "called" || folder.filename() == "same_part") continue;
+        const std::string suffix = entry.path().extension();
+        if (suffix == ".nc" || suffix == ".mpf" || suffix == ".i") files.push_back(entry.path());
     }
     std::ranges::sort(files);
     return files;
 }
 
-std::string test_name(const testing::TestParamInfo<fs::path>& test) {
-    std::string name =
-        test.param.parent_path().filename().string() + '_' + test.param.stem().string();
+/// Every program on the control of its folder; those of SINUMERIK on AxiOMA, too: nothing is known
+/// of its language that differs in what these programs use, and so there is no exception.
+std::vector<Case> cases() {
+    std::vector<Case> all;
+    for (const fs::path& file : programs()) {
+        const std::string dialect = file.parent_path().filename();
+        all.push_back({file, dialect});
+        if (dialect == "sinumerik") all.push_back({file, "axioma"});
+    }
+    return all;
+}
+
+std::string test_name(const testing::TestParamInfo<Case>& test) {
+    std::string name = test.param.dialect + '_' +
+                       test.param.file.parent_path().filename().string() + '_' +
+                       test.param.file.stem().string();
     std::ranges::replace_if(
         name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
     return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Programs, Control, testing::ValuesIn(programs()), test_name);
+INSTANTIATE_TEST_SUITE_P(Programs, Control, testing::ValuesIn(cases()), test_name);
 
 }  // namespace
 }  // namespace kadr::interp

@@ -152,15 +152,29 @@ TEST_F(Docs, TheNewcomersPathCanBeWalked) {
     EXPECT_TRUE(fs::exists("plate.jsonl"));
 }
 
-/// The control that the page describes is written, checked, used and read, word for word.
-TEST_F(Docs, TheInventedControlWorks) {
+/// A piece of the page with a file behind its kind, `xml zarya.xml`: the file; with `add` behind
+/// it, a piece that is put in at the end of the dialect that the file has.
+void write_piece(const Fence& fence) {
+    const std::vector<std::string> words = words_of(fence.info);
+    std::string text = fence.text;
+    if (words.size() == 3 && words[2] == "add") {
+        const std::string before = kadr::read_file(words[1]).value_or("");
+        const std::size_t end = before.find("</dialect>");
+        ASSERT_NE(end, std::string::npos) << words[1];
+        text = before.substr(0, end) + fence.text + before.substr(end);
+    }
+    ASSERT_TRUE(kadr::write_file_whole(words[1], text));
+}
+
+/// The controls that the page describes are written, checked, used and read, word for word.
+TEST_F(Docs, TheInventedControlsWork) {
     int commands = 0;
     int texts = 0;
+    int alarms = 0;
     std::string said;
     for (const Fence& fence : fences("docs/dialects.md")) {
-        const std::size_t blank = fence.info.find(' ');
-        if (blank != std::string::npos) {
-            ASSERT_TRUE(kadr::write_file_whole(fence.info.substr(blank + 1), fence.text));
+        if (fence.info.find(' ') != std::string::npos) {
+            write_piece(fence);
         } else if (fence.info == "text") {
             ++texts;
             EXPECT_EQ(said, fence.text) << "docs/dialects.md:" << fence.line;
@@ -173,15 +187,48 @@ TEST_F(Docs, TheInventedControlWorks) {
             words[0] = KADR_BINARY;
             const ProcessResult result = run_process(words);
             const bool is_refused = line.find("# refused") != std::string::npos;
-            EXPECT_EQ(result.status, is_refused ? 1 : 0) << line << '\n' << result.err;
-            if (is_refused) {
-                EXPECT_NE(result.err.find("alarm[E12]: BAD CODE"), std::string::npos);
-            }
+            EXPECT_EQ(result.status, is_refused ? 1 : 0)
+                << "docs/dialects.md:" << fence.line << ' ' << line << '\n'
+                << result.err;
+            alarms += result.err.find("alarm[E12]: BAD CODE") != std::string::npos ? 1 : 0;
             said = result.out;
         }
     }
-    EXPECT_GE(commands, 8);
-    EXPECT_EQ(texts, 2);
+    EXPECT_GE(commands, 25);
+    EXPECT_EQ(texts, 3);
+    EXPECT_EQ(alarms, 1);
+}
+
+/// Every command with its parameters and its meaning, every cycle with its parameters.
+TEST_F(Docs, TheVocabularyIsInThePageOnDialects) {
+    std::string page = kadr::read_file(KADR_ROOT "/docs/dialects.md").value_or("");
+    page.erase(0, page.find("## 7. The vocabulary"));
+    const std::string commands =
+        kadr::read_file(KADR_ROOT "/runtime/nc/vocabulary.def").value_or("");
+    const std::regex command(R"re(\nKADR_FUNCTION\(\w+, "(\w+)", \w+, "([^"]*)", "(.*)"\))re");
+    int rows = 0;
+    const auto expect_row = [&](const std::string& name, const std::string& parameters,
+                                const std::string& meaning) {
+        ++rows;
+        std::string written;
+        for (const std::string& parameter : words_of(parameters))
+            written += (written.empty() ? "`" : " `") + parameter + '`';
+        const std::size_t row = page.find("| `" + name + "` | ");
+        ASSERT_NE(row, std::string::npos) << name;
+        const std::string line = page.substr(row, page.find('\n', row) - row);
+        EXPECT_NE(line.find("| " + (written.empty() ? "—" : written) + " |"), std::string::npos)
+            << line;
+        EXPECT_TRUE(line.ends_with("| " + meaning + " |")) << line << '\n' << meaning;
+    };
+    for (std::sregex_iterator at(commands.begin(), commands.end(), command), end; at != end; ++at)
+        expect_row((*at)[1], (*at)[2], (*at)[3]);
+    EXPECT_GT(rows, 80);
+    const std::string core = kadr::read_file(KADR_ROOT "/dialects/iso.xml").value_or("");
+    const std::regex cycle(R"re(<cycle name="(\w+)" parameters="([^"]*)"[^>]*meaning="([^"]*)")re");
+    rows = 0;
+    for (std::sregex_iterator at(core.begin(), core.end(), cycle), end; at != end; ++at)
+        expect_row((*at)[1], (*at)[2], (*at)[3]);
+    EXPECT_GT(rows, 20);
 }
 
 TEST_F(Docs, ThePageOnDebuggingShowsWhatIsSaid) {

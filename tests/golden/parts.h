@@ -5,6 +5,7 @@
 #include <cctype>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/text.h"
@@ -14,6 +15,17 @@ namespace golden {
 namespace fs = std::filesystem;
 
 inline const std::vector<std::string> kDialects = {"sinumerik", "fanuc", "axioma"};
+
+/// A control of examples/dialects, and the parts for a mill that it has no words for. Neither has
+/// splines: a part made of them moves along their lines.
+struct MadeControl {
+    std::string_view name;
+    std::vector<std::string_view> cannot_say;
+};
+inline const std::vector<MadeControl> kMadeControls = {
+    {"haas", {"frames", "probe"}},
+    {"heidenhain-iso", {"housing", "cycle_tap", "frames", "probe"}},
+};
 
 /// A Kadr program and the machine that it is made for.
 struct Part {

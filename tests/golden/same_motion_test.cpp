@@ -143,6 +143,47 @@ TEST_P(InputDialect, SourceMovesAsItsTextDoes) {
 INSTANTIATE_TEST_SUITE_P(Pairs, InputDialect, testing::ValuesIn(all_pairs()),
                          [](const auto& pair) { return pair.param.source.stem().string(); });
 
+// ---------------------------------------------------------------- controls made by the document
+
+/// The moves of a text, with their feeds.
+std::vector<json> moves_of(const std::filesystem::path& text, const std::string& dialect) {
+    std::vector<json> moves;
+    for (const json& command : commands_of({text, "mill"}, dialect, "native")) {
+        if (!command.contains("to")) continue;
+        json move;
+        for (const char* key : {"op", "to", "center", "sweep", "feed"}) {
+            if (command.contains(key)) move[key] = command[key];
+        }
+        moves.push_back(std::move(move));
+    }
+    return moves;
+}
+
+TEST(MadeControls, HaveNoMistake) {
+    for (const golden::MadeControl& control : golden::kMadeControls) {
+        const std::string file =
+            KADR_ROOT "/examples/dialects/" + std::string(control.name) + ".xml";
+        const ProcessResult result = run_process({KADR_BINARY, "dialect", "check", file});
+        EXPECT_EQ(result.status, 0) << result.out << result.err;
+    }
+}
+
+/// Cycles that only such a control has, against their moves written one by one for another one.
+TEST(MadeControls, CyclesOfTheirOwnMoveAsWrittenOut) {
+    const std::filesystem::path folder = KADR_ROOT "/tests/golden/made";
+    for (const auto& [stem, dialect] :
+         {std::pair("tnc_cycles", "heidenhain-iso"), std::pair("haas_pockets", "haas")}) {
+        SCOPED_TRACE(stem);
+        const std::filesystem::path own = folder / (std::string(stem) + '.' + dialect + ".txt");
+        const std::filesystem::path plain = folder / (std::string(stem) + ".fanuc.txt");
+        const std::vector<json> reference = moves_of(plain, "fanuc");
+        ASSERT_GT(reference.size(), 15u);
+        expect_same(reference,
+                    moves_of(own, KADR_ROOT "/examples/dialects/" + std::string(dialect) + ".xml"),
+                    stem);
+    }
+}
+
 class SameMotion : public testing::TestWithParam<Part> {};
 
 TEST_P(SameMotion, OnEveryControl) {
@@ -153,6 +194,33 @@ TEST_P(SameMotion, OnEveryControl) {
             expect_same(reference, commands_of(GetParam(), dialect, cycles),
                         dialect + ", cycles " + cycles);
         }
+    }
+}
+
+/// What a control of examples/dialects can say of a part moves as it does elsewhere; it can say all
+/// parts for a mill but those that are told here.
+TEST_P(SameMotion, OnControlsMadeByTheDocument) {
+    if (GetParam().machine == "lathe") return;
+    const std::vector<json> reference = commands_of(GetParam(), "sinumerik", "moves");
+    const bool has_spline =
+        std::any_of(reference.begin(), reference.end(),
+                    [](const json& command) { return command["op"] == "spline"; });
+    for (const golden::MadeControl& control : golden::kMadeControls) {
+        SCOPED_TRACE(control.name);
+        const std::string file =
+            KADR_ROOT "/examples/dialects/" + std::string(control.name) + ".xml";
+        const ProcessResult result =
+            run_process({KADR_BINARY, "expand", GetParam().source.string(), "-d", file});
+        const auto& missing = control.cannot_say;
+        const bool is_missing =
+            std::find(missing.begin(), missing.end(), GetParam().name()) != missing.end();
+        EXPECT_EQ(result.status != 0, is_missing) << result.err;
+        if (result.status != 0) {
+            EXPECT_NE(result.err.find("K4201"), std::string::npos) << result.err;
+            continue;
+        }
+        if (has_spline) continue;
+        expect_same(reference, commands_of(GetParam(), file, "native"), std::string(control.name));
     }
 }
 

@@ -40,6 +40,7 @@ TEST(DialectFiles, ExamplesAreTrue) {
         const Dialect& dialect = testing::shipped(name);
         EXPECT_FALSE(dialect.examples().empty());
         for (const Example& example : dialect.examples()) {
+            if (!example.gives.empty()) continue;  // a program, which the interpreter runs
             SCOPED_TRACE(std::string(name) + ": " + example.source + example.text);
             std::vector<Block> blocks;
             if (!example.source.empty())

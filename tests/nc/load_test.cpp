@@ -67,7 +67,7 @@ TEST(Load, MistakesHaveTheirPlace) {
              {"<gruop name=\"x\"/>", "K9103", 2, 2},
              {"<group name=\"x\"><command/></group>", "K9103", 2, 18},
              {"<number addresses=\"X\" decimal=\"3\"/>", "K9104", 2, 23},
-             {"<alarm for=\"IsoUnknownCode\"/>", "K9105", 2, 2},
+             {"<alarm for=\"IsoUnknownCode\"/>", "K4006", 2, 13},
              {"<number addresses=\"X\" point=\"sometimes\"/>", "K4006", 2, 30},
              {"<number addresses=\"X\" decimals=\"many\"/>", "K4006", 2, 33},
              {"<number addresses=\"X\" decimals=\"12\"/>", "K4006", 2, 33},

@@ -139,19 +139,6 @@ Block source_block(const Dialect& dialect, std::string_view statement) {
                          statement.substr(open + 1, statement.size() - open - 2));
 }
 
-namespace {
-
-class OneText final : public TextSource {
-  public:
-    explicit OneText(std::string_view text) : text_(text) {}
-    std::string_view next() override { return std::exchange(text_, {}); }
-
-  private:
-    std::string_view text_;
-};
-
-}  // namespace
-
 ReadText read_blocks(const Dialect& dialect, std::string_view text) {
     ReadText result;
     OneText source(text);

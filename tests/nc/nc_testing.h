@@ -3,11 +3,13 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/diagnostic.h"
 #include "base/render.h"
 #include "nc/dialect.h"
+#include "nc/reader.h"
 
 namespace kadr::nc::testing {
 
@@ -30,6 +32,16 @@ SourceWord source_word(std::string_view text);
 /// A block from a Kadr statement in the words of a dialect (`G1 X10 F200;`) or a command
 /// (`dwell(time: 0.5s);`). Numbers go in as the evaluator would put them, for metric programs.
 Block source_block(const Dialect& dialect, std::string_view statement);
+
+/// A text in one piece that cannot be read again.
+class OneText final : public TextSource {
+  public:
+    explicit OneText(std::string_view text) : text_(text) {}
+    std::string_view next() override { return std::exchange(text_, {}); }
+
+  private:
+    std::string_view text_;
+};
 
 /// Blocks of a text, and what the reader said.
 struct ReadText {

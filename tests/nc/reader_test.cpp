@@ -191,8 +191,10 @@ TEST(Reader, BlockNumbersAndHeadersHaveTheirPlace) {
     expect_alarms("sinumerik", {
                                    {"G1 X1 N10 F5", "12080", 1, 7},
                                    {"N10 N20 X1", "12080", 1, 5},
-                                   {"%_N_A_MPF\nX1\n%_N_B_MPF", "12080", 3, 1},
+                                   {"%_N_A_MPF\nX1\n%B", "12080", 3, 1},
                                });
+    // Behind the head of another program nothing belongs to this one.
+    expect_blocks("sinumerik", {{"%_N_A_MPF\nX1\n%_N_B_SPF\nX2", "X1"}});
     expect_blocks("sinumerik", {{"; REMARK\n%_N_A_MPF\n\nX1", "comment \"REMARK\"\nX1"}});
     expect_blocks("fanuc", {
                                {"G01 X1. N10 Y2.", "N10 line X1 Y2"},

@@ -589,13 +589,16 @@ TEST(Writer, LongCommentsGoOn) {
 
 TEST(Writer, ANumberThatWouldReadOtherwiseIsNeverWritten) {
     // A point that is left out where the control then counts increments.
-    const std::string file = ::testing::TempDir() + "kadr_broken_point.xml";
+    // In a folder of its own: a dialect beside the file would be the one that it extends.
+    const std::string folder = ::testing::TempDir() + "kadr_broken_point";
+    std::filesystem::create_directories(folder);
+    const std::string file = folder + "/broken.xml";
     std::ofstream(file) << "<dialect name=\"broken\" extends=\"fanuc\" title=\"t\" suffix=\"nc\">"
                            "<number addresses=\"X\" point=\"needed\"/></dialect>";
     Sources sources;
     DiagnosticList sink;
     const auto dialect = load_dialect(file, testing::dialect_folders(), sources, sink);
-    std::filesystem::remove(file);
+    std::filesystem::remove_all(folder);
     ASSERT_TRUE(dialect);
     Writer writer(*dialect, {}, sink);
     std::string text;

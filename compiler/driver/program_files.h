@@ -1,0 +1,34 @@
+// program_files.h — programs of a control in files: found in folders by the names that the dialect
+// gives them.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "interp/program_files.h"
+
+namespace kadr::driver {
+
+class ProgramFolders final : public interp::ProgramFiles {
+  public:
+    /// folders  in the order in which they are searched
+    explicit ProgramFolders(std::vector<std::string> folders) : folders_(std::move(folders)) {}
+
+    std::optional<File> open(const nc::Dialect& dialect, const std::string& program) override;
+
+  private:
+    struct Entry {
+        std::string name;
+        std::string path;
+    };
+    const std::vector<Entry>& entries(const std::string& folder);
+
+    std::vector<std::string> folders_;
+    std::map<std::string, std::vector<Entry>> entries_;  // of the folders that were looked at
+};
+
+/// Whether a folder can be looked through.
+bool is_folder(const std::string& path);
+
+}  // namespace kadr::driver

@@ -1,0 +1,757 @@
+// Programs that call each other: subprograms and macros, modal calls, returns.
+#include <algorithm>
+#include <cmath>
+
+#include "base/diagnostics/control.h"
+#include "base/diagnostics/iso.h"
+#include "interp/program_state.h"
+#include "nc/control_words.h"
+#include "nc/number_text.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::CallForm;
+using nc::ControlStatement;
+using nc::Function;
+using nc::Statement;
+
+namespace {
+
+/// Whether an axis moves in the block, as far as words tell.
+bool moves(const Block& block) {
+    if ((block.given & nc::kTargetSlots) != 0) return true;
+    return block.find(Function::ReferenceReturn) != nullptr ||
+           block.find(Function::ReferencePoint) != nullptr;
+}
+
+/// 10 to the power of so many digits.
+std::int64_t power_of_ten(int digits) {
+    std::int64_t out = 1;
+    for (int i = 0; i < digits; ++i) out *= 10;
+    return out;
+}
+
+nc::Symbol symbol_of(const nc::ProcedureParameter& parameter) {
+    nc::Symbol symbol;
+    symbol.name = parameter.declaration.name;
+    symbol.type = parameter.type;
+    symbol.dimensions = parameter.declaration.dimensions;
+    symbol.is_reference = parameter.is_reference;
+    return symbol;
+}
+
+std::string quoted(std::string_view name) { return '`' + std::string(name) + '`'; }
+
+}  // namespace
+
+Program::State::Done Program::State::execute_call(CompiledLine& line,
+                                                  const ControlStatement& statement, Block& out) {
+    switch (statement.kind) {
+        case Statement::Call:
+        case Statement::CallByText: return call(line, statement);
+        case Statement::CallModal: return call_modal(line, statement, out);
+        case Statement::EndModal: return end_modal(line, statement);
+        case Statement::Return: return leave_program(line, statement, out);
+        case Statement::Procedure: return declare_procedure(line, statement);
+        case Statement::External: return check_external(line, statement);
+        default: return Done::Nothing;
+    }
+}
+
+// ------------------------------------------------------------------------------ what is called
+
+Program::State::Done Program::State::number_of(CompiledLine& line, const nc::CallValue& value,
+                                               std::optional<double>& out) {
+    out.reset();
+    if (!value.is_given) return Done::Nothing;
+    if (value.is_plain) {
+        out = value.decimal.value;
+        return Done::Nothing;
+    }
+    Value found;
+    const Done done = evaluate(line, value.value, found);
+    if (done == Done::Wait || lines.failed()) return done;
+    if (found.is_text()) return fail(line, diag::TypesDiffer, value.span, {"a count", "a text"});
+    if (!found.is_vacant()) out = std::round(found.number);
+    return Done::Nothing;
+}
+
+/// The name of the program, and the passes that its number may hold: 30012 is 3 times 12.
+Program::State::Done Program::State::program_name(CompiledLine& line,
+                                                  const ControlStatement& statement,
+                                                  const CallForm* form, PreparedCall& out,
+                                                  std::string& name) {
+    if (statement.kind == Statement::CallByText) {
+        Value text;
+        const Done done = evaluate(line, statement.second, text);
+        if (done == Done::Wait || lines.failed()) return done;
+        name = nc::program_of_path(language.calls, evaluator.text(text), tables.rules.ignores_case);
+        if (name.empty()) {
+            return fail(line, diag::CallIncomplete, statement.second.span,
+                        {std::string(evaluator.text(text))});
+        }
+        return Done::Nothing;
+    }
+    const nc::Call& words = line.line.calls[statement.call];
+    name = form != nullptr && !form->fixed.empty() ? form->fixed : words.name;
+    if (!name.empty()) return Done::Nothing;
+    std::optional<double> number;
+    const Done done = number_of(line, words.program, number);
+    if (done == Done::Wait || lines.failed()) return done;
+    const auto written = [&](const nc::Span& span) {
+        return std::vector{line.text.substr(span.begin, span.end - span.begin)};
+    };
+    if (!number) {
+        // A number that is missing names the program that runs: a part of it is called.
+        if (words.start.is_given) {
+            name = frame->unit->name;
+            out.unit = frame->unit;
+            return Done::Nothing;
+        }
+        return fail(line, diag::CallIncomplete, words.span, written(words.span));
+    }
+    if (*number != std::floor(*number) || !(*number >= 1 && *number < 1e12))
+        return fail(line, diag::CallIncomplete, words.program.span, written(words.program.span));
+    auto whole = static_cast<std::int64_t>(*number);
+    const int digits = form != nullptr ? form->split : 0;
+    if (digits > 0 && !words.repeats.is_given && whole >= power_of_ten(digits)) {
+        out.passes = whole / power_of_ten(digits);
+        whole %= power_of_ten(digits);
+    }
+    name = std::to_string(whole);
+    return Done::Nothing;
+}
+
+Program::State::Done Program::State::find_program(CompiledLine& line,
+                                                  const ControlStatement& statement,
+                                                  const CallForm* form, PreparedCall& out) {
+    std::string name;
+    const Done done = program_name(line, statement, form, out, name);
+    if (done == Done::Wait || lines.failed()) return done;
+    if (out.unit == nullptr) out.unit = units.find(name, text());
+    if (out.unit != nullptr) return Done::Nothing;
+    return missing_program(line, statement, name);
+}
+
+/// A word that could be a name of a program, and is none, is an unknown word.
+Program::State::Done Program::State::missing_program(CompiledLine& line,
+                                                     const ControlStatement& statement,
+                                                     const std::string& name) {
+    const bool is_by_text = statement.kind == Statement::CallByText;
+    const nc::Call* const words = is_by_text ? nullptr : &line.line.calls[statement.call];
+    const nc::Span span = is_by_text                     ? statement.second.span
+                          : words->program.span.end != 0 ? words->program.span
+                                                         : words->span;
+    const bool is_free_name =
+        words != nullptr && statement.kind == Statement::Call && words->form >= 0 &&
+        language.calls.calls[static_cast<std::size_t>(words->form)].code == "{name}";
+    const std::string known = tables.unsupported_words(name);
+    if (!known.empty()) return fail(line, diag::IsoNotSupported, span, {known});
+    if (is_free_name) return fail(line, diag::IsoUnknownWord, span, {name});
+    return fail(line, diag::ProgramMissing, span,
+                {quoted(nc::shown_program(language.calls, name))});
+}
+
+/// Of lines that are only read: whether there is such a program at all.
+void Program::State::check_call(CompiledLine& line, const ControlStatement& statement) {
+    if (statement.kind != Statement::Call && statement.kind != Statement::CallModal) return;
+    const nc::Call& words = line.line.calls[statement.call];
+    if (words.name.empty() || units.find(words.name, text()) != nullptr) return;
+    missing_program(line, statement, words.name);
+}
+
+Program::State::Done Program::State::prepare_passes(CompiledLine& line, const nc::CallValue& passes,
+                                                    PreparedCall& out) {
+    std::optional<double> count;
+    const Done done = number_of(line, passes, count);
+    if (done == Done::Wait || lines.failed() || !count) return done;
+    if (!(*count >= 1 && *count <= language.rules.most_passes))
+        return fail(line, diag::RepeatCount, passes.span, {evaluator.written(Value::real(*count))});
+    out.passes = static_cast<std::int64_t>(*count);
+    return Done::Nothing;
+}
+
+/// Labels between which a program runs.
+Program::State::Done Program::State::prepare_section(CompiledLine& line,
+                                                     const ControlStatement& statement,
+                                                     PreparedCall& out) {
+    if (statement.from.kind == nc::JumpTarget::Kind::None) return Done::Nothing;
+    const Place head{out.unit->begin, out.unit->begin};
+    Place begin;
+    Place end;
+    const auto find = [&](const nc::JumpTarget& wanted, const Place& from, Place& found) {
+        Target target;
+        Done done = Done::Nothing;
+        if (!resolve(line, wanted, target, done)) return done;
+        const auto fault = out.unit->map.find(target, Direction::Forward, from, found);
+        return fail(line, fault, diag::JumpTargetMissing, wanted.span, quoted(wanted.label));
+    };
+    Done done = find(statement.from, head, begin);
+    if (done == Done::Wait || lines.failed()) return done;
+    done = find(statement.to, begin, end);
+    if (done == Done::Wait || lines.failed()) return done;
+    out.from = begin;
+    out.to = end.next;
+    return Done::Nothing;
+}
+
+/// Everything that a call needs, worked out where it stands.
+Program::State::Done Program::State::prepare(CompiledLine& line, const ControlStatement& statement,
+                                             PreparedCall& out) {
+    const bool is_by_text = statement.kind == Statement::CallByText;
+    const nc::Call* const words = is_by_text ? nullptr : &line.line.calls[statement.call];
+    if (words != nullptr && words->form >= 0)
+        out.form = &language.calls.calls[static_cast<std::size_t>(words->form)];
+    Done done = find_program(line, statement, out.form, out);
+    const auto is_over = [&] { return done == Done::Wait || lines.failed(); };
+    if (is_over()) return done;
+    const nc::Span span = is_by_text ? statement.second.span : words->span;
+    out.site = std::make_shared<nc::CallSite>(
+        nc::CallSite{lines.place(line.text, line.place.line.line, span), frame->site});
+    if (is_by_text) return prepare_section(line, statement, out);
+    done = prepare_passes(line, words->repeats, out);
+    if (is_over()) return done;
+    std::optional<double> start;
+    done = number_of(line, words->start, start);
+    if (is_over()) return done;
+    if (start) out.start = static_cast<std::int64_t>(*start);
+    if (out.is_macro()) return prepare_letters(line, *words, out);
+    done = prepare_list(line, *words, out);
+    if (is_over() || out.form == nullptr || out.form->value.empty()) return done;
+    std::optional<double> code;
+    done = number_of(line, words->code, code);
+    if (is_over()) return done;
+    variables.set_global(out.form->value, code.value_or(out.form->number));
+    return done;
+}
+
+/// Arguments by letters set variables of the level that the macro gets.
+Program::State::Done Program::State::prepare_letters(CompiledLine& line, const nc::Call& words,
+                                                     PreparedCall& out) {
+    out.level = variables.new_level();
+    for (const nc::CallArgument& argument : words.arguments) {
+        if (argument.is_plain) {
+            double number = argument.decimal.value;
+            if (argument.like != nc::kNoAddress && !argument.decimal.has_point) {
+                const nc::Address& address = tables.addresses[argument.like];
+                number = read_meaning(argument.decimal, address.format, address.dimension,
+                                      lines.units());
+            }
+            ControlVariables::set_local(*out.level, argument.slot, Value::real(number));
+            continue;
+        }
+        Value value;
+        const Done done = evaluate(line, argument.value, value);
+        if (done == Done::Wait || lines.failed()) return done;
+        ControlVariables::set_local(*out.level, argument.slot, value);
+    }
+    return Done::Nothing;
+}
+
+Program::State::Done Program::State::prepare_list(CompiledLine& line, const nc::Call& words,
+                                                  PreparedCall& out) {
+    for (const nc::CallArgument& argument : words.arguments) {
+        GivenValue& given_value = out.arguments.emplace_back();
+        given_value.is_given = argument.is_given;
+        given_value.is_array = argument.is_array;
+        given_value.span = argument.span;
+        if (!argument.is_given) continue;
+        if (argument.variable.is_given()) {
+            std::array<std::int64_t, 4> indices{};
+            if (argument.variable.indices.is_given() && !argument.is_array) {
+                const auto outcome = evaluator.indices(line.line, argument.variable, indices);
+                if (outcome == Evaluator::Outcome::Later) return Done::Wait;
+                if (outcome == Evaluator::Outcome::Fault) return fail(line, evaluator.fault());
+            }
+            given_value.place = variables.place_of(argument.variable.load, indices);
+        }
+        if (argument.is_array) continue;
+        const Done done = evaluate(line, argument.value, given_value.value);
+        if (done == Done::Wait || lines.failed()) return done;
+        given_value.text = evaluator.text(given_value.value);
+    }
+    return Done::Nothing;
+}
+
+// ------------------------------------------------------------------------------ calls
+
+Program::State::Done Program::State::call(CompiledLine& line, const ControlStatement& statement) {
+    const bool is_words_of_block = statement.kind == Statement::Call &&
+                                   line.line.calls[statement.call].form < 0 &&
+                                   line.line.calls[statement.call].name.empty();
+    if (is_words_of_block) return call_with_block(line);
+    PreparedCall prepared;
+    const Done done = prepare(line, statement, prepared);
+    if (done == Done::Wait || lines.failed()) return done;
+    return begin(line, prepared);
+}
+
+Program::State::Done Program::State::check_depth(CompiledLine& line, const PreparedCall& call,
+                                                 const nc::Span& span) {
+    const nc::LanguageRules& rules = language.rules;
+    int macros = 0;
+    int subprograms = 0;
+    for (const auto& open : frames) {
+        if (open->call.unit == nullptr) continue;
+        ++(open->call.is_macro() ? macros : subprograms);
+    }
+    if (call.is_macro() && macros >= rules.most_macros)
+        return fail(line, diag::MacrosTooDeep, span, {std::to_string(rules.most_macros)});
+    const bool is_full = macros + subprograms >= rules.most_calls;
+    if (is_full || (!call.is_macro() && subprograms >= rules.most_subprograms)) {
+        const int most = is_full ? rules.most_calls : rules.most_subprograms;
+        return fail(line, diag::CallsTooDeep, span, {std::to_string(most)});
+    }
+    return Done::Nothing;
+}
+
+/// Sets the call up as the program that runs next; `line` is where it is called.
+Program::State::Done Program::State::begin(CompiledLine& line, const PreparedCall& call) {
+    const nc::Span span = line.line.calls.empty() ? nc::Span{0, 1} : line.line.calls[0].span;
+    Done done = check_depth(line, call, span);
+    if (done == Done::Wait || lines.failed()) return done;
+    const bool is_external = call.form != nullptr && call.form->is_external;
+    if (is_external && frame->is_external) return fail(line, diag::ExternalNested, span);
+    const ControlStatement* const head = call.unit->procedure();
+    const bool saves = head != nullptr && head->saves && interpreter != nullptr;
+    if (saves && given > 0) return Done::Wait;
+    // Programs that only call each other would take for ever as well.
+    if (++turns > options.max_turns)
+        return fail(line, diag::EndlessLoop, span, {std::to_string(options.max_turns)});
+
+    auto callee = std::make_unique<Frame>();
+    callee->unit = call.unit;
+    callee->text.name = call.unit->text->name;
+    callee->call = call;
+    callee->left = call.passes;
+    callee->site = call.site;
+    callee->here = call.unit->begin;
+    const bool is_code = call.form != nullptr && !call.form->fixed.empty();
+    callee->is_in_code_call = frame->is_in_code_call || is_code;
+    callee->is_external = frame->is_external || is_external;
+    callee->modal_limit = frame->modal_limit;
+    callee->saves = saves;
+    if (call.is_macro()) {
+        callee->own_level = call.level;
+    } else if (language.rules.subprograms_have_variables) {
+        callee->own_level = variables.new_level();
+    }
+    callee->level = callee->own_level ? callee->own_level.get() : frame->level;
+    done = bind_parameters(line, call, *callee);
+    if (done == Done::Wait || lines.failed()) return done;
+    if (call.start >= 0) {
+        Place found;
+        const auto fault = call.unit->map.find({{}, call.start}, Direction::Forward,
+                                               {call.unit->begin, call.unit->begin}, found);
+        if (fault != ProgramMap::Fault::None) {
+            return fail(line, fault, diag::JumpTargetMissing, span,
+                        quoted("N" + std::to_string(call.start)));
+        }
+        callee->here = found.line;
+    }
+    if (call.from) callee->here = call.from->line;
+    if (saves) {
+        callee->modal_before = lines.modal();
+        interpreter->keep_frames();
+    }
+    begins = std::move(callee);
+    return Done::Nothing;
+}
+
+void Program::State::perform_call() {
+    frames.push_back(std::move(begins));
+    resume_frame(*frames.back());
+}
+
+/// What follows is executed in this program, with its variables.
+void Program::State::resume_frame(Frame& next) {
+    frame = &next;
+    variables.enter(*next.level);
+    evaluator.enter(*next.level);
+    lines.enter(next.text);
+}
+
+// ------------------------------------------------------------------------------ parameters
+
+Program::State::Done Program::State::bind_parameters(CompiledLine& line, const PreparedCall& call,
+                                                     Frame& callee) {
+    const ControlStatement* const head = call.unit->procedure();
+    const std::size_t count = head == nullptr ? 0 : head->parameters.size();
+    if (call.arguments.size() > count) {
+        return fail(line, diag::CallArguments, call.arguments[count].span,
+                    {quoted(call.unit->name), std::to_string(count),
+                     std::to_string(call.arguments.size())});
+    }
+    if (count == 0) return Done::Nothing;
+    variables.enter(*callee.level);
+    evaluator.enter(*callee.level);
+    Done done = Done::Nothing;
+    for (std::size_t i = 0; i < count; ++i) {
+        done = bind_parameter(line, call, i);
+        if (done == Done::Wait || lines.failed()) break;
+    }
+    variables.enter(*frame->level);
+    evaluator.enter(*frame->level);
+    return done;
+}
+
+Program::State::Done Program::State::bind_parameter(CompiledLine& line, const PreparedCall& call,
+                                                    std::size_t index) {
+    static const GivenValue kNothing;
+    const nc::ControlLine& head = *call.unit->head;
+    const nc::ProcedureParameter& parameter = head.statements[0].parameters[index];
+    const GivenValue& given_value =
+        index < call.arguments.size() ? call.arguments[index] : kNothing;
+    nc::Symbol symbol = symbol_of(parameter);
+    const auto work_out = [&](const nc::Expression& expression, Value& out) {
+        return evaluator.run(head, expression, out) == Evaluator::Outcome::Done;
+    };
+    Value size;
+    if (parameter.type_size.is_given() && work_out(parameter.type_size, size)) {
+        symbol.text_size = static_cast<std::uint32_t>(
+            std::clamp<double>(size.number, 1, language.rules.most_text));
+    }
+    for (std::size_t i = 0; i < symbol.dimensions; ++i) {
+        const nc::Expression& length = parameter.declaration.sizes[i];
+        if (length.is_given() && work_out(length, size))
+            symbol.sizes[i] = static_cast<std::uint32_t>(std::clamp<double>(size.number, 1, 1e6));
+        else if (given_value.place.symbol != nullptr)
+            symbol.sizes[i] = given_value.place.symbol->sizes[i];
+    }
+    if (parameter.is_reference) return bind_reference(line, parameter, given_value, symbol);
+    const std::size_t dimensions =
+        given_value.is_array ? given_value.place.symbol->dimensions : std::size_t{0};
+    if (given_value.is_given && dimensions != symbol.dimensions) {
+        return fail(line, diag::ArgumentDiffers, given_value.span,
+                    {quoted(symbol.name), symbol.dimensions > 0 ? "an array" : "one value"});
+    }
+    const nc::Symbol& added = variables.declare(std::move(symbol));
+    const nc::Span span = given_value.is_given ? given_value.span : nc::Span{0, 1};
+    const auto set = [&](std::uint32_t place, const Value& value, std::string_view text) {
+        const auto fault = variables.store_element(added, added.slot + place, value, text);
+        if (fault.row == nullptr) return Done::Nothing;
+        return fail(line, *fault.row, span, fault.arguments);
+    };
+    if (given_value.is_array) {
+        const Store& from = *given_value.place.store;
+        const std::uint32_t most = std::min(added.count(), given_value.place.symbol->count());
+        for (std::uint32_t i = 0; i < most && !lines.failed(); ++i) {
+            const Value& value = from.values[given_value.place.slot + i];
+            if (!value.is_vacant()) set(i, value, value.is_text() ? from.texts[value.text] : "");
+        }
+        return Done::Nothing;
+    }
+    if (given_value.is_given) {
+        Value value = given_value.value;
+        if (value.is_text()) value = evaluator.keep_text(given_value.text);
+        return set(0, value, given_value.text);
+    }
+    const std::vector<nc::Expression>& defaults = parameter.declaration.values;
+    for (std::size_t i = 0; i < defaults.size() && i < added.count(); ++i) {
+        Value value;
+        if (!defaults[i].is_given() || !work_out(defaults[i], value)) continue;
+        set(static_cast<std::uint32_t>(i), value, evaluator.text(value));
+    }
+    return Done::Nothing;
+}
+
+/// The parameter is the caller's variable: of the same type, an array of the same dimensions.
+Program::State::Done Program::State::bind_reference(CompiledLine& line,
+                                                    const nc::ProcedureParameter& parameter,
+                                                    const GivenValue& given_value,
+                                                    nc::Symbol symbol) {
+    const ControlVariables::VariablePlace& place = given_value.place;
+    const nc::Span span = given_value.is_given      ? given_value.span
+                          : line.line.calls.empty() ? nc::Span{0, 1}
+                                                    : line.line.calls[0].span;
+    if (place.store == nullptr)
+        return fail(line, diag::ArgumentNoVariable, span, {quoted(symbol.name)});
+    const std::size_t dimensions = given_value.is_array ? place.symbol->dimensions : std::size_t{0};
+    if (place.type != parameter.type || dimensions != symbol.dimensions) {
+        const auto type = std::ranges::find(language.types, parameter.type, &nc::TypeName::type);
+        std::string wanted = symbol.dimensions > 0 ? "an array of " : "a variable of ";
+        wanted += type == language.types.end() ? "its type" : type->name;
+        return fail(line, diag::ArgumentDiffers, span, {quoted(symbol.name), wanted});
+    }
+    symbol.slot = place.slot;
+    if (place.symbol != nullptr) {
+        symbol.text_size = place.symbol->text_size;
+        if (given_value.is_array) symbol.sizes = place.symbol->sizes;
+    }
+    ControlVariables::bind(variables.level(), std::move(symbol), *place.store);
+    return Done::Nothing;
+}
+
+/// The head of a procedure that was not called: the main program, or one that is only read.
+Program::State::Done Program::State::declare_procedure(CompiledLine& line,
+                                                       const ControlStatement& statement) {
+    if (frame->has_executed) return fail(line, diag::DeclarationMisplaced, statement.span);
+    const bool was_called = frames.size() > 1 && !is_only_checking;
+    const bool had_failed = lines.failed();
+    Done done = Done::Nothing;
+    for (const nc::ProcedureParameter& parameter : statement.parameters) {
+        if (was_called || done == Done::Wait || (lines.failed() && !had_failed)) return done;
+        std::uint32_t characters = 0;
+        done = text_size(line, parameter.type_size, characters);
+        if (done == Done::Nothing)
+            done = declare_one(line, parameter.declaration, parameter.type, characters);
+    }
+    return done;
+}
+
+/// A line that says the parameters of another program must say what its head says.
+Program::State::Done Program::State::check_external(CompiledLine& line,
+                                                    const ControlStatement& statement) {
+    const ProgramUnit* const unit = units.find(statement.name, text());
+    if (unit == nullptr) return Done::Nothing;  // told where it is called
+    static const std::vector<nc::ProcedureParameter> kNone;
+    const auto& wanted = unit->procedure() != nullptr ? unit->procedure()->parameters : kNone;
+    const bool is_same =
+        std::ranges::equal(wanted, statement.parameters,
+                           [](const nc::ProcedureParameter& a, const nc::ProcedureParameter& b) {
+                               return a.type == b.type && a.is_reference == b.is_reference &&
+                                      a.declaration.dimensions == b.declaration.dimensions;
+                           });
+    if (is_same) return Done::Nothing;
+    return fail(line, diag::ExternalDiffers, statement.span, {quoted(statement.name)});
+}
+
+// ------------------------------------------------------------------------------ modal calls
+
+Program::State::Done Program::State::call_modal(CompiledLine& line,
+                                                const ControlStatement& statement, Block& out) {
+    auto prepared = std::make_shared<PreparedCall>();
+    const Done done = prepare(line, statement, *prepared);
+    if (done == Done::Wait || lines.failed()) return done;
+    prepared->is_modal = true;
+    const int most = language.rules.most_modal_calls;
+    if (most == 1) modal_calls.clear();
+    if (static_cast<int>(modal_calls.size()) >= most)
+        return fail(line, diag::ModalCallsTooDeep, statement.span, {std::to_string(most)});
+    modal_calls.push_back(std::move(prepared));
+    // Where a cycle can be called so as well, this call takes its place.
+    if (most != 1 || !out.add(Function::CycleModal)) return Done::Nothing;
+    keeps_modal_calls = true;
+    return Done::Block;
+}
+
+Program::State::Done Program::State::end_modal(CompiledLine& line,
+                                               const ControlStatement& statement) {
+    if (modal_calls.empty() && !language.rules.end_modal_alone)
+        return fail(line, diag::ModalCallMissing, statement.span);
+    if (!modal_calls.empty()) modal_calls.pop_back();
+    return Done::Nothing;
+}
+
+/// The modal call that a block of the program which runs makes; null: none.
+const PreparedCall* Program::State::active_modal_call() const {
+    const std::size_t count = std::min(frame->modal_limit, modal_calls.size());
+    return count == 0 ? nullptr : modal_calls[count - 1].get();
+}
+
+bool Program::State::takes_blocks() const {
+    const PreparedCall* const active = active_modal_call();
+    return active != nullptr && active->form != nullptr &&
+           active->form->modal == CallForm::Modal::Block;
+}
+
+nc::LineContext Program::State::context() const {
+    return {frame->is_in_code_call, !modal_calls.empty() && takes_blocks()};
+}
+
+/// Behind a block that moves an axis the modal call is made.
+void Program::State::call_behind(const Block& block, std::string_view text_of_line,
+                                 std::uint64_t number) {
+    if (is_only_checking) return;
+    if (block.find(Function::CycleModal) != nullptr) {
+        if (!keeps_modal_calls) modal_calls.clear();
+        keeps_modal_calls = false;
+        return;
+    }
+    const PreparedCall* const active = active_modal_call();
+    if (active == nullptr || is_left_out(block) || !moves(block)) return;
+    due = *active;
+    due->site = std::make_shared<nc::CallSite>(
+        nc::CallSite{lines.place(text_of_line, number, {0, 1}), frame->site});
+}
+
+/// The modal call that the block before has made.
+Program::State::Done Program::State::begin_due() {
+    CompiledLine here;
+    here.text = due->site->place.text;
+    const Done done = begin(here, *due);
+    if (done == Done::Wait) return done;
+    due.reset();
+    if (!begins) return done;
+    begins->modal_limit = std::min(frame->modal_limit, modal_calls.size()) - 1;
+    perform_call();
+    return done;
+}
+
+/// The words of the block are the arguments of the modal call.
+Program::State::Done Program::State::call_with_block(CompiledLine& line) {
+    const PreparedCall* const active = active_modal_call();
+    if (active == nullptr) return Done::Nothing;
+    PreparedCall call = *active;
+    const nc::Call& words = line.line.calls[0];
+    Done done = prepare_letters(line, words, call);
+    if (done == Done::Wait || lines.failed()) return done;
+    call.site = std::make_shared<nc::CallSite>(
+        nc::CallSite{lines.place(line.text, line.place.line.line, words.span), frame->site});
+    done = begin(line, call);
+    if (begins) begins->modal_limit = std::min(frame->modal_limit, modal_calls.size()) - 1;
+    return done;
+}
+
+// ------------------------------------------------------------------------------ returns
+
+Program::State::Done Program::State::leave_program(CompiledLine& line,
+                                                   const ControlStatement& statement, Block& out) {
+    const nc::Call* const words =
+        line.line.calls.empty() ? nullptr : &line.line.calls[statement.call];
+    std::optional<Target> target;
+    if (statement.target.kind != nc::JumpTarget::Kind::None) {
+        Target wanted;
+        Done done = Done::Nothing;
+        if (!resolve(line, statement.target, wanted, done)) return done;
+        if (!wanted.label.empty() || wanted.number >= 0) target = wanted;
+    }
+    std::optional<double> number;
+    Done done = Done::Nothing;
+    if (words != nullptr) done = number_of(line, words->target, number);
+    if (done == Done::Wait || lines.failed()) return done;
+    if (number) target = Target{{}, static_cast<std::int64_t>(*number)};
+    if (!target && cancel_repeat()) return Done::Nothing;
+    if (frames.size() == 1) return return_in_main(line, statement, target, out);
+    if (frame->call.is_modal && !line.line.words.words.empty()) {
+        return fail(
+            line, diag::ReturnWithWords, statement.span,
+            {line.text.substr(statement.span.begin, statement.span.end - statement.span.begin)});
+    }
+    // How many levels, and which block of the program that goes on.
+    Value behind;
+    Value levels = Value::real(1);
+    if (statement.value.is_given()) done = evaluate(line, statement.value, behind);
+    if (done == Done::Wait || lines.failed()) return done;
+    if (statement.count.is_given()) done = evaluate(line, statement.count, levels);
+    if (done == Done::Wait || lines.failed()) return done;
+    const auto most = static_cast<double>(frames.size() - 1);
+    frame->levels = static_cast<int>(std::clamp(std::round(levels.number), 1.0, most));
+    if (target) {
+        Frame& next = *frames[frames.size() - 1 - static_cast<std::size_t>(frame->levels)];
+        Place found;
+        const auto fault = next.unit->map.find(*target, Direction::Forward,
+                                               {next.unit->begin, next.unit->begin}, found);
+        const std::string what =
+            target->label.empty() ? "N" + std::to_string(target->number) : target->label;
+        if (fault != ProgramMap::Fault::None)
+            return fail(line, fault, diag::JumpTargetMissing, statement.span, quoted(what));
+        if (behind.number > 0) found.line = found.next;
+        frame->returns_to = found;
+    }
+    std::optional<double> left;
+    if (words != nullptr) done = number_of(line, words->repeats, left);
+    if (done == Done::Wait || lines.failed()) return done;
+    // The pass that ends is counted off.
+    if (left) frame->left = static_cast<std::int64_t>(std::clamp(*left, 0.0, 1e9)) + 1;
+    frame->is_returning = true;
+    return Done::Nothing;
+}
+
+/// The main program is begun again, or ends.
+Program::State::Done Program::State::return_in_main(CompiledLine& line,
+                                                    const ControlStatement& statement,
+                                                    const std::optional<Target>& target,
+                                                    Block& out) {
+    if (!language.rules.return_restarts_main) {
+        out.add(Function::End);
+        return Done::Block;
+    }
+    Place found{frame->unit->begin, frame->unit->begin};
+    if (target) {
+        const auto fault = map().find(*target, Direction::Forward, found, found);
+        if (fault != ProgramMap::Fault::None) {
+            return fail(line, fault, diag::JumpTargetMissing, statement.span,
+                        quoted("N" + std::to_string(target->number)));
+        }
+    } else {
+        frame->text.has_content = false;
+    }
+    return go(line, found, statement.span);
+}
+
+/// A return inside of a section that is repeated ends only that: on behind the repetition.
+bool Program::State::cancel_repeat() {
+    if (frame->repeats.empty()) return false;
+    frame->here = frame->goes_on = frame->repeats.back().behind;
+    frame->next_line = nullptr;
+    frame->repeats.pop_back();
+    leave_open(frame->here);
+    return true;
+}
+
+/// The program that runs is through: once more, or back to where it was called.
+Program::State::Done Program::State::finish_return(Block& out) {
+    if (frame->saves && given > 0) return Done::Wait;
+    const bool is_jump = frame->returns_to.has_value() || frame->levels > 1;
+    if (!is_jump && --frame->left > 0) {
+        if (++turns > options.max_turns) {
+            has_ended = true;
+            CompiledLine nowhere;
+            return fail(nowhere, diag::EndlessLoop, {}, {std::to_string(options.max_turns)});
+        }
+        restart(*frame);
+        return Done::Nothing;
+    }
+    const std::optional<Place> target = frame->returns_to;
+    const Position from = frame->here;
+    ProgramText& left_text = text();
+    Done done = Done::Nothing;
+    for (int levels = frame->levels; levels > 0 && frames.size() > 1; --levels) {
+        const std::unique_ptr<Frame> left = std::move(frames.back());
+        frames.pop_back();
+        resume_frame(*frames.back());
+        if (!left->saves) continue;
+        interpreter->restore_frames(true);
+        lines.restore(left->modal_before, out);
+    }
+    if (out.function_count > 0 || out.motion != Function::None) {
+        out.line = units.line_id(left_text, std::max<std::uint64_t>(from.line, 2) - 1);
+        kept.add(out.line, std::max<std::uint64_t>(from.line, 2) - 1, "", &left_text.name, nullptr);
+        done = Done::Block;
+    }
+    if (target) {
+        ++turns;
+        leave_open(target->line);
+        frame->here = target->line;
+        frame->next_line = nullptr;
+    }
+    return done;
+}
+
+/// One more pass of the program that runs.
+void Program::State::restart(Frame& again) {
+    again.is_returning = false;
+    again.text.has_content = again.text.has_ended = false;
+    again.structures.clear();
+    again.repeats.clear();
+    again.resume = 0;
+    again.has_executed = again.has_given_words = false;
+    again.next_line = nullptr;
+    again.here = again.unit->begin;
+    if (again.call.start >= 0) {
+        Place found;
+        const auto fault = again.unit->map.find({{}, again.call.start}, Direction::Forward,
+                                                {again.unit->begin, again.unit->begin}, found);
+        if (fault == ProgramMap::Fault::None) again.here = found.line;
+    }
+    if (!again.own_level || again.call.is_macro()) return;
+    again.own_level = variables.new_level();
+    again.level = again.own_level.get();
+    resume_frame(again);
+    CompiledLine nowhere;
+    bind_parameters(nowhere, again.call, again);
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,244 @@
+// program_state.h — a program while it runs: calls that have not returned, and where each stands.
+// Internal to interp.
+//
+// Told in chapters: program.cpp (the order of lines, statements, jumps, structures), and
+// program_calls.cpp (calls, modal calls, returns).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interp/code_list.h"
+#include "interp/control_variables.h"
+#include "interp/evaluator.h"
+#include "interp/program.h"
+#include "interp/program_units.h"
+#include "nc/kept_lines.h"
+#include "nc/line_reader.h"
+
+namespace kadr::interp {
+
+/// A structure that was entered and not left yet.
+struct OpenStructure {
+    nc::Statement kind = nc::Statement::None;
+    int loop = 0;
+    Place head;
+    Place end;
+    std::optional<Place> otherwise;
+    double last = 0;                          // For
+    std::unique_ptr<nc::ControlLine> counts;  // … its head
+};
+
+/// A section that is being repeated.
+struct OpenRepeat {
+    Position begin;
+    Position end;     // reached: the section is through
+    Position behind;  // where the program goes on in the end
+    std::int64_t left = 0;
+};
+
+/// An argument that was worked out where the call stands.
+struct GivenValue {
+    bool is_given = false;
+    Value value;
+    std::string text;                       // of a text
+    ControlVariables::VariablePlace place;  // of a variable alone
+    bool is_array = false;
+    nc::Span span;
+};
+
+/// A call with everything that it needs to begin, as often as it is to.
+struct PreparedCall {
+    ProgramUnit* unit = nullptr;
+    const nc::CallForm* form = nullptr;  // null: a statement without a code
+    std::int64_t passes = 1;
+    std::int64_t start = -1;            // number of the block where it begins
+    std::vector<GivenValue> arguments;  // by their places
+    std::shared_ptr<Level> level;       // of a macro: arguments are set once
+    std::optional<Place> from;          // of a section
+    std::optional<Position> to;
+    std::shared_ptr<const nc::CallSite> site;
+    bool is_modal = false;
+    bool is_macro() const { return form != nullptr && form->kind == nc::CallForm::Kind::Macro; }
+};
+
+/// A program that runs: the main program, or one that was called.
+struct Frame {
+    ProgramUnit* unit = nullptr;
+    nc::TextState text;
+    Level* level = nullptr;
+    std::shared_ptr<Level> own_level;   // null: the caller's
+    Position here;                      // of the line that is next
+    Position goes_on;                   // behind the line that is executed
+    CompiledLine* next_line = nullptr;  // if the next line is kept
+    std::vector<OpenStructure> structures;
+    std::vector<OpenRepeat> repeats;
+    std::size_t resume = 0;        // statements of the line that are executed already
+    bool has_executed = false;     // something besides declarations
+    bool has_given_words = false;  // of the line: its call is next
+    std::shared_ptr<const nc::CallSite> site;
+    PreparedCall call;      // that has begun it
+    std::int64_t left = 1;  // passes, this one included
+    bool saves = false;
+    nc::ModalFunctions modal_before{};
+    bool is_in_code_call = false;  // codes that call programs mean what they are here
+    bool is_external = false;
+    std::size_t modal_limit = ~std::size_t{0};  // modal calls below this one act here
+    // How it ends.
+    bool is_returning = false;
+    bool leaves_all_passes = false;
+    int levels = 1;                   // that are left
+    std::optional<Place> returns_to;  // in the program that goes on
+};
+
+struct Program::State {
+    State(const nc::Dialect& dialect_, nc::TextSource& text, std::string name,
+          const ProgramOptions& options_, DiagnosticSink& sink_);
+
+    enum class Done : std::uint8_t {
+        Block,    // `out` holds one
+        Nothing,  // go on
+        Wait,     // the line is run again when the blocks before are executed
+    };
+
+    const nc::Dialect& dialect;
+    const nc::DialectTables& tables;
+    const nc::Language& language;
+    ProgramOptions options;
+    DiagnosticSink& sink;
+    nc::LineReader lines;
+    nc::KeptLines kept;
+    ProgramUnits units;
+    ControlVariables variables;
+    Evaluator evaluator;
+    CodeList codes;
+    LineWatch* watch = nullptr;
+    ControlState* interpreter = nullptr;
+
+    std::vector<std::unique_ptr<Frame>> frames;  // the main program first
+    Frame* frame = nullptr;                      // that runs
+    std::unique_ptr<Frame> begins;               // called by the line that is executed
+    std::optional<PreparedCall> due;             // behind the block that was given last
+    std::vector<std::shared_ptr<PreparedCall>> modal_calls;
+    bool keeps_modal_calls = false;  // the block that begins one ends those of cycles
+    CompiledLine scratch;
+    std::vector<nc::WordValue> values;
+    std::size_t given = 0;       // blocks of this batch
+    std::uint64_t turns = 0;     // jumps back since the last block
+    std::uint64_t repeated = 0;  // blocks of lines that ran again
+    std::uint64_t most_line = 0;
+    bool is_waiting = false;        // the line in `scratch` is to be run again
+    bool is_only_checking = false;  // the program has ended; lines behind are read for mistakes
+    bool has_ended = false;
+    bool has_visible_fault = false;  // that blocks of this batch stand behind
+    bool was_stopped = false;        // by who looks on, or because its time is over
+    std::uint32_t steps = 0;
+    std::uint64_t executed = 0;  // statements
+
+    ProgramText& text() { return *frame->unit->text; }
+    nc::LineSource& source() { return frame->unit->text->source; }
+    ProgramMap& map() { return frame->unit->map; }
+    Position& frontier() { return frame->unit->frontier; }
+
+    // lines
+    std::size_t pull(std::span<nc::Block> out);
+    Done step(nc::Block& out);
+    bool may_go_on();
+    bool shows(std::string_view text);
+    Done first_time(nc::Block& out);
+    Done finish_first(Done done, std::string_view text, const Place& place, nc::Block& out);
+    Done run(CompiledLine& line, nc::Block& out);
+    CompiledLine* line_at(const Position& position);
+    void compile(CompiledLine& line, nc::Block& out);
+    void compile_language(CompiledLine& line);
+    void deliver(nc::Block& block, std::string_view text, std::uint64_t number, bool again);
+    void end_after(nc::Block& block);
+    bool is_left_out(const nc::Block& block) const;
+    void follow_shape(const nc::Block& block, std::string_view text, const Place& place);
+    Done end_of_text();
+    void advance();
+    Done read_words(CompiledLine& line, nc::Block& out);
+
+    // statements
+    Done execute(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
+    Done execute_call(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
+    Done assign(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
+    Done assign_list(CompiledLine& line, const nc::ControlStatement& statement);
+    Done declare(CompiledLine& line, const nc::ControlStatement& statement);
+    Done declare_one(CompiledLine& line, const nc::Declaration& declaration, nc::ValueType type,
+                     std::uint32_t text_size);
+    Done text_size(CompiledLine& line, const nc::Expression& expression, std::uint32_t& out);
+    Done jump(CompiledLine& line, const nc::ControlStatement& statement);
+    Done choose(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
+    Done choose_case(CompiledLine& line, const nc::ControlStatement& statement);
+    Done enter(CompiledLine& line, const nc::ControlStatement& statement);
+    Done leave(CompiledLine& line, const nc::ControlStatement& statement);
+    Done otherwise(CompiledLine& line, const nc::ControlStatement& statement);
+    Done repeat_section(CompiledLine& line, const nc::ControlStatement& statement);
+    Done raise(CompiledLine& line, const nc::Span& span, double number, const std::string& text);
+    Done stop_with_message(std::string_view text, nc::Block& out);
+
+    // parts
+    Done evaluate(CompiledLine& line, const nc::Expression& expression, Value& out,
+                  int decimals = -1);
+    Done truth(CompiledLine& line, const nc::Expression& expression, bool& out);
+    Done store(CompiledLine& line, const nc::Reference& reference, const Value& value);
+    Done count_on(CompiledLine& line, OpenStructure& loop, bool& goes_on_looping);
+    bool resolve(CompiledLine& line, const nc::JumpTarget& target, Target& out, Done& done);
+    Done go(CompiledLine& line, const Place& target, const nc::Span& span);
+    void leave_open(const Position& target);
+    Done fail(CompiledLine& line, const nc::LineFault& fault);
+    Done fail(CompiledLine& line, const DiagnosticRow& row, const nc::Span& span,
+              std::vector<std::string> arguments = {}) {
+        return fail(line, nc::LineFault{&row, span, std::move(arguments)});
+    }
+    Done fail(CompiledLine& line, ProgramMap::Fault fault, const DiagnosticRow& missing,
+              const nc::Span& span, const std::string& what);
+
+    // program_calls.cpp: calls
+    Done call(CompiledLine& line, const nc::ControlStatement& statement);
+    Done call_modal(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
+    Done end_modal(CompiledLine& line, const nc::ControlStatement& statement);
+    Done prepare(CompiledLine& line, const nc::ControlStatement& statement, PreparedCall& out);
+    Done prepare_passes(CompiledLine& line, const nc::CallValue& passes, PreparedCall& out);
+    Done prepare_section(CompiledLine& line, const nc::ControlStatement& statement,
+                         PreparedCall& out);
+    Done prepare_letters(CompiledLine& line, const nc::Call& call, PreparedCall& out);
+    Done prepare_list(CompiledLine& line, const nc::Call& call, PreparedCall& out);
+    Done find_program(CompiledLine& line, const nc::ControlStatement& statement,
+                      const nc::CallForm* form, PreparedCall& out);
+    Done program_name(CompiledLine& line, const nc::ControlStatement& statement,
+                      const nc::CallForm* form, PreparedCall& out, std::string& name);
+    Done missing_program(CompiledLine& line, const nc::ControlStatement& statement,
+                         const std::string& name);
+    Done number_of(CompiledLine& line, const nc::CallValue& value, std::optional<double>& out);
+    Done check_depth(CompiledLine& line, const PreparedCall& call, const nc::Span& span);
+    Done bind_parameters(CompiledLine& line, const PreparedCall& call, Frame& callee);
+    Done bind_parameter(CompiledLine& line, const PreparedCall& call, std::size_t index);
+    Done bind_reference(CompiledLine& line, const nc::ProcedureParameter& parameter,
+                        const GivenValue& given, nc::Symbol symbol);
+    Done begin(CompiledLine& line, const PreparedCall& call);
+    void perform_call();
+    const PreparedCall* active_modal_call() const;
+    bool takes_blocks() const;
+    nc::LineContext context() const;
+    void call_behind(const nc::Block& block, std::string_view text, std::uint64_t number);
+    Done begin_due();
+    Done call_with_block(CompiledLine& line);
+    void check_call(CompiledLine& line, const nc::ControlStatement& statement);
+    Done check_external(CompiledLine& line, const nc::ControlStatement& statement);
+
+    // … returns
+    Done declare_procedure(CompiledLine& line, const nc::ControlStatement& statement);
+    Done leave_program(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
+    Done return_in_main(CompiledLine& line, const nc::ControlStatement& statement,
+                        const std::optional<Target>& target, nc::Block& out);
+    bool cancel_repeat();
+    Done finish_return(nc::Block& out);
+    void restart(Frame& again);
+    void resume_frame(Frame& next);
+};
+
+}  // namespace kadr::interp

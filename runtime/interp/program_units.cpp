@@ -1,0 +1,126 @@
+#include "interp/program_units.h"
+
+#include <algorithm>
+
+#include "nc/control_words.h"
+
+namespace kadr::interp {
+
+namespace {
+
+/// Ids of lines outside of the main text: above all its lines, in windows that texts take in turn.
+constexpr std::uint32_t kFirstId = std::uint32_t{1} << 31;
+constexpr unsigned kWindowBits = 14;
+
+}  // namespace
+
+ProgramText::ProgramText(nc::TextSource& text, std::string name_, std::size_t kept,
+                         std::size_t longest)
+    : name(std::move(name_)),
+      kept_text(text, kept),
+      is_kept(!text.seek(0)),
+      source(is_kept ? static_cast<nc::TextSource&>(kept_text) : text, longest) {}
+
+ProgramUnits::ProgramUnits(const nc::Dialect& dialect, nc::TextSource& main, std::string name,
+                           std::size_t kept, ProgramFiles* files)
+    : dialect_(dialect), tables_(dialect.tables()), kept_(kept), files_(files) {
+    texts_.push_back(
+        std::make_unique<ProgramText>(main, std::move(name), kept_, tables_.rules.max_line));
+    main_ = std::make_unique<ProgramUnit>(tables_, *texts_[0], Position{}, std::string());
+}
+
+ProgramUnit* ProgramUnits::find(const std::string& name, ProgramText& near) {
+    if (const auto known = units_.find(name); known != units_.end()) return known->second.get();
+    ProgramText* text = &near;
+    std::optional<Position> begin = find_in(near, name);
+    if (!begin && text != texts_[0].get()) {
+        text = texts_[0].get();
+        begin = find_in(*text, name);
+    }
+    if (!begin && files_ != nullptr) {
+        auto file = files_->open(dialect_, name);
+        if (!file) return nullptr;
+        texts_.push_back(std::make_unique<ProgramText>(*file->text, std::move(file->name), kept_,
+                                                       tables_.rules.max_line));
+        text = texts_.back().get();
+        text->own = std::move(file->text);
+        // One that stands behind another in its file begins at its own head.
+        begin = find_in(*text, name);
+        if (!begin || text->programs.size() == 1) begin = Position{};
+    }
+    if (!begin) return nullptr;
+    auto unit = std::make_unique<ProgramUnit>(tables_, *text, *begin, name);
+    look_for_head(*unit);
+    return units_.emplace(name, std::move(unit)).first->second.get();
+}
+
+/// Where the program begins in the text; heads on the way are remembered.
+std::optional<Position> ProgramUnits::find_in(ProgramText& text, const std::string& name) const {
+    const nc::CallLanguage& calls = tables_.language.calls;
+    const auto known = text.programs.find(name);
+    if (known != text.programs.end()) return known->second;
+    if (text.is_seen_whole || calls.headers.empty()) return std::nullopt;
+    if (text.is_kept && !text.kept_text.keep_all()) return std::nullopt;
+    if (!text.source.seek(text.seen.offset)) return std::nullopt;
+    std::string_view line;
+    bool is_too_long = false;
+    while (text.source.next(line, is_too_long)) {
+        const Position here = text.seen;
+        text.seen = {text.source.offset(), here.line + 1};
+        const auto found = nc::program_of_header(calls, line, tables_.rules.ignores_case);
+        if (!found) continue;
+        text.programs.emplace(*found, here);
+        if (*found == name) return here;
+    }
+    text.is_seen_whole = true;
+    return std::nullopt;
+}
+
+/// The first line that is more than a comment may be the head of a procedure.
+void ProgramUnits::look_for_head(ProgramUnit& unit) const {
+    const auto& statements = tables_.language.statements;
+    const bool has_procedures = std::ranges::any_of(statements, [](const nc::StatementForm& form) {
+        return form.statement == nc::Statement::Procedure;
+    });
+    if (!has_procedures || !unit.text->source.seek(unit.begin.offset)) return;
+    std::string_view line;
+    bool is_too_long = false;
+    bool is_first = true;
+    while (unit.text->source.next(line, is_too_long)) {
+        const nc::ControlWords words(tables_, line);
+        const std::size_t at = words.skip_blanks(0);
+        const bool is_header =
+            nc::program_of_header(tables_.language.calls, line, tables_.rules.ignores_case)
+                .has_value();
+        if (is_header && !is_first) return;
+        is_first = false;
+        if (is_header || at >= line.size() || words.is_comment(at)) continue;
+        if (nc::front_of(tables_, line).statement != nc::Statement::Procedure) return;
+        nc::ControlLine head;
+        const bool is_fine =
+            !compile_line(tables_, nc::SymbolTable(), line, head) && !head.statements.empty();
+        if (is_fine) unit.head = std::move(head);
+        return;
+    }
+}
+
+std::uint32_t ProgramUnits::line_id(ProgramText& text, std::uint64_t line) {
+    if (&text == texts_[0].get()) return static_cast<std::uint32_t>(line);
+    const std::uint64_t window = line >> kWindowBits;
+    while (text.windows.size() <= window) {
+        windows_.push_back({&text, std::uint64_t{text.windows.size()} << kWindowBits});
+        text.windows.push_back(static_cast<std::uint32_t>(windows_.size() - 1));
+    }
+    const std::uint64_t in_window = line & ((std::uint64_t{1} << kWindowBits) - 1);
+    return kFirstId + static_cast<std::uint32_t>(
+                          (std::uint64_t{text.windows[window]} << kWindowBits) + in_window);
+}
+
+ProgramUnits::Line ProgramUnits::line_of(std::uint32_t id) const {
+    const std::size_t window = id < kFirstId ? windows_.size() : (id - kFirstId) >> kWindowBits;
+    if (window >= windows_.size()) return {texts_[0].get(), id};
+    const std::uint32_t in_window = (id - kFirstId) & ((std::uint32_t{1} << kWindowBits) - 1);
+    return {windows_[window].text, windows_[window].first + in_window};
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,52 @@
+// call_compiler.h — calls of programs in a line of the control's own language: codes with the words
+// that belong to them, names with arguments in brackets, heads of procedures.
+#pragma once
+
+#include <string>
+
+#include "nc/expression_compiler.h"
+
+namespace kadr::nc {
+
+class CallCompiler : protected ExpressionCompiler {
+  protected:
+    using ExpressionCompiler::ExpressionCompiler;
+
+    /// A code that calls, or a word that belongs to the one before. False without a fault: neither
+    /// stands here.
+    bool take_code_call(const LineContext& context);
+    bool take_word_of_call();
+    /// The whole line as the arguments of a modal call.
+    bool take_line_as_arguments();
+    /// `POCK(10,20)`, `POCK P3`, `P=3 POCK`, `L123`; only where it is all of its block.
+    bool take_named_call();
+    /// A program and its arguments behind a keyword.
+    bool take_call_hole(ControlStatement& out);
+    /// Whether a program that the dialect does not know as a word of its own is named there.
+    bool begins_call(std::size_t at) const;
+
+    /// One type of a list of parameters; defined by who reads declarations.
+    virtual bool take_parameter(ProcedureParameter& out, bool is_named) = 0;
+    bool take_procedure(ControlStatement& out);
+    ~CallCompiler() = default;
+
+  private:
+    const CallForm* find_code(std::size_t& at, const LineContext& context) const;
+    ControlStatement& add_call(const CallForm& form, Statement kind, std::size_t begin);
+    bool take_program_in_brackets(Call& call);
+    bool take_letter_argument(Call& call, bool is_block);
+    bool take_value_of_word(CallValue& out);
+    bool take_repeats(const CallForm& form, CallValue& out);
+    bool take_list(Call& call);
+    bool take_listed(CallArgument& out);
+    std::string program_name(std::size_t& at) const;
+    const CallForm* form_of_name(std::string_view name) const;
+    bool is_known_name(std::string_view name) const;
+    bool is_at_end();
+
+    std::int32_t open_call_ = -1;  // whose words may follow
+    std::vector<char> series_;     // letters of the series that were said in this round
+    int rounds_ = 0;               // of the series
+};
+
+}  // namespace kadr::nc

@@ -1,0 +1,99 @@
+#include "nc/calls.h"
+
+#include <algorithm>
+
+#include "base/text.h"
+
+namespace kadr::nc {
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+bool is_name_char(char c) {
+    return is_digit(c) || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' ||
+           c == '-' || c == '+' || c == '.';
+}
+
+/// Without regard to case.
+bool starts_with(std::string_view text, std::string_view front) {
+    const auto upper = [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; };
+    return text.size() >= front.size() &&
+           std::equal(front.begin(), front.end(), text.begin(),
+                      [&](char a, char b) { return upper(a) == upper(b); });
+}
+
+/// 12 for `0012`.
+std::string without_zeros(std::string_view digits) {
+    while (digits.size() > 1 && digits.front() == '0') digits.remove_prefix(1);
+    return std::string(digits);
+}
+
+}  // namespace
+
+bool read_program_pattern(std::string_view form, ProgramPattern& out) {
+    const std::size_t open = form.find('{');
+    const std::size_t close = form.find('}');
+    if (open == std::string_view::npos || close == std::string_view::npos || close < open)
+        return false;
+    const std::string_view hole = form.substr(open + 1, close - open - 1);
+    if (hole != "n" && hole != "name") return false;
+    out.form = form;
+    out.before = form.substr(0, open);
+    out.behind = form.substr(close + 1);
+    out.is_number = hole == "n";
+    return true;
+}
+
+std::optional<std::string> match_program(const ProgramPattern& pattern, std::string_view text,
+                                         bool ignores_case, bool is_whole) {
+    if (!starts_with(text, pattern.before)) return std::nullopt;
+    text.remove_prefix(pattern.before.size());
+    if (pattern.is_number && !is_whole) {
+        while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+    }
+    const auto is_sign = pattern.is_number ? is_digit : is_name_char;
+    auto length = static_cast<std::size_t>(std::ranges::find_if_not(text, is_sign) - text.begin());
+    // What stands behind the name may be made of letters as well: `POCK_SPF`.
+    while (length > 0 && !starts_with(text.substr(length), pattern.behind)) --length;
+    if (length == 0) return std::nullopt;
+    const std::string_view rest = text.substr(length + pattern.behind.size());
+    const bool has_more = is_whole ? !rest.empty() : !rest.empty() && is_name_char(rest.front());
+    if (has_more) return std::nullopt;
+    const std::string_view name = text.substr(0, length);
+    if (pattern.is_number) return without_zeros(name);
+    return ignores_case ? upper_ascii(name) : std::string(name);
+}
+
+std::optional<std::string> program_of_header(const CallLanguage& calls, std::string_view line,
+                                             bool ignores_case) {
+    while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
+    for (const ProgramPattern& pattern : calls.headers) {
+        auto name = match_program(pattern, line, ignores_case, false);
+        // A name that is a number in other words: `<O123>` is O123.
+        if (name && !pattern.is_number) return program_of_path(calls, *name, ignores_case);
+        if (name) return name;
+    }
+    return std::nullopt;
+}
+
+std::string program_of_path(const CallLanguage& calls, std::string_view path, bool ignores_case) {
+    if (const std::size_t slash = path.find_last_of('/'); slash != std::string_view::npos)
+        path.remove_prefix(slash + 1);
+    for (const ProgramPattern& pattern : calls.files) {
+        const bool is_bare = pattern.before.empty() && pattern.behind.empty();
+        if (is_bare) continue;
+        if (auto name = match_program(pattern, path, ignores_case, true)) return *name;
+    }
+    return ignores_case ? upper_ascii(path) : std::string(path);
+}
+
+std::string shown_program(const CallLanguage& calls, std::string_view name) {
+    const bool is_number = std::ranges::all_of(name, is_digit);
+    for (const ProgramPattern& pattern : calls.headers) {
+        if (pattern.is_number && is_number) return pattern.before + std::string(name);
+    }
+    return std::string(name);
+}
+
+}  // namespace kadr::nc

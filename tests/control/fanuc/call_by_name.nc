@@ -1,0 +1,8 @@
+%
+O0001
+(rule: F 6.8 M98 <NAME>, G65 <NAME>)
+(expect: #150=4)
+G65<PART_17>A4.
+M98<O0012>
+M30
+%
