@@ -128,10 +128,22 @@ TEST(SourceCycles, CallsOfTheControl) {
 
 TEST(SourceCycles, CallsThatOnlyTheirControlKnows) {
     // Clearance, first depth, kind of machining: what drill_peck cannot say is made of moves.
-    EXPECT_EQ(blocks(sinumerik("CYCLE83(50,0,2,-15,,-5,,2,0,0,1,1);"), "fanuc"), "?");
+    // Strokes of 5, 3 and 2 mm; when less than two of 2 are left, two share the rest.
+    EXPECT_EQ(blocks(sinumerik("CYCLE83(50,0,2,-15,,-5,,2,0,0,1,1);"), "fanuc"),
+              "rapid Z2\nline Z-5\nrapid Z2\nrapid Z-4.4\nline Z-8\nrapid Z2\nrapid Z-7.4\n"
+              "line Z-10\nrapid Z2\nrapid Z-9.4\nline Z-12\nrapid Z2\nrapid Z-11.4\n"
+              "line Z-13.5\nrapid Z2\nrapid Z-12.9\nline Z-15\nrapid Z50");
+    // The tool comes out of a reamed hole to its own retract level at feed.
     EXPECT_EQ(blocks(sinumerik("CYCLE85(20,0,2,-10,,0.5,100,300);"), "iso"),
               "rapid Z2\nline Z-10 F100\ndwell(time=0.5)\nline Z2 F300\nF100\nrapid Z20");
-    EXPECT_EQ(blocks(sinumerik("CYCLE87(50,0,2,-10,,3);"), "iso"), "?");
+    EXPECT_EQ(blocks(sinumerik("CYCLE87(50,0,2,-10,,3);"), "iso"),
+              "rapid Z2\nspindle_cw\nline Z-10\nspindle_stop\nstop\nrapid Z50");
+    // Moves of a rigid tap would not be geared on the control.
+    const std::string tap = sinumerik("CYCLE84(50,0,2,-10,,0.5,5,8,,90,400,600);");
+    const Outcome refused = run(tap, options_of(tap, "sinumerik"));
+    ASSERT_EQ(refused.texts.size(), 1u);
+    EXPECT_EQ(refused.texts[0], "`argument 2` does not fit into "
+                                "`CYCLE84(initial,retract,retract,to,,dwell,after,,pitch,0,at,back)`");
 }
 
 TEST(SourceCycles, ModalCallsBehindEveryMotion) {
