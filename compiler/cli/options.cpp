@@ -200,6 +200,8 @@ void Parser::add_run() {
         ->type_name("text|json");
     command->add_option("--variables", job.variables, "the control's variables at the end, JSON")
         ->type_name("OUT.json");
+    command->add_option("--print", job.print, "lines that the program prints (DPRNT)")
+        ->type_name("OUT.txt");
     command->add_option("--trace", job.trace, "what each block changes; a table or JSON Lines")
         ->type_name("OUT[.jsonl]");
     command->add_option("--break", job.breaks, "stop in front of a block, a line, a name")

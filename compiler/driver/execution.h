@@ -65,6 +65,8 @@ class Execution final : public Stream<path::Command> {
     std::size_t pull(std::span<path::Command> out) override;
     /// Reads the text to its end without executing it, for the sake of its mistakes.
     void read_rest();
+    /// Who gets the lines that a program of the control prints.
+    void print_to(interp::Printer& printer) { reader_->print_to(printer); }
 
     bool alarmed() const { return is_late_ || interpreter_->alarmed(); }
     /// Evaluating, writing or reading came to an error.

@@ -74,6 +74,7 @@ struct RunJob {
     std::string setpoints;
     std::string plot;
     std::string variables;
+    std::string print;  // what the program prints
     std::string map;
     std::string trace;                // every block with what it changed; JSON Lines if `.jsonl`
     std::vector<std::string> breaks;  // places in front of which the run stops

@@ -32,20 +32,40 @@ struct Outputs {
     std::unique_ptr<Output> setpoints;
     std::unique_ptr<Output> plot;
     std::unique_ptr<Output> variables;
+    std::unique_ptr<Output> print;
     std::unique_ptr<Output> map;
     std::unique_ptr<Output> trace;
     std::unique_ptr<Output> summary;
 
-    std::array<Output*, 7> all() const {
-        return {commands.get(), setpoints.get(), plot.get(),   variables.get(),
-                map.get(),      trace.get(),     summary.get()};
+    std::array<Output*, 8> all() const {
+        return {commands.get(), setpoints.get(), plot.get(),  variables.get(),
+                map.get(),      trace.get(),     print.get(), summary.get()};
     }
+};
+
+/// Keeps what the program prints; without a file it counts the lines.
+class PrintedLines final : public interp::Printer {
+  public:
+    explicit PrintedLines(Output* output) : output_(output) {}
+    void line(std::string_view text) override {
+        if (output_ == nullptr) {
+            ++lost_;
+            return;
+        }
+        output_->write(text);
+        output_->write("\n");
+    }
+    std::size_t lost() const { return lost_; }
+
+  private:
+    Output* output_;
+    std::size_t lost_ = 0;
 };
 
 bool asks_for_nothing(const RunJob& job) {
     return job.summary == SummaryFormat::None && job.commands.empty() && job.setpoints.empty() &&
-           job.plot.empty() && job.variables.empty() && job.map.empty() && job.trace.empty() &&
-           job.breaks.empty();
+           job.plot.empty() && job.variables.empty() && job.print.empty() && job.map.empty() &&
+           job.trace.empty() && job.breaks.empty();
 }
 
 /// Opens an output if it has a name. False: reported.
@@ -106,9 +126,9 @@ class Run {
 bool Run::open_outputs(bool is_kadr) {
     Messages& messages = session_.messages();
     const bool has_summary = job_.summary != SummaryFormat::None || asks_for_nothing(job_);
-    const std::array<std::string, 7> names = {job_.commands,         job_.setpoints, job_.plot,
-                                              job_.variables,        job_.map,       job_.trace,
-                                              has_summary ? "-" : ""};
+    const std::array<std::string, 8> names = {job_.commands,          job_.setpoints, job_.plot,
+                                              job_.variables,         job_.map,       job_.trace,
+                                              has_summary ? "-" : "", job_.print};
     if (!are_outputs_apart(job_.source, names, messages)) return false;
     if (!job_.map.empty() && !is_kadr) {
         messages.report(diag::NoSourceMap).arg(job_.source);
@@ -120,7 +140,8 @@ bool Run::open_outputs(bool is_kadr) {
            open_if_named(outputs_.variables, names[3], messages) &&
            open_if_named(outputs_.map, names[4], messages) &&
            open_if_named(outputs_.trace, names[5], messages) &&
-           open_if_named(outputs_.summary, names[6], messages);
+           open_if_named(outputs_.summary, names[6], messages) &&
+           open_if_named(outputs_.print, names[7], messages);
 }
 
 void Run::draw(const motion::Segment& segment) {
@@ -135,6 +156,8 @@ void Run::draw(const motion::Segment& segment) {
 
 void Run::execute() {
     const machine::Machine& machine = execution_->machine();
+    PrintedLines printed(outputs_.print.get());
+    execution_->print_to(printed);
     if (outputs_.commands) {
         list_ = std::make_unique<CommandList>(*execution_, session_, *outputs_.commands);
     }
@@ -175,6 +198,7 @@ void Run::execute() {
     // The command that the motion refused was read last.
     const std::uint64_t read = planner.totals().commands;
     tap.pass_until(planner.alarmed() ? read - 1 : read);
+    if (printed.lost() > 0) session_.messages().report(diag::PrintLost).arg(printed.lost());
     finish(figures(planner.totals()));
 }
 

@@ -1,5 +1,6 @@
 // What a program asks while it runs: positions, offsets, the programmed feed.
 #include <algorithm>
+#include <cmath>
 
 #include "interp/executor.h"
 
@@ -38,6 +39,42 @@ std::optional<double> Executor::place_of(Quantity quantity, Axis axis) const {
         case Quantity::HeadPosition: return frames_.from_base(head)[i];
         case Quantity::MachinePosition: return head[i];
         case Quantity::ToolLength: return length_shift_[i];
+        default: return std::nullopt;
+    }
+}
+
+/// A bit for each axis, in the order in which the machine has them.
+double Executor::mirrored_axes() const {
+    const AxisMask mirrored = frames_.mirrored();
+    double bits = 0;
+    for (std::size_t i = 0; i < machine_.axes.size(); ++i)
+        if ((mirrored & bit(machine_.axes[i].axis)) != 0)
+            bits += std::ldexp(1.0, static_cast<int>(i));
+    return bits;
+}
+
+/// The clock takes notice of the commands that came out since it was last asked.
+void Executor::count_time() {
+    for (; timed_ < output_.written(); ++timed_) clock_.add(output_.at(timed_));
+}
+
+std::optional<double> Executor::clock(Quantity quantity) {
+    constexpr double kDay = 86400;
+    constexpr double kHour = 3600;
+    constexpr double kMilliseconds = 2147483648;  // then the counter begins again; F 6.5
+    count_time();
+    const double now = clock_.seconds();
+    switch (quantity) {
+        case Quantity::Milliseconds:
+            return std::fmod(std::floor(milliseconds_from_ + now * 1000), kMilliseconds);
+        case Quantity::Hours: return hours_from_ + now / kHour;
+        case Quantity::Date: return static_cast<double>(options_.date);
+        case Quantity::TimeOfDay: {
+            const double of_day = std::fmod(std::floor(options_.time_of_day + now), kDay);
+            const double hours = std::floor(of_day / kHour);
+            const double minutes = std::floor((of_day - hours * kHour) / 60);
+            return hours * 10000 + minutes * 100 + (of_day - hours * kHour - minutes * 60);
+        }
         default: return std::nullopt;
     }
 }
@@ -81,11 +118,23 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::SelectedTool: return number(tool_.selected);
         case Quantity::LengthOffset: return number(tool_.offset);
         case Quantity::RadiusOffset: return number(tool_.radius_offset);
-        case Quantity::ToolRadius: {
-            const auto tool = std::ranges::find_if(
-                machine_.tools, [this](const auto& t) { return t.number == tool_.current; });
-            return tool == machine_.tools.end() ? 0 : tool->radius;
+        case Quantity::ToolRadius: return tool_offsets_.radius(tool_.current);
+        case Quantity::LengthGeometry:
+        case Quantity::LengthWear:
+        case Quantity::RadiusGeometry:
+        case Quantity::RadiusWear:
+            if (first < 1 || first > rules_.tool_offsets) return std::nullopt;
+            return tool_offsets_.value(*ToolOffsets::column_of(quantity), first);
+        case Quantity::ProbePosition: {
+            const auto axis = axis_of(first);
+            if (!axis || !probed_) return std::nullopt;
+            return (*probed_)[index(*axis)];
         }
+        case Quantity::MirroredAxes: return mirrored_axes();
+        case Quantity::Milliseconds:
+        case Quantity::Hours:
+        case Quantity::Date:
+        case Quantity::TimeOfDay: return clock(quantity);
         case Quantity::None:
         case Quantity::ModalCode:
         case Quantity::ModalNumber:
@@ -94,20 +143,6 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::MessageStop: return std::nullopt;
     }
     return std::nullopt;
-}
-
-bool Executor::set_work_offset(std::int64_t number, std::int64_t axis_index, double value,
-                               bool acts_at_once) {
-    const auto axis = axis_of(axis_index);
-    if (!axis || number < 0 || number > rules_.work_offsets) return false;
-    const auto i = static_cast<std::size_t>(number);
-    if (i >= work_offsets_.size()) work_offsets_.resize(i + 1, AxisValues{});
-    work_offsets_[i][index(*axis)] = value;
-    if (acts_at_once && number == work_offset_) {
-        frames_.select_work_offset(work_offsets_[i]);
-        frame_changed();
-    }
-    return true;
 }
 
 void Executor::restore_frames(bool is_wanted) {

@@ -117,8 +117,7 @@ double Executor::comp_distance(const Block& block) {
         report(diag::CompWithoutTool, block, comp_.side);
         return 0;
     }
-    const machine::ToolData* tool = machine_.find_tool(number);
-    const double radius = tool != nullptr ? tool->radius : 0;
+    const double radius = tool_offsets_.radius(number);
     const bool is_known_gap =
         std::find(unknown_radii_.begin(), unknown_radii_.end(), number) != unknown_radii_.end();
     if (radius == 0 && number != 0 && !is_known_gap) {

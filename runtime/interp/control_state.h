@@ -16,9 +16,17 @@ class ControlState {
     /// quantity does not exist for these indices.
     virtual std::optional<double> quantity(nc::Quantity quantity, std::int64_t first,
                                            std::int64_t second) = 0;
-    /// Sets the shift of a work offset. False: there is no such offset or axis.
-    virtual bool set_work_offset(std::int64_t number, std::int64_t axis, double value,
-                                 bool acts_at_once) = 0;
+    /// What became of a quantity that was to be set.
+    enum class Write : std::uint8_t {
+        Done,
+        NoPlace,   // there is no such offset or axis
+        TooLarge,  // the control does not take this value
+        Refused,   // nobody can set this quantity
+    };
+    /// Sets a quantity, in the units of `quantity`. A work offset acts from the next block on if it
+    /// `acts_at_once`, else when it is called next.
+    virtual Write set_quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second,
+                               double value, bool acts_at_once) = 0;
     /// Whether the axis of an index is a length, and how many times the programmed value it is (2
     /// where X is a diameter).
     virtual bool is_length(std::int64_t axis) const = 0;

@@ -25,7 +25,20 @@ bool is_of_axis(Quantity quantity) {
         case Quantity::HeadPosition:
         case Quantity::MachinePosition:
         case Quantity::ToolLength:
+        case Quantity::ProbePosition:
         case Quantity::WorkOffset: return true;
+        default: return false;
+    }
+}
+
+/// Whether the quantity is a length of a tool.
+bool is_of_tool_data(Quantity quantity) {
+    switch (quantity) {
+        case Quantity::ToolRadius:
+        case Quantity::LengthGeometry:
+        case Quantity::LengthWear:
+        case Quantity::RadiusGeometry:
+        case Quantity::RadiusWear: return true;
         default: return false;
     }
 }
@@ -53,6 +66,14 @@ std::string_view type_name(nc::ValueType type) {
 ControlVariables::ControlVariables(const nc::Dialect& dialect, const nc::LineReader& reader)
     : dialect_(dialect), tables_(dialect.tables()), language_(tables_.language), reader_(reader) {
     globals_.grow(language_.global_slots);
+    for (const nc::VariableForm& form : language_.variables) {
+        for (const VariableRange& range : form.ranges) {
+            if (!range.has_initial || range.kind != VariableRange::Kind::Global) continue;
+            for (std::int64_t i = 0; i <= range.last - range.first; ++i)
+                globals_.values[range.slot + static_cast<std::size_t>(i)] =
+                    Value::of(range.value, range.type);
+        }
+    }
     main_.locals.grow(language_.local_slots);
 }
 
@@ -122,7 +143,7 @@ ControlVariables::Indices ControlVariables::indices_of(const VariableRange& rang
                                                        std::int64_t number) {
     const std::int64_t place = number - range.first;
     if (range.stride == 0) return {place + range.start, 0};
-    return {place / range.stride + range.start, place % range.stride + 1};
+    return {place / range.stride + range.start, place % range.stride + range.second};
 }
 
 Variables::Answer ControlVariables::family(std::uint32_t form, std::int64_t number, Value& out) {
@@ -135,6 +156,7 @@ Variables::Answer ControlVariables::family(std::uint32_t form, std::int64_t numb
         case VariableRange::Kind::Constant:
             out = range->is_vacant ? Value{} : Value::of(range->value, range->type);
             return Answer::Value;
+        case VariableRange::Kind::Same:
         case VariableRange::Kind::Unsupported: return Answer::Unsupported;
         case VariableRange::Kind::System: {
             const Indices indices = indices_of(*range, number);
@@ -188,7 +210,7 @@ double ControlVariables::to_text_units(Quantity quantity, const Indices& indices
     }
     if (quantity == Quantity::Feed)
         return value * text_scale(nc::Dimension::Feed, reader_.units(), true);
-    if (quantity == Quantity::ToolRadius)
+    if (is_of_tool_data(quantity))
         return value * text_scale(nc::Dimension::Length, reader_.units(), true);
     return value;
 }
@@ -478,6 +500,7 @@ ControlVariables::Fault ControlVariables::store_family(std::uint32_t form, std::
             return {};
         }
         case VariableRange::Kind::Constant: return {&diag::VariableReadOnly, {name}};
+        case VariableRange::Kind::Same:
         case VariableRange::Kind::Unsupported:
             return {&diag::IsoNotSupported, {'`' + name + "` (" + range->meaning + ')'}};
         case VariableRange::Kind::System: break;
@@ -489,14 +512,24 @@ ControlVariables::Fault ControlVariables::store_system(Quantity quantity, const 
                                                        const Value& value) {
     if (info(quantity).access == nc::QuantityInfo::Access::Read)
         return {&diag::VariableReadOnly, {std::string(info(quantity).name)}};
-    if (quantity != Quantity::WorkOffset || state_ == nullptr)
-        return {&diag::IsoNotSupported, {std::string(info(quantity).name)}};
-    if (value.is_text()) return {&diag::TypesDiffer, {"a work offset", "a text"}};
-    const double factor = text_factor(indices, indices.second);
-    const bool is_set = state_->set_work_offset(
-        indices.first, indices.second, value.number / factor, language_.rules.offsets_act_at_once);
-    if (is_set) return {};
-    return {&diag::VariableNumber, {"of this work offset"}};
+    const std::string name(info(quantity).name);
+    if (state_ == nullptr) return {&diag::IsoNotSupported, {name}};
+    if (value.is_text()) return {&diag::TypesDiffer, {name, "a text"}};
+    double factor = 1;
+    if (quantity == Quantity::WorkOffset) factor = text_factor(indices, indices.second);
+    if (is_of_tool_data(quantity)) factor = to_text_units(quantity, indices, 1);
+    switch (state_->set_quantity(quantity, indices.first, indices.second, value.number / factor,
+                                 language_.rules.offsets_act_at_once)) {
+        case ControlState::Write::Done: return {};
+        case ControlState::Write::NoPlace: return {&diag::VariableNumber, {"of this offset"}};
+        case ControlState::Write::TooLarge: {
+            std::string shown;
+            append_shortest(shown, value.number);
+            return {&diag::OffsetDataValue, {shown}};
+        }
+        case ControlState::Write::Refused: break;
+    }
+    return {&diag::IsoNotSupported, {name}};
 }
 
 bool ControlVariables::load(const Instruction& from, std::span<const std::int64_t> indices,
@@ -525,7 +558,8 @@ void ControlVariables::list_family(const nc::VariableForm& form,
         for (std::int64_t number = range.first; number <= range.last; ++number) {
             const auto slot = static_cast<std::size_t>(range.slot + (number - range.first));
             const Value& value = store.values[slot];
-            if (value.is_vacant()) continue;
+            const bool is_untouched = range.has_initial && value.number == range.value;
+            if (value.is_vacant() || is_untouched) continue;
             out.push_back(shown(name_of(form, number), value, {}));
         }
     }

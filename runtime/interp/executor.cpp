@@ -80,12 +80,14 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
     : dialect_(dialect),
       machine_(machine),
       work_offsets_(machine.work_offsets),
+      tool_offsets_(machine),
       places_(places),
       cycles_(cycles),
       options_(options),
       sink_(sink),
       rules_(rules_of(dialect, sink)),
-      program_(blocks, options.in_step ? 1 : kProgramBatch) {
+      program_(blocks, options.in_step ? 1 : kProgramBatch),
+      clock_(machine) {
     lower_.fill(-std::numeric_limits<double>::infinity());
     upper_.fill(std::numeric_limits<double>::infinity());
     word_scale_.fill(1);
@@ -111,10 +113,10 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
         set_modal(modal_, dialect.power_on(group));
     }
     returns_to_retract_ = dialect.power_on(Group::CycleReturn) == Function::CycleReturnRetract;
-    const auto offset = static_cast<std::size_t>(rules_.default_work_offset);
-    if (offset < work_offsets_.size()) frames_.select_work_offset(work_offsets_[offset]);
     work_offset_ = rules_.default_work_offset;
+    frames_.select_work_offset(work_offset_values(work_offset_));
     frame_changed();
+    clock_.start(position_.base);
     position_.programmed = position_.here;
     for (std::size_t i = 0; i < 3; ++i)
         came_from_[static_cast<Eigen::Index>(i)] = position_.base[i];
@@ -122,7 +124,9 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
 
 std::size_t Executor::pull(std::span<Command> out) {
     output_.open(out);
+    timed_ = 0;
     while (output_.has_room() && !ended_) execute_next();
+    count_time();
     return output_.written();
 }
 
@@ -396,6 +400,8 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             pass_machine_function(block, count_of(block, invocation));
             break;
         case Function::WorkOffset: select_work_offset(block, count_of(block, invocation)); break;
+        case Function::WorkOffsetData:
+        case Function::ToolOffsetData: actions.data = &invocation; break;
         case Function::Shift:
         case Function::ShiftAdd:
         case Function::Rotate:
@@ -451,6 +457,7 @@ void Executor::change_plane(Function plane) {
 }
 
 void Executor::act_before_motion(const Block& block, const Actions& actions) {
+    if (actions.data != nullptr) write_data(block, *actions.data);
     if (actions.tool_change) change_tool(block);
     if (actions.comp_changed) act_on_comp(block, actions);
     if (ended_) return;
@@ -630,9 +637,7 @@ void Executor::select_work_offset(const Block& block, std::int64_t number) {
         report(diag::WorkOffsetUnknown, block, Function::WorkOffset).arg(number);
         return;
     }
-    // Offsets that the machine file does not name are zero, as in a new control.
-    const auto i = static_cast<std::size_t>(number);
-    frames_.select_work_offset(i < work_offsets_.size() ? work_offsets_[i] : AxisValues{});
+    frames_.select_work_offset(work_offset_values(number));
     work_offset_ = number;
     frame_changed();
 }

@@ -20,10 +20,12 @@
 #include "interp/interpreter.h"
 #include "interp/output.h"
 #include "interp/rules.h"
+#include "interp/run_clock.h"
 #include "interp/shape_run.h"
 #include "interp/snapshot.h"
 #include "interp/spline_run.h"
 #include "interp/state.h"
+#include "interp/tool_offsets.h"
 #include "path/arc.h"
 
 namespace kadr::interp {
@@ -52,6 +54,7 @@ struct Actions {
     const nc::Invocation* dwell = nullptr;
     const nc::Invocation* message = nullptr;
     const nc::Invocation* limit = nullptr;
+    const nc::Invocation* data = nullptr;  // WorkOffsetData or ToolOffsetData
     const nc::Invocation* cycle = nullptr;
     bool cycle_is_cancelled = false;  // … by a motion code behind it
     bool calls_behind_motions = false;
@@ -107,7 +110,8 @@ class Executor {
 
     // answers.cpp: what a program asks while it runs
     std::optional<double> quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second);
-    bool set_work_offset(std::int64_t number, std::int64_t axis, double value, bool acts_at_once);
+    ControlState::Write set_quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second,
+                                     double value, bool acts_at_once);  // offsets.cpp
     bool is_length(std::int64_t axis) const;
     double word_factor(std::int64_t axis) const;
     bool is_compensated() const { return compensation_.is_on(); }
@@ -117,6 +121,18 @@ class Executor {
   private:
     std::optional<Axis> axis_of(std::int64_t index) const;
     std::optional<double> place_of(nc::Quantity quantity, Axis axis) const;
+    double mirrored_axes() const;
+    std::optional<double> clock(nc::Quantity quantity);
+    void count_time();
+    // offsets.cpp: what a program writes
+    void write_data(const nc::Block& block, const nc::Invocation& invocation);
+    void write_work_offset(const nc::Block& block, const nc::Invocation& invocation);
+    void write_tool_offset(const nc::Block& block, const nc::Invocation& invocation);
+    AxisValues work_offset_values(std::int64_t number) const;
+    ControlState::Write set_work_offset(std::int64_t number, Axis axis, double value,
+                                        bool acts_at_once);
+    ControlState::Write set_tool_offset(ToolOffsets::Column column, std::int64_t number,
+                                        double value);
     // executor.cpp: the order of things
     void execute_next();
     bool acts(const nc::Block& block) const;
@@ -308,6 +324,7 @@ class Executor {
     const machine::Machine& machine_;
     std::vector<AxisValues> work_offsets_;  // as the machine has them, until the program sets one
     std::int64_t work_offset_ = 0;          // that acts
+    ToolOffsets tool_offsets_;
     const nc::BlockPlaces* places_;
     CycleExpander* cycles_;
     InterpreterOptions options_;
@@ -316,6 +333,11 @@ class Executor {
 
     BlockQueue program_;
     Output output_;
+    RunClock clock_;
+    std::size_t timed_ = 0;         // commands of this batch that the clock knows
+    double milliseconds_from_ = 0;  // what the program has set, without the time since
+    double hours_from_ = 0;
+    std::optional<AxisValues> probed_;  // where the last probing ended, in the programmed system
     std::uint64_t block_count_ = 0;
     bool ended_ = false;
     bool alarmed_ = false;

@@ -141,6 +141,16 @@ bool Frames::is_rotated() const {
                                [](const Step& step) { return step.kind == Step::Kind::Rotation; });
 }
 
+AxisMask Frames::mirrored() const {
+    AxisMask axes = 0;
+    for (const Step& step : steps_) {
+        if (step.kind != Step::Kind::Mirror) continue;
+        for (unsigned i = 0; i < 3; ++i)
+            if (step.frame.linear(i, i) < 0) axes = static_cast<AxisMask>(axes ^ (1u << i));
+    }
+    return axes;
+}
+
 void Frames::erase(Step::Kind kind) {
     std::erase_if(steps_, [kind](const Step& step) { return step.kind == kind; });
 }

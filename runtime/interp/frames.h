@@ -45,6 +45,7 @@ class Frames {
     AxisValues to_base(const AxisValues& programmed) const;
     AxisValues from_base(const AxisValues& base) const;
     bool is_rotated() const;
+    AxisMask mirrored() const;
     /// Whether circles of the plane become ellipses.
     bool is_stretched(path::Plane plane) const;
     /// Whether what is seen from the normal of the plane is seen in a mirror.

@@ -27,9 +27,10 @@ std::optional<double> Interpreter::quantity(nc::Quantity quantity, std::int64_t 
                                             std::int64_t second) {
     return state_->executor.quantity(quantity, first, second);
 }
-bool Interpreter::set_work_offset(std::int64_t number, std::int64_t axis, double value,
-                                  bool acts_at_once) {
-    return state_->executor.set_work_offset(number, axis, value, acts_at_once);
+ControlState::Write Interpreter::set_quantity(nc::Quantity quantity, std::int64_t first,
+                                              std::int64_t second, double value,
+                                              bool acts_at_once) {
+    return state_->executor.set_quantity(quantity, first, second, value, acts_at_once);
 }
 bool Interpreter::is_length(std::int64_t axis) const { return state_->executor.is_length(axis); }
 bool Interpreter::is_compensated() const { return state_->executor.is_compensated(); }

@@ -59,12 +59,17 @@ class CycleExpander {
     virtual std::optional<std::string> refusal() const { return std::nullopt; }
 };
 
+/// The day that a program sees if the run is not told another one: runs are to be alike.
+inline constexpr std::int64_t kFirstDate = 20000101;
+
 struct InterpreterOptions {
     std::uint64_t max_blocks = 0;   // 0: no limit
     std::uint16_t skip_levels = 0;  // bit n: blocks with skip level n are left out
     bool optional_stop = false;
-    bool asks_for_tool = true;  // warns of a cut before any tool is called
-    bool in_step = false;       // no block is read before the one in front of it is executed
+    bool asks_for_tool = true;       // warns of a cut before any tool is called
+    std::int64_t date = kFirstDate;  // day on which the run begins, YYYYMMDD
+    int time_of_day = 0;             // … and when, in seconds since midnight
+    bool in_step = false;            // no block is read before the one in front of it is executed
 };
 
 /// One entry of the modal state, in words: `feed`, `200 mm/min`.
@@ -96,8 +101,8 @@ class Interpreter final : public Stream<path::Command>, public ControlState {
     // What a program asks while it runs.
     std::optional<double> quantity(nc::Quantity quantity, std::int64_t first,
                                    std::int64_t second) override;
-    bool set_work_offset(std::int64_t number, std::int64_t axis, double value,
-                         bool acts_at_once) override;
+    Write set_quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second, double value,
+                       bool acts_at_once) override;
     bool is_length(std::int64_t axis) const override;
     double word_factor(std::int64_t axis) const override;
     bool is_compensated() const override;

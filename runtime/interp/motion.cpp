@@ -188,6 +188,10 @@ void Executor::line(const Block& block, const Target& target, Op op, bool exact_
     command.exact_stop = exact_stop;
     command.feed = op == Op::Rapid ? 0 : modal_.feed;
     arrive(target);
+    if (op != Op::Probe) return;
+    probed_.emplace();
+    for (std::size_t i = 0; i < kAxes; ++i)
+        (*probed_)[i] = *place_of(nc::Quantity::HeadPosition, static_cast<Axis>(i));
 }
 
 /// Machine coordinates are coordinates of the spindle nose: neither frames nor, on most controls,
@@ -383,7 +387,7 @@ double Executor::wanted_length(const Block& block) {
     if (tool_.source == Tool::Source::None) return 0;
     const std::int64_t number = tool_.length_number();
     if (number == 0) return 0;
-    if (const machine::ToolData* data = machine_.find_tool(number)) return data->length;
+    if (tool_offsets_.is_known(number)) return tool_offsets_.length(number);
     // A machine without a tool table has no lengths; a table with a gap is likely a mistake.
     const bool is_known_gap =
         std::find(unknown_tools_.begin(), unknown_tools_.end(), number) != unknown_tools_.end();

@@ -25,6 +25,9 @@ class Output {
     bool has_room() const { return written_ < out_.size(); }
     std::size_t written() const { return written_; }
 
+    /// A command of this batch that is in the caller's room.
+    const path::Command& at(std::size_t i) const { return out_[i]; }
+
     /// The place of the next command. Valid until the next call.
     path::Command& next() {
         if (written_ < out_.size()) return out_[written_++];

@@ -530,6 +530,10 @@ Program::State::Done Program::State::execute(CompiledLine& line, const ControlSt
         case Statement::RepeatSection:
         case Statement::RepeatBlock: return repeat_section(line, statement);
         case Statement::Declare: return declare(line, statement);
+        case Statement::Synchronous: return pass_synchronous(line, statement);
+        case Statement::Print:
+        case Statement::PrintOpen:
+        case Statement::PrintClose: return print(line, statement);
         case Statement::Call:
         case Statement::CallModal:
         case Statement::CallByText:
@@ -705,6 +709,19 @@ Program::State::Done Program::State::raise(CompiledLine& line, const Span& span,
         .alarm((own ? own->number : std::string()) + shown, text);
     lines.write_notes(message);
     lines.note_fault();
+    return Done::Nothing;
+}
+
+/// What happens beside the motion is not executed; each such action is said once.
+Program::State::Done Program::State::pass_synchronous(CompiledLine& line,
+                                                      const ControlStatement& statement) {
+    if (!said_synchronous.insert({frame->unit, line.place.line.offset}).second)
+        return Done::Nothing;
+    const Span whole{statement.span.begin, static_cast<std::uint32_t>(line.text.size())};
+    DiagnosticBuilder message =
+        sink.report(diag::SynchronousPassed, lines.place(line.text, line.place.line.line, whole));
+    message.arg(statement.name);
+    lines.write_notes(message);
     return Done::Nothing;
 }
 
@@ -999,6 +1016,7 @@ void Program::follow(ControlState& state) {
     state_->interpreter = &state;
     state_->variables.follow(state);
 }
+void Program::print_to(Printer& printer) { state_->options.printer = &printer; }
 void Program::show_to(LineWatch* watch, std::vector<VariableChange>* changes) {
     state_->watch = watch;
     state_->variables.note_changes(changes);

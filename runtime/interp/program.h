@@ -14,6 +14,7 @@
 #include "base/stream.h"
 #include "interp/control_state.h"
 #include "interp/line_watch.h"
+#include "interp/printer.h"
 #include "interp/program_files.h"
 #include "nc/reader.h"
 
@@ -27,6 +28,7 @@ struct ProgramOptions {
     std::function<bool()>
         is_over;  // asked now and then: whether the program has to end; may be empty
     ProgramFiles* files = nullptr;  // programs that do not stand in the text
+    Printer* printer = nullptr;     // null: what the program prints is lost
 };
 
 /// A variable of the control that the program has set.
@@ -57,6 +59,8 @@ class Program final : public Stream<nc::Block>, public nc::BlockPlaces {
     void check_only();
     /// Who executes the blocks. Without one, asking for its state is an alarm.
     void follow(ControlState& state);
+    /// Who gets the lines that the program prints; it outlives the run.
+    void print_to(Printer& printer);
 
     /// Who looks on, and where each variable that is set is noted from now on. Null: nobody.
     void show_to(LineWatch* watch, std::vector<VariableChange>* changes);

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -132,6 +133,8 @@ struct Program::State {
     bool is_waiting = false;        // the line in `scratch` is to be run again
     bool is_only_checking = false;  // the program has ended; lines behind are read for mistakes
     bool has_ended = false;
+    bool is_printer_open = false;
+    std::set<std::pair<const ProgramUnit*, std::uint64_t>> said_synchronous;  // unit, place of line
     bool has_visible_fault = false;  // that blocks of this batch stand behind
     bool was_stopped = false;        // by who looks on, or because its time is over
     std::uint32_t steps = 0;
@@ -178,6 +181,8 @@ struct Program::State {
     Done otherwise(CompiledLine& line, const nc::ControlStatement& statement);
     Done repeat_section(CompiledLine& line, const nc::ControlStatement& statement);
     Done raise(CompiledLine& line, const nc::Span& span, double number, const std::string& text);
+    Done print(CompiledLine& line, const nc::ControlStatement& statement);  // printing.cpp
+    Done pass_synchronous(CompiledLine& line, const nc::ControlStatement& statement);
     Done stop_with_message(std::string_view text, nc::Block& out);
 
     // parts

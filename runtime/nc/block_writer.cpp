@@ -1025,6 +1025,7 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
             modal_.position.forget();
             break;
         case Function::WorkOffset:
+        case Function::WorkOffsetData:
         case Function::ToolSelect:
         case Function::LengthCompOn:
         case Function::LengthCompOff:

@@ -168,6 +168,7 @@ class BlockWriter {
     void place_machine_target(const Block& block, std::size_t axis, bool by_itself,
                               Targets& targets);
     void place_arc(const Block& block, const WrittenPosition& start, Targets& targets);
+    void check_circle(const Block& block, const ArcPoints& arc, const PlanePoint& center);
     void place_center(const Block& block, const WrittenPosition& start, Targets& targets);
     void place_arc_as_given(const Block& block, const WrittenPosition& start, Targets& targets);
     bool is_coordinate_center(Slot slot) const;

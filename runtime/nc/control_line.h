@@ -112,6 +112,14 @@ struct Call {
     bool has_list = false;  // arguments in brackets, by their places
 };
 
+/// A piece of a line that is printed: text, or a value with its digits.
+struct PrintPiece {
+    std::string text;
+    Expression value;  // not given: the text
+    int whole = 0;     // digits before the point
+    int decimals = 0;
+};
+
 struct ControlStatement {
     Statement kind = Statement::None;
     std::uint32_t call = 0;    // of a call: index into ControlLine::calls
@@ -133,6 +141,7 @@ struct ControlStatement {
     bool saves = false;                          // … and leaves the modal state as it was
     std::vector<Expression> list;                // values for an array from the variable on
     bool fills = false;
+    std::vector<PrintPiece> print;
     /// What an IfDo does; of a Case: the jump of each value of `list`, and the default.
     std::vector<ControlStatement> inner;
 };

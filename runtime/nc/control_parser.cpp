@@ -310,6 +310,8 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
             case Hole::Statement: return take_inner(out, true);
             case Hole::Call: return take_call_hole(out);
             case Hole::Procedure: return take_procedure(out);
+            case Hole::Print: return take_print(out.print);
+            case Hole::Rest: return take_rest(out.name);
         }
         return false;
     }
@@ -330,6 +332,53 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         }
         out.inner.push_back(std::move(inner));
         return true;
+    }
+
+    /// All up to the comment.
+    bool take_rest(std::string& out) {
+        const std::size_t begin = at_;
+        while (at_ < line_.size() && !words_.is_comment(at_)) ++at_;
+        const std::size_t end = words_.trim(begin, at_);
+        out = line_.substr(begin, end - begin);
+        return !out.empty();
+    }
+
+    /// `X#100[53]**DEPTH`: text as it stands, a blank for each `*`, values with their digits.
+    bool take_print(std::vector<PrintPiece>& out) {
+        while (at_ < line_.size() && peek() != language_.close) {
+            if (words_.begins_variable(at_)) {
+                out.emplace_back();
+                if (!take_printed_value(out.back())) return false;
+                continue;
+            }
+            if (out.empty() || out.back().value.is_given()) out.emplace_back();
+            out.back().text += peek() == '*' ? ' ' : peek();
+            ++at_;
+        }
+        return true;
+    }
+
+    bool take_printed_value(PrintPiece& out) {
+        const std::size_t begin = at_;
+        if (!take_operand(out.value)) return false;
+        const auto digit = [this](std::size_t at) {
+            return at < line_.size() && line_[at] >= '0' && line_[at] <= '9' ? line_[at] - '0' : -1;
+        };
+        const bool is_format = peek() == language_.index_open && digit(at_ + 1) >= 0 &&
+                               digit(at_ + 2) >= 0 && at_ + 3 < line_.size() &&
+                               line_[at_ + 3] == language_.index_close;
+        if (is_format) {
+            out.whole = digit(at_ + 1);
+            out.decimals = digit(at_ + 2);
+            at_ += 4;
+        } else {
+            // What was meant to be one goes up to the bracket.
+            const std::size_t close = line_.find(language_.index_close, at_);
+            at_ = close < line_.size() ? close + 1 : line_.size();
+        }
+        const int digits = out.whole + out.decimals;
+        if (is_format && digits > 0 && digits <= rules_.print_digits) return true;
+        return fail(diag::PrintFormat, span_from(begin));
     }
 
     bool take_loop_number(ControlStatement& out) {

@@ -43,8 +43,11 @@ std::vector<DialectEntry> entries_of(const Dialect& dialect) {
             entries.push_back({name_of(tables, form), &form});
     }
     const Language& language = tables.language;
-    const bool is_own = std::ranges::any_of(
-        language.variables, [&](const VariableForm& form) { return form.range.file == own; });
+    // A file that changes some variables of an inherited language has not made that language.
+    const bool is_own = !language.variables.empty() &&
+                        std::ranges::all_of(language.variables, [&](const VariableForm& form) {
+                            return form.range.file == own;
+                        });
     if (!is_own) return entries;
     for (const OperatorForm& form : language.operators)
         entries.push_back({"operator " + form.text + (form.is_prefix ? " before" : ""), &form});

@@ -24,6 +24,10 @@ void explain_range(const VariableForm& form, const VariableRange& range,
             line.append(" is ").append(info(range.quantity).name);
             line.append(": ").append(info(range.quantity).meaning);
             break;
+        case VariableRange::Kind::Same:
+            line += " is another name of number " +
+                    std::to_string(static_cast<std::int64_t>(range.value));
+            break;
         case VariableRange::Kind::Unsupported:
             line += " is known to the control; Kadr does not read it";
             break;

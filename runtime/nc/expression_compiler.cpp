@@ -453,6 +453,7 @@ bool ExpressionCompiler::take_named(const Word& word, Reference& out) {
             form.indices, [](const IndexHole& h) { return h.kind != IndexHole::Kind::Word; }));
         switch (range.kind) {
             case VariableRange::Kind::Unsupported: return fail_unsupported(range, begin);
+            case VariableRange::Kind::Same: return take_numbered(range, load.count, begin, load);
             case VariableRange::Kind::Constant:
                 load.kind = range.is_vacant ? Instruction::Kind::Vacant : Instruction::Kind::Number;
                 load.number = range.value;
@@ -474,6 +475,22 @@ bool ExpressionCompiler::take_named(const Word& word, Reference& out) {
         return true;
     }
     return false;
+}
+
+/// A name of a numbered variable; an index in front of it is added to the number.
+bool ExpressionCompiler::take_numbered(const VariableRange& range, int indices, std::size_t begin,
+                                       Instruction& load) {
+    const auto family = std::ranges::find_if(language_.variables, &VariableForm::is_family);
+    if (family == language_.variables.end()) return fail_unsupported(range, begin);
+    const auto place = static_cast<std::size_t>(family - language_.variables.begin());
+    if (indices == 0)
+        return place_in_family(*family, place, static_cast<std::int64_t>(range.value), begin, load);
+    emit_number(range.value, ValueType::Int, begin);
+    emit_operation(Operation::Add, 2, begin);
+    load.kind = Instruction::Kind::Family;
+    load.index = static_cast<std::uint32_t>(place);
+    load.count = 1;
+    return true;
 }
 
 bool ExpressionCompiler::take_indices(const VariableForm& form) {

@@ -90,6 +90,8 @@ class ExpressionCompiler {
     bool take_reference(Reference& out);
     /// `#1`, `#[expression]`, `R5`
     bool take_family(const Word& word, Reference& out);
+    bool take_numbered(const VariableRange& range, int indices, std::size_t begin,
+                       Instruction& load);
     bool place_in_family(const VariableForm& form, std::size_t family, std::int64_t number,
                          std::size_t begin, Instruction& load);
     bool fail_unsupported(const VariableRange& range, std::size_t begin);

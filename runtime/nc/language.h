@@ -103,10 +103,11 @@ struct FunctionForm {
 /// What the numbers `first` to `last` of a family of variables are, or a named variable.
 struct VariableRange {
     enum class Kind : std::uint8_t {
-        Global,       // a store of the whole run
-        Local,        // one of each level of calls
-        Constant,     // `value`, read only
-        System,       // a quantity of the interpreter
+        Global,    // a store of the whole run
+        Local,     // one of each level of calls
+        Constant,  // `value`, read only
+        System,    // a quantity of the interpreter
+        Same,      // another name of a variable of the family: of number `value`, or that and more
         Unsupported,  // the control has it and Kadr does not
     };
     Kind kind = Kind::Global;
@@ -114,10 +115,12 @@ struct VariableRange {
     std::int64_t last = 0;
     ValueType type = ValueType::Real;
     bool is_vacant = false;  // Constant: the value is "vacant"
-    double value = 0;        // Constant
+    double value = 0;        // Constant; Global: what it holds at the beginning, if has_initial
+    bool has_initial = false;
     Quantity quantity = Quantity::None;
     std::int64_t start = 1;   // System: the index that `first` stands for
     std::int64_t stride = 0;  // System with two indices: so many numbers an index
+    std::int64_t second = 1;  // … of which the first number stands for this second index
     std::uint32_t slot = 0;   // Global, Local: of `first` in its store
     std::string meaning;      // for explanations and messages
 };
@@ -162,6 +165,8 @@ struct StatementToken {
         Statement,
         Call,
         Procedure,
+        Print,
+        Rest,
     };
     Kind kind = Kind::Word;
     Hole hole = Hole::Value;

@@ -704,6 +704,10 @@ bool is_for_builder(const DialectTables& tables, AddressId address) {
     return !forms.empty() && tables.forms[forms[0]].words[0].address == address;
 }
 
+bool writes_data(Function function) {
+    return function == Function::WorkOffsetData || function == Function::ToolOffsetData;
+}
+
 bool is_tool_offset(Function function) {
     return function == Function::LengthOffset || function == Function::LengthCompOn ||
            function == Function::RadiusOffset;
@@ -801,7 +805,11 @@ void LineReader::report(std::string_view line, const MatchFault& fault) {
             out.arguments = {tables_.addresses[lexed_->words[fault.word].address].name};
             break;
         case Kind::GroupTwice: out.row = &diag::IsoGroupTwice, out.arguments = {word, other}; break;
-        case Kind::Missing: out.row = &diag::IsoWordsMissing, out.arguments = {word, form}; break;
+        case Kind::Missing:
+            out.row = &diag::IsoWordsMissing, out.arguments = {word, form};
+            if (fault.form != kNoForm && writes_data(tables_.forms[fault.form].function))
+                out.row = &diag::OffsetDataFormat;
+            break;
         case Kind::Value:
             out.row = &diag::IsoValueWrong, out.arguments = {word, form};
             if (fault.argument >= 0) {
@@ -811,6 +819,8 @@ void LineReader::report(std::string_view line, const MatchFault& fault) {
             }
             if (fault.form != kNoForm && tables_.forms[fault.form].function == Function::WorkOffset)
                 out.row = &diag::WorkOffsetUnknown, out.arguments = {other + ' ' + word};
+            if (fault.form != kNoForm && writes_data(tables_.forms[fault.form].function))
+                out.row = &diag::OffsetDataNumber, out.arguments = {other + ' ' + word};
             if (fault.form != kNoForm && is_tool_offset(tables_.forms[fault.form].function))
                 out.row = &diag::IsoToolOffset, out.arguments = {word};
             break;

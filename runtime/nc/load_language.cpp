@@ -25,9 +25,9 @@ bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0
 bool is_name_char(char c) { return is_letter(c) || c == '_'; }
 
 constexpr std::string_view kHoleNames[] = {
-    "variable", "value", "condition", "target", "loop",     "first", "last",
-    "number",   "text",  "count",     "from",   "to",       "type",  "declarations",
-    "cases",    "jump",  "statement", "call",   "procedure"};
+    "variable", "value", "condition", "target", "loop",      "first", "last",
+    "number",   "text",  "count",     "from",   "to",        "type",  "declarations",
+    "cases",    "jump",  "statement", "call",   "procedure", "print", "rest"};
 
 class LanguageLoader {
   public:
@@ -152,6 +152,11 @@ class LanguageLoader {
         }
         if (form.ranges.empty())
             return attributes_.bad_value(text, "it needs a <range> that says what it is");
+        // Of a family only the numbers that are said become something else.
+        for (const VariableForm& old : language_.variables) {
+            if (old.form == form.form && form.is_family)
+                form.ranges.insert(form.ranges.end(), old.ranges.begin(), old.ranges.end());
+        }
         std::erase_if(language_.variables,
                       [&](const VariableForm& old) { return old.form == form.form; });
         language_.variables.push_back(std::move(form));
@@ -195,6 +200,7 @@ class LanguageLoader {
         attributes_.read_number(element, "last", range.last);
         attributes_.read_number(element, "start", range.start);
         attributes_.read_number(element, "stride", range.stride);
+        attributes_.read_number(element, "second", range.second);
         Attributes::read_text(element, "meaning", range.meaning);
         if (const auto type = attributes_.choice(element, "type", kTypeNames))
             range.type = static_cast<ValueType>(*type);
@@ -205,11 +211,16 @@ class LanguageLoader {
             const auto found = attributes_.choice(element, "scope", {"global", "local"});
             range.kind =
                 found == std::size_t{1} ? VariableRange::Kind::Local : VariableRange::Kind::Global;
+            range.has_initial = element.find("initial") != nullptr;
+            attributes_.read_number(element, "initial", range.value);
             allot(range);
         } else if (constant != nullptr) {
             range.kind = VariableRange::Kind::Constant;
             range.is_vacant = constant->value == "vacant";
             if (!range.is_vacant) attributes_.read_number(element, "constant", range.value);
+        } else if (element.find("same") != nullptr) {
+            range.kind = VariableRange::Kind::Same;
+            attributes_.read_number(element, "same", range.value);
         } else if (quantity != nullptr) {
             range.kind = VariableRange::Kind::System;
             const auto row =

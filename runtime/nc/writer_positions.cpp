@@ -244,6 +244,19 @@ void BlockWriter::place_center_as_given(const Block& block, const WrittenPositio
     }
 }
 
+/// Controls refuse an arc whose end lies off the circle of its start (SINUMERIK 14040, MD21000 and
+/// MD21010; FANUC PS0020, No.3410): it is refused here already.
+void BlockWriter::check_circle(const Block& block, const ArcPoints& arc, const PlanePoint& center) {
+    constexpr double kMiss = 0.01;        // mm
+    constexpr double kMissShare = 0.001;  // of the radius
+    const double mm = to_text(static_cast<Slot>(plane_axes()[0]), 1);
+    const double begin = std::hypot(arc.start[0] - center[0], arc.start[1] - center[1]);
+    if (radius_miss(arc, center) <= std::max(kMiss * mm, kMissShare * begin)) return;
+    if (!is_new_message(block, "an arc off its circle")) return;
+    const double end = std::hypot(arc.end[0] - center[0], arc.end[1] - center[1]);
+    sink_.report(diag::ArcOffCircle, place(block)).arg(round_to(begin, 4)).arg(round_to(end, 4));
+}
+
 void BlockWriter::place_center(const Block& block, const WrittenPosition& start, Targets& targets) {
     const std::array<std::size_t, 3> axes = plane_axes();
     const SlotMask in_plane = bit(center_slot(axes[0])) | bit(center_slot(axes[1]));
@@ -284,6 +297,7 @@ void BlockWriter::place_center(const Block& block, const WrittenPosition& start,
             center = other;
         }
     }
+    check_circle(block, arc, center);
     if (is_coordinate_center(center_slot(axes[0])))
         return place_center_as_coordinates(block, start, center, targets);
     const SlotMask coordinates = block.absolute & block.given & in_plane;
@@ -557,6 +571,12 @@ bool BlockWriter::split_turns(const Block& block, std::string& out) {
             if (!as_distance && is_incremental) circle.absolute |= bit(slot);
         }
         write_block(circle, out);
+    }
+    // Of a distance the last block has what the circles have left.
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        const auto slot = static_cast<Slot>(axis);
+        if (axis == axes[0] || axis == axes[1] || !block.has(slot)) continue;
+        if (is_distance(block, axis)) last.set(slot, end[axis] - start.meant[axis]);
     }
     last.function_count = 0;
     last.argument_count = 0;

@@ -301,6 +301,8 @@ const std::string kExample = std::string(KADR_ROOT) + "/examples/bracket.kadr";
 
 const std::string kText = std::string(KADR_ROOT) + "/tests/bad/cases/sinumerik/no_feed.mpf";
 
+const std::string kPrinting = std::string(KADR_ROOT) + "/tests/control/fanuc/print.nc";
+
 INSTANTIATE_TEST_SUITE_P(
     Calls, WrongCall,
     testing::Values(
@@ -322,6 +324,7 @@ INSTANTIATE_TEST_SUITE_P(
         Call{"UnknownCode", {"explain", "K0000"}, 2, "[K9010]: there is no message `K0000`"},
         Call{"UnknownWord", {"dialect", "explain", "fanuc", "G999"}, 1, "[K9012]"},
         Call{"ExpandOfText", {"expand", kText}, 2, "[K9006]"},
+        Call{"PrintWithoutFile", {"run", kPrinting, "-d", "fanuc"}, 0, "[K9028]"},
         Call{"SourceMapOfText", {"run", kText, "--map", "-"}, 2, "[K9011]"}),
     [](const auto& made) { return std::string(made.param.name); });
 

@@ -10,6 +10,8 @@
 //                            letters at feed, t1.5: before a thread of that lead, cw: and ccw:
 //                            before an arc; f0.2 where the feed changes; X of a lathe is a diameter
 //   expect: message TEXT     the next message;  expect: stop  a stop of the program
+//   expect: print [TEXT]        the next line that is printed, between brackets
+//   expect: warning K5488 at 3:1  the next warning; if one is told, all are
 //   expect: alarm PS0115 K5410 at 3:4   the alarm that ends it, its row, line and column
 //   expect: called 5:3       … and where the program of that line was called, the nearest first
 //   skip: 1                  blocks of this level are left out
@@ -65,7 +67,9 @@ struct Expected {
     std::map<std::string, std::string> variables;  // empty: unset
     std::vector<std::string> way;
     std::string path;
-    std::vector<std::string> shown;  // messages and stops
+    std::vector<std::string> shown;     // messages and stops
+    std::vector<std::string> printed;   // lines
+    std::vector<std::string> warnings;  // if any is told
     std::string alarm;
     std::string called;
     std::uint16_t skip_levels = 0;
@@ -104,6 +108,10 @@ Expected parse(const std::string& text) {
         } else if (value.starts_with("called ")) {
             if (!expected.called.empty()) expected.called += ' ';
             expected.called += value.substr(7);
+        } else if (value.starts_with("print [")) {
+            expected.printed.push_back(value.substr(7, value.size() - 8));
+        } else if (value.starts_with("warning ")) {
+            expected.warnings.push_back(value.substr(8));
         } else if (value.starts_with("message") || value == "stop") {
             expected.shown.push_back(value);
         } else if (const std::size_t blank = value.rfind(' ');
@@ -220,7 +228,18 @@ struct Outcome {
     std::vector<ControlVariable> variables;
     std::vector<path::Command> motions;
     std::vector<std::string> shown;
+    std::vector<std::string> printed;
     std::vector<Diagnostic> messages;
+};
+
+/// Keeps what a program prints.
+class KeptLines final : public Printer {
+  public:
+    explicit KeptLines(std::vector<std::string>& lines) : lines_(lines) {}
+    void line(std::string_view text) override { lines_.emplace_back(text); }
+
+  private:
+    std::vector<std::string>& lines_;
 };
 
 bool is_of_lathe(const nc::Dialect& dialect) {
@@ -252,14 +271,18 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
     options.max_repeated = 5'000;
     driver::ProgramFolders files({(folder / "called").string()});
     options.files = &files;
+    Outcome outcome;
+    KeptLines printer(outcome.printed);
+    options.printer = &printer;
     Program program(dialect, source, "test", options, messages);
     InterpreterOptions interpreting;
+    interpreting.date = 20261122;
+    interpreting.time_of_day = 13 * 3600 + 5 * 60 + 9;
     interpreting.skip_levels = expected.skip_levels;
     Interpreter interpreter(dialect, machine, program, &program,
                             machine.is_lathe ? cycles_of(dialect) : nullptr, interpreting,
                             messages);
     program.follow(interpreter);
-    Outcome outcome;
     std::vector<path::Command> batch(5);
     while (const std::size_t count = interpreter.pull(batch)) {
         for (const path::Command& command : std::span(batch).first(count)) {
@@ -312,6 +335,15 @@ void check(const Expected& expected, const Outcome& outcome, bool is_lathe) {
         EXPECT_EQ(found, value) << name;
     }
     EXPECT_EQ(outcome.shown, expected.shown);
+    EXPECT_EQ(outcome.printed, expected.printed);
+    std::vector<std::string> warnings;
+    for (const Diagnostic& message : outcome.messages) {
+        if (message.severity == Severity::Warning && message.line)
+            warnings.push_back(std::string(message.row->code) + " at " + place_name(*message.line));
+    }
+    if (!expected.warnings.empty()) {
+        EXPECT_EQ(warnings, expected.warnings);
+    }
     if (!expected.path.empty()) {
         EXPECT_EQ(path_of(outcome.motions, is_lathe), expected.path);
     }

@@ -260,6 +260,17 @@ TEST_F(CommandLine, VariablesAreAnObject) {
     EXPECT_EQ(kadr({"run", file("flat.nc"), "-d", "iso", "--variables", "-"}).out, "{}\n");
 }
 
+TEST_F(CommandLine, WhatAProgramPrintsGoesToAFile) {
+    save("print.nc", "%\nO0001\n#1=12.5\nPOPEN\nDPRNT[X#1[43]]\nDPRNT[END]\nPCLOS\nM30\n%\n");
+    const ProcessResult printed = kadr({"run", file("print.nc"), "-d", "fanuc", "--print", "-"});
+    EXPECT_EQ(printed.status, 0) << printed.err;
+    EXPECT_EQ(printed.out, "X   12.500\nEND\n");
+    // What came before an alarm is kept.
+    save("alarm.nc", "%\nO0001\nPOPEN\nDPRNT[A]\n#3000=1(STOP)\nDPRNT[B]\nM30\n%\n");
+    EXPECT_EQ(kadr({"run", file("alarm.nc"), "-d", "fanuc", "--print", file("out.txt")}).status, 3);
+    EXPECT_EQ(read_file(file("out.txt")), "A\n");
+}
+
 TEST_F(CommandLine, AlarmInGeneratedTextNamesTheStatement) {
     save("nofeed.kadr",
          "program nofeed() {\n    G0 X0;\n    raw \"G1 X20\";\n    G90 G0 X30;\n}\n");

@@ -6,8 +6,6 @@ namespace kadr::interp {
 namespace {
 
 using path::Command;
-using path::Op;
-using path::SpindleMode;
 
 constexpr std::string_view kAfter = "<rule name=\"stops_after_motion\" value=\"yes\"/>";
 const Setup kQuiet{.spindle_runs = false};

@@ -6,9 +6,6 @@
 namespace kadr::interp {
 namespace {
 
-using path::Command;
-using path::Op;
-
 TEST(Text, Sinumerik) {
     struct Row {
         const char* name;

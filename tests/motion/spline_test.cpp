@@ -114,7 +114,7 @@ TEST(SplineMotion, LimitsOfTheMachine) {
     machine.axes[1].upper = 11;  // the wave rises to about 11.5
     const Motion result = run(machine, {spline_to(kEnd, kFirst, kSecond, 1200)});
     ASSERT_EQ(result.diagnostics.all().size(), 1u);
-    EXPECT_NE(result.diagnostics.all()[0].message().find("Y"), std::string::npos);
+    EXPECT_NE(result.diagnostics.all()[0].message().find('Y'), std::string::npos);
     machine.axes[1].upper = 12;
     EXPECT_TRUE(run(machine, {spline_to(kEnd, kFirst, kSecond, 1200)}).diagnostics.all().empty());
 }

@@ -97,17 +97,20 @@ Block any_block(const DialectTables& tables) {
     if (maybe()) block.set(Slot::Speed, *rc::gen::inRange(1, 20000));
     if (maybe()) add_function(block, tables, any_of({F::PlaneXy, F::PlaneZx, F::PlaneYz}));
     if (maybe()) add_function(block, tables, any_of({F::Absolute, F::Incremental}));
-    if (maybe())
+    if (maybe()) {
         add_function(block, tables,
                      any_of({F::FeedPerMinute, F::FeedPerRevolution, F::FeedInverseTime}));
+    }
     if (maybe()) add_function(block, tables, any_of({F::CuttingSpeedOn, F::CuttingSpeedOff}));
-    if (maybe())
+    if (maybe()) {
         add_function(block, tables,
                      any_of({F::RadiusCompOff, F::RadiusCompLeft, F::RadiusCompRight}));
+    }
     if (maybe()) add_function(block, tables, any_of({F::ExactStop, F::ContinuousPath}));
-    if (maybe())
+    if (maybe()) {
         add_function(block, tables,
                      any_of({F::SpindleCw, F::SpindleCcw, F::SpindleStop, F::SpindleOrient}));
+    }
     if (maybe())
         add_function(block, tables, any_of({F::CoolantFlood, F::CoolantMist, F::CoolantOff}));
     if (maybe()) {
@@ -400,10 +403,11 @@ std::string lost_field(const Block& meant, std::span<const Block> blocks, const 
                 return goes_to_reference(b, meant, invocation);
             if (found == nullptr) return false;
             for (std::size_t p = 0; p < kMaxArguments && p < 32; ++p) {
-                if ((invocation.given & found->given) >> p % 32 & 1u)
+                if ((invocation.given & found->given) >> p % 32 & 1u) {
                     if (std::fabs(meant.argument(invocation, p) - b.argument(*found, p)) >
                         kHalfIncrement)
                         return false;
+                }
             }
             // What a cycle takes from its position has no word.
             const std::uint32_t unsaid = invocation.given & ~found->given;

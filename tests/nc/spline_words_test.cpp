@@ -37,7 +37,7 @@ struct Written {
     std::string codes;
 };
 
-Written write(const std::string& dialect, std::vector<Block> blocks) {
+Written write(const std::string& dialect, const std::vector<Block>& blocks) {
     DiagnosticList sink;
     Writer writer(shipped(dialect), {.number_blocks = false}, sink);
     Written result;

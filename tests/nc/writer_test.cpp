@@ -309,6 +309,12 @@ TEST(Writer, HelixTurnsBecomeBlocksWhereThereIsNoWord) {
     expect_text("fanuc",
                 {{"G0 X20 Y0 Z0\nG3 X0 Y20 I-20 J0 Z-9 TURN=2",
                   "X20. Y0. Z0.\nG03 Z-4. I-20. J0.\nZ-8. I-20. J0.\nX0. Y20. Z-9. I-20. J0.\n"}});
+    // Of a distance every circle goes its share, and the last one no more than that.
+    expect_text("fanuc",
+                {{"G0 X0 Y0 Z0\nG91 G3 X0 Y0 I3 J0 Z-3 TURN=2",
+                  "X0. Y0. Z0.\nG03 G91 Z-1. I3. J0.\nZ-1. I3. J0.\nX0. Y0. Z-1. I3. J0.\n"},
+                 {"G0 X0 Y0 Z0\nG3 X0 Y0 I3 J0 Z=IC(-3) TURN=2",
+                  "X0. Y0. Z0.\nG03 Z-1. I3. J0.\nZ-2. I3. J0.\nX0. Y0. Z-3. I3. J0.\n"}});
     // The plane may be said beside them.
     expect_text("fanuc",
                 {{"G18\nG0 X20 Y0 Z0\nG17 G3 X0 Y20 I-20 J0 Z-9 TURN=1",

@@ -211,12 +211,14 @@ void never_gouges(CompRules rules) {
     const Outcome outcome = compensate(contour, distance, rules, true);
     RC_CLASSIFY(outcome.fault.has_value(), "does not fit");
     if (outcome.fault) return;
-    for (const Element& e : contour)
+    for (const Element& e : contour) {
         RC_LOG() << "contour " << e.from.transpose() << " > " << e.to.transpose() << " c "
                  << e.center.transpose() << " sweep " << e.sweep << "\n";
-    for (const CompPiece& p : outcome.pieces)
+    }
+    for (const CompPiece& p : outcome.pieces) {
         RC_LOG() << "path " << p.index << (p.is_inserted ? "+ " : " ") << p.element.from.transpose()
                  << " > " << p.element.to.transpose() << " sweep " << p.element.sweep << "\n";
+    }
     RC_LOG() << "distance " << distance << "\n";
     for (std::size_t i = 1; i < outcome.pieces.size(); ++i) {
         const double gap =

@@ -51,7 +51,7 @@ class Terminal {
         while (std::chrono::steady_clock::now() < end) {
             const std::size_t at = heard_.find(words);
             if (at != std::string::npos) {
-                const std::string before = heard_.substr(0, at + words.size());
+                std::string before = heard_.substr(0, at + words.size());
                 heard_.erase(0, at + words.size());
                 return before;
             }

@@ -239,7 +239,7 @@ TEST(Milling, Chamfers) {
         bool is_inner;
         double wall_x, size, tip_d, tip_deg;
     };
-    const auto inside_out = [](Shape shape) -> Shape {
+    const auto inside_out = [](const Shape& shape) -> Shape {
         return [shape](double x, double y) { return -shape(x, y); };
     };
     const Row rows[] = {

@@ -67,9 +67,11 @@ std::vector<ProfilePoint> ProfileShape::path() const {
     std::vector<ProfilePoint> result;
     ProfilePoint here = start;
     for (const ProfileElement& element : elements) {
-        if (element.radius > 0)
+        if (element.radius > 0) {
             add_arc(result, arc_of(here, element.to, element.radius, element.is_left));
-        else add_line(result, here, element.to);
+        } else {
+            add_line(result, here, element.to);
+        }
         here = element.to;
     }
     return result;
@@ -145,9 +147,11 @@ void Profile::cut(const std::vector<json>& commands, const ProfileView& view,
         for (std::size_t i = 0; i < height_.size(); ++i) {
             if (before[i] > kAir) deepest = std::max(deepest, before[i] - height_[i]);
         }
-        if (op == "rapid" && deepest > kTouch)
+        if (op == "rapid" && deepest > kTouch) {
             faults_.push_back("rapid into material: " + command.dump());
-        else deepest_ = std::max(deepest_, deepest);
+        } else {
+            deepest_ = std::max(deepest_, deepest);
+        }
         if (tool.width > 0) continue;
         for (std::size_t i = 0; i < points.size(); i += 25)
             check_back(points[i], tool, command.dump());

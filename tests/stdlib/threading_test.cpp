@@ -117,7 +117,8 @@ void check_cuts(const Thread& t, const std::vector<json>& commands) {
         const auto n = static_cast<int>(i % each) + 1;
         const double wanted = n > t.cuts ? t.depth : wanted_depth(t, n);
         EXPECT_NEAR(depths[i], wanted, 2 * kExact) << "cut " << n;
-        EXPECT_NEAR(starts[i], 360.0 * static_cast<double>(i / each) / t.starts, 1e-5);
+        const std::size_t start = i / each;
+        EXPECT_NEAR(starts[i], 360.0 * static_cast<double>(start) / t.starts, 1e-5);
     }
     // Equal chips: the sections of a V are as the squares of the depths.
     for (int n = 2; t.degressive && n < t.cuts; ++n) {

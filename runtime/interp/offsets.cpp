@@ -1,0 +1,124 @@
+// What a program writes: work offsets and tool offsets.
+#include <cmath>
+
+#include "base/diagnostics/iso.h"
+#include "base/units.h"
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Invocation;
+using nc::Quantity;
+using Write = ControlState::Write;
+
+/// Offsets that the machine file does not name are zero, as in a new control.
+AxisValues Executor::work_offset_values(std::int64_t number) const {
+    const auto of = [this](std::size_t i) {
+        return i < work_offsets_.size() ? work_offsets_[i] : AxisValues{};
+    };
+    AxisValues values = of(static_cast<std::size_t>(number));
+    if (!rules_.external_work_offset || number == 0) return values;
+    const AxisValues external = of(0);
+    for (std::size_t i = 0; i < kAxes; ++i) values[i] += external[i];
+    return values;
+}
+
+Write Executor::set_quantity(Quantity quantity, std::int64_t first, std::int64_t second,
+                             double value, bool acts_at_once) {
+    switch (quantity) {
+        case Quantity::WorkOffset: {
+            const auto axis = axis_of(second);
+            return axis ? set_work_offset(first, *axis, value, acts_at_once) : Write::NoPlace;
+        }
+        case Quantity::LengthGeometry:
+        case Quantity::LengthWear:
+        case Quantity::RadiusGeometry:
+        case Quantity::RadiusWear:
+            return set_tool_offset(*ToolOffsets::column_of(quantity), first, value);
+        case Quantity::Milliseconds:
+            count_time();
+            milliseconds_from_ = value - clock_.seconds() * 1000;
+            return Write::Done;
+        case Quantity::Hours:
+            count_time();
+            hours_from_ = value - clock_.seconds() / 3600;
+            return Write::Done;
+        default: return Write::Refused;
+    }
+}
+
+Write Executor::set_work_offset(std::int64_t number, Axis axis, double value, bool acts_at_once) {
+    if (number < 0 || number > rules_.work_offsets) return Write::NoPlace;
+    if (spline_) finish_spline();
+    const auto i = static_cast<std::size_t>(number);
+    if (i >= work_offsets_.size()) work_offsets_.resize(i + 1, AxisValues{});
+    work_offsets_[i][index(axis)] = value;
+    const bool acts = number == work_offset_ || (rules_.external_work_offset && number == 0);
+    if (acts_at_once && acts) {
+        frames_.select_work_offset(work_offset_values(work_offset_));
+        frame_changed();
+    }
+    return Write::Done;
+}
+
+Write Executor::set_tool_offset(ToolOffsets::Column column, std::int64_t number, double value) {
+    if (number < 1 || number > rules_.tool_offsets) return Write::NoPlace;
+    const double mm_per_unit = units_ == Function::Inch ? kMmPerInch / 10 : 1;
+    constexpr double kRounding = 1e-9;  // of a value that was worked out in inches
+    if (rules_.most_tool_offset > 0 &&
+        std::abs(value) > rules_.most_tool_offset * mm_per_unit + kRounding)
+        return Write::TooLarge;
+    tool_offsets_.set(column, number, value);
+    if (rules_.tool_offsets_act_at_once) tool_.has_changed = true;
+    return Write::Done;
+}
+
+void Executor::write_data(const Block& block, const Invocation& invocation) {
+    if (invocation.function == Function::WorkOffsetData) {
+        write_work_offset(block, invocation);
+    } else {
+        write_tool_offset(block, invocation);
+    }
+}
+
+void Executor::write_work_offset(const Block& block, const Invocation& invocation) {
+    const std::int64_t number = std::llround(block.argument(invocation, 0));
+    if (number < 0 || number > rules_.work_offsets) {
+        report(diag::OffsetDataNumber, block, invocation.function).arg(number);
+        return;
+    }
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        if ((invocation.given >> (i + 1) & 1u) == 0) continue;
+        const auto axis = static_cast<Axis>(i);
+        if ((axes_ & bit(axis)) == 0) {
+            report(diag::AxisMissing, block, invocation.function).arg(kAxisNames[i]);
+            return;
+        }
+        double value = block.argument(invocation, i + 1) * word_scale_[i];
+        const auto n = static_cast<std::size_t>(number);
+        if (modal_.is_incremental && n < work_offsets_.size()) value += work_offsets_[n][i];
+        set_work_offset(number, axis, value, true);
+    }
+}
+
+void Executor::write_tool_offset(const Block& block, const Invocation& invocation) {
+    const auto column =
+        static_cast<ToolOffsets::Column>(std::llround(block.argument(invocation, 0)));
+    const std::int64_t number = std::llround(block.argument(invocation, 1));
+    double value = block.argument(invocation, 2);
+    if (modal_.is_incremental) value += tool_offsets_.value(column, number);
+    switch (set_tool_offset(column, number, value)) {
+        case Write::NoPlace:
+            report(diag::OffsetDataNumber, block, invocation.function).arg(number);
+            return;
+        case Write::TooLarge:
+            report(diag::OffsetDataValue, block, invocation.function).arg(value);
+            return;
+        case Write::Done:
+        case Write::Refused: return;
+    }
+}
+
+}  // namespace kadr::interp

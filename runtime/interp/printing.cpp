@@ -1,0 +1,60 @@
+// What a program prints: text and values with a fixed number of digits.
+#include <cmath>
+
+#include "base/diagnostics/control.h"
+#include "interp/program_state.h"
+
+namespace kadr::interp {
+
+namespace {
+
+/// The sign, so many digits before the point and so many behind it. Digits in front that have no
+/// place are cut off; zeros in front are blanks or nothing.
+/// source: F 6.10
+void append_printed(std::string& out, double value, const nc::PrintPiece& piece, bool pads) {
+    const double step = std::pow(10.0, piece.decimals);
+    const double counts = std::round(std::abs(value) * step);
+    const double places = std::pow(10.0, piece.whole + piece.decimals);
+    std::string digits = std::to_string(static_cast<std::uint64_t>(std::fmod(counts, places)));
+    const auto least = static_cast<std::size_t>(piece.decimals + (piece.whole > 0 ? 1 : 0));
+    if (digits.size() < least) digits.insert(0, least - digits.size(), '0');
+    const auto width = static_cast<std::size_t>(piece.whole + piece.decimals);
+    if (value < 0 && counts > 0) {
+        out += '-';
+    } else if (pads) {
+        out += ' ';
+    }
+    if (pads && digits.size() < width) out.append(width - digits.size(), ' ');
+    if (piece.decimals > 0)
+        digits.insert(digits.size() - static_cast<std::size_t>(piece.decimals), 1, '.');
+    out += digits;
+}
+
+}  // namespace
+
+/// Printing waits for the blocks before it: what stands behind an alarm is never printed.
+Program::State::Done Program::State::print(CompiledLine& line,
+                                           const nc::ControlStatement& statement) {
+    if (given > 0) return Done::Wait;
+    if (statement.kind != nc::Statement::Print) {
+        is_printer_open = statement.kind == nc::Statement::PrintOpen;
+        return Done::Nothing;
+    }
+    if (!is_printer_open) return fail(line, diag::PrinterClosed, statement.span);
+    std::string text;
+    for (const nc::PrintPiece& piece : statement.print) {
+        if (!piece.value.is_given()) {
+            text += piece.text;
+            continue;
+        }
+        Value value;
+        const Done done = evaluate(line, piece.value, value);
+        if (done == Done::Wait || lines.failed()) return done;
+        if (!value.is_vacant())
+            append_printed(text, value.number, piece, language.rules.print_pads);
+    }
+    if (options.printer != nullptr) options.printer->line(text);
+    return Done::Nothing;
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,100 @@
+#include "interp/run_clock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/units.h"
+#include "path/arc.h"
+
+namespace kadr::interp {
+
+using path::FeedMode;
+using path::Op;
+using path::Vec3;
+
+namespace {
+
+Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
+
+}  // namespace
+
+void RunClock::add(const path::Command& command) {
+    if (path::is_motion(command.op)) {
+        AxisValues to = command.to;
+        for (std::size_t i = 0; !command.machine_coordinates && i < kAxes; ++i) to[i] += length_[i];
+        seconds_ += motion(command, to);
+        at_ = to;
+        return;
+    }
+    switch (command.op) {
+        case Op::Dwell: {
+            const double speed = speed_at(at_[0]);
+            seconds_ += command.time;
+            if (command.revolutions > 0 && speed > 0) seconds_ += command.revolutions / speed * 60;
+            return;
+        }
+        case Op::Spindle:
+            spindle_ = command.speed;
+            has_cutting_speed_ = command.cutting_speed;
+            if (command.spindle == path::SpindleMode::Orient) seconds_ += machine_.orient_time;
+            return;
+        case Op::Tool: seconds_ += machine_.tool_change_time; return;
+        case Op::ToolLength:
+            length_ = {};
+            length_[index(path::axes_of(command.plane).normal)] = command.length;
+            return;
+        default: return;
+    }
+}
+
+double RunClock::motion(const path::Command& command, const AxisValues& to) const {
+    if (command.op == Op::Rapid) return rapid(to);
+    const double feed = command.feed;
+    if (!(feed > 0)) return 0;
+    const bool is_by_turns =
+        command.op == Op::Thread || command.feed_mode == FeedMode::PerRevolution;
+    if (!is_by_turns && command.feed_mode == FeedMode::InverseTime) return 60 / feed;
+    const double mm_min = is_by_turns ? feed * speed_at(to[0]) : feed;
+    return mm_min > 0 ? way(command, to) / mm_min * 60 : 0;
+}
+
+double RunClock::rapid(const AxisValues& to) const {
+    double longest = 0;
+    for (const machine::MachineAxis& axis : machine_.axes) {
+        const std::size_t i = index(axis.axis);
+        const double distance = std::abs(to[i] - at_[i]);
+        longest =
+            std::max(longest, (axis.is_rotary ? rad_from_deg(distance) : distance) / axis.velocity);
+    }
+    return longest;
+}
+
+/// Of an arc along it, of a spline its chord; where no linear axis moves the angle of the others.
+double RunClock::way(const path::Command& command, const AxisValues& to) const {
+    const Vec3 from = linear(at_);
+    const Vec3 end = linear(to);
+    if (command.op == Op::Arc) {
+        // The center is one of the tip: only the distance across the normal counts.
+        Vec3 tip_center = command.center;
+        for (std::size_t i = 0; i < 3; ++i) tip_center[static_cast<Eigen::Index>(i)] += length_[i];
+        const Vec3 out = from - tip_center;
+        const double radius = (out - command.normal * out.dot(command.normal)).norm();
+        return std::hypot(radius * command.sweep, (end - from).dot(command.normal));
+    }
+    const double distance = (end - from).norm();
+    if (distance > 0) return distance;
+    double turned = 0;
+    for (std::size_t i = 3; i < kAxes; ++i) turned = std::hypot(turned, to[i] - at_[i]);
+    return turned;
+}
+
+/// rpm
+double RunClock::speed_at(double x) const {
+    if (!has_cutting_speed_) return spindle_;
+    const double diameter = 2 * std::abs(x);
+    const double most = machine_.max_speed > 0 ? rpm_from_speed(machine_.max_speed) : spindle_;
+    return diameter > 0 ? std::min(most, 1000 * spindle_ / (std::numbers::pi * diameter)) : most;
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,38 @@
+// run_clock.h — how long commands take, for a program that asks for the time.
+//
+// At the programmed speeds: axes gain and lose speed at once, and rapids go as fast as the slowest
+// axis allows. What the machine really needs is the matter of motion/, which knows nothing of a
+// program that waits for an answer.
+#pragma once
+
+#include "base/axes.h"
+#include "machine/machine.h"
+#include "path/command.h"
+
+namespace kadr::interp {
+
+class RunClock {
+  public:
+    explicit RunClock(const machine::Machine& machine) : machine_(machine) {}
+
+    /// Where the axes stand; mm, deg.
+    void start(const AxisValues& at) { at_ = at; }
+    void add(const path::Command& command);
+    /// Since the start, s.
+    double seconds() const { return seconds_; }
+
+  private:
+    double motion(const path::Command& command, const AxisValues& to) const;
+    double rapid(const AxisValues& to) const;
+    double way(const path::Command& command, const AxisValues& to) const;
+    double speed_at(double x) const;
+
+    const machine::Machine& machine_;
+    AxisValues at_{};      // machine coordinates
+    AxisValues length_{};  // of the tool
+    double seconds_ = 0;
+    double spindle_ = 0;  // rpm, or m/min
+    bool has_cutting_speed_ = false;
+};
+
+}  // namespace kadr::interp

@@ -1,0 +1,10 @@
+%
+O0001
+(rule: F 3.4 under G91 R is added)
+(expect: #1=99.5)
+G10L10P1R100.
+G91G10L10P1R-.5
+G90G43H1G00Z0.
+#1=#5023
+M30
+%

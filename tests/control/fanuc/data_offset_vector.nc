@@ -1,0 +1,11 @@
+%
+O0001
+(rule: F 12 G54 X-300, EXT X5, G52 X10: X20 is machine X-265)
+(expect: to X-265)
+G10L2P1X-300.
+G10L2P0X5.
+G90G54
+G52X10.
+G00X20.
+M30
+%
