@@ -78,7 +78,8 @@ struct Following {
     FollowedBlock next;
 };
 
-/// The cycle of the input dialect's control that was said last; see sema::SourceCycle.
+/// A word of a cycle's mode that the next cycle need not say again, and the parameter that it
+/// gives.
 struct HeldWord {
     std::string_view parameter;
     char letter;  // of the control
@@ -86,13 +87,14 @@ struct HeldWord {
 inline constexpr std::array<HeldWord, 4> kHeldWords = {
     {{"to", 'Z'}, {"retract", 'R'}, {"peck", 'Q'}, {"dwell", 'P'}}};
 
+/// The cycle of the input dialect's control that was said last; see sema::SourceCycle.
 struct SaidCycle {
     const sema::SourceCycle* said = nullptr;
     bool is_active = false;   // further blocks are places of it
     bool is_due = false;      // RunCycle calls it
     bool is_running = false;  // its blocks are being made
     std::array<double, nc::kMaxArguments> arguments{};
-    std::uint32_t given = 0;    // bit i: argument i
+    std::uint32_t given = 0;  // bit i: argument i
     /// Words of the mode that further cycles need not say again, by the parameters of the library.
     std::array<std::optional<double>, kHeldWords.size()> held;
     bool returns_low = false;   // G99: to the retract level, not to where the mode began
@@ -225,7 +227,8 @@ struct Expander::State {
         return !modal.has_feed ||
                (options.warns_of_cuts && (modal.lacks_tool || !modal.is_spindle_turning()));
     }
-    /// A rapid below the zero of the workpiece while the spindle stands. The block has not moved yet.
+    /// A rapid below the zero of the workpiece while the spindle stands. The block has not moved
+    /// yet.
     void check_rapid(const nc::Block& block, std::uint32_t at);
     bool feed_lost(std::uint32_t at, std::size_t depth);
     bool emit_text(const Instruction& instruction, const Slot* registers, std::uint32_t at);

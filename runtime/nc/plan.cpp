@@ -350,8 +350,7 @@ std::optional<BlockPlan> plan_call(const Dialect& dialect, std::string_view name
                                 arguments[at].kind != SourceArgument::Kind::Empty;
         const SourceRange place = is_written ? arguments[at].range : range;
         std::string what = is_written ? "argument " + std::to_string(at + 1) : std::string(name);
-        const std::string form =
-            fault->form == kNoForm ? "" : shown(tables.forms[fault->form]);
+        const std::string form = fault->form == kNoForm ? "" : shown(tables.forms[fault->form]);
         sink.report(diag::BlockWordValueWrong, place).arg(what).arg(form);
         return std::nullopt;
     }

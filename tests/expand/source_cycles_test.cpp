@@ -142,8 +142,9 @@ TEST(SourceCycles, CallsThatOnlyTheirControlKnows) {
     const std::string tap = sinumerik("CYCLE84(50,0,2,-10,,0.5,5,8,,90,400,600);");
     const Outcome refused = run(tap, options_of(tap, "sinumerik"));
     ASSERT_EQ(refused.texts.size(), 1u);
-    EXPECT_EQ(refused.texts[0], "`argument 2` does not fit into "
-                                "`CYCLE84(initial,retract,retract,to,,dwell,after,,pitch,0,at,back)`");
+    EXPECT_EQ(refused.texts[0],
+              "`argument 8` does not fit into "
+              "`CYCLE84(initial,retract,retract,to,,dwell,after,,pitch,0,at,back)`");
 }
 
 TEST(SourceCycles, ModalCallsBehindEveryMotion) {
