@@ -92,7 +92,7 @@ struct SaidCycle {
     bool is_due = false;      // RunCycle calls it
     bool is_running = false;  // its blocks are being made
     std::array<double, nc::kMaxArguments> arguments{};
-    std::uint32_t given = 0;    // bit i: argument i
+    std::uint32_t given = 0;  // bit i: argument i
     /// Words of the mode that further cycles need not say again, by the parameters of the library.
     std::array<std::optional<double>, kHeldWords.size()> held;
     bool returns_low = false;   // G99: to the retract level, not to where the mode began
@@ -189,6 +189,8 @@ struct Expander::State {
     void say_reference(nc::Block& block);
     bool take_offsets_as_edges(nc::Block& block, std::uint32_t at);
     bool take_edges_as_offsets(nc::Block& block, std::uint32_t at);
+    bool take_core_offsets(nc::Block& block, std::uint32_t at);
+    bool take_edge_as_length(nc::Block& block, nc::Invocation& edge, std::uint32_t at);
 
     // ---- cycles.cpp: cycles as the control of the input dialect has them
     bool is_between_places() const {
@@ -225,7 +227,8 @@ struct Expander::State {
         return !modal.has_feed ||
                (options.warns_of_cuts && (modal.lacks_tool || !modal.is_spindle_turning()));
     }
-    /// A rapid below the zero of the workpiece while the spindle stands. The block has not moved yet.
+    /// A rapid below the zero of the workpiece while the spindle stands. The block has not moved
+    /// yet.
     void check_rapid(const nc::Block& block, std::uint32_t at);
     bool feed_lost(std::uint32_t at, std::size_t depth);
     bool emit_text(const Instruction& instruction, const Slot* registers, std::uint32_t at);

@@ -269,9 +269,9 @@ bool Formatting::join_while(std::size_t level) {
     const Pieces own = take_head();
     const std::vector<std::string> tail = in_lines(own, level);
     const std::string& line = lines_.back().code;
-    const bool fits = tail.size() == 1 &&
-                      count_code_points(line) + count_code_points(tail[0]) - level * kIndent <
-                          width_;
+    const bool fits =
+        tail.size() == 1 &&
+        count_code_points(line) + count_code_points(tail[0]) - level * kIndent < width_;
     if (!fits || std::ranges::any_of(own, &Piece::is_comment)) {
         at_ = mark;
         return false;
@@ -440,7 +440,9 @@ Formatting::Pieces Formatting::take_head() {
             --depth;
         }
         out.push_back(take());
-        if (depth == 0 && (token == Token::Semicolon || token == Token::RawText)) return out;
+        const bool is_end =
+            token == Token::Semicolon || token == Token::RawText || token == Token::Include;
+        if (depth == 0 && is_end) return out;
     }
     return out;
 }

@@ -153,6 +153,11 @@ void Lexing::take_token(Token token, std::uint32_t begin, std::uint32_t end, Rea
         case Token::OpenBrace:
             if (!out_.empty() && is_raw(out_.back())) return raw_text(begin, reading);
             return push(token, begin, end);
+        case Token::Include: {
+            const std::size_t path = file_.text.find_first_of("\"<", begin) + 1;
+            return push(token, begin, end,
+                        file_.texts.intern(file_.text.substr(path, end - 1 - path)));
+        }
         case Token::Identifier:
             return push(token, begin, end,
                         file_.texts.intern(file_.text.substr(begin, end - begin)));

@@ -39,6 +39,10 @@ TEST(Modal, WithSetsBackOnEveryWayOut) {
         {"program p() { F180; with F50 { G1 X1; } X2; }", "F180\nF50\nline X1\nF180\nX2"},
         {"program p() { G54; with G55 { X1; } }",
          "work_offset(number=1)\nwork_offset(number=2)\nX1\nwork_offset(number=1)"},
+        {"program p() { G54; with work_offset(2) { X1; } }",
+         "work_offset(number=1)\nwork_offset(number=2)\nX1\nwork_offset(number=1)"},
+        {"program p() { with plane_zx() shift(x: 1) { X1; } }",
+         "plane_zx\nshift(x=1)\nX1\nshift\nplane_xy"},
         {"program p() { with G43 H3 { Z1; } }", "length_comp_on(offset=3)\nZ1\nlength_comp_off"},
         {"program p() { G0; with G1 { X1; } X2; }", "rapid\nline\nX1\nrapid\nX2"},
     });
