@@ -232,7 +232,7 @@ TextWrongQuotes
     | [\u201C\u201E] ~[\u201C\u201D\r\n]* [\u201C\u201D]
     | '\u00AB' ~[\u00BB\r\n]* '\u00BB'
     ;
-Include : '#' [ \t]* 'include' [ \t]* ('"' ~["\r\n]* '"' | '<' ~[>\r\n]* '>') ;
+Include : '#' [ \t]* 'include' ~[\r\n]* ;
 LineComment : '//' ~[\r\n]* ;
 BlockComment : '/*' .*? '*/' ;
 CommentUnclosed : '/*' ;

@@ -450,6 +450,12 @@ bool Expander::State::take_offsets_as_edges(Block& block, std::uint32_t at) {
             continue;
         }
         is_said = true;
+        if (!is_radius) {  // what a `with` around it sets back
+            modal.active[static_cast<std::size_t>(Group::LengthComp)] =
+                number == 0 ? Function::LengthCompOff : Function::LengthCompOn;
+            modal.has_length_offset = number != 0;
+            modal.length_offset = number;
+        }
         become(block, invocation, Function::ToolEdge, number == 0 ? 0 : 1);
         ++i;
     }

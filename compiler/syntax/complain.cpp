@@ -560,9 +560,7 @@ void Complaints::explain_start(antlr4::Parser& parser) {
     const bool follows_repair = index > 0 && stream_.lexeme(index - 1).is_repair;
     if (follows_repair) return;
     if (is_file && file_.spelling(lexeme) == "include") {
-        const bool has_hash = lexeme.begin > 0 && file_.text[lexeme.begin - 1] == '#';
-        const SourceRange whole = file_.range(lexeme.begin - (has_hash ? 1 : 0), lexeme.end);
-        file_.sink.report(diag::IncludeWord, whole).fix(whole, "import", "use `import`");
+        file_.sink.report(diag::IncludeWord, range).fix(range, "import", "use `import`");
     } else if (is_file) {
         file_.sink.report(diag::StatementOutside, range).arg(quoted(lexeme));
     } else if (lexeme.token == Token::Else) {

@@ -400,6 +400,9 @@ TEST_F(CommandLine, OffsetsOfTheCoreAreThoseOfTheTarget) {
     EXPECT_NE(edges.find("N60 D0\n"), std::string::npos) << edges;
     const std::string offsets = kadr({"expand", file("core.kadr"), "-d", "fanuc"}).out;
     EXPECT_NE(offsets.find("T04 M06\nG43 H04\nZ8.\nG49\n"), std::string::npos) << offsets;
+    save("with.kadr", "program p() { T3 M6; with G43 H3 { G0 Z5; } Z9; M30; }\n");
+    const std::string inside = kadr({"expand", file("with.kadr"), "-d", "sinumerik"}).out;
+    EXPECT_NE(inside.find("N30 D1\nN40 G0 Z5\nN50 D0\nN60 Z9\n"), std::string::npos) << inside;
     save("other.kadr", "program p() { T3 M6; G43 H5; M30; }\n");
     EXPECT_NE(kadr({"expand", file("other.kadr"), "-d", "sinumerik"}).err.find("say `tool(n)`"),
               std::string::npos);
@@ -420,9 +423,9 @@ TEST_F(CommandLine, ADialectFileTellsAllItsMistakesAtOnce) {
          "</dialect>\n");
     const ProcessResult result = kadr({"dialect", "check", file("my.xml")});
     EXPECT_EQ(result.status, 1);
-    for (const char* message :
-         {"my.xml:1:29: error[K4001]", "my.xml:2:1: error[K9102]", "my.xml:3:", "my.xml:4:",
-          "my.xml:5:36: error[K4010]", "my.xml:6:13: error[K5202]", "my.xml:7:1: error[K9104]"})
+    for (const char* message : {"my.xml:1:29: error[K4001]", "my.xml:2:1: error[K9102]",
+                                "my.xml:3:", "my.xml:4:", "my.xml:5:36: error[K4010]",
+                                "my.xml:6:13: error[K5202]", "my.xml:7:1: error[K9104]"})
         EXPECT_NE(result.err.find(message), std::string::npos) << message << '\n' << result.err;
     EXPECT_EQ(result.out, "my: the examples are tried when these are mended\n");
 }
@@ -434,8 +437,7 @@ TEST_F(CommandLine, TheDirectionOfTheLanguageIsHeld) {
             kadr({"test", folder + "language_bracket.kadr", "-d", dialect, "--runs", "10"});
         EXPECT_EQ(tests.status, 0) << tests.err;
         for (const char* name : {"language_bracket", "language_pieces", "language_russian"}) {
-            const ProcessResult result =
-                kadr({"expand", folder + name + ".kadr", "-d", dialect});
+            const ProcessResult result = kadr({"expand", folder + name + ".kadr", "-d", dialect});
             EXPECT_EQ(result.status, 0) << name << dialect << result.err;
         }
     }

@@ -1,5 +1,6 @@
 // Limits: a program that would not end says so.
 #include <atomic>
+
 #include <gtest/gtest.h>
 
 #include "tests/sema/running.h"

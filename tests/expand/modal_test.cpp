@@ -117,6 +117,8 @@ TEST(Modal, PreservesIsHeldToItsPromise) {
         {"cycle c() preserves frames { shift(x: 5mm); X1; }\nprogram p() { c(); }", "1:30 K2308"},
         // Who called it had another plane: seen only while it runs.
         {"cycle c() preserves G54 { G55; }\nprogram p() { G54; c(); }", "1:32 K3205"},
+        {"cycle c() preserves G90, F { F50; G1 X1; }\nprogram p() { F180; c(); }", "1:42 K3205"},
+        {"cycle c() preserves S { S50; }\nprogram p() { S180; c(); }", "1:30 K3205"},
         {"cycle c() preserves G17 { G18; G17; }\nprogram p() { G19; c(); }", "2:20 K3206"},
         {"cycle c() preserves G90, G17 { G0 X1; }\nprogram p() { with G91 { c(); } }",
          "2:26 K3206"},

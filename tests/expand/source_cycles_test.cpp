@@ -133,9 +133,9 @@ TEST(SourceCycles, RepeatsUnderDistances) {
         const char* statements;
         const char* message;
     };
-    for (const Row& row : {Row{"G81 X10. Z-5. R2. K0;", "6:23 K4128"},
-                           Row{"G81 Z-5. R2. K3;", "6:14 K4128"},
-                           Row{"G81 Z-5. R2.; G80; G01; G91 X10. F100; Y5. K3;", "6:40 K4128"}}) {
+    for (const Row& row :
+         {Row{"G81 X10. Z-5. R2. K0;", "6:23 K4128"}, Row{"G81 Z-5. R2. K3;", "6:14 K4128"},
+          Row{"G81 Z-5. R2.; G80; G01; G91 X10. F100; Y5. K3;", "6:40 K4128"}}) {
         SCOPED_TRACE(row.statements);
         const std::string source = fanuc(row.statements);
         const std::string messages = run(source, options_of(source, "fanuc")).all_messages();
@@ -177,8 +177,9 @@ TEST(SourceCycles, CallsThatOnlyTheirControlKnows) {
     const std::string tap = sinumerik("CYCLE84(50,0,2,-10,,0.5,5,8,,90,400,600);");
     const Outcome refused = run(tap, options_of(tap, "sinumerik"));
     ASSERT_EQ(refused.texts.size(), 1u);
-    EXPECT_EQ(refused.texts[0], "`argument 2` does not fit into "
-                                "`CYCLE84(initial,retract,retract,to,,dwell,after,,pitch,0,at,back)`");
+    EXPECT_EQ(refused.texts[0],
+              "`argument 2` does not fit into "
+              "`CYCLE84(initial,retract,retract,to,,dwell,after,,pitch,0,at,back)`");
 }
 
 TEST(SourceCycles, ModalCallsBehindEveryMotion) {
