@@ -30,7 +30,7 @@ struct ModalState {
     double speed = 0;
     bool has_tool = false;
     bool lacks_tool = true;  // none was called, and no text of unknown meaning stood there
-    double tool = 0;  // that was called last
+    double tool = 0;         // that was called last
     bool has_tool_in = false;
     double tool_in = 0;     // that was changed in last
     AxisValues position{};  // in the programmable frame, mm, degrees

@@ -78,7 +78,8 @@ struct Following {
     FollowedBlock next;
 };
 
-/// The cycle of the input dialect's control that was said last; see sema::SourceCycle.
+/// A word of a cycle's mode that the next cycle need not say again, and the parameter that it
+/// gives.
 struct HeldWord {
     std::string_view parameter;
     char letter;  // of the control
@@ -86,6 +87,7 @@ struct HeldWord {
 inline constexpr std::array<HeldWord, 4> kHeldWords = {
     {{"to", 'Z'}, {"retract", 'R'}, {"peck", 'Q'}, {"dwell", 'P'}}};
 
+/// The cycle of the input dialect's control that was said last; see sema::SourceCycle.
 struct SaidCycle {
     const sema::SourceCycle* said = nullptr;
     bool is_active = false;   // further blocks are places of it

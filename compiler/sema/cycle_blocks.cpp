@@ -165,6 +165,16 @@ std::string_view repeats_address(const nc::DialectTables& tables) {
     return {};
 }
 
+/// `G2` and its like: what stands beside it are words of a path.
+bool says_motion(const nc::DialectTables& tables, std::string_view address, double number) {
+    const nc::AddressId id = tables.find_address(address);
+    if (id == nc::kNoAddress || tables.addresses[id].kind != nc::Address::Kind::Code) return false;
+    const nc::Code* code = tables.find_code(id, number);
+    return code != nullptr && std::ranges::any_of(code->forms, [&](nc::FormId form) {
+               return nc::info(tables.forms[form].function).group == nc::Group::Motion;
+           });
+}
+
 }  // namespace
 
 /// `K5` in a block that calls a cycle or can be a place of one; in another it is a centre.
@@ -174,16 +184,14 @@ const Word* Checker::repeats_of(std::span<const Word> words) const {
     const std::string_view address = repeats_address(dialect.tables());
     const Word* times = nullptr;
     bool has_cycle = false;
-    bool has_code = false;
+    bool has_motion = false;
     for (const Word& word : words) {
         if (word.form != Word::Form::Literal) continue;
         if (text(word.address) == address && !has_point(word)) times = &word;
         has_cycle |= nc::cycle_of(dialect, text(word.address), word.number).has_value();
-        const nc::AddressId id = dialect.tables().find_address(text(word.address));
-        has_code |=
-            id != nc::kNoAddress && dialect.tables().addresses[id].kind == nc::Address::Kind::Code;
+        has_motion |= says_motion(dialect.tables(), text(word.address), word.number);
     }
-    return has_cycle || !has_code ? times : nullptr;
+    return has_cycle || !has_motion ? times : nullptr;
 }
 
 /// The block, then its place in the plane again and again: under G91 one behind the other.

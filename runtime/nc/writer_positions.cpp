@@ -85,9 +85,9 @@ std::array<std::size_t, 3> BlockWriter::plane_axes() const {
     }
 }
 
-/// Whether the block can be said under incremental dimensions only: all its words are distances, and
-/// the control has neither AC() and IC() nor letters of distances to say them from places that nobody
-/// knows.
+/// Whether the block can be said under incremental dimensions only: all its words are distances,
+/// and the control has neither AC() and IC() nor letters of distances to say them from places that
+/// nobody knows.
 bool BlockWriter::needs_incremental(const Block& block) const {
     const SlotMask given = block.given & kTargetSlots;
     if (given == 0 || (block.incremental & given) != given) return false;

@@ -18,6 +18,7 @@ using kadr::read_file;
 
 constexpr const char* kSquare =
     "program square(length side = 20mm) {\n"
+    "    tool(1);\n"
     "    G0 X0 Y0 Z5;\n"
     "    F200 S1000 M3;\n"
     "    G1 Z-1;\n"

@@ -178,7 +178,7 @@ TEST(SourceCycles, CallsThatOnlyTheirControlKnows) {
     const Outcome refused = run(tap, options_of(tap, "sinumerik"));
     ASSERT_EQ(refused.texts.size(), 1u);
     EXPECT_EQ(refused.texts[0],
-              "`argument 2` does not fit into "
+              "`argument 8` does not fit into "
               "`CYCLE84(initial,retract,retract,to,,dwell,after,,pitch,0,at,back)`");
 }
 
