@@ -62,7 +62,7 @@ TEST(Limits, WhoStopsALoopIsHeardInItsNextTurn) {
     // A slice of turns, after which a loop without blocks looks up, would be 130 000 blocks.
     const Outcome outcome = run("program p() { while (true) { X1; X2; } }", options);
     EXPECT_LE(outcome.blocks.size(), 4u);
-    EXPECT_EQ(outcome.messages, std::vector<std::string>{"1:15 K3410"});
+    EXPECT_EQ(outcome.messages, std::vector<std::string>{"1:22 K3410"});
 }
 
 TEST(Limits, LoopTurns) {

@@ -134,7 +134,7 @@ TEST(SourceCycles, RepeatsUnderDistances) {
         const char* message;
     };
     for (const Row& row :
-         {Row{"G81 X10. Z-5. R2. K0;", "6:23 K4128"}, Row{"G81 Z-5. R2. K3;", "6:14 K4128"},
+         {Row{"G81 X10. Z-5. R2. K0;", "6:19 K4128"}, Row{"G81 Z-5. R2. K3;", "6:14 K4128"},
           Row{"G81 Z-5. R2.; G80; G01; G91 X10. F100; Y5. K3;", "6:40 K4128"}}) {
         SCOPED_TRACE(row.statements);
         const std::string source = fanuc(row.statements);

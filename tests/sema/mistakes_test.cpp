@@ -84,13 +84,13 @@ TEST(Mistakes, DiametersAndLengths) {
         {"program p(diameter d) { G0 Y=d; }",
          "1:30 K2131 `Y` takes a length, and this is a diameter"},
         {"program p(diameter d) { G2 X=d CR=d; }",
-         "1:36 K2131 `CR` takes a length, and this is a diameter"},
+         "1:35 K2131 `CR` takes a length, and this is a diameter"},
         {"program p(diameter d) { shift(x: d); }",
          "1:34 K2131 `x` takes a length, and this is a diameter"},
         {"program p(diameter d) { with shift(z: d) { G0 X1; } }",
          "1:39 K2131 `z` takes a length, and this is a diameter"},
         {"program p(diameter d) { time t = d; dwell(t); }",
-         "1:34 K2104 `t` must be time, not diameter"},
+         "1:34 K2102 `t` must be time, not diameter"},
     });
 }
 

@@ -63,7 +63,8 @@ TEST(Values, DiametersGoAcross) {
         {"diameter d = 40; G0 X=d/2 Z=-d/4;", "rapid X20 Z-10"},
         {"diameter d = 40; G0 X=d + 4; X=2mm + d; X=-d;", "rapid X22\nX21\nX-20"},
         {"diameter d = 40; diameter e = 30; G0 X=d - e; if (d > e) X=e;", "rapid X5\nX15"},
-        {"length r = 5; diameter d = diameter(2*r); G0 X=d; X+=d; X=IC(d);", "rapid X5\nX+5\nX+5"},
+        {"length r = 5; diameter d = diameter(2*r); G0 X=d; X+=d; X=IC(d);",
+         "rapid X5\nX=IC(5)\nX=IC(5)"},
         {"diameter d = 40; length w = d; G0 X=w;", "rapid X40"},
         {"diameter[] all = {10, 20}; for (diameter d : all) G0 X=d;", "rapid X5\nrapid X10"},
         {"diameter d = 40; note \"{d} {d:u} {pi*d:.1}\";", "comment \"40 40 mm 125.7\""},
@@ -76,7 +77,8 @@ TEST(Values, ThePositionIsAPoint) {
     expect_rows({
         {"G0 X1 Y2 Z3; point p = position; G0 p + {1mm, 1mm, 1mm};",
          "rapid X1 Y2 Z3\nrapid X2 Y3 Z4"},
-        {"G0 X1; note \"{position ?? 5}\";", ""},
+        {"G0 X1; point p = position; note \"{given p.x} {given p.y}\";",
+         "rapid X1\ncomment \"true false\""},
     });
 }
 
