@@ -24,7 +24,7 @@ namespace {
 constexpr double kMinute = 60;
 constexpr double kMmPerMeter = 1000;
 constexpr nc::SlotMask kPointSlots = 7;  // X, Y, Z
-constexpr std::uint16_t kOfCycles = sema::custom::kCyclePlace | sema::custom::kPlaces;
+constexpr std::uint32_t kOfCycles = sema::custom::kCyclePlace | sema::custom::kPlaces;
 
 /// Anything a control could be told; beyond it the calculation has run away.
 bool is_sane(double value) { return std::fabs(value) < 1e15; }
@@ -279,6 +279,9 @@ bool Expander::State::fill(Block& block, const Filling& filling, sema::Slot valu
         case Filling::Form::Speed:
         case Filling::Form::SpeedPerTime:
         case Filling::Form::SpeedCutting: return fill_speed(block, filling, number, at);
+        case Filling::Form::Diameter:
+            if (!modal.is_diameter) number /= 2;
+            break;
         case Filling::Form::Plain: break;
     }
     if (!is_sane(number)) {
@@ -387,7 +390,7 @@ bool Expander::State::check_cut(const Block& block, std::uint32_t at) {
     if (!is_cut || !moves || block.find(Function::ReferenceReturn) != nullptr) return true;
     if (modal.is_feed_lost) return feed_lost(at, frames.size());
     if (options.warns_of_cuts) warn_of_cut(at);
-    return true;
+    return !has_failed;
 }
 
 /// A number of millimetres per minute would cut as millimetres per revolution.
@@ -406,6 +409,15 @@ bool Expander::State::feed_lost(std::uint32_t at, std::size_t depth) {
 void Expander::State::warn_of_cut(std::uint32_t at) {
     if (!modal.has_feed && !warned_of_feed) {
         warned_of_feed = true;
+        // Where the control alarms, no text is written that would; the common core has no alarms.
+        if (const auto alarm = target.alarm(diag::FeedMissing)) {
+            const std::string number = alarm->number.empty() ? alarm->text : alarm->number;
+            fault(diag::FeedNotSet, at)
+                .arg(target.name())
+                .arg(number)
+                .fix("give the block a feed: `F200`, or set one before it");
+            return;
+        }
         fault(diag::FeedNeverSet, at);
     }
     if (modal.is_spindle_turning() && modal.lacks_tool) {
@@ -527,6 +539,7 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
         std::ranges::find(parameters, "pitch", &sema::ParameterInfo::name) != parameters.end();
     if (!has_own_feed && modal.is_feed_lost) return !feed_lost(at, frames.size() - 1);
     if (!has_own_feed && options.warns_of_cuts && is_cut_doubtful()) warn_of_cut(at);
+    if (has_failed) return true;
     if (is_block_limit(at)) return true;
     if (modal.has_ended) warn_after_end(at);
     const Instruction& call = code.instructions[at];
@@ -734,6 +747,8 @@ bool Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint
     }
     if (feed) block.set(nc::Slot::Feed, before.feed);
     if (speed) block.set(nc::Slot::Speed, before.speed);
+    if ((changed & sema::group_bit(Group::LengthComp)) != 0 && !take_core_offsets(block, at))
+        return false;
     modal.take_functions(block);
     modal.take_words(block);
     if (options.trace) keep_trace(at, depth, source);

@@ -191,6 +191,8 @@ struct Expander::State {
     void say_reference(nc::Block& block);
     bool take_offsets_as_edges(nc::Block& block, std::uint32_t at);
     bool take_edges_as_offsets(nc::Block& block, std::uint32_t at);
+    bool take_core_offsets(nc::Block& block, std::uint32_t at);
+    bool take_edge_as_length(nc::Block& block, nc::Invocation& edge, std::uint32_t at);
 
     // ---- cycles.cpp: cycles as the control of the input dialect has them
     bool is_between_places() const {

@@ -7,6 +7,7 @@
 
 #include "base/assert.h"
 #include "base/diagnostics/dialect.h"
+#include "base/text.h"
 #include "nc/comment_text.h"
 
 namespace kadr::nc {
@@ -490,6 +491,13 @@ void BlockWriter::write_raw(const Block& block, std::string& out) {
         Block alone;
         alone.source = block.source;
         write_items(alone, items, {}, out);
+    }
+    const auto foreign = std::ranges::find_if(block.text, [](char c) { return (c & 0x80) != 0; });
+    if (tables_.comment.is_ascii && foreign != block.text.end() && is_unsaid(block, "raw")) {
+        const auto at = static_cast<std::size_t>(foreign - block.text.begin());
+        sink_.report(diag::RawCharacter, place(block))
+            .arg(code_points(std::string_view(block.text).substr(at), 0, 1))
+            .arg(tables_.name);
     }
     std::string_view rest = block.text;
     while (!rest.empty()) {
@@ -1116,6 +1124,11 @@ SourceRange BlockWriter::word_place(const Block& block, std::string_view address
 /// The writing failed; whether the statement has not said this yet: a loop reports once.
 bool BlockWriter::is_new_message(const Block& block, std::string_view what) {
     failed_ = true;
+    return is_unsaid(block, what);
+}
+
+/// Whether the statement has not been told this yet.
+bool BlockWriter::is_unsaid(const Block& block, std::string_view what) {
     const std::uint64_t key =
         std::hash<std::string_view>()(what) ^ (std::uint64_t{block.source.index} << 32);
     return reported_.insert(key).second;

@@ -127,6 +127,12 @@ std::uint64_t most_increments(const NumberFormat& format) {
 
 namespace {
 
+/// A coordinate of half an increment is 0; a feed, a speed or a wait of 0 is none any more.
+bool is_lost_at_zero(Dimension dimension) {
+    return dimension == Dimension::Time || dimension == Dimension::Feed ||
+           dimension == Dimension::Speed;
+}
+
 /// The usual number: its rounding is certain, the control takes it, and what stands there is what
 /// it means. False: it needs a second look, and nothing was written.
 bool append_plain(std::string& out, double number, const NumberFormat& format, Dimension dimension,
@@ -139,6 +145,7 @@ bool append_plain(std::string& out, double number, const NumberFormat& format, D
     std::uint64_t scaled = 0;
     if (!scaled_magnitude(number, decimals, scaled) || scaled > most_increments(format))
         return false;
+    if (scaled == 0 && number != 0 && is_lost_at_zero(dimension)) return false;
     const bool is_minus = number < 0 && scaled != 0;
     if (is_minus && !format.allows_minus) return false;
     if (dimension == Dimension::Count && number != std::nearbyint(number)) return false;
@@ -174,6 +181,8 @@ NumberFault append_number(std::string& out, double number, const NumberFormat& f
     out.append(text.data(), end);
     const Decimal decimal = parse_decimal(begin, end);
     const double meaning = read_meaning(decimal, format, dimension, units);
+    if (decimal.value == 0 && number != 0 && is_lost_at_zero(dimension))
+        return NumberFault::NotReadBack;
     const double half_increment = 0.5 / power_of_ten(decimals);
     // One part in 10^12 for the last bits of the product that made the number.
     if (!(std::fabs(meaning - number) <= half_increment + std::fabs(number) * 1e-12)) {
