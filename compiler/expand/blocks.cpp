@@ -406,8 +406,8 @@ bool Expander::State::feed_lost(std::uint32_t at, std::size_t depth) {
 }
 
 /// What the interpreter finds when the text is run, said where only the text is made.
-void Expander::State::warn_of_cut(std::uint32_t at) {
-    if (!modal.has_feed && !warned_of_feed) {
+void Expander::State::warn_of_cut(std::uint32_t at, bool needs_feed) {
+    if (needs_feed && !modal.has_feed && !warned_of_feed) {
         warned_of_feed = true;
         // Where the control alarms, no text is written that would; the common core has no alarms.
         if (const auto alarm = target.alarm(diag::FeedMissing)) {
@@ -505,6 +505,11 @@ bool Expander::State::emit_text(const Instruction& instruction, const sema::Slot
     return true;
 }
 
+/// Whether a cycle has its feed from this parameter: threads are cut with their pitch.
+static bool says_feed(const sema::ParameterInfo& parameter) {
+    return parameter.name == "pitch" || parameter.name == "lead" || parameter.name == "per_turn";
+}
+
 bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers) {
     if (!options.native_cycles || !recordings.empty()) return false;
     const CallFrame& frame = frames.back();
@@ -534,11 +539,9 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
     if (!target.has_native_cycle(cycle, given, {values.data(), parameters.size()})) return false;
     const std::uint32_t at = frame.return_to > 0 ? frame.return_to - 1 : 0;
     if (modal.lost != 0 && !knows_for_cycle(*frame.function, given, at)) return true;
-    // A cycle with a pitch has its feed from it.
-    const bool has_own_feed =
-        std::ranges::find(parameters, "pitch", &sema::ParameterInfo::name) != parameters.end();
-    if (!has_own_feed && modal.is_feed_lost) return !feed_lost(at, frames.size() - 1);
-    if (!has_own_feed && options.warns_of_cuts && is_cut_doubtful()) warn_of_cut(at);
+    const bool needs_feed = std::ranges::none_of(parameters, says_feed);
+    if (needs_feed && modal.is_feed_lost) return !feed_lost(at, frames.size() - 1);
+    if (options.warns_of_cuts && is_cut_doubtful()) warn_of_cut(at, needs_feed);
     if (has_failed) return true;
     if (is_block_limit(at)) return true;
     if (modal.has_ended) warn_after_end(at);

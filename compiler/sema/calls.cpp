@@ -180,7 +180,9 @@ Value Checker::call_function(std::uint32_t index, const Expr& expr) {
         wanted_.push_back(index);
     }
     const FunctionDecl function = functions_[index];
-    const bool may_call = options_.calls_programs && module_ == 0;
+    const bool may_call = module_ == 0 && function_ != nullptr &&
+                          !options_.calls_programs.empty() &&
+                          function_->name == options_.calls_programs;
     if (function.kind == syntax::DeclKind::Program && !may_call) {
         report(diag::ProgramCalled, expr.range).arg(function.name);
         return error_value();

@@ -48,8 +48,8 @@ struct CheckOptions {
     /// An expression that is a statement of the main file and begins at this byte or later shows
     /// its value (Op::Show).
     std::uint32_t shown_from = kNothingShown;
-    /// The main file may call programs as if they were cycles.
-    bool calls_programs = false;
+    /// The program of the main file that may call others as if they were cycles.
+    std::string_view calls_programs;
 };
 
 /// Checks the file and everything it imports. Mistakes are reported, all of them; the code is
