@@ -79,7 +79,6 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
                    const InterpreterOptions& options, DiagnosticSink& sink)
     : dialect_(dialect),
       machine_(machine),
-      work_offsets_(machine.work_offsets),
       tool_offsets_(machine),
       places_(places),
       cycles_(cycles),
@@ -114,8 +113,10 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
         set_modal(modal_, dialect.power_on(group));
     }
     returns_to_retract_ = dialect.power_on(Group::CycleReturn) == Function::CycleReturnRetract;
+    for (const AxisValues& offset : machine.work_offsets)
+        work_offsets_.push_back({.shift = offset});
     work_offset_ = rules_.default_work_offset;
-    frames_.select_work_offset(work_offset_values(work_offset_));
+    frames_.select_work_offset(work_offset_frame(work_offset_));
     frame_changed();
     clock_.start(position_.base);
     position_.programmed = position_.here;
@@ -601,8 +602,21 @@ std::int64_t Executor::tool_number(const Block& block, const Invocation& invocat
     const auto named = std::find_if(machine_.tools.begin(), machine_.tools.end(),
                                     [&](const auto& tool) { return tool.name == block.text; });
     if (named != machine_.tools.end()) return named->number;
+    return unlisted_tool(block);
+}
+
+/// The number inside the control of a tool by a name that the table does not have: they count on
+/// from the table's, in the order in which the program names them.
+std::int64_t Executor::unlisted_tool(const Block& block) {
+    std::int64_t last = 0;
+    for (const machine::ToolData& tool : machine_.tools) last = std::max(last, tool.number);
+    const auto known = std::find(unlisted_tools_.begin(), unlisted_tools_.end(), block.text);
+    const std::int64_t number = last + 1 + (known - unlisted_tools_.begin());
+    if (known != unlisted_tools_.end()) return number;
+    unlisted_tools_.emplace_back(block.text);
+    unknown_tools_.push_back(number);
     report(diag::ToolUnknown, block).arg(block.text);
-    return 0;
+    return number;
 }
 
 void Executor::change_tool(const Block& block) {
@@ -625,7 +639,7 @@ void Executor::select_work_offset(const Block& block, std::int64_t number) {
         report(diag::WorkOffsetUnknown, block, Function::WorkOffset).arg(number);
         return;
     }
-    frames_.select_work_offset(work_offset_values(number));
+    frames_.select_work_offset(work_offset_frame(number));
     work_offset_ = number;
     frame_changed();
 }

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "interp/compensation.h"
@@ -111,6 +112,9 @@ class Executor {
     std::optional<double> quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second);
     ControlState::Write set_quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second,
                                      double value, bool acts_at_once);  // offsets.cpp
+    std::optional<ControlFrame> frame(nc::Quantity quantity, std::int64_t number);
+    ControlState::Write set_frame(nc::Quantity quantity, std::int64_t number,
+                                  const ControlFrame& frame, bool acts_at_once);  // offsets.cpp
     bool is_length(std::int64_t axis) const;
     double word_factor(std::int64_t axis) const;
     bool is_compensated() const { return compensation_.is_on(); }
@@ -127,7 +131,9 @@ class Executor {
     void write_data(const nc::Block& block, const nc::Invocation& invocation);
     void write_work_offset(const nc::Block& block, const nc::Invocation& invocation);
     void write_tool_offset(const nc::Block& block, const nc::Invocation& invocation);
-    AxisValues work_offset_values(std::int64_t number) const;
+    ControlFrame work_offset_frame(std::int64_t number) const;
+    ControlFrame& work_offset_at(std::int64_t number);
+    void work_offset_changed(std::int64_t number, bool acts_at_once);
     ControlState::Write set_work_offset(std::int64_t number, Axis axis, double value,
                                         bool acts_at_once);
     ControlState::Write set_tool_offset(ToolOffsets::Column column, std::int64_t number,
@@ -157,6 +163,7 @@ class Executor {
     void set_coolant(const nc::Block& block, path::CoolantMode mode);
     void set_length_source(Tool::Source source, Actions& actions);
     std::int64_t tool_number(const nc::Block& block, const nc::Invocation& invocation);
+    std::int64_t unlisted_tool(const nc::Block& block);
     void change_tool(const nc::Block& block);
     void select_work_offset(const nc::Block& block, std::int64_t number);
     void change_plane(nc::Function plane);
@@ -320,8 +327,8 @@ class Executor {
 
     const nc::Dialect& dialect_;
     const machine::Machine& machine_;
-    std::vector<AxisValues> work_offsets_;  // as the machine has them, until the program sets one
-    std::int64_t work_offset_ = 0;          // that acts
+    std::vector<ControlFrame> work_offsets_;  // as the machine has them, until the program sets one
+    std::int64_t work_offset_ = 0;            // that acts
     ToolOffsets tool_offsets_;
     const nc::BlockPlaces* places_;
     CycleExpander* cycles_;
@@ -367,6 +374,7 @@ class Executor {
     bool warned_units_ = false;
     nc::Function units_ = nc::Function::None;  // that the program said last
     std::vector<std::int64_t> unknown_tools_;  // each is reported once
+    std::vector<std::string> unlisted_tools_;  // names of tools that the table does not have
     std::vector<std::int64_t> unknown_radii_;
     std::vector<std::int64_t> known_machine_functions_;  // so are these
     std::optional<SplineRun> spline_;                    // that is being read

@@ -131,6 +131,7 @@ class BlockWriter {
     void stand_without_codes();
     void forget_modal();
     bool is_left_to_machine(const Block& block, const Invocation& invocation);
+    void drop_function(const Block& block, Function function);
     void add_code(const Block& block, Function function, Items& items);
     bool needs_distance(const Block& block, Function distance) const;
     void restore_modal(const Block& block, Items& items);
@@ -165,8 +166,9 @@ class BlockWriter {
         SlotMask wrapped_incremental = 0;     // IC()
         SlotMask by_letter = 0;               // that are written with the letter of distances
         double feed_factor = 1;               // of F
-        bool needs_incremental = false;       // all words are distances, the text is absolute
+        bool needs_incremental = false;       // all words are distances from places unknown
     };
+    bool needs_incremental(const Block& block) const;
     void place_targets(const Block& block, Targets& targets);
     void place_target(const Block& block, std::size_t axis, Targets& targets);
     void place_machine_target(const Block& block, std::size_t axis, bool by_itself,
