@@ -46,6 +46,13 @@ std::string program_of(const nc::Example& example, const nc::Dialect& dialect,
     return text + "program example() { " + example.source + " }\n";
 }
 
+/// A block that says what X is, and nothing else.
+bool says_diameter_alone(const nc::Block& block) {
+    return block.kind == nc::Block::Kind::Nc && block.motion == nc::Function::None &&
+           block.given == 0 && block.function_count == 1 &&
+           nc::info(block.functions[0].function).group == nc::Group::Diameter;
+}
+
 Trial run_source(Session& session, const nc::Example& example, const nc::Dialect& dialect) {
     // The messages of the program are about a text that nobody has written: the first one is told
     // at the example instead.
@@ -65,6 +72,8 @@ Trial run_source(Session& session, const nc::Example& example, const nc::Dialect
             is_running = count > 0;
         }
     }
+    // A turning cycle stands in a program that has said what X is.
+    if (calls_cycle(example.source, dialect)) std::erase_if(trial.blocks, says_diameter_alone);
     trial.fault = messages.first_error();
     return trial;
 }

@@ -129,6 +129,10 @@ bool Expander::State::emit_block(const sema::Plan& plan, const Instruction& inst
     if (is_block_limit(at)) return false;
     if (modal.due_offset != 0) [[unlikely]]
         say_offset(plan, instruction, at);
+    if (modal.diameter_due != Function::None && plan.skip >= 0) [[unlikely]] {
+        const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+        say_diameter_alone(source, at, instruction.c);
+    }
     const std::size_t in_batch = batch_count;
     if (fill_plan(plan, instruction, registers, at)) {
         if (plan.customs == 0) [[likely]]
@@ -183,6 +187,9 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
             return false;
         const Function motion = plan.motion != Function::None ? plan.motion : modal[Group::Motion];
         modal.take_functions(block);
+        if (modal[Group::Diameter] == Function::None && options.warns_of_cuts &&
+            !warned_of_diameter)
+            warn_of_radius(block, at);
         if ((plan.customs & sema::custom::kMachineRapid) != 0 && motion != Function::Rapid) {
             modal.active[static_cast<std::size_t>(Group::Motion)] = motion;
             modal.restate_motion = true;
@@ -244,6 +251,8 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
         return false;
     if (nc::is_arc(modal[Group::Motion]) && recordings.empty() && !has_radius(block, at))
         return false;
+    if (modal.diameter_due != Function::None && recordings.empty()) [[unlikely]]
+        say_diameter(block);
     if (options.warns_of_cuts && !warned_of_rapid && recordings.empty()) check_rapid(block, at);
     modal.take_words(block);
     if (recordings.empty() && is_cut_doubtful() && !check_cut(block, at)) [[unlikely]]
@@ -488,6 +497,8 @@ bool Expander::State::emit_text(const Instruction& instruction, const sema::Slot
     // A copy: making blocks does not move texts, but nothing should depend on that.
     const std::string text = heap.text(registers[instruction.a].integer);
     const bool is_raw = instruction.b == 1;
+    if (is_raw && modal.diameter_due != Function::None)
+        say_diameter_alone(source, at, instruction.c);
     std::string_view rest = text;
     do {
         if (is_block_limit(at)) return false;
@@ -547,6 +558,7 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
     if (modal.has_ended) warn_after_end(at);
     const Instruction& call = code.instructions[at];
     const SourceId source{static_cast<std::uint32_t>(call.immediate.pair.first)};
+    if (modal.diameter_due != Function::None) say_diameter_alone(source, at, frames.size() - 1);
     Block& block = next_block(source);
     nc::Invocation* invocation = block.add(Function::Cycle, parameters.size());
     KADR_ASSERT(invocation != nullptr, "a cycle has more parameters than a block holds");

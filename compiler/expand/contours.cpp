@@ -393,13 +393,10 @@ bool Expander::State::close_contour(std::uint32_t where) {
 bool Expander::State::keep_plan(const sema::Plan& plan, const Instruction& instruction,
                                 const Slot* registers, std::uint32_t where) {
     for (const nc::Invocation& invocation : plan.functions) {
-        if (invocation.function == Function::DiameterOn ||
-            invocation.function == Function::DiameterOff) {
-            continue;
-        }
         switch (nc::info(invocation.function).group) {
             case Group::Plane:
-            case Group::Distance: continue;
+            case Group::Distance:
+            case Group::Diameter: continue;
             default:
                 return refuse_block("`" + std::string(nc::info(invocation.function).name) + "`",
                                     where);
@@ -604,8 +601,9 @@ bool Expander::State::follow_contour(const Instruction& instruction, const Slot*
     next.source = {static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     next.depth = instruction.c;
     next.feed = arguments[at(FollowSlot::Feed)].number;
-    // In a contour that is being made, X is what its own words say.
-    const Wording wording{plane, recordings.empty() ? contour->is_diameter : modal.is_diameter};
+    // X is what the program, or a contour that is being made, says; else what the contour's words were.
+    const bool is_said = !recordings.empty() || modal[Group::Diameter] != Function::None;
+    const Wording wording{plane, is_said ? modal.is_diameter : contour->is_diameter};
     next.is_diameter = wording.is_diameter;
     const PlaneIndices axes = wording.axes();
     const Vec2 begin = contour->elements.front().from;
@@ -669,6 +667,7 @@ bool Expander::State::finish_followed(Block& block, const FollowedBlock& next,
         return false;
     }
     if (modal.has_ended && recordings.empty()) warn_after_end(where);
+    if (modal.diameter_due != Function::None && recordings.empty()) say_diameter(block);
     modal.take_words(block);
     if (!recordings.empty()) return keep(block, where);
     if (is_cut_doubtful() && !check_cut(block, where)) {

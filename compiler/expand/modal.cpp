@@ -26,7 +26,13 @@ ModalState ModalState::at_start(const sema::FunctionCode& entry) {
     set(Group::Coolant, Function::CoolantOff);
     set(Group::CycleMode, Function::CycleOff);
     set(Group::CycleReturn, Function::CycleReturnInitial);
-    // Path mode and work offset are whatever the control has: a program that needs one says so.
+    if (entry.has_diameters) {
+        set(Group::Diameter, Function::DiameterOn);
+        state.is_diameter = true;
+        state.diameter_due = Function::DiameterOn;
+    }
+    // Path mode and work offset are whatever the control has, and so is whether X is a diameter: a
+    // program that needs one of them says so.
     return state;
 }
 
@@ -75,6 +81,15 @@ void ModalState::set_position(const nc::Block& block, const nc::Invocation& invo
         position[i] = block.argument(invocation, i);
         known = static_cast<AxisMask>(known | 1u << i);
     }
+}
+
+/// The tool stays where it is; its X is another number then.
+void ModalState::set_diameter(bool is_on) {
+    if ((*this)[Group::Diameter] == Function::None) known &= static_cast<AxisMask>(~1u);
+    else if (is_on != is_diameter) position[0] *= is_on ? 2 : 0.5;
+    is_diameter = is_on;
+    diameter_due = Function::None;
+    lost_drift |= has_drift & 1u;
 }
 
 /// The zero point moves along one axis (1 is X), in a frame that turns along some.
@@ -165,9 +180,8 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
         case Function::SetPosition: set_position(block, invocation); return;
         case Function::DiameterOn:
         case Function::DiameterOff:
-            is_diameter = invocation.function == Function::DiameterOn;
-            lost_drift |= has_drift & 1u;
-            return;
+            set_diameter(invocation.function == Function::DiameterOn);
+            break;
         case Function::WorkOffset:
             if ((*this)[Group::WorkOffsets] != Function::WorkOffset ||
                 work_offset != block.argument(invocation, 0)) {

@@ -48,8 +48,9 @@ struct ModalState {
     SourceId frame_by;
     SourceId feed_by;
     SourceId speed_by;
-    bool restate_motion = false;   // after a native cycle
-    int due_offset = 0;            // of the control of a source, to be said before the first move
+    bool restate_motion = false;  // after a native cycle
+    int due_offset = 0;           // of the control of a source, to be said before the first move
+    nc::Function diameter_due = nc::Function::None;  // what X is; the text does not say it yet
     bool is_edge_off = false;      // `D0` of a source that counts edges: no tool length
     bool is_feed_deleted = false;  // by a feed mode of a source whose control does that
     sema::ModalMask lost = 0;      // what something has made unknown: it must be said again
@@ -93,6 +94,7 @@ struct ModalState {
     void take(const nc::Block& block, const nc::Invocation& invocation);
     void set_position(const nc::Block& block, const nc::Invocation& invocation);
     void change_tool(SourceId source);
+    void set_diameter(bool is_on);
     void lose_corrected(double axis);
     void note_drift(std::size_t axis, bool is_known, double by);
     void forget_drift(AxisMask axes);

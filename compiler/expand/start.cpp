@@ -289,6 +289,10 @@ bool Expander::State::start_cycle(std::string_view name, std::span<const double>
                                             code.functions[0].registers + 16));
     options.native_cycles = false;  // this is the body of a native one
     modal = first_state(function);
+    // Whether X is a diameter the program has said that calls it.
+    modal.active[static_cast<std::size_t>(nc::Group::Diameter)] = nc::Function::None;
+    modal.is_diameter = false;
+    modal.diameter_due = nc::Function::None;
     modal.position = at.position;
     modal.known = static_cast<AxisMask>((1u << kAxes) - 1u);
     modal.has_feed = at.feed > 0;

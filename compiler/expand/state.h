@@ -258,6 +258,10 @@ struct Expander::State {
     bool state_lost(std::string_view what, std::string_view fix, std::uint32_t at);
     void tell_loss(DiagnosticBuilder builder, std::string_view what, std::string_view fix);
     void say_again(nc::Block& block);
+    void say_diameter(nc::Block& block);
+    void say_diameter_alone(SourceId source, std::uint32_t at, std::size_t depth);
+    /// A block that turns while nothing says whether X is a diameter.
+    void warn_of_radius(const nc::Block& block, std::uint32_t at);
     bool keep_promise(const OpenWith& promise, std::uint32_t at);
     void warn_after_end(std::uint32_t at);
     /// Whether an arc's center is not its start.
@@ -369,6 +373,7 @@ struct Expander::State {
     SaidCycle said_cycle;
     bool warned_of_feed = false;  // each is said once
     bool warned_of_spindle = false;
+    bool warned_of_diameter = false;
     bool warned_of_rapid = false;
 
     /// A contour whose blocks are being kept.

@@ -48,6 +48,8 @@ bool has_group(const Block& block, Group group) {
 
 void ModalState::forget(SourceId source) {
     known = 0;
+    // What X of the program is does not change by that: the text says it again.
+    const Function diameter = (*this)[Group::Diameter];
     active.fill(Function::None);
     has_feed = has_speed = has_tool = has_tool_in = has_length_offset = false;
     lacks_tool = false;
@@ -57,6 +59,10 @@ void ModalState::forget(SourceId source) {
     restate = 0;
     lost = sema::kFrameBit | sema::kFeedBit | sema::kSpeedBit;
     for (std::size_t i = 0; i < nc::kGroups; ++i) lost |= group_bit(static_cast<Group>(i));
+    if (diameter != Function::None) {
+        active[static_cast<std::size_t>(Group::Diameter)] = diameter_due = diameter;
+        lost &= ~group_bit(Group::Diameter);
+    }
     lost_by = source;
     lost_in = Loss::RawText;
 }
@@ -95,6 +101,7 @@ void ModalState::take_skipped(const Block& block) {
                 forget_value(group_bit(group));
                 spindle_in_doubt = spindle_in_doubt || group == Group::Spindle;
                 break;
+            case Group::Diameter: diameter_due = (*this)[group]; break;
             default: break;  // said again by the writer
         }
     }
@@ -199,6 +206,31 @@ void Expander::State::say_again(Block& block) {
     if ((modal.restate & kSpeed) != 0 && modal.has_speed && !block.has(nc::Slot::Speed))
         block.set(nc::Slot::Speed, modal.speed);
     if (block.skip < 0) modal.restate = 0;
+}
+
+/// What X is, with the first block that moves or that sets another state.
+void Expander::State::say_diameter(Block& block) {
+    bool acts = block.motion != Function::None || (block.given & nc::kTargetSlots) != 0;
+    for (std::size_t i = 0; i < block.function_count; ++i)
+        acts = acts || nc::info(block.functions[i].function).group != Group::Once;
+    if (!acts || block.skip >= 0 || !block.add(modal.diameter_due)) return;
+    modal.diameter_due = Function::None;
+}
+
+/// … or in a block of its own.
+void Expander::State::say_diameter_alone(SourceId source, std::uint32_t at, std::size_t depth) {
+    next_block(source).add(modal.diameter_due);
+    modal.diameter_due = Function::None;
+    if (options.trace) keep_trace(at, static_cast<unsigned>(depth), source);
+}
+
+void Expander::State::warn_of_radius(const Block& block, std::uint32_t at) {
+    const bool turns =
+        block.find(Function::CuttingSpeedOn) != nullptr || block.motion == Function::Thread;
+    const auto on = static_cast<std::size_t>(Function::DiameterOn);
+    if (!turns || target.tables().forms_of[on].empty()) return;
+    warned_of_diameter = true;
+    fault(diag::DiameterNotSaid, at);
 }
 
 bool Expander::State::settle_unknown(Block& block, std::uint32_t at) {

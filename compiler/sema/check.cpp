@@ -166,7 +166,60 @@ void Checker::finish() {
             entry.parameters.push_back(describe_parameter(parameter));
         }
     }
+    mark_diameters();
     export_enums();
+}
+
+/// What the blocks of a function say of X themselves, and those of its contours.
+Checker::DiameterWords Checker::diameter_words(const FunctionCode& function) const {
+    DiameterWords words;
+    int contours = 0;
+    for (std::uint32_t at = function.entry; at < function.end; ++at) {
+        const Instruction& instruction = code_->instructions[at];
+        contours += static_cast<int>(instruction.op == Op::BeginContour) -
+                    static_cast<int>(instruction.op == Op::EndContour);
+        if (instruction.op != Op::Emit) continue;
+        const Plan& plan = code_->plans[static_cast<std::size_t>(instruction.immediate.pair.first)];
+        for (const nc::Invocation& invocation : plan.functions) {
+            if (nc::info(invocation.function).group != nc::Group::Diameter) continue;
+            if (contours == 0) words.in_program = true;
+            else words.in_contour |= invocation.function == nc::Function::DiameterOn;
+        }
+    }
+    return words;
+}
+
+/// A function works with diameters, unless it says what X is, if it makes a contour of diameters,
+/// or calls what works with them: a cycle of a lathe is written for DIAMON. So does what is written
+/// for a control where X always is one.
+void Checker::mark_diameters() {
+    std::vector<FunctionCode>& functions = code_->functions;
+    std::vector<bool> decides(functions.size());
+    for (std::size_t i = 0; i < functions.size(); ++i) {
+        const std::vector<nc::Function>& needs = functions[i].needs;
+        const DiameterWords words = diameter_words(functions[i]);
+        const bool is_of_lathe = i > 0 && modules_[functions_[i - 1].module].dialect->power_on(
+                                              nc::Group::Diameter) == nc::Function::DiameterOn;
+        decides[i] = words.in_program;
+        functions[i].has_diameters =
+            is_of_lathe || (words.in_contour && !words.in_program) ||
+            std::find(needs.begin(), needs.end(), nc::Function::DiameterOn) != needs.end();
+    }
+    const auto calls_one = [&](const FunctionCode& function) {
+        for (std::uint32_t at = function.entry; at < function.end; ++at) {
+            const Instruction& instruction = code_->instructions[at];
+            if (instruction.op == Op::Call && functions[instruction.b].has_diameters) return true;
+        }
+        return functions[0].has_diameters;  // a contour of the file
+    };
+    bool is_changed = true;
+    while (is_changed) {
+        is_changed = false;
+        for (std::size_t i = 0; i < functions.size(); ++i) {
+            if (functions[i].has_diameters || decides[i] || !calls_one(functions[i])) continue;
+            functions[i].has_diameters = is_changed = true;
+        }
+    }
 }
 
 std::unique_ptr<Code> check(const syntax::Ast& main, const nc::Dialect& dialect,

@@ -81,6 +81,12 @@ class Checker {
     void report_unused_parameters();
     void export_enums();
     void finish();
+    struct DiameterWords {
+        bool in_program = false;  // DIAMON or DIAMOF
+        bool in_contour = false;  // DIAMON
+    };
+    DiameterWords diameter_words(const FunctionCode& function) const;
+    void mark_diameters();
     Units units_of(const FunctionDecl& function) const;
     /// The common cycle that this function is the body of.
     bool is_library(std::uint32_t module) const;

@@ -30,7 +30,8 @@ constexpr bool is_quiet_group(Group group) {
         case Group::CycleReturn:
         case Group::CompStart:
         case Group::CompCorner:
-        case Group::CompCheck: return true;
+        case Group::CompCheck:
+        case Group::Diameter: return true;
         case Group::Once:
         case Group::LengthComp:
         case Group::WorkOffsets:
@@ -83,12 +84,7 @@ void BlockWriter::begin(const ProgramInfo& program) {
     modal_.meant_of(Group::SpeedMode) = Function::CuttingSpeedOff;
     modal_.meant_of(Group::RadiusComp) = Function::RadiusCompOff;
     modal_.units.inch = modal_.units.inch_feed = program.is_inch;
-    // What the control has no code for it cannot have left: feeds a minute, where no code says so.
-    for (std::size_t group = 0; group < kGroups; ++group) {
-        const Function standing = tables_.power_on[group];
-        const bool has_code = !tables_.forms_of[static_cast<std::size_t>(standing)].empty();
-        if (standing != Function::None && !has_code) modal_.text[group] = standing;
-    }
+    stand_without_codes();
     // A shift that keeps its words may be left over from another program.
     const auto& shifts = tables_.forms_of[static_cast<std::size_t>(Function::Shift)];
     const bool is_kept =
@@ -97,6 +93,24 @@ void BlockWriter::begin(const ProgramInfo& program) {
     modal_.origin = modal_.shift;
     number_ = tables_.block_numbers.start;
     has_ended_ = false;
+}
+
+/// What the control has no code for it cannot have left: feeds a minute, X as a diameter, where no
+/// code says so.
+void BlockWriter::stand_without_codes() {
+    for (std::size_t group = 0; group < kGroups; ++group) {
+        const Function standing = tables_.power_on[group];
+        if (standing != Function::None && !has_code(standing)) modal_.text[group] = standing;
+    }
+}
+
+bool BlockWriter::has_code(Function function) const {
+    return !tables_.forms_of[static_cast<std::size_t>(function)].empty();
+}
+
+void BlockWriter::forget_modal() {
+    modal_.forget();
+    stand_without_codes();
 }
 
 std::uint32_t BlockWriter::write(const Block& block, std::string& out) {
@@ -108,7 +122,7 @@ std::uint32_t BlockWriter::write(const Block& block, std::string& out) {
         case Block::Kind::Comment: write_comment(block, out); break;
         case Block::Kind::Raw: write_raw(block, out); break;
         case Block::Kind::Label: cannot_express(block, "the label " + quoted(block.text)); break;
-        case Block::Kind::Modal: modal_.forget(); break;
+        case Block::Kind::Modal: forget_modal(); break;
     }
     return lines_ == before ? lines_ : before + 1;
 }
@@ -507,7 +521,7 @@ void BlockWriter::write_raw(const Block& block, std::string& out) {
         close_line(out);
         rest.remove_prefix(std::min(end + 1, rest.size()));
     }
-    modal_.forget();
+    forget_modal();
 }
 
 // ---------------------------------------------------------------- functions
@@ -521,7 +535,7 @@ void BlockWriter::choose_forms(const Block& block) {
             const auto function = static_cast<std::size_t>(invocation.function);
             if (tables_.said_with_others[function] != with_others || (done_ >> i & 1u) != 0)
                 continue;
-            if (is_suppressed(invocation.function)) {
+            if (is_suppressed(invocation.function) || is_left_to_machine(block, invocation)) {
                 done_ |= 1u << i;
                 continue;
             }
@@ -555,8 +569,26 @@ bool BlockWriter::is_suppressed(Function function) const {
     const Group group = info(function).group;
     // Where the letters say it, no code does.
     if (group == Group::Distance && tables_.has_incremental_letters) return true;
-    return is_quiet_group(group) && !options_.verbose_modal &&
-           modal_.text[index_of(group)] == function;
+    return is_quiet_group(group) && modal_.text[index_of(group)] == function &&
+           (!options_.verbose_modal || !has_code(function));
+}
+
+/// Whether X is a diameter, on a control that has neither a code for it nor a rule: its text is the
+/// same, and right where the machine is set so.
+bool BlockWriter::is_left_to_machine(const Block& block, const Invocation& invocation) {
+    if (info(invocation.function).group != Group::Diameter) return false;
+    const bool has_any = has_code(Function::DiameterOn) || has_code(Function::DiameterOff) ||
+                         tables_.power_on[index_of(Group::Diameter)] != Function::None;
+    if (has_any) return false;
+    if (is_unsaid(block, info(invocation.function).name)) {
+        const bool is_diameter = invocation.function == Function::DiameterOn;
+        sink_.report(diag::DiameterLeft, place(block))
+            .arg(tables_.name)
+            .arg(is_diameter ? "diameter" : "radius")
+            .fix("for a lathe take the dialect of one, as `fanuc-lathe` is");
+    }
+    modal_.text_of(Group::Diameter) = invocation.function;
+    return true;
 }
 
 /// Why the form cannot say what was given, or lacks what it needs.

@@ -125,6 +125,12 @@ class BlockWriter {
     static std::string misfit_words(std::span<const Parameter> parameters, const Misfit& misfit);
     bool holds(const Form& form, const Block& block, Function asked, bool allow_unknown) const;
     bool is_suppressed(Function function) const;
+    bool has_code(Function function) const;
+    bool knows_diameter() const;
+    double on_part(std::size_t axis) const;
+    void stand_without_codes();
+    void forget_modal();
+    bool is_left_to_machine(const Block& block, const Invocation& invocation);
     void drop_function(const Block& block, Function function);
     void add_code(const Block& block, Function function, Items& items);
     bool needs_distance(const Block& block, Function distance) const;

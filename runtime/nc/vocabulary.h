@@ -42,8 +42,9 @@ enum class Group : std::uint8_t {
     CompStart,
     CompCorner,
     CompCheck,
+    Diameter,
 };
-inline constexpr std::size_t kGroups = 18;
+inline constexpr std::size_t kGroups = 19;
 
 /// What a number in a block measures; decides unit, number format and conversion.
 enum class Dimension : std::uint8_t {

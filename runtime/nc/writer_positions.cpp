@@ -231,7 +231,8 @@ void BlockWriter::place_center_as_given(const Block& block, const WrittenPositio
         const bool is_start_known = (start.known >> axis & 1u) != 0;
         const bool is_coordinate = (block.absolute & bit(slot)) != 0;
         if (is_coordinate_center(slot)) {
-            if (!is_coordinate && is_start_known) number += to_text(slot, start.text[axis]);
+            if (!is_coordinate && is_start_known)
+                number += to_text(slot, start.text[axis] * on_part(axis));
             if (!is_coordinate && !is_start_known) position_unknown(block, address_of(slot).name);
         } else if (is_coordinate) {
             // A coordinate, where the control takes distances only, needs the start.
@@ -287,9 +288,9 @@ void BlockWriter::place_center(const Block& block, const WrittenPosition& start,
         return found;
     };
     PlanePoint center = find_center(arc);
-    // On a lathe X is a diameter, but the centre is not, and no word need say so: the circle on
+    // On a lathe X is a diameter, but the centre is not, and where no word says so the circle on
     // which start and end lie does.
-    if (axes[1] == kX) {
+    if (axes[1] == kX && !knows_diameter()) {
         const ArcPoints radii = halved(arc, 1);
         const PlanePoint other = find_center(radii);
         if (radius_miss(radii, other) < radius_miss(arc, center)) {
@@ -331,27 +332,39 @@ bool BlockWriter::is_coordinate_center(Slot slot) const {
 void BlockWriter::place_center_as_coordinates(const Block& block, const WrittenPosition& start,
                                               const PlanePoint& center, Targets& targets) {
     const std::array<std::size_t, 3> axes = plane_axes();
-    const ArcPoints arc = arc_points(start);
     const int places = decimals(center_slot(axes[0]));
-    const PlanePoint words = center_words(arc, center, places, {false, false}, true);
+    const PlanePoint words = center_words(arc_points(start), center, places, {false, false}, true);
     for (std::size_t i = 0; i < 2; ++i) {
         const Slot slot = center_slot(axes[i]);
         if (!has_address(slot)) return cannot_express(block, "an arc centre");
         if ((start.known >> axes[i] & 1u) == 0) return position_unknown(block, kAxisNames[axes[i]]);
         const SlotMask end = bit(static_cast<Slot>(axes[i]));
-        if ((targets.written & end) == 0) targets.number[axes[i]] = arc.text_end[i];
+        if ((targets.written & end) == 0) {
+            const auto slot_of_end = static_cast<Slot>(axes[i]);
+            targets.number[axes[i]] = to_text(slot_of_end, modal_.position.text[axes[i]]);
+        }
         targets.written |= bit(slot) | end;
         targets.number[static_cast<std::size_t>(slot)] = words[i];
     }
 }
 
-/// Start and end of the arc in the plane, in the text's units.
+/// Whether the text says, or the control knows, what X is.
+bool BlockWriter::knows_diameter() const {
+    return modal_.text_of(Group::Diameter) != Function::None;
+}
+
+/// What a coordinate is multiplied with to be one of the part: X may be a diameter, a centre never.
+double BlockWriter::on_part(std::size_t axis) const {
+    return axis == kX && modal_.text_of(Group::Diameter) == Function::DiameterOn ? 0.5 : 1;
+}
+
+/// Start and end of the arc in the plane, on the part, in the text's units.
 ArcPoints BlockWriter::arc_points(const WrittenPosition& start) const {
     const std::array<std::size_t, 3> axes = plane_axes();
     ArcPoints arc{};
     for (std::size_t i = 0; i < 2; ++i) {
         const std::size_t axis = axes[i];
-        const double scale = to_text(static_cast<Slot>(axis), 1);
+        const double scale = to_text(static_cast<Slot>(axis), 1) * on_part(axis);
         arc.start[i] = start.meant[axis] * scale;
         arc.text_start[i] = start.text[axis] * scale;
         arc.end[i] = modal_.position.meant[axis] * scale;
@@ -370,7 +383,7 @@ bool BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
     const int places = decimals(has_word ? Slot::Radius : center_slot(axes[0]));
     const bool is_cw = effective_motion(block) == Function::ArcCw;
     RadiusArc arc = radius_arc(arc_points(start), radius, places, is_cw);
-    if (axes[1] == kX && !arc.fits) {  // on a lathe X is a diameter
+    if (axes[1] == kX && !arc.fits && !knows_diameter()) {  // on a lathe X is a diameter
         const RadiusArc other = radius_arc(halved(arc.points, 1), radius, places, is_cw);
         if (other.fits || !arc.exact) arc = other;
     }
@@ -429,8 +442,12 @@ void BlockWriter::place_arc_feed(const Block& block, const WrittenPosition& star
     if (!modal_.units.inverse_time || !inverse_arc_by_radius_) return;
     const std::array<std::size_t, 3> axes = plane_axes();
     if (!is_chord_known(block, start)) return position_unknown(block, "F");
-    const PlanePoint from = {start.meant[axes[0]], start.meant[axes[1]]};
-    const PlanePoint to = {modal_.position.meant[axes[0]], modal_.position.meant[axes[1]]};
+    PlanePoint from{};
+    PlanePoint to{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        from[i] = start.meant[axes[i]] * on_part(axes[i]);
+        to[i] = modal_.position.meant[axes[i]] * on_part(axes[i]);
+    }
     const bool is_clockwise = effective_motion(block) == Function::ArcCw;
     targets.feed_factor = sweep_angle(from, to, meant_center(block, from, to), is_clockwise);
 }
@@ -482,6 +499,8 @@ bool BlockWriter::vanishes(const Block& block) const {
         const double text_to = round_to(to_text(slot, to[i]), decimals(slot));
         is_same = is_same && text_from == text_to;
         increment = std::max(increment, std::pow(10.0, -decimals(slot)) / to_text(slot, 1));
+        from[i] *= on_part(axes[i]);
+        to[i] *= on_part(axes[i]);
     }
     const double chord = std::hypot(to[0] - from[0], to[1] - from[1]);
     if (chord < kSame) return false;  // a full circle is meant, or nothing
@@ -535,8 +554,9 @@ bool BlockWriter::split_turns(const Block& block, std::string& out) {
         if (!block.has(slot)) return start.meant[axis];
         return is_distance(block, axis) ? start.meant[axis] + block.at(slot) : block.at(slot);
     };
-    const PlanePoint from = {start.meant[axes[0]], start.meant[axes[1]]};
-    const PlanePoint to = {end_of(axes[0]), end_of(axes[1])};
+    const PlanePoint from = {start.meant[axes[0]] * on_part(axes[0]),
+                             start.meant[axes[1]] * on_part(axes[1])};
+    const PlanePoint to = {end_of(axes[0]) * on_part(axes[0]), end_of(axes[1]) * on_part(axes[1])};
     const PlanePoint center = meant_center(block, from, to);
     constexpr double kTurn = 2 * std::numbers::pi;
     const double sweep = sweep_angle(from, to, center, motion == Function::ArcCw);

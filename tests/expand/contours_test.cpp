@@ -110,32 +110,33 @@ TEST(Contours, Questions) {
 TEST(Contours, Diameters) {
     expect_rows({
         {"G18; contour c = { DIAMON; G1 X20 Z0; G3 X24 Z-2 K-2; G1 Z-5; }; follow(c);",
-         "plane_zx\nline X20 Z0\narc_ccw X24 Z-2 I0 K-2\nline X24 Z-5"},
+         "plane_zx | diameter_on\nline X20 Z0\narc_ccw X24 Z-2 I0 K-2\nline X24 Z-5"},
         // Outside on a lathe a rounding is G3, a fillet G2; in a bore the other way around.
         {"G18; contour c = { DIAMON; G1 X24 Z-5; G2 X30 Z-8 I3 K0; }; follow(c);",
-         "plane_zx\nline X24 Z-5\narc_cw X30 Z-8 I3 K0"},
+         "plane_zx | diameter_on\nline X24 Z-5\narc_cw X30 Z-8 I3 K0"},
         {"G18; contour c = { DIAMON; G1 X24 Z-5; G2 X30 Z-8 I=AC(15) K=AC(-5); }; follow(c);",
-         "plane_zx\nline X24 Z-5\narc_cw X30 Z-8 I3 K0"},
+         "plane_zx | diameter_on\nline X24 Z-5\narc_cw X30 Z-8 I3 K0"},
         {"G18; contour c = { DIAMON; G1 X20 Z0; G91 X4 Z-2; }; follow(c);",
-         "plane_zx\nline X20 Z0\nline X24 Z-2"},
+         "plane_zx | diameter_on\nline X20 Z0\nline X24 Z-2"},
         {"G18; contour c = { DIAMON; G1 X20 Z0; G3 X24 Z-2 K-2; }; element e = c[0]; X=e.center.x "
          "Z=e.radius Y=e.sweep/1deg*1mm; if (e.is_diameter && c.is_diameter) X=c.max.x;",
-         "plane_zx\nX20 Y90 Z2\nX24"},
-        {"G18; contour c = { DIAMON; G1 X6 Z0; X14 Z-3; }; X=c.length;", "plane_zx\nX5"},
+         "plane_zx | diameter_on\nX20 Y90 Z2\nX24"},
+        {"G18; contour c = { DIAMON; G1 X6 Z0; X14 Z-3; }; X=c.length;",
+         "plane_zx | diameter_on\nX5"},
         // 1 mm beside, on the radius; moved by a diameter.
         {"G18; contour c = { DIAMON; G1 X20 Z0; Z-10; }; follow(c, right: 1mm); follow(shift(c, x: "
          "4mm));",
-         "plane_zx\nline X22 Z0\nline X22 Z-10\nline X24 Z0\nline X24 Z-10"},
+         "plane_zx | diameter_on\nline X22 Z0\nline X22 Z-10\nline X24 Z0\nline X24 Z-10"},
         {"G18; contour c = { DIAMON; G1 X20 Z0; X40 Z-10; }; for (point p : crossings(c, x: 30mm)) "
          "G0 p;",
-         "plane_zx\nrapid X30 Z-5"},
+         "plane_zx | diameter_on\nrapid X30 Z-5"},
         // As the program has it; a contour in a contour is in the words of the outer one.
         {"G18; DIAMON; contour c = { G1 X20 Z0; X24; }; contour d = { DIAMOF; follow(c); }; "
          "follow(d);",
-         "plane_zx\ndiameter_on\nline X10 Z0\nline X12 Z0"},
+         "plane_zx\ndiameter_on\nline X20 Z0\nline X24 Z0"},
         {"G18; contour c = { DIAMON; G1 X20 Z0; X24; }; follow(c, feed: 50); contour d = { G1 X1 "
          "Z0; X2; }; follow(d);",
-         "plane_zx\nline X20 Z0 F50\nline X24 Z0\nline X1 Z0\nline X2 Z0"},
+         "plane_zx | diameter_on\nline X20 Z0 F50\nline X24 Z0\nline X1 Z0\nline X2 Z0"},
     });
 }
 
@@ -225,9 +226,9 @@ TEST(Contours, MistakesHaveTheirPlaces) {
               "2:35 K3616"},
              {"contour c = { G1 X0 Y0; X10; }; X=crossings(c).count;", "2:35 K3616"},
              {"G18; contour c = { DIAMON; G1 X0 Z0; X10; DIAMOF; X20; };", "2:43 K3601"},
-             {"G18; contour c = { DIAMON; G1 X0 Z0; X10; }; contour d = { G1 X0 Z0; X9; }; "
+             {"G18; contour c = { DIAMON; G1 X0 Z0; X10; }; contour d = { DIAMOF; G1 X0 Z0; X9; }; "
               "X=intersections(c, d).count;",
-              "2:79 K3606"},
+              "2:87 K3606"},
              {"while (true) { contour c = { G1 X0 Y0; break; }; }", "2:40 K2217"},
          }) {
         SCOPED_TRACE(row.source);

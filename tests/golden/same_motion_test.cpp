@@ -197,6 +197,22 @@ TEST_P(SameMotion, OnEveryControl) {
     }
 }
 
+/// A part for a lathe on a machine whose X is a radius until the text says otherwise.
+TEST_P(SameMotion, WhereXIsARadiusUntilDiamon) {
+    if (GetParam().machine != "lathe") return;
+    const auto ways = [&](const std::string& dialect, const std::string& machine) {
+        std::vector<json> all;
+        for (json& command : commands_of({GetParam().source, machine}, dialect, "moves")) {
+            if (command.contains("to")) all.push_back(std::move(command));
+        }
+        return all;
+    };
+    const std::vector<json> reference = ways("sinumerik", "lathe");
+    ASSERT_GT(reference.size(), 3u);
+    for (const char* dialect : {"sinumerik", "axioma", "fanuc-lathe"})
+        expect_same(reference, ways(dialect, "mill"), dialect);
+}
+
 /// What a control of examples/dialects can say of a part moves as it does elsewhere; it can say all
 /// parts for a mill but those that are told here.
 TEST_P(SameMotion, OnControlsMadeByTheDocument) {

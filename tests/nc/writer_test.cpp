@@ -207,6 +207,17 @@ TEST(Writer, ArcsFitTheRoundedPoints) {
                              });
 }
 
+// Where X always is a diameter nothing is written; where the machine decides that is a warning.
+TEST(Writer, WhetherXIsADiameter) {
+    expect_text("sinumerik", {{"DIAMON\nG0 X10\nDIAMON\nDIAMOF", "DIAMON\nG0 X10\nDIAMOF\n"}});
+    expect_text("fanuc-lathe", {{"G18 DIAMON\nG0 X10", "X10.\n"}, {"G0 X10\nDIAMON", "X10.\n"}});
+    EXPECT_EQ(write("fanuc-lathe", "DIAMOF").codes, "K4201");
+    EXPECT_EQ(write("fanuc-lathe-b", "DIAMOF").codes, "K4201");
+    EXPECT_EQ(write("fanuc", "DIAMON\nG0 X10").codes, "K4216");
+    EXPECT_EQ(write("fanuc", "DIAMON\nG0 X10").text, "X10.\n");
+    EXPECT_EQ(write("fanuc", "DIAMOF\nG0 X10").codes, "K4216");
+}
+
 // On a lathe X is a diameter, I and R are not, and no word need say so.
 TEST(Writer, ArcsOfLathes) {
     for (const char* name : {"sinumerik", "iso"}) {
@@ -223,6 +234,19 @@ TEST(Writer, ArcsOfLathes) {
     expect_text("fanuc", {{"G18\nG0 X20 Z0\nG3 X24.0005 Z-2.00025 I0 K-2.00025",
                            "G18\nX20. Z0.\nG03 X24. Z-2. I0. K-2.\n"}});
     EXPECT_EQ(write("fanuc", "G18\nG0 X20 Z0\nG3 X40 Z-2 CR=2").codes, "K4208");
+    // Where it is known what X is, nothing is guessed.
+    expect_text("sinumerik", {{"G18 DIAMON\nG0 X20 Z0\nG3 X24 Z-2 CR=2",
+                               "G18 DIAMON\nG0 X20 Z0\nG3 X24 Z-2 CR=2\n"}});
+    EXPECT_EQ(write("sinumerik", "G18 DIAMOF\nG0 X20 Z0\nG3 X24 Z-2 CR=2").codes, "K4208");
+    EXPECT_EQ(write("sinumerik", "G18 DIAMON\nG0 X20 Z0\nG3 X22 Z-2 I0 K-2").codes, "K4215");
+    EXPECT_EQ(write("fanuc-lathe", "G18\nG0 X20 Z0\nG3 X22 Z-2 I0 K-2").codes, "K4215");
+}
+
+// A quarter circle in 1/600 min: F of an arc is its angle over that time on a FANUC, X or not.
+TEST(Writer, InverseTimeOfArcsOnALathe) {
+    expect_text("fanuc-lathe",
+                {{"G18\nG0 X20 Z0\nG93\nG3 X24 Z-2 CR=2 F600\nG3 X20 Z-4 I-2 K0 F600",
+                  "X20. Z0.\nG93\nG03 X24. Z-2. R2. F942.4778\nX20. Z-4. I-2. K0. F942.4778\n"}});
 }
 
 TEST(Writer, ArcsFromUnknownPositionsKeepTheirWords) {

@@ -27,8 +27,9 @@ TEST(Examples, OfTheLibrarysDocumentationRun) {
         if (code.find("program ") == std::string::npos) continue;  // a few lines of one
         ++programs;
         ASSERT_TRUE(kadr::write_file_whole(file.string(), code));
-        const bool is_lathe = code.find("turning;") != std::string::npos;
-        for (const char* dialect : {"sinumerik", "fanuc", "axioma"}) {
+        // A FANUC machining centre leaves it to the machine whether X is a diameter.
+        const bool is_lathe = code.find("DIAMON") != std::string::npos;
+        for (const char* dialect : {"sinumerik", is_lathe ? "fanuc-lathe" : "fanuc", "axioma"}) {
             const ProcessResult result =
                 run_process({KADR_BINARY, "run", file.string(), "-d", dialect, "-m",
                              is_lathe ? "lathe" : "mill", "--summary", "json"});
