@@ -407,7 +407,6 @@ TEST(Prompt, FilesAreLoadedAndSaved) {
     EXPECT_EQ(other.say(":load " + part), "");
     EXPECT_TRUE(has(other.say("row(n: 2)"), "X1\nX2\n"));
     EXPECT_TRUE(has(other.say("G0 Z5"), "Z5\n"));
-    EXPECT_TRUE(has(other.say("program q() { row(); }"), "K2017"));
     EXPECT_EQ(talk.say(":plot " + (folder / "a.svg").string()), "nothing has moved\n");
     EXPECT_TRUE(fs::exists(folder / "a.svg"));
     fs::remove_all(folder);
