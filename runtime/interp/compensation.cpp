@@ -25,6 +25,8 @@ Vec2 left_of(const Vec2& direction) { return {-direction.y(), direction.x()}; }
 
 bool is_straight(Op op) { return op == Op::Line || op == Op::Rapid; }
 
+bool is_curve(CompStart start) { return start == CompStart::Tangent || start == CompStart::Smooth; }
+
 bool is_same(const AxisValues& a, const AxisValues& b) {
     for (std::size_t i = 0; i < kAxes; ++i) {
         if (std::abs(a[i] - b[i]) > path::kSamePoint) return false;
@@ -55,7 +57,8 @@ void Compensation::begin(const CompSettings& settings, path::Plane plane, double
     distance_ = distance;
     here_ = here;
     corners_ = path::RadiusComp(settings.corners);
-    has_last_ = approaches_ = false;
+    has_last_ = approaches_ = keeps_vector_ = false;
+    leave_direction_.reset();
     empty_blocks_ = 0;
     state_ = State::Starting;
 }
@@ -65,7 +68,42 @@ void Compensation::set_settings(const CompSettings& settings) {
     corners_.set_rules(settings.corners);
 }
 
-void Compensation::leave() { state_ = state_ == State::On ? State::Leaving : State::Off; }
+void Compensation::leave(const std::optional<Vec2>& direction) {
+    leave_direction_ = direction;
+    state_ = state_ == State::On ? State::Leaving : State::Off;
+}
+
+std::optional<CompAlarm> Compensation::stop() {
+    std::optional<CompAlarm> alarm = flush();
+    state_ = State::Off;
+    return alarm;
+}
+
+void Compensation::begin_soft_approach(Command motion) {
+    begin_approach(motion);
+    goes_straight_ = true;
+}
+
+std::optional<CompAlarm> Compensation::round_corner(const Command& motion,
+                                                    const std::optional<Vec2>& direction) {
+    const CompAlarm missing{&diag::CompNoVector, motion.source, motion.line};
+    if (state_ != State::On || !has_last_) return missing;
+    if (!direction) {
+        corners_.round_next_corner();
+        return std::nullopt;
+    }
+    const Vec2 tangent = path::end_direction(last_);
+    const double turn = std::atan2(tangent.x() * direction->y() - tangent.y() * direction->x(),
+                                   tangent.dot(*direction));
+    const Vec2 corner = last_.to;
+    if (const Fault fault = finish()) return alarm(fault, motion);
+    if (turn * distance_ > 0) return CompAlarm{&diag::CompCollision, motion.source, motion.line};
+    if (std::abs(turn * distance_) < path::kSamePoint) return std::nullopt;
+    const Vec2 from = in_plane(shown_);
+    const Vec2 to = corner + Eigen::Rotation2D(turn) * (from - corner);
+    emit_arc({motion, 0, 0, false}, {{from, to, corner, turn}, 0, true, 0, Vec2::Zero()});
+    return std::nullopt;
+}
 
 std::optional<CompAlarm> Compensation::flush() {
     const Command nowhere;
@@ -75,8 +113,9 @@ std::optional<CompAlarm> Compensation::flush() {
 }
 
 /// The contour ends here, on its normal.
-Compensation::Fault Compensation::finish() {
-    if (const auto fault = corners_.finish()) return row_of(*fault);
+Compensation::Fault Compensation::finish(const std::optional<Vec2>& direction) {
+    const auto fault = direction ? corners_.finish_towards(*direction) : corners_.finish();
+    if (fault) return row_of(*fault);
     emit_pieces();
     for (; !held_.empty(); held_.pop_front()) {
         // An approach to no contour at all goes where it is programmed.
@@ -105,6 +144,7 @@ std::optional<CompAlarm> Compensation::end_block(const AxisValues& here, const n
     }
     fresh_.clear();
     here_ = here;
+    keeps_vector_ = false;
     if (has_moved || !has_last_) {
         empty_blocks_ = 0;
         return std::nullopt;
@@ -160,17 +200,37 @@ Compensation::Fault Compensation::take_motion(Command& command) {
     switch (state_) {
         case State::Starting: return approach(command);
         case State::Leaving: return depart(command);
-        default: return follow(command);
+        default: return keeps_vector_ ? follow_kept(command) : follow(command);
     }
+}
+
+/// Beside the block before it ends on the normal, and this one is as far from its contour.
+Compensation::Fault Compensation::follow_kept(Command& command) {
+    if (!is_straight(command.op)) return &diag::CompMotion;
+    if (approaches_) return &diag::CompNoVector;
+    if (has_last_) {
+        if (const Fault fault = finish()) return fault;
+    }
+    const Vec2 vector = in_plane(shown_) - in_plane(here_);
+    const Vec2 to = in_plane(command.to) + vector;
+    here_ = command.to;
+    emit_line({std::move(command), 0, 0, false}, to, false);
+    return nullptr;
 }
 
 Compensation::Fault Compensation::approach(Command& command) {
     if (!is_straight(command.op)) return &diag::CompStartOnArc;
+    if (keeps_vector_) return &diag::CompNoVector;
+    begin_approach(command);
+    return nullptr;
+}
+
+void Compensation::begin_approach(Command& command) {
     here_ = command.to;
     held_.push_back({std::move(command), ++elements_, 0, false});
     approaches_ = true;
+    goes_straight_ = false;
     state_ = State::On;
-    return nullptr;
 }
 
 Compensation::Fault Compensation::follow(Command& command) {
@@ -186,14 +246,21 @@ Compensation::Fault Compensation::follow(Command& command) {
 /// The first element says where the approach ends.
 Compensation::Fault Compensation::enter(const Element& first) {
     std::optional<Element> way;
-    if (const Fault fault = way_in(first, way)) return fault;
+    if (!goes_straight_) {
+        if (const Fault fault = way_in(first, way)) return fault;
+    }
     approaches_ = false;
     if (way) {
         if (const auto fault = corners_.push(*way, distance_, held_.front().index))
             return row_of(*fault);
         return nullptr;
     }
-    emit_line(held_.front(), path::RadiusComp::start_of(first, distance_), false);
+    if (is_curve(settings_.start) && !goes_straight_) {
+        if (held_.front().command.op != Op::Line) return &diag::CompMotion;
+        emit_curve_in(first);
+    } else {
+        emit_line(held_.front(), path::RadiusComp::start_of(first, distance_), false);
+    }
     held_.pop_front();
     return nullptr;
 }
@@ -222,8 +289,15 @@ Compensation::Fault Compensation::depart(Command& command) {
             return fault;
         if (const Fault fault = finish()) return fault;
     } else {
-        if (const Fault fault = finish()) return fault;
-        emit_line({std::move(command), 0, 0, true}, to, false);
+        const bool has_contour = has_last_;
+        if (const Fault fault = finish(leave_direction_)) return fault;
+        if (!is_curve(settings_.start) || !has_contour) {
+            emit_line({std::move(command), 0, 0, true}, to, false);
+        } else if (command.op != Op::Line) {
+            return &diag::CompMotion;
+        } else {
+            emit_curve_out(command);
+        }
     }
     state_ = State::Off;
     return nullptr;
@@ -284,6 +358,94 @@ Compensation::Fault Compensation::way_out(const Vec2& to, std::optional<Element>
     return nullptr;
 }
 
+// ------------------------------------------------------------------------------ curves
+
+/// Of the cutter's way beside an element, 1/mm, positive where it bends to the left.
+double Compensation::curvature_beside(const Element& element) const {
+    if (!element.is_arc()) return 0;
+    const double bend = element.sweep > 0 ? 1 : -1;
+    const double radius = path::radius(element) - bend * distance_;
+    return radius > path::kSamePoint ? bend / radius : 0;
+}
+
+/// A parabola p that ends with the direction t of the contour, or a cubic that ends with its
+/// curvature κ as well: with p'(1) = l·t and p''(1) = l²·κ·n, n the normal, l the distance of the
+/// ends. Béziers: b₃ = p(1), b₂ = b₃ − p'(1)/3, b₁ = p''(1)/6 + 2·b₂ − b₃. The other axes come to
+/// rest at their end.
+void Compensation::emit_curve_in(const Element& first) {
+    Command command = held_.front().command;
+    const Vec2 end = path::RadiusComp::start_of(first, distance_);
+    const Vec2 tangent = path::start_direction(first);
+    const double reach = (end - in_plane(shown_)).norm();
+    set_in_plane(command.to, end);
+    if (is_same(command.to, shown_)) return;
+    AxisValues inner = command.to;
+    const auto place = [&](std::size_t i, const Vec2& at) {
+        set_in_plane(inner, at);
+        command.spline.inner[i] = path::Vec3(inner[0], inner[1], inner[2]);
+    };
+    command.op = Op::Spline;
+    command.spline.weights = {1, 1, 1, 1};
+    if (settings_.start == CompStart::Tangent) {
+        command.spline.degree = 2;
+        place(0, end - tangent * reach / 2);
+    } else {
+        command.spline.degree = 3;
+        const Vec2 bend = left_of(tangent) * curvature_beside(first) * reach * reach;
+        place(0, end - tangent * reach * 2 / 3 + bend / 6);
+        place(1, end - tangent * reach / 3);
+    }
+    put(std::move(command));
+}
+
+/// The same, travelled back.
+void Compensation::emit_curve_out(Command& command) {
+    const Vec2 from = in_plane(shown_);
+    const Vec2 tangent = path::end_direction(last_);
+    const double reach = (in_plane(command.to) - from).norm();
+    AxisValues inner = shown_;
+    const auto place = [&](std::size_t i, const Vec2& at) {
+        set_in_plane(inner, at);
+        command.spline.inner[i] = path::Vec3(inner[0], inner[1], inner[2]);
+    };
+    if (is_same(command.to, shown_)) return;
+    command.op = Op::Spline;
+    command.spline.weights = {1, 1, 1, 1};
+    if (settings_.start == CompStart::Tangent) {
+        command.spline.degree = 2;
+        place(0, from + tangent * reach / 2);
+    } else {
+        command.spline.degree = 3;
+        const Vec2 bend = left_of(tangent) * curvature_beside(last_) * reach * reach;
+        place(0, from + tangent * reach / 3);
+        place(1, from + tangent * reach * 2 / 3 + bend / 6);
+    }
+    put(std::move(command));
+}
+
+/// The arc about a corner that has been made more pointed; at rapid the tangents at its ends and at
+/// its middle.
+void Compensation::emit_conic(const Held& held, const CompPiece& piece) {
+    const Vec2& to = piece.element.to;
+    if (held.command.op == Op::Rapid) {
+        const double sum = 1 + piece.weight;
+        emit_line(held, (piece.element.from + piece.weight * piece.apex) / sum, true);
+        emit_line(held, (to + piece.weight * piece.apex) / sum, true);
+        return emit_line(held, to, true);
+    }
+    Command command = held.command;
+    command.op = Op::Spline;
+    command.to = shown_;
+    command.exact_stop = false;
+    AxisValues apex = shown_;
+    set_in_plane(apex, piece.apex);
+    command.spline.degree = 2;
+    command.spline.inner[0] = path::Vec3(apex[0], apex[1], apex[2]);
+    command.spline.weights = {1, piece.weight, 1, 1};
+    set_in_plane(command.to, to);
+    put(std::move(command));
+}
+
 // ------------------------------------------------------------------------------ commands out
 
 void Compensation::emit_pieces() {
@@ -298,6 +460,7 @@ void Compensation::emit(const CompPiece& piece) {
     }
     const Held& held = held_.front();
     const Element& way = piece.element;
+    if (piece.weight > 0) return emit_conic(held, piece);
     if (!way.is_arc()) {
         emit_line(held, held.is_departure ? in_plane(held.command.to) : way.to, piece.is_inserted);
     } else {
