@@ -47,8 +47,13 @@ void Executor::act_on_comp(const Block& block, const Actions& actions) {
     if (actions.radius_comp == Function::RadiusCompOff) {
         comp_.side = Function::RadiusCompOff;
         if (actions.soft != nullptr) return;  // its way still belongs to the contour
-        send_comp({CompChange::Kind::Leave, {}, modal_.plane, 0, position_.base,
-                   leave_direction(block), {}});
+        send_comp({CompChange::Kind::Leave,
+                   {},
+                   modal_.plane,
+                   0,
+                   position_.base,
+                   leave_direction(block),
+                   {}});
         return;
     }
     if (actions.radius_comp != Function::None && actions.radius_comp != comp_.side) {
@@ -56,8 +61,13 @@ void Executor::act_on_comp(const Block& block, const Actions& actions) {
         return;
     }
     if (comp_.side == Function::RadiusCompOff) return;
-    send_comp({CompChange::Kind::Set, comp_settings(), modal_.plane, comp_distance(block),
-               position_.base, {}, {}});
+    send_comp({CompChange::Kind::Set,
+               comp_settings(),
+               modal_.plane,
+               comp_distance(block),
+               position_.base,
+               {},
+               {}});
 }
 
 /// A direction of the programmed system as one in the plane of the base system; none: it has no
@@ -94,7 +104,7 @@ void Executor::round_comp_corner(const Block& block, const Invocation& invocatio
     for (std::size_t i = 0; i < 3; ++i)
         direction[static_cast<Eigen::Index>(i)] = block.argument(invocation, i);
     CompChange change{CompChange::Kind::RoundCorner, {}, modal_.plane, 0, position_.base,
-                      direction_in_base(direction), {}};
+                      direction_in_base(direction),  {}};
     change.motion.op = path::Op::Arc;
     change.motion.feed_mode = modal_.feed_mode;
     change.motion.plane = modal_.plane;
@@ -138,8 +148,8 @@ void Executor::begin_comp(const Block& block, Function side) {
     comp_.side = side;
     const double distance = comp_distance(block);
     if (ended_) return;
-    send_comp({CompChange::Kind::Begin, comp_settings(), modal_.plane, distance, position_.base,
-               {}, {}});
+    send_comp(
+        {CompChange::Kind::Begin, comp_settings(), modal_.plane, distance, position_.base, {}, {}});
 }
 
 CompSettings Executor::comp_settings() const {

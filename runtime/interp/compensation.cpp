@@ -21,8 +21,6 @@ using std::numbers::pi;
 
 namespace {
 
-Vec2 left_of(const Vec2& direction) { return {-direction.y(), direction.x()}; }
-
 bool is_straight(Op op) { return op == Op::Line || op == Op::Rapid; }
 
 bool is_curve(CompStart start) { return start == CompStart::Tangent || start == CompStart::Smooth; }
@@ -51,6 +49,7 @@ const DiagnosticRow* row_of(CompFault fault) {
 void Compensation::begin(const CompSettings& settings, path::Plane plane, double distance,
                          const AxisValues& here) {
     if (state_ == State::Off) shown_ = here;
+    meant_ = here;
     settings_ = settings;
     plane_ = plane;
     axes_ = path::axes_of(plane);
@@ -179,6 +178,7 @@ Compensation::Fault Compensation::take(Command& command, const AxisValues& behin
         }
         here_ = shown_ = behind;
         set_in_plane(shown_, in_plane(command.to));
+        meant_ = shown_;
         settled_.push_back(std::move(command));
         return nullptr;
     }
@@ -213,7 +213,7 @@ Compensation::Fault Compensation::follow_kept(Command& command) {
     }
     const Vec2 vector = in_plane(shown_) - in_plane(here_);
     const Vec2 to = in_plane(command.to) + vector;
-    here_ = command.to;
+    here_ = meant_ = command.to;
     emit_line({std::move(command), 0, 0, false}, to, false);
     return nullptr;
 }
@@ -261,6 +261,7 @@ Compensation::Fault Compensation::enter(const Element& first) {
     } else {
         emit_line(held_.front(), path::RadiusComp::start_of(first, distance_), false);
     }
+    meant_ = held_.front().command.to;
     held_.pop_front();
     return nullptr;
 }
@@ -303,149 +304,6 @@ Compensation::Fault Compensation::depart(Command& command) {
     return nullptr;
 }
 
-// ------------------------------------------------------------------------------ there and back
-
-/// The place on the circle about the corner that a line from `from` touches, so that the corner is
-/// at the distance beside it. None within the circle.
-std::optional<Vec2> Compensation::touched(const Vec2& corner, const Vec2& from,
-                                          double distance) const {
-    const Vec2 away = from - corner;
-    const double apart = away.norm();
-    const double radius = std::abs(distance);
-    if (apart <= radius) return std::nullopt;
-    const double angle = std::acos(radius / apart);
-    const Vec2 direction = away / apart;
-    for (const double sign : {1.0, -1.0}) {
-        const Vec2 place = corner + Eigen::Rotation2D(sign * angle) * direction * radius;
-        if (left_of(place - from).dot(place - corner) * distance > 0) return place;
-    }
-    return std::nullopt;
-}
-
-/// The approach as an element of the contour, if the first corner is to be treated as one; none:
-/// straight to the normal.
-Compensation::Fault Compensation::way_in(const Element& first, std::optional<Element>& way) const {
-    const Vec2 from = in_plane(shown_);
-    const Vec2 tangent = path::start_direction(first);
-    const Vec2 along = first.from - from;
-    if (along.norm() < path::kSamePoint || distance_ == 0) return nullptr;
-    if (settings_.start == CompStart::Extended) {
-        const double turn = along.x() * tangent.y() - along.y() * tangent.x();
-        if (turn * distance_ < 0) way = path::line_element(from, first.from);
-    }
-    const bool is_behind = left_of(tangent).dot(along) * distance_ > path::kSamePoint;
-    if (settings_.start != CompStart::Around || !is_behind) return nullptr;
-    const std::optional<Vec2> touch = touched(first.from, from, distance_);
-    if (!touch) return &diag::CompStartBlocked;
-    way = path::line_element(first.from - (*touch - from), first.from);
-    return nullptr;
-}
-
-Compensation::Fault Compensation::way_out(const Vec2& to, std::optional<Element>& way) const {
-    const Vec2 tangent = path::end_direction(last_);
-    const Vec2 along = to - last_.to;
-    if (along.norm() < path::kSamePoint || distance_ == 0) return nullptr;
-    if (settings_.start == CompStart::Extended) {
-        const double turn = tangent.x() * along.y() - tangent.y() * along.x();
-        if (turn * distance_ < 0) way = path::line_element(last_.to, to);
-    }
-    const bool is_behind = left_of(tangent).dot(along) * distance_ < -path::kSamePoint;
-    if (settings_.start != CompStart::Around || !is_behind) return nullptr;
-    // The way back touches from the other side.
-    const std::optional<Vec2> touch = touched(last_.to, to, -distance_);
-    if (!touch) return &diag::CompStartBlocked;
-    way = path::line_element(last_.to, last_.to + (to - *touch));
-    return nullptr;
-}
-
-// ------------------------------------------------------------------------------ curves
-
-/// Of the cutter's way beside an element, 1/mm, positive where it bends to the left.
-double Compensation::curvature_beside(const Element& element) const {
-    if (!element.is_arc()) return 0;
-    const double bend = element.sweep > 0 ? 1 : -1;
-    const double radius = path::radius(element) - bend * distance_;
-    return radius > path::kSamePoint ? bend / radius : 0;
-}
-
-/// A parabola p that ends with the direction t of the contour, or a cubic that ends with its
-/// curvature κ as well: with p'(1) = l·t and p''(1) = l²·κ·n, n the normal, l the distance of the
-/// ends. Béziers: b₃ = p(1), b₂ = b₃ − p'(1)/3, b₁ = p''(1)/6 + 2·b₂ − b₃. The other axes come to
-/// rest at their end.
-void Compensation::emit_curve_in(const Element& first) {
-    Command command = held_.front().command;
-    const Vec2 end = path::RadiusComp::start_of(first, distance_);
-    const Vec2 tangent = path::start_direction(first);
-    const double reach = (end - in_plane(shown_)).norm();
-    set_in_plane(command.to, end);
-    if (is_same(command.to, shown_)) return;
-    AxisValues inner = command.to;
-    const auto place = [&](std::size_t i, const Vec2& at) {
-        set_in_plane(inner, at);
-        command.spline.inner[i] = path::Vec3(inner[0], inner[1], inner[2]);
-    };
-    command.op = Op::Spline;
-    command.spline.weights = {1, 1, 1, 1};
-    if (settings_.start == CompStart::Tangent) {
-        command.spline.degree = 2;
-        place(0, end - tangent * reach / 2);
-    } else {
-        command.spline.degree = 3;
-        const Vec2 bend = left_of(tangent) * curvature_beside(first) * reach * reach;
-        place(0, end - tangent * reach * 2 / 3 + bend / 6);
-        place(1, end - tangent * reach / 3);
-    }
-    put(std::move(command));
-}
-
-/// The same, travelled back.
-void Compensation::emit_curve_out(Command& command) {
-    const Vec2 from = in_plane(shown_);
-    const Vec2 tangent = path::end_direction(last_);
-    const double reach = (in_plane(command.to) - from).norm();
-    AxisValues inner = shown_;
-    const auto place = [&](std::size_t i, const Vec2& at) {
-        set_in_plane(inner, at);
-        command.spline.inner[i] = path::Vec3(inner[0], inner[1], inner[2]);
-    };
-    if (is_same(command.to, shown_)) return;
-    command.op = Op::Spline;
-    command.spline.weights = {1, 1, 1, 1};
-    if (settings_.start == CompStart::Tangent) {
-        command.spline.degree = 2;
-        place(0, from + tangent * reach / 2);
-    } else {
-        command.spline.degree = 3;
-        const Vec2 bend = left_of(tangent) * curvature_beside(last_) * reach * reach;
-        place(0, from + tangent * reach / 3);
-        place(1, from + tangent * reach * 2 / 3 + bend / 6);
-    }
-    put(std::move(command));
-}
-
-/// The arc about a corner that has been made more pointed; at rapid the tangents at its ends and at
-/// its middle.
-void Compensation::emit_conic(const Held& held, const CompPiece& piece) {
-    const Vec2& to = piece.element.to;
-    if (held.command.op == Op::Rapid) {
-        const double sum = 1 + piece.weight;
-        emit_line(held, (piece.element.from + piece.weight * piece.apex) / sum, true);
-        emit_line(held, (to + piece.weight * piece.apex) / sum, true);
-        return emit_line(held, to, true);
-    }
-    Command command = held.command;
-    command.op = Op::Spline;
-    command.to = shown_;
-    command.exact_stop = false;
-    AxisValues apex = shown_;
-    set_in_plane(apex, piece.apex);
-    command.spline.degree = 2;
-    command.spline.inner[0] = path::Vec3(apex[0], apex[1], apex[2]);
-    command.spline.weights = {1, piece.weight, 1, 1};
-    set_in_plane(command.to, to);
-    put(std::move(command));
-}
-
 // ------------------------------------------------------------------------------ commands out
 
 void Compensation::emit_pieces() {
@@ -469,13 +327,16 @@ void Compensation::emit(const CompPiece& piece) {
         if (held.command.op == Op::Rapid) emit_rapid_around(held, way);
         else emit_arc(held, piece);
     }
-    if (!piece.is_inserted) held_.pop_front();
+    if (piece.is_inserted) return;
+    meant_ = held.command.to;
+    held_.pop_front();
 }
 
 /// A block without motion in the plane: where the cutter stands now.
 void Compensation::emit_empty() {
     Held& held = held_.front();
     if (!path::is_motion(held.command.op)) return settled_.push_back(std::move(held.command));
+    meant_ = held.command.to;
     set_in_plane(held.command.to, in_plane(shown_));
     put(std::move(held.command));
 }
@@ -514,6 +375,29 @@ void Compensation::emit_arc(const Held& held, const CompPiece& piece) {
     put(std::move(command));
 }
 
+/// The arc about a corner that has been made more pointed; at rapid the tangents at its ends and at
+/// its middle.
+void Compensation::emit_conic(const Held& held, const CompPiece& piece) {
+    const Vec2& to = piece.element.to;
+    if (held.command.op == Op::Rapid) {
+        const double sum = 1 + piece.weight;
+        emit_line(held, (piece.element.from + piece.weight * piece.apex) / sum, true);
+        emit_line(held, (to + piece.weight * piece.apex) / sum, true);
+        return emit_line(held, to, true);
+    }
+    Command command = held.command;
+    command.op = Op::Spline;
+    command.to = shown_;
+    command.exact_stop = false;
+    AxisValues apex = shown_;
+    set_in_plane(apex, piece.apex);
+    command.spline.degree = 2;
+    command.spline.inner[0] = path::Vec3(apex[0], apex[1], apex[2]);
+    command.spline.weights = {1, piece.weight, 1, 1};
+    set_in_plane(command.to, to);
+    put(std::move(command));
+}
+
 /// At rapid there are no arcs: around a corner by lines that touch the arc.
 void Compensation::emit_rapid_around(const Held& held, const Element& arc) {
     const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(arc.sweep) / (pi / 2))));
@@ -531,6 +415,14 @@ void Compensation::put(Command command) {
     command.moved = static_cast<AxisMask>(command.moved | bit(axes_.first) | bit(axes_.second));
     shown_ = command.to;
     settled_.push_back(std::move(command));
+}
+
+Command Compensation::as_far_beside(Command command) const {
+    const Vec2 beside = in_plane(shown_) - in_plane(meant_);
+    set_in_plane(command.to, in_plane(command.to) + beside);
+    command.center[static_cast<Eigen::Index>(index(axes_.first))] += beside.x();
+    command.center[static_cast<Eigen::Index>(index(axes_.second))] += beside.y();
+    return command;
 }
 
 // ------------------------------------------------------------------------------ the plane

@@ -1,9 +1,9 @@
 // compensation.h — cutter radius compensation: commands of the programmed contour in, commands of
 // the cutter's centre out, a block or more later.
 //
-// What a corner becomes is path/radius_comp.h; here is the order of things in a program: how the
-// cutter comes to the contour and leaves it, blocks without motion in the plane, what inserted
-// pieces inherit from their block.
+// What a corner becomes is path/radius_comp.h, compensation_ways.cpp the way to the contour; here
+// is the order of things in a program: how the cutter comes to the contour and leaves it, blocks
+// without motion in the plane, what inserted pieces inherit from their block.
 #pragma once
 
 #include <cstdint>
@@ -74,11 +74,12 @@ class Compensation {
     std::optional<CompAlarm> flush();
     /// Commands that are settled, in order. The caller clears them.
     std::vector<path::Command>& settled() { return settled_; }
-    /// Calls `see` for every command that waits, as it is programmed, in order.
+    /// Calls `see` for every command that waits, in order: about where the cutter will go, as far
+    /// from what is programmed as it is now.
     template <typename See>
     void look_at_waiting(See see) const {
-        for (const Held& held : held_) see(held.command);
-        for (const path::Command& command : fresh_) see(command);
+        for (const Held& held : held_) see(as_far_beside(held.command));
+        for (const path::Command& command : fresh_) see(as_far_beside(command));
     }
 
   private:
@@ -119,6 +120,7 @@ class Compensation {
     void emit_curve_out(path::Command& command);
     double curvature_beside(const path::Element& element) const;
     void put(path::Command command);
+    path::Command as_far_beside(path::Command command) const;
     path::Vec2 in_plane(const AxisValues& values) const;
     void set_in_plane(AxisValues& values, const path::Vec2& at) const;
 
@@ -128,12 +130,13 @@ class Compensation {
     path::Plane plane_ = path::Plane::Xy;
     double distance_ = 0;
     AxisValues here_{};   // programmed
-    AxisValues shown_{};  // end of the last command that was let go
+    AxisValues shown_{};  // end of the last command that was let go …
+    AxisValues meant_{};  // … and as it was programmed
     path::RadiusComp corners_{{}};
     std::size_t elements_ = 0;
     path::Element last_;  // of the contour
     bool has_last_ = false;
-    bool approaches_ = false;  // the first of `held_` waits for the first element
+    bool approaches_ = false;     // the first of `held_` waits for the first element
     bool goes_straight_ = false;  // the approach, whatever the settings say
     bool keeps_vector_ = false;
     std::optional<path::Vec2> leave_direction_;

@@ -56,7 +56,7 @@ struct CompChange {
     CompSettings settings;
     path::Plane plane = path::Plane::Xy;
     double distance = 0;
-    AxisValues here{};                        // where the tool is, Begin
+    AxisValues here{};                         // where the tool is, Begin
     std::optional<path::Vec2> direction = {};  // Leave, RoundCorner
     path::Command motion = {};                 // RoundCorner
 };

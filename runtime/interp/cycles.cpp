@@ -340,7 +340,7 @@ void Executor::repeat_cycle(const Block& block, const Actions& actions) {
 
 /// Moves to the place in the plane and opens the stream of the cycle's blocks.
 void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape* shape) {
-    if (shape == nullptr && comp_.side != Function::RadiusCompOff) {
+    if (comp_.side != Function::RadiusCompOff) {
         report(diag::CycleCompensated, block);
         return;
     }
@@ -456,7 +456,7 @@ bool Executor::was_refused(const Block& block) {
 void Executor::finish_cycle() {
     if (was_refused(caller_)) return;
     // Compensation that the cycle has not ended is over; the cutter stays where it is.
-    if (comp_.side != Function::RadiusCompOff && !shape_) {
+    if (comp_.side != Function::RadiusCompOff) {
         comp_.side = Function::RadiusCompOff;
         stop_comp();
         if (ended_) return;

@@ -371,8 +371,8 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::SoftClearance:
         case Function::SoftFeed: break;
         case Function::SoftSide:
-            soft_.side = static_cast<SoftState::Side>(std::clamp<std::int64_t>(
-                count_of(block, invocation), 0, 3));
+            soft_.side = static_cast<SoftState::Side>(
+                std::clamp<std::int64_t>(count_of(block, invocation), 0, 3));
             break;
         case Function::SoftSteps: soft_.in_steps = count_of(block, invocation) != 0; break;
         case Function::LengthCompOn:

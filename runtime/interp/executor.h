@@ -3,8 +3,8 @@
 // What a block does is told in chapters: executor.cpp (the order of things in a block, its single
 // functions), motion.cpp (targets, lines, arcs, tool length, limits), circles.cpp, polar.cpp and
 // angles.cpp (what controls work out of other words), cornering.cpp and compensating.cpp (what the
-// commands pass through), soft_moves.cpp (soft approaches and retracts), cycles.cpp (machining cycles), shapes.cpp (cycles along a shape that
-// stands in the program).
+// commands pass through), soft_moves.cpp (soft approaches and retracts), cycles.cpp (machining
+// cycles), shapes.cpp (cycles along a shape that stands in the program).
 #pragma once
 
 #include <array>
@@ -47,10 +47,10 @@ struct Actions {
     nc::Function stop = nc::Function::None;
     nc::Function end = nc::Function::None;
     nc::Function radius_comp = nc::Function::None;
-    bool comp_changed = false;               // its radius, allowance or rules
-    bool keeps_vector = false;               // of the compensation
+    bool comp_changed = false;  // its radius, allowance or rules
+    bool keeps_vector = false;  // of the compensation
     const nc::Invocation* comp_corner = nullptr;
-    const nc::Invocation* soft = nullptr;    // SoftApproach or SoftRetract
+    const nc::Invocation* soft = nullptr;             // SoftApproach or SoftRetract
     nc::Function motion_before = nc::Function::None;  // … in the block before
     double feed_before = 0;
     bool had_feed = false;
@@ -128,7 +128,7 @@ class Executor {
                                      double value, bool acts_at_once);  // offsets.cpp
     bool is_length(std::int64_t axis) const;
     double word_factor(std::int64_t axis) const;
-    bool is_compensated() const { return compensation_.is_on(); }
+    bool is_compensated() const { return compensation_.is_on() || soft_approach_.is_active(); }
     void keep_frames() { kept_frames_.push_back({frames_, work_offset_}); }
     void restore_frames(bool is_wanted);
 

@@ -40,9 +40,7 @@ Write Executor::set_quantity(Quantity quantity, std::int64_t first, std::int64_t
         case Quantity::Milliseconds:
             milliseconds_from_ = value - run_time() * 1000;
             return Write::Done;
-        case Quantity::Hours:
-            hours_from_ = value - run_time() / 3600;
-            return Write::Done;
+        case Quantity::Hours: hours_from_ = value - run_time() / 3600; return Write::Done;
         default: return Write::Refused;
     }
 }

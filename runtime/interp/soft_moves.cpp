@@ -68,9 +68,9 @@ std::optional<SoftMove> Executor::soft_move_of(const Block& block, const Actions
     };
     const bool was_rapid = actions.motion_before == Function::Rapid || !actions.had_feed;
     const bool is_rapid = modal_.motion == Function::Rapid;
-    move.fast = motion(actions.soft->function == Function::SoftApproach ? was_rapid : is_rapid,
-                       actions.soft->function == Function::SoftApproach ? actions.feed_before
-                                                                        : modal_.feed);
+    move.fast = motion(
+        actions.soft->function == Function::SoftApproach ? was_rapid : is_rapid,
+        actions.soft->function == Function::SoftApproach ? actions.feed_before : modal_.feed);
     const bool keeps_feed = actions.soft->function == Function::SoftRetract && actions.had_feed;
     move.slow = motion(false, keeps_feed ? actions.feed_before : modal_.feed);
     return move;
@@ -99,12 +99,17 @@ std::optional<path::SoftWay> Executor::soft_way(const Block& block, const SoftMo
     switch (move.choice.side) {
         case SoftState::Side::OfCutter:
             if (offset != 0) break;
-            report(diag::SoftNoDirection, block);
-            return std::nullopt;
+            if (!compensation_.is_on() || comp_.side == Function::RadiusCompOff) {
+                report(diag::SoftNoDirection, block);
+                return std::nullopt;
+            }
+            way.is_left =
+                (comp_.side == Function::RadiusCompLeft) != frames_.is_mirrored(modal_.plane);
+            break;
         case SoftState::Side::Left:
         case SoftState::Side::Right:
-            way.is_left = (move.choice.side == SoftState::Side::Left) !=
-                          frames_.is_mirrored(modal_.plane);
+            way.is_left =
+                (move.choice.side == SoftState::Side::Left) != frames_.is_mirrored(modal_.plane);
             break;
         case SoftState::Side::OfTool:
             way.is_left = cross(at.direction, at.tool - at.place) > 0;
@@ -114,13 +119,14 @@ std::optional<path::SoftWay> Executor::soft_way(const Block& block, const SoftMo
     way.size = move.radius + (way.is_left ? offset : -offset);
     if (move.radius > 0 && way.size > path::kSamePoint) return way;
     report(diag::SoftSizeWrong, block)
-        .arg(move.radius > 0 ? "the arc of the contour would have none" : "the radius is not above zero");
+        .arg(move.radius > 0 ? "the arc of the contour would have none"
+                             : "the radius is not above zero");
     return std::nullopt;
 }
 
 /// Where fast and slow infeed meet, in the base system. Nothing: it was reported.
-std::optional<double> Executor::soft_level(const Block& block, const SoftMove& move,
-                                           double contour, double tool) {
+std::optional<double> Executor::soft_level(const Block& block, const SoftMove& move, double contour,
+                                           double tool) {
     const double sign = tool < contour ? -1 : 1;
     const double level = move.level.value_or(contour + sign * move.clearance);
     const double above = (level - contour) * sign;
@@ -148,8 +154,13 @@ void Executor::approach_softly(const Block& block, const Actions& actions) {
     if (compensation_.is_on() && comp_.side == Function::RadiusCompOff) {
         stop_comp();
     } else if (compensation_.is_on() && !is_new) {
-        send_comp({CompChange::Kind::Begin, comp_settings(), modal_.plane, comp_distance(block),
-                   position_.base, {}, {}});
+        send_comp({CompChange::Kind::Begin,
+                   comp_settings(),
+                   modal_.plane,
+                   comp_distance(block),
+                   position_.base,
+                   {},
+                   {}});
     }
     if (ended_) return;
     has_moved_ = true;
@@ -281,8 +292,8 @@ void Executor::retract_softly(const Block& block, const Actions& actions) {
     if (!way) return;
     const bool has_level = (targets & bit(nc::slot_of(axes.normal))) != 0;
     const double contour = position_.base[normal];
-    const double tool = has_level ? target.base[normal]
-                                  : move->level.value_or(contour + move->clearance);
+    const double tool =
+        has_level ? target.base[normal] : move->level.value_or(contour + move->clearance);
     const std::optional<double> level = soft_level(block, *move, contour, tool);
     if (!level || !check_limits(block, target.base, target.moved)) return;
     has_moved_ = true;
@@ -316,8 +327,13 @@ void Executor::retract_softly(const Block& block, const Actions& actions) {
     arrive({frames_.from_base(here), here,
             static_cast<AxisMask>(target.moved | bit(axes.first) | bit(axes.second))});
     if (comp_.side != Function::RadiusCompOff && was_on)
-        send_comp({CompChange::Kind::Begin, comp_settings(), modal_.plane, comp_distance(block),
-                   position_.base, {}, {}});
+        send_comp({CompChange::Kind::Begin,
+                   comp_settings(),
+                   modal_.plane,
+                   comp_distance(block),
+                   position_.base,
+                   {},
+                   {}});
 }
 
 }  // namespace kadr::interp

@@ -5,7 +5,8 @@
 //   expect: #1=14            a variable at the end; `#1 vacant` or `R1 unset`: it was never set
 //   expect: to X10 Y5        the end of the next motion; if one is told, all are. Behind it may
 //   stand
-//                            rapid, line, spline, cw or ccw, the centre I J K of an arc, and the feed F
+//                            rapid, line, spline, cw or ccw, the centre I J K of an arc, and the
+//                            feed F
 //   expect: path X20 x40z-30  the next motions in short, what they change: capitals at rapid, small
 //                            letters at feed, t1.5: before a thread of that lead, cw: and ccw:
 //                            before an arc; f0.2 where the feed changes; X of a lathe is a diameter

@@ -9,18 +9,20 @@
 #include <limits>
 #include <map>
 #include <numbers>
-#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "path/contour_offset.h"
 #include "tests/path/oracle_arcs.h"
+#include "tests/path/random_contour.h"
 
 namespace kadr::path {
 namespace {
 
 using std::numbers::pi;
+using test::any_contour;
+using test::Dice;
+using test::is_simple;
 using test::Json;
 
 Vec2 vec2(const Json& json) { return {json[0].get<double>(), json[1].get<double>()}; }
@@ -212,26 +214,13 @@ TEST(RadiusComp, ACircleWithItsLeads) {
 
 // ---------------------------------------------------------------- against brute force
 
-/// The same throws on every machine.
-class Dice {
-  public:
-    explicit Dice(std::uint32_t seed) : engine_(seed) {}
-    double between(double least, double most) {
-        return least + (most - least) * static_cast<double>(engine_()) / 4294967296.0;
-    }
-    int below(int count) { return static_cast<int>(engine_() % static_cast<std::uint32_t>(count)); }
-
-  private:
-    std::mt19937 engine_;
-};
-
 /// The least distance of a path from a contour, by points every 20 µm of the path.
 double least_distance(const std::vector<CompPiece>& pieces, const Contour& contour) {
     constexpr double kStep = 0.02;
     double least = std::numeric_limits<double>::infinity();
     for (const CompPiece& piece : pieces) {
-        const double reach = piece.weight > 0 ? (piece.apex - piece.element.from).norm() * 2
-                                              : length(piece.element);
+        const double reach =
+            piece.weight > 0 ? (piece.apex - piece.element.from).norm() * 2 : length(piece.element);
         const int count = 1 + static_cast<int>(reach / kStep);
         for (int i = 0; i <= count; ++i) {
             const double share = static_cast<double>(i) / count;
@@ -241,48 +230,6 @@ double least_distance(const std::vector<CompPiece>& pieces, const Contour& conto
         }
     }
     return least;
-}
-
-/// From a point to a point, straight or with a bend.
-Element any_element(Dice& dice, const Vec2& from, const Vec2& to) {
-    if (dice.below(3) == 0) return line_element(from, to);
-    const Vec2 across = Vec2(from.y() - to.y(), to.x() - from.x()) / 2;
-    const double share = dice.between(0.4, 4) * (dice.below(2) == 0 ? 1 : -1);
-    const Vec2 center = (from + to) / 2 + across * share;
-    return arc_element(from, to, center, share > 0);
-}
-
-/// A contour around the zero point, counter-clockwise, with corners of every kind. It begins and
-/// ends in the middle of an element.
-Contour any_contour(Dice& dice) {
-    const int count = 4 + dice.below(5);
-    std::vector<Vec2> corners;
-    for (int i = 0; i < count; ++i) {
-        const double heading = 2 * pi * (i + dice.between(-0.4, 0.4)) / count;
-        corners.push_back(dice.between(5, 40) * Vec2(std::cos(heading), std::sin(heading)));
-    }
-    Contour contour;
-    for (std::size_t i = 0; i < corners.size(); ++i)
-        contour.push_back(any_element(dice, corners[i], corners[(i + 1) % corners.size()]));
-    contour.insert(contour.begin(), part(contour.back(), 0.5, 1));
-    contour.back() = part(contour.back(), 0, 0.5);
-    return contour;
-}
-
-/// Whether elements meet at their ends only.
-bool is_simple(const Contour& contour) {
-    for (std::size_t i = 0; i < contour.size(); ++i) {
-        for (std::size_t j = i + 1; j < contour.size(); ++j) {
-            for (const Crossing& crossing : crossings(contour[i], contour[j])) {
-                const bool is_joint =
-                    j == i + 1 && (crossing.point - contour[j].from).norm() < 1e-4;
-                const bool closes = i == 0 && j + 1 == contour.size() &&
-                                    (crossing.point - contour[i].from).norm() < 1e-4;
-                if (!is_joint && !closes) return false;
-            }
-        }
-    }
-    return true;
 }
 
 /// Whether the cutter can touch the element anywhere without cutting into the contour elsewhere.
@@ -295,8 +242,7 @@ bool is_reachable(const Contour& contour, const Element& element, double distanc
             const Vec2 arm = (point_at(element, share) - element.center).normalized();
             return Vec2(-arm.y(), arm.x()) * (element.sweep > 0 ? 1 : -1);
         }();
-        const Vec2 place =
-            point_at(element, share) + Vec2(-tangent.y(), tangent.x()) * distance;
+        const Vec2 place = point_at(element, share) + Vec2(-tangent.y(), tangent.x()) * distance;
         if (nearest(contour, place).distance > std::abs(distance) - 1e-6) return true;
     }
     return false;
@@ -304,8 +250,8 @@ bool is_reachable(const Contour& contour, const Element& element, double distanc
 
 /// Whether the cutter cannot follow the contour where the fault is: one of the elements there
 /// cannot be touched, or the path that is refused cuts.
-bool is_justified(const Contour& contour, double distance, CompRules rules,
-                  const Outcome& outcome, std::size_t at) {
+bool is_justified(const Contour& contour, double distance, CompRules rules, const Outcome& outcome,
+                  std::size_t at) {
     if (*outcome.fault == CompFault::Bottleneck) {
         rules.look_ahead = 1;
         const Outcome blind = compensate(contour, distance, rules, false);
@@ -339,7 +285,8 @@ CompRules any_rules(Dice& dice, std::size_t look_ahead) {
 }
 
 /// On random contours with random rules the cutter is never nearer to the contour than its radius
-/// less 1 µm, and every refusal has its reason. KADR_CONTOURS says how many; they begin with seed 1.
+/// less 1 µm, and every refusal has its reason. KADR_CONTOURS says how many; they begin with
+/// seed 1.
 TEST(RadiusComp, KeepsItsDistanceOrHasAReason) {
     const char* const wanted = std::getenv("KADR_CONTOURS");
     const std::uint32_t count =
@@ -353,7 +300,7 @@ TEST(RadiusComp, KeepsItsDistanceOrHasAReason) {
         SCOPED_TRACE(seed);
         Dice dice(seed);
         const Contour contour = any_contour(dice);
-        const double distance = dice.between(0.3, 4) * (dice.below(2) == 0 ? 1 : -1);
+        const double distance = test::any_distance(dice);
         if (!is_simple(contour)) continue;
         ++tried;
         const CompRules rules = any_rules(dice, contour.size());
@@ -378,7 +325,8 @@ TEST(RadiusComp, KeepsItsDistanceOrHasAReason) {
         EXPECT_LT(cut, 1e-3);
     }
     std::printf("%u contours: %d paths, at most %.2g mm too near", tried, paths, worst);
-    for (const auto& [what, times] : faults) std::printf("; %d %s", times, std::string(what).c_str());
+    for (const auto& [what, times] : faults)
+        std::printf("; %d %s", times, std::string(what).c_str());
     std::printf("; %d without a reason\n", unjustified);
     EXPECT_LE(unjustified * 1000, static_cast<int>(tried)) << "alarms on harmless contours";
 }
