@@ -25,9 +25,16 @@ void Executor::choose_comp(const Block& block, const Invocation& invocation, Act
             tool_.radius_offset = std::llround(block.argument(invocation, 0));
             break;
         case Function::CompStartNormal:
-        case Function::CompStartAround: comp_.start = invocation.function; break;
+        case Function::CompStartAround:
+        case Function::CompStartTangent:
+        case Function::CompStartSmooth: comp_.start = invocation.function; break;
         case Function::CompCornerArc:
         case Function::CompCornerIntersection: comp_.corner = invocation.function; break;
+        case Function::CompCornerPointed:
+            comp_.pointed = block.argument(invocation, 0);
+            if (comp_.pointed < 0 || comp_.pointed > 100)
+                report(diag::CompPointedRange, block, invocation.function).arg(comp_.pointed);
+            break;
         case Function::CompCheckOn: comp_.has_check = true; break;
         case Function::CompCheckOff: comp_.has_check = false; break;
         case Function::CompAllowance: comp_.allowance = block.argument(invocation, 0); break;
@@ -39,7 +46,14 @@ void Executor::choose_comp(const Block& block, const Invocation& invocation, Act
 void Executor::act_on_comp(const Block& block, const Actions& actions) {
     if (actions.radius_comp == Function::RadiusCompOff) {
         comp_.side = Function::RadiusCompOff;
-        send_comp({CompChange::Kind::Leave, {}, modal_.plane, 0, position_.base});
+        if (actions.soft != nullptr) return;  // its way still belongs to the contour
+        send_comp({CompChange::Kind::Leave,
+                   {},
+                   modal_.plane,
+                   0,
+                   position_.base,
+                   leave_direction(block),
+                   {}});
         return;
     }
     if (actions.radius_comp != Function::None && actions.radius_comp != comp_.side) {
@@ -47,8 +61,57 @@ void Executor::act_on_comp(const Block& block, const Actions& actions) {
         return;
     }
     if (comp_.side == Function::RadiusCompOff) return;
-    send_comp({CompChange::Kind::Set, comp_settings(), modal_.plane, comp_distance(block),
-               position_.base});
+    send_comp({CompChange::Kind::Set,
+               comp_settings(),
+               modal_.plane,
+               comp_distance(block),
+               position_.base,
+               {},
+               {}});
+}
+
+/// A direction of the programmed system as one in the plane of the base system; none: it has no
+/// length there.
+std::optional<path::Vec2> Executor::direction_in_base(const path::Vec3& programmed) const {
+    const path::Vec3 base = frames_.total().direction(programmed);
+    const path::PlaneAxes axes = path::axes_of(modal_.plane);
+    const path::Vec2 direction{base[static_cast<Eigen::Index>(index(axes.first))],
+                               base[static_cast<Eigen::Index>(index(axes.second))]};
+    if (direction.norm() < path::kSamePoint) return std::nullopt;
+    return direction.normalized();
+}
+
+/// The direction that the centre's words say beside the code that ends the compensation.
+std::optional<path::Vec2> Executor::leave_direction(const Block& block) const {
+    if (!rules_.comp_end_by_center || block.find(Function::RadiusCompOff) == nullptr)
+        return std::nullopt;
+    path::Vec3 direction = path::Vec3::Zero();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto slot = static_cast<nc::Slot>(static_cast<std::size_t>(nc::Slot::CenterX) + i);
+        if (block.has(slot)) direction[static_cast<Eigen::Index>(i)] = block.at(slot);
+    }
+    return direction_in_base(direction);
+}
+
+/// An arc about the corner at which the cutter is, in a block of its own.
+void Executor::round_comp_corner(const Block& block, const Invocation& invocation) {
+    if ((block.given & nc::kTargetSlots) != 0) {
+        report(diag::CompCornerMoves, block, invocation.function);
+        return;
+    }
+    if (!check_feed(block, "arc")) return;
+    path::Vec3 direction = path::Vec3::Zero();
+    for (std::size_t i = 0; i < 3; ++i)
+        direction[static_cast<Eigen::Index>(i)] = block.argument(invocation, i);
+    CompChange change{CompChange::Kind::RoundCorner, {}, modal_.plane, 0, position_.base,
+                      direction_in_base(direction),  {}};
+    change.motion.op = path::Op::Arc;
+    change.motion.feed_mode = modal_.feed_mode;
+    change.motion.plane = modal_.plane;
+    change.motion.feed = modal_.feed;
+    change.motion.source = origin(block).source;
+    change.motion.line = origin(block).line;
+    send_comp(change);
 }
 
 /// At its place among the commands: behind a corner that is not known yet.
@@ -59,7 +122,11 @@ void Executor::send_comp(const CompChange& change) {
 
 void Executor::change_comp(const CompChange& change) {
     switch (change.kind) {
-        case CompChange::Kind::Leave: compensation_.leave(); break;
+        case CompChange::Kind::Leave: compensation_.leave(change.direction); break;
+        case CompChange::Kind::KeepVector: compensation_.keep_vector(); break;
+        case CompChange::Kind::RoundCorner:
+            take_comp(compensation_.round_corner(change.motion, change.direction));
+            break;
         case CompChange::Kind::Set:
             compensation_.set_settings(change.settings);
             compensation_.set_distance(change.distance);
@@ -81,7 +148,8 @@ void Executor::begin_comp(const Block& block, Function side) {
     comp_.side = side;
     const double distance = comp_distance(block);
     if (ended_) return;
-    send_comp({CompChange::Kind::Begin, comp_settings(), modal_.plane, distance, position_.base});
+    send_comp(
+        {CompChange::Kind::Begin, comp_settings(), modal_.plane, distance, position_.base, {}, {}});
 }
 
 CompSettings Executor::comp_settings() const {
@@ -91,6 +159,7 @@ CompSettings Executor::comp_settings() const {
                       : comp_.corner == Function::CompCornerIntersection
                           ? path::OutsideCorner::Intersection
                           : rules_.comp_corner;
+    corners.pointed = std::min(comp_.pointed, rules_.comp_pointed_limit) / 100;
     corners.limit = rad_from_deg(rules_.comp_corner_limit);
     corners.sharp = rules_.comp_sharp_corner;
     corners.extends_tangents = rules_.comp_extends_tangents;
@@ -98,9 +167,11 @@ CompSettings Executor::comp_settings() const {
     corners.look_ahead = comp_.has_check
                              ? kCheckedBlocks
                              : static_cast<std::size_t>(std::max(1, rules_.comp_look_ahead));
-    settings.start = comp_.start == Function::CompStartNormal   ? CompStart::Normal
-                     : comp_.start == Function::CompStartAround ? CompStart::Around
-                                                                : rules_.comp_start;
+    settings.start = comp_.start == Function::CompStartNormal    ? CompStart::Normal
+                     : comp_.start == Function::CompStartAround  ? CompStart::Around
+                     : comp_.start == Function::CompStartTangent ? CompStart::Tangent
+                     : comp_.start == Function::CompStartSmooth  ? CompStart::Smooth
+                                                                 : rules_.comp_start;
     settings.feed = rules_.comp_feed;
     settings.empty_blocks = rules_.comp_empty_blocks;
     settings.more_empty_is_fault = rules_.comp_more_empty_is_alarm;
@@ -137,20 +208,20 @@ void Executor::settle_comp(const Block& block, const AxisValues& here, bool is_l
     std::optional<CompAlarm> alarm;
     if (!alarmed_ && modal_.plane != compensation_.plane()) {
         report(diag::CompPlane, block);
-    } else if (!alarmed_ && cycle_blocks_) {
-        report(diag::CompMotion, block);
     } else if (!alarmed_ && frames_.is_tilted(modal_.plane)) {
         report(diag::IsoNotSupported, block).arg("cutter radius compensation in a tilted plane");
     }
     if (!alarmed_) alarm = compensation_.end_block(here, block);
     if (!alarmed_ && !alarm && ended_ && is_last) alarm = compensation_.flush();
-    for (path::Command& command : compensation_.settled()) output_.next() = std::move(command);
-    compensation_.settled().clear();
-    if (alarm) report_comp(*alarm);
+    take_comp(alarm);
 }
 
-void Executor::flush_comp() {
-    const std::optional<CompAlarm> alarm = compensation_.flush();
+void Executor::flush_comp() { take_comp(compensation_.flush()); }
+
+void Executor::stop_comp() { take_comp(compensation_.stop()); }
+
+/// What the compensation has settled goes out.
+void Executor::take_comp(const std::optional<CompAlarm>& alarm) {
     for (path::Command& command : compensation_.settled()) output_.next() = std::move(command);
     compensation_.settled().clear();
     if (alarm) report_comp(*alarm);

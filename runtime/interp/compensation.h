@@ -1,9 +1,9 @@
 // compensation.h — cutter radius compensation: commands of the programmed contour in, commands of
 // the cutter's centre out, a block or more later.
 //
-// What a corner becomes is path/radius_comp.h; here is the order of things in a program: how the
-// cutter comes to the contour and leaves it, blocks without motion in the plane, what inserted
-// pieces inherit from their block.
+// What a corner becomes is path/radius_comp.h, compensation_ways.cpp the way to the contour; here
+// is the order of things in a program: how the cutter comes to the contour and leaves it, blocks
+// without motion in the plane, what inserted pieces inherit from their block.
 #pragma once
 
 #include <cstdint>
@@ -46,9 +46,24 @@ class Compensation {
                const AxisValues& here);
     void set_distance(double distance) { distance_ = distance; }
     void set_settings(const CompSettings& settings);
-    /// The next motion in the plane leaves the contour.
-    void leave();
+    double distance() const { return distance_; }
+    /// The next motion in the plane leaves the contour; if a direction is given, from where the
+    /// contour would meet the way beside a line into it.
+    void leave(const std::optional<path::Vec2>& direction = std::nullopt);
+    /// Compensation is over at once: what waits is let go of, and the cutter stays where it is.
+    std::optional<CompAlarm> stop();
+    /// Where the cutter is, once nothing waits any more.
+    const AxisValues& place() const { return shown_; }
     path::Plane plane() const { return plane_; }
+
+    /// The motions of the block that follows leave the cutter as far beside the contour as it is.
+    void keep_vector() { keeps_vector_ = true; }
+    /// The cutter goes on an arc about the corner at which it is: to the normal of the next motion,
+    /// or of a direction. `motion` tells feed and place of the arc.
+    std::optional<CompAlarm> round_corner(const path::Command& motion,
+                                          const std::optional<path::Vec2>& direction);
+    /// The way to the contour, whose first element comes next; it may be no way at all.
+    void begin_soft_approach(path::Command motion);
 
     /// Where the executor puts a command while compensation is on.
     path::Command& next() { return fresh_.emplace_back(); }
@@ -59,6 +74,13 @@ class Compensation {
     std::optional<CompAlarm> flush();
     /// Commands that are settled, in order. The caller clears them.
     std::vector<path::Command>& settled() { return settled_; }
+    /// Calls `see` for every command that waits, in order: about where the cutter will go, as far
+    /// from what is programmed as it is now.
+    template <typename See>
+    void look_at_waiting(See see) const {
+        for (const Held& held : held_) see(as_far_beside(held.command));
+        for (const path::Command& command : fresh_) see(as_far_beside(command));
+    }
 
   private:
     enum class State : std::uint8_t { Off, Starting, On, Leaving };
@@ -73,11 +95,13 @@ class Compensation {
     Fault take(path::Command& command, const AxisValues& behind);
     Fault take_motion(path::Command& command);
     Fault approach(path::Command& command);
+    void begin_approach(path::Command& command);
     Fault follow(path::Command& command);
     Fault depart(path::Command& command);
     Fault enter(const path::Element& first);
     Fault push(const path::Element& element, Held held);
-    Fault finish();
+    Fault follow_kept(path::Command& command);
+    Fault finish(const std::optional<path::Vec2>& direction = std::nullopt);
     bool moves_in_plane(const path::Command& command) const;
     path::Element element_of(const path::Command& command) const;
     Fault way_in(const path::Element& first, std::optional<path::Element>& way) const;
@@ -91,7 +115,12 @@ class Compensation {
     void emit_line(const Held& held, const path::Vec2& to, bool is_inserted);
     void emit_arc(const Held& held, const path::CompPiece& piece);
     void emit_rapid_around(const Held& held, const path::Element& arc);
+    void emit_conic(const Held& held, const path::CompPiece& piece);
+    void emit_curve_in(const path::Element& first);
+    void emit_curve_out(path::Command& command);
+    double curvature_beside(const path::Element& element) const;
     void put(path::Command command);
+    path::Command as_far_beside(path::Command command) const;
     path::Vec2 in_plane(const AxisValues& values) const;
     void set_in_plane(AxisValues& values, const path::Vec2& at) const;
 
@@ -101,12 +130,16 @@ class Compensation {
     path::Plane plane_ = path::Plane::Xy;
     double distance_ = 0;
     AxisValues here_{};   // programmed
-    AxisValues shown_{};  // end of the last command that was let go
+    AxisValues shown_{};  // end of the last command that was let go …
+    AxisValues meant_{};  // … and as it was programmed
     path::RadiusComp corners_{{}};
     std::size_t elements_ = 0;
     path::Element last_;  // of the contour
     bool has_last_ = false;
-    bool approaches_ = false;  // the first of `held_` waits for the first element
+    bool approaches_ = false;     // the first of `held_` waits for the first element
+    bool goes_straight_ = false;  // the approach, whatever the settings say
+    bool keeps_vector_ = false;
+    std::optional<path::Vec2> leave_direction_;
     int empty_blocks_ = 0;
     std::deque<Held> held_;
     std::vector<path::Command> fresh_;
