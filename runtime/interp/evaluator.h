@@ -56,7 +56,9 @@ class Evaluator {
         texts_.push_back(std::move(text));
         return {0, static_cast<std::uint32_t>(texts_.size() - 1), Value::Kind::Text};
     }
-    void forget() { texts_.clear(); }
+    void forget() {
+        if (!texts_.empty()) texts_.clear();
+    }
     void enter(const Level& level) { level_ = &level; }
 
     /// The indices that the code of a reference has put on the stack.
