@@ -290,7 +290,8 @@ void Parser::add_tables() {
     CLI::App* word =
         add(*dialect, "explain", "what a word means on a control", Verb::DialectExplain);
     word->add_option("FILE", line_.file, "dialect file or name")->required();
-    word->add_option("WORD", line_.word, "as it stands in a program: G83, CR, M3")->required();
+    word->add_option("WORD", line_.word,
+                     "as it stands in a program: G83, CR, M3; without one all commands are listed");
 
     CLI::App* machine = app_.add_subcommand("machine", "the descriptions of machines");
     machine->require_subcommand(1);

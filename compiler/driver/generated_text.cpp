@@ -176,14 +176,10 @@ bool GeneratedText::move_to_call(Diagnostic& diagnostic, std::vector<Diagnostic:
 }
 
 void GeneratedText::ExpanderMessages::take(Diagnostic diagnostic) {
-    const bool is_said = diagnostic.severity == Severity::Error ||
-                         (diagnostic.row != nullptr && diagnostic.row == &diag::ProgramWarning);
-    if (is_said) {
-        std::vector<Diagnostic::Note> notes = std::move(diagnostic.notes);
-        diagnostic.notes.clear();
-        text_.move_to_call(diagnostic, notes, "it is found here");
-        std::ranges::move(notes, std::back_inserter(diagnostic.notes));
-    }
+    std::vector<Diagnostic::Note> notes = std::move(diagnostic.notes);
+    diagnostic.notes.clear();
+    text_.move_to_call(diagnostic, notes, "it is found here");
+    std::ranges::move(notes, std::back_inserter(diagnostic.notes));
     sink_.take(std::move(diagnostic));
 }
 

@@ -13,6 +13,7 @@
 #include "interp/rules.h"
 #include "machine/machine.h"
 #include "nc/check.h"
+#include "nc/command_names.h"
 
 namespace kadr::driver {
 
@@ -138,7 +139,9 @@ Reply explain_word(Session& session, const std::string& name_or_file, const std:
         return {session.status(), {}};
     }
     std::string out;
-    for (const std::string& line : nc::explain(*dialect, word)) out += line + '\n';
+    const std::vector<std::string> lines =
+        word.empty() ? nc::command_names(*dialect) : nc::explain(*dialect, word);
+    for (const std::string& line : lines) out += line + '\n';
     if (!out.empty()) return {Status::Done, std::move(out)};
     session.messages().report(diag::WordUnknown).arg(dialect->name()).arg(word);
     return {session.status(), {}};

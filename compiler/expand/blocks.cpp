@@ -244,6 +244,7 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
         return false;
     if (nc::is_arc(modal[Group::Motion]) && recordings.empty() && !has_radius(block, at))
         return false;
+    if (options.warns_of_cuts && !warned_of_rapid && recordings.empty()) check_rapid(block, at);
     modal.take_words(block);
     if (recordings.empty() && is_cut_doubtful() && !check_cut(block, at)) [[unlikely]]
         return false;
@@ -407,6 +408,10 @@ void Expander::State::warn_of_cut(std::uint32_t at) {
         warned_of_feed = true;
         fault(diag::FeedNeverSet, at);
     }
+    if (modal.is_spindle_turning() && modal.lacks_tool) {
+        modal.lacks_tool = false;  // said once
+        fault(diag::ToolNeverCalled, at);
+    }
     if (modal.is_spindle_turning() || warned_of_spindle) return;
     warned_of_spindle = true;
     DiagnosticBuilder builder = fault(diag::FeedWithSpindleStopped, at);
@@ -414,6 +419,27 @@ void Expander::State::warn_of_cut(std::uint32_t at) {
     if (modal[Group::Spindle] == Function::SpindleStop && by.is_valid() &&
         by.index < code.statements.size())
         builder.note(code.statements[by.index], "it stands from here on");
+}
+
+void Expander::State::check_rapid(const Block& block, std::uint32_t at) {
+    constexpr std::size_t kZ = index(Axis::Z);
+    if (!block.has(nc::Slot::Z) || modal[Group::Motion] != Function::Rapid) return;
+    // On a lathe, and in another plane, Z is not the way into the workpiece.
+    const bool is_mill = modal[Group::Plane] == Function::PlaneXy && !modal.is_diameter;
+    if (!is_mill || modal[Group::Spindle] != Function::SpindleStop || block.skip >= 0) return;
+    if (block.function_count != 0 && (block.find(Function::MachineCoordinates) != nullptr ||
+                                      block.find(Function::ReferenceReturn) != nullptr))
+        return;
+    const nc::SlotMask word = bit(nc::Slot::Z);
+    const bool is_known = (modal.known >> kZ & 1u) != 0;
+    const bool is_modal = modal[Group::Distance] == Function::Incremental;
+    const bool is_way = (block.incremental & word) != 0 || (is_modal && !(block.absolute & word));
+    if (is_way && !is_known) return;
+    const double way = block.at(nc::Slot::Z);
+    const double target_z = is_way ? modal.position[kZ] + way : way;
+    if (!(target_z < 0) || (is_known && target_z >= modal.position[kZ])) return;
+    warned_of_rapid = true;
+    fault(diag::RapidBelowPlane, at).arg(neat(target_z));
 }
 
 double Expander::State::state_value(sema::StateValue which) const {

@@ -153,6 +153,8 @@ bool Expander::State::say_cycle(const Instruction& instruction, const sema::Slot
                          said.kind == SourceCycle::Kind::Modal;
     if (said_cycle.is_active && !goes_on && said.kind != SourceCycle::Kind::Called)
         return cycle_active("another cycle", at);
+    if (goes_on) keep_words();
+    else said_cycle.held = {};
     said_cycle.said = &said;
     said_cycle.given = 0;
     for (const auto& [parameter, value] : said.fixed) set_argument(said_cycle, parameter, value);
@@ -180,11 +182,56 @@ bool Expander::State::say_cycle(const Instruction& instruction, const sema::Slot
     }
     said_cycle.is_active = said.kind != SourceCycle::Kind::Once;
     said_cycle.is_due = said.kind != SourceCycle::Kind::Called;
-    return take_distances(at);
+    const std::uint32_t own = said_cycle.given;
+    if (goes_on) take_kept_words();
+    return has_words(at) && take_distances(own, at);
+}
+
+/// What the cycle so far had said holds for the next one of the mode, too. What its code says by
+/// itself is no word: `G81` does not dwell, and a P from before waits for the next `G82`.
+void Expander::State::keep_words() {
+    const sema::FunctionCode& function = code.functions[said_cycle.said->function];
+    for (std::size_t i = 0; i < kHeldWords.size(); ++i) {
+        const auto parameter = find_parameter(function, kHeldWords[i].parameter);
+        const bool is_fixed = std::ranges::any_of(
+            said_cycle.said->fixed, [&](const auto& fixed) { return fixed.first == parameter; });
+        if (is_given(said_cycle, parameter) && !is_fixed)
+            said_cycle.held[i] = said_cycle.arguments[*parameter];
+    }
+}
+
+void Expander::State::take_kept_words() {
+    const sema::FunctionCode& function = code.functions[said_cycle.said->function];
+    for (std::size_t i = 0; i < kHeldWords.size(); ++i) {
+        const auto parameter = find_parameter(function, kHeldWords[i].parameter);
+        if (said_cycle.held[i] && !is_given(said_cycle, parameter))
+            set_argument(said_cycle, parameter, *said_cycle.held[i]);
+    }
+}
+
+/// Whether a modal cycle has its levels, and what else has no value of its own.
+bool Expander::State::has_words(std::uint32_t at) {
+    if (said_cycle.said->kind != SourceCycle::Kind::Modal) return true;
+    const sema::FunctionCode& function = code.functions[said_cycle.said->function];
+    std::string missing;
+    for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+        const sema::ParameterInfo& parameter = function.parameters[i];
+        const auto word = std::ranges::find(kHeldWords, parameter.name, &HeldWord::parameter);
+        const bool is_level = parameter.name == "to" || parameter.name == "retract";
+        if (is_given(said_cycle, i) || parameter.name == "pitch") continue;  // F says the pitch
+        if (!is_level && parameter.has_default) continue;
+        if (!missing.empty()) missing += ' ';
+        if (word != kHeldWords.end()) missing += word->letter;
+        else missing += parameter.name;
+    }
+    if (missing.empty()) return true;
+    fault(diag::BlockWordMissing, at).arg(said_cycle.said->word).arg(missing);
+    return false;
 }
 
 /// Under incremental dimensions the retract level counts from the initial one, the depth from it.
-bool Expander::State::take_distances(std::uint32_t at) {
+/// `said`: the arguments that the block itself has; those from before are levels already.
+bool Expander::State::take_distances(std::uint32_t said, std::uint32_t at) {
     if (!said_cycle.said->has_distances || modal[Group::Distance] != Function::Incremental)
         return true;
     const sema::FunctionCode& function = code.functions[said_cycle.said->function];
@@ -192,8 +239,12 @@ bool Expander::State::take_distances(std::uint32_t at) {
     const std::optional<std::size_t> to = find_parameter(function, "to");
     std::optional<double> from = initial_level(at);
     if (!from) return false;
-    if (is_given(said_cycle, retract)) from = said_cycle.arguments[*retract] += *from;
-    if (is_given(said_cycle, to)) said_cycle.arguments[*to] += *from;
+    const auto is_said = [&](std::optional<std::size_t> parameter) {
+        return parameter && (said >> *parameter & 1u) != 0;
+    };
+    if (is_said(retract)) said_cycle.arguments[*retract] += *from;
+    if (is_given(said_cycle, retract)) from = said_cycle.arguments[*retract];
+    if (is_said(to)) said_cycle.arguments[*to] += *from;
     return true;
 }
 

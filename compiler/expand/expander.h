@@ -48,7 +48,7 @@ struct ExpandOptions {
     Limits limits;
     bool native_cycles = true;                // a call of a mapped cycle stays one block
     bool trace = false;                       // keep a Trace for every block of the batch
-    bool warns_of_cuts = false;               // without a feed or with the spindle off
+    bool warns_of_cuts = false;               // without feed or tool, spindle off; of dives
     const std::atomic<bool>* stop = nullptr;  // set from outside: the evaluation ends with an error
     std::vector<std::string>* shown = nullptr;  // gets the values that the code shows; null: nobody
 };

@@ -183,6 +183,7 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
             break;
         case Function::Tool:
             has_tool = has_tool_in = true;
+            lacks_tool = false;
             tool = tool_in = block.argument(invocation, 0);
             known = 0;  // the changer stands somewhere else
             change_tool(block.source);
@@ -190,9 +191,11 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
             return;
         case Function::ToolSelect:
             has_tool = true;
+            lacks_tool = false;
             tool = block.argument(invocation, 0);
             return;
         case Function::ToolChange: {
+            lacks_tool = false;
             const nc::Invocation* select = block.find(Function::ToolSelect);
             has_tool_in = has_tool || select != nullptr;
             tool_in = select != nullptr ? block.argument(*select, 0) : tool;

@@ -29,7 +29,8 @@ struct ModalState {
     double feed = 0;                    // as in Block
     double speed = 0;
     bool has_tool = false;
-    double tool = 0;  // that was called last
+    bool lacks_tool = true;  // none was called, and no text of unknown meaning stood there
+    double tool = 0;         // that was called last
     bool has_tool_in = false;
     double tool_in = 0;     // that was changed in last
     AxisValues position{};  // in the programmable frame, mm, degrees

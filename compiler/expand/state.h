@@ -6,11 +6,13 @@
 // start.cpp (programs, parameters), tests.cpp, text_format.cpp. For the room expand only.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <deque>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "expand/expander.h"
@@ -76,6 +78,15 @@ struct Following {
     FollowedBlock next;
 };
 
+/// A word of a cycle's mode that the next cycle need not say again, and the parameter that it
+/// gives.
+struct HeldWord {
+    std::string_view parameter;
+    char letter;  // of the control
+};
+inline constexpr std::array<HeldWord, 4> kHeldWords = {
+    {{"to", 'Z'}, {"retract", 'R'}, {"peck", 'Q'}, {"dwell", 'P'}}};
+
 /// The cycle of the input dialect's control that was said last; see sema::SourceCycle.
 struct SaidCycle {
     const sema::SourceCycle* said = nullptr;
@@ -83,7 +94,9 @@ struct SaidCycle {
     bool is_due = false;      // RunCycle calls it
     bool is_running = false;  // its blocks are being made
     std::array<double, nc::kMaxArguments> arguments{};
-    std::uint32_t given = 0;    // bit i: argument i
+    std::uint32_t given = 0;  // bit i: argument i
+    /// Words of the mode that further cycles need not say again, by the parameters of the library.
+    std::array<std::optional<double>, kHeldWords.size()> held;
     bool returns_low = false;   // G99: to the retract level, not to where the mode began
     bool taps_rigidly = false;  // M29
     // Where the mode began, along the tool axis.
@@ -191,11 +204,14 @@ struct Expander::State {
     bool take_place(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
     bool take_levels(nc::Block& block, std::uint32_t at);
     bool say_cycle(const Instruction& instruction, const Slot* registers, std::uint32_t at);
-    bool take_distances(std::uint32_t at);
+    bool take_distances(std::uint32_t said, std::uint32_t at);
     std::optional<double> initial_level(std::uint32_t at);
     /// Completes the arguments and calls the library's cycle.
     bool call_cycle(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     bool complete_cycle(const sema::FunctionCode& function, std::uint32_t at);
+    void keep_words();
+    void take_kept_words();
+    bool has_words(std::uint32_t at);
     bool complete_pitch(std::size_t pitch, std::uint32_t at);
     void say_distance(nc::Function function, SourceId source, std::uint32_t at, unsigned depth);
     void leave_cycle(const Instruction& instruction, std::uint32_t at);
@@ -208,8 +224,12 @@ struct Expander::State {
     bool check_cut(const nc::Block& block, std::uint32_t at);
     void warn_of_cut(std::uint32_t at);
     bool is_cut_doubtful() const {
-        return !modal.has_feed || (options.warns_of_cuts && !modal.is_spindle_turning());
+        return !modal.has_feed ||
+               (options.warns_of_cuts && (modal.lacks_tool || !modal.is_spindle_turning()));
     }
+    /// A rapid below the zero of the workpiece while the spindle stands. The block has not moved
+    /// yet.
+    void check_rapid(const nc::Block& block, std::uint32_t at);
     bool feed_lost(std::uint32_t at, std::size_t depth);
     bool emit_text(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     /// True if the control has the cycle and a block stands for it now.
@@ -347,6 +367,7 @@ struct Expander::State {
     SaidCycle said_cycle;
     bool warned_of_feed = false;  // each is said once
     bool warned_of_spindle = false;
+    bool warned_of_rapid = false;
 
     /// A contour whose blocks are being kept.
     struct Recording {

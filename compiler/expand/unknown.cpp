@@ -50,6 +50,7 @@ void ModalState::forget(SourceId source) {
     known = 0;
     active.fill(Function::None);
     has_feed = has_speed = has_tool = has_tool_in = has_length_offset = false;
+    lacks_tool = false;
     lost_drift |= has_drift;
     restate_motion = false;
     has_ended = spindle_in_doubt = is_feed_lost = false;
@@ -123,8 +124,11 @@ bool Expander::State::knows_state(const Block& block, std::uint32_t at) {
     const auto lacks = [&](Group group) { return (modal.lost & group_bit(group)) != 0; };
     const bool is_reference = block.find(Function::ReferenceReturn) != nullptr;
     const Function motion = modal[Group::Motion];
-    const nc::SlotMask bare =
-        block.given & nc::kTargetSlots & ~(block.absolute | block.incremental);
+    // A control without words for it says a single distance by the dimensions of its block, too.
+    const nc::DialectTables& tables = target.tables();
+    const bool says_each = tables.rules.has_modes || tables.has_incremental_letters;
+    const nc::SlotMask by_itself = says_each ? block.absolute | block.incremental : 0;
+    const nc::SlotMask bare = block.given & nc::kTargetSlots & ~by_itself;
     if (bare != 0 && lacks(Group::Distance))
         return state_lost("whether coordinates are absolute", kDistanceFix, at);
     if (moves(block) && lacks(Group::Motion) && !is_reference)

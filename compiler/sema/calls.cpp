@@ -87,6 +87,11 @@ std::optional<std::vector<ExprId>> Checker::bind_arguments(const Expr& expr, std
                 if (const auto near =
                         nearest_name(text(argument.text), names.data(), names.size())) {
                     builder.fix("did you mean " + quoted(*near) + "?");
+                } else if (!names.empty()) {
+                    std::string all;
+                    for (const std::string_view known : names)
+                        all += (all.empty() ? "" : ", ") + quoted(known);
+                    builder.fix("it has " + all);
                 }
                 is_good = false;
                 continue;

@@ -4,6 +4,7 @@
 
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/sema.h"
+#include "nc/tables.h"
 #include "sema/checker.h"
 
 namespace kadr::sema {
@@ -39,8 +40,15 @@ void Checker::load_cycles(std::uint32_t module) {
         if (expr.kind != ExprKind::Call || !expr.child[0].is_valid()) continue;
         const Expr& callee = tree[expr.child[0]];
         if (callee.kind != ExprKind::Name) continue;
-        const nc::CallMeaning meaning = nc::call_meaning(dialect, tree.text(callee.text));
-        if (meaning.function == nc::Function::Cycle) load(meaning.cycle, callee.range);
+        // Which of its cycles a call is, its arguments decide: `CYCLE83` has four.
+        const nc::AddressId call = dialect.tables().find_address(tree.text(callee.text));
+        if (call == nc::kNoAddress) continue;
+        const nc::Address& address = dialect.tables().addresses[call];
+        if (address.kind != nc::Address::Kind::Call) continue;
+        for (const nc::FormId id : address.forms) {
+            const nc::Form& form = dialect.tables().forms[id];
+            if (form.function == nc::Function::Cycle) load(form.cycle, callee.range);
+        }
     }
 }
 

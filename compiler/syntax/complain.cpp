@@ -183,7 +183,10 @@ void Complaints::explain(const Place& place) {
         return;
     }
     const SourceRange range = file_.range(place.offending);
-    if (place.expects(Token::OpenBrace) && place.rule == KadrParser::RuleBlock) {
+    if (place.offending.token == Token::Else && place.expects(Token::Semicolon)) {
+        const SourceRange gap = file_.range(place.previous.end, place.previous.end);
+        file_.sink.report(diag::SemicolonMissing, gap).arg("this block").fix(gap, ";", "end it");
+    } else if (place.expects(Token::OpenBrace) && place.rule == KadrParser::RuleBlock) {
         const SourceRange gap = file_.range(place.previous.end, place.previous.end);
         file_.sink.report(diag::BodyMissing, gap).arg(quoted(place.previous));
     } else if (place.head == Token::Switch && place.expects_only(Token::CloseBrace)) {

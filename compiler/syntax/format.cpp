@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/assert.h"
+#include "base/text.h"
 #include "syntax/format_line.h"
 #include "syntax/lex.h"
 #include "syntax/prepare.h"
@@ -41,6 +42,7 @@ class Formatting {
     void values_block(Pieces head, std::size_t level);
     void switch_cases(std::size_t level);
     void do_statement(std::size_t level);
+    bool join_while(std::size_t level);
     void simple(Pieces head, std::size_t level);
 
     Pieces take_head();
@@ -233,7 +235,9 @@ void Formatting::controlled(Pieces head, std::size_t level) {
 
 void Formatting::do_statement(std::size_t level) {
     Pieces head = {take()};
-    if (is(Token::OpenBrace)) {
+    const std::size_t before = lines_.size();
+    const bool is_block = is(Token::OpenBrace);
+    if (is_block) {
         block(std::move(head), level);
     } else {
         emit(head, level);
@@ -241,6 +245,7 @@ void Formatting::do_statement(std::size_t level) {
         while (here().is_comment()) emit({take()}, level + 1);
         statement(level + 1);
     }
+    if (is_block && lines_.size() == before + 1 && join_while(level)) return;
     while (here().is_comment()) emit({take()}, level);
     Pieces tail;
     if (lines_.back().code == std::string(level * kIndent, ' ') + "}" &&
@@ -255,6 +260,25 @@ void Formatting::do_statement(std::size_t level) {
     tail.insert(tail.end(), own.begin(), own.end());
     emit(tail, level);
     trailing_comment();
+}
+
+/// `do { … } while (…);` is one line where its block is and the whole fits.
+bool Formatting::join_while(std::size_t level) {
+    if (here().is_comment() || !lines_.back().comment.empty()) return false;
+    const std::size_t mark = at_;
+    const Pieces own = take_head();
+    const std::vector<std::string> tail = in_lines(own, level);
+    const std::string& line = lines_.back().code;
+    const bool fits =
+        tail.size() == 1 &&
+        count_code_points(line) + count_code_points(tail[0]) - level * kIndent < width_;
+    if (!fits || std::ranges::any_of(own, &Piece::is_comment)) {
+        at_ = mark;
+        return false;
+    }
+    lines_.back().code += ' ' + tail[0].substr(level * kIndent);
+    trailing_comment();
+    return true;
 }
 
 /// `{ … }` behind a head; a `;` behind it belongs to it.

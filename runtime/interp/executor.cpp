@@ -601,8 +601,21 @@ std::int64_t Executor::tool_number(const Block& block, const Invocation& invocat
     const auto named = std::find_if(machine_.tools.begin(), machine_.tools.end(),
                                     [&](const auto& tool) { return tool.name == block.text; });
     if (named != machine_.tools.end()) return named->number;
+    return unlisted_tool(block);
+}
+
+/// The number inside the control of a tool by a name that the table does not have: they count on
+/// from the table's, in the order in which the program names them.
+std::int64_t Executor::unlisted_tool(const Block& block) {
+    std::int64_t last = 0;
+    for (const machine::ToolData& tool : machine_.tools) last = std::max(last, tool.number);
+    const auto known = std::find(unlisted_tools_.begin(), unlisted_tools_.end(), block.text);
+    const std::int64_t number = last + 1 + (known - unlisted_tools_.begin());
+    if (known != unlisted_tools_.end()) return number;
+    unlisted_tools_.emplace_back(block.text);
+    unknown_tools_.push_back(number);
     report(diag::ToolUnknown, block).arg(block.text);
-    return 0;
+    return number;
 }
 
 void Executor::change_tool(const Block& block) {

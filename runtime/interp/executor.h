@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "interp/compensation.h"
@@ -157,6 +158,7 @@ class Executor {
     void set_coolant(const nc::Block& block, path::CoolantMode mode);
     void set_length_source(Tool::Source source, Actions& actions);
     std::int64_t tool_number(const nc::Block& block, const nc::Invocation& invocation);
+    std::int64_t unlisted_tool(const nc::Block& block);
     void change_tool(const nc::Block& block);
     void select_work_offset(const nc::Block& block, std::int64_t number);
     void change_plane(nc::Function plane);
@@ -372,6 +374,7 @@ class Executor {
     bool warned_units_ = false;
     nc::Function units_ = nc::Function::None;  // that the program said last
     std::vector<std::int64_t> unknown_tools_;  // each is reported once
+    std::vector<std::string> unlisted_tools_;  // names of tools that the table does not have
     std::vector<std::int64_t> unknown_radii_;
     std::vector<std::int64_t> known_machine_functions_;  // so are these
     std::optional<SplineRun> spline_;                    // that is being read

@@ -221,6 +221,7 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
     if (modal_.waiting_edge != 0) write_waiting_edge(block, out);
     done_ = 0;
     choose_forms(block);
+    if (needs_incremental(block)) drop_function(block, Function::Absolute);
     write_functions_alone(block, out);
     follow_functions(block);
 
@@ -249,8 +250,8 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
         drop_unchanged(block, start, targets);
     }
     // An incremental word that the control can only say under incremental dimensions.
-    if (targets.written != 0 && modal_.text_of(Group::Distance) != Function::None &&
-        targets.needs_incremental && !tables_.has_incremental_letters) {
+    if (targets.written != 0 && targets.needs_incremental &&
+        modal_.text_of(Group::Distance) != Function::Incremental) {
         add_code(block, Function::Incremental, items);
     }
     const bool probes = block.function_count != 0 && block.find(Function::Probe) != nullptr;
@@ -478,6 +479,18 @@ void BlockWriter::write_comment(const Block& block, std::string& out) {
 }
 
 void BlockWriter::write_raw(const Block& block, std::string& out) {
+    // The author's text stands under the dimensions that he has said, not under those that a block
+    // before it needed.
+    Items items;
+    const Function dimensions = modal_.meant_of(Group::Distance);
+    if (dimensions != Function::None && modal_.text_of(Group::Distance) != dimensions &&
+        !tables_.has_incremental_letters)
+        add_code(block, dimensions, items);
+    if (items.count != 0) {
+        Block alone;
+        alone.source = block.source;
+        write_items(alone, items, {}, out);
+    }
     std::string_view rest = block.text;
     while (!rest.empty()) {
         const std::size_t end = std::min(rest.find('\n'), rest.size());
@@ -518,6 +531,15 @@ void BlockWriter::choose_forms(const Block& block) {
                 if (is_said && !form.sets.empty()) done_ |= 1u << j;
             }
         }
+    }
+}
+
+/// The block does without the code; what it means for the blocks behind it holds.
+void BlockWriter::drop_function(const Block& block, Function function) {
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        if (block.functions[i].function != function) continue;
+        done_ |= 1u << i;
+        chosen_[i] = kNoForm;
     }
 }
 
@@ -844,7 +866,9 @@ void BlockWriter::restore_modal(const Block& block, Items& items) {
                                                       block.find(Function::EndRewind) != nullptr);
     const bool acts = is_end || (block.given & kTargetSlots) != 0 ||
                       needs_distance(block, modal_.meant_of(Group::Distance));
-    if (acts && !tables_.has_incremental_letters) restore(Group::Distance);
+    // Words that are said as distances whatever is meant leave the text as it is.
+    const bool stays = needs_incremental(block) && !needs_distance(block, Function::Absolute);
+    if (acts && !stays && !tables_.has_incremental_letters) restore(Group::Distance);
     if (is_arc(effective_motion(block)) && (block.given & (kTargetSlots | kCenterSlots)) != 0)
         restore(Group::Plane);
     if (block.has(Slot::Feed)) restore(Group::FeedMode);

@@ -125,6 +125,7 @@ class BlockWriter {
     static std::string misfit_words(std::span<const Parameter> parameters, const Misfit& misfit);
     bool holds(const Form& form, const Block& block, Function asked, bool allow_unknown) const;
     bool is_suppressed(Function function) const;
+    void drop_function(const Block& block, Function function);
     void add_code(const Block& block, Function function, Items& items);
     bool needs_distance(const Block& block, Function distance) const;
     void restore_modal(const Block& block, Items& items);
@@ -159,8 +160,9 @@ class BlockWriter {
         SlotMask wrapped_incremental = 0;     // IC()
         SlotMask by_letter = 0;               // that are written with the letter of distances
         double feed_factor = 1;               // of F
-        bool needs_incremental = false;       // all words are distances, the text is absolute
+        bool needs_incremental = false;       // all words are distances from places unknown
     };
+    bool needs_incremental(const Block& block) const;
     void place_targets(const Block& block, Targets& targets);
     void place_target(const Block& block, std::size_t axis, Targets& targets);
     void place_machine_target(const Block& block, std::size_t axis, bool by_itself,

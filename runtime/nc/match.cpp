@@ -251,8 +251,8 @@ class Matcher {
                 ++fit.matched;
                 found = true;
             }
-            const bool may_lack = wanted.is_kept ? words_of_ == WordsOf::Text : wanted.is_optional;
-            if (!found && !may_lack && !wanted.has_default) {
+            const bool may_lack = wanted.is_kept || wanted.is_optional || wanted.has_default;
+            if (!found && !may_lack) {
                 fit.answer = fit.answer == Fit::Answer::Yes ? Fit::Answer::Missing : fit.answer;
             }
         }

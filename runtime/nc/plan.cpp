@@ -13,12 +13,38 @@ namespace kadr::nc {
 namespace {
 
 /// The cycle of a form that no block of a source can be.
-void report_cycle(std::string_view name, const SourceRange& range, const CycleInfo& cycle,
-                  DiagnosticSink& sink) {
-    sink.report(diag::SourceCycle, range)
-        .arg(name)
-        .fix("call the library's `" + cycle.name +
-             "` at each place: it is written as the control's own cycle");
+void report_cycle(std::string_view name, const SourceRange& range, const DialectTables& tables,
+                  CycleId cycle, DiagnosticSink& sink) {
+    auto report = std::move(sink.report(diag::SourceCycle, range).arg(name));
+    if (tables.forms_of_cycle[cycle].empty()) {
+        report.fix("call a cycle of the library at each place: it is written for every control");
+    } else {
+        report.fix("call the library's `" + tables.cycles[cycle].name +
+                   "` at each place: it is written as the control's own cycle");
+    }
+}
+
+/// The form as a person writes it: names of a call's parameters, and numbers where they are fixed.
+std::string shown(const Form& form) {
+    const std::string pattern = first_line(form);
+    std::string out;
+    for (std::size_t at = 0; at < pattern.size();) {
+        const std::size_t open = std::min(pattern.find('{', at), pattern.size());
+        out.append(pattern, at, open - at);
+        if (open == pattern.size()) break;
+        const std::size_t close = std::min(pattern.find('}', open), pattern.size());
+        std::string hole = pattern.substr(open + 1, close - open - 1);
+        hole.resize(std::min(hole.find(':'), hole.size()));
+        const std::size_t equal = hole.find('=');
+        if (equal == 0) hole.erase(0, 1);  // `{=1:length}` is the number 1
+        else hole.resize(std::min(equal, hole.size()));
+        if (hole.ends_with('?')) hole.pop_back();
+        if (hole.starts_with('+')) hole.erase(0, 1);
+        const bool is_argument = open > 0 && (pattern[open - 1] == '(' || pattern[open - 1] == ',');
+        out += is_argument ? hole : "…";
+        at = close + 1;
+    }
+    return out;
 }
 
 Hole hole_of(const Claim& claim, const DialectTables& tables) {
@@ -111,7 +137,7 @@ class Planner {
             if (!is_cycle && !form.feed_by_radius) continue;
             const SourceWord& word = head_of(form);
             if (is_cycle) {
-                report_cycle(text_of(word), word.range, tables_.cycles[form.cycle], sink_);
+                report_cycle(text_of(word), word.range, tables_, form.cycle, sink_);
             } else {
                 sink_.report(diag::SourceInverseTime, word.range)
                     .arg(text_of(word))
@@ -225,7 +251,7 @@ class Planner {
         const SourceWord& word = words_[source_[fault.word]];
         const SourceWord& other = words_[source_[fault.other]];
         const std::string text = text_of(word);
-        const std::string form = fault.form == kNoForm ? "" : first_line(tables_.forms[fault.form]);
+        const std::string form = fault.form == kNoForm ? "" : shown(tables_.forms[fault.form]);
         switch (fault.kind) {
             case Kind::UnknownCode: report_code(word); break;
             case Kind::CodeComputed:
@@ -298,7 +324,7 @@ std::optional<BlockPlan> plan_call(const Dialect& dialect, std::string_view name
     const DialectTables& tables = dialect.tables();
     const CallMeaning meaning = call_meaning(dialect, name);
     if (meaning.function != Function::Cycle || !can_be_source(dialect, meaning.cycle)) {
-        report_cycle(name, range, tables.cycles[meaning.cycle], sink);
+        report_cycle(name, range, tables, meaning.cycle, sink);
         return std::nullopt;
     }
     if (arguments.size() > kMaxCallArguments) {
@@ -324,8 +350,7 @@ std::optional<BlockPlan> plan_call(const Dialect& dialect, std::string_view name
                                 arguments[at].kind != SourceArgument::Kind::Empty;
         const SourceRange place = is_written ? arguments[at].range : range;
         std::string what = is_written ? "argument " + std::to_string(at + 1) : std::string(name);
-        const std::string form =
-            fault->form == kNoForm ? "" : first_line(tables.forms[fault->form]);
+        const std::string form = fault->form == kNoForm ? "" : shown(tables.forms[fault->form]);
         sink.report(diag::BlockWordValueWrong, place).arg(what).arg(form);
         return std::nullopt;
     }

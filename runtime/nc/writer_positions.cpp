@@ -85,20 +85,22 @@ std::array<std::size_t, 3> BlockWriter::plane_axes() const {
     }
 }
 
-void BlockWriter::place_targets(const Block& block, Targets& targets) {
-    // Without AC() and IC() a distance needs the position, or a block of distances only.
+/// Whether the block can be said under incremental dimensions only: all its words are distances,
+/// and the control has neither AC() and IC() nor letters of distances to say them from places that
+/// nobody knows.
+bool BlockWriter::needs_incremental(const Block& block) const {
     const SlotMask given = block.given & kTargetSlots;
-    const bool is_absolute_text = modal_.text_of(Group::Distance) != Function::Incremental;
-    const SlotMask distances = block.incremental & given;
+    if (given == 0 || (block.incremental & given) != given) return false;
+    if (tables_.rules.has_modes || tables_.has_incremental_letters) return false;
+    const bool has_functions = block.function_count != 0;
+    if (has_functions && block.find(Function::MachineCoordinates) != nullptr) return false;
     // On the way to the reference point the control's own habit is a distance: G91 G28 Z0.
-    const bool is_return =
-        block.function_count != 0 && block.find(Function::ReferenceReturn) != nullptr;
-    const bool is_machine =
-        block.function_count != 0 && block.find(Function::MachineCoordinates) != nullptr;
-    if (!is_machine && !tables_.rules.has_modes && is_absolute_text && given != 0 &&
-        distances == given && (is_return || (modal_.position.known & given) != given)) {
-        targets.needs_incremental = true;
-    }
+    const bool is_return = has_functions && block.find(Function::ReferenceReturn) != nullptr;
+    return is_return || (modal_.position.known & given) != given;
+}
+
+void BlockWriter::place_targets(const Block& block, Targets& targets) {
+    targets.needs_incremental = needs_incremental(block);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         if (block.has(static_cast<Slot>(axis))) place_target(block, axis, targets);
     }

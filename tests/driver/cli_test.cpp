@@ -18,6 +18,7 @@ using kadr::read_file;
 
 constexpr const char* kSquare =
     "program square(length side = 20mm) {\n"
+    "    tool(1);\n"
     "    G0 X0 Y0 Z5;\n"
     "    F200 S1000 M3;\n"
     "    G1 Z-1;\n"
@@ -164,7 +165,13 @@ TEST_F(CommandLine, CutsWithoutFeedOrSpindleAreWarnedOf) {
         const char* message;  // in `expand` and `check`; empty: none
     };
     for (const Row& row :
-         {Row{"feed", "S1000 M3; G0 X0; G1 X1; G1 X2;", "warning[K3222]"},
+         {Row{"feed", "tool(2); S1000 M3; G0 X0; G1 X1; G1 X2;", "warning[K3222]"},
+          Row{"tool", "S1000 M3; F100; G0 X0; G1 X1; G1 X2;", "warning[K5265]"},
+          Row{"down at rapid", "tool(2); G0 X-5 Z-5; Z-6; S1000 M3;", "warning[K5264]"},
+          Row{"down from a known height", "tool(2); G0 Z5; Z+=-9; S1000 M3;", "warning[K5264]"},
+          Row{"up below the zero", "tool(2); S1000 M3; G0 Z-5; M5; G0 Z-2;", ""},
+          Row{"not into the work", "G18; tool(2); G0 Z-5; S1000 M3;", ""},
+          Row{"unknown text", "raw \"M77\"; G90 G94 G97 G17; S9 M3; F9; G0 X0; G1 X1;", ""},
           Row{"spindle", "F100; G0 X0; G1 X1; G1 X2;", "warning[K5213]"},
           Row{"speed", "S0 M3; F100; G0 X0; G1 X1;", "warning[K5213]"},
           Row{"tool change", "S500 M3; F100; tool(2); G0 X0; G1 X1;", "warning[K5213]"},
@@ -359,6 +366,9 @@ TEST_F(CommandLine, ExplainsItsMessages) {
 
 TEST_F(CommandLine, TablesOfControlsAndMachines) {
     EXPECT_NE(kadr({"dialect", "list"}).out.find("iso"), std::string::npos);
+    const std::string commands = kadr({"dialect", "explain", "iso"}).out;
+    for (const char* row : {"\nspindle_cw  ", "\ndwell  ", "\nplane_xy  "})
+        EXPECT_NE(commands.find(row), std::string::npos) << row << commands;
     EXPECT_EQ(kadr({"dialect", "check", "iso"}).status, 0);
     EXPECT_EQ(kadr({"dialect", "check", file("missing.xml")}).status, 2);
     EXPECT_NE(kadr({"dialect", "explain", "iso", "G1"}).out.find("line"), std::string::npos);

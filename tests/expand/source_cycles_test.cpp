@@ -56,6 +56,27 @@ TEST(SourceCycles, LevelsThatAPlaceChangesStay) {
               "rapid X10\ncycle#0(0=-5, 1=2, 2=50, 3=0)\ncycle#0(0=-6, 1=2, 2=50, 3=0)");
 }
 
+TEST(SourceCycles, LevelsHoldFromCycleToCycle) {
+    EXPECT_EQ(blocks(fanuc("G85 X10. Z-5. R2.; G86 X20.; G89 X30. P500; G81 X40. Z-6.;"), "fanuc"),
+              "rapid X10\ncycle#5(0=-5, 1=2, 2=50, 3=0)\nrapid X20\ncycle#6(0=-5, 1=2, 2=50)\n"
+              "rapid X30\ncycle#5(0=-5, 1=2, 2=50, 3=0.5)\nrapid X40\n"
+              "cycle#0(0=-6, 1=2, 2=50, 3=0)");
+    // P waits for the next cycle that dwells; under G91 a level from before stays where it is.
+    EXPECT_EQ(blocks(fanuc("G82 X10. Z-5. R2. P500; G81 X20.; G82 X30.;"), "fanuc"),
+              "rapid X10\ncycle#0(0=-5, 1=2, 2=50, 3=0.5)\nrapid X20\n"
+              "cycle#0(0=-5, 1=2, 2=50, 3=0)\nrapid X30\ncycle#0(0=-5, 1=2, 2=50, 3=0.5)");
+    EXPECT_EQ(blocks(fanuc("G81 X10. Z-5. R2.; G91 G85 X10. Z-9.;"), "fanuc"),
+              "rapid X10\ncycle#0(0=-5, 1=2, 2=50, 3=0)\nrapid X10 | incremental\nabsolute\n"
+              "cycle#5(0=-7, 1=2, 2=50, 3=0)\nincremental");
+    // The end of the mode ends them.
+    for (const char* ended : {"G85 X3. Y3. R1. Z-4.; G80; G86 X4.;", "G86 X4.;"}) {
+        const Outcome outcome = run(fanuc(ended), options_of(fanuc(ended), "fanuc"));
+        ASSERT_EQ(outcome.messages.size(), 1u) << ended;
+        EXPECT_TRUE(outcome.messages[0].ends_with("K4107")) << outcome.messages[0];
+        EXPECT_EQ(outcome.texts[0], "`G86` lacks words: `Z R`");
+    }
+}
+
 TEST(SourceCycles, TheReturnLevel) {
     EXPECT_EQ(blocks(fanuc("G99 G81 X10. Z-5. R2.; G98 X20.;"), "fanuc"),
               "rapid X10\ncycle#0(0=-5, 1=2, 2=2, 3=0)\nrapid X20\ncycle#0(0=-5, 1=2, 2=50, 3=0)");
@@ -103,6 +124,27 @@ TEST(SourceCycles, CallsOfTheControl) {
     EXPECT_EQ(blocks(once, "fanuc"), "cycle#0(0=-5, 1=2.5, 2=50, 3=0)\nrapid X10");
     EXPECT_EQ(blocks(sinumerik("CYCLE84(50,2,,-5,,0.1,5,,-0.05in,0,500,0);"), "fanuc"),
               "cycle#3(0=-5, 1=1.27, 2=2, 3=50, 4=0.1, 5=1, 6=0, 7=500, 8=0, 9=5)");
+}
+
+TEST(SourceCycles, CallsThatOnlyTheirControlKnows) {
+    // Clearance, first depth, kind of machining: what drill_peck cannot say is made of moves.
+    // Strokes of 5, 3 and 2 mm; when less than two of 2 are left, two share the rest.
+    EXPECT_EQ(blocks(sinumerik("CYCLE83(50,0,2,-15,,-5,,2,0,0,1,1);"), "fanuc"),
+              "rapid Z2\nline Z-5\nrapid Z2\nrapid Z-4.4\nline Z-8\nrapid Z2\nrapid Z-7.4\n"
+              "line Z-10\nrapid Z2\nrapid Z-9.4\nline Z-12\nrapid Z2\nrapid Z-11.4\n"
+              "line Z-13.5\nrapid Z2\nrapid Z-12.9\nline Z-15\nrapid Z50");
+    // The tool comes out of a reamed hole to its own retract level at feed.
+    EXPECT_EQ(blocks(sinumerik("CYCLE85(20,0,2,-10,,0.5,100,300);"), "iso"),
+              "rapid Z2\nline Z-10 F100\ndwell(time=0.5)\nline Z2 F300\nF100\nrapid Z20");
+    EXPECT_EQ(blocks(sinumerik("CYCLE87(50,0,2,-10,,3);"), "iso"),
+              "rapid Z2\nspindle_cw\nline Z-10\nspindle_stop\nstop\nrapid Z50");
+    // Moves of a rigid tap would not be geared on the control.
+    const std::string tap = sinumerik("CYCLE84(50,0,2,-10,,0.5,5,8,,90,400,600);");
+    const Outcome refused = run(tap, options_of(tap, "sinumerik"));
+    ASSERT_EQ(refused.texts.size(), 1u);
+    EXPECT_EQ(refused.texts[0],
+              "`argument 8` does not fit into "
+              "`CYCLE84(initial,retract,retract,to,,dwell,after,,pitch,0,at,back)`");
 }
 
 TEST(SourceCycles, ModalCallsBehindEveryMotion) {

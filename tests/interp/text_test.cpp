@@ -134,6 +134,11 @@ TEST(Text, WarningsThatSaveASpindle) {
         SCOPED_TRACE(row.name);
         EXPECT_EQ(alarms(read("iso", row.text, changer)), row.codes);
     }
+    // A name that the table does not have is a tool all the same: it is changed, and known again.
+    const Ran named =
+        read("sinumerik", "T=\"MILL\" D1\nM6\nS500 M3\nG1 X5 F100\nT=\"MILL\"\nM6\nM30\n", changer);
+    EXPECT_EQ(alarms(named), "K5240");
+    EXPECT_NE(named.listing().find("tool"), std::string::npos) << named.listing();
     // A machine that changes no tools has the one that is in it.
     EXPECT_EQ(alarms(read("iso", "S500 M3\nG1 X5 F100\nM30\n")), "");
 }

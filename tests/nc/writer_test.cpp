@@ -181,6 +181,11 @@ TEST(Writer, WordsByThemselves) {
                     {"G0 X10\nX=IC(5)", "X10.\nX15.\n"},
                     // The position is not known: a block of distances under G91, then back.
                     {"G0 X=IC(5)\nX20", "G91 X5.\nG90 X20.\n"},
+                    // Several stay under G91, a G90 between them holds for what comes then.
+                    {"G0 X=IC(5)\nX=IC(1)\nY=IC(2)\nX20", "G91 X5.\nX1.\nY2.\nG90 X20.\n"},
+                    {"G0 X=IC(5)\nG90 X=IC(1)\nX20", "G91 X5.\nX1.\nG90 X20.\n"},
+                    // The author's own text stands under the dimensions that he has said.
+                    {"G0 X=IC(5)\nraw X3", "G91 X5.\nG90\nX3\n"},
                     {"G0 X10 Y0\nG91\nX=AC(3)", "X10. Y0.\nG91\nX-7.\n"},
                 });
     EXPECT_EQ(write("fanuc", "G0 X=IC(5) Y=AC(2)").codes, "K4204");

@@ -87,6 +87,8 @@ TEST(Format, StatementsHaveOneLayout) {
         {"if (i == 0) {M8;}", "if (i == 0) { M8; }\n"},
         {"while (i < 3) { }", "while (i < 3) {}\n"},
         {"do\n{\ni++;\n}\nwhile(i<3);", "do {\n    i++;\n} while (i < 3);\n"},
+        {"do {i++;} while(i<3);  // on", "do { i++; } while (i < 3);    // on\n"},
+        {"do { i++; }\nwhile(i<3);", "do { i++; } while (i < 3);\n"},
         {"do i++; while(i<3);", "do\n    i++;\nwhile (i < 3);\n"},
         {"switch(i){case 1,2: M8;break;\ncase 3 ..5:\nM9;\nbreak;default:M5;}",
          "switch (i) {\n    case 1, 2: M8; break;\n    case 3..5:\n        M9;\n        break;\n"

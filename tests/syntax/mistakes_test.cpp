@@ -28,6 +28,7 @@ TEST(Mistakes, Semicolons) {
 })",
          "2:20 K1101 `;` is missing behind this statement"},
         {"cycle a() { do { M8; } while (x) }", "1:33 K1101 `;` is missing behind this statement"},
+        {"cycle a() { if (n == 5) M8 else M9; }", "1:27 K1101 `;` is missing behind this block"},
         {"cycle a() { return 5 }", "1:21 K1101 `;` is missing behind this statement"},
         {"cycle a() { break }", "1:18 K1101 `;` is missing behind this statement"},
         {R"(import cycles.drilling
