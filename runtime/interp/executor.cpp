@@ -151,6 +151,7 @@ void Executor::execute_next() {
         ended_ = alarmed_ = true;  // the control stops at the line that could not be read
         return;
     }
+    if (move_plainly(*block)) return;
     if (shape_ && !check_shape_block(*block)) return;
     execute(rules_.center_stays ? with_center(*block) : *block);
     const bool is_open = open_line_ || (corners_.is_active() && !acts(*block));

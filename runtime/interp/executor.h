@@ -1,9 +1,10 @@
 // executor.h — executes blocks one by one and puts commands out. Internal to interp.
 //
 // What a block does is told in chapters: executor.cpp (the order of things in a block, its single
-// functions), motion.cpp (targets, lines, arcs, tool length, limits), circles.cpp, polar.cpp and
-// angles.cpp (what controls work out of other words), cornering.cpp and compensating.cpp (what the
-// commands pass through), soft_moves.cpp (soft approaches and retracts), cycles.cpp (machining
+// functions), plain_moves.cpp (what nearly every block is), motion.cpp (targets, lines, arcs, tool
+// length, limits), circles.cpp, polar.cpp and angles.cpp (what controls work out of other words),
+// cornering.cpp and compensating.cpp (what the commands pass through), soft_moves.cpp (soft
+// approaches and retracts), cycles.cpp (machining
 // cycles), shapes.cpp (cycles along a shape that stands in the program).
 #pragma once
 
@@ -188,6 +189,11 @@ class Executor {
     FrameWords center_of(const nc::Block& block, const nc::Invocation& invocation) const;
     void scale(const nc::Block& block, const nc::Invocation& invocation);
     void pass_machine_function(const nc::Block& block, std::int64_t number);
+
+    // plain_moves.cpp
+    bool move_plainly(const nc::Block& block);
+    bool is_plain_block(const nc::Block& block) const;
+    bool is_plain_state() const;
 
     // motion.cpp
     void move(const nc::Block& block, const Actions& actions);
