@@ -206,7 +206,11 @@ double Executor::comp_distance(const Block& block) {
 /// is_last  no block waits behind it
 void Executor::settle_comp(const Block& block, const AxisValues& here, bool is_last) {
     std::optional<CompAlarm> alarm;
-    if (!alarmed_ && modal_.plane != compensation_.plane()) report(diag::CompPlane, block);
+    if (!alarmed_ && modal_.plane != compensation_.plane()) {
+        report(diag::CompPlane, block);
+    } else if (!alarmed_ && frames_.is_tilted(modal_.plane)) {
+        report(diag::IsoNotSupported, block).arg("cutter radius compensation in a tilted plane");
+    }
     if (!alarmed_) alarm = compensation_.end_block(here, block);
     if (!alarmed_ && !alarm && ended_ && is_last) alarm = compensation_.flush();
     take_comp(alarm);
