@@ -40,6 +40,10 @@ path::SoftShape soft_shape_of(double number) {
 /// The words of the block, and how the tool moves before and behind the slow infeed. Nothing: it
 /// was reported.
 std::optional<SoftMove> Executor::soft_move_of(const Block& block, const Actions& actions) {
+    if (frames_.is_tilted(modal_.plane)) {
+        report(diag::IsoNotSupported, block).arg("a soft approach or retract in a tilted plane");
+        return std::nullopt;
+    }
     SoftMove move;
     move.shape = soft_shape_of(block.argument(*actions.soft, 0));
     move.choice = soft_;

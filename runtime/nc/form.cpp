@@ -335,6 +335,10 @@ class LineParser {
             word.is_lead = unit == "lead";
             return true;
         }
+        if (unit == "absolute") {
+            word.is_absolute = true;
+            return true;
+        }
         if (unit == "increments") {
             word.in_increments = true;
             return true;
@@ -349,7 +353,8 @@ class LineParser {
             return true;
         }
         return fail("there is no unit " + quoted(unit) +
-                    "; known are s, ms, s|ms, min, deg, mm, permille, increments, lead and named");
+                    "; known are s, ms, s|ms, min, deg, mm, permille, increments, lead, named and "
+                    "absolute");
     }
 
     bool declared(FormWord& word, std::string_view name) {

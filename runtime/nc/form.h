@@ -9,7 +9,8 @@
 // A number that has a dimension is {=0.5:length}, in mm, so that it is right in inches too.
 // A placeholder is {name}, {name?} (may be left out), {name:unit}, {name+6}, {name-6}, {name=0}
 // (written when it is not given), {+name} (written as 0; a value that is read is added to the
-// parameter), {name:named} (the word's presence is the value: written 0).
+// parameter), {name:named} (the word's presence is the value: written 0), {name:absolute} (read
+// where the word says so by itself, `AC(…)`).
 #pragma once
 
 #include <string>

@@ -292,7 +292,9 @@ class Matcher {
                 if (wanted.is_named_only && word.is_known && !near(word.number, 0)) {
                     refuse(fit, Fit::Answer::Value, i);
                 }
-                if (word.mode != GivenWord::Mode::Modal) refuse(fit, Fit::Answer::Mode, i);
+                if (word.mode !=
+                    (wanted.is_absolute ? GivenWord::Mode::Absolute : GivenWord::Mode::Modal))
+                    refuse(fit, Fit::Answer::Mode, i);
                 if (word.is_known && !is_in_range(form, wanted, word.number))
                     refuse(fit, Fit::Answer::Value, i);
                 if (wanted.tail_digits > 0 && word.is_known && !has_tail(wanted, word.number))

@@ -103,6 +103,7 @@ struct FormWord {
     int tail_parameter = -1;
     int tail_value = 0;
     bool is_named_only = false;  // the word stands for itself, its number is always 0
+    bool is_absolute = false;    // said absolute by itself, `AC(…)`; in forms that are read
     bool is_lead = false;        // the lead of a thread, which counts on every turn
     bool is_any = false;         // `{}`: a number on which nothing depends; read only
     double plain_factor = 0;     // `s|ms`: as `factor`, of a number without a point; 0: the same

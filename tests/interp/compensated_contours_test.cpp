@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <limits>
 
+#include <Eigen/Geometry>
+
 #include "path/radius_comp.h"
 #include "tests/path/random_contour.h"
 #include "text_bench.h"

@@ -190,6 +190,106 @@ TEST(Compensation, FanucTypeB) {
         << "a corner that closes: as type A";
 }
 
+const Command& spline_of(const Ran& ran) {
+    static const Command kNone;
+    for (const Command& command : ran.commands) {
+        if (command.op == Op::Spline) return command;
+    }
+    ADD_FAILURE() << "no spline";
+    return kNone;
+}
+
+TEST(Compensation, PointedArcs) {
+    // DISC=30 at a square corner: the middle of the arc is 5 + 0.3·(5√2 − 5) from the corner.
+    const Ran ran = read("sinumerik", kSinumerik +
+                                          "G0 X0 Y-20\nG42 G1 X0 Y0 DISC=30\nX40\nY30\n"
+                                          "G40 X60\nM30\n");
+    const Command& conic = spline_of(ran);
+    const auto middle_at = [](const Command& command) {
+        const path::Spline span =
+            path::make_spline(path::Vec3(40, -5, 0), path::Vec3(45, 0, 0), command.spline);
+        return (path::point_at(span, 0.5).position - path::Vec3(40, 0, 0)).norm();
+    };
+    EXPECT_EQ(conic.spline.degree, 2);
+    EXPECT_NEAR(middle_at(conic), 5 + 0.3 * 5 * (std::sqrt(2.0) - 1), 1e-9);
+    const Ran most = read("sinumerik", kSinumerik +
+                                           "G0 X0 Y-20\nG42 G1 X0 Y0 DISC=90\nX40\nY30\n"
+                                           "G40 X60\nM30\n");
+    EXPECT_NEAR(middle_at(spline_of(most)), 5 + 0.5 * 5 * (std::sqrt(2.0) - 1), 1e-9) << "MD20220";
+    // Beyond 100° G451 takes the arc as DISC has it.
+    const Ran sharp = read("sinumerik", kSinumerik +
+                                            "G0 X0 Y-20\nG42 G1 G451 X0 Y0 DISC=30\nX40\nX0 Y10\n"
+                                            "G40 X-20\nM30\n");
+    EXPECT_EQ(spline_of(sharp).spline.degree, 2);
+    check("sinumerik", kSinumerik,
+          {{"rapids go along tangents", "G0 X-20 Y-20\nG42 G0 X0 Y0 DISC=50\nX40\nY30\nG40 X60\n",
+            "R-20,-20 R0,-5 R40,-5 R43.536,-5 R45,-3.536 R45,0 R45,30 R60,30"}});
+}
+
+/// KONTT, KONTC: tangent to the cutter's way, and with its curvature.
+TEST(Compensation, CurvesIn) {
+    // From (−30, −20) to a circle of 20 about (0, 0) on its right side: the way has radius 25.
+    for (const std::string word : {"KONTT", "KONTC"}) {
+        SCOPED_TRACE(word);
+        const Ran ran = read("sinumerik", kSinumerik + "G0 X30 Y-20 Z10\nG42 G1 " + word +
+                                              " X20 Y0 Z-1\nG3 X0 Y20 CR=20\nG40 G1 X-20 Y40 Z9\n"
+                                              "M30\n");
+        EXPECT_EQ(alarms(ran), "");
+        std::vector<path::Spline> curves;
+        path::Vec3 at(30, -20, 10);
+        for (const Command& command : ran.commands) {
+            if (!path::is_motion(command.op)) continue;
+            const path::Vec3 to(command.to[0], command.to[1], command.to[2]);
+            if (command.op == Op::Spline)
+                curves.push_back(path::make_spline(at, to, command.spline));
+            at = to;
+        }
+        ASSERT_EQ(curves.size(), 2U);
+        const path::CurvePoint in = path::curvature_at(curves[0], 1);
+        const path::CurvePoint out = path::curvature_at(curves[1], 0);
+        EXPECT_LT((path::point_at(curves[0], 1).position - path::Vec3(25, 0, -1)).norm(), 1e-9);
+        EXPECT_LT((in.tangent - path::Vec3(0, 1, 0)).norm(), 1e-9);
+        EXPECT_LT((out.tangent - path::Vec3(-1, 0, 0)).norm(), 1e-9);
+        const double bend = word == "KONTC" ? 1.0 / 25 : in.curvature.norm();
+        EXPECT_LT((in.curvature - path::Vec3(-bend, 0, 0)).norm(), 1e-9);
+        if (word == "KONTC") {
+            EXPECT_LT((out.curvature - path::Vec3(0, -bend, 0)).norm(), 1e-9);
+        }
+    }
+    const Ran rapid = read("sinumerik", kSinumerik + "G0 X30 Y-20\nG42 G0 KONTT X20 Y0\nX0\nM30\n");
+    EXPECT_EQ(alarms(rapid), "K5280") << "in a block with G1";
+}
+
+/// A cycle whose blocks are compensated: none of them is lost.
+class Beside final : public CycleExpander {
+  public:
+    std::unique_ptr<Stream<Block>> expand(const CycleCall& /*call*/) override {
+        const auto side = line().fn(Function::RadiusCompRight).fn(Function::RadiusOffset, {{0, 1}});
+        std::vector<Block> blocks = {Words(side).x(0).y(0).f(100), line().x(40).y(0),
+                                     line().x(40).y(30)};
+        if (ends) blocks.push_back(line().fn(Function::RadiusCompOff).x(60).y(30));
+        blocks.push_back(rapid().z(20));
+        return std::make_unique<BlockList>(blocks);
+    }
+    bool ends = true;
+};
+
+TEST(Compensation, InsideACycle) {
+    Beside cycle;
+    const auto way = [&](std::vector<Block> blocks) {
+        const Ran ran = run(std::move(blocks), {.cycles = &cycle});
+        EXPECT_EQ(ran.codes(), "");
+        return way_of(ran);
+    };
+    const Block call = Words().cycle(0, 4, {{0, -5}});
+    EXPECT_EQ(way({rapid().x(0).y(-20), call, line().x(70).y(0).f(100)}),
+              "R0,-20 L0,-5 L40,-5 C45,0 L45,30 L60,30 R60,30/20 L70,0");
+    cycle.ends = false;
+    EXPECT_EQ(way({rapid().x(0).y(-20), call, line().x(70).f(100)}),
+              "R0,-20 L0,-5 L40,-5 C45,0 L45,30 R45,30/20 L70,30")
+        << "behind it the compensation is over";
+}
+
 TEST(Compensation, FeedOnArcs) {
     const std::string blocks =
         "G0 X0 Y-20\nG42 G1 X0 Y0\nX20\nG3 X40 Y20 CR=20\nG1 Y40\nG40 X60\nM30\n";
