@@ -2,7 +2,8 @@
 O00001
 (rule: Haas M98 P L: another program, variables are those of the caller)
 (expect: #100=6)
-(expect: to X3.)
+(expect: to X3. Y0)
+(expect: to X3. Y0)
 (expect: to X3. Y3.)
 #1=3
 M98 P20 L2
