@@ -466,8 +466,8 @@ void Executor::refuse_cycle(const Block& block, std::string_view words) {
         message.alarm(std::move(alarm->number), std::move(alarm->text));
 }
 
-/// Where the control's cycles look around before they begin. False: something is missing, and it was
-/// said.
+/// Where the control's cycles look around before they begin. False: something is missing, and it
+/// was said.
 bool Executor::check_surroundings(const Block& block, const ModalCycle& call) {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     const auto has = [&](std::string_view name) { return find_parameter(info, name).has_value(); };
@@ -477,8 +477,8 @@ bool Executor::check_surroundings(const Block& block, const ModalCycle& call) {
                           is_given(call, find_parameter(info, "in_feed"));
     const bool needs_feed = !has("lead") && !has("pitch") && !has("per_turn");
     const bool turns_by_itself = has("turns") || has("after");
-    const bool turns = spindle_.mode == path::SpindleMode::Cw ||
-                       spindle_.mode == path::SpindleMode::Ccw;
+    const bool turns =
+        spindle_.mode == path::SpindleMode::Cw || spindle_.mode == path::SpindleMode::Ccw;
     std::string_view missing;
     if (comp_.side != Function::RadiusCompOff) {
         missing = "cutter radius compensation must be off before a cycle";
@@ -495,15 +495,17 @@ bool Executor::check_surroundings(const Block& block, const ModalCycle& call) {
     return missing.empty();
 }
 
-/// What a call does not say because the control knows it: the cutter's diameter, the plane (17 to 19),
-/// and whether a cycle is called at the places of a pattern.
+/// What a call does not say because the control knows it: the cutter's diameter, the plane (17 to
+/// 19), and whether a cycle is called at the places of a pattern.
 void Executor::complete_surroundings(ModalCycle& call) const {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     set_argument(call, find_parameter(info, "tool_d"), 2 * tool_offsets_.radius(tool_.current));
     set_argument(call, find_parameter(info, kPatternParameter), call_behind_motions_ ? 1 : 0);
     const path::Plane plane = cycle_plane();
     set_argument(call, find_parameter(info, "plane"),
-                 plane == path::Plane::Xy ? 17 : plane == path::Plane::Zx ? 18 : 19);
+                 plane == path::Plane::Xy   ? 17
+                 : plane == path::Plane::Zx ? 18
+                                            : 19);
 }
 
 void Executor::finish_cycle() {

@@ -1,7 +1,7 @@
 // patterns.cpp — places at which the control calls a cycle: a row, a circle, a grid of holes.
 //
-// The blocks of such a cycle are motions to places. Each is executed as if it stood in the program, so
-// that the cycle which is called behind motions is called there.
+// The blocks of such a cycle are motions to places. Each is executed as if it stood in the program,
+// so that the cycle which is called behind motions is called there.
 #include "base/diagnostics/iso.h"
 #include "interp/executor.h"
 
@@ -21,8 +21,7 @@ void Executor::begin_pattern(const Block& block, std::unique_ptr<Stream<Block>> 
     leave_corners(diag::CornerWithoutMotion);
     if (ended_) return;
     Stream<Block>& stream = *places;
-    pattern_.emplace(
-        PatternRun{std::move(places), BlockQueue(stream, kPlaceBatch), block, modal_});
+    pattern_.emplace(PatternRun{std::move(places), BlockQueue(stream, kPlaceBatch), block, modal_});
     modal_.is_incremental = false;
     modal_.motion = Function::Rapid;
 }
