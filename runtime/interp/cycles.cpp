@@ -20,6 +20,9 @@ namespace {
 
 constexpr std::size_t kCycleBatch = 16;
 
+/// A cycle that has it is a pattern of places: whether another one is called at each.
+constexpr std::string_view kPatternParameter = "calls";
+
 /// Where the cycle's parameter of this name stands, if it has one.
 std::optional<std::size_t> find_parameter(const nc::CycleInfo& cycle, std::string_view name) {
     for (std::size_t i = 0; i < cycle.parameters.size(); ++i) {
@@ -70,6 +73,8 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
         call.arguments[i] = block.argument(invocation, i);
     }
     complete_call(call);
+    if (!check_surroundings(block, call)) return;
+    complete_surroundings(call);
     take_ends(block, call);
     complete_ends(call);
     if (info.takes_shape()) return begin_shape(block, call);
@@ -373,13 +378,21 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
     if (spindle_.mode == path::SpindleMode::Ccw) request.spindle = Function::SpindleCcw;
     request.source = block.source;
     request.shape = shape;
-    cycle_stream_ = cycles_->expand(request);
-    if (cycle_stream_ == nullptr) {
+    std::unique_ptr<Stream<Block>> blocks = cycles_->expand(request);
+    if (blocks == nullptr) {
         if (!was_refused(block)) ended_ = alarmed_ = true;  // the expander has said why
         return;
     }
-    caller_ = block;
     cycle_name_ = info.name;
+    if (is_given(call, find_parameter(info, kPatternParameter)))
+        return begin_pattern(block, std::move(blocks));
+    open_cycle(block, std::move(blocks));
+}
+
+/// From here on the blocks of the cycle are executed.
+void Executor::open_cycle(const Block& block, std::unique_ptr<Stream<Block>> blocks) {
+    cycle_stream_ = std::move(blocks);
+    caller_ = block;
     modal_before_cycle_ = modal_;
     after_cycle_ = {};
     modal_.is_incremental = false;
@@ -445,12 +458,58 @@ bool Executor::time_turns(const Block& block, ModalCycle& call) {
 /// Says what the definition of the cycle says against its parameters; false: nothing.
 bool Executor::was_refused(const Block& block) {
     const std::optional<std::string> words = cycles_->refusal();
-    if (!words) return false;
+    if (words) refuse_cycle(block, *words);
+    return words.has_value();
+}
+
+/// An alarm of the cycle in these words, which say what number it has on the control.
+void Executor::refuse_cycle(const Block& block, std::string_view words) {
     DiagnosticBuilder message = report(diag::CycleRefused, block);
-    message.arg(*words);
-    if (std::optional<nc::AlarmText> alarm = dialect_.alarm(diag::CycleRefused, *words))
+    message.arg(words);
+    if (std::optional<nc::AlarmText> alarm = dialect_.alarm(diag::CycleRefused, words))
         message.alarm(std::move(alarm->number), std::move(alarm->text));
-    return true;
+}
+
+/// Where the control's cycles look around before they begin. False: something is missing, and it
+/// was said.
+bool Executor::check_surroundings(const Block& block, const ModalCycle& call) {
+    const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
+    const auto has = [&](std::string_view name) { return find_parameter(info, name).has_value(); };
+    if (!rules_.cycles_check_surroundings || has(kPatternParameter)) return true;
+    const bool has_feed = (modal_.has_feed && modal_.feed > 0) ||
+                          is_given(call, find_parameter(info, "cut")) ||
+                          is_given(call, find_parameter(info, "in_feed"));
+    const bool needs_feed = !has("lead") && !has("pitch") && !has("per_turn");
+    const bool turns_by_itself = has("turns") || has("after");
+    const bool turns =
+        spindle_.mode == path::SpindleMode::Cw || spindle_.mode == path::SpindleMode::Ccw;
+    std::string_view missing;
+    if (comp_.side != Function::RadiusCompOff) {
+        missing = "cutter radius compensation must be off before a cycle";
+    } else if (tool_.source == Tool::Source::None) {
+        missing = "no tool offset acts, and the cycle needs one";
+    } else if (tool_.current == 0) {
+        missing = "the tool in the spindle is number 0, and the cycle needs one";
+    } else if (needs_feed && !has_feed) {
+        missing = "no feed is set for the cycle";
+    } else if (!turns_by_itself && !turns) {
+        missing = "no spindle direction is set for the cycle";
+    }
+    if (!missing.empty()) refuse_cycle(block, missing);
+    return missing.empty();
+}
+
+/// What a call does not say because the control knows it: the cutter's diameter, the plane (17 to
+/// 19), and whether a cycle is called at the places of a pattern.
+void Executor::complete_surroundings(ModalCycle& call) const {
+    const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
+    set_argument(call, find_parameter(info, "tool_d"), 2 * tool_offsets_.radius(tool_.current));
+    set_argument(call, find_parameter(info, kPatternParameter), call_behind_motions_ ? 1 : 0);
+    const path::Plane plane = cycle_plane();
+    set_argument(call, find_parameter(info, "plane"),
+                 plane == path::Plane::Xy   ? 17
+                 : plane == path::Plane::Zx ? 18
+                                            : 19);
 }
 
 void Executor::finish_cycle() {

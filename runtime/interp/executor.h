@@ -4,8 +4,8 @@
 // functions), plain_moves.cpp (what nearly every block is), motion.cpp (targets, lines, arcs, tool
 // length, limits), circles.cpp, polar.cpp and angles.cpp (what controls work out of other words),
 // cornering.cpp and compensating.cpp (what the commands pass through), soft_moves.cpp (soft
-// approaches and retracts), cycles.cpp (machining
-// cycles), shapes.cpp (cycles along a shape that stands in the program).
+// approaches and retracts), cycles.cpp (machining cycles), patterns.cpp (places at which a cycle is
+// called), shapes.cpp (cycles along a shape that stands in the program).
 #pragma once
 
 #include <array>
@@ -346,8 +346,15 @@ class Executor {
     void start_cycle(const nc::Block& block, ModalCycle call, const CycleShape* shape = nullptr);
     bool complete_tap(const nc::Block& block, ModalCycle& call);
     bool complete_thread(const nc::Block& block, ModalCycle& call);
+    void open_cycle(const nc::Block& block, std::unique_ptr<Stream<nc::Block>> blocks);
     void finish_cycle();
     bool was_refused(const nc::Block& block);
+    void refuse_cycle(const nc::Block& block, std::string_view words);
+    bool check_surroundings(const nc::Block& block, const ModalCycle& call);
+    void complete_surroundings(ModalCycle& call) const;
+    void begin_pattern(const nc::Block& block, std::unique_ptr<Stream<nc::Block>> places);
+    void go_to_next_place();
+    void finish_pattern();
     void return_to_level();
     void take_ends(const nc::Block& block, ModalCycle& call) const;
     void complete_ends(ModalCycle& call) const;
@@ -456,6 +463,15 @@ class Executor {
     Modal modal_before_cycle_;
     bool is_modal_behind_cycle_ = false;
     Actions after_cycle_;
+    // A pattern of places: a cycle whose blocks are followed by the call behind motions.
+    struct PatternRun {
+        std::unique_ptr<Stream<nc::Block>> stream;
+        BlockQueue places;
+        nc::Block caller;
+        Modal modal_before;
+    };
+    std::optional<PatternRun> pattern_;
+    nc::Block place_{};  // of the pattern, at its caller's place in the text
     std::array<std::optional<double>, 3> center_;  // that stays, in the programmed system
     nc::Block centered_{};                         // a block with it
     nc::Block remapped_{};  // a block of the cycle, in another plane than X-Y
