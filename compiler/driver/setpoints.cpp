@@ -1,10 +1,7 @@
 #include "driver/setpoints.h"
 
-#include <array>
-#include <charconv>
-
-#include "base/numbers.h"
 #include "base/units.h"
+#include "driver/columns.h"
 
 namespace kadr::driver {
 
@@ -12,19 +9,6 @@ namespace {
 
 constexpr int kDecimals = 9;
 constexpr int kFeedDecimals = 6;
-
-void append_trimmed(std::string& out, double value, int decimals) {
-    std::array<char, kMaxFixedLength> text;
-    char* end = format_fixed(text.data(), value, decimals);
-    while (end[-1] == '0') --end;
-    if (end[-1] == '.') --end;
-    out.append(text.data(), end);
-}
-
-void append_column(std::string& out, double value, int decimals = kDecimals) {
-    out += ',';
-    append_trimmed(out, value, decimals);
-}
 
 }  // namespace
 
@@ -41,15 +25,13 @@ void SetpointTable::write(std::span<const motion::Setpoint> setpoints) {
         append_trimmed(text_, setpoint.time, kDecimals);
         for (std::size_t i = 0; i < machine_.axes.size(); ++i) {
             const double value = setpoint.axis[i];
-            append_column(text_, machine_.axes[i].is_rotary ? deg_from_rad(value) : value);
+            append_column(text_, machine_.axes[i].is_rotary ? deg_from_rad(value) : value,
+                          kDecimals);
         }
-        for (int i = 0; i < 3; ++i) append_column(text_, setpoint.tip[i]);
-        for (int i = 0; i < 3; ++i) append_column(text_, setpoint.tool[i]);
+        for (int i = 0; i < 3; ++i) append_column(text_, setpoint.tip[i], kDecimals);
+        for (int i = 0; i < 3; ++i) append_column(text_, setpoint.tool[i], kDecimals);
         append_column(text_, mm_min_from_feed(setpoint.feed), kFeedDecimals);
-        std::array<char, 16> line;
-        const auto end = std::to_chars(line.data(), line.data() + line.size(), setpoint.line);
-        text_ += ',';
-        text_.append(line.data(), end.ptr);
+        append_column(text_, setpoint.line);
         text_ += '\n';
     }
     out_.write(text_);

@@ -7,6 +7,7 @@
 #include "base/axes.h"
 #include "base/source.h"
 #include "motion/profile.h"
+#include "motion/spindle.h"
 #include "path/curve.h"
 
 namespace kadr::motion {
@@ -41,6 +42,8 @@ struct Segment {
     double duration = 0;    // s
     double feed =
         0;  // mm/s (deg/s), what was asked for, override included; rapid: what the axes can
+    double feed_per_revolution = 0;  // mm (deg), override included; 0: the feed is no such one
+    Spindle spindle;                 // as it is commanded in this piece
     Profile profile;  // of the path length; empty for a standstill
 
     std::array<double, kFollowers> follower_start{};  // rad or mm
