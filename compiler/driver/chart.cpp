@@ -33,6 +33,7 @@ Scale scale_of(const Chart& chart) {
     for (const ChartLine& line : chart.lines) {
         for (std::size_t i = 0; i < line.up.size(); ++i) {
             if (line.across[i] < chart.lower || line.across[i] > chart.upper) continue;
+            if (chart.most && line.up[i] > *chart.most) continue;
             low = std::min(low, line.up[i]);
             high = std::max(high, line.up[i]);
         }
@@ -153,35 +154,49 @@ void draw_line(std::string& out, const Chart& chart, const ChartLine& line, cons
     out += "\"/>\n";
 }
 
+constexpr double kBadge = 7.5;  // px, radius of the disc of a number
+
 void draw_marks(std::string& out, const Chart& chart, const Scale& scale) {
-    constexpr double kBadge = 7.5;  // px, radius of the number's disc
     const Frame& f = chart.frame;
     double free_from = f.left;
     for (const ChartMark& mark : chart.marks) {
         if (mark.across < chart.lower || mark.across > chart.upper) continue;
         const double x = scale.x(mark.across);
         put(out,
-            "<path fill=\"none\" stroke=\"{}\" stroke-dasharray=\"2 3\" d=\"M{:.1f} {:.1f}v{:.1f}\"/>\n",
+            "<path fill=\"none\" stroke=\"{}\" stroke-dasharray=\"2 3\" "
+            "d=\"M{:.1f} {:.1f}v{:.1f}\"/>\n",
             kAlert, x, f.top, f.height);
         if (mark.name.empty()) continue;
         // Marks that stand close to each other have their numbers side by side.
         const double at = std::max(x, free_from);
         free_from = at + 2 * kBadge + 1;
-        put(out,
-            "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"{2}\" fill=\"{3}\"/>\n"
-            "<text x=\"{0:.1f}\" y=\"{4:.1f}\" font-size=\"10\" font-weight=\"600\" "
-            "text-anchor=\"middle\" fill=\"#ffffff\">{5}</text>\n",
-            at, f.top + kBadge + 2, kBadge, kAlert, f.top + kBadge + 5.5, escaped(mark.name));
+        draw_badge(out, at, f.top - kBadge - 2, mark.name);
     }
 }
 
 }  // namespace
 
+void draw_badge(std::string& out, double x, double y, const std::string& name) {
+    put(out,
+        "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"{2}\" fill=\"{3}\"/>\n"
+        "<text x=\"{0:.1f}\" y=\"{4:.1f}\" font-size=\"10\" font-weight=\"600\" "
+        "text-anchor=\"middle\" fill=\"#ffffff\">{5}</text>\n",
+        x, y, kBadge, kAlert, y + 3.5, escaped(name));
+}
+
 void draw_chart(std::string& out, const Chart& chart) {
     const Scale scale = scale_of(chart);
+    const Frame& f = chart.frame;
     draw_grid(out, chart, scale);
     draw_head(out, chart);
+    // Each chart has its place on paper: that names what its curves are cut off by.
+    put(out,
+        "<clipPath id=\"chart{0:.0f}-{1:.0f}\"><rect x=\"{0:.1f}\" y=\"{1:.1f}\" "
+        "width=\"{2:.1f}\" height=\"{3:.1f}\"/></clipPath>\n"
+        "<g clip-path=\"url(#chart{0:.0f}-{1:.0f})\">\n",
+        f.left, f.top, f.width, f.height);
     for (const ChartLine& line : chart.lines) draw_line(out, chart, line, scale);
+    out += "</g>\n";
     draw_marks(out, chart, scale);
 }
 

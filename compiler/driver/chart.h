@@ -4,6 +4,7 @@
 // A chart knows numbers and names, not what they are of; drive_plot.cpp does.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,10 @@ struct ChartLine {
     bool is_dashed = false;
 };
 
-/// A moment that is worth a look: a line from top to bottom with a number at its head.
+/// A moment that is worth a look: a line from top to bottom with a number above the chart.
 struct ChartMark {
     double across = 0;
-    std::string name;
+    std::string name;  // empty: only the line
 };
 
 struct Chart {
@@ -31,9 +32,13 @@ struct Chart {
     std::string across;  // "time, s"; empty: no labels below
     double lower = 0;    // of the quantity across; what lies outside is not drawn
     double upper = 1;
+    std::optional<double> most;  // what goes above runs out of the chart
     std::vector<ChartLine> lines;
     std::vector<ChartMark> marks;
 };
+
+/// The number of a mark: a disc with its middle at this place.
+void draw_badge(std::string& out, double x, double y, const std::string& name);
 
 /// Appends the drawing; the scale upwards is chosen from what is seen.
 void draw_chart(std::string& out, const Chart& chart);

@@ -182,12 +182,23 @@ std::vector<Chart> charts_of(const std::vector<DriveSample>& samples, const Wind
     charts[3].title = "Path speed, mm/min";
     charts[3].lines = {
         line_of(samples, [](const DriveSample& s) { return mm_min_from_feed(s.feed); }, kFeed)};
+    // Rapids are many times as fast as a cut: they run out of the chart.
+    constexpr double kAbove = 1.3;
+    double fastest = 0;
+    for (const DriveSample& sample : samples) {
+        if (sample.load > 0) fastest = std::max(fastest, mm_min_from_feed(sample.feed));
+    }
+    if (fastest > 0) charts[3].most = kAbove * fastest;
     double top = kTop;
     for (Chart& chart : charts) {
         chart.frame = {left, top, kWide, kHigh};
         chart.lower = window.from;
         chart.upper = window.to;
         chart.marks = marks;
+        // The numbers stand once, above all of them.
+        if (&chart != &charts.front()) {
+            for (ChartMark& mark : chart.marks) mark.name.clear();
+        }
         top += kHigh + kGap;
     }
     charts.back().across = "time, s";
@@ -271,11 +282,7 @@ void draw_sentences(std::string& out, const std::vector<std::string>& sentences,
                     double top) {
     double y = top;
     for (std::size_t i = 0; i < sentences.size(); ++i, y += 22) {
-        put(out,
-            "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"7.5\" fill=\"{2}\"/>\n"
-            "<text x=\"{0:.1f}\" y=\"{3:.1f}\" font-size=\"10\" font-weight=\"600\" "
-            "text-anchor=\"middle\" fill=\"#ffffff\">{4}</text>\n",
-            left + 8, y - 4, kAlert, y - 0.5, i + 1);
+        draw_badge(out, left + 8, y - 4, std::to_string(i + 1));
         put(out, "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"12.5\" fill=\"{}\">{}</text>\n",
             left + 24, y, kInk, escaped(sentences[i]));
     }

@@ -45,7 +45,7 @@ double spindle_acceleration(const motion::Spindle& spindle, const FacePass& pass
 }
 
 double pass_time(const motion::Spindle& spindle, const FacePass& pass) {
-    if ((pass.from < 0) != (pass.to < 0)) {
+    if (pass.from * pass.to < 0) {
         FacePass in = pass;
         FacePass out = pass;
         in.to = out.from = 0;

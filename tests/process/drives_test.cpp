@@ -189,7 +189,9 @@ TEST(DriveRun, AProgramThatFacesHasTheCurrentsOfTheOracle) {
                 peak = std::max(peak, sample.current);
             }
             crossings += (run.samples[i - 1].tip[0] > 0) != (sample.tip[0] > 0) ? 1 : 0;
-            if (sample.tip[0] < 0) EXPECT_EQ(sample.load, 0) << "behind the centre is nothing to cut";
+            if (sample.tip[0] < 0) {
+                EXPECT_EQ(sample.load, 0) << "behind the centre is nothing to cut";
+            }
         }
         const double want = entry["expect"]["I_peak_near_centre"];
         EXPECT_NEAR(peak, want, 0.03 * want);
@@ -206,7 +208,8 @@ TEST(DriveRun, AtConstantSpeedTheCurrentFallsInProportionToTheRadius) {
         drive(drives_of(in), facing(200, 3000, pass.radius, 50, pass.feed_per_revolution));
     double n = 0, r = 0, c = 0, rr = 0, cc = 0, rc = 0;
     for (const DriveSample& sample : run.samples) {
-        if (sample.load < 0.99 * sample.tip[0]) continue;  // 1 kN: the load in N·m is the radius
+        // 1 kN: the load in N·m is the radius. The start of the cut has died away.
+        if (sample.load < 0.99 * sample.tip[0] || sample.tip[0] > 99) continue;
         const double radius = sample.tip[0];
         n += 1, r += radius, c += sample.current;
         rr += radius * radius, cc += sample.current * sample.current, rc += radius * sample.current;
@@ -217,14 +220,17 @@ TEST(DriveRun, AtConstantSpeedTheCurrentFallsInProportionToTheRadius) {
 
 TEST(DriveRun, TheFirstCutWaitsForTheSpindle) {
     machine::Drives drives = drives_of(oracle("css_drive.json")["cases"][0]["input"]);
-    drives.spindle.max_current = 60;
-    const ProgramRun run = drive(drives, facing(200, 3000, 100, 90, 0.3));
+    drives.spindle.max_current = 90;
+    const ProgramRun run = drive(drives, facing(200, 3000, 100, 99, 0.3));
+    bool cuts = false;
     for (const DriveSample& sample : run.samples) {
-        EXPECT_LE(std::abs(sample.current), 60.001);
-        if (sample.load > 0) {
-            EXPECT_GT(sample.speed, 0.95 * sample.wanted_speed - 0.1);
+        EXPECT_LE(std::abs(sample.current), 90.001);
+        if (sample.load > 0 && !cuts) {
+            EXPECT_NEAR(sample.speed, sample.wanted_speed, 0.06 * sample.wanted_speed);
         }
+        cuts = cuts || sample.load > 0;
     }
+    EXPECT_TRUE(cuts);
     EXPECT_FALSE(run.has_stalled);
 }
 
