@@ -25,6 +25,7 @@
 #include "driver/variables.h"
 #include "motion/pipeline.h"
 #include "process/drive_run.h"
+#include "process/pulse_timer.h"
 
 namespace kadr::driver {
 
@@ -184,7 +185,11 @@ void Run::execute() {
     options.place_of = [this](std::uint32_t line, SourceId) { return execution_->place_of(line); };
     motion::Planner planner(tap, machine, options, execution_->sink());
 
-    SegmentTap segments(planner, [this](const motion::Segment& segment) {
+    std::unique_ptr<process::PulseTimer> timer;  // null: no pulsed laser
+    if (machine.laser && machine.laser->pulse > 0)
+        timer = std::make_unique<process::PulseTimer>(planner, machine);
+    Stream<motion::Segment>& timed = timer ? static_cast<Stream<motion::Segment>&>(*timer) : planner;
+    SegmentTap segments(timed, [this](const motion::Segment& segment) {
         if (outputs_.plot) draw(segment);
         if (drives_) drives_->add(segment);
     });
@@ -212,7 +217,9 @@ void Run::execute() {
     const std::uint64_t read = planner.totals().commands;
     tap.pass_until(planner.alarmed() ? read - 1 : read);
     if (printed.lost() > 0) session_.messages().report(diag::PrintLost).arg(printed.lost());
-    finish(figures(planner.totals()));
+    RunFigures all = figures(timer ? timer->totals(planner.totals()) : planner.totals());
+    if (timer) all.pulses = timer->pulses();
+    finish(all);
 }
 
 RunFigures Run::figures(const motion::Totals& totals) const {

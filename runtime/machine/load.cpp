@@ -14,6 +14,7 @@
 #include "base/xml.h"
 #include "machine/element_reader.h"
 #include "machine/machine.h"
+#include "machine/pulse_clock.h"
 
 namespace kadr::machine {
 
@@ -105,6 +106,7 @@ class MachineBuilder {
         machine_.work_offsets.resize(1, AxisValues{});
         read_machine();
         for (const XmlElement& child : root_.children) read_child(child);
+        check_pulses();
         if (has_spindle_drive_ && has_feed_drive_) machine_.drives = drives_;
         if (machine_.axes.empty()) {
             sink_.report(diag::MachineWithoutAxes, root_.range).arg(machine_.name);
@@ -287,11 +289,22 @@ class MachineBuilder {
         laser.power = reader.positive("power", Dimension::Power).value_or(0);
         laser.least_power = reader.magnitude("least_power", Dimension::Power).value_or(0);
         machine_.laser = laser;
+        laser_place_ = reader.place("pulse");
+    }
+
+    /// Points are burnt on ticks.
+    void check_pulses() {
+        if (!machine_.laser || machine_.laser->pulse == 0) return;
+        if (pulse_clock(*machine_.laser, machine_.tick)) return;
+        sink_.report(diag::MachinePulseBetweenTicks, laser_place_)
+            .arg(round_to(machine_.laser->pulse, 6))
+            .arg(round_to(1 / (machine_.laser->pulse * machine_.tick), 3));
     }
 
     const XmlElement& root_;
     DiagnosticSink& sink_;
     Machine machine_;
+    SourceRange laser_place_;
     Drives drives_;
     bool has_spindle_drive_ = false;
     bool has_feed_drive_ = false;

@@ -239,6 +239,7 @@ void Preparer::State::move(const Command& command) {
         } else {
             emit_feed_parts(command, segment, length);
         }
+        if (!ready.empty()) ready.back().segment.ends_command = true;
         if (!has_ended) check.widen_travel(segment, length);
     }
     if (has_ended) return;
@@ -312,6 +313,7 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     Piece& piece = ready.emplace_back();
     piece.segment = segment;
     piece.segment.feed = feed;
+    piece.segment.ends_command = false;
     piece.segment.spindle = spindle;
     if (segment.kind == SegmentKind::Feed && command.feed_mode == path::FeedMode::PerRevolution) {
         piece.segment.feed_per_revolution = command.feed * options.feed_override;

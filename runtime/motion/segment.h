@@ -29,6 +29,8 @@ inline constexpr std::size_t kFollowers = kAxes - 3;
 /// how to colour it and whence it came.
 struct Segment {
     SegmentKind kind = SegmentKind::Rapid;
+    bool ends_command = true;  // no further piece of its command comes
+    bool has_pulse = false;    // a pulse of the laser burns the point where it ends
     bool turns_only = false;  // no linear axis moves: lengths are degrees, not mm
     AxisMask followers = 0;   // axes beside X, Y, Z that move in this piece
     std::uint32_t line = 0;   // of the ISO-7bit text

@@ -40,14 +40,15 @@ void DriveRun::add(const Segment& segment) {
     line_ = segment.line;
     const bool moves = motion::is_motion(segment.kind) && !segment.turns_only;
     const bool is_cut = segment.kind == SegmentKind::Feed;
-    if (moves && is_cut && !was_cutting_) side_ = radius() < 0 ? -1 : 1;
+    const bool begins_cut = moves && is_cut && !was_cutting_;
+    if (begins_cut) side_ = radius() < 0 ? -1 : 1;
     set_spindle(segment);
     was_cutting_ = moves && is_cut;
     if (!moves) {
         stand(segment.duration);
         return;
     }
-    if (is_cut && segment.feed_per_revolution > 0 && along_ == 0) wait_for_speed();
+    if (begins_cut && segment.feed_per_revolution > 0) wait_for_speed();
     if (!has_stalled_) walk(segment);
 }
 
@@ -79,6 +80,7 @@ void DriveRun::wait_for_speed() {
     const auto most = static_cast<std::int64_t>(kPatience / step_);
     for (std::int64_t i = 0; i < most; ++i) {
         if (std::abs(spindle_.speed - wanted_) <= kReached * wanted_) return;
+        along_ = rest_ = 0;
         step(nullptr, place_, Vec3::Zero());
     }
     has_stalled_ = true;

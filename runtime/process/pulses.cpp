@@ -8,7 +8,7 @@ namespace kadr::process {
 
 namespace {
 
-// A billionth of a tick, or of a squared speed, is rounding.
+// A billionth of a squared speed is rounding.
 constexpr double kRounding = 1e-9;
 
 /// Time of a leg that goes to a middle speed, keeps it, and goes to its end speed.
@@ -34,27 +34,6 @@ double slowest_middle(const PulseLeg& leg, double entry, double exit) {
 }
 
 }  // namespace
-
-std::optional<PulseClock> pulse_clock(double frequency, double tolerance, double tick) {
-    const double nominal = 1 / (frequency * tick);
-    PulseClock clock;
-    clock.least = static_cast<std::int64_t>(std::ceil((1 - tolerance) * nominal - kRounding));
-    clock.most = static_cast<std::int64_t>(std::floor((1 + tolerance) * nominal + kRounding));
-    clock.least = std::max<std::int64_t>(clock.least, 1);
-    if (clock.least > clock.most) return std::nullopt;
-    clock.nominal = std::clamp<std::int64_t>(std::llround(nominal), clock.least, clock.most);
-    return clock;
-}
-
-PulseWindow pulse_window(const PulseClock& clock, std::int64_t k) {
-    const std::int64_t before = (k - 1) * clock.nominal;
-    return {before + clock.least, before + clock.most};
-}
-
-std::int64_t pulse_at_or_after(const PulseClock& clock, std::int64_t ticks) {
-    const std::int64_t beyond = std::max<std::int64_t>(0, ticks - clock.most);
-    return 1 + (beyond + clock.nominal - 1) / clock.nominal;
-}
 
 std::optional<Durations> durations(const PulseLeg& leg, double entry, double exit) {
     const double change = std::abs(entry * entry - exit * exit);

@@ -2,63 +2,22 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "base/text.h"
-#include "tests/common/process.h"
+#include "tests/driver/scratch.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 using kadr::read_file;
+using kadr::test::Row;
+using kadr::test::rows_of;
 
-class Drives : public testing::Test {
-  protected:
-    void SetUp() override {
-        folder_ = fs::temp_directory_path() / ("kadr-drive-" + std::to_string(::getpid()));
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    std::string file(const std::string& name) const { return (folder_ / name).string(); }
-    void save(const std::string& name, const std::string& text) const {
-        ASSERT_TRUE(kadr::write_file_whole(file(name), text));
-    }
-    static ProcessResult kadr(std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(), KADR_BINARY);
-        return run_process(arguments);
-    }
-
-    fs::path folder_;
-};
-
-/// Rows of a CSV by the names of their columns; lines that begin with # are left out.
-using Row = std::map<std::string, double>;
-std::vector<Row> rows_of(const std::string& text) {
-    std::istringstream lines(text);
-    std::string line;
-    std::getline(lines, line);
-    std::vector<std::string> names;
-    std::istringstream header(line);
-    for (std::string name; std::getline(header, name, ',');) names.push_back(name);
-    std::vector<Row> rows;
-    while (std::getline(lines, line)) {
-        if (line.starts_with('#')) continue;
-        std::istringstream fields(line);
-        Row row;
-        std::size_t i = 0;
-        for (std::string field; std::getline(fields, field, ',');) row[names[i++]] = std::stod(field);
-        EXPECT_EQ(i, names.size()) << line;
-        rows.push_back(row);
-    }
-    return rows;
-}
+using Drives = kadr::test::ScratchFolder;
 
 const std::string kFace = std::string(KADR_ROOT) + "/examples/face.kadr";
 

@@ -49,7 +49,7 @@ constexpr const char* kAxisX =
     R"(<axis name="X" limits="-300..300 mm" velocity="30 m/min" acceleration="5 m/s2"/>)";
 
 TEST(MachineFile, StockMachinesLoad) {
-    for (const char* name : {"mill", "mill-fast", "lathe"}) {
+    for (const char* name : {"mill", "mill-fast", "lathe", "laser"}) {
         SCOPED_TRACE(name);
         Sources sources;
         DiagnosticList diagnostics;
@@ -67,12 +67,13 @@ TEST(MachineFile, StockMachinesLoad) {
 
 TEST(MachineFile, ListsByName) {
     const auto machines = list({kStock, "/no/such/folder"});
-    ASSERT_EQ(machines.size(), 3u);
-    EXPECT_EQ(machines[0].name, "lathe");
-    EXPECT_EQ(machines[0].axes, "X Z");
-    EXPECT_EQ(machines[1].name, "mill");
-    EXPECT_EQ(machines[1].axes, "X Y Z");
-    EXPECT_EQ(machines[2].name, "mill-fast");
+    ASSERT_EQ(machines.size(), 4u);
+    EXPECT_EQ(machines[0].name, "laser");
+    EXPECT_EQ(machines[1].name, "lathe");
+    EXPECT_EQ(machines[1].axes, "X Z");
+    EXPECT_EQ(machines[2].name, "mill");
+    EXPECT_EQ(machines[2].axes, "X Y Z");
+    EXPECT_EQ(machines[3].name, "mill-fast");
 }
 
 TEST(MachineFile, ValuesAreCanonical) {
@@ -293,6 +294,7 @@ TEST(MachineFile, MistakesOfValues) {
           {"negative share", R"(<laser pulse="40 Hz" tolerance="-1 %"/>)", "K6020", "-1 %", ""},
           {"share without percent", R"(<laser pulse="40 Hz" tolerance="0.1"/>)", "K6008", "0.1",
            "write `%` after the number"},
+          {"pulse between ticks", R"(<laser pulse="30 Hz" tolerance="1 %"/>)", "K6022", "30 Hz", ""},
           {"no inertia",
            R"(<spindle_drive inertia="0 kg m2" torque_constant="2 Nm/A" time_constant="4 ms"/>)",
            "K6011", "0 kg m2", ""},

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bench/laser_points.h"
 #include "process/pulse_ahead.h"
 #include "tests/process/support.h"
 
@@ -14,8 +15,17 @@ namespace {
 using namespace test;
 using path::Vec3;
 
+/// The clock at a tick of 1 ms.
+std::optional<PulseClock> clock_of(double frequency, double tolerance) {
+    machine::Laser laser;
+    laser.pulse = frequency;
+    laser.tolerance = tolerance;
+    return machine::pulse_clock(laser, 0.001);
+}
+
 PulseClock clock_of(const json& in) {
-    return *pulse_clock(in["pulse_hz"], in["tolerance"], in["tick_s"]);
+    EXPECT_EQ(in["tick_s"].get<double>(), 0.001);
+    return *clock_of(in["pulse_hz"].get<double>(), in["tolerance"].get<double>());
 }
 
 TEST(PulseOracle, ArithmeticOfTheExample) {
@@ -38,7 +48,7 @@ TEST(PulseOracle, ArithmeticOfTheExample) {
         EXPECT_NEAR(fastest.peak_speed, row["peak_speed_mm_s"].get<double>(), 1e-6);
         EXPECT_NEAR(fastest.accelerating * 1000, row["half_time_ms"].get<double>(), 1e-5);
         const auto ticks = static_cast<std::int64_t>(std::ceil(time->least / 0.001 - 1e-9));
-        EXPECT_EQ(pulse_at_or_after(clock, ticks), row["periods_stop_model"].get<std::int64_t>());
+        EXPECT_EQ(machine::pulse_at_or_after(clock, ticks), row["periods_stop_model"].get<std::int64_t>());
         EXPECT_NEAR(d / feed * 1000, row["constant_feed_time_ms"].get<double>(), 1e-9);
     }
     // From rest to rest in one window, in two; from rest with a free end.
@@ -48,7 +58,7 @@ TEST(PulseOracle, ArithmeticOfTheExample) {
     const double longest = 0.001 * static_cast<double>(clock.most);
     EXPECT_NEAR(durations({one, feed, a, 0}, 0, 0)->least, longest, 1e-9);
     EXPECT_NEAR(durations({two, feed, a, 0}, 0, 0)->least,
-                0.001 * static_cast<double>(pulse_window(clock, 2).last), 1e-9);
+                0.001 * static_cast<double>(machine::pulse_window(clock, 2).last), 1e-9);
     EXPECT_NEAR(durations({reached, feed, a, 0}, 0, a * longest)->least,
                 longest, 1e-9);
 }
@@ -58,8 +68,8 @@ TEST(PulseOracle, WindowsOfBlocks) {
     const json& in = entry["input"];
     const PulseClock clock = clock_of(in);
     for (const auto& [k, window] : entry["expect"]["windows_ticks"].items()) {
-        EXPECT_EQ(pulse_window(clock, std::stoll(k)).first, window[0].get<std::int64_t>());
-        EXPECT_EQ(pulse_window(clock, std::stoll(k)).last, window[1].get<std::int64_t>());
+        EXPECT_EQ(machine::pulse_window(clock, std::stoll(k)).first, window[0].get<std::int64_t>());
+        EXPECT_EQ(machine::pulse_window(clock, std::stoll(k)).last, window[1].get<std::int64_t>());
     }
     int seen = 0;
     for (const json& block : entry["expect"]["blocks"]) {
@@ -81,7 +91,7 @@ TEST(PulseOracle, WindowsOfBlocks) {
         std::int64_t k = 0;
         std::int64_t ticks = 0;
         while (k < 100) {
-            const PulseWindow window = pulse_window(clock, ++k);
+            const PulseWindow window = machine::pulse_window(clock, ++k);
             ticks = std::max<std::int64_t>(
                 window.first, static_cast<std::int64_t>(std::ceil(time->least / 0.001 - 1e-9)));
             if (ticks <= window.last && static_cast<double>(ticks) * 0.001 <= time->most) break;
@@ -135,7 +145,7 @@ std::int64_t intervals_of(const PulseClock& clock, const std::vector<PulseLeg>& 
             EXPECT_LE(speed, leg.entry_limit * (1 + 1e-9));
         }
         EXPECT_LE(profile.peak_speed, leg.speed * (1 + 1e-9));
-        const PulseWindow window = pulse_window(clock, block.intervals);
+        const PulseWindow window = machine::pulse_window(clock, block.intervals);
         EXPECT_GE(block.ticks, window.first);
         EXPECT_LE(block.ticks, window.last);
         EXPECT_NEAR(profile.duration(), static_cast<double>(block.ticks) * tick, 1e-9);
@@ -180,7 +190,7 @@ TEST(PulseOracle, RunsTakeTheFewestIntervals) {
         std::int64_t stopping = 0;
         for (const PulseLeg& leg : legs) {
             const double time = durations(leg, 0, 0)->least;
-            stopping += pulse_at_or_after(
+            stopping += machine::pulse_at_or_after(
                 clock, static_cast<std::int64_t>(std::ceil(time / tick - 1e-9)));
         }
         EXPECT_EQ(stopping, entry["expect"]["periods_stop_at_each_point"].get<std::int64_t>());
@@ -195,6 +205,55 @@ TEST(PulseOracle, RunsTakeTheFewestIntervals) {
     EXPECT_EQ(seen, 11);
 }
 
+/// The baseline of the oracle's small point sets: so many jumps, everything else 0.125 mm.
+TEST(PulseOracle, StopModelOfPointSets) {
+    for (const json& entry : oracle("laser_sync.json")["cases"]) {
+        if (entry["kind"] != "synthetic_baseline") continue;
+        const PulseClock clock = clock_of(entry["input"]);
+        const auto intervals = [&](double d) {
+            const double time = durations({d, 30, 300, 0}, 0, 0)->least;
+            return machine::pulse_at_or_after(
+                clock, static_cast<std::int64_t>(motion::ticks_of(time, 0.001)));
+        };
+        for (const json& file : entry["expect"]["files"]) {
+            const auto jumps = file["jumps"].get<std::int64_t>();
+            const std::int64_t all =
+                (file["points"].get<std::int64_t>() - jumps) * intervals(file["spacing"]) +
+                jumps * intervals(file["jump_length"]);
+            EXPECT_NEAR(static_cast<double>(all) * 0.025,
+                        file["time_stop_at_each_point_s"].get<double>(), 1e-9)
+                << file.dump();
+        }
+    }
+}
+
+/// The smallest of the 14 files of the paper, made up; `bench_laser` has them all.
+TEST(PulseOracle, AFileOfTable2) {
+    const bench::LaserFile& file = bench::kTable2[7];
+    const bench::LaserTimes times = bench::times_of(file);
+    EXPECT_NEAR(times.stopping, file.paper_old, 0.01 * file.paper_old);
+    EXPECT_GT(times.synchronised, file.points * 0.025);
+    EXPECT_NEAR(times.synchronised, file.paper_new, 0.1 * file.paper_new);
+    const double saved = 1 - times.synchronised / times.stopping;
+    EXPECT_GT(saved, 0.30);
+    EXPECT_LT(saved, 0.50);
+    for (const json& entry : oracle("laser_sync.json")["cases"]) {
+        if (entry["kind"] != "table2_model") continue;
+        const json& rows = entry["expect"]["rows"];
+        ASSERT_EQ(rows.size(), bench::kTable2.size());
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const bench::LaserFile& mine = bench::kTable2[i];
+            EXPECT_EQ(mine.points, rows[i]["points"].get<int>());
+            EXPECT_EQ(mine.paper_old, rows[i]["paper_old_s"].get<double>());
+            EXPECT_EQ(mine.paper_new, rows[i]["paper_new_s"].get<double>());
+            EXPECT_NEAR(mine.points_per_jump,
+                        rows[i]["calibrated_points_per_jump_of_2mm"].get<double>(), 1e-3);
+            EXPECT_NEAR(mine.points_per_stop, rows[i]["calibrated_points_per_stop"].get<double>(),
+                        1e-3);
+        }
+    }
+}
+
 /// Random paths with long and short legs, sharp and flat corners, at every depth: every block ends
 /// on a pulse, within its limits.
 TEST(PulseAhead, EveryBlockOfEveryPathEndsOnAPulse) {
@@ -206,7 +265,7 @@ TEST(PulseAhead, EveryBlockOfEveryPathEndsOnAPulse) {
         SCOPED_TRACE("path " + std::to_string(path));
         const double tolerance = path % 3 == 0 ? 0.0 : uniform(0, 0.15);
         const double frequency = path % 2 == 0 ? 40 : 20;
-        const PulseClock clock = *pulse_clock(frequency, tolerance, 0.001);
+        const PulseClock clock = *clock_of(frequency, tolerance);
         std::vector<PulseLeg> legs;
         const int count = 1 + static_cast<int>(uniform(0, 120));
         const double speed = uniform(5, 60);
@@ -225,7 +284,7 @@ TEST(PulseAhead, EveryBlockOfEveryPathEndsOnAPulse) {
 }
 
 TEST(PulseAhead, APathThatHasAlreadyWaitedStartsWithTheRestOfItsInterval) {
-    const PulseClock clock = *pulse_clock(40, 0.1, 0.001);
+    const PulseClock clock = *clock_of(40, 0.1);
     PulseAhead ahead(clock, 0.001);
     ahead.append({0.03, 30, 300, 0});  // 20 ms from rest to rest
     ahead.finish();
@@ -240,13 +299,13 @@ TEST(PulseAhead, APathThatHasAlreadyWaitedStartsWithTheRestOfItsInterval) {
 }
 
 TEST(PulseClock, NeedsAWholeNumberOfTicks) {
-    EXPECT_FALSE(pulse_clock(30, 0, 0.001));  // 33.3 ticks
-    ASSERT_TRUE(pulse_clock(30, 0.1, 0.001));
-    EXPECT_EQ(pulse_clock(30, 0.1, 0.001)->least, 30);
-    EXPECT_EQ(pulse_clock(30, 0.1, 0.001)->most, 36);
-    EXPECT_EQ(pulse_clock(40, 0, 0.001)->least, 25);
-    EXPECT_EQ(pulse_clock(40, 0, 0.001)->most, 25);
-    EXPECT_FALSE(pulse_clock(5000, 0.1, 0.001));
+    EXPECT_FALSE(clock_of(30, 0));  // 33.3 ticks
+    ASSERT_TRUE(clock_of(30, 0.1));
+    EXPECT_EQ(clock_of(30, 0.1)->least, 30);
+    EXPECT_EQ(clock_of(30, 0.1)->most, 36);
+    EXPECT_EQ(clock_of(40, 0)->least, 25);
+    EXPECT_EQ(clock_of(40, 0)->most, 25);
+    EXPECT_FALSE(clock_of(5000, 0.1));
 }
 
 }  // namespace
