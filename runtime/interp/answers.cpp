@@ -19,6 +19,13 @@ std::optional<Axis> Executor::axis_of(std::int64_t index) const {
     return machine_.axes[static_cast<std::size_t>(index - 1)].axis;
 }
 
+namespace {
+
+/// As values of the language name an axis.
+double name_of_axis(Axis axis) { return -1.0 - static_cast<double>(index(axis)); }
+
+}  // namespace
+
 bool Executor::is_length(std::int64_t index) const {
     const auto axis = axis_of(index);
     return axis && !is_rotary(*axis);
@@ -96,7 +103,7 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
             const auto axis = axis_of(second);
             if (!axis || first < 0 || first > rules_.work_offsets) return std::nullopt;
             const auto i = static_cast<std::size_t>(first);
-            return i < work_offsets_.size() ? work_offsets_[i][index(*axis)] : 0.0;
+            return i < work_offsets_.size() ? work_offsets_[i].shift[index(*axis)] : 0.0;
         }
         case Quantity::ActiveWorkOffset: return number(work_offset_);
         case Quantity::ActiveAdditionalOffset:
@@ -131,10 +138,18 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
             return (*probed_)[index(*axis)];
         }
         case Quantity::MirroredAxes: return mirrored_axes();
+        case Quantity::FirstPlaneAxis: return name_of_axis(path::axes_of(modal_.plane).first);
+        case Quantity::SecondPlaneAxis: return name_of_axis(path::axes_of(modal_.plane).second);
+        case Quantity::NormalAxis: return name_of_axis(path::axes_of(modal_.plane).normal);
         case Quantity::Milliseconds:
         case Quantity::Hours:
         case Quantity::Date:
         case Quantity::TimeOfDay: return clock(quantity);
+        case Quantity::SettableFrame:
+        case Quantity::ActiveFrame:
+        case Quantity::BaseFrame:
+        case Quantity::ProgrammableFrame:
+        case Quantity::TotalFrame:
         case Quantity::None:
         case Quantity::ModalCode:
         case Quantity::ModalNumber:
@@ -143,6 +158,22 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::MessageStop: return std::nullopt;
     }
     return std::nullopt;
+}
+
+std::optional<ControlFrame> Executor::frame(Quantity quantity, std::int64_t number) {
+    switch (quantity) {
+        case Quantity::SettableFrame: {
+            if (number < 0 || number > rules_.work_offsets) return std::nullopt;
+            const auto i = static_cast<std::size_t>(number);
+            return i < work_offsets_.size() ? work_offsets_[i] : ControlFrame();
+        }
+        case Quantity::ActiveFrame: return frames_.work_offset();
+        case Quantity::BaseFrame: return frames_.base();
+        case Quantity::ProgrammableFrame: return frames_.programmable();
+        case Quantity::TotalFrame:
+            return chain(chain(frames_.base(), frames_.work_offset()), frames_.programmable());
+        default: return std::nullopt;
+    }
 }
 
 void Executor::restore_frames(bool is_wanted) {

@@ -139,6 +139,8 @@ void Executor::settle_comp(const Block& block, const AxisValues& here, bool is_l
         report(diag::CompPlane, block);
     } else if (!alarmed_ && cycle_blocks_) {
         report(diag::CompMotion, block);
+    } else if (!alarmed_ && frames_.is_tilted(modal_.plane)) {
+        report(diag::IsoNotSupported, block).arg("cutter radius compensation in a tilted plane");
     }
     if (!alarmed_) alarm = compensation_.end_block(here, block);
     if (!alarmed_ && !alarm && ended_ && is_last) alarm = compensation_.flush();

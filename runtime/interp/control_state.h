@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "interp/control_frame.h"
 #include "nc/language.h"
 
 namespace kadr::interp {
@@ -27,6 +28,12 @@ class ControlState {
     /// `acts_at_once`, else when it is called next.
     virtual Write set_quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second,
                                double value, bool acts_at_once) = 0;
+    /// A frame as it is behind them; nothing: there is none with this number.
+    virtual std::optional<ControlFrame> frame(nc::Quantity quantity, std::int64_t number) = 0;
+    /// Sets it. A settable frame acts at once, if `acts_at_once` and it is the one that acts, or
+    /// when it is called next; the others act from the next block on.
+    virtual Write set_frame(nc::Quantity quantity, std::int64_t number, const ControlFrame& frame,
+                            bool acts_at_once) = 0;
     /// Whether the axis of an index is a length, and how many times the programmed value it is (2
     /// where X is a diameter).
     virtual bool is_length(std::int64_t axis) const = 0;

@@ -3,17 +3,20 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "interp/control_frame.h"
 #include "nc/control_line.h"
 
 namespace kadr::interp {
 
-/// A value while it is worked out. A text is an index into the texts of who holds the value.
+/// A value while it is worked out. A text, or a frame, is an index into those of who holds the
+/// value; an axis is below zero: −1 X, −2 Y …
 struct Value {
-    enum class Kind : std::uint8_t { Vacant, Real, Int, Bool, Char, Text };
+    enum class Kind : std::uint8_t { Vacant, Real, Int, Bool, Char, Text, Axis, Frame };
     double number = 0;
     std::uint32_t text = 0;
     Kind kind = Kind::Vacant;
@@ -24,21 +27,55 @@ struct Value {
     static Value real(double number) { return {number, 0, Kind::Real}; }
     static Value truth(bool is_true) { return {is_true ? 1.0 : 0.0, 0, Kind::Bool}; }
     bool is_text() const { return kind == Kind::Text; }
+    bool is_frame() const { return kind == Kind::Frame; }
+    /// Neither a text nor an axis nor a frame.
+    bool is_number() const { return kind <= Kind::Char; }
+    /// The axis that it is; nothing: none was ever set, or it is something else.
+    std::optional<Axis> axis() const {
+        if (kind != Kind::Axis || !(number < 0)) return std::nullopt;
+        return static_cast<Axis>(static_cast<int>(-number) - 1);
+    }
     bool is_vacant() const { return kind == Kind::Vacant; }
     /// Whole by its type.
     bool is_whole() const { return kind >= Kind::Int && kind <= Kind::Char; }
 };
 
+/// "a number", "a text", "an axis", "a frame": for messages.
+inline std::string_view kind_name(const Value& value) {
+    switch (value.kind) {
+        case Value::Kind::Text: return "a text";
+        case Value::Kind::Axis: return "an axis";
+        case Value::Kind::Frame: return "a frame";
+        default: return "a number";
+    }
+}
+
+/// What a value refers to, if it is a text or a frame.
+struct Content {
+    std::string_view text;
+    const ControlFrame* frame = nullptr;
+};
+
 /// Variables side by side; one that was never set is vacant.
 struct Store {
     std::vector<Value> values;
-    std::vector<std::string> texts;  // of the text variables among them, one for each slot
+    std::vector<std::string> texts;    // of the text variables among them, one for each slot
+    std::vector<ControlFrame> frames;  // … of those that are frames
 
     void grow(std::size_t count) { values.resize(std::max(values.size(), count)); }
+    Content content(const Value& value) const {
+        return {value.is_text() ? std::string_view(texts[value.text]) : std::string_view(),
+                value.is_frame() ? &frames[value.text] : nullptr};
+    }
     void set_text(std::uint32_t slot, std::string_view text) {
         texts.resize(std::max<std::size_t>(texts.size(), slot + std::size_t{1}));
         texts[slot] = text;
         values[slot] = {0, slot, Value::Kind::Text};
+    }
+    void set_frame(std::uint32_t slot, const ControlFrame& frame) {
+        frames.resize(std::max<std::size_t>(frames.size(), slot + std::size_t{1}));
+        frames[slot] = frame;
+        values[slot] = {0, slot, Value::Kind::Frame};
     }
 };
 

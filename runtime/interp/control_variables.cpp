@@ -57,6 +57,8 @@ std::string_view type_name(nc::ValueType type) {
         case nc::ValueType::Bool: return "a truth value";
         case nc::ValueType::Char: return "a character";
         case nc::ValueType::Text: return "a text";
+        case nc::ValueType::Axis: return "an axis";
+        case nc::ValueType::Frame: return "a frame";
     }
     return "";
 }
@@ -195,6 +197,20 @@ Variables::Answer ControlVariables::system(Quantity quantity, std::int64_t first
     return Answer::Value;
 }
 
+Variables::Answer ControlVariables::frame(Quantity quantity, std::int64_t index,
+                                          ControlFrame& out) {
+    if (state_ == nullptr) return Answer::Unsupported;
+    if (!in_step_) return Answer::Later;
+    const auto frame = state_->frame(quantity, index);
+    if (!frame) return Answer::Missing;
+    out = *frame;
+    return Answer::Value;
+}
+
+double ControlVariables::axis_unit(Axis axis) const {
+    return reader_.units().inch && !is_rotary(axis) ? kMmPerInch : 1;
+}
+
 /// How many units of the text 1 mm, or 1 degree, of the axis is.
 double ControlVariables::text_factor(const Indices& indices, std::int64_t axis) const {
     static_cast<void>(indices);
@@ -281,7 +297,9 @@ ControlVariable shown(std::string name, const Value& value, std::string_view tex
         case Value::Kind::Bool: variable.kind = ControlVariable::Kind::Bool; break;
         case Value::Kind::Int:
         case Value::Kind::Char: variable.kind = ControlVariable::Kind::Int; break;
-        case Value::Kind::Text: variable.kind = ControlVariable::Kind::Text; break;
+        case Value::Kind::Text:
+        case Value::Kind::Axis:
+        case Value::Kind::Frame: variable.kind = ControlVariable::Kind::Text; break;
         case Value::Kind::Vacant: variable.kind = ControlVariable::Kind::Vacant; break;
         default: variable.kind = ControlVariable::Kind::Real;
     }
@@ -334,9 +352,42 @@ ControlVariable ControlVariables::shown_in(const Store& store, std::size_t slot,
                            ? name_in(store, slot)
                            : element_name(*symbol, static_cast<std::uint32_t>(slot) - symbol->slot,
                                           language_.index_open, language_.index_close);
-    const std::string_view text =
-        value.is_text() ? std::string_view(store.texts[value.text]) : std::string_view();
-    return shown(std::move(name), value, text);
+    if (value.is_frame()) return shown(std::move(name), value, written(store.frames[value.text]));
+    if (const auto axis = value.axis())
+        return shown(std::move(name), value, kAxisNames[index(*axis)]);
+    return shown(std::move(name), value, store.content(value).text);
+}
+
+/// A frame by its constants, as a program would write it: `CTRANS(X,10):CROT(Z,30)`.
+std::string ControlVariables::written(const ControlFrame& frame) const {
+    std::string out;
+    const auto name_of_constant = [this](nc::Operation operation) -> std::string {
+        const auto form =
+            std::ranges::find(language_.functions, operation, &nc::FunctionForm::operation);
+        return form == language_.functions.end() ? std::string(info(operation).name) : form->name;
+    };
+    const auto add = [&](nc::Operation operation, nc::FramePart part, double neutral) {
+        std::string pairs;
+        for (std::size_t i = 0; i < kAxes; ++i) {
+            const double value = part_of(frame, part, static_cast<Axis>(i)).value_or(neutral);
+            if (round_to(value, 9) == neutral) continue;
+            pairs += (pairs.empty() ? "" : ",") + std::string(kAxisNames[i]);
+            if (part == nc::FramePart::Mirror) continue;
+            pairs += ',';
+            append_shortest(pairs, round_to(value, 9));
+        }
+        if (pairs.empty()) return;
+        out += (out.empty() ? "" : ":") + name_of_constant(operation) + language_.open + pairs +
+               language_.close;
+    };
+    add(nc::Operation::FrameShift, nc::FramePart::Shift, 0);
+    add(nc::Operation::FrameFine, nc::FramePart::Fine, 0);
+    add(nc::Operation::FrameRotation, nc::FramePart::Rotation, 0);
+    add(nc::Operation::FrameScale, nc::FramePart::Scale, 1);
+    add(nc::Operation::FrameMirror, nc::FramePart::Mirror, 0);
+    if (out.empty())
+        out = name_of_constant(nc::Operation::FrameShift) + language_.open + language_.close;
+    return out;
 }
 
 template <typename Set>
@@ -357,6 +408,11 @@ void ControlVariables::change(Store& store, std::size_t slot, const nc::Symbol* 
 ControlVariables::Fault ControlVariables::convert(nc::ValueType type, Value& value,
                                                   std::string_view text) {
     if (value.is_vacant()) return {};
+    const bool is_own_kind = type == nc::ValueType::Axis || type == nc::ValueType::Frame;
+    if (is_own_kind || value.kind == Value::Kind::Axis || value.is_frame()) {
+        if (value.kind == Value::of(0, type).kind) return {};
+        return {&diag::TypesDiffer, {std::string(type_name(type)), std::string(kind_name(value))}};
+    }
     if (type == nc::ValueType::Text) {
         if (value.kind == Value::Kind::Real || value.kind == Value::Kind::Int)
             return {&diag::TypesDiffer, {"a text", "a number"}};
@@ -403,14 +459,16 @@ Quantity ControlVariables::quantity_of(std::uint32_t form, std::int64_t number) 
 bool ControlVariables::must_wait(const Instruction& target,
                                  std::span<const std::int64_t> indices) const {
     if (in_step_) return false;
-    if (target.kind == Instruction::Kind::System) return true;
+    if (target.kind == Instruction::Kind::System || target.kind == Instruction::Kind::SystemPart)
+        return true;
     return target.kind == Instruction::Kind::Family &&
            quantity_of(target.index, indices[0]) != Quantity::None;
 }
 
 ControlVariables::Fault ControlVariables::store(const Instruction& target,
                                                 std::span<const std::int64_t> indices,
-                                                const Value& value, std::string_view text) {
+                                                const Value& value, const Content& content) {
+    const std::string_view text = content.text;
     Value converted = value;
     switch (target.kind) {
         case Instruction::Kind::Global:
@@ -422,14 +480,23 @@ ControlVariables::Fault ControlVariables::store(const Instruction& target,
             return {};
         }
         case Instruction::Kind::Family: return store_family(target.index, indices[0], value);
-        case Instruction::Kind::System:
-            return store_system(static_cast<Quantity>(target.index), {indices[0], indices[1]},
-                                value);
+        case Instruction::Kind::System: {
+            const auto quantity = static_cast<Quantity>(target.index);
+            if (target.type == nc::ValueType::Frame) {
+                if (content.frame == nullptr)
+                    return {&diag::TypesDiffer, {"a frame", std::string(kind_name(value))}};
+                return store_frame(quantity, indices[0], *content.frame);
+            }
+            return store_system(quantity, {indices[0], indices[1]}, value);
+        }
+        case Instruction::Kind::SystemPart:
+        case Instruction::Kind::ElementPart: return store_part(target, indices, value);
         case Instruction::Kind::Element: {
             const nc::Symbol& symbol = level_->symbols.at(target.index);
             const auto slot = Evaluator::element(symbol, indices);
             if (!slot) return {&diag::IndexWrong, {'`' + symbol.name + '`'}};
-            if (target.count == symbol.dimensions) return store_element(symbol, *slot, value, text);
+            if (target.count == symbol.dimensions)
+                return store_element(symbol, *slot, value, content);
             // One character of a text; the code 0 cuts it there.
             const std::int64_t place = indices[symbol.dimensions];
             if (Fault fault = convert(nc::ValueType::Char, converted, text); fault.row != nullptr)
@@ -461,10 +528,15 @@ ControlVariables::Fault ControlVariables::store(const Instruction& target,
 
 ControlVariables::Fault ControlVariables::store_element(const nc::Symbol& symbol,
                                                         std::uint32_t slot, const Value& value,
-                                                        std::string_view text) {
+                                                        const Content& content) {
+    const std::string_view text = content.text;
     Value converted = value;
     if (Fault fault = convert(symbol.type, converted, text); fault.row != nullptr) return fault;
     Store& store = *level_->stores[level_->symbols.index_of(symbol)];
+    if (symbol.type == nc::ValueType::Frame) {
+        change(store, slot, &symbol, [&] { store.set_frame(slot, *content.frame); });
+        return {};
+    }
     if (symbol.type != nc::ValueType::Text) {
         change(store, slot, &symbol, [&] { store.values[slot] = converted; });
         return {};
@@ -486,7 +558,7 @@ ControlVariables::Fault ControlVariables::store_family(std::uint32_t form, std::
     const VariableRange* range = find_range(family, number);
     const std::string name = family.name + std::to_string(number);
     if (range == nullptr) return {&diag::VariableNumber, {name}};
-    if (value.is_text()) return {&diag::TypesDiffer, {name, "a text"}};
+    if (!value.is_number()) return {&diag::TypesDiffer, {name, std::string(kind_name(value))}};
     const auto slot = static_cast<std::size_t>(range->slot + (number - range->first));
     Value converted = value;
     switch (range->kind) {
@@ -514,7 +586,7 @@ ControlVariables::Fault ControlVariables::store_system(Quantity quantity, const 
         return {&diag::VariableReadOnly, {std::string(info(quantity).name)}};
     const std::string name(info(quantity).name);
     if (state_ == nullptr) return {&diag::IsoNotSupported, {name}};
-    if (value.is_text()) return {&diag::TypesDiffer, {name, "a text"}};
+    if (!value.is_number()) return {&diag::TypesDiffer, {name, std::string(kind_name(value))}};
     double factor = 1;
     if (quantity == Quantity::WorkOffset) factor = text_factor(indices, indices.second);
     if (is_of_tool_data(quantity)) factor = to_text_units(quantity, indices, 1);
@@ -530,6 +602,56 @@ ControlVariables::Fault ControlVariables::store_system(Quantity quantity, const 
         case ControlState::Write::Refused: break;
     }
     return {&diag::IsoNotSupported, {name}};
+}
+
+ControlVariables::Fault ControlVariables::store_frame(Quantity quantity, std::int64_t number,
+                                                      const ControlFrame& frame) {
+    const std::string name(info(quantity).name);
+    if (info(quantity).access == nc::QuantityInfo::Access::Read)
+        return {&diag::VariableReadOnly, {name}};
+    if (state_ == nullptr) return {&diag::IsoNotSupported, {name}};
+    switch (state_->set_frame(quantity, number, frame, language_.rules.offsets_act_at_once)) {
+        case ControlState::Write::Done: return {};
+        case ControlState::Write::NoPlace: return {&diag::VariableNumber, {"of this offset"}};
+        case ControlState::Write::TooLarge:
+        case ControlState::Write::Refused: break;
+    }
+    return {&diag::IsoNotSupported, {name}};
+}
+
+/// A component: the frame is read, changed and written again. The axis is the last index.
+ControlVariables::Fault ControlVariables::store_part(const Instruction& target,
+                                                     std::span<const std::int64_t> indices,
+                                                     const Value& value) {
+    if (!value.is_number())
+        return {&diag::TypesDiffer, {"a component of a frame", std::string(kind_name(value))}};
+    const auto axis = static_cast<Axis>(-indices[target.count - 1u] - 1);
+    const nc::FramePart part = target.part();
+    const bool is_way = part == nc::FramePart::Shift || part == nc::FramePart::Fine;
+    const double wanted = is_way ? value.number * axis_unit(axis) : value.number;
+    const auto set = [&](ControlFrame& frame) -> Fault {
+        if (set_part(frame, part, axis, wanted)) return {};
+        if (part == nc::FramePart::Scale && wanted == 0) return {&diag::ScaleInvalid, {"0"}};
+        return {&diag::IsoNotSupported, {"such a component of this frame"}};
+    };
+    if (target.kind == Instruction::Kind::SystemPart) {
+        const auto quantity = static_cast<Quantity>(target.index);
+        const std::int64_t number = target.count > 1 ? indices[0] : 0;
+        ControlFrame whole;
+        if (frame(quantity, number, whole) != Answer::Value)
+            return {&diag::VariableNumber, {"of this offset"}};
+        if (Fault fault = set(whole); fault.row != nullptr) return fault;
+        return store_frame(quantity, number, whole);
+    }
+    const nc::Symbol& symbol = level_->symbols.at(target.index);
+    const auto slot = Evaluator::element(symbol, indices);
+    if (!slot) return {&diag::IndexWrong, {'`' + symbol.name + '`'}};
+    Store& store = *level_->stores[target.index];
+    const Value& old = store.values[*slot];
+    ControlFrame whole = old.is_frame() ? store.frames[old.text] : ControlFrame();
+    if (Fault fault = set(whole); fault.row != nullptr) return fault;
+    change(store, *slot, &symbol, [&] { store.set_frame(*slot, whole); });
+    return {};
 }
 
 bool ControlVariables::load(const Instruction& from, std::span<const std::int64_t> indices,

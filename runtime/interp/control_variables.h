@@ -32,6 +32,8 @@ class ControlVariables final : public Variables {
     Answer family(std::uint32_t form, std::int64_t number, Value& out) override;
     Answer system(nc::Quantity quantity, std::int64_t first, std::int64_t second,
                   double& out) override;
+    Answer frame(nc::Quantity quantity, std::int64_t index, ControlFrame& out) override;
+    double axis_unit(Axis axis) const override;
 
     const Store& globals() const { return globals_; }
     Level& level() { return *level_; }
@@ -57,9 +59,9 @@ class ControlVariables final : public Variables {
     /// Whether writing it has to wait for the blocks before.
     bool must_wait(const nc::Instruction& target, std::span<const std::int64_t> indices) const;
     Fault store(const nc::Instruction& target, std::span<const std::int64_t> indices,
-                const Value& value, std::string_view text);
+                const Value& value, const Content& content);
     Fault store_element(const nc::Symbol& symbol, std::uint32_t slot, const Value& value,
-                        std::string_view text);
+                        const Content& content);
     /// An argument by its letter: a variable of the language at this slot of `level`.
     static void set_local(Level& level, std::uint32_t slot, const Value& value) {
         level.locals.values[slot] = value;
@@ -83,6 +85,10 @@ class ControlVariables final : public Variables {
     static Indices indices_of(const nc::VariableRange& range, std::int64_t number);
     Fault store_family(std::uint32_t form, std::int64_t number, const Value& value);
     Fault store_system(nc::Quantity quantity, const Indices& indices, const Value& value);
+    Fault store_frame(nc::Quantity quantity, std::int64_t number, const ControlFrame& frame);
+    Fault store_part(const nc::Instruction& target, std::span<const std::int64_t> indices,
+                     const Value& value);
+    std::string written(const ControlFrame& frame) const;
     static Fault convert(nc::ValueType type, Value& value, std::string_view text);
     double to_text_units(nc::Quantity quantity, const Indices& indices, double value) const;
     double text_factor(const Indices& indices, std::int64_t axis) const;

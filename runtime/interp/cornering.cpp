@@ -89,6 +89,10 @@ void Executor::put_wish(const Block& block, CornerWish wish) {
         if (!wish.is_modal) report(diag::ArcStretched, block);
         return;
     }
+    if (frames_.is_tilted(modal_.plane)) {
+        report(diag::IsoNotSupported, block).arg("a chamfer or a rounding in a tilted plane");
+        return;
+    }
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
     wish.size *= frames_.total().direction(path::unit(plane.first)).norm();
     corners_.wish(wish, position_.base, {block.source, block.line});

@@ -129,8 +129,7 @@ bool Evaluator::load(const nc::ControlLine& line, std::size_t at) {
     const auto from = [&](const Store& store) {
         Value value = store.values[instruction.index];
         if (value.is_vacant() && !rules_.has_vacant) value = Value::of(0, instruction.type);
-        if (value.is_text()) value = keep_text(store.texts[value.text]);
-        push(value);
+        push(keep(value, store.content(value)));
         return true;
     };
     switch (instruction.kind) {
@@ -141,6 +140,8 @@ bool Evaluator::load(const nc::ControlLine& line, std::size_t at) {
         case Instruction::Kind::Family: return load_family(instruction);
         case Instruction::Kind::System: return load_system(instruction);
         case Instruction::Kind::Element: return load_element(instruction);
+        case Instruction::Kind::SystemPart:
+        case Instruction::Kind::ElementPart: return load_frame_part(instruction);
         case Instruction::Kind::Number:
         case Instruction::Kind::Operate: break;
     }
@@ -165,7 +166,8 @@ bool Evaluator::answer(Variables::Answer answer) {
 
 bool Evaluator::load_family(const Instruction& instruction) {
     const double number = stack_[size_ - 1].number;
-    if (stack_[size_ - 1].is_text()) return fail(diag::TypesDiffer, {"an index", "a text"});
+    if (!stack_[size_ - 1].is_number())
+        return fail(diag::TypesDiffer, {"an index", std::string(kind_name(stack_[size_ - 1]))});
     if (!(std::fabs(number) < 1e9)) return fail(diag::VariableNumber, {shown(number)});
     Value value;
     const auto answered = variables_.family(instruction.index,
@@ -181,11 +183,37 @@ bool Evaluator::load_system(const Instruction& instruction) {
     const auto index = [&](std::size_t i) {
         return i < instruction.count ? index_of(stack_[size_ + i].number) : 0;
     };
+    const auto quantity = static_cast<nc::Quantity>(instruction.index);
+    if (instruction.type == nc::ValueType::Frame) {
+        ControlFrame frame;
+        const auto answered = variables_.frame(quantity, index(0), frame);
+        push(keep_frame(frame));
+        return answer(answered);
+    }
     double number = 0;
-    const auto answered =
-        variables_.system(static_cast<nc::Quantity>(instruction.index), index(0), index(1), number);
+    const auto answered = variables_.system(quantity, index(0), index(1), number);
     push(Value::of(number, instruction.type));
     return answer(answered);
+}
+
+/// The frame, then its component: the axis is the last index.
+bool Evaluator::load_frame_part(const Instruction& instruction) {
+    const Value axis = stack_[--size_];
+    Instruction whole = instruction;
+    whole.kind = instruction.kind == Instruction::Kind::SystemPart ? Instruction::Kind::System
+                                                                   : Instruction::Kind::Element;
+    whole.type = nc::ValueType::Frame;
+    --whole.count;
+    const bool is_fine =
+        whole.kind == Instruction::Kind::System ? load_system(whole) : load_element(whole);
+    if (!is_fine) return false;
+    const ControlFrame& from = *frame(stack_[--size_]);
+    const nc::FramePart part = instruction.part();
+    const auto value = part_of(from, part, *axis.axis());
+    if (!value) return fail(diag::IsoNotSupported, {"a component of a frame that shears"});
+    const bool is_way = part == nc::FramePart::Shift || part == nc::FramePart::Fine;
+    push(Value::real(is_way ? *value / variables_.axis_unit(*axis.axis()) : *value));
+    return true;
 }
 
 std::optional<std::uint32_t> Evaluator::element(const nc::Symbol& symbol,
@@ -208,6 +236,10 @@ bool Evaluator::load_element(const Instruction& instruction) {
     if (!slot) return fail(diag::IndexWrong, {'`' + symbol.name + '`'});
     const Store& store = *level_->stores[instruction.index];
     Value value = store.values[*slot];
+    if (symbol.type == nc::ValueType::Frame) {
+        push(keep_frame(value.is_frame() ? store.frames[value.text] : ControlFrame()));
+        return true;
+    }
     if (symbol.type != nc::ValueType::Text) {
         push(value.is_vacant() ? Value::of(0, symbol.type) : value);
         return true;
@@ -275,6 +307,20 @@ bool Evaluator::operate(const Instruction& instruction, int decimals) {
         case Operation::PartOfText:
         case Operation::IsNumber:
         case Operation::ToNumber: is_fine = text_function(operation, a, instruction.count); break;
+        case Operation::Chain:
+        case Operation::FrameShift:
+        case Operation::FrameFine:
+        case Operation::FrameRotation:
+        case Operation::FrameSolid:
+        case Operation::FrameScale:
+        case Operation::FrameMirror:
+        case Operation::FrameInverse:
+            is_fine = frame_function(operation, a, instruction.count);
+            break;
+        case Operation::ToAxis:
+        case Operation::AxisOfText:
+        case Operation::TextOfAxis:
+        case Operation::IsAxis: is_fine = axis_function(operation, a); break;
         default: is_fine = function(operation, a, decimals);
     }
     ++size_;
@@ -282,7 +328,10 @@ bool Evaluator::operate(const Instruction& instruction, int decimals) {
 }
 
 bool Evaluator::arithmetic(Operation operation, Value& a, const Value& b) {
-    if (a.is_text() || b.is_text()) return fail(diag::TypesDiffer, {"a calculation", "a text"});
+    for (const Value& value : {a, b}) {
+        if (!value.is_number())
+            return fail(diag::TypesDiffer, {"a calculation", std::string(kind_name(value))});
+    }
     const bool is_whole = a.is_whole() && b.is_whole();
     double x = a.number;
     double y = b.number;
@@ -312,8 +361,13 @@ bool Evaluator::arithmetic(Operation operation, Value& a, const Value& b) {
 }
 
 bool Evaluator::compare(Operation operation, Value& a, const Value& b) {
-    if (a.is_text() != b.is_text())
-        return fail(diag::TypesDiffer, {"a comparison with a text", "a number"});
+    const bool is_alike = a.is_number() ? b.is_number() : a.kind == b.kind;
+    if (!is_alike || a.is_frame()) {
+        const Value& first = a.is_number() ? b : a;
+        const Value& other = a.is_number() ? a : b;
+        return fail(diag::TypesDiffer, {"a comparison with " + std::string(kind_name(first)),
+                                        std::string(kind_name(other))});
+    }
     bool is_equal = false;
     bool is_less = false;
     if (a.is_text()) {
@@ -338,8 +392,10 @@ bool Evaluator::compare(Operation operation, Value& a, const Value& b) {
 
 bool Evaluator::bits(Operation operation, Value& a, const Value& b) {
     const bool is_single = operation == Operation::Not || operation == Operation::BitNot;
-    if (a.is_text() || (!is_single && b.is_text()))
-        return fail(diag::TypesDiffer, {"a logical operation", "a text"});
+    if (!a.is_number() || (!is_single && !b.is_number())) {
+        return fail(diag::TypesDiffer,
+                    {"a logical operation", std::string(kind_name(a.is_number() ? b : a))});
+    }
     const bool p = a.number != 0;
     const bool q = !is_single && b.number != 0;
     switch (operation) {
@@ -362,7 +418,8 @@ bool Evaluator::bits(Operation operation, Value& a, const Value& b) {
 }
 
 bool Evaluator::function(Operation operation, Value* a, int decimals) {
-    if (a->is_text()) return fail(diag::TypesDiffer, {"a function of numbers", "a text"});
+    if (!a->is_number())
+        return fail(diag::TypesDiffer, {"a function of numbers", std::string(kind_name(*a))});
     const double x = a->number;
     const bool was_whole = a->is_whole();
     const auto out_of_range = [&] {
@@ -456,6 +513,89 @@ bool Evaluator::arc_function(Operation operation, Value* a) {
     return real(*a, angle);
 }
 
+// ---------------------------------------------------------------- axes and frames
+
+bool Evaluator::axis_function(Operation operation, Value* a) {
+    switch (operation) {
+        case Operation::ToAxis:
+            return a->axis() ? true : fail(diag::AxisExpected, {std::string(kind_name(*a))});
+        case Operation::TextOfAxis:
+            if (!a->axis()) return fail(diag::AxisExpected, {std::string(kind_name(*a))});
+            *a = keep_text(std::string(kAxisNames[index(*a->axis())]));
+            return true;
+        case Operation::AxisOfText: {
+            if (!a->is_text())
+                return fail(diag::TypesDiffer, {"a text function", std::string(kind_name(*a))});
+            const auto found = std::ranges::find(kAxisNames, upper_ascii(text(*a)));
+            if (found == kAxisNames.end())
+                return fail(diag::AxisNameUnknown, {std::string(text(*a))});
+            *a = Value::of(-1.0 - static_cast<double>(found - kAxisNames.begin()),
+                           nc::ValueType::Axis);
+            return true;
+        }
+        default: *a = Value::truth(a->is_number() && a->number >= 1 && a->number <= 3); return true;
+    }
+}
+
+/// Axes and their values in turn; lengths in mm.
+bool Evaluator::pairs(Operation operation, const Value* a, int count,
+                      std::vector<AxisAndValue>& out) {
+    const bool is_way = operation == Operation::FrameShift || operation == Operation::FrameFine;
+    for (int i = 0; i + 1 < count; i += 2) {
+        const auto axis = a[i].axis();
+        if (!axis) return fail(diag::AxisExpected, {std::string(kind_name(a[i]))});
+        if (!a[i + 1].is_number()) {
+            return fail(diag::TypesDiffer,
+                        {"a component of a frame", std::string(kind_name(a[i + 1]))});
+        }
+        out.push_back({*axis, a[i + 1].number * (is_way ? variables_.axis_unit(*axis) : 1)});
+        if (!is_way && index(*axis) >= 3) {
+            return fail(diag::IsoNotSupported,
+                        {"a rotation or a scale of an axis besides X, Y and Z"});
+        }
+    }
+    return true;
+}
+
+bool Evaluator::frame_function(Operation operation, Value* a, int count) {
+    if (operation == Operation::Chain || operation == Operation::FrameInverse) {
+        for (int i = 0; i < count; ++i) {
+            if (!a[i].is_frame())
+                return fail(diag::TypesDiffer, {"a frame", std::string(kind_name(a[i]))});
+        }
+        *a = keep_frame(operation == Operation::Chain ? chain(*frame(a[0]), *frame(a[1]))
+                                                      : inverse(*frame(a[0])));
+        return true;
+    }
+    if (operation == Operation::FrameMirror) {
+        AxisMask axes = 0;
+        for (int i = 0; i < count; ++i) {
+            if (!a[i].axis()) return fail(diag::AxisExpected, {std::string(kind_name(a[i]))});
+            axes = static_cast<AxisMask>(axes | bit(*a[i].axis()));
+        }
+        *a = keep_frame(mirror_frame(axes));
+        return true;
+    }
+    std::vector<AxisAndValue> given;
+    if (!pairs(operation, a, count, given)) return false;
+    switch (operation) {
+        case Operation::FrameShift: *a = keep_frame(shift_frame(given)); return true;
+        case Operation::FrameFine: *a = keep_frame(fine_frame(given)); return true;
+        case Operation::FrameRotation: *a = keep_frame(rotation_frame(given)); return true;
+        case Operation::FrameSolid:
+            if (given.size() > 2) return fail(diag::SolidAngles, {std::to_string(given.size())});
+            if (given.size() == 2 && given[0].axis == given[1].axis)
+                return fail(diag::SolidAngles, {"of one axis"});
+            *a = keep_frame(solid_frame(given));
+            return true;
+        default: break;
+    }
+    for (const AxisAndValue& one : given)
+        if (one.value == 0) return fail(diag::ScaleInvalid, {"0"});
+    *a = keep_frame(scale_frame(given));
+    return true;
+}
+
 // ---------------------------------------------------------------- texts
 
 std::string Evaluator::written(const Value& value) const {
@@ -479,8 +619,10 @@ std::string Evaluator::written(const Value& value) const {
 bool Evaluator::text_function(Operation operation, Value* a, int count) {
     const bool takes_numbers =
         operation == Operation::Concatenate || operation == Operation::ToText;
-    if (!takes_numbers && !a->is_text())
-        return fail(diag::TypesDiffer, {"a text function", "a number"});
+    if (!(a->is_text() || (takes_numbers && a->is_number())))
+        return fail(diag::TypesDiffer, {"a text function", std::string(kind_name(*a))});
+    if (count > 1 && !a[1].is_text() && !a[1].is_number())
+        return fail(diag::TypesDiffer, {"a text function", std::string(kind_name(a[1]))});
     const std::string subject = takes_numbers ? written(*a) : std::string(text(*a));
     const auto place = [&](std::size_t found) {
         const bool is_missing = found == std::string::npos;

@@ -33,6 +33,10 @@ class Variables {
     /// `Later`: the blocks before have to be executed first.
     virtual Answer system(nc::Quantity quantity, std::int64_t first, std::int64_t second,
                           double& out) = 0;
+    /// The same of a quantity that is a frame.
+    virtual Answer frame(nc::Quantity quantity, std::int64_t index, ControlFrame& out) = 0;
+    /// mm, or degrees, that 1 in a word of the axis is.
+    virtual double axis_unit(Axis axis) const = 0;
 };
 
 class Evaluator {
@@ -56,7 +60,23 @@ class Evaluator {
         texts_.push_back(std::move(text));
         return {0, static_cast<std::uint32_t>(texts_.size() - 1), Value::Kind::Text};
     }
-    void forget() { texts_.clear(); }
+    const ControlFrame* frame(const Value& value) const {
+        return value.is_frame() ? &frames_[value.text] : nullptr;
+    }
+    Content content(const Value& value) const { return {text(value), frame(value)}; }
+    Value keep_frame(const ControlFrame& frame) {
+        frames_.push_back(frame);
+        return {0, static_cast<std::uint32_t>(frames_.size() - 1), Value::Kind::Frame};
+    }
+    /// A value that stands elsewhere, for what is worked out next.
+    Value keep(const Value& value, const Content& content) {
+        if (value.is_text()) return keep_text(std::string(content.text));
+        return value.is_frame() ? keep_frame(*content.frame) : value;
+    }
+    void forget() {
+        texts_.clear();
+        frames_.clear();
+    }
     void enter(const Level& level) { level_ = &level; }
 
     /// The indices that the code of a reference has put on the stack.
@@ -75,6 +95,7 @@ class Evaluator {
     bool load_family(const nc::Instruction& instruction);
     bool load_system(const nc::Instruction& instruction);
     bool load_element(const nc::Instruction& instruction);
+    bool load_frame_part(const nc::Instruction& instruction);
     bool answer(Variables::Answer answer);
     bool operate(const nc::Instruction& instruction, int decimals);
     bool arithmetic(nc::Operation operation, Value& a, const Value& b);
@@ -83,6 +104,9 @@ class Evaluator {
     bool function(nc::Operation operation, Value* a, int decimals);
     bool text_function(nc::Operation operation, Value* a, int count);
     bool arc_function(nc::Operation operation, Value* a);
+    bool axis_function(nc::Operation operation, Value* a);
+    bool frame_function(nc::Operation operation, Value* a, int count);
+    bool pairs(nc::Operation operation, const Value* a, int count, std::vector<AxisAndValue>& out);
     bool fail(const DiagnosticRow& row, std::vector<std::string> arguments = {});
     bool real(Value& out, double number);
     void push(const Value& value) { stack_[size_++] = value; }
@@ -94,6 +118,7 @@ class Evaluator {
     std::vector<Value> stack_;
     std::size_t size_ = 0;
     std::deque<std::string> texts_;  // views of them stay valid
+    std::deque<ControlFrame> frames_;
     nc::LineFault fault_;
     nc::Span place_;
     std::string_view name_;  // of the operation, for messages

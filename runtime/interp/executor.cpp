@@ -79,7 +79,6 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
                    const InterpreterOptions& options, DiagnosticSink& sink)
     : dialect_(dialect),
       machine_(machine),
-      work_offsets_(machine.work_offsets),
       tool_offsets_(machine),
       places_(places),
       cycles_(cycles),
@@ -113,8 +112,10 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
         set_modal(modal_, dialect.power_on(group));
     }
     returns_to_retract_ = dialect.power_on(Group::CycleReturn) == Function::CycleReturnRetract;
+    for (const AxisValues& offset : machine.work_offsets)
+        work_offsets_.push_back({.shift = offset});
     work_offset_ = rules_.default_work_offset;
-    frames_.select_work_offset(work_offset_values(work_offset_));
+    frames_.select_work_offset(work_offset_frame(work_offset_));
     frame_changed();
     clock_.start(position_.base);
     position_.programmed = position_.here;
@@ -637,7 +638,7 @@ void Executor::select_work_offset(const Block& block, std::int64_t number) {
         report(diag::WorkOffsetUnknown, block, Function::WorkOffset).arg(number);
         return;
     }
-    frames_.select_work_offset(work_offset_values(number));
+    frames_.select_work_offset(work_offset_frame(number));
     work_offset_ = number;
     frame_changed();
 }

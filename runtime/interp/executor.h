@@ -112,6 +112,9 @@ class Executor {
     std::optional<double> quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second);
     ControlState::Write set_quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second,
                                      double value, bool acts_at_once);  // offsets.cpp
+    std::optional<ControlFrame> frame(nc::Quantity quantity, std::int64_t number);
+    ControlState::Write set_frame(nc::Quantity quantity, std::int64_t number,
+                                  const ControlFrame& frame, bool acts_at_once);  // offsets.cpp
     bool is_length(std::int64_t axis) const;
     double word_factor(std::int64_t axis) const;
     bool is_compensated() const { return compensation_.is_on(); }
@@ -128,7 +131,9 @@ class Executor {
     void write_data(const nc::Block& block, const nc::Invocation& invocation);
     void write_work_offset(const nc::Block& block, const nc::Invocation& invocation);
     void write_tool_offset(const nc::Block& block, const nc::Invocation& invocation);
-    AxisValues work_offset_values(std::int64_t number) const;
+    ControlFrame work_offset_frame(std::int64_t number) const;
+    ControlFrame& work_offset_at(std::int64_t number);
+    void work_offset_changed(std::int64_t number, bool acts_at_once);
     ControlState::Write set_work_offset(std::int64_t number, Axis axis, double value,
                                         bool acts_at_once);
     ControlState::Write set_tool_offset(ToolOffsets::Column column, std::int64_t number,
@@ -322,8 +327,8 @@ class Executor {
 
     const nc::Dialect& dialect_;
     const machine::Machine& machine_;
-    std::vector<AxisValues> work_offsets_;  // as the machine has them, until the program sets one
-    std::int64_t work_offset_ = 0;          // that acts
+    std::vector<ControlFrame> work_offsets_;  // as the machine has them, until the program sets one
+    std::int64_t work_offset_ = 0;            // that acts
     ToolOffsets tool_offsets_;
     const nc::BlockPlaces* places_;
     CycleExpander* cycles_;

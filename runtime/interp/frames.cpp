@@ -34,21 +34,67 @@ constexpr double kSameShape = 1e-9;
 
 }  // namespace
 
-void Frames::select_work_offset(const AxisValues& offset) {
+void Frames::select_work_offset(const ControlFrame& offset) {
     work_offset_ = offset;
     update();
 }
 
+void Frames::select_base(const ControlFrame& base) {
+    base_ = base;
+    update();
+}
+
+bool Frames::has_base() const {
+    return !base_.is_shift() || base_.shift != AxisValues{} || base_.fine != AxisValues{};
+}
+
+ControlFrame Frames::programmable() const {
+    ControlFrame frame;
+    Frame steps;
+    for (const Step& step : steps_) steps = steps * step.frame;
+    frame.shift = shift_;
+    frame.fine = fine_;
+    for (std::size_t i = 0; i < 3; ++i) frame.fine[i] += steps.shift[static_cast<Eigen::Index>(i)];
+    frame.linear = steps.linear;
+    frame.mirrored = mirrored_by_steps();
+    return frame;
+}
+
+void Frames::set_programmable(const ControlFrame& frame) {
+    shift_ = frame.shift;
+    fine_ = frame.fine;
+    steps_.clear();
+    const auto add = [this](Step::Kind kind, const path::Mat3& linear) {
+        if (linear != path::Mat3::Identity()) steps_.push_back({kind, {linear, Vec3::Zero()}});
+    };
+    const path::Mat3 mirror = path::mirroring(frame.mirrored).linear;
+    if (const std::optional<FrameParts> parts = parts_of(frame)) {
+        add(Step::Kind::Rotation, parts->rotation);
+        add(Step::Kind::Scale, parts->scale.asDiagonal());
+    } else {
+        add(Step::Kind::Rotation, frame.linear * mirror);
+    }
+    add(Step::Kind::Mirror, mirror);
+    update();
+}
+
 void Frames::shift(const FrameWords& words) {
-    if (!rules_->shift_keeps_unnamed || words.given == 0) shift_ = Vec3::Zero();
-    if (!rules_->shift_keeps_unnamed) steps_.clear();
+    if (!rules_->shift_keeps_unnamed || words.given == 0) shift_ = {};
+    if (!rules_->shift_keeps_unnamed) {
+        fine_ = {};
+        steps_.clear();
+    }
     for (std::size_t i = 0; i < 3; ++i) {
-        if (words.has(i)) shift_[static_cast<Eigen::Index>(i)] = words.values[i];
+        if (words.has(i)) shift_[i] = words.values[i];
     }
     update();
 }
 
 void Frames::shift_add(const FrameWords& words) {
+    if (steps_.empty()) {
+        for (std::size_t i = 0; i < 3; ++i) fine_[i] += words.values[i];
+        return update();
+    }
     append(Step::Kind::Shift, path::translation(vector_of(words)));
 }
 
@@ -114,7 +160,7 @@ void Frames::set_position(const FrameWords& words, const AxisValues& here, const
         if (!words.has(i)) continue;
         wanted[i] = words.values[i];
         // Setting the position of an axis ends its local shift.
-        if (rules_->shift_keeps_unnamed) shift_[static_cast<Eigen::Index>(i)] = 0;
+        if (rules_->shift_keeps_unnamed) shift_[i] = 0;
     }
     set_shift_ = {};
     update();
@@ -142,6 +188,10 @@ bool Frames::is_rotated() const {
 }
 
 AxisMask Frames::mirrored() const {
+    return static_cast<AxisMask>(base_.mirrored ^ work_offset_.mirrored ^ mirrored_by_steps());
+}
+
+AxisMask Frames::mirrored_by_steps() const {
     AxisMask axes = 0;
     for (const Step& step : steps_) {
         if (step.kind != Step::Kind::Mirror) continue;
@@ -156,12 +206,21 @@ void Frames::erase(Step::Kind kind) {
 }
 
 void Frames::update() {
-    total_ = path::translation(linear(work_offset_) + linear(set_shift_) + shift_);
+    const Vec3 own = linear(shift_) + linear(fine_);
+    if (work_offset_.is_shift() && base_.is_shift()) {
+        const Vec3 outer = work_offset_.whole().shift + linear(set_shift_) + base_.whole().shift;
+        total_ = path::translation(outer + own);
+    } else {
+        total_ = path::translation(linear(set_shift_)) * base_.whole() * work_offset_.whole() *
+                 path::translation(own);
+    }
     for (const Step& step : steps_) total_ = total_ * step.frame;
     is_shift_ = total_.linear == path::Mat3::Identity();
-    for (std::size_t i = 0; i < kAxes; ++i) {
-        shift_values_[i] =
-            i < 3 ? total_.shift[static_cast<Eigen::Index>(i)] : work_offset_[i] + set_shift_[i];
+    for (std::size_t i = 0; i < 3; ++i)
+        shift_values_[i] = total_.shift[static_cast<Eigen::Index>(i)];
+    for (std::size_t i = 3; i < kAxes; ++i) {
+        shift_values_[i] = work_offset_.shift[i] + work_offset_.fine[i] + set_shift_[i] +
+                           base_.shift[i] + base_.fine[i] + shift_[i] + fine_[i];
     }
     const Result<Frame, path::FrameFault> back = path::inverse(total_);
     KADR_ASSERT(back, "rotations, mirrors, shifts and scales other than 0 can be undone");
@@ -184,6 +243,16 @@ bool Frames::is_mirrored(path::Plane plane) const {
     return total_.direction(path::unit(axes.first))
                .cross(total_.direction(path::unit(axes.second)))
                .dot(path::unit(axes.normal)) < 0;
+}
+
+bool Frames::is_tilted(path::Plane plane) const {
+    if (is_shift_) return false;
+    const path::PlaneAxes axes = path::axes_of(plane);
+    const Vec3 normal = path::unit(axes.normal);
+    const Vec3 first = total_.direction(path::unit(axes.first));
+    const Vec3 second = total_.direction(path::unit(axes.second));
+    return std::abs(first.dot(normal)) > kSameShape * first.norm() ||
+           std::abs(second.dot(normal)) > kSameShape * second.norm();
 }
 
 AxisValues Frames::to_base(const AxisValues& programmed) const {

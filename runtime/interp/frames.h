@@ -1,13 +1,14 @@
 // frames.h — the frames in force: work offset, set position, programmable frame.
 //
-// base = work offset + set shift + programmable frame (programmed point). Keeps the product and its
-// inverse ready, so that a block pays for frames only when one changes.
+// base = set shift + base frame : work offset : programmable frame (programmed point). Keeps the
+// product and its inverse ready, so that a block pays for frames only when one changes.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <vector>
 
+#include "interp/control_frame.h"
 #include "interp/rules.h"
 #include "path/frame.h"
 
@@ -24,7 +25,14 @@ class Frames {
   public:
     explicit Frames(const Rules& rules) : rules_(&rules) {}
 
-    void select_work_offset(const AxisValues& offset);
+    void select_work_offset(const ControlFrame& offset);
+    void select_base(const ControlFrame& base);
+    const ControlFrame& work_offset() const { return work_offset_; }
+    const ControlFrame& base() const { return base_; }
+    bool has_base() const;
+    /// What the functions below have made, and in its place another one.
+    ControlFrame programmable() const;
+    void set_programmable(const ControlFrame& frame);
     void shift(const FrameWords& words);
     void shift_add(const FrameWords& words);
     /// angle   rad
@@ -50,6 +58,8 @@ class Frames {
     bool is_stretched(path::Plane plane) const;
     /// Whether what is seen from the normal of the plane is seen in a mirror.
     bool is_mirrored(path::Plane plane) const;
+    /// Whether the plane does not lie as the plane of the base system does.
+    bool is_tilted(path::Plane plane) const;
     /// Nothing but a shift: each axis can be worked out by itself.
     bool is_shift() const { return is_shift_; }
     const AxisValues& shift_values() const { return shift_values_; }
@@ -67,12 +77,15 @@ class Frames {
     void erase(Step::Kind kind);
     /// No axes: all of them.
     void erase_mirrors(AxisMask axes);
+    AxisMask mirrored_by_steps() const;
     void update();
 
     const Rules* rules_;
-    AxisValues work_offset_{};
+    ControlFrame base_;
+    ControlFrame work_offset_;
     AxisValues set_shift_{};
-    path::Vec3 shift_ = path::Vec3::Zero();
+    AxisValues shift_{};
+    AxisValues fine_{};        // added before any step
     std::vector<Step> steps_;  // in the order in which they were programmed
     path::Frame total_;
     path::Frame back_;

@@ -32,6 +32,13 @@ ControlState::Write Interpreter::set_quantity(nc::Quantity quantity, std::int64_
                                               bool acts_at_once) {
     return state_->executor.set_quantity(quantity, first, second, value, acts_at_once);
 }
+std::optional<ControlFrame> Interpreter::frame(nc::Quantity quantity, std::int64_t number) {
+    return state_->executor.frame(quantity, number);
+}
+ControlState::Write Interpreter::set_frame(nc::Quantity quantity, std::int64_t number,
+                                           const ControlFrame& frame, bool acts_at_once) {
+    return state_->executor.set_frame(quantity, number, frame, acts_at_once);
+}
 bool Interpreter::is_length(std::int64_t axis) const { return state_->executor.is_length(axis); }
 bool Interpreter::is_compensated() const { return state_->executor.is_compensated(); }
 void Interpreter::keep_frames() { state_->executor.keep_frames(); }

@@ -103,6 +103,9 @@ class Interpreter final : public Stream<path::Command>, public ControlState {
                                    std::int64_t second) override;
     Write set_quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second, double value,
                        bool acts_at_once) override;
+    std::optional<ControlFrame> frame(nc::Quantity quantity, std::int64_t number) override;
+    Write set_frame(nc::Quantity quantity, std::int64_t number, const ControlFrame& frame,
+                    bool acts_at_once) override;
     bool is_length(std::int64_t axis) const override;
     double word_factor(std::int64_t axis) const override;
     bool is_compensated() const override;

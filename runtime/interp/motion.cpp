@@ -205,6 +205,11 @@ void Executor::move_in_machine_coordinates(const Block& block) {
         report(diag::ArcInMachineCoordinates, block, Function::MachineCoordinates);
         return;
     }
+    if (frames_.has_base()) {
+        report(diag::IsoNotSupported, block, Function::MachineCoordinates)
+            .arg("machine coordinates while a base frame acts");
+        return;
+    }
     const bool is_rapid = rules_.machine_coordinates_rapid || modal_.motion == Function::Rapid;
     if (!is_rapid && !check_feed(block, "line")) return;
 

@@ -14,15 +14,25 @@ using nc::Quantity;
 using Write = ControlState::Write;
 
 /// Offsets that the machine file does not name are zero, as in a new control.
-AxisValues Executor::work_offset_values(std::int64_t number) const {
+ControlFrame Executor::work_offset_frame(std::int64_t number) const {
     const auto of = [this](std::size_t i) {
-        return i < work_offsets_.size() ? work_offsets_[i] : AxisValues{};
+        return i < work_offsets_.size() ? work_offsets_[i] : ControlFrame();
     };
-    AxisValues values = of(static_cast<std::size_t>(number));
-    if (!rules_.external_work_offset || number == 0) return values;
-    const AxisValues external = of(0);
-    for (std::size_t i = 0; i < kAxes; ++i) values[i] += external[i];
-    return values;
+    const ControlFrame own = of(static_cast<std::size_t>(number));
+    return rules_.external_work_offset && number != 0 ? chain(of(0), own) : own;
+}
+
+ControlFrame& Executor::work_offset_at(std::int64_t number) {
+    const auto i = static_cast<std::size_t>(number);
+    if (i >= work_offsets_.size()) work_offsets_.resize(i + 1);
+    return work_offsets_[i];
+}
+
+void Executor::work_offset_changed(std::int64_t number, bool acts_at_once) {
+    const bool acts = number == work_offset_ || (rules_.external_work_offset && number == 0);
+    if (!acts_at_once || !acts) return;
+    frames_.select_work_offset(work_offset_frame(work_offset_));
+    frame_changed();
 }
 
 Write Executor::set_quantity(Quantity quantity, std::int64_t first, std::int64_t second,
@@ -52,14 +62,26 @@ Write Executor::set_quantity(Quantity quantity, std::int64_t first, std::int64_t
 Write Executor::set_work_offset(std::int64_t number, Axis axis, double value, bool acts_at_once) {
     if (number < 0 || number > rules_.work_offsets) return Write::NoPlace;
     if (spline_) finish_spline();
-    const auto i = static_cast<std::size_t>(number);
-    if (i >= work_offsets_.size()) work_offsets_.resize(i + 1, AxisValues{});
-    work_offsets_[i][index(axis)] = value;
-    const bool acts = number == work_offset_ || (rules_.external_work_offset && number == 0);
-    if (acts_at_once && acts) {
-        frames_.select_work_offset(work_offset_values(work_offset_));
-        frame_changed();
+    work_offset_at(number).shift[index(axis)] = value;
+    work_offset_changed(number, acts_at_once);
+    return Write::Done;
+}
+
+Write Executor::set_frame(Quantity quantity, std::int64_t number, const ControlFrame& frame,
+                          bool acts_at_once) {
+    if (spline_) finish_spline();
+    switch (quantity) {
+        case Quantity::SettableFrame:
+            if (number < 0 || number > rules_.work_offsets) return Write::NoPlace;
+            work_offset_at(number) = frame;
+            work_offset_changed(number, acts_at_once);
+            return Write::Done;
+        case Quantity::ActiveFrame: frames_.select_work_offset(frame); break;
+        case Quantity::BaseFrame: frames_.select_base(frame); break;
+        case Quantity::ProgrammableFrame: frames_.set_programmable(frame); break;
+        default: return Write::Refused;
     }
+    frame_changed();
     return Write::Done;
 }
 
@@ -98,7 +120,7 @@ void Executor::write_work_offset(const Block& block, const Invocation& invocatio
         }
         double value = block.argument(invocation, i + 1) * word_scale_[i];
         const auto n = static_cast<std::size_t>(number);
-        if (modal_.is_incremental && n < work_offsets_.size()) value += work_offsets_[n][i];
+        if (modal_.is_incremental && n < work_offsets_.size()) value += work_offsets_[n].shift[i];
         set_work_offset(number, axis, value, true);
     }
 }

@@ -442,15 +442,24 @@ void Program::State::compile_language(CompiledLine& line) {
 
 Program::State::Done Program::State::read_words(CompiledLine& line, Block& out) {
     const nc::ControlLine& code = line.line;
-    if (is_only_checking && !code.computed.empty()) return Done::Nothing;
+    const bool is_computed = !code.computed.empty() || !code.axes.empty();
+    if (is_only_checking && is_computed) return Done::Nothing;
     values.clear();
     evaluator.forget();
+    if (!code.axes.empty()) {
+        const Done done = set_axes(line);
+        if (done == Done::Wait || lines.failed()) return done;
+    }
     for (std::size_t i = 0; i < code.computed.size(); ++i) {
         const bool is_fine_round = language.rules.round_in_word && code.computed[i].argument < 0;
         Value value;
         const Done done = evaluate(line, code.computed[i].value, value,
                                    is_fine_round ? lines.value_decimals(code, i) : -1);
         if (done == Done::Wait || lines.failed()) return done;
+        if (!value.is_number() && !value.is_text()) {
+            return fail(line, diag::TypesDiffer, code.computed[i].value.span,
+                        {"a word", std::string(kind_name(value))});
+        }
         nc::WordValue& word = values.emplace_back();
         word.kind = value.is_vacant() ? nc::WordValue::Kind::Vacant
                     : value.is_text() ? nc::WordValue::Kind::Text
@@ -458,8 +467,25 @@ Program::State::Done Program::State::read_words(CompiledLine& line, Block& out) 
         word.number = value.number;
         word.text = evaluator.text(value);
     }
-    nc::MatchedLine* const known = &line == &scratch ? nullptr : &line.matched;
+    const bool is_kept = &line != &scratch && code.axes.empty();
+    nc::MatchedLine* const known = is_kept ? &line.matched : nullptr;
     return lines.read_words(line.text, line.line, values, out, known) ? Done::Block : Done::Nothing;
+}
+
+/// Words whose axis is a value get the address of that axis.
+Program::State::Done Program::State::set_axes(CompiledLine& line) {
+    for (const nc::ComputedAxis& computed : line.line.axes) {
+        Value value;
+        const Done done = evaluate(line, computed.axis, value);
+        if (done == Done::Wait || lines.failed()) return done;
+        const std::string_view name = kAxisNames[index(*value.axis())];
+        const nc::AddressId address = tables.find_address(name);
+        if (address == nc::kNoAddress) {
+            return fail(line, diag::IsoUnknownWord, computed.axis.span, {std::string(name)});
+        }
+        line.line.words.words[computed.word].address = address;
+    }
+    return Done::Nothing;
 }
 
 // ------------------------------------------------------------------------------ faults
@@ -496,8 +522,10 @@ Program::State::Done Program::State::truth(CompiledLine& line, const nc::Express
     Value value;
     const Done done = evaluate(line, expression, value);
     if (done == Done::Wait || lines.failed()) return done;
-    if (value.is_text())
-        return fail(line, diag::TypesDiffer, expression.span, {"a condition", "a text"});
+    if (!value.is_number()) {
+        return fail(line, diag::TypesDiffer, expression.span,
+                    {"a condition", std::string(kind_name(value))});
+    }
     out = value.number != 0;
     return Done::Nothing;
 }
@@ -589,7 +617,7 @@ Program::State::Done Program::State::store(CompiledLine& line, const nc::Referen
     }
     if (variables.must_wait(reference.load, indices)) return Done::Wait;
     const ControlVariables::Fault fault =
-        variables.store(reference.load, indices, value, evaluator.text(value));
+        variables.store(reference.load, indices, value, evaluator.content(value));
     if (fault.row == nullptr) return Done::Nothing;
     return fail(line, *fault.row, reference.span, fault.arguments);
 }
@@ -619,7 +647,7 @@ Program::State::Done Program::State::assign_list(CompiledLine& line,
         const Done done = evaluate(line, expression, value);
         if (done == Done::Wait || lines.failed()) return done;
         const auto fault = variables.store_element(symbol, *first + static_cast<std::uint32_t>(i),
-                                                   value, evaluator.text(value));
+                                                   value, evaluator.content(value));
         if (fault.row != nullptr) return fail(line, *fault.row, expression.span, fault.arguments);
     }
     return Done::Nothing;
@@ -687,7 +715,7 @@ Program::State::Done Program::State::declare_one(CompiledLine& line,
         const Done done = evaluate(line, expression, value);
         if (done == Done::Wait || lines.failed()) return done;
         const auto fault = variables.store_element(
-            added, added.slot + static_cast<std::uint32_t>(i), value, evaluator.text(value));
+            added, added.slot + static_cast<std::uint32_t>(i), value, evaluator.content(value));
         if (fault.row != nullptr) return fail(line, *fault.row, expression.span, fault.arguments);
     }
     return Done::Nothing;

@@ -270,6 +270,7 @@ Program::State::Done Program::State::prepare_list(CompiledLine& line, const nc::
         const Done done = evaluate(line, argument.value, given_value.value);
         if (done == Done::Wait || lines.failed()) return done;
         given_value.text = evaluator.text(given_value.value);
+        if (given_value.value.is_frame()) given_value.frame = *evaluator.frame(given_value.value);
     }
     return Done::Nothing;
 }
@@ -428,8 +429,8 @@ Program::State::Done Program::State::bind_parameter(CompiledLine& line, const Pr
     }
     const nc::Symbol& added = variables.declare(std::move(symbol));
     const nc::Span span = given_value.is_given ? given_value.span : nc::Span{0, 1};
-    const auto set = [&](std::uint32_t place, const Value& value, std::string_view text) {
-        const auto fault = variables.store_element(added, added.slot + place, value, text);
+    const auto set = [&](std::uint32_t place, const Value& value, const Content& content) {
+        const auto fault = variables.store_element(added, added.slot + place, value, content);
         if (fault.row == nullptr) return Done::Nothing;
         return fail(line, *fault.row, span, fault.arguments);
     };
@@ -438,20 +439,19 @@ Program::State::Done Program::State::bind_parameter(CompiledLine& line, const Pr
         const std::uint32_t most = std::min(added.count(), given_value.place.symbol->count());
         for (std::uint32_t i = 0; i < most && !lines.failed(); ++i) {
             const Value& value = from.values[given_value.place.slot + i];
-            if (!value.is_vacant()) set(i, value, value.is_text() ? from.texts[value.text] : "");
+            if (!value.is_vacant()) set(i, value, from.content(value));
         }
         return Done::Nothing;
     }
     if (given_value.is_given) {
-        Value value = given_value.value;
-        if (value.is_text()) value = evaluator.keep_text(given_value.text);
-        return set(0, value, given_value.text);
+        const Content content{given_value.text, &given_value.frame};
+        return set(0, evaluator.keep(given_value.value, content), content);
     }
     const std::vector<nc::Expression>& defaults = parameter.declaration.values;
     for (std::size_t i = 0; i < defaults.size() && i < added.count(); ++i) {
         Value value;
         if (!defaults[i].is_given() || !work_out(defaults[i], value)) continue;
-        set(static_cast<std::uint32_t>(i), value, evaluator.text(value));
+        set(static_cast<std::uint32_t>(i), value, evaluator.content(value));
     }
     return Done::Nothing;
 }

@@ -45,6 +45,7 @@ struct GivenValue {
     bool is_given = false;
     Value value;
     std::string text;                       // of a text
+    ControlFrame frame;                     // of a frame
     ControlVariables::VariablePlace place;  // of a variable alone
     bool is_array = false;
     nc::Span span;
@@ -163,6 +164,7 @@ struct Program::State {
     Done end_of_text();
     void advance();
     Done read_words(CompiledLine& line, nc::Block& out);
+    Done set_axes(CompiledLine& line);
 
     // statements
     Done execute(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);

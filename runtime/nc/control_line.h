@@ -28,6 +28,9 @@ struct Instruction {
         Family,   // the variable of family `index` whose number is on the stack
         System,   // the quantity `index`, its indices on the stack
         Element,  // the declared variable `index`; `count` indices on the stack
+        // Component `part()` of such a frame; the axis is one more on the stack.
+        SystemPart,
+        ElementPart,
         Operate,  // `operation` on the `count` values on top
     };
     Kind kind = Kind::Number;
@@ -36,6 +39,8 @@ struct Instruction {
     ValueType type = ValueType::Real;
     std::uint32_t index = 0;
     double number = 0;
+
+    FramePart part() const { return static_cast<FramePart>(static_cast<int>(number)); }
 };
 
 /// A piece of ControlLine::code.
@@ -153,9 +158,16 @@ struct ComputedValue {
     Expression value;
 };
 
+/// A word whose axis is worked out: `AX[AXA]=10`.
+struct ComputedAxis {
+    std::uint16_t word = 0;
+    Expression axis;
+};
+
 struct ControlLine {
     LexedLine words;
     std::vector<ComputedValue> computed;
+    std::vector<ComputedAxis> axes;
     std::vector<ControlStatement> statements;
     std::vector<Call> calls;
     std::vector<Instruction> code;
@@ -175,7 +187,9 @@ struct Symbol {
     std::uint32_t text_size = 0;
     bool is_reference = false;  // stands for a variable of the caller
     /// Whether it is one value in the store of the level, that code names by its slot.
-    bool is_plain() const { return dimensions == 0 && type != ValueType::Text && !is_reference; }
+    bool is_plain() const { return dimensions == 0 && !is_kept_apart() && !is_reference; }
+    /// Whether it is kept where values are of any size.
+    bool is_kept_apart() const { return type == ValueType::Text || type == ValueType::Frame; }
     std::uint32_t count() const { return sizes[0] * sizes[1] * sizes[2]; }
 };
 

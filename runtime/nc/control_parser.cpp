@@ -11,6 +11,7 @@ namespace kadr::nc {
 void ControlLine::clear() {
     words.clear();
     computed.clear();
+    axes.clear();
     statements.clear();
     calls.clear();
     code.clear();
@@ -57,6 +58,25 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         if (at < line_.size() && (line_[at] == '-' || line_[at] == '+'))
             at = words_.skip_blanks(at + 1);
         return at < line_.size() && (line_[at] == language_.open || words_.begins_variable(at));
+    }
+
+    std::optional<LineFault> take_axis(std::size_t& at, std::uint16_t word,
+                                       bool& was_taken) override {
+        was_taken = false;
+        begin(at);
+        const Word name = words_.word_at(at_);
+        const std::size_t next = words_.skip_blanks(at_ + name.text.size());
+        if (!words_.is_same(name.text, language_.axis_word) || next >= line_.size() ||
+            line_[next] != language_.index_open)
+            return {};
+        at_ = next;
+        ComputedAxis axis;
+        axis.word = word;
+        was_taken = take_open(language_.index_open) &&
+                    take_as_expression(axis.axis, [this](bool&) { return take_axis_index(); }) &&
+                    take_close(language_.index_close);
+        if (was_taken) out_.axes.push_back(axis);
+        return finish(at, was_taken);
     }
 
     bool continues(std::size_t at) const override {
@@ -495,7 +515,8 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
     bool is_taken(const std::string& name, const Word& word) const {
         if (symbols_.find(name) != nullptr || tables_.find_address(name) != kNoAddress) return true;
         const auto same = [&](const auto& form) { return words_.is_same(word.text, form.name); };
-        return std::ranges::any_of(language_.functions, same) ||
+        return words_.is_same(word.text, language_.axis_word) ||
+               std::ranges::any_of(language_.functions, same) ||
                std::ranges::any_of(language_.variables, same) ||
                std::ranges::any_of(language_.types, same) ||
                std::ranges::any_of(language_.statements, [&](const StatementForm& form) {

@@ -288,7 +288,26 @@ bool ExpressionCompiler::take_name(const Word& word) {
     for (const FunctionForm& form : language_.functions) {
         if (words_.says(word, form.name)) return take_function(word, form);
     }
+    if (const auto axis = axis_named(word.text)) {
+        at_ += word.text.size();
+        emit_axis(*axis, word.begin);
+        return true;
+    }
     return fail_unknown(word);
+}
+
+std::optional<Axis> ExpressionCompiler::axis_named(std::string_view name) const {
+    if (!language_.has_axes) return std::nullopt;
+    const auto found = std::ranges::find(kAxisNames, words_.normal(name));
+    if (found == kAxisNames.end() || tables_.find_address(*found) == kNoAddress)
+        return std::nullopt;
+    return static_cast<Axis>(found - kAxisNames.begin());
+}
+
+/// A name of an axis stands below zero, the count of an axis above.
+void ExpressionCompiler::emit_axis(Axis axis, std::size_t begin) {
+    const ValueType type = language_.has_axes ? ValueType::Axis : ValueType::Int;
+    emit_number(-1.0 - static_cast<double>(index(axis)), type, begin);
 }
 
 bool ExpressionCompiler::fail_unknown(const Word& word) {
@@ -311,7 +330,8 @@ bool ExpressionCompiler::take_function(const Word& word, const FunctionForm& fou
     int count = 0;
     bool is_divided = false;
     if (!take_open(language_.open)) return false;
-    while (true) {
+    skip();
+    while (!found.takes_any || peek() != language_.close) {
         bool is_logical = false;
         if (!take_level(language_.lowest_level, is_logical)) return false;
         ++count;
@@ -322,7 +342,11 @@ bool ExpressionCompiler::take_function(const Word& word, const FunctionForm& fou
     if (!take_close(language_.close)) return false;
     skip();
     const auto is_form = [&](const FunctionForm& form, int arguments, bool divided) {
-        return form.name == found.name && form.arguments == arguments && form.is_divided == divided;
+        const bool has_as_many =
+            form.takes_any ? arguments <= info(form.operation).most_arguments &&
+                                 (arguments % 2 == 0 || form.form.find("{axes}") < form.form.size())
+                           : form.arguments == arguments;
+        return form.name == found.name && has_as_many && form.is_divided == divided;
     };
     if (count == 1 && peek() == '/' && has_divided_form(found)) {
         const std::size_t next = words_.skip_blanks(at_ + 1);
@@ -444,13 +468,14 @@ bool ExpressionCompiler::take_named(const Word& word, Reference& out) {
         if (form.is_family || !words_.is_same(word.text, form.name)) continue;
         const std::size_t begin = at_;
         at_ += word.text.size();
-        if (!form.indices.empty() && !take_indices(form)) return false;
         const VariableRange& range = form.ranges[0];
         tables_.note(&range);
         Instruction& load = out.load;
         load.type = range.type;
         load.count = static_cast<std::uint8_t>(std::ranges::count_if(
             form.indices, [](const IndexHole& h) { return h.kind != IndexHole::Kind::Word; }));
+        const bool is_quantity = range.kind == VariableRange::Kind::System;
+        if (!is_quantity && !take_indices(form, load)) return false;
         switch (range.kind) {
             case VariableRange::Kind::Unsupported: return fail_unsupported(range, begin);
             case VariableRange::Kind::Same: return take_numbered(range, load.count, begin, load);
@@ -461,7 +486,7 @@ bool ExpressionCompiler::take_named(const Word& word, Reference& out) {
             case VariableRange::Kind::System:
                 load.kind = Instruction::Kind::System;
                 load.index = static_cast<std::uint32_t>(range.quantity);
-                break;
+                return take_indices(form, load);
             case VariableRange::Kind::Global:
             case VariableRange::Kind::Local:
                 load.kind = load.count != 0                             ? Instruction::Kind::Family
@@ -493,18 +518,45 @@ bool ExpressionCompiler::take_numbered(const VariableRange& range, int indices, 
     return true;
 }
 
-bool ExpressionCompiler::take_indices(const VariableForm& form) {
+bool ExpressionCompiler::take_indices(const VariableForm& form, Instruction& load) {
+    const bool is_frame = load.type == ValueType::Frame;
+    if (form.indices.empty()) {
+        const std::size_t next = words_.skip_blanks(at_);
+        const bool has_part =
+            is_frame && next < line_.size() && line_[next] == language_.index_open;
+        if (!has_part) return true;
+    }
     if (!take_open(language_.index_open)) return false;
     for (std::size_t i = 0; i < form.indices.size(); ++i) {
         if (i > 0 && !take_sign(',')) return false;
         if (!take_index(form.indices[i])) return false;
     }
+    skip();
+    const bool has_part = is_frame && (form.indices.empty() || peek() == ',');
+    if (has_part && !take_frame_part(form.indices.empty(), load)) return false;
     return take_close(language_.index_close);
+}
+
+bool ExpressionCompiler::take_frame_part(bool is_first, Instruction& load) {
+    if (!is_first && !take_sign(',')) return false;
+    if (!take_axis_index() || !take_sign(',')) return false;
+    skip();
+    const Word word = words_.word_at(at_);
+    const auto named = std::ranges::find_if(language_.frame_parts, [&](const FramePartName& name) {
+        return words_.is_same(word.text, name.word);
+    });
+    if (named == language_.frame_parts.end()) return fail_here(diag::NameUnknown);
+    at_ += word.text.size();
+    load.kind = load.kind == Instruction::Kind::System ? Instruction::Kind::SystemPart
+                                                       : Instruction::Kind::ElementPart;
+    load.type = ValueType::Real;
+    load.number = static_cast<double>(named->part);
+    ++load.count;
+    return true;
 }
 
 bool ExpressionCompiler::take_index(const IndexHole& hole) {
     skip();
-    const std::size_t begin = at_;
     const Word word = words_.word_at(at_);
     if (hole.kind == IndexHole::Kind::Word) {
         if (!words_.is_same(word.text, hole.word)) {
@@ -514,16 +566,27 @@ bool ExpressionCompiler::take_index(const IndexHole& hole) {
         at_ += word.text.size();
         return true;
     }
-    if (hole.kind == IndexHole::Kind::Axis) {
-        const auto axis = std::ranges::find(kAxisNames, words_.normal(word.text));
-        if (axis == kAxisNames.end()) return fail_here(diag::NameUnknown);
-        at_ += word.text.size();
-        // A name stands below zero, the count of an axis above.
-        emit_number(-1.0 - static_cast<double>(axis - kAxisNames.begin()), ValueType::Int, begin);
-        return true;
-    }
+    if (hole.kind == IndexHole::Kind::Axis) return take_axis_index();
     bool is_logical = false;
     return take_level(language_.lowest_level, is_logical);
+}
+
+/// `X`, or where values may be axes one of them.
+bool ExpressionCompiler::take_axis_index() {
+    skip();
+    const std::size_t begin = at_;
+    const Word word = words_.word_at(at_);
+    const auto axis = std::ranges::find(kAxisNames, words_.normal(word.text));
+    if (axis != kAxisNames.end()) {
+        at_ += word.text.size();
+        emit_axis(static_cast<Axis>(axis - kAxisNames.begin()), begin);
+        return true;
+    }
+    if (!language_.has_axes) return fail_here(diag::NameUnknown);
+    bool is_logical = false;
+    if (!take_level(language_.lowest_level, is_logical)) return false;
+    emit_operation(Operation::ToAxis, 1, begin);
+    return true;
 }
 
 bool ExpressionCompiler::take_symbol(const Word& word, Reference& out) {
@@ -531,19 +594,26 @@ bool ExpressionCompiler::take_symbol(const Word& word, Reference& out) {
     if (symbol == nullptr) return false;
     at_ += word.text.size();
     out.load.type = symbol->type;
+    out.load.kind = Instruction::Kind::Element;
+    out.load.index = symbols_.index_of(*symbol);
+    const bool is_frame = symbol->type == ValueType::Frame;
     std::uint8_t count = 0;
     const std::size_t next = words_.skip_blanks(at_);
     if (next < line_.size() && line_[next] == language_.index_open) {
         at_ = next;
         if (!take_open(language_.index_open)) return false;
-        do {
+        const std::uint8_t most = is_frame ? symbol->dimensions : 4;
+        for (; count < most && (count == 0 || peek() == ','); ++count) {
             if (count > 0) ++at_;
             bool is_logical = false;
             if (!take_level(language_.lowest_level, is_logical)) return false;
-            ++count;
             skip();
-        } while (peek() == ',' && count < 4);
+        }
+        const bool has_part = is_frame && (count == 0 || peek() == ',');
+        out.load.count = count;
+        if (has_part && !take_frame_part(count == 0, out.load)) return false;
         if (!take_close(language_.index_close)) return false;
+        if (has_part) return true;
     }
     const bool is_text = symbol->type == ValueType::Text;
     const bool is_whole = takes_whole_arrays_ && count == 0;
@@ -554,8 +624,6 @@ bool ExpressionCompiler::take_symbol(const Word& word, Reference& out) {
         out.load.index = symbol->slot;
         return true;
     }
-    out.load.kind = Instruction::Kind::Element;
-    out.load.index = symbols_.index_of(*symbol);
     out.load.count = count;
     if (count > symbol->dimensions) out.load.type = ValueType::Char;
     return true;

@@ -79,6 +79,9 @@ class ExpressionCompiler {
 
     // ------------------------------------------------------------ names
     bool take_name(const Word& word);
+    /// The axis that has this name; nothing: none, or values are no axes here.
+    std::optional<Axis> axis_named(std::string_view name) const;
+    void emit_axis(Axis axis, std::size_t begin);
     bool fail_unknown(const Word& word);
     /// The function whose first form was found; which form it is the arguments tell.
     bool take_function(const Word& word, const FunctionForm& found);
@@ -97,8 +100,12 @@ class ExpressionCompiler {
     bool fail_unsupported(const VariableRange& range, std::size_t begin);
     /// `$P_EP[X]`, `$PI`, `TRUE`, `#_ABSIO[1]`
     bool take_named(const Word& word, Reference& out);
-    bool take_indices(const VariableForm& form);
+    bool take_indices(const VariableForm& form, Instruction& load);
     bool take_index(const IndexHole& hole);
+    bool take_axis_index();
+    /// `,X,TR` behind the other indices of a frame, `is_first` without the comma in front: the load
+    /// becomes that of the component.
+    bool take_frame_part(bool is_first, Instruction& load);
     bool take_symbol(const Word& word, Reference& out);
     bool begins_reference(std::size_t at) const;
 

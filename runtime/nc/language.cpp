@@ -28,6 +28,12 @@ constexpr QuantityInfo kQuantities[] = {
 #undef KADR_QUANTITY
 };
 
+constexpr FramePartInfo kFrameParts[] = {
+#define KADR_FRAME_PART(id, name, meaning) {name, meaning},
+#include "nc/language.def"
+#undef KADR_FRAME_PART
+};
+
 constexpr LanguageRuleInfo kRules[] = {
 #define KADR_LANGUAGE_RULE(type, field, standard, values, meaning, source) \
     {#field, values, meaning, source},
@@ -69,6 +75,7 @@ const QuantityInfo& info(Quantity quantity) {
     return kQuantities[static_cast<std::size_t>(quantity)];
 }
 std::span<const QuantityInfo> all_quantities() { return kQuantities; }
+std::span<const FramePartInfo> all_frame_parts() { return kFrameParts; }
 std::span<const LanguageRuleInfo> all_language_rules() { return kRules; }
 
 bool set_language_rule(LanguageRules& rules, std::string_view name, std::string_view value) {

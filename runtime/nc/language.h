@@ -37,6 +37,13 @@ enum class Quantity : std::uint8_t {
 #undef KADR_QUANTITY
 };
 
+/// A component of a frame.
+enum class FramePart : std::uint8_t {
+#define KADR_FRAME_PART(id, name, meaning) id,
+#include "nc/language.def"
+#undef KADR_FRAME_PART
+};
+
 struct OperationInfo {
     std::string_view name;
     int least_arguments;
@@ -63,6 +70,12 @@ struct QuantityInfo {
 const QuantityInfo& info(Quantity quantity);
 std::span<const QuantityInfo> all_quantities();
 
+struct FramePartInfo {
+    std::string_view name;
+    std::string_view meaning;
+};
+std::span<const FramePartInfo> all_frame_parts();
+
 struct LanguageRules {
 #define KADR_LANGUAGE_RULE(type, field, standard, values, meaning, source) type field = standard;
 #include "nc/language.def"
@@ -81,7 +94,7 @@ std::span<const LanguageRuleInfo> all_language_rules();
 bool set_language_rule(LanguageRules& rules, std::string_view name, std::string_view value);
 
 /// What a variable holds.
-enum class ValueType : std::uint8_t { Real, Int, Bool, Char, Text };
+enum class ValueType : std::uint8_t { Real, Int, Bool, Char, Text, Axis, Frame };
 
 struct OperatorForm {
     Operation operation = Operation::Add;
@@ -96,6 +109,7 @@ struct FunctionForm {
     std::string name;
     int arguments = 1;
     bool is_divided = false;  // `ATAN[{a}]/[{b}]`
+    bool takes_any = false;   // `CTRANS({pairs})`, `CMIRROR({axes})`: none, or several
     std::string form;
     std::string doc;
 };
@@ -188,6 +202,12 @@ struct TypeName {
     ValueType type = ValueType::Real;
 };
 
+/// A word behind the axis in the brackets of a frame: `[X,TR]`.
+struct FramePartName {
+    std::string word;
+    FramePart part = FramePart::Shift;
+};
+
 /// `G1 G2 G3`: the codes of a group in the order of the numbers that a program asks for.
 struct CodeList {
     std::string group;
@@ -203,15 +223,18 @@ struct Language {
     char index_close = ']';
     std::string label_sign;  // behind a label, `:`; empty: block numbers are the only targets
     std::string end_label;   // ends the section of a repeat
+    std::string axis_word;   // `AX`: a word whose axis stands between brackets behind it
     LanguageRules rules;
     std::vector<OperatorForm> operators;
     std::vector<FunctionForm> functions;
     std::vector<VariableForm> variables;
     std::vector<StatementForm> statements;
     std::vector<TypeName> types;
+    std::vector<FramePartName> frame_parts;
     std::vector<CodeList> code_lists;
     CallLanguage calls;
     // Made when it is loaded.
+    bool has_axes = false;  // values may be axes
     std::uint32_t global_slots = 0;
     std::uint32_t local_slots = 0;
     int lowest_level = 0;              // of the operators: the number of the weakest

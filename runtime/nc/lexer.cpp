@@ -47,7 +47,7 @@ class Lexer {
         out_.clear();
         take_skip();
         while (!fault_ && skip_blanks()) {
-            if (is_declared_name() || !take_language()) take_piece();
+            if (is_declared_name() || (!take_axis_word() && !take_language())) take_piece();
         }
         return std::move(fault_);
     }
@@ -127,6 +127,24 @@ class Lexer {
         bool was_taken = false;
         if (compiler_ != nullptr) fault_ = compiler_->take_piece(at_, was_taken);
         return was_taken || fault_;
+    }
+
+    /// `AX[AXA]=10`: the address of X stands for the axis that is known when the line runs.
+    bool take_axis_word() {
+        const std::string& name = tables_.language.axis_word;
+        if (compiler_ == nullptr || name.empty() || upper(line_[at_]) != name[0]) return false;
+        const std::size_t begin = at_;
+        bool was_taken = false;
+        fault_ =
+            compiler_->take_axis(at_, static_cast<std::uint16_t>(out_.words.size()), was_taken);
+        if (!was_taken || fault_) return fault_.has_value();
+        skip_blanks();
+        if (peek() == '=') {
+            take_assigned(tables_.find_address(kAxisNames[0]), begin);
+        } else {
+            fail(diag::IsoNoValue, begin, at_, {std::string(line_.substr(begin, at_ - begin))});
+        }
+        return true;
     }
 
     /// A value that is computed when the line runs.

@@ -53,6 +53,9 @@ class ValueCompiler {
     virtual std::optional<LineFault> take_piece(std::size_t& at, bool& was_taken) = 0;
     /// Whether a computed value stands here, directly behind an address.
     virtual bool begins_value(std::size_t at) const = 0;
+    /// The brackets of a word whose axis is a value, `AX[AXA]`; `word` is the word that it becomes.
+    virtual std::optional<LineFault> take_axis(std::size_t& at, std::uint16_t word,
+                                               bool& was_taken) = 0;
     /// Whether an operator stands here, behind a number.
     virtual bool continues(std::size_t at) const = 0;
     /// The value of a word, or of an argument of a call (index into LexedLine::arguments).

@@ -42,6 +42,7 @@ class LanguageLoader {
         read_sign(element, "index_close", language_.index_close);
         Attributes::read_text(element, "label_sign", language_.label_sign);
         Attributes::read_text(element, "end_label", language_.end_label);
+        Attributes::read_text(element, "axis_word", language_.axis_word);
         for (const XmlElement& child : element.children) {
             load_examples(child);
             if (child.name == "example") load_example(child, tables_);
@@ -51,6 +52,7 @@ class LanguageLoader {
             if (child.name == "variable") load_variable(child);
             if (child.name == "statement") load_statement(child);
             if (child.name == "type") load_type(child);
+            if (child.name == "component") load_component(child);
             if (child.name == "codes") load_codes(child);
         }
         load_calls(element, language_, attributes_);
@@ -122,6 +124,8 @@ class LanguageLoader {
         form.arguments = static_cast<int>(std::ranges::count(text.value, '{'));
         const std::string between = std::string{language_.close} + '/' + language_.open;
         form.is_divided = text.value.find(between) != std::string::npos;
+        form.takes_any = text.value.find("{pairs}") != std::string::npos ||
+                         text.value.find("{axes}") != std::string::npos;
         const OperationInfo& operation = info(form.operation);
         const bool fits =
             !form.name.empty() && at < text.value.size() && text.value[at] == language_.open &&
@@ -324,6 +328,16 @@ class LanguageLoader {
         language_.types.push_back(std::move(name));
     }
 
+    void load_component(const XmlElement& element) {
+        const auto row = row_named(all_frame_parts(), needed(element, "name"),
+                                   "frames have no such component", attributes_);
+        if (!row) return;
+        FramePartName name{needed(element, "word").value, static_cast<FramePart>(*row)};
+        std::erase_if(language_.frame_parts,
+                      [&](const FramePartName& old) { return old.word == name.word; });
+        language_.frame_parts.push_back(std::move(name));
+    }
+
     void load_codes(const XmlElement& element) {
         CodeList list{needed(element, "group").value, {}};
         for (const XmlWord& word : words_of(needed(element, "list")))
@@ -333,7 +347,7 @@ class LanguageLoader {
         language_.code_lists.push_back(std::move(list));
     }
 
-    inline static const Names kTypeNames = {"real", "int", "bool", "char", "text"};
+    inline static const Names kTypeNames = {"real", "int", "bool", "char", "text", "axis", "frame"};
 
     DialectTables& tables_;
     Language& language_;
@@ -345,6 +359,8 @@ class LanguageLoader {
 void load_language(const XmlElement& element, DialectTables& tables, Attributes& attributes) {
     LanguageLoader(tables, attributes).load(element);
     Language& language = tables.language;
+    language.has_axes =
+        std::ranges::find(language.types, ValueType::Axis, &TypeName::type) != language.types.end();
     language.lowest_level = 0;
     for (const OperatorForm& form : language.operators)
         language.lowest_level = std::max(language.lowest_level, form.level);
