@@ -39,7 +39,8 @@ int main() {
     };
     for (const LaserFile& file : kTable2) {
         const LaserTimes times = times_of(file);
-        row(std::to_string(file.number).c_str(), file.points, file.paper_old, file.paper_new, times);
+        row(std::to_string(file.number).c_str(), file.points, file.paper_old, file.paper_new,
+            times);
         points += file.points;
         paper_old += file.paper_old;
         paper_new += file.paper_new;

@@ -22,10 +22,10 @@ namespace kadr::bench {
 struct LaserFile {
     int number;
     int points;
-    double paper_old;         // s, stop at each point
-    double paper_new;         // s, synchronised
-    double points_per_jump;   // of 2 mm
-    double points_per_stop;   // sharp corners
+    double paper_old;        // s, stop at each point
+    double paper_new;        // s, synchronised
+    double points_per_jump;  // of 2 mm
+    double points_per_stop;  // sharp corners
 };
 
 inline constexpr std::array<LaserFile, 14> kTable2 = {{

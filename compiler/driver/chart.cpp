@@ -58,7 +58,8 @@ void draw_grid(std::string& out, const Chart& chart, const Scale& scale) {
         "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"#ffffff\" "
         "stroke=\"#c3c8cf\"/>\n",
         f.left, f.top, f.width, f.height);
-    const auto across = grid_values(chart.lower, chart.upper, round_step(kGridAcross / scale.per_across));
+    const auto across =
+        grid_values(chart.lower, chart.upper, round_step(kGridAcross / scale.per_across));
     const auto up = grid_values(scale.lower_up, scale.lower_up + f.height / scale.per_up,
                                 round_step(kGridUp / scale.per_up));
     put(out, "<path fill=\"none\" stroke=\"#e3e6ea\" d=\"");
@@ -143,7 +144,8 @@ class PixelLine {
 };
 
 void draw_line(std::string& out, const Chart& chart, const ChartLine& line, const Scale& scale) {
-    put(out, "<path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"{} d=\"",
+    put(out,
+        "<path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"{} d=\"",
         line.color, line.is_dashed ? 1 : 1.6, line.is_dashed ? " stroke-dasharray=\"5 3\"" : "");
     PixelLine pen(out, scale);
     for (std::size_t i = 0; i < line.up.size(); ++i) {

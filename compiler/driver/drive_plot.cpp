@@ -50,8 +50,7 @@ void DriveTrace::add(const DriveSample& sample) {
 }
 
 DriveTable::DriveTable(Output& out) : out_(out) {
-    out_.write(
-        "t,tip_x,tip_y,tip_z,speed_set,speed,current,load,power,feed,cutting_speed,iso\n");
+    out_.write("t,tip_x,tip_y,tip_z,speed_set,speed,current,load,power,feed,cutting_speed,iso\n");
 }
 
 void DriveTable::add(const DriveSample& sample) {
@@ -85,9 +84,9 @@ constexpr double kLeft = 84;
 constexpr double kTop = 110;
 constexpr double kWide = 560;
 constexpr double kHigh = 140;
-constexpr double kGap = 34;        // between charts one below the other
-constexpr double kBeside = 84;     // between charts side by side
-constexpr double kBelow = 50;      // for the labels of the time
+constexpr double kGap = 34;     // between charts one below the other
+constexpr double kBeside = 84;  // between charts side by side
+constexpr double kBelow = 50;   // for the labels of the time
 constexpr const char* kRadius = "#1f6fb4";
 constexpr const char* kSpeed = "#1e7d43";
 constexpr const char* kCurrent = "#b45f06";
@@ -95,10 +94,10 @@ constexpr const char* kFeed = "#6a3d9a";
 
 /// What happens when a cut comes to the centre.
 struct Facing {
-    std::size_t begin = 0;                 // first sample under load
-    std::optional<std::size_t> limit;      // the spindle reaches its limit
-    std::optional<std::size_t> peak;       // greatest current close to the centre
-    std::vector<std::size_t> crossings;    // first samples behind the centre, first and second
+    std::size_t begin = 0;               // first sample under load
+    std::optional<std::size_t> limit;    // the spindle reaches its limit
+    std::optional<std::size_t> peak;     // greatest current close to the centre
+    std::vector<std::size_t> crossings;  // first samples behind the centre, first and second
 };
 
 /// The first cut that passes the centre; nothing if none does.
@@ -169,19 +168,23 @@ std::vector<Chart> charts_of(const std::vector<DriveSample>& samples, const Wind
                              double left, const std::vector<ChartMark>& marks) {
     std::vector<Chart> charts(4);
     charts[0].title = "Radius, mm";
-    charts[0].lines = {line_of(samples, [](const DriveSample& s) { return s.tip[0]; }, kRadius)};
+    charts[0].lines = {line_of(
+        samples, [](const DriveSample& s) { return s.tip[0]; }, kRadius)};
     charts[1].title = "Spindle speed, rpm";
     charts[1].lines = {
-        line_of(samples, [](const DriveSample& s) { return rpm_of(s.wanted_speed); }, kSoft),
-        line_of(samples, [](const DriveSample& s) { return rpm_of(s.speed); }, kSpeed)};
+        line_of(
+            samples, [](const DriveSample& s) { return rpm_of(s.wanted_speed); }, kSoft),
+        line_of(
+            samples, [](const DriveSample& s) { return rpm_of(s.speed); }, kSpeed)};
     charts[1].lines[0].is_dashed = true;
     charts[1].lines[0].name = "commanded";
     charts[1].lines[1].name = "real";
     charts[2].title = "Current of the main drive, A";
-    charts[2].lines = {line_of(samples, [](const DriveSample& s) { return s.current; }, kCurrent)};
+    charts[2].lines = {line_of(
+        samples, [](const DriveSample& s) { return s.current; }, kCurrent)};
     charts[3].title = "Path speed, mm/min";
-    charts[3].lines = {
-        line_of(samples, [](const DriveSample& s) { return mm_min_from_feed(s.feed); }, kFeed)};
+    charts[3].lines = {line_of(
+        samples, [](const DriveSample& s) { return mm_min_from_feed(s.feed); }, kFeed)};
     // Rapids are many times as fast as a cut: they run out of the chart.
     constexpr double kAbove = 1.3;
     double fastest = 0;
@@ -256,17 +259,17 @@ Told told(const std::vector<DriveSample>& samples, const Facing& facing) {
                                             where(*facing.peak)});
     }
     if (facing.limit) {
-        events.push_back({*facing.limit, "the speed limit, " +
-                                             number(rpm_of(samples[*facing.limit].wanted_speed), 1) +
-                                             " rpm" + where(*facing.limit) +
-                                             "; from here the current drops"});
+        events.push_back(
+            {*facing.limit, "the speed limit, " +
+                                number(rpm_of(samples[*facing.limit].wanted_speed), 1) + " rpm" +
+                                where(*facing.limit) + "; from here the current drops"});
     }
     const char* const names[] = {"the tool passes the centre: the load ends",
                                  "it passes the centre again on its way back"};
     for (std::size_t i = 0; i < facing.crossings.size(); ++i) {
         const DriveSample& sample = samples[facing.crossings[i]];
-        events.push_back({facing.crossings[i],
-                          std::string(names[i]) + " at " + number(sample.time, 3) + " s"});
+        events.push_back(
+            {facing.crossings[i], std::string(names[i]) + " at " + number(sample.time, 3) + " s"});
     }
     std::stable_sort(events.begin(), events.end(),
                      [](const Event& a, const Event& b) { return a.at < b.at; });
@@ -306,11 +309,13 @@ std::string drive_svg(const DriveTrace& trace, const machine::Drives& drives,
         escaped(text.title));
     put_title(out, text.title, text.subtitle, text.warning);
     if (!facing) {
-        for (const Chart& chart : charts_of(samples, whole_of(samples), kLeft, {})) draw_chart(out, chart);
+        for (const Chart& chart : charts_of(samples, whole_of(samples), kLeft, {}))
+            draw_chart(out, chart);
         return out + "</svg>\n";
     }
     const Told events = told(samples, *facing);
-    for (const Chart& chart : charts_of(samples, whole_of(samples), kLeft, {})) draw_chart(out, chart);
+    for (const Chart& chart : charts_of(samples, whole_of(samples), kLeft, {}))
+        draw_chart(out, chart);
     for (const Chart& chart :
          charts_of(samples, window_of(samples, *facing), second, events.marks)) {
         draw_chart(out, chart);

@@ -70,8 +70,8 @@ class PrintedLines final : public interp::Printer {
 
 bool asks_for_nothing(const RunJob& job) {
     return job.summary == SummaryFormat::None && job.commands.empty() && job.setpoints.empty() &&
-           job.plot.empty() && job.drive.empty() && job.variables.empty() && job.print.empty() && job.map.empty() &&
-           job.trace.empty() && job.breaks.empty();
+           job.plot.empty() && job.drive.empty() && job.variables.empty() && job.print.empty() &&
+           job.map.empty() && job.trace.empty() && job.breaks.empty();
 }
 
 /// Opens an output if it has a name. False: reported.
@@ -139,7 +139,7 @@ bool Run::open_outputs(bool is_kadr) {
     Messages& messages = session_.messages();
     const bool has_summary = job_.summary != SummaryFormat::None || asks_for_nothing(job_);
     const std::array<std::string, 9> names = {
-        job_.commands, job_.setpoints, job_.plot,  job_.variables, job_.map,
+        job_.commands, job_.setpoints, job_.plot,  job_.variables,        job_.map,
         job_.trace,    job_.print,     job_.drive, has_summary ? "-" : ""};
     if (!are_outputs_apart(job_.source, names, messages)) return false;
     if (!job_.map.empty() && !is_kadr) {
@@ -188,7 +188,8 @@ void Run::execute() {
     std::unique_ptr<process::PulseTimer> timer;  // null: no pulsed laser
     if (machine.laser && machine.laser->pulse > 0)
         timer = std::make_unique<process::PulseTimer>(planner, machine);
-    Stream<motion::Segment>& timed = timer ? static_cast<Stream<motion::Segment>&>(*timer) : planner;
+    Stream<motion::Segment>& timed =
+        timer ? static_cast<Stream<motion::Segment>&>(*timer) : planner;
     SegmentTap segments(timed, [this](const motion::Segment& segment) {
         if (outputs_.plot) draw(segment);
         if (drives_) drives_->add(segment);
@@ -302,10 +303,10 @@ void Run::finish_drives(const RunFigures& figures) {
             .arg(round_to(rpm_from_speed(drives_->wanted_speed() / (2 * std::numbers::pi)), 1))
             .arg(round_to(rpm_from_speed(drives_->speed() / (2 * std::numbers::pi)), 1));
     }
-    const std::string warning =
-        !figures.alarm.empty() ? "not complete, ended by " + figures.alarm
-        : drives_->has_stalled() ? std::string("not complete, the spindle drive stalls")
-                                 : std::string();
+    const std::string warning = !figures.alarm.empty() ? "not complete, ended by " + figures.alarm
+                                : drives_->has_stalled()
+                                    ? std::string("not complete, the spindle drive stalls")
+                                    : std::string();
     if (drive_table_) {
         drive_table_->finish();
         if (!warning.empty()) outputs_.drive->write("# " + warning + '\n');

@@ -15,7 +15,7 @@ struct RunFigures {
     std::string dialect;  // title
     std::uint64_t blocks = 0;
     std::uint64_t commands = 0;
-    std::uint64_t setpoints = 0;  // 0: nobody asked for them
+    std::uint64_t setpoints = 0;          // 0: nobody asked for them
     std::optional<std::uint64_t> pulses;  // of a pulsed laser
     std::size_t errors = 0;
     std::size_t alarms = 0;

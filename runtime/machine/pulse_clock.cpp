@@ -9,10 +9,8 @@ std::optional<PulseClock> pulse_clock(const Laser& laser, double tick) {
     constexpr double kRounding = 1e-9;  // of a tick
     const double nominal = 1 / (laser.pulse * tick);
     PulseClock clock;
-    clock.least =
-        static_cast<std::int64_t>(std::ceil((1 - laser.tolerance) * nominal - kRounding));
-    clock.most =
-        static_cast<std::int64_t>(std::floor((1 + laser.tolerance) * nominal + kRounding));
+    clock.least = static_cast<std::int64_t>(std::ceil((1 - laser.tolerance) * nominal - kRounding));
+    clock.most = static_cast<std::int64_t>(std::floor((1 + laser.tolerance) * nominal + kRounding));
     clock.least = std::max<std::int64_t>(clock.least, 1);
     if (clock.least > clock.most) return std::nullopt;
     clock.nominal = std::clamp<std::int64_t>(std::llround(nominal), clock.least, clock.most);

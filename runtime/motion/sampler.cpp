@@ -41,9 +41,9 @@ struct Sampler::State {
     std::size_t batch_at = 0;
     Segment last;  // the segment before the one at batch_at
     bool has_any = false;
-    bool has_ended = false;   // no segment is left
-    bool is_done = false;     // the setpoint at rest is out
-    std::uint64_t ticks = 0;  // of the next setpoint
+    bool has_ended = false;    // no segment is left
+    bool is_done = false;      // the setpoint at rest is out
+    std::uint64_t ticks = 0;   // of the next setpoint
     std::uint32_t pulses = 0;  // that the next setpoint tells of
 };
 

@@ -31,9 +31,9 @@ struct Segment {
     SegmentKind kind = SegmentKind::Rapid;
     bool ends_command = true;  // no further piece of its command comes
     bool has_pulse = false;    // a pulse of the laser burns the point where it ends
-    bool turns_only = false;  // no linear axis moves: lengths are degrees, not mm
-    AxisMask followers = 0;   // axes beside X, Y, Z that move in this piece
-    std::uint32_t line = 0;   // of the ISO-7bit text
+    bool turns_only = false;   // no linear axis moves: lengths are degrees, not mm
+    AxisMask followers = 0;    // axes beside X, Y, Z that move in this piece
+    std::uint32_t line = 0;    // of the ISO-7bit text
     SourceId source;
 
     path::Curve curve;                      // way of the tool tip; a Point if it stands
@@ -46,7 +46,7 @@ struct Segment {
         0;  // mm/s (deg/s), what was asked for, override included; rapid: what the axes can
     double feed_per_revolution = 0;  // mm (deg), override included; 0: the feed is no such one
     Spindle spindle;                 // as it is commanded in this piece
-    Profile profile;  // of the path length; empty for a standstill
+    Profile profile;                 // of the path length; empty for a standstill
 
     std::array<double, kFollowers> follower_start{};  // rad or mm
     std::array<double, kFollowers> follower_rate{};   // per unit of path length

@@ -66,8 +66,7 @@ void DriveRun::set_spindle(const Segment& segment) {
                         to.cutting_speed != commanded_.cutting_speed ||
                         to.speed != commanded_.speed || to.limit != commanded_.limit;
     commanded_ = to;
-    follows_radius_ =
-        to.is_turning && to.holds_cutting_speed && segment.kind == SegmentKind::Feed;
+    follows_radius_ = to.is_turning && to.holds_cutting_speed && segment.kind == SegmentKind::Feed;
     if (is_new || follows_radius_) wanted_ = kTurn * to.speed_at(radius());
 }
 

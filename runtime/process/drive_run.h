@@ -27,7 +27,7 @@ struct DriveSample {
     double current = 0;                   // A, of the main drive
     double load = 0;                      // N·m, torque of the cut
     double feed = 0;                      // mm/s, real path speed
-    std::uint32_t line = 0;  // of the ISO-7bit text
+    std::uint32_t line = 0;               // of the ISO-7bit text
 };
 
 class DriveRun {
@@ -62,7 +62,7 @@ class DriveRun {
 
     machine::Drives drives_;
     Look look_;
-    double step_ = 0;             // s
+    double step_ = 0;              // s
     std::int64_t per_sample_ = 1;  // steps
     std::int64_t steps_ = 0;
 

@@ -48,8 +48,8 @@ SpindleState advanced(const machine::SpindleDrive& drive, SpindleState state, do
 
 AxisState advanced(const machine::FeedDrive& drive, AxisState state, const AxisState& command,
                    double step) {
-    const double wanted = drive.gain * (command.position - state.position) +
-                          drive.feed_forward * command.velocity;
+    const double wanted =
+        drive.gain * (command.position - state.position) + drive.feed_forward * command.velocity;
     state.velocity += step * (wanted - state.velocity) / drive.time_constant;
     state.position += step * state.velocity;
     return state;

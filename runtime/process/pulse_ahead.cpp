@@ -160,10 +160,9 @@ void PulseAhead::find_bands(Node& at, const Bands& behind) const {
     const std::int64_t most = all.front().intervals + kSpare;
     for (Band& band : all) {
         band.intervals = std::min(band.intervals, most);
-        const auto same =
-            std::find_if(at.bands.begin(), at.bands.end(), [&band](const Band& b) {
-                return b.intervals == band.intervals && b.low <= band.high && band.low <= b.high;
-            });
+        const auto same = std::find_if(at.bands.begin(), at.bands.end(), [&band](const Band& b) {
+            return b.intervals == band.intervals && b.low <= band.high && band.low <= b.high;
+        });
         if (same == at.bands.end()) {
             at.bands.push_back(band);
         } else {

@@ -1,4 +1,5 @@
-// pulse_ahead.h — which speed every point between two blocks gets, so that all blocks end on pulses.
+// pulse_ahead.h — which speed every point between two blocks gets, so that all blocks end on
+// pulses.
 //
 // What look-ahead is for limits of acceleration, this is for windows of time. A pass backward from
 // rest gives every point the bands of speed from which the rest of the path hits its windows, band
@@ -9,7 +10,8 @@
 // by bisection, until it lasts the ticks of the window exactly (pulses.h). Because every point can
 // be stopped at and waited for, there is always a way; a window that is missed costs one interval.
 //
-// Knows lengths, speeds and accelerations; no geometry and no axes. Streaming as motion/lookahead.h.
+// Knows lengths, speeds and accelerations; no geometry and no axes. Streaming as
+// motion/lookahead.h.
 //
 // source: the laser dissertation, Fig. 11; reference motion §3.4
 #pragma once

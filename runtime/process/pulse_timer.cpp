@@ -152,8 +152,7 @@ void PulseTimer::move_alone() {
 
 /// Waits for the next tick, or at a point for the next pulse.
 void PulseTimer::finish_alone(bool is_point) {
-    const auto reached =
-        static_cast<std::int64_t>(std::llround(motion::ticks_of(time_, tick_)));
+    const auto reached = static_cast<std::int64_t>(std::llround(motion::ticks_of(time_, tick_)));
     if (!is_point) {
         wait_until(reached, false);
         return;
@@ -215,8 +214,7 @@ void PulseTimer::record(const Segment& segment) {
     // In the middle of a dip the speed is least, and its ramps have the other sign.
     Segment upright = segment;
     motion::Profile& profile = upright.profile;
-    profile.peak_speed =
-        std::max({profile.entry_speed, profile.peak_speed, profile.exit_speed});
+    profile.peak_speed = std::max({profile.entry_speed, profile.peak_speed, profile.exit_speed});
     profile.acceleration = std::abs(profile.acceleration);
     profile.deceleration = std::abs(profile.deceleration);
     const motion::AxisTable::Peaks peaks = axes_.peaks(upright);

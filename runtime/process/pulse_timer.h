@@ -63,16 +63,16 @@ class PulseTimer final : public Stream<motion::Segment> {
     bool has_ended_ = false;
 
     PulseAhead ahead_;
-    std::deque<motion::Segment> links_;  // what ahead_ knows
+    std::deque<motion::Segment> links_;    // what ahead_ knows
     std::optional<motion::Segment> next_;  // read, and to be done when the links are through
     std::vector<motion::Segment> alone_;   // pieces of one command, from rest to rest
     bool begins_command_ = true;           // the next segment is the first of its command
 
     std::vector<motion::Segment> ready_;
     std::size_t ready_at_ = 0;
-    motion::Segment last_;        // delivered last
-    std::int64_t ticks_ = 0;      // time, where everything is on a tick
-    double time_ = 0;             // s, of the end of what was delivered
+    motion::Segment last_;         // delivered last
+    std::int64_t ticks_ = 0;       // time, where everything is on a tick
+    double time_ = 0;              // s, of the end of what was delivered
     std::int64_t last_pulse_ = 0;  // ticks
     std::uint64_t pulses_ = 0;
     motion::Totals totals_;  // times, velocities and accelerations only

@@ -64,15 +64,15 @@ TEST_F(Drives, TheFacingPassOfThePaper) {
 }
 
 TEST_F(Drives, TheDrawingNamesItsAxesAndWhatHappens) {
-    const ProcessResult result = kadr(
-        {"run", kFace, "-d", "sinumerik", "-m", "lathe", "--drive", file("face.svg")});
+    const ProcessResult result =
+        kadr({"run", kFace, "-d", "sinumerik", "-m", "lathe", "--drive", file("face.svg")});
     ASSERT_EQ(result.status, 0) << result.err;
     const std::string svg = read_file(file("face.svg")).value();
     EXPECT_TRUE(svg.starts_with("<svg ")) << svg.substr(0, 100);
-    for (const char* words : {"Radius, mm", "Spindle speed, rpm", "Current of the main drive, A",
-                              "Path speed, mm/min", "Current over radius, A", "time, s",
-                              "the dynamic peak, 39.", "the speed limit, 3000 rpm",
-                              "passes the centre: the load ends", "again on its way back"}) {
+    for (const char* words :
+         {"Radius, mm", "Spindle speed, rpm", "Current of the main drive, A", "Path speed, mm/min",
+          "Current over radius, A", "time, s", "the dynamic peak, 39.", "the speed limit, 3000 rpm",
+          "passes the centre: the load ends", "again on its way back"}) {
         EXPECT_NE(svg.find(words), std::string::npos) << words;
     }
     EXPECT_LT(svg.size(), 500'000u);
@@ -105,8 +105,8 @@ TEST_F(Drives, ADriveThatIsTooWeakIsSaid) {
     ASSERT_NE(lathe.find(limit), std::string::npos);
     lathe.replace(lathe.find(limit), limit.size(), "max_current=\"2 A\"");
     save("weak.xml", lathe);
-    const ProcessResult result = kadr({"run", kFace, "-d", "sinumerik", "-m", file("weak.xml"),
-                                       "--drive", file("weak.csv")});
+    const ProcessResult result = kadr(
+        {"run", kFace, "-d", "sinumerik", "-m", file("weak.xml"), "--drive", file("weak.csv")});
     EXPECT_EQ(result.status, 0) << "a warning: the program itself is right";
     EXPECT_NE(result.err.find("K6108"), std::string::npos) << result.err;
     EXPECT_NE(read_file(file("weak.csv")).value().find("# not complete"), std::string::npos);

@@ -63,7 +63,8 @@ TEST_F(Laser, TheSummaryCountsPulses) {
     const ProcessResult text = kadr({"run", kDots, "-d", "fanuc", "-m", "laser"});
     ASSERT_EQ(text.status, 0) << text.err;
     EXPECT_NE(text.out.find("\n  pulses "), std::string::npos) << text.out;
-    const ProcessResult mill = kadr({"run", kDots, "-d", "fanuc", "-m", "mill", "--summary", "json"});
+    const ProcessResult mill =
+        kadr({"run", kDots, "-d", "fanuc", "-m", "mill", "--summary", "json"});
     ASSERT_EQ(mill.status, 0) << mill.err;
     EXPECT_FALSE(nlohmann::json::parse(mill.out).contains("pulses"));
 }

@@ -18,7 +18,8 @@ namespace kadr::test {
 class ScratchFolder : public testing::Test {
   protected:
     void SetUp() override {
-        folder_ = std::filesystem::temp_directory_path() / ("kadr-run-" + std::to_string(::getpid()));
+        folder_ =
+            std::filesystem::temp_directory_path() / ("kadr-run-" + std::to_string(::getpid()));
         std::filesystem::create_directories(folder_);
     }
     void TearDown() override { std::filesystem::remove_all(folder_); }

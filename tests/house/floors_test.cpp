@@ -28,7 +28,8 @@ const std::map<std::string, std::set<std::string>> kFloors = {
     {"syntax", {"base", "nc"}},
     {"sema", {"base", "nc", "syntax"}},
     {"expand", {"base", "nc", "path", "syntax", "sema"}},
-    {"driver", {"base", "nc", "path", "machine", "interp", "motion", "process", "syntax", "sema", "expand"}},
+    {"driver",
+     {"base", "nc", "path", "machine", "interp", "motion", "process", "syntax", "sema", "expand"}},
     {"repl", {"base", "nc", "path", "machine", "interp", "motion", "syntax", "sema", "driver"}},
     {"cli", {"base", "nc", "machine", "driver", "repl"}},
 };

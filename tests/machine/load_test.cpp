@@ -294,13 +294,14 @@ TEST(MachineFile, MistakesOfValues) {
           {"negative share", R"(<laser pulse="40 Hz" tolerance="-1 %"/>)", "K6020", "-1 %", ""},
           {"share without percent", R"(<laser pulse="40 Hz" tolerance="0.1"/>)", "K6008", "0.1",
            "write `%` after the number"},
-          {"pulse between ticks", R"(<laser pulse="30 Hz" tolerance="1 %"/>)", "K6022", "30 Hz", ""},
+          {"pulse between ticks", R"(<laser pulse="30 Hz" tolerance="1 %"/>)", "K6022", "30 Hz",
+           ""},
           {"no inertia",
            R"(<spindle_drive inertia="0 kg m2" torque_constant="2 Nm/A" time_constant="4 ms"/>)",
            "K6011", "0 kg m2", ""},
           {"pulse in rpm", R"(<laser pulse="40 rpm"/>)", "K6009", "40 rpm", "write `Hz` or `kHz`"},
-          {"doubled drive",
-           R"(<cutting force="1 kN"/><cutting force="2 kN"/>)", "K6014", "cutting", ""}}) {
+          {"doubled drive", R"(<cutting force="1 kN"/><cutting force="2 kN"/>)", "K6014", "cutting",
+           ""}}) {
         expect_mistake(mistake);
     }
 }

@@ -1,8 +1,9 @@
 // Constant cutting speed: the law against the oracle, and the planner against the law.
+#include "process/cutting_speed.h"
+
 #include <gtest/gtest.h>
 
 #include "base/units.h"
-#include "process/cutting_speed.h"
 #include "tests/process/support.h"
 
 namespace kadr::process {
@@ -54,8 +55,7 @@ TEST(CuttingSpeed, APassThroughTheCentreIsTwoPasses) {
     const FacePass in{50, 0, 0.3};
     const FacePass out{0, -2, 0.3};
     const FacePass through{50, -2, 0.3};
-    EXPECT_DOUBLE_EQ(pass_time(spindle, through),
-                     pass_time(spindle, in) + pass_time(spindle, out));
+    EXPECT_DOUBLE_EQ(pass_time(spindle, through), pass_time(spindle, in) + pass_time(spindle, out));
     // 2 mm at 0.3 mm a revolution and 50 revolutions a second.
     EXPECT_NEAR(pass_time(spindle, out), 2 / (0.3 * 50), 1e-12);
     EXPECT_NEAR(cutting_speed(spindle, -50), 200'000.0 / 60, 1e-9);

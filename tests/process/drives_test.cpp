@@ -122,8 +122,9 @@ TEST(DrivesOracle, FacingPass) {
         near(got.peak.radius / 1000, want["R_at_peak"], tolerance["R_at_peak_rel"]);
         near(got.least_before_peak, want["I_minimum_before_peak"], part);
         const double start_load = drives.cutting_force * pass.radius / 1000;
-        near(settled(drives.spindle, kTurn * pass.spindle.speed_at(pass.radius), start_load).current,
-             want["I_start_static"], 1e-6);
+        near(
+            settled(drives.spindle, kTurn * pass.spindle.speed_at(pass.radius), start_load).current,
+            want["I_start_static"], 1e-6);
         near(settled(drives.spindle, kTurn * pass.spindle.limit, 0).current,
              want["I_idle_at_limit"], 1e-6);
         ++cases;
@@ -142,7 +143,8 @@ ProgramRun drive(const machine::Drives& drives, std::vector<path::Command> comma
     machine.drives = drives;
     ProgramRun run;
     DriveRun drive(machine, 0.001, [&](const DriveSample& s) { run.samples.push_back(s); });
-    for (const motion::Segment& segment : motion::test::run(machine, std::move(commands)).segments) {
+    for (const motion::Segment& segment :
+         motion::test::run(machine, std::move(commands)).segments) {
         drive.add(segment);
     }
     run.has_stalled = drive.has_stalled();

@@ -1,4 +1,6 @@
 // The laser as the machine's motion module: programs as setpoints with their pulses.
+#include "process/pulse_timer.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -6,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include "process/pulse_timer.h"
 #include "tests/motion/support.h"
 
 namespace kadr::process {
@@ -23,8 +24,7 @@ using path::Vec3;
 constexpr double kFeed = 1800;  // mm/min
 
 machine::Machine laser_of(machine::PulseMode mode = machine::PulseMode::Synchronised) {
-    machine::Machine machine =
-        motion::test::machine_of({{100, 100, 100}, {300, 300, 300}});
+    machine::Machine machine = motion::test::machine_of({{100, 100, 100}, {300, 300, 300}});
     machine.tick = 0.001;
     machine.laser = machine::Laser{};
     machine.laser->pulse = 40;
@@ -180,8 +180,8 @@ TEST(PulseTimer, SegmentsFollowEachOtherAndKeepTheLimits) {
         at = path::end(segment.curve);
     }
     EXPECT_NEAR(timed.totals.time, time, 1e-9);
-    EXPECT_NEAR(timed.totals.time, timed.totals.cutting_time + timed.totals.rapid_time +
-                                       timed.totals.dwell_time,
+    EXPECT_NEAR(timed.totals.time,
+                timed.totals.cutting_time + timed.totals.rapid_time + timed.totals.dwell_time,
                 1e-6);
     // From tick to tick, as the axes see it.
     const auto& points = timed.setpoints;

@@ -48,7 +48,8 @@ TEST(PulseOracle, ArithmeticOfTheExample) {
         EXPECT_NEAR(fastest.peak_speed, row["peak_speed_mm_s"].get<double>(), 1e-6);
         EXPECT_NEAR(fastest.accelerating * 1000, row["half_time_ms"].get<double>(), 1e-5);
         const auto ticks = static_cast<std::int64_t>(std::ceil(time->least / 0.001 - 1e-9));
-        EXPECT_EQ(machine::pulse_at_or_after(clock, ticks), row["periods_stop_model"].get<std::int64_t>());
+        EXPECT_EQ(machine::pulse_at_or_after(clock, ticks),
+                  row["periods_stop_model"].get<std::int64_t>());
         EXPECT_NEAR(d / feed * 1000, row["constant_feed_time_ms"].get<double>(), 1e-9);
     }
     // From rest to rest in one window, in two; from rest with a free end.
@@ -59,8 +60,7 @@ TEST(PulseOracle, ArithmeticOfTheExample) {
     EXPECT_NEAR(durations({one, feed, a, 0}, 0, 0)->least, longest, 1e-9);
     EXPECT_NEAR(durations({two, feed, a, 0}, 0, 0)->least,
                 0.001 * static_cast<double>(machine::pulse_window(clock, 2).last), 1e-9);
-    EXPECT_NEAR(durations({reached, feed, a, 0}, 0, a * longest)->least,
-                longest, 1e-9);
+    EXPECT_NEAR(durations({reached, feed, a, 0}, 0, a * longest)->least, longest, 1e-9);
 }
 
 TEST(PulseOracle, WindowsOfBlocks) {
@@ -289,7 +289,8 @@ TEST(PulseAhead, APathThatHasAlreadyWaitedStartsWithTheRestOfItsInterval) {
     ahead.append({0.03, 30, 300, 0});  // 20 ms from rest to rest
     ahead.finish();
     EXPECT_EQ(ahead.take(0).ticks, 25);
-    // 10 ms have gone since the last pulse: it comes after 13 to 17, too early; then after 38 to 42.
+    // 10 ms have gone since the last pulse: it comes after 13 to 17, too early; then after 38
+    // to 42.
     ahead.append({0.03, 30, 300, 0});
     ahead.finish();
     EXPECT_EQ(ahead.take(10).ticks, 40);
