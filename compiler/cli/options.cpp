@@ -195,6 +195,8 @@ void Parser::add_run() {
     command->add_option("--plot-color", plot_color_, "what colours of the drawing stand for")
         ->check(one_of({"feed", "line"}))
         ->type_name("feed|line");
+    command->add_option("--drive", job.drive, "spindle and feed drives over time; a drawing or CSV")
+        ->type_name("OUT.svg|csv");
     command->add_option("--summary", summary_, "times, lengths, travel, limits")
         ->check(one_of({"text", "json"}))
         ->type_name("text|json");

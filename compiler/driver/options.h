@@ -73,6 +73,7 @@ struct RunJob {
     std::string commands;
     std::string setpoints;
     std::string plot;
+    std::string drive;  // the drives over time, a drawing; rows if `.csv`
     std::string variables;
     std::string print;  // what the program prints
     std::string map;

@@ -26,15 +26,6 @@ constexpr double kNarrowest = 620;  // paper: room for the title
 constexpr double kMargin = 0.06;      // around the part, share of its largest side
 constexpr double kRapidReach = 0.35;  // rapids count up to this share outside of the part
 
-/// The next of 1, 2, 5, 10, 20 … at or above the value.
-double round_step(double value) {
-    const double decade = std::pow(10.0, std::floor(std::log10(value)));
-    for (const double step : {1.0, 2.0, 5.0}) {
-        if (step * decade >= value * (1 - 1e-9)) return step * decade;
-    }
-    return 10 * decade;
-}
-
 Box shown_box(const PlotScene& scene) {
     Box box = scene.feed_box().is_empty() ? scene.rapid_box() : scene.feed_box();
     if (box.is_empty()) {
@@ -59,6 +50,20 @@ Box shown_box(const PlotScene& scene) {
 }
 
 }  // namespace
+
+double round_step(double value) {
+    const double decade = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double step : {1.0, 2.0, 5.0}) {
+        if (step * decade >= value * (1 - 1e-9)) return step * decade;
+    }
+    return 10 * decade;
+}
+
+std::vector<double> grid_values(double lower, double upper, double step) {
+    std::vector<double> values;
+    for (double i = std::ceil(lower / step); i * step <= upper; ++i) values.push_back(i * step);
+    return values;
+}
 
 Vec3 View::towards_eye() const {
     Vec3 right = Vec3::Zero();

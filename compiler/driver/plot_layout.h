@@ -46,6 +46,12 @@ struct Layout {
     Frame legend;
 };
 
+/// The next of 1, 2, 5, 10, 20 … at or above the value.
+double round_step(double value);
+
+/// Where grid lines stand: the multiples of the step within the bounds.
+std::vector<double> grid_values(double lower, double upper, double step);
+
 /// Chooses one scale at which all views fit the paper. A path without Y is a turned part: it has
 /// one view, Z to the right and X upwards, as it lies in the chuck.
 Layout lay_out(const PlotScene& scene);

@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <set>
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "base/numbers.h"
 #include "driver/plot_colors.h"
 #include "driver/plot_layout.h"
+#include "driver/svg_text.h"
 
 namespace kadr::driver {
 
@@ -23,35 +21,10 @@ using path::Vec3;
 constexpr double kFlatStep = 0.06;    // rad between the points of an arc that is drawn as a line
 constexpr double kArcMismatch = 0.4;  // pixels by which the radii of a drawn arc may differ
 constexpr double kPoint = 0.5;        // pixels that look like a point
-constexpr const char* kInk = "#2d3138";
-constexpr const char* kSoft = "#6d7480";
-
-template <typename... Arguments>
-void put(std::string& out, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(out), format, std::forward<Arguments>(arguments)...);
-}
 
 std::string mm(double value) { return format_shortest(round_to(value, 3)); }
 
-std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '&') out += "&amp;";
-        else if (c == '<') out += "&lt;";
-        else if (c == '>') out += "&gt;";
-        else out += c;
-    }
-    return out;
-}
-
 // ------------------------------------------------------------------------------- grid and scales
-
-/// Labelled grid lines of one axis within a view.
-std::vector<double> grid_values(double lower, double upper, double step) {
-    std::vector<double> values;
-    for (double i = std::ceil(lower / step); i * step <= upper; ++i) values.push_back(i * step);
-    return values;
-}
 
 void draw_lines(std::string& out, const View& view, double step, const char* color, double width) {
     const Frame& f = view.frame;
@@ -365,16 +338,6 @@ void draw_legend(std::string& out, const Layout& layout, const std::vector<Legen
     }
 }
 
-void draw_title(std::string& out, const PlotText& text) {
-    put(out, "<text x=\"28\" y=\"38\" font-size=\"20\" font-weight=\"600\" fill=\"{}\">{}</text>\n",
-        kInk, escaped(text.title));
-    put(out, "<text x=\"28\" y=\"58\" font-size=\"12.5\" fill=\"{}\">{}</text>\n", kSoft,
-        escaped(text.subtitle));
-    if (text.warning.empty()) return;
-    put(out, "<text x=\"28\" y=\"76\" font-size=\"12.5\" fill=\"#b3261e\">{}</text>\n",
-        escaped(text.warning));
-}
-
 constexpr const char* kStyle = R"(<style>
 text { font-family: "Inter", "Segoe UI", "DejaVu Sans", "Liberation Sans", Arial, sans-serif; }
 .feed { fill: none; stroke-width: 1.5; stroke-linejoin: round; stroke-linecap: round; }
@@ -401,14 +364,11 @@ std::string plot_svg(const PlotScene& scene, const PlotText& text, PlotColor col
     }
     const std::vector<LegendEntry> legend = legend_of(scene, color);
     std::string out;
-    put(out,
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
-        "viewBox=\"0 0 {0:.0f} {1:.0f}\">\n",
-        layout.width, layout.height);
+    put_start(out, layout.width, layout.height);
     put(out, "<title>{}</title>\n", escaped(text.title));
     out += kStyle;
     put(out, "<rect width=\"100%\" height=\"100%\" fill=\"#f7f8f9\"/>\n");
-    draw_title(out, text);
+    put_title(out, text.title, text.subtitle, text.warning);
     for (std::size_t i = 0; i < layout.views.size(); ++i) draw_view(out, layout, i, scene, legend);
     draw_dimensions(out, layout, scene.feed_box());
     draw_legend(out, layout, legend, scene, text, color);

@@ -4,15 +4,18 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "base/diagnostics/driver.h"
+#include "base/diagnostics/machine.h"
 #include "base/numbers.h"
 #include "base/units.h"
 #include "driver/command_list.h"
 #include "driver/command_tap.h"
 #include "driver/debugger.h"
+#include "driver/drive_plot.h"
 #include "driver/execution.h"
 #include "driver/output.h"
 #include "driver/places.h"
@@ -21,6 +24,8 @@
 #include "driver/summary.h"
 #include "driver/variables.h"
 #include "motion/pipeline.h"
+#include "process/drive_run.h"
+#include "process/pulse_timer.h"
 
 namespace kadr::driver {
 
@@ -31,14 +36,15 @@ struct Outputs {
     std::unique_ptr<Output> commands;
     std::unique_ptr<Output> setpoints;
     std::unique_ptr<Output> plot;
+    std::unique_ptr<Output> drive;
     std::unique_ptr<Output> variables;
     std::unique_ptr<Output> print;
     std::unique_ptr<Output> map;
     std::unique_ptr<Output> trace;
     std::unique_ptr<Output> summary;
 
-    std::array<Output*, 8> all() const {
-        return {commands.get(), setpoints.get(), plot.get(),  variables.get(),
+    std::array<Output*, 9> all() const {
+        return {commands.get(), setpoints.get(), plot.get(),  drive.get(),  variables.get(),
                 map.get(),      trace.get(),     print.get(), summary.get()};
     }
 };
@@ -64,8 +70,8 @@ class PrintedLines final : public interp::Printer {
 
 bool asks_for_nothing(const RunJob& job) {
     return job.summary == SummaryFormat::None && job.commands.empty() && job.setpoints.empty() &&
-           job.plot.empty() && job.variables.empty() && job.print.empty() && job.map.empty() &&
-           job.trace.empty() && job.breaks.empty();
+           job.plot.empty() && job.drive.empty() && job.variables.empty() && job.print.empty() &&
+           job.map.empty() && job.trace.empty() && job.breaks.empty();
 }
 
 /// Opens an output if it has a name. False: reported.
@@ -106,6 +112,9 @@ class Run {
     RunFigures figures(const motion::Totals& totals) const;
     void finish(const RunFigures& figures);
     void write_plot(const RunFigures& figures);
+    bool open_drives();
+    void finish_drives(const RunFigures& figures);
+    std::string machine_title() const;
     Status commit();
     Status refused() {
         session_.mark_usage();
@@ -119,6 +128,9 @@ class Run {
     std::unique_ptr<Execution> execution_;
     std::unique_ptr<CommandList> list_;
     PlotScene scene_;
+    std::unique_ptr<process::DriveRun> drives_;  // null: nobody asked
+    std::unique_ptr<DriveTable> drive_table_;    // null: they are drawn
+    DriveTrace drive_trace_;
     std::uint64_t setpoints_ = 0;
     std::uint64_t commands_ = 0;
 };
@@ -126,9 +138,9 @@ class Run {
 bool Run::open_outputs(bool is_kadr) {
     Messages& messages = session_.messages();
     const bool has_summary = job_.summary != SummaryFormat::None || asks_for_nothing(job_);
-    const std::array<std::string, 8> names = {job_.commands,          job_.setpoints, job_.plot,
-                                              job_.variables,         job_.map,       job_.trace,
-                                              has_summary ? "-" : "", job_.print};
+    const std::array<std::string, 9> names = {
+        job_.commands, job_.setpoints, job_.plot,  job_.variables,        job_.map,
+        job_.trace,    job_.print,     job_.drive, has_summary ? "-" : ""};
     if (!are_outputs_apart(job_.source, names, messages)) return false;
     if (!job_.map.empty() && !is_kadr) {
         messages.report(diag::NoSourceMap).arg(job_.source);
@@ -140,8 +152,9 @@ bool Run::open_outputs(bool is_kadr) {
            open_if_named(outputs_.variables, names[3], messages) &&
            open_if_named(outputs_.map, names[4], messages) &&
            open_if_named(outputs_.trace, names[5], messages) &&
-           open_if_named(outputs_.summary, names[6], messages) &&
-           open_if_named(outputs_.print, names[7], messages);
+           open_if_named(outputs_.print, names[6], messages) &&
+           open_if_named(outputs_.drive, names[7], messages) &&
+           open_if_named(outputs_.summary, names[8], messages);
 }
 
 void Run::draw(const motion::Segment& segment) {
@@ -172,8 +185,14 @@ void Run::execute() {
     options.place_of = [this](std::uint32_t line, SourceId) { return execution_->place_of(line); };
     motion::Planner planner(tap, machine, options, execution_->sink());
 
-    SegmentTap segments(planner, [this](const motion::Segment& segment) {
+    std::unique_ptr<process::PulseTimer> timer;  // null: no pulsed laser
+    if (machine.laser && machine.laser->pulse > 0)
+        timer = std::make_unique<process::PulseTimer>(planner, machine);
+    Stream<motion::Segment>& timed =
+        timer ? static_cast<Stream<motion::Segment>&>(*timer) : planner;
+    SegmentTap segments(timed, [this](const motion::Segment& segment) {
         if (outputs_.plot) draw(segment);
+        if (drives_) drives_->add(segment);
     });
     const auto tell = [&] {
         session_.tell({execution_->blocks(), setpoints_, planner.totals().time});
@@ -199,7 +218,9 @@ void Run::execute() {
     const std::uint64_t read = planner.totals().commands;
     tap.pass_until(planner.alarmed() ? read - 1 : read);
     if (printed.lost() > 0) session_.messages().report(diag::PrintLost).arg(printed.lost());
-    finish(figures(planner.totals()));
+    RunFigures all = figures(timer ? timer->totals(planner.totals()) : planner.totals());
+    if (timer) all.pulses = timer->pulses();
+    finish(all);
 }
 
 RunFigures Run::figures(const motion::Totals& totals) const {
@@ -228,6 +249,7 @@ void Run::finish(const RunFigures& figures) {
         outputs_.setpoints->write("# not complete, ended by " + figures.alarm + '\n');
     }
     if (outputs_.plot) write_plot(figures);
+    if (drives_) finish_drives(figures);
     if (outputs_.variables) outputs_.variables->write(variables_json(execution_->variables()));
     if (outputs_.summary) {
         const bool is_json = job_.summary == SummaryFormat::Json;
@@ -237,15 +259,64 @@ void Run::finish(const RunFigures& figures) {
 }
 
 void Run::write_plot(const RunFigures& figures) {
-    const machine::Machine& machine = execution_->machine();
     PlotText text;
     text.title = figures.source;
-    text.subtitle = figures.dialect + " · " +
-                    (machine.title.empty() ? machine.name : machine.title) + " · " +
-                    duration_text(figures.totals.time);
-    text.has_diameters = machine.is_lathe;
+    text.subtitle =
+        figures.dialect + " · " + machine_title() + " · " + duration_text(figures.totals.time);
+    text.has_diameters = execution_->machine().is_lathe;
     if (!figures.alarm.empty()) text.warning = "not complete, ended by " + figures.alarm;
     outputs_.plot->write(plot_svg(scene_, text, job_.plot_color));
+}
+
+std::string Run::machine_title() const {
+    const machine::Machine& machine = execution_->machine();
+    return machine.title.empty() ? machine.name : machine.title;
+}
+
+/// The simulation of the drives, if it was asked for. False: reported.
+bool Run::open_drives() {
+    if (!outputs_.drive) return true;
+    const machine::Machine& machine = execution_->machine();
+    if (!machine.drives) {
+        session_.messages().report(diag::MachineWithoutDrives).arg(machine.name);
+        return false;
+    }
+    if (job_.drive.ends_with(".csv")) drive_table_ = std::make_unique<DriveTable>(*outputs_.drive);
+    const auto look = [this](process::DriveSample sample) {
+        if (!drive_table_) {
+            drive_trace_.add(sample);
+            return;
+        }
+        if (!interp::Program::is_in_main_text(sample.line))
+            sample.line = execution_->place_of(sample.line).line;
+        drive_table_->add(sample);
+    };
+    const double period = session_.options().tick.value_or(machine.tick);
+    drives_ = std::make_unique<process::DriveRun>(machine, period, look);
+    return true;
+}
+
+void Run::finish_drives(const RunFigures& figures) {
+    if (drives_->has_stalled()) {
+        session_.messages()
+            .report(diag::SpindleStalls)
+            .arg(round_to(rpm_from_speed(drives_->wanted_speed() / (2 * std::numbers::pi)), 1))
+            .arg(round_to(rpm_from_speed(drives_->speed() / (2 * std::numbers::pi)), 1));
+    }
+    const std::string warning = !figures.alarm.empty() ? "not complete, ended by " + figures.alarm
+                                : drives_->has_stalled()
+                                    ? std::string("not complete, the spindle drive stalls")
+                                    : std::string();
+    if (drive_table_) {
+        drive_table_->finish();
+        if (!warning.empty()) outputs_.drive->write("# " + warning + '\n');
+        return;
+    }
+    DriveText text;
+    text.title = figures.source + ": the drives";
+    text.subtitle = figures.dialect + " · " + machine_title();
+    text.warning = warning;
+    outputs_.drive->write(drive_svg(drive_trace_, *execution_->machine().drives, text));
 }
 
 Status Run::commit() {
@@ -281,6 +352,7 @@ Status Run::perform() {
         if (!debugger_) return refused();
     }
     if (!open_execution(std::move(text))) return session_.status();
+    if (!open_drives()) return refused();
     execute();
     return commit();
 }

@@ -11,6 +11,8 @@
 namespace kadr::driver {
 
 /// Writes `t,<machine axes…>,tip_x,tip_y,tip_z,tool_i,tool_j,tool_k,feed,iso`: s, mm, deg, mm/min.
+/// On a machine with a laser a column follows: `pulse`, points burnt since the row before; or
+/// `power` of a continuous beam, W, which falls with the path speed below the programmed feed.
 /// Nine decimals, trailing zeros left out: differences of third order still give a jerk.
 class SetpointTable {
   public:

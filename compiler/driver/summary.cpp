@@ -123,6 +123,7 @@ std::string summary_text(const RunFigures& figures, const machine::Machine& mach
         out, "path",
         fmt::format("{:.1f} mm, {:.1f} mm of it at feed", totals.length, totals.cutting_length));
     if (figures.setpoints > 0) put_row(out, "setpoints", fmt::format("{}", figures.setpoints));
+    if (figures.pulses) put_row(out, "pulses", fmt::format("{}", *figures.pulses));
     out += '\n';
     put_axis_table(out, machine, totals);
     if (figures.warnings + figures.errors + figures.alarms > 0) {
@@ -141,6 +142,7 @@ std::string summary_json(const RunFigures& figures, const machine::Machine& mach
     out += ",\"blocks\":" + std::to_string(figures.blocks);
     out += ",\"commands\":" + std::to_string(figures.commands);
     if (figures.setpoints > 0) out += ",\"setpoints\":" + std::to_string(figures.setpoints);
+    if (figures.pulses) out += ",\"pulses\":" + std::to_string(*figures.pulses);
     put_member(out, "time_s", totals.time);
     put_member(out, "cutting_s", totals.cutting_time);
     put_member(out, "rapid_s", totals.rapid_time);

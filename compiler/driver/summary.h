@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "machine/machine.h"
@@ -14,7 +15,8 @@ struct RunFigures {
     std::string dialect;  // title
     std::uint64_t blocks = 0;
     std::uint64_t commands = 0;
-    std::uint64_t setpoints = 0;  // 0: nobody asked for them
+    std::uint64_t setpoints = 0;          // 0: nobody asked for them
+    std::optional<std::uint64_t> pulses;  // of a pulsed laser
     std::size_t errors = 0;
     std::size_t alarms = 0;
     std::size_t warnings = 0;

@@ -98,6 +98,13 @@ std::optional<double> ElementReader::magnitude(std::string_view attribute,
     return std::nullopt;
 }
 
+std::optional<double> ElementReader::share(std::string_view attribute) const {
+    const auto value = quantity(attribute, Dimension::Share);
+    if (!value || (*value >= 0 && *value <= 1)) return value;
+    sink_.report(diag::MachineShare, place(attribute)).arg(attribute).arg(text(attribute));
+    return std::nullopt;
+}
+
 std::optional<std::int64_t> ElementReader::whole(std::string_view attribute, std::int64_t least,
                                                  std::int64_t most) const {
     const XmlAttribute* found = element_.find(attribute);

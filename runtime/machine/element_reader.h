@@ -31,6 +31,8 @@ class ElementReader {
     /// Above zero, or zero and above.
     std::optional<double> positive(std::string_view attribute, Dimension dimension) const;
     std::optional<double> magnitude(std::string_view attribute, Dimension dimension) const;
+    /// A share from nothing to the whole, 0 … 1.
+    std::optional<double> share(std::string_view attribute) const;
     std::optional<std::int64_t> whole(std::string_view attribute, std::int64_t least,
                                       std::int64_t most) const;
     /// The index of the value in `words`.

@@ -14,6 +14,7 @@
 #include "base/xml.h"
 #include "machine/element_reader.h"
 #include "machine/machine.h"
+#include "machine/pulse_clock.h"
 
 namespace kadr::machine {
 
@@ -41,7 +42,7 @@ const XmlShape& machine_shape() {
           "max_speed",
           "orient_time",
           "tool_change_time"},
-         {"axis", "tool", "offset"}},
+         {"axis", "tool", "offset", "spindle_drive", "feed_drive", "cutting", "laser"}},
         {"axis",
          {{"name", Filled},
           "limits",
@@ -55,6 +56,17 @@ const XmlShape& machine_shape() {
          {}},
         {"tool", {{"number", Filled}, "length", "radius", "name"}, {}},
         {"offset", {{"number", Filled}, "x", "y", "z", "a", "b", "c", "u", "v", "w"}, {}},
+        {"spindle_drive",
+         {{"inertia", Filled},
+          {"torque_constant", Filled},
+          {"time_constant", Filled},
+          "friction",
+          "damping",
+          "max_current"},
+         {}},
+        {"feed_drive", {{"gain", Filled}, {"time_constant", Filled}, "feed_forward"}, {}},
+        {"cutting", {{"force", Filled}}, {}},
+        {"laser", {"pulse", "tolerance", "mode", "power", "least_power"}, {}},
     };
     static const XmlShape shape = {"a machine file", rules};
     return shape;
@@ -64,6 +76,7 @@ const XmlShape& machine_shape() {
 constexpr std::array<std::string_view, kAxes> kOffsetAxes = {"x", "y", "z", "a", "b",
                                                              "c", "u", "v", "w"};
 constexpr std::string_view kKinds[] = {"mill", "lathe"};
+constexpr std::string_view kPulseModes[] = {"synchronised", "stop"};
 
 /// The dimensions of an axis' attributes.
 struct AxisDimensions {
@@ -93,6 +106,8 @@ class MachineBuilder {
         machine_.work_offsets.resize(1, AxisValues{});
         read_machine();
         for (const XmlElement& child : root_.children) read_child(child);
+        check_pulses();
+        if (has_spindle_drive_ && has_feed_drive_) machine_.drives = drives_;
         if (machine_.axes.empty()) {
             sink_.report(diag::MachineWithoutAxes, root_.range).arg(machine_.name);
         }
@@ -127,6 +142,10 @@ class MachineBuilder {
         if (child.name == "axis") read_axis(child);
         if (child.name == "tool") read_tool(child);
         if (child.name == "offset") read_offset(child);
+        if (child.name == "spindle_drive") read_spindle_drive(child);
+        if (child.name == "feed_drive") read_feed_drive(child);
+        if (child.name == "cutting") read_cutting(child);
+        if (child.name == "laser") read_laser(child);
     }
 
     /// True if `what` is new; else it has been reported.
@@ -229,9 +248,66 @@ class MachineBuilder {
         machine_.work_offsets[place] = values;
     }
 
+    // Values that are wrong have been reported; 1 stands for them until the file is refused.
+    void read_spindle_drive(const XmlElement& element) {
+        if (!is_first("the spindle drive", element.range)) return;
+        const ElementReader reader(element, sink_);
+        SpindleDrive& drive = drives_.spindle;
+        drive.inertia = reader.positive("inertia", Dimension::Inertia).value_or(1);
+        drive.torque_constant =
+            reader.positive("torque_constant", Dimension::TorquePerCurrent).value_or(1);
+        drive.time_constant = reader.positive("time_constant", Dimension::Time).value_or(1);
+        drive.friction = reader.magnitude("friction", Dimension::Torque).value_or(0);
+        drive.damping = reader.magnitude("damping", Dimension::Damping).value_or(0);
+        drive.max_current = reader.positive("max_current", Dimension::Current).value_or(kInfinity);
+        has_spindle_drive_ = true;
+    }
+
+    void read_feed_drive(const XmlElement& element) {
+        if (!is_first("the feed drive", element.range)) return;
+        const ElementReader reader(element, sink_);
+        FeedDrive& drive = drives_.feed;
+        drive.gain = reader.positive("gain", Dimension::Rate).value_or(1);
+        drive.time_constant = reader.positive("time_constant", Dimension::Time).value_or(1);
+        drive.feed_forward = reader.share("feed_forward").value_or(1);
+        has_feed_drive_ = true;
+    }
+
+    void read_cutting(const XmlElement& element) {
+        if (!is_first("the cutting load", element.range)) return;
+        const ElementReader reader(element, sink_);
+        drives_.cutting_force = reader.magnitude("force", Dimension::Force).value_or(0);
+    }
+
+    void read_laser(const XmlElement& element) {
+        if (!is_first("the laser", element.range)) return;
+        const ElementReader reader(element, sink_);
+        Laser laser;
+        laser.pulse = reader.positive("pulse", Dimension::Frequency).value_or(0);
+        laser.tolerance = reader.share("tolerance").value_or(0);
+        laser.mode = static_cast<PulseMode>(reader.choice("mode", kPulseModes).value_or(0));
+        laser.power = reader.positive("power", Dimension::Power).value_or(0);
+        laser.least_power = reader.magnitude("least_power", Dimension::Power).value_or(0);
+        machine_.laser = laser;
+        laser_place_ = reader.place("pulse");
+    }
+
+    /// Points are burnt on ticks.
+    void check_pulses() {
+        if (!machine_.laser || machine_.laser->pulse == 0) return;
+        if (pulse_clock(*machine_.laser, machine_.tick)) return;
+        sink_.report(diag::MachinePulseBetweenTicks, laser_place_)
+            .arg(round_to(machine_.laser->pulse, 6))
+            .arg(round_to(1 / (machine_.laser->pulse * machine_.tick), 3));
+    }
+
     const XmlElement& root_;
     DiagnosticSink& sink_;
     Machine machine_;
+    SourceRange laser_place_;
+    Drives drives_;
+    bool has_spindle_drive_ = false;
+    bool has_feed_drive_ = false;
     std::unordered_map<std::string, SourceRange> seen_;  // what has been described, and where
 };
 

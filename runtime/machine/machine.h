@@ -9,6 +9,7 @@
 
 #include "base/axes.h"
 #include "base/diagnostic.h"
+#include "machine/process_data.h"
 
 namespace kadr::machine {
 
@@ -53,6 +54,8 @@ struct Machine {
     std::vector<MachineAxis> axes;  // in the order of setpoint columns
     std::vector<ToolData> tools;
     std::vector<AxisValues> work_offsets;  // [0] none, [1] G54 …; mm, deg
+    std::optional<Drives> drives;          // if the file describes both drives
+    std::optional<Laser> laser;
 
     const MachineAxis* find(Axis axis) const;
     const ToolData* find_tool(std::int64_t number) const;

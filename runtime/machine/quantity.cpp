@@ -47,6 +47,20 @@ constexpr std::array kUnits = {
     Unit{Dimension::Jerk, "mm/s3", 1},
     Unit{Dimension::AngularJerk, "deg/s3", kDegree},
     Unit{Dimension::AngularJerk, "rad/s3", 1},
+    Unit{Dimension::Force, "N", 1},
+    Unit{Dimension::Force, "kN", 1e3},
+    Unit{Dimension::Torque, "Nm", 1},
+    Unit{Dimension::Inertia, "kg m2", 1},
+    Unit{Dimension::Inertia, "kg cm2", 1e-4},
+    Unit{Dimension::Damping, "Nm s", 1},
+    Unit{Dimension::Current, "A", 1},
+    Unit{Dimension::TorquePerCurrent, "Nm/A", 1},
+    Unit{Dimension::Rate, "1/s", 1},
+    Unit{Dimension::Frequency, "Hz", 1},
+    Unit{Dimension::Frequency, "kHz", 1e3},
+    Unit{Dimension::Power, "W", 1},
+    Unit{Dimension::Power, "kW", 1e3},
+    Unit{Dimension::Share, "%", 1e-2},
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -130,6 +144,16 @@ std::string_view dimension_name(Dimension dimension) {
         case Dimension::AngularAcceleration: return "an angular acceleration";
         case Dimension::Jerk: return "a jerk";
         case Dimension::AngularJerk: return "an angular jerk";
+        case Dimension::Force: return "a force";
+        case Dimension::Torque: return "a torque";
+        case Dimension::Inertia: return "an inertia";
+        case Dimension::Damping: return "a damping";
+        case Dimension::Current: return "a current";
+        case Dimension::TorquePerCurrent: return "a torque constant";
+        case Dimension::Rate: return "a gain";
+        case Dimension::Frequency: return "a frequency";
+        case Dimension::Power: return "a power";
+        case Dimension::Share: return "a share";
     }
     return "a quantity";
 }

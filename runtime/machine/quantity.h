@@ -22,6 +22,16 @@ enum class Dimension : std::uint8_t {
     AngularAcceleration,
     Jerk,
     AngularJerk,
+    Force,
+    Torque,
+    Inertia,
+    Damping,
+    Current,
+    TorquePerCurrent,
+    Rate,
+    Frequency,
+    Power,
+    Share,
 };
 
 enum class QuantityFault : std::uint8_t { NotANumber, UnitMissing, UnitUnknown };
@@ -37,7 +47,8 @@ struct Range {
 };
 
 /// A number and a unit of the dimension, in canonical units: mm or rad, and seconds; an
-/// AngularVelocity in `rpm` is rad/s too.
+/// AngularVelocity in `rpm` is rad/s too. What belongs to drives is in SI units: N, N·m, kg·m²,
+/// N·m·s, A, 1/s, Hz, W; a Share is a number, 1 for `100 %`.
 Result<double, QuantityError> parse_quantity(std::string_view text, Dimension dimension);
 
 /// `lower..upper unit`, canonical; the order of the two is the caller's matter.

@@ -218,6 +218,7 @@ void Preparer::State::stand(const Command& command, SegmentKind kind, double dur
     piece.segment.line = command.line;
     piece.segment.source = command.source;
     piece.segment.duration = duration;
+    piece.segment.spindle = spindle;
     // Length 0 between two stops: speed and acceleration only have to be above zero.
     piece.speed = piece.acceleration = 1;
 }
@@ -237,6 +238,7 @@ void Preparer::State::move(const Command& command) {
         } else {
             emit_feed_parts(command, segment, length);
         }
+        if (!ready.empty()) ready.back().segment.ends_command = true;
         if (!has_ended) check.widen_travel();
     }
     if (has_ended) return;
@@ -310,6 +312,11 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     Piece& piece = ready.emplace_back();
     piece.segment = segment;
     piece.segment.feed = feed;
+    piece.segment.ends_command = false;
+    piece.segment.spindle = spindle;
+    if (segment.kind == SegmentKind::Feed && command.feed_mode == path::FeedMode::PerRevolution) {
+        piece.segment.feed_per_revolution = command.feed * options.feed_override;
+    }
     piece.length = length;
     piece.speed = limits.speed;
     piece.acceleration = limits.acceleration;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "base/units.h"
@@ -40,9 +41,10 @@ struct Sampler::State {
     std::size_t batch_at = 0;
     Segment last;  // the segment before the one at batch_at
     bool has_any = false;
-    bool has_ended = false;   // no segment is left
-    bool is_done = false;     // the setpoint at rest is out
-    std::uint64_t ticks = 0;  // of the next setpoint
+    bool has_ended = false;    // no segment is left
+    bool is_done = false;      // the setpoint at rest is out
+    std::uint64_t ticks = 0;   // of the next setpoint
+    std::uint32_t pulses = 0;  // that the next setpoint tells of
 };
 
 /// Makes batch[batch_at] the segment of the next setpoint.
@@ -67,7 +69,10 @@ std::size_t Sampler::State::pull(std::span<Setpoint> out) {
         const Segment& segment = batch[batch_at];
         written += walk(segment, out.subspan(written));
         // Ticks inside are written unless `out` is full.
-        if (now() >= segment.end_time() - kTickRounding * tick) ++batch_at;
+        if (now() >= segment.end_time() - kTickRounding * tick) {
+            if (segment.has_pulse) ++pulses;
+            ++batch_at;
+        }
     }
     if (has_ended && has_any && !is_done && written < out.size()) {
         rest(out[written++]);
@@ -81,6 +86,7 @@ inline void Sampler::State::place(const Segment& segment, const path::Vec3& tip,
     const path::Vec3 carrier = tip + segment.tool_length * segment.tool;
     out.tip = tip;
     out.tool = segment.tool;
+    out.programmed_feed = segment.kind == SegmentKind::Feed ? segment.feed : 0;
     out.line = segment.line;
     out.source = segment.source;
     std::size_t column = 0;
@@ -104,6 +110,7 @@ std::size_t Sampler::State::walk(const Segment& segment, std::span<Setpoint> out
             Setpoint& setpoint = out[written];
             setpoint.time = time;
             setpoint.feed = state.speed;
+            setpoint.pulses = std::exchange(pulses, 0);
             place(segment, path::position(curve, state.distance), state.distance, setpoint);
         }
     };
@@ -115,6 +122,7 @@ std::size_t Sampler::State::walk(const Segment& segment, std::span<Setpoint> out
 void Sampler::State::rest(Setpoint& out) const {
     out.time = now();
     out.feed = 0;
+    out.pulses = pulses;
     place(last, path::end(last.curve), last.profile.length, out);
 }
 

@@ -7,6 +7,7 @@
 #include "base/axes.h"
 #include "base/source.h"
 #include "motion/profile.h"
+#include "motion/spindle.h"
 #include "path/curve.h"
 
 namespace kadr::motion {
@@ -28,9 +29,11 @@ inline constexpr std::size_t kFollowers = kAxes - 3;
 /// how to colour it and whence it came.
 struct Segment {
     SegmentKind kind = SegmentKind::Rapid;
-    bool turns_only = false;  // no linear axis moves: lengths are degrees, not mm
-    AxisMask followers = 0;   // axes beside X, Y, Z that move in this piece
-    std::uint32_t line = 0;   // of the ISO-7bit text
+    bool ends_command = true;  // no further piece of its command comes
+    bool has_pulse = false;    // a pulse of the laser burns the point where it ends
+    bool turns_only = false;   // no linear axis moves: lengths are degrees, not mm
+    AxisMask followers = 0;    // axes beside X, Y, Z that move in this piece
+    std::uint32_t line = 0;    // of the ISO-7bit text
     SourceId source;
 
     path::Curve curve;                      // way of the tool tip; a Point if it stands
@@ -41,7 +44,9 @@ struct Segment {
     double duration = 0;    // s
     double feed =
         0;  // mm/s (deg/s), what was asked for, override included; rapid: what the axes can
-    Profile profile;  // of the path length; empty for a standstill
+    double feed_per_revolution = 0;  // mm (deg), override included; 0: the feed is no such one
+    Spindle spindle;                 // as it is commanded in this piece
+    Profile profile;                 // of the path length; empty for a standstill
 
     std::array<double, kFollowers> follower_start{};  // rad or mm
     std::array<double, kFollowers> follower_rate{};   // per unit of path length

@@ -24,10 +24,12 @@ const std::map<std::string, std::set<std::string>> kFloors = {
     {"machine", {"base", "path"}},
     {"interp", {"base", "nc", "path", "machine"}},
     {"motion", {"base", "path", "machine"}},
+    {"process", {"base", "path", "machine", "motion"}},
     {"syntax", {"base", "nc"}},
     {"sema", {"base", "nc", "syntax"}},
     {"expand", {"base", "nc", "path", "syntax", "sema"}},
-    {"driver", {"base", "nc", "path", "machine", "interp", "motion", "syntax", "sema", "expand"}},
+    {"driver",
+     {"base", "nc", "path", "machine", "interp", "motion", "process", "syntax", "sema", "expand"}},
     {"repl", {"base", "nc", "path", "machine", "interp", "motion", "syntax", "sema", "driver"}},
     {"cli", {"base", "nc", "machine", "driver", "repl"}},
 };

@@ -49,7 +49,7 @@ constexpr const char* kAxisX =
     R"(<axis name="X" limits="-300..300 mm" velocity="30 m/min" acceleration="5 m/s2"/>)";
 
 TEST(MachineFile, StockMachinesLoad) {
-    for (const char* name : {"mill", "mill-fast", "lathe"}) {
+    for (const char* name : {"mill", "mill-fast", "lathe", "laser"}) {
         SCOPED_TRACE(name);
         Sources sources;
         DiagnosticList diagnostics;
@@ -67,12 +67,13 @@ TEST(MachineFile, StockMachinesLoad) {
 
 TEST(MachineFile, ListsByName) {
     const auto machines = list({kStock, "/no/such/folder"});
-    ASSERT_EQ(machines.size(), 3u);
-    EXPECT_EQ(machines[0].name, "lathe");
-    EXPECT_EQ(machines[0].axes, "X Z");
-    EXPECT_EQ(machines[1].name, "mill");
-    EXPECT_EQ(machines[1].axes, "X Y Z");
-    EXPECT_EQ(machines[2].name, "mill-fast");
+    ASSERT_EQ(machines.size(), 4u);
+    EXPECT_EQ(machines[0].name, "laser");
+    EXPECT_EQ(machines[1].name, "lathe");
+    EXPECT_EQ(machines[1].axes, "X Z");
+    EXPECT_EQ(machines[2].name, "mill");
+    EXPECT_EQ(machines[2].axes, "X Y Z");
+    EXPECT_EQ(machines[3].name, "mill-fast");
 }
 
 TEST(MachineFile, ValuesAreCanonical) {
@@ -124,6 +125,59 @@ TEST(MachineFile, ValuesAreCanonical) {
     EXPECT_DOUBLE_EQ(machine.work_offsets[1][0], 0);
     EXPECT_DOUBLE_EQ(machine.work_offsets[2][0], -10);
     EXPECT_DOUBLE_EQ(machine.work_offsets[2][index(Axis::C)], 45);
+}
+
+TEST(MachineFile, DrivesAreInSiUnits) {
+    Loaded loaded;
+    load(std::string(R"(<machine name="m">)") + kAxisX +
+             R"(<spindle_drive inertia="1500 kg cm2" torque_constant="2 Nm/A" time_constant="4 ms"
+                               friction="4 Nm" damping="0.01 Nm s" max_current="90 A"/>
+                <feed_drive gain="50 1/s" time_constant="5 ms" feed_forward="80 %"/>
+                <cutting force="1.2 kN"/></machine>)",
+         loaded);
+    ASSERT_TRUE(loaded.machine);
+    ASSERT_TRUE(loaded.machine->drives);
+    const Drives& drives = *loaded.machine->drives;
+    EXPECT_DOUBLE_EQ(drives.spindle.inertia, 0.15);
+    EXPECT_DOUBLE_EQ(drives.spindle.torque_constant, 2);
+    EXPECT_DOUBLE_EQ(drives.spindle.time_constant, 0.004);
+    EXPECT_DOUBLE_EQ(drives.spindle.friction, 4);
+    EXPECT_DOUBLE_EQ(drives.spindle.damping, 0.01);
+    EXPECT_DOUBLE_EQ(drives.spindle.max_current, 90);
+    EXPECT_DOUBLE_EQ(drives.feed.gain, 50);
+    EXPECT_DOUBLE_EQ(drives.feed.time_constant, 0.005);
+    EXPECT_DOUBLE_EQ(drives.feed.feed_forward, 0.8);
+    EXPECT_DOUBLE_EQ(drives.cutting_force, 1200);
+    EXPECT_FALSE(loaded.machine->laser);
+}
+
+TEST(MachineFile, OneDriveAloneIsNone) {
+    Loaded loaded;
+    load(std::string(R"(<machine name="m">)") + kAxisX +
+             R"(<feed_drive gain="50 1/s" time_constant="5 ms"/></machine>)",
+         loaded);
+    ASSERT_TRUE(loaded.machine);
+    EXPECT_FALSE(loaded.machine->drives);
+}
+
+TEST(MachineFile, LasersArePulsedOrContinuous) {
+    Loaded pulsed;
+    load(std::string(R"(<machine name="m">)") + kAxisX +
+             R"(<laser pulse="0.04 kHz" tolerance="10 %" mode="stop"/></machine>)",
+         pulsed);
+    ASSERT_TRUE(pulsed.machine);
+    ASSERT_TRUE(pulsed.machine->laser);
+    EXPECT_DOUBLE_EQ(pulsed.machine->laser->pulse, 40);
+    EXPECT_DOUBLE_EQ(pulsed.machine->laser->tolerance, 0.1);
+    EXPECT_EQ(pulsed.machine->laser->mode, PulseMode::Stop);
+    Loaded continuous;
+    load(std::string(R"(<machine name="m">)") + kAxisX +
+             R"(<laser power="1.5 kW" least_power="80 W"/></machine>)",
+         continuous);
+    ASSERT_TRUE(continuous.machine);
+    EXPECT_EQ(continuous.machine->laser->pulse, 0);
+    EXPECT_DOUBLE_EQ(continuous.machine->laser->power, 1500);
+    EXPECT_DOUBLE_EQ(continuous.machine->laser->least_power, 80);
 }
 
 /// One mistake: the code, the text that the message underlines, and the words of its fix.
@@ -233,7 +287,21 @@ TEST(MachineFile, MistakesOfValues) {
           {"offset G54", R"(<offset number="G54"/>)", "K6018", "G54", ""},
           {"offset zero", R"(<offset number="0"/>)", "K6018", "0", ""},
           {"offset too large", R"(<offset number="99999999999999999999"/>)", "K6018",
-           "99999999999999999999", ""}}) {
+           "99999999999999999999", ""},
+          {"share above the whole",
+           R"(<feed_drive gain="50 1/s" time_constant="5 ms" feed_forward="120 %"/>)", "K6020",
+           "120 %", ""},
+          {"negative share", R"(<laser pulse="40 Hz" tolerance="-1 %"/>)", "K6020", "-1 %", ""},
+          {"share without percent", R"(<laser pulse="40 Hz" tolerance="0.1"/>)", "K6008", "0.1",
+           "write `%` after the number"},
+          {"pulse between ticks", R"(<laser pulse="30 Hz" tolerance="1 %"/>)", "K6022", "30 Hz",
+           ""},
+          {"no inertia",
+           R"(<spindle_drive inertia="0 kg m2" torque_constant="2 Nm/A" time_constant="4 ms"/>)",
+           "K6011", "0 kg m2", ""},
+          {"pulse in rpm", R"(<laser pulse="40 rpm"/>)", "K6009", "40 rpm", "write `Hz` or `kHz`"},
+          {"doubled drive", R"(<cutting force="1 kN"/><cutting force="2 kN"/>)", "K6014", "cutting",
+           ""}}) {
         expect_mistake(mistake);
     }
 }

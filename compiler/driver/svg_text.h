@@ -1,0 +1,53 @@
+// svg_text.h — the words of SVG that every drawing of ours needs.
+#pragma once
+
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace kadr::driver {
+
+inline constexpr const char* kInk = "#2d3138";
+inline constexpr const char* kSoft = "#6d7480";
+inline constexpr const char* kAlert = "#b3261e";
+
+template <typename... Arguments>
+void put(std::string& out, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    fmt::format_to(std::back_inserter(out), format, std::forward<Arguments>(arguments)...);
+}
+
+inline std::string escaped(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '&') out += "&amp;";
+        else if (c == '<') out += "&lt;";
+        else if (c == '>') out += "&gt;";
+        else out += c;
+    }
+    return out;
+}
+
+/// Opens the document.
+inline void put_start(std::string& out, double width, double height) {
+    put(out,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
+        "viewBox=\"0 0 {0:.0f} {1:.0f}\">\n",
+        width, height);
+}
+
+/// Title, what is below it, and in red what has to be said; empty: nothing.
+inline void put_title(std::string& out, std::string_view title, std::string_view subtitle,
+                      std::string_view warning) {
+    put(out, "<text x=\"28\" y=\"38\" font-size=\"20\" font-weight=\"600\" fill=\"{}\">{}</text>\n",
+        kInk, escaped(title));
+    put(out, "<text x=\"28\" y=\"58\" font-size=\"12.5\" fill=\"{}\">{}</text>\n", kSoft,
+        escaped(subtitle));
+    if (warning.empty()) return;
+    put(out, "<text x=\"28\" y=\"76\" font-size=\"12.5\" fill=\"{}\">{}</text>\n", kAlert,
+        escaped(warning));
+}
+
+}  // namespace kadr::driver

@@ -1,0 +1,96 @@
+// `kadr run` on machines with a laser: pulses and power among the setpoints.
+#include <algorithm>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "base/text.h"
+#include "tests/driver/scratch.h"
+
+namespace {
+
+using kadr::read_file;
+using kadr::test::Row;
+using kadr::test::rows_of;
+
+using Laser = kadr::test::ScratchFolder;
+
+const std::string kDots = std::string(KADR_ROOT) + "/examples/dots.kadr";
+
+std::string machine_text() {
+    return read_file(std::string(KADR_ROOT) + "/runtime/machines/laser.xml").value();
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    EXPECT_NE(text.find(from), std::string::npos) << from;
+    return text.replace(text.find(from), from.size(), to);
+}
+
+/// The same dots by both ways: as many pulses, half the time.
+TEST_F(Laser, BlocksEndOnPulsesInHalfTheTime) {
+    save("stop.xml", replaced(machine_text(), "<laser ", "<laser mode=\"stop\" "));
+    const ProcessResult with = kadr({"run", kDots, "-d", "sinumerik", "-m", "laser", "--summary",
+                                     "json", "--setpoints", file("dots.csv")});
+    ASSERT_EQ(with.status, 0) << with.err;
+    const ProcessResult stop =
+        kadr({"run", kDots, "-d", "sinumerik", "-m", file("stop.xml"), "--summary", "json"});
+    ASSERT_EQ(stop.status, 0) << stop.err;
+    const nlohmann::json fast = nlohmann::json::parse(with.out);
+    const nlohmann::json slow = nlohmann::json::parse(stop.out);
+    EXPECT_GT(fast["pulses"], 1000);
+    EXPECT_EQ(fast["pulses"], slow["pulses"]);
+    const double saved = 1 - fast["time_s"].get<double>() / slow["time_s"].get<double>();
+    EXPECT_GT(saved, 0.4);
+    EXPECT_LT(saved, 0.55);
+
+    double pulses = 0;
+    double last = 0;
+    double gap = 0;
+    for (Row& row : rows_of(read_file(file("dots.csv")).value())) {
+        if (row["pulse"] == 0) continue;
+        EXPECT_EQ(row["pulse"], 1);
+        if (pulses > 0) gap = std::max(gap, row["t"] - last);
+        EXPECT_GE(row["t"] - last, 0.023 - 1e-9);
+        last = row["t"];
+        pulses += 1;
+    }
+    EXPECT_EQ(pulses, fast["pulses"]);
+    EXPECT_LT(gap, 2) << "a rapid between two rings";
+}
+
+TEST_F(Laser, TheSummaryCountsPulses) {
+    const ProcessResult text = kadr({"run", kDots, "-d", "fanuc", "-m", "laser"});
+    ASSERT_EQ(text.status, 0) << text.err;
+    EXPECT_NE(text.out.find("\n  pulses "), std::string::npos) << text.out;
+    const ProcessResult mill =
+        kadr({"run", kDots, "-d", "fanuc", "-m", "mill", "--summary", "json"});
+    ASSERT_EQ(mill.status, 0) << mill.err;
+    EXPECT_FALSE(nlohmann::json::parse(mill.out).contains("pulses"));
+}
+
+/// Power follows the path speed: none at rapid, the least at rest, all of it at the feed.
+TEST_F(Laser, PowerFollowsTheSpeed) {
+    save("beam.xml", replaced(machine_text(), "<laser pulse=\"40 Hz\" tolerance=\"10 %\"/>",
+                              "<laser power=\"500 W\" least_power=\"50 W\"/>"));
+    save("cut.nc", "G21 G90 G0 X10 Y0\nG1 X40 F1200\nG0 X0\nM30\n");
+    const ProcessResult result = kadr({"run", file("cut.nc"), "-d", "iso", "-m", file("beam.xml"),
+                                       "--setpoints", file("cut.csv")});
+    ASSERT_EQ(result.status, 0) << result.err;
+    int full = 0;
+    int part = 0;
+    for (Row& row : rows_of(read_file(file("cut.csv")).value())) {
+        EXPECT_EQ(row.count("pulse"), 0u);
+        if (row["iso"] != 2) {
+            EXPECT_EQ(row["power"], 0);
+            continue;
+        }
+        EXPECT_NEAR(row["power"], 50 + 450 * row["feed"] / 1200, 1e-5);
+        full += row["power"] > 499.999 ? 1 : 0;
+        part += row["power"] < 400 ? 1 : 0;
+    }
+    EXPECT_GT(full, 1000);
+    EXPECT_GT(part, 50);
+}
+
+}  // namespace

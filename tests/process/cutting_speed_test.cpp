@@ -1,0 +1,87 @@
+// Constant cutting speed: the law against the oracle, and the planner against the law.
+#include "process/cutting_speed.h"
+
+#include <gtest/gtest.h>
+
+#include "base/units.h"
+#include "tests/process/support.h"
+
+namespace kadr::process {
+namespace {
+
+using namespace test;
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+FacePass pass_of(const json& in) {
+    return {in["R_start"], in["R_end"], in["f_mm_rev"],
+            rad_from_deg(in["cone_angle_from_face_deg"].get<double>())};
+}
+
+TEST(CuttingSpeedOracle, SpeedsAccelerationsAndTimes) {
+    const json data = oracle("css.json");
+    const double part = data["tolerance"]["rel"];
+    const double acceleration_part = data["tolerance"]["accel_rel"];
+    int samples = 0;
+    for (const json& entry : data["cases"]) {
+        SCOPED_TRACE(entry["id"].get<std::string>());
+        const json& in = entry["input"];
+        const json& expected = entry["expect"];
+        const motion::Spindle spindle = spindle_of(in["V_m_min"], in["n_max_rpm"]);
+        const FacePass pass = pass_of(in);
+        const auto near = [part](double got, double want) {
+            EXPECT_NEAR(got, want, part * std::abs(want));
+        };
+        near(limit_radius(spindle), expected["R_at_speed_limit"]);
+        near(pass_time(spindle, pass), expected["time_s"]);
+        near(pass_revolutions(pass), expected["revolutions"]);
+        for (const json& sample : expected["samples"]) {
+            const double radius = sample["R"];
+            near(rpm_from_speed(spindle.speed_at(radius)), sample["n_rpm"]);
+            near(mm_min_from_feed(feed_speed(spindle, pass, radius)), sample["feed_mm_min"]);
+            near(cutting_speed(spindle, radius) * 60 / 1000, sample["cutting_speed_m_min"]);
+            ++samples;
+            if (sample["spindle_accel_rad_s2"].is_null()) continue;  // at the kink
+            const double want = sample["spindle_accel_rad_s2"];
+            EXPECT_NEAR(spindle_acceleration(spindle, pass, radius), want,
+                        acceleration_part * want);
+        }
+    }
+    EXPECT_GE(samples, 20);
+}
+
+TEST(CuttingSpeed, APassThroughTheCentreIsTwoPasses) {
+    const motion::Spindle spindle = spindle_of(200, 3000);
+    const FacePass in{50, 0, 0.3};
+    const FacePass out{0, -2, 0.3};
+    const FacePass through{50, -2, 0.3};
+    EXPECT_DOUBLE_EQ(pass_time(spindle, through), pass_time(spindle, in) + pass_time(spindle, out));
+    // 2 mm at 0.3 mm a revolution and 50 revolutions a second.
+    EXPECT_NEAR(pass_time(spindle, out), 2 / (0.3 * 50), 1e-12);
+    EXPECT_NEAR(cutting_speed(spindle, -50), 200'000.0 / 60, 1e-9);
+}
+
+TEST(CuttingSpeed, WithoutALimitTheCutGrowsToTheCentre) {
+    const motion::Spindle spindle = spindle_of(200, 0);
+    EXPECT_EQ(limit_radius(spindle), 0);
+    EXPECT_NEAR(spindle.speed_at(0.01) * kTurn * 0.01, 200'000.0 / 60, 1e-6);
+    EXPECT_GT(spindle_acceleration(spindle, {10, 1, 0.3}, 0.1), 1e6);
+}
+
+/// The planner cuts a pass into parts of one feed each; their times add up to the law's.
+TEST(CuttingSpeed, ThePlannerTakesTheTimeOfTheLaw) {
+    const machine::Machine machine = motion::test::machine_of();
+    for (const json& entry : oracle("css.json")["cases"]) {
+        SCOPED_TRACE(entry["id"].get<std::string>());
+        const json& in = entry["input"];
+        if (in["cone_angle_from_face_deg"] != 0) continue;
+        const motion::test::Motion run = motion::test::run(
+            machine,
+            facing(in["V_m_min"], in["n_max_rpm"], in["R_start"], in["R_end"], in["f_mm_rev"]));
+        const double want = entry["expect"]["time_s"];
+        EXPECT_NEAR(run.totals.cutting_time, want, 2e-4 * want);
+    }
+}
+
+}  // namespace
+}  // namespace kadr::process

@@ -1,0 +1,198 @@
+// The laser as the machine's motion module: programs as setpoints with their pulses.
+#include "process/pulse_timer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/motion/support.h"
+
+namespace kadr::process {
+namespace {
+
+using motion::Segment;
+using motion::SegmentKind;
+using motion::Setpoint;
+using motion::test::line_to;
+using motion::test::rapid_to;
+using path::Command;
+using path::Vec3;
+
+constexpr double kFeed = 1800;  // mm/min
+
+machine::Machine laser_of(machine::PulseMode mode = machine::PulseMode::Synchronised) {
+    machine::Machine machine = motion::test::machine_of({{100, 100, 100}, {300, 300, 300}});
+    machine.tick = 0.001;
+    machine.laser = machine::Laser{};
+    machine.laser->pulse = 40;
+    machine.laser->tolerance = 0.1;
+    machine.laser->mode = mode;
+    return machine;
+}
+
+struct Timed {
+    std::vector<Segment> segments;
+    std::vector<Setpoint> setpoints;
+    motion::Totals totals;
+    std::uint64_t pulses = 0;
+};
+
+/// Keeps what passes.
+class Keep final : public Stream<Segment> {
+  public:
+    Keep(Stream<Segment>& from, std::vector<Segment>& to) : from_(from), to_(to) {}
+    std::size_t pull(std::span<Segment> out) override {
+        const std::size_t n = from_.pull(out);
+        to_.insert(to_.end(), out.begin(), out.begin() + static_cast<long>(n));
+        return n;
+    }
+
+  private:
+    Stream<Segment>& from_;
+    std::vector<Segment>& to_;
+};
+
+Timed run(const machine::Machine& machine, std::vector<Command> commands) {
+    Timed timed;
+    DiagnosticList diagnostics;
+    motion::test::CommandList list(std::move(commands));
+    motion::Planner planner(list, machine, {}, diagnostics);
+    PulseTimer timer(planner, machine);
+    Keep keep(timer, timed.segments);
+    motion::Sampler sampler(keep, machine);
+    std::vector<Setpoint> batch(13);
+    while (const std::size_t n = sampler.pull(batch)) {
+        timed.setpoints.insert(timed.setpoints.end(), batch.begin(),
+                               batch.begin() + static_cast<long>(n));
+    }
+    timed.totals = timer.totals(planner.totals());
+    timed.pulses = timer.pulses();
+    return timed;
+}
+
+/// Points along X at 0.125 mm.
+std::vector<Command> straight(int count) {
+    std::vector<Command> commands;
+    for (int i = 1; i <= count; ++i) commands.push_back(line_to({0.125 * i, 0, 0}, kFeed));
+    return commands;
+}
+
+/// Ticks between the pulses of a run; the first counts from its start.
+std::vector<int> intervals_of(const Timed& timed) {
+    std::vector<int> intervals;
+    int last = 0;
+    for (std::size_t i = 0; i < timed.setpoints.size(); ++i) {
+        EXPECT_LE(timed.setpoints[i].pulses, 1u);
+        if (timed.setpoints[i].pulses == 0) continue;
+        intervals.push_back(static_cast<int>(i) - last);
+        last = static_cast<int>(i);
+    }
+    return intervals;
+}
+
+/// Whether a number of ticks is k intervals, of which one uses the tolerance.
+bool is_in_a_window(int ticks) {
+    const int off = (ticks + 12) % 25 - 12;
+    return ticks >= 23 && std::abs(off) <= 2;
+}
+
+TEST(PulseTimer, EveryPointIsBurntWhereItIs) {
+    const Timed timed = run(laser_of(), straight(40));
+    EXPECT_EQ(timed.pulses, 40u);
+    int point = 0;
+    for (const Setpoint& setpoint : timed.setpoints) {
+        if (setpoint.pulses > 0) {
+            EXPECT_NEAR(setpoint.tip[0], 0.125 * ++point, 1e-7);
+        }
+    }
+    EXPECT_EQ(point, 40);
+    for (const int ticks : intervals_of(timed)) EXPECT_TRUE(is_in_a_window(ticks)) << ticks;
+    // Two intervals for the first or the last point, one for each other.
+    EXPECT_NEAR(timed.totals.time, 41 * 0.025, 0.012);
+    EXPECT_NEAR(timed.setpoints.back().tip[0], 5, 1e-9);
+}
+
+TEST(PulseTimer, InTheMiddleOfAStrokeNothingStops) {
+    const Timed timed = run(laser_of(), straight(40));
+    for (const Setpoint& setpoint : timed.setpoints) {
+        if (setpoint.tip[0] > 0.5 && setpoint.tip[0] < 4.5) {
+            EXPECT_GT(setpoint.feed, 1.5);
+        }
+    }
+}
+
+TEST(PulseTimer, TheStopModeRestsAtEveryPoint) {
+    const Timed timed = run(laser_of(machine::PulseMode::Stop), straight(40));
+    EXPECT_EQ(timed.pulses, 40u);
+    // 0.125 mm take 40.8 ms from rest to rest: the pulse after 48 is the first that can be hit.
+    for (const int ticks : intervals_of(timed)) EXPECT_EQ(ticks, 48);
+    for (const Setpoint& setpoint : timed.setpoints) {
+        if (setpoint.pulses > 0) {
+            EXPECT_EQ(setpoint.feed, 0);
+        }
+    }
+}
+
+TEST(PulseTimer, RapidsAndDwellsBurnNothingAndThePumpGoesOn) {
+    std::vector<Command> commands = straight(3);
+    commands.push_back(rapid_to({3, 2, 0}));
+    Command dwell = motion::test::simple(path::Op::Dwell);
+    dwell.time = 0.1234;
+    commands.push_back(dwell);
+    for (int i = 1; i <= 3; ++i) commands.push_back(line_to({3, 2 + 0.125 * i, 0}, kFeed));
+    const Timed timed = run(laser_of(), commands);
+    EXPECT_EQ(timed.pulses, 6u);
+    for (const int ticks : intervals_of(timed)) EXPECT_TRUE(is_in_a_window(ticks)) << ticks;
+}
+
+TEST(PulseTimer, ABlockOfSeveralPiecesIsOnePoint) {
+    // A spline is planned in pieces of even bending.
+    std::vector<Command> commands = straight(2);
+    commands.push_back(motion::test::spline_to({6, 0, 0}, {1, 4, 0}, {5, -4, 0}, kFeed));
+    commands.push_back(line_to({6.1, 0, 0}, kFeed));
+    const Timed timed = run(laser_of(), commands);
+    EXPECT_EQ(timed.pulses, 4u);
+    for (const int ticks : intervals_of(timed)) EXPECT_TRUE(is_in_a_window(ticks)) << ticks;
+}
+
+TEST(PulseTimer, SegmentsFollowEachOtherAndKeepTheLimits) {
+    // A circle of points, a corner, a jump.
+    std::vector<Command> commands;
+    for (int i = 1; i <= 120; ++i) {
+        const double a = 2 * std::numbers::pi * i / 120;
+        commands.push_back(line_to({2.4 * std::sin(a), 2.4 - 2.4 * std::cos(a), 0}, kFeed));
+    }
+    commands.push_back(rapid_to({10, 10, 0}));
+    for (int i = 1; i <= 20; ++i) commands.push_back(line_to({10 + 0.13 * i, 10, 0}, kFeed));
+    for (int i = 1; i <= 20; ++i) commands.push_back(line_to({12.6, 10 + 0.11 * i, 0}, kFeed));
+    const machine::Machine machine = laser_of();
+    const Timed timed = run(machine, commands);
+    EXPECT_EQ(timed.pulses, 160u);
+    double time = 0;
+    Vec3 at = Vec3::Zero();
+    for (const Segment& segment : timed.segments) {
+        EXPECT_NEAR(segment.start_time, time, 1e-9);
+        EXPECT_LT((path::start(segment.curve) - at).norm(), 1e-9);
+        time = segment.end_time();
+        at = path::end(segment.curve);
+    }
+    EXPECT_NEAR(timed.totals.time, time, 1e-9);
+    EXPECT_NEAR(timed.totals.time,
+                timed.totals.cutting_time + timed.totals.rapid_time + timed.totals.dwell_time,
+                1e-6);
+    // From tick to tick, as the axes see it.
+    const auto& points = timed.setpoints;
+    for (std::size_t i = 2; i + 1 < points.size(); ++i) {
+        for (std::size_t k = 0; k < 2; ++k) {
+            const double v0 = (points[i - 1].axis[k] - points[i - 2].axis[k]) / 0.001;
+            const double v1 = (points[i].axis[k] - points[i - 1].axis[k]) / 0.001;
+            EXPECT_LE(std::abs(v1 - v0) / 0.001, 300 * 1.001) << "at " << points[i].time;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace kadr::process
