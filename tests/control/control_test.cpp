@@ -281,8 +281,7 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
     interpreting.date = 20261122;
     interpreting.time_of_day = 13 * 3600 + 5 * 60 + 9;
     interpreting.skip_levels = expected.skip_levels;
-    Interpreter interpreter(dialect, machine, program, &program,
-                            cycles_of(dialect), interpreting,
+    Interpreter interpreter(dialect, machine, program, &program, cycles_of(dialect), interpreting,
                             messages);
     program.follow(interpreter);
     std::vector<path::Command> batch(5);
