@@ -217,8 +217,8 @@ void PulseTimer::record(const Segment& segment) {
     profile.peak_speed = std::max({profile.entry_speed, profile.peak_speed, profile.exit_speed});
     profile.acceleration = std::abs(profile.acceleration);
     profile.deceleration = std::abs(profile.deceleration);
-    const motion::AxisTable::Peaks peaks = axes_.peaks(upright);
     const motion::AxisRates in = axes_.start_rates(segment);
+    const motion::AxisTable::Peaks peaks = axes_.peaks(upright, axes_.loads(upright, in));
     for (std::size_t i = 0; i < axes_.size(); ++i) {
         totals_.max_velocity[i] = std::max(totals_.max_velocity[i], peaks.velocity[i]);
         const double jump = std::abs(in[i] - last_rates_[i]) * profile.entry_speed / tick_;
