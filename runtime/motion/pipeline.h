@@ -31,9 +31,9 @@ struct Setpoint {
     path::Vec3 tip = path::Vec3::Zero();
     path::Vec3 tool = path::Vec3::UnitZ();  // unit vector from tip to holder
     double feed = 0;                        // path speed at this instant
-    double programmed_feed = 0;             // that was asked for; 0 outside of a cut
-    std::uint32_t pulses = 0;               // of the laser since the setpoint before
-    std::uint32_t line = 0;                 // of the ISO-7bit text
+    double programmed_feed = 0;  // path speed asked for; 0 at rapid and with the spindle standing
+    std::uint32_t pulses = 0;    // of the laser since the setpoint before
+    std::uint32_t line = 0;      // of the ISO-7bit text
     SourceId source;
 };
 

@@ -86,7 +86,8 @@ inline void Sampler::State::place(const Segment& segment, const path::Vec3& tip,
     const path::Vec3 carrier = tip + segment.tool_length * segment.tool;
     out.tip = tip;
     out.tool = segment.tool;
-    out.programmed_feed = segment.kind == SegmentKind::Feed ? segment.feed : 0;
+    out.programmed_feed =
+        segment.kind == SegmentKind::Feed && segment.spindle.is_turning ? segment.feed : 0;
     out.line = segment.line;
     out.source = segment.source;
     std::size_t column = 0;

@@ -15,6 +15,14 @@ using motion::SegmentKind;
 
 constexpr std::size_t kSegmentBatch = 32;
 
+// So many pieces that burn nothing are planned together at most.
+constexpr std::size_t kMostAlone = 1024;
+
+/// Whether a segment belongs to a block that burns a point at its end.
+bool is_burning(const Segment& segment) {
+    return segment.kind == SegmentKind::Feed && segment.spindle.is_turning;
+}
+
 PulseLeg leg_of(const Segment& segment) {
     const motion::Profile& plan = segment.profile;
     return {plan.length, plan.peak_speed, plan.acceleration, plan.entry_speed};
@@ -73,11 +81,13 @@ bool PulseTimer::work() {
     }
     Segment segment;
     if (!read(segment)) {
-        if (ahead_.is_empty()) return false;
-        ahead_.finish();
+        if (ahead_.is_empty() && alone_.empty()) return false;
+        if (!ahead_.is_empty()) ahead_.finish();
+        flush_alone();
         return true;
     }
     if (is_link(segment)) {
+        flush_alone();
         append_link(segment);
     } else {
         if (!ahead_.is_empty()) ahead_.finish();
@@ -89,7 +99,7 @@ bool PulseTimer::work() {
 
 /// Whether a segment is a whole block that ends at a point, and can pass it.
 bool PulseTimer::is_link(const Segment& segment) const {
-    return laser_.mode == machine::PulseMode::Synchronised && segment.kind == SegmentKind::Feed &&
+    return laser_.mode == machine::PulseMode::Synchronised && is_burning(segment) &&
            begins_command_ && segment.ends_command && segment.profile.length > 0;
 }
 
@@ -113,18 +123,26 @@ void PulseTimer::deliver_link() {
     ++pulses_;
 }
 
-/// What begins and ends at rest. The pieces of one command go together.
+/// What begins and ends at rest: the pieces of a block that burns, or motion between two stops.
 void PulseTimer::do_alone(Segment segment) {
     if (!motion::is_motion(segment.kind)) {
+        flush_alone();
         const double duration = segment.duration;
         deliver(std::move(segment), duration);
         finish_alone(false);
         return;
     }
-    const bool ends_command = segment.ends_command;
-    const bool is_point = segment.kind == SegmentKind::Feed;
+    const bool burns = is_burning(segment);
+    if (burns != (!alone_.empty() && is_burning(alone_.back()))) flush_alone();
+    const bool stops = segment.profile.exit_speed == 0 || alone_.size() + 1 >= kMostAlone;
+    const bool is_over = burns ? segment.ends_command : stops;
     alone_.push_back(std::move(segment));
-    if (!ends_command) return;
+    if (is_over) flush_alone();
+}
+
+void PulseTimer::flush_alone() {
+    if (alone_.empty()) return;
+    const bool is_point = is_burning(alone_.back());
     move_alone();
     finish_alone(is_point);
 }

@@ -1,10 +1,11 @@
 // pulse_timer.h — the motion module of a pulsed laser: planned motion in the times of its pulses.
 //
-// Stands behind the planner and in front of the sampler. Every block at feed ends at a point that
-// one pulse burns. Single lines that follow each other are timed together so that they pass their
-// points without a stop (pulse_ahead.h); the planner's speeds are the most that corners and ramps
-// allow, and stay the limits. Everything else, rapids, arcs in pieces, dwells, begins and ends at
-// rest, and a point behind it waits for the next pulse, as all points do in the mode `stop`.
+// Stands behind the planner and in front of the sampler. While the beam is on, which is switched as
+// a spindle is, every block at feed ends at a point that one pulse burns. Single lines that follow
+// each other are timed together so that they pass their points without a stop (pulse_ahead.h); the
+// planner's speeds are the most that corners and ramps allow, and stay the limits. Everything else
+// begins and ends at rest: motion that burns nothing, blocks of several pieces, dwells. A point
+// behind such a block waits for the next pulse, as all points do in the mode `stop`.
 //
 // Time counts in ticks of the machine, whatever the tick of the setpoints is.
 //
@@ -41,6 +42,7 @@ class PulseTimer final : public Stream<motion::Segment> {
     bool read(motion::Segment& segment);
     bool work();
     bool is_link(const motion::Segment& segment) const;
+    void flush_alone();
     void append_link(const motion::Segment& segment);
     void deliver_link();
     void do_alone(motion::Segment segment);

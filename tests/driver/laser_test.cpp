@@ -73,7 +73,7 @@ TEST_F(Laser, TheSummaryCountsPulses) {
 TEST_F(Laser, PowerFollowsTheSpeed) {
     save("beam.xml", replaced(machine_text(), "<laser pulse=\"40 Hz\" tolerance=\"10 %\"/>",
                               "<laser power=\"500 W\" least_power=\"50 W\"/>"));
-    save("cut.nc", "G21 G90 G0 X10 Y0\nG1 X40 F1200\nG0 X0\nM30\n");
+    save("cut.nc", "G21 G90 G0 X10 Y0 S100 M3\nG1 X40 F1200\nG0 X0\nM30\n");
     const ProcessResult result = kadr({"run", file("cut.nc"), "-d", "iso", "-m", file("beam.xml"),
                                        "--setpoints", file("cut.csv")});
     ASSERT_EQ(result.status, 0) << result.err;

@@ -75,7 +75,7 @@ Timed run(const machine::Machine& machine, std::vector<Command> commands) {
 
 /// Points along X at 0.125 mm.
 std::vector<Command> straight(int count) {
-    std::vector<Command> commands;
+    std::vector<Command> commands = {motion::test::spindle_on(100)};
     for (int i = 1; i <= count; ++i) commands.push_back(line_to({0.125 * i, 0, 0}, kFeed));
     return commands;
 }
@@ -148,6 +148,16 @@ TEST(PulseTimer, RapidsAndDwellsBurnNothingAndThePumpGoesOn) {
     for (const int ticks : intervals_of(timed)) EXPECT_TRUE(is_in_a_window(ticks)) << ticks;
 }
 
+TEST(PulseTimer, WithoutTheBeamNothingIsBurntAndNothingStops) {
+    std::vector<Command> commands = straight(40);
+    commands.erase(commands.begin());
+    const machine::Machine machine = laser_of();
+    const Timed timed = run(machine, commands);
+    EXPECT_EQ(timed.pulses, 0u);
+    // 5 mm at 30 mm/s and 300 mm/s², to the next tick.
+    EXPECT_NEAR(timed.totals.time, 5.0 / 30 + 30.0 / 300, 0.001);
+}
+
 TEST(PulseTimer, ABlockOfSeveralPiecesIsOnePoint) {
     // A spline is planned in pieces of even bending.
     std::vector<Command> commands = straight(2);
@@ -160,7 +170,7 @@ TEST(PulseTimer, ABlockOfSeveralPiecesIsOnePoint) {
 
 TEST(PulseTimer, SegmentsFollowEachOtherAndKeepTheLimits) {
     // A circle of points, a corner, a jump.
-    std::vector<Command> commands;
+    std::vector<Command> commands = {motion::test::spindle_on(100)};
     for (int i = 1; i <= 120; ++i) {
         const double a = 2 * std::numbers::pi * i / 120;
         commands.push_back(line_to({2.4 * std::sin(a), 2.4 - 2.4 * std::cos(a), 0}, kFeed));
