@@ -1,0 +1,213 @@
+// What the milling cycles of SINUMERIK leave behind, over many sets of parameters: nothing outside
+// the shape is touched, everything inside is at its depth, no rapid goes into material, no cut is
+// deeper than its step.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "tests/common/process.h"
+#include "tests/stdlib/cycle_run.h"
+#include "tests/stdlib/stock.h"
+
+namespace {
+
+using namespace stdlib_test;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+constexpr double kCell = 0.25;    // mm
+constexpr double kMargin = 0.03;  // inside: scallops of the simulation, cells near the border
+constexpr double kEdge = 0.004;   // outside: what rounding of the text may do
+constexpr int kSets = 6;          // parameter sets a cycle
+
+std::string number(double value) { return json(std::round(value * 1000) / 1000).dump(); }
+
+/// The arguments of a call, `_` for one that is left out.
+std::string call(const std::string& name, const std::vector<double>& arguments) {
+    std::string text = name + '(';
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        if (i > 0) text += ',';
+        if (!std::isnan(arguments[i])) text += number(arguments[i]);
+    }
+    return text + ')';
+}
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// The machine that has a cutter of this diameter as its tool 1.
+std::string machine_text(double tool_d) {
+    std::ifstream file(KADR_ROOT "/runtime/machines/mill.xml");
+    std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::size_t end = text.rfind("</machine>");
+    EXPECT_NE(end, std::string::npos);
+    text.insert(end, "<tool number=\"1\" name=\"cutter\" length=\"0 mm\" radius=\"" +
+                         number(tool_d / 2) + " mm\"/>\n");
+    return text;
+}
+
+/// The commands of these calls, from (0, 0, 40) on.
+std::vector<json> commands_of_calls(const std::string& calls, double tool_d) {
+    const fs::path folder =
+        fs::temp_directory_path() / ("kadr-control-cycles-" + std::to_string(::getpid()));
+    fs::create_directories(folder);
+    const std::string program = (folder / "part.mpf").string();
+    const std::string machine = (folder / "mill.xml").string();
+    EXPECT_TRUE(
+        kadr::write_file_whole(program, "T1 D1 M6\nS3000 M3\nG0 X0 Y0 Z40\n" + calls + "\nM30\n"));
+    EXPECT_TRUE(kadr::write_file_whole(machine, machine_text(tool_d)));
+    const ProcessResult result = run_process(
+        {KADR_BINARY, "run", program, "-d", "sinumerik", "-m", machine, "--commands", "-"});
+    EXPECT_EQ(result.status, 0) << calls << '\n' << result.err;
+    std::vector<json> commands;
+    std::istringstream lines(result.out);
+    for (std::string line; std::getline(lines, line);) {
+        json command = json::parse(line, nullptr, false);
+        if (command.is_object()) commands.push_back(std::move(command));
+    }
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);
+    return commands;
+}
+
+Stock plate() {
+    return Stock(40, kCell, 0, [](double, double) { return -1.0; });
+}
+
+/// Straight down into material goes what the call says so of; at rapid nothing does.
+void expect_no_rapid_cut(const Stock& stock) {
+    for (const Fault& fault : stock.faults()) {
+        if (fault.what == "rapid into material") ADD_FAILURE() << fault.command;
+    }
+    EXPECT_NEAR(stock.position().z, 40, 1e-9) << "the cycle ends at RTP";
+}
+
+TEST(ControlCycles, RectangularPocket) {
+    Dice dice(11);
+    for (int i = 0; i < kSets; ++i) {
+        const double tool_d = dice.length(4, 12);
+        const double l = dice.length(1.5 * tool_d, 60), w = dice.length(1.5 * tool_d, 60);
+        const double corner = dice.length(tool_d / 2 + 0.1, std::min(l, w) / 2);
+        const double floor = -dice.length(1, 9), step = dice.length(0.8, 4);
+        const double allowance = dice.coin() ? 0 : 0.3, on_floor = dice.coin() ? 0 : 0.2;
+        const double way = dice.number(0, 3), angle = 4, r = 0.2 * tool_d;
+        const auto pocket = [&](double kind, double entry, double pitch) {
+            return call("POCKET3", {40,   0,     1,     floor,     l,        w,     corner, 0,
+                                    0,    0,     step,  allowance, on_floor, 500,   100,    way,
+                                    kind, kNone, kNone, kNone,     kNone,    entry, pitch});
+        };
+        const bool on_helix = dice.coin();
+        const std::string rough = on_helix ? pocket(21, r, 0.5) : pocket(31, angle, kNone);
+        SCOPED_TRACE(rough);
+        Stock stock = plate();
+        stock.cut(commands_of_calls(rough, tool_d), tool_d);
+        expect_no_rapid_cut(stock);
+        EXPECT_TRUE(stock.faults().empty()) << "straight down into material";
+        EXPECT_LE(stock.deepest_cut(), step + 1e-3);
+        EXPECT_NEAR(stock.lowest(), floor + on_floor, 1e-6);
+        const Shape inset = rectangle(l - 2 * allowance, w - 2 * allowance,
+                                      std::max(corner - allowance, tool_d / 2));
+        EXPECT_EQ(stock.difference(inset, floor + on_floor, kMargin, kEdge), "");
+        if (allowance > 0 || on_floor > 0) {
+            stock.cut(commands_of_calls(pocket(12, kNone, kNone), tool_d), tool_d);
+            expect_no_rapid_cut(stock);
+        }
+        EXPECT_EQ(stock.difference(rectangle(l, w, corner), floor, kMargin, kEdge), "");
+        EXPECT_NEAR(stock.lowest(), floor, 1e-6);
+    }
+}
+
+TEST(ControlCycles, RoundPocket) {
+    Dice dice(12);
+    for (int i = 0; i < kSets; ++i) {
+        const double tool_d = dice.length(4, 12), r = dice.length(0.8 * tool_d, 30);
+        const double floor = -dice.length(1, 9), step = dice.length(0.8, 4);
+        const std::string whole =
+            call("POCKET4", {40, 0, 1, floor, r, 0, 0, step, 0.2, 0.1, 500, 100,
+                             static_cast<double>(dice.number(0, 3)), 21, kNone, kNone, kNone,
+                             0.2 * tool_d, 0.4}) +
+            '\n' +
+            call("POCKET2", {40, 0, 1, floor, kNone, r, 0, 0, 100, 500, step, 3, 0.2, 2, 0, 0, 0}) +
+            '\n' + call("POCKET4", {40, 0, 1, floor, r, 0, 0, step, 0.2, 0.1, 500, 100, 0, 12});
+        SCOPED_TRACE(whole);
+        Stock stock = plate();
+        stock.cut(commands_of_calls(whole, tool_d), tool_d);
+        expect_no_rapid_cut(stock);
+        EXPECT_EQ(stock.difference(disc(2 * r), floor, kMargin, kEdge), "");
+        EXPECT_NEAR(stock.lowest(), floor, 1e-6);
+    }
+}
+
+TEST(ControlCycles, Slots) {
+    Dice dice(13);
+    for (int i = 0; i < kSets; ++i) {
+        const double tool_d = dice.length(4, 12), w = dice.length(1.1 * tool_d, 1.9 * tool_d);
+        const double l = dice.length(w + 2, 60), r = dice.length(5, 30);
+        const double floor = -dice.length(1, 9), step = dice.length(0.8, 4);
+        const double way = dice.number(2, 3), allowance = dice.coin() ? 0 : 0.1;
+        const std::string slot =
+            call("SLOT1", {40,           0,         1,  floor, kNone, 1,   l,   w,
+                           -(r + l / 2), 0,         r,  0,     0,     100, 500, step,
+                           way,          allowance, 30, 0,     0,     0,   0,   6});
+        SCOPED_TRACE(slot);
+        Stock stock = plate();
+        stock.cut(commands_of_calls(slot, tool_d), tool_d);
+        expect_no_rapid_cut(stock);
+        EXPECT_EQ(stock.difference(stadium(l, w), floor, kMargin, kEdge), "");
+
+        const double radius = dice.length(w, 28), start = dice.number(0, 350),
+                     arc = dice.number(30, 200);
+        const std::string bent =
+            call("SLOT2", {40,    0, 1,   floor, kNone, 1,   arc,       w, 0, 0, radius,
+                           start, 0, 100, 500,   step,  way, allowance, 0, 0, 0, 0});
+        SCOPED_TRACE(bent);
+        Stock other = plate();
+        other.cut(commands_of_calls(bent, tool_d), tool_d);
+        expect_no_rapid_cut(other);
+        EXPECT_EQ(other.difference(bent_stadium(2 * radius, start, arc, w), floor, kMargin, kEdge),
+                  "");
+
+        const std::string hole = call(
+            "LONGHOLE", {40, 0, 1, floor, kNone, 1, l, -(r + l / 2), 0, r, 0, 0, 100, 500, step});
+        SCOPED_TRACE(hole);
+        Stock narrow = plate();
+        narrow.cut(commands_of_calls(hole, tool_d), tool_d);
+        expect_no_rapid_cut(narrow);
+        EXPECT_EQ(narrow.difference(stadium(l, tool_d), floor, kMargin, kEdge), "");
+    }
+}
+
+TEST(ControlCycles, FaceAndSpigot) {
+    Dice dice(14);
+    for (int i = 0; i < kSets; ++i) {
+        const double tool_d = dice.length(6, 16), l = dice.length(20, 60), w = dice.length(20, 60);
+        const double depth = dice.length(0.5, 3), kind = 10 * dice.number(1, 4) + 1;
+        const std::string face =
+            call("CYCLE71", {40, 0, 2, -depth, -l / 2, -w / 2, l, w, 0, 1, 0, 3, 0, 500, kind});
+        SCOPED_TRACE(face);
+        Stock blank(40, kCell, 0, rectangle(l, w, 0));
+        blank.cut(commands_of_calls(face, tool_d), tool_d);
+        expect_no_rapid_cut(blank);
+        EXPECT_EQ(blank.difference(rectangle(l, w, 0), -depth, kMargin, kEdge), "");
+
+        const double r = dice.length(5, 15), blank_d = 2 * r + 1.5 * tool_d;
+        const std::string spigot =
+            call("CYCLE77", {40, 0, 2, -depth, kNone, r, 0, 0, 1, 0.2, 0, 500, 100,
+                             static_cast<double>(dice.number(0, 3)), 1, blank_d}) +
+            '\n' +
+            call("CYCLE77", {40, 0, 2, -depth, kNone, r, 0, 0, 1, 0.2, 0, 500, 100, 0, 2, blank_d});
+        SCOPED_TRACE(spigot);
+        Stock bar(40, kCell, 0, disc(blank_d));
+        bar.cut(commands_of_calls(spigot, tool_d), tool_d);
+        expect_no_rapid_cut(bar);
+        EXPECT_EQ(bar.spigot_difference(disc(2 * r), -depth, kMargin, kEdge), "");
+    }
+}
+
+}  // namespace
