@@ -148,13 +148,16 @@ void Executor::execute_next() {
         ended_ = alarmed_ = true;  // the control stops at the line that could not be read
         return;
     }
+    if (move_plainly(*block)) return;
     if (shape_ && !check_shape_block(*block)) return;
     execute(rules_.center_stays ? with_center(*block) : *block);
-    const bool has_stages = corners_.is_active() || compensation_.is_on();  // nearly never
     const bool is_open = open_line_ || (corners_.is_active() && !acts(*block));
-    if (has_stages && !is_open) settle(*block);
+    if (has_stages() && !is_open) settle(*block);
     if (shape_ && !ended_) end_shape_block(*block);
 }
+
+/// Whether commands pass through something that keeps them back; nearly never.
+bool Executor::has_stages() const { return corners_.is_active() || compensation_.is_on(); }
 
 void Executor::end_of_blocks() {
     if (spline_) finish_spline();

@@ -1,10 +1,10 @@
 // executor.h — executes blocks one by one and puts commands out. Internal to interp.
 //
 // What a block does is told in chapters: executor.cpp (the order of things in a block, its single
-// functions), motion.cpp (targets, lines, arcs, tool length, limits), circles.cpp, polar.cpp and
-// angles.cpp (what controls work out of other words), cornering.cpp and compensating.cpp (what the
-// commands pass through), cycles.cpp (machining cycles), shapes.cpp (cycles along a shape that
-// stands in the program).
+// functions), plain_moves.cpp (what nearly every block is), motion.cpp (targets, lines, arcs, tool
+// length, limits), circles.cpp, polar.cpp and angles.cpp (what controls work out of other words),
+// cornering.cpp and compensating.cpp (what the commands pass through), cycles.cpp (machining
+// cycles), shapes.cpp (cycles along a shape that stands in the program).
 #pragma once
 
 #include <array>
@@ -173,6 +173,11 @@ class Executor {
     void scale(const nc::Block& block, const nc::Invocation& invocation);
     void pass_machine_function(const nc::Block& block, std::int64_t number);
 
+    // plain_moves.cpp
+    bool move_plainly(const nc::Block& block);
+    bool is_plain_block(const nc::Block& block) const;
+    bool is_plain_state() const;
+
     // motion.cpp
     void move(const nc::Block& block, const Actions& actions);
     Target target_of(const nc::Block& block, nc::SlotMask targets) const;
@@ -229,6 +234,7 @@ class Executor {
     void wish_corner(const nc::Block& block, const Actions& actions);
     void put_wish(const nc::Block& block, CornerWish wish);
     bool wish_square_corner(const nc::Block& block, const Target& target);
+    bool has_stages() const;
     void settle(const nc::Block& block);
     void leave_corners(const DiagnosticRow& why);
     void pass_corners();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/powers.h"
 #include "base/units.h"
 
 namespace kadr::nc {
@@ -12,10 +13,6 @@ namespace kadr::nc {
 namespace {
 
 constexpr double kMetersPerFoot = 0.3048;  // exact by definition
-
-constexpr std::array<double, 10> kPowersOfTen = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
-
-double power_of_ten(int exponent) { return kPowersOfTen[static_cast<std::size_t>(exponent)]; }
 
 /// What 1 without a decimal point means; 0: one.
 double increment_of(const NumberFormat& format, Dimension dimension, const TextUnits& units) {
@@ -115,7 +112,7 @@ char* write_scaled(char* out, std::uint64_t scaled, bool is_minus, int decimals,
 }
 
 std::uint64_t most_increments(const NumberFormat& format) {
-    constexpr auto kPowers = [] {
+    static constexpr auto kPowers = [] {
         std::array<std::uint64_t, 19> powers{1};
         for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = powers[i - 1] * 10;
         return powers;
