@@ -120,6 +120,8 @@ void Debugger::begin_step(const interp::WatchedLine& line) {
     step.file = line.file.empty() ? execution_->text_name() : std::string(line.file);
     step.line = line.line;
     step.number = line.number;
+    step.program = line.program;
+    step.level = line.level;
     step.text = line.text;
     if (line.file.empty()) find_statement(step);
     changes_.clear();

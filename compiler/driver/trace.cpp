@@ -155,6 +155,8 @@ void Trace::append_json(const TraceStep& step, const TraceState& state, std::str
     out += ",\"file\":" + json_string(step.file);
     out += ",\"line\":" + std::to_string(step.line);
     if (step.number >= 0) out += ",\"number\":" + std::to_string(step.number);
+    if (!step.program.empty()) out += ",\"program\":" + json_string(step.program);
+    if (step.level > 0) out += ",\"level\":" + std::to_string(step.level);
     out += ",\"text\":" + json_string(step.text);
     if (step.statement.file.is_valid())
         out += ",\"src\":" + json_string(session_.source_name(step.statement));
@@ -245,7 +247,9 @@ void Trace::append_row(const TraceStep& step, const TraceState& state, std::stri
         }
     }
     std::size_t begin = row.size();
-    row += "  " + (step.block == 0 ? std::string("(begin)") : step.text);
+    // Programs that were called stand to the right of their callers.
+    row += "  " + std::string(2 * step.level, ' ') +
+           (step.block == 0 ? std::string("(begin)") : step.text);
     pad(row, begin, kBlockColumns + 2);
     if (step.statement.file.is_valid()) {
         begin = row.size();

@@ -37,6 +37,8 @@ struct TraceStep {
     std::string file;
     std::uint64_t line = 0;
     std::int64_t number = -1;  // N; -1 none
+    std::string program;       // that was called; empty: the main program
+    std::size_t level = 0;     // how many calls led there
     std::string text;
     SourceRange statement;   // of the Kadr program; invalid: none
     bool has_calls = false;  // `calls` holds

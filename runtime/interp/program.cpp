@@ -132,6 +132,9 @@ bool Program::State::shows(std::string_view text) {
     line.line = frame->here.line;
     line.number = front.number;
     line.label = front.label;
+    if (frame->unit->text != units.main().text) line.file = frame->unit->text->name;
+    if (frames.size() > 1) line.program = frame->unit->name;
+    line.level = frames.size() - 1;
     if (watch->comes_to(line)) return true;
     was_stopped = has_ended = true;
     return false;

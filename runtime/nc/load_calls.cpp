@@ -70,10 +70,13 @@ class CallLoader {
         }
         const bool calls =
             form.kind == CallForm::Kind::Subprogram || form.kind == CallForm::Kind::Macro;
-        const bool has_program = form.program != '\0' || form.is_name || !form.fixed.empty();
+        // A block alone stands in the program that runs.
+        const bool has_program =
+            form.program != '\0' || form.is_name || !form.fixed.empty() || form.start != '\0';
         if (calls && !has_program) {
-            return attributes_.bad_value(
-                code, "it needs `program`, the address that says it, or `always`, the one program");
+            return attributes_.bad_value(code,
+                                         "it needs `program`, the address that says it, `always`, "
+                                         "the one program, or `start`, a block of this one");
         }
         std::erase_if(calls_.calls, [&](const CallForm& old) { return old.code == form.code; });
         calls_.calls.push_back(std::move(form));

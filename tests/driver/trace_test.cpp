@@ -115,6 +115,40 @@ TEST_F(TraceTest, EveryBlockSaysWhatItChanged) {
     EXPECT_EQ(steps[11]["block"], 11);
 }
 
+/// Rows of programs that were called say which they are, wherever they stand.
+TEST_F(TraceTest, CalledProgramsAreNamed) {
+    save("calls.mpf", "R1=1\nINNER\nOUTER\nR1=4\nM30\n%_N_INNER_SPF\nR1=2\nRET\n");
+    save("OUTER.SPF", "R1=3\nG0 X1\nINNER\nRET\n");
+    const std::vector<json> steps = traced({file("calls.mpf")});
+    const auto find = [&](const std::string& name, int line) {
+        std::vector<json> found;
+        for (const json& step : steps)
+            if (step["file"].get<std::string>().ends_with(name) && step["line"] == line)
+                found.push_back(step);
+        return found;
+    };
+    const auto main = find("calls.mpf", 1);
+    ASSERT_EQ(main.size(), 1u);
+    EXPECT_FALSE(main[0].contains("program"));
+    EXPECT_FALSE(main[0].contains("level"));
+    const auto inner = find("calls.mpf", 7);
+    ASSERT_EQ(inner.size(), 2u);
+    EXPECT_EQ(inner[0]["program"], "INNER");
+    EXPECT_EQ(inner[0]["level"], 1);
+    EXPECT_EQ(inner[1]["level"], 2);
+    const auto outer = find("OUTER.SPF", 2);
+    ASSERT_EQ(outer.size(), 1u);
+    EXPECT_EQ(outer[0]["program"], "OUTER");
+    EXPECT_EQ(outer[0]["position"]["X"], 1);
+    const ProcessResult table = kadr({"run", file("calls.mpf"), "--trace", "-"});
+    EXPECT_NE(table.out.find("OUTER.SPF:2"), std::string::npos) << table.out;
+    EXPECT_NE(table.out.find("    G0 X1"), std::string::npos) << table.out;
+    for (const char* place : {"INNER", "OUTER", "OUTER.SPF:2"}) {
+        const ProcessResult stopped = kadr({"run", file("calls.mpf"), "--break", place});
+        EXPECT_NE(stopped.err.find("stopped before"), std::string::npos) << place << stopped.err;
+    }
+}
+
 TEST_F(TraceTest, VacantIsNull) {
     const std::vector<json> steps = traced({file("a.nc"), "-d", "fanuc"});
     std::vector<std::string> numbers;
