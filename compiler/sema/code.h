@@ -450,9 +450,9 @@ struct FunctionCode {
     Units units = Units::Metric;
     nc::Function motion = nc::Function::Rapid;  // that is modal where a program begins
     int work_offset = 0;                        // that acts there; 0: what the target has
-    bool has_diameters = false;                 // X is a diameter there: it, or what it calls, turns
-    SourceRange range;                          // of the name
-    bool is_main_file = false;                  // a program of the file that was asked for
+    bool has_diameters = false;  // X is a diameter there: it, or what it calls, turns
+    SourceRange range;           // of the name
+    bool is_main_file = false;   // a program of the file that was asked for
 };
 
 struct Code {

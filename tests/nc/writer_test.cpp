@@ -213,9 +213,9 @@ TEST(Writer, WhetherXIsADiameter) {
     expect_text("fanuc-lathe", {{"G18 DIAMON\nG0 X10", "X10.\n"}, {"G0 X10\nDIAMON", "X10.\n"}});
     EXPECT_EQ(write("fanuc-lathe", "DIAMOF").codes, "K4201");
     EXPECT_EQ(write("fanuc-lathe-b", "DIAMOF").codes, "K4201");
-    EXPECT_EQ(write("fanuc", "DIAMON\nG0 X10").codes, "K4216");
+    EXPECT_EQ(write("fanuc", "DIAMON\nG0 X10").codes, "K4217");
     EXPECT_EQ(write("fanuc", "DIAMON\nG0 X10").text, "X10.\n");
-    EXPECT_EQ(write("fanuc", "DIAMOF\nG0 X10").codes, "K4216");
+    EXPECT_EQ(write("fanuc", "DIAMOF\nG0 X10").codes, "K4217");
 }
 
 // On a lathe X is a diameter, I and R are not, and no word need say so.
