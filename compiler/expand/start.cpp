@@ -61,6 +61,7 @@ Expander::State::State(const sema::Code& program, const nc::Dialect& dialect,
     : code(program), target(dialect), options(wanted), sink(messages), heap(program) {
     turns_reserve = std::max<std::uint64_t>(options.limits.loop_turns, 1);
     blocks_left = options.limits.blocks;
+    has_frame_diameter = target.has_rule("shift_in_diameter");
     all_given.reserve(code.functions.size());
     for (const FunctionCode& function : code.functions) {
         const std::size_t count = function.parameters.size();
@@ -270,6 +271,7 @@ bool Expander::State::set_number(const ParameterInfo& parameter, double value, S
 ModalState Expander::State::first_state(const FunctionCode& function) const {
     ModalState state = ModalState::at_start(function);
     state.stops_at_tool_change = target.has_rule("tool_change_stops_spindle");
+    if (target.power_on(nc::Group::Diameter) == nc::Function::DiameterOn) state.is_diameter = true;
     return state;
 }
 

@@ -4,6 +4,7 @@
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/sema.h"
 #include "base/numbers.h"
+#include "nc/frame_words.h"
 #include "sema/checker.h"
 
 namespace kadr::sema {
@@ -119,6 +120,8 @@ std::uint32_t Checker::customs_of(const Plan& plan, std::span<const Word> words)
     for (const nc::Invocation& invocation : plan.functions) {
         using nc::Function;
         add(dialect.has_rule("rotation_is_innermost"), custom::kFrameOrder);
+        add(dialect.has_rule("shift_in_diameter") && nc::frame_x(invocation.function).has_value(),
+            custom::kFrameDiameter);
         const bool by_tool = dialect.counts_offsets_by_tool();
         switch (invocation.function) {
             case Function::Shift:

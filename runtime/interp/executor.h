@@ -251,6 +251,7 @@ class Executor {
     void wish_corner(const nc::Block& block, const Actions& actions);
     void put_wish(const nc::Block& block, CornerWish wish);
     bool wish_square_corner(const nc::Block& block, const Target& target);
+    bool has_stages() const;
     void settle(const nc::Block& block);
     void settle_stages(const nc::Block& block, const AxisValues& here, bool is_last);
     void leave_corners(const DiagnosticRow& why);

@@ -73,8 +73,8 @@ std::size_t Program::State::pull(std::span<Block> out) {
             if (given > 0) return given;
             has_visible_fault = true;
         }
-        if (is_only_checking && done == Done::Block && !has_visible_fault) return given;
         if (done == Done::Block && runs_flat()) take_flat(out);
+        if (is_only_checking && done == Done::Block && !has_visible_fault) return given;
     }
     return given;
 }
