@@ -156,7 +156,6 @@ class Executor {
                                         double value);
     // executor.cpp: the order of things
     void execute_next();
-    bool has_stages() const;
     bool acts(const nc::Block& block) const;
     void execute(const nc::Block& block);
     void run(const nc::Block& block);
