@@ -194,6 +194,7 @@ class Finisher {
                 text += '_';
                 append_shortest(text, word.tail_value);
             }
+            if (word.is_absolute) text += '!';
             if (word.kind == FormWord::Kind::Quoted) text += '"';
             if (word.kind == FormWord::Kind::Text) text += word.text;
             words.push_back(std::move(text));
