@@ -540,18 +540,18 @@ TEST(Turning, WrongParametersAreRefused) {
         {"{ DIAMON; G1 X20 Z0; Z-10; }", "turn_rough(shape, d: 40mm, step: 2mm, falling: 90deg)",
          "a tool cannot fall at 90 deg"},
         {"{ DIAMON; G1 X20 Z0; Z-10; }", "turn_rough(shape, d: 88mm, step: 2mm)",
-         "the tool starts at diameter 90; outside the part is 92 and more"},
+         "the tool starts at diameter 90 mm; outside the part is 92 mm and more"},
         {"{ DIAMON; G1 X60 Z0; Z-10; }", "turn_rough(shape, d: 40mm, step: 2mm, where: inner)",
-         "the tool starts at diameter 90; free is the bore to 36"},
+         "the tool starts at diameter 90 mm; free is the bore to 36 mm"},
         {"{ DIAMON; G1 X20 Z0; Z-10; X16 Z-14; X30; }",
          "turn_rough(shape, d: 40mm, step: 2mm, falling: 45deg, allowance_z: 0.1mm)",
          "an allowance along Z would cut into the walls of hollows"},
         {"{ DIAMON; G1 X20 Z0; X88 Z-10; }", "turn_contour(shape)",
-         "the tool starts at diameter 90; outside the part is 92 and more"},
+         "the tool starts at diameter 90 mm; outside the part is 92 mm and more"},
         {"{ DIAMON; G1 X20 Z0; X88 Z-10; }", "turn_contour(shape, nose: -1mm)",
          "are no radius and no allowance"},
         {"{ DIAMON; G1 X60 Z0; X30 Z-10; }", "turn_contour(shape, where: inner)",
-         "free is the bore to 26"},
+         "free is the bore to 26 mm"},
     };
     for (const auto& row : rows) {
         const std::string text = program_text(row.contour, row.call, {45, 60}, "contour_turning");
