@@ -1,10 +1,10 @@
 // scratch.h — names of files and folders that a test makes.
 #pragma once
 
+#include <string>
+
 #include <gtest/gtest.h>
 #include <unistd.h>
-
-#include <string>
 
 namespace kadr::testing {
 

@@ -330,7 +330,8 @@ TEST(MachineFile, UnknownName) {
     ASSERT_EQ(diagnostics.all().size(), 1u);
     EXPECT_EQ(diagnostics.all()[0].row->code, "K6001");
     EXPECT_EQ(diagnostics.all()[0].fixes.at(0).text, "there is `mill`");
-    EXPECT_EQ(diagnostics.all()[0].notes.at(0).text, "known are `laser`, `lathe`, `mill`, `mill-fast`");
+    EXPECT_EQ(diagnostics.all()[0].notes.at(0).text,
+              "known are `laser`, `lathe`, `mill`, `mill-fast`");
 }
 
 TEST(MachineFile, UnreadableFile) {
