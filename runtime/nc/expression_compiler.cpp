@@ -100,7 +100,12 @@ bool ExpressionCompiler::take_expression(Expression& out) {
 }
 
 bool ExpressionCompiler::take_operand(Expression& out) {
-    return take_as_expression(out, [this](bool& is_logical) { return take_level(0, is_logical); });
+    skip();
+    const OperatorForm* const sign = find_operator(at_, true);
+    const bool is_fine =
+        take_as_expression(out, [this](bool& is_logical) { return take_level(0, is_logical); });
+    out.keeps_vacant = sign != nullptr && sign->operation == Operation::Negate;
+    return is_fine;
 }
 
 /// A value that is no comparison where the control does not store such.
@@ -284,6 +289,8 @@ bool ExpressionCompiler::take_text() {
 // ---------------- names
 
 bool ExpressionCompiler::take_name(const Word& word) {
+    const bool is_sign = word.text == "#" || word.text == "$";  // without a number or a name
+    if (is_sign) return fail_here(diag::ExpressionSyntax);
     if (begins_reference(word.begin)) return take_variable();
     for (const FunctionForm& form : language_.functions) {
         if (words_.says(word, form.name)) return take_function(word, form);
