@@ -283,10 +283,8 @@ const nc::Form* ControlVariables::active_form(std::size_t group) const {
         if (form.group != static_cast<int>(group) || !form.is_read) continue;
         const bool is_offset = form.function == nc::Function::WorkOffset && !form.fixed.empty() &&
                                form.fixed[0].second == dialect_.first_work_offset();
-        const auto& defaults = tables_.groups[group].power_on;
         const bool is_default = std::ranges::find(defaults, form.function) != defaults.end();
-        const bool is_passed = form.function == nc::Function::None;
-        if (is_offset || is_default || is_passed) return &form;
+        if (is_offset || is_default) return &form;
     }
     return nullptr;
 }
@@ -295,6 +293,14 @@ std::optional<double> ControlVariables::modal_code(std::int64_t number, bool by_
     for (std::size_t group = 0; group < tables_.groups.size(); ++group) {
         if (number_of(tables_.groups[group].name) != number) continue;
         const nc::Form* form = active_form(group);
+        // Of codes on which nothing depends the first one acts before any was said.
+        const auto is_of_group = [&](const nc::Form& other) {
+            return other.group == static_cast<int>(group) && other.is_read;
+        };
+        const auto first = std::ranges::find_if(tables_.forms, is_of_group);
+        if (form == nullptr && first != tables_.forms.end() &&
+            first->function == nc::Function::None)
+            form = &*first;
         if (form == nullptr) return std::nullopt;
         const nc::FormWord& word = form->words[0];
         if (!by_place) return word.number;

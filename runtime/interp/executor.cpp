@@ -269,6 +269,19 @@ void Executor::run_functions(const Block& said) {
 
 Actions Executor::apply_functions(const Block& block) {
     Actions actions;
+    const auto apply = [&](bool is_plane) {
+        for (std::size_t i = 0; i < block.function_count && !ended_; ++i) {
+            const Invocation& invocation = block.functions[i];
+            const bool sets_plane = nc::info(invocation.function).group == Group::Plane;
+            if (sets_plane == is_plane) apply_function(block, invocation, actions);
+        }
+    };
+    if (block.find(Function::Rotate) != nullptr) {
+        // A rotation turns in the plane of its block, wherever that is said.
+        apply(true);
+        apply(false);
+        return actions;
+    }
     for (std::size_t i = 0; i < block.function_count && !ended_; ++i) {
         apply_function(block, block.functions[i], actions);
     }

@@ -398,6 +398,8 @@ bool ExpressionCompiler::take_reference(Reference& out) {
     const Word word = words_.word_at(at_);
     const bool is_fine = take_family(word, out) || (!fault_ && take_named(word, out)) ||
                          (!fault_ && take_symbol(word, out));
+    const bool is_sign = word.text == "#" || word.text == "$";  // without a number or a name
+    if (!is_fine && !fault_ && is_sign) return fail_here(diag::ExpressionSyntax);
     if (!is_fine) return fault_ ? false : fail_unknown(word);
     out.indices.count = static_cast<std::uint32_t>(out_.code.size()) - out.indices.first;
     out.indices.span = out.span = span_from(begin);
