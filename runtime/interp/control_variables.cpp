@@ -182,9 +182,7 @@ Variables::Answer ControlVariables::system(Quantity quantity, std::int64_t first
         return Answer::Value;
     }
     switch (quantity) {
-        case Quantity::BlockNumber:
-            out = static_cast<double>(block_number_);
-            return Answer::Value;
+        case Quantity::BlockNumber: out = static_cast<double>(block_number_); return Answer::Value;
         case Quantity::MachineCode: out = reader_.machine_code(); return Answer::Value;
         case Quantity::ModalCall: out = modal_call_ ? modal_call_() : 0; return Answer::Value;
         case Quantity::ProgramNumber:
@@ -228,8 +226,7 @@ double ControlVariables::text_factor(const Indices& indices, std::int64_t axis) 
 double ControlVariables::to_text_units(Quantity quantity, const Indices& indices,
                                        double value) const {
     if (is_of_axis(quantity)) {
-        const std::int64_t axis =
-            quantity == Quantity::WorkOffset ? indices.second : indices.first;
+        const std::int64_t axis = quantity == Quantity::WorkOffset ? indices.second : indices.first;
         return on_increment(value * text_factor(indices, axis), state_->is_length(axis));
     }
     if (quantity == Quantity::Feed)
@@ -259,8 +256,7 @@ const nc::Form* ControlVariables::active_form(std::size_t group) const {
         return active == form.function;
     };
     const auto& defaults = tables_.groups[group].power_on;
-    const bool is_of_cycles =
-        std::ranges::find(defaults, nc::Function::CycleOff) != defaults.end();
+    const bool is_of_cycles = std::ranges::find(defaults, nc::Function::CycleOff) != defaults.end();
     if (is_of_cycles && reader_.last_cycle() != nc::kNoForm &&
         reader_.modal()[static_cast<std::size_t>(nc::Group::CycleMode)] == nc::Function::Cycle)
         return &tables_.forms[reader_.last_cycle()];
@@ -624,8 +620,8 @@ ControlVariables::Fault ControlVariables::store_system(Quantity quantity, const 
                  text_factor(indices, indices.second);
     }
     if (is_of_tool_data(quantity)) {
-        number = on_increment(number, true) /
-                 text_scale(nc::Dimension::Length, reader_.units(), true);
+        number =
+            on_increment(number, true) / text_scale(nc::Dimension::Length, reader_.units(), true);
     }
     switch (state_->set_quantity(quantity, indices.first, indices.second, number,
                                  language_.rules.offsets_act_at_once)) {

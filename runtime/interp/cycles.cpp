@@ -164,8 +164,8 @@ const Block& Executor::with_depth_apart(const Block& block) {
     if (said == nullptr || cycle_blocks_ || machine_.is_lathe || !is_modal(block.cycle))
         return block;
     const int depth = dialect_.cycles()[block.cycle].roles.depth;
-    const bool is_said = depth >= 0 && (said->given >> depth & 1u) != 0 &&
-                         (said->by_form >> depth & 1u) == 0;
+    const bool is_said =
+        depth >= 0 && (said->given >> depth & 1u) != 0 && (said->by_form >> depth & 1u) == 0;
     if (!is_said || plane_in(block) == path::Plane::Xy) return block;
     called_ = block;
     called_.set(Slot::Z, block.argument(*said, static_cast<std::size_t>(depth)));

@@ -462,9 +462,9 @@ class Executor {
     ModalCycle modal_cycle_;
     CycleData cycle_data_;
     std::optional<nc::Block> call_behind_motions_;
-    int times_left_ = 0;                  // that the block does the cycle again
+    int times_left_ = 0;                    // that the block does the cycle again
     std::optional<Frames> frames_outside_;  // of a cycle whose distances the scaling spares
-    std::optional<double> begins_at_;     // level at which the cycle takes the tool to be
+    std::optional<double> begins_at_;       // level at which the cycle takes the tool to be
     std::optional<double> final_level_;   // below its retract level, where the tool goes behind it
     std::vector<ModalCycle> presets_;     // parameters that the next calls need not give
     std::optional<nc::CycleId> defined_;  // the one of them that was said last

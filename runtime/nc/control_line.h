@@ -218,8 +218,8 @@ class SymbolTable {
 
 /// How a line is understood beyond what stands in it.
 struct LineContext {
-    bool has_plain_codes = false;  // codes that call a program of their own mean what they are
-    bool is_argument = false;      // the words are arguments of a modal call
+    bool has_plain_codes = false;   // codes that call a program of their own mean what they are
+    bool is_argument = false;       // the words are arguments of a modal call
     std::uint16_t skip_levels = 0;  // bit n: the operator leaves out what has the level n
     friend bool operator==(const LineContext&, const LineContext&) = default;
 };

@@ -99,8 +99,8 @@ class Finisher {
             code.is_plain = !is_noted && form.function != Function::None && form.sets.empty() &&
                             form.fixed.empty() && form.during.empty() && !form.owns_block &&
                             !form.owns_axes && !form.owns_line && form.without.empty() &&
-                            !form.owns_address && form.unsupported.empty() &&
-                            !form.remembers && form.function != Function::Cycle &&
+                            !form.owns_address && form.unsupported.empty() && !form.remembers &&
+                            form.function != Function::Cycle &&
                             info(form.function).parameters.empty();
         }
     }

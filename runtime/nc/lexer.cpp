@@ -615,7 +615,7 @@ class Lexer {
     std::string_view open_;
     std::string compact_;
     bool has_names_ = false;
-    bool has_comma_words_ = false;  // `,C`
+    bool has_comma_words_ = false;     // `,C`
     bool is_behind_computed_ = false;  // the piece before is a word that is worked out
     std::size_t at_ = 0;
     std::optional<LineFault> fault_;

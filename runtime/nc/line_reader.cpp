@@ -574,8 +574,7 @@ void LineReader::note_form(FormId id, std::string_view line) {
     if (is_told) return;
     passed_.push_back(id);
     const Span span = span_of_form(form, line);
-    DiagnosticBuilder message =
-        sink_.report(diag::IsoPassedOver, place(line, line_number_, span));
+    DiagnosticBuilder message = sink_.report(diag::IsoPassedOver, place(line, line_number_, span));
     message.arg(std::string(line.substr(span.begin, span.end - span.begin))).arg(form.passed);
     write_notes(message);
 }

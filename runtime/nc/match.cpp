@@ -396,8 +396,8 @@ class Matcher {
         if (form.owns_axes && !without_axes_) without_axes_ = head;
         if (form.owns_line && !without_places_) without_places_ = head;
         for (std::size_t i = 0; i < words_.size(); ++i) {
-            const bool is_barred = std::ranges::find(form.without, words_[i].address) !=
-                                   form.without.end();
+            const bool is_barred =
+                std::ranges::find(form.without, words_[i].address) != form.without.end();
             if (is_barred) return MatchFault{MatchFault::Kind::Company, head, i};
         }
         if (form.owns_address) {
