@@ -51,6 +51,12 @@ bool is_given(const ModalCycle& call, std::optional<std::size_t> parameter) {
     return parameter && (call.given >> *parameter & 1u) != 0;
 }
 
+/// Whether the call says its shift along both axes, so that it has a direction.
+bool has_shift_vector(const nc::CycleInfo& cycle, const ModalCycle& call) {
+    if (cycle.roles.shift < 0) return false;
+    return is_given(call, static_cast<std::size_t>(cycle.roles.shift) + 1);
+}
+
 }  // namespace
 
 /// Whether further axis words repeat the cycle, so that its words stay in force.
@@ -151,6 +157,25 @@ void Executor::move_instead_of_cycle(const Block& block, const Actions& actions)
 // ------------------------------------------------------------------------------ words of modal
 // cycles
 
+/// The level of a cycle is a word of the plane's normal; in another plane than X-Y its word of Z is
+/// a place.
+const Block& Executor::with_depth_apart(const Block& block) {
+    const Invocation* const said = block.find(Function::Cycle);
+    if (said == nullptr || cycle_blocks_ || machine_.is_lathe || !is_modal(block.cycle))
+        return block;
+    const int depth = dialect_.cycles()[block.cycle].roles.depth;
+    const bool is_said =
+        depth >= 0 && (said->given >> depth & 1u) != 0 && (said->by_form >> depth & 1u) == 0;
+    if (!is_said || plane_in(block) == path::Plane::Xy) return block;
+    called_ = block;
+    called_.set(Slot::Z, block.argument(*said, static_cast<std::size_t>(depth)));
+    for (std::size_t i = 0; i < called_.function_count; ++i) {
+        Invocation& invocation = called_.functions[i];
+        if (invocation.function == Function::Cycle) invocation.given &= ~(1u << depth);
+    }
+    return called_;
+}
+
 /// How often the block does the cycle; false: not at all.
 bool Executor::count_times(const CycleWords& words) {
     const auto times = static_cast<int>(words.times.value_or(1));
@@ -170,7 +195,8 @@ CycleLevel Executor::retract_now(double value) const {
 
 /// Keeps what a call says by its words; what its code says by itself is not for other cycles.
 void Executor::keep_call(const ModalCycle& call) {
-    const nc::CycleInfo::Roles& roles = dialect_.cycles()[call.cycle].roles;
+    const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
+    const nc::CycleInfo::Roles& roles = info.roles;
     const auto says = [&](int parameter) {
         return parameter >= 0 && (call.given >> parameter & 1u) != 0 &&
                (call.by_form >> parameter & 1u) == 0;
@@ -182,7 +208,8 @@ void Executor::keep_call(const ModalCycle& call) {
     if (says(roles.retract)) cycle_data_.retract = retract_now(value(roles.retract));
     // A stroke and a shift have no direction: their sign does not count.
     if (says(roles.stroke)) cycle_data_.stroke = std::abs(value(roles.stroke));
-    if (says(roles.shift)) cycle_data_.stroke = std::abs(value(roles.shift));
+    if (says(roles.shift) && !has_shift_vector(info, call))
+        cycle_data_.stroke = std::abs(value(roles.shift));
     if (says(roles.dwell)) cycle_data_.dwell = value(roles.dwell);
 }
 
@@ -229,12 +256,36 @@ void Executor::complete_words(ModalCycle& call) {
     set(roles.depth, depth);
     const double stroke = cycle_data_.stroke.value_or(0);
     set(roles.stroke, stroke > 0 ? stroke : std::abs(retract - depth));
-    set(roles.shift, stroke);
+    if (!has_shift_vector(info, call)) set(roles.shift, stroke);
     if (cycle_data_.dwell) set(roles.dwell, *cycle_data_.dwell);
 
     // A level under the bottom (boring from below) is no place to come back to.
     const bool stays_low = returns_to_retract_ && retract > depth;
     set_argument(call, find_parameter(info, "initial"), stays_low ? retract : cycle_data_.initial);
+}
+
+/// Where a scaling spares what a cycle says of ways, the cycle runs without it, between the levels
+/// that it gives.
+void Executor::take_off_scale(ModalCycle& call) {
+    const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
+    if (rules_.cycle_distances_scaled || !frames_.is_scaled() || info.roles.depth < 0) return;
+    const std::size_t normal = index(path::axes_of(cycle_plane()).normal);
+    std::array<AxisValues, 3> places;
+    const std::array<std::optional<std::size_t>, 3> levels = {
+        static_cast<std::size_t>(info.roles.depth), static_cast<std::size_t>(info.roles.retract),
+        find_parameter(info, "initial")};
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        places[i] = position_.here;
+        if (is_given(call, levels[i])) places[i][normal] = call.arguments[*levels[i]];
+        places[i] = frames_.to_base(places[i]);
+    }
+    frames_outside_ = frames_;
+    frames_.scale_off();
+    frame_changed();
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        if (is_given(call, levels[i]))
+            call.arguments[*levels[i]] = frames_.from_base(places[i])[normal];
+    }
 }
 
 /// The library's cycles begin and end at their initial level; those of controls go straight to the
@@ -360,6 +411,7 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
 
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     complete_words(call);
+    take_off_scale(call);
     go_straight(call);
     if (!time_turns(block, call)) return;
     if (!complete_tap(block, call) || !complete_thread(block, call)) return;
@@ -529,6 +581,11 @@ void Executor::finish_cycle() {
     modal_cycle_.is_active = is_modal_behind_cycle_;
     if (final_level_) return_to_level();
     if (ended_) return;
+    if (frames_outside_) {
+        frames_ = *frames_outside_;
+        frames_outside_.reset();
+        frame_changed();
+    }
     if (times_left_ > 0) {
         --times_left_;
         const Actions after = after_cycle_;

@@ -47,6 +47,7 @@ Program::State::State(const nc::Dialect& dialect_, nc::TextSource& text, std::st
     main->level = &variables.main_level();
     frames.push_back(std::move(main));
     resume_frame(*frames[0]);
+    variables.ask_modal_call([this] { return modal_call_code(); });
     lines.add_notes([this](DiagnosticBuilder& message) {
         for (const nc::CallSite* site = frame->site.get(); site != nullptr; site = site->from.get())
             message.note(site->place, "called here");

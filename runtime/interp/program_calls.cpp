@@ -324,6 +324,7 @@ Program::State::Done Program::State::begin(CompiledLine& line, const PreparedCal
     auto callee = std::make_unique<Frame>();
     callee->unit = call.unit;
     callee->text.name = call.unit->text->name;
+    callee->text.program = call.unit->name;
     callee->call = call;
     callee->left = call.passes;
     callee->site = call.site;
@@ -551,6 +552,15 @@ const PreparedCall* Program::State::active_modal_call() const {
     return count == 0 ? nullptr : modal_calls[count - 1].get();
 }
 
+/// The code of the modal call that acts; without one that which ends it.
+double Program::State::modal_call_code() const {
+    const PreparedCall* const active = active_modal_call();
+    if (active != nullptr && active->form != nullptr) return active->form->number;
+    const auto end =
+        std::ranges::find(language.calls.calls, CallForm::Kind::EndModal, &CallForm::kind);
+    return end == language.calls.calls.end() ? 0 : end->number;
+}
+
 bool Program::State::takes_blocks() const {
     const PreparedCall* const active = active_modal_call();
     return active != nullptr && active->form != nullptr &&
@@ -558,7 +568,7 @@ bool Program::State::takes_blocks() const {
 }
 
 nc::LineContext Program::State::context() const {
-    return {frame->is_in_code_call, !modal_calls.empty() && takes_blocks()};
+    return {frame->is_in_code_call, !modal_calls.empty() && takes_blocks(), options.skip_levels};
 }
 
 /// Behind a block that moves an axis the modal call is made.

@@ -232,6 +232,7 @@ struct Program::State {
     void perform_call();
     const PreparedCall* active_modal_call() const;
     bool takes_blocks() const;
+    double modal_call_code() const;
     nc::LineContext context() const;
     void call_behind(const nc::Block& block, std::string_view text, std::uint64_t number);
     Done begin_due();

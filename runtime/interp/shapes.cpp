@@ -25,7 +25,12 @@ bool is_foreign(Function function) {
         case Function::EndRewind:
         case Function::ReferencePoint:
         case Function::ReferenceReturn:
+        case Function::ReferenceCheck:
+        case Function::ReferenceLeave:
+        case Function::RapidOnce:
+        case Function::WayOffset:
         case Function::MachineCoordinates:
+        case Function::PositionReset:
         case Function::SetPosition:
         case Function::WorkOffset:
         case Function::Shift:

@@ -666,7 +666,8 @@ BlockWriter::Misfit BlockWriter::misfit(const Form& form, const Block& block,
         const bool is_said = group == Group::Motion && effective_motion(block) == needed &&
                              (block.motion == needed || (block.given & kTargetSlots) != 0);
         // In its own line the block says it for the form, or the contrary.
-        const Function own = form.owns_block ? Function::None : said_of(block, group);
+        const bool is_alone = form.owns_block || form.owns_line;
+        const Function own = is_alone ? Function::None : said_of(block, group);
         const bool is_active = own != Function::None ? own == needed
                                                      : modal_.text[index_of(group)] == needed ||
                                                            is_restored || is_said;
@@ -789,7 +790,8 @@ void BlockWriter::write_functions_alone(const Block& block, std::string& out) {
         write_before(form, block, out);
         if (!form.implied.empty()) write_initial_level(form, block, invocation, out);
         if (!form.lead.empty()) write_lead(form, block, invocation, out);
-        if (is_only || !(form.owns_block || shares_address(form, block))) continue;
+        const bool is_alone = form.owns_block || form.owns_line;
+        if (is_only || !(is_alone || shares_address(form, block))) continue;
         Items items;
         for (const Function needed : form.needs) add_code(block, needed, items);
         items.add(Item::of_form(form.order, chosen_[i], &invocation));
