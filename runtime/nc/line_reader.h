@@ -7,6 +7,7 @@
 
 #include <bitset>
 #include <functional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -109,6 +110,9 @@ class LineReader {
     /// had said it, and follows it.
     void restore(const ModalFunctions& wanted, Block& block);
 
+    /// Each word of a line that has no effect here is said once.
+    void say_passed(const LexedLine& words, std::string_view line);
+
     bool failed() const { return failed_; }
     std::uint64_t first_fault() const { return first_fault_; }
     const TextUnits& units() const { return units_; }
@@ -169,6 +173,7 @@ class LineReader {
     LexedLine own_lexed_;
     Match match_;
     std::vector<FormId> last_forms_;  // of each group of the dialect
+    std::set<const PassedWord*> said_passed_;
 };
 
 }  // namespace kadr::nc
