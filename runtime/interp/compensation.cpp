@@ -367,9 +367,8 @@ void Compensation::emit_arc(const Held& held, const CompPiece& piece) {
         command.center = {shown_[0], shown_[1], shown_[2]};
         command.exact_stop = false;
         command.turns = 0;
-    } else if (held.radius > 0 &&
-               (held.feed == CompFeed::Contour ||
-                (held.feed == CompFeed::Inside && radius < held.radius))) {
+    } else if (held.radius > 0 && (held.feed == CompFeed::Contour ||
+                                   (held.feed == CompFeed::Inside && radius < held.radius))) {
         command.feed *= radius / held.radius;
     }
     set_in_plane(command.to, arc.to);

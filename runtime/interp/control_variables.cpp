@@ -271,9 +271,8 @@ std::optional<double> ControlVariables::modal_code(std::int64_t number, bool by_
     const auto place = std::ranges::find_if(
         tables_.groups, [&](const auto& group) { return number_of(group.name) == number; });
     if (by_place) {
-        const auto list = std::ranges::find_if(language_.code_lists, [&](const auto& of) {
-            return number_of(of.group) == number;
-        });
+        const auto list = std::ranges::find_if(
+            language_.code_lists, [&](const auto& of) { return number_of(of.group) == number; });
         if (list == language_.code_lists.end()) return std::nullopt;
         if (list->standard == 0 || place == tables_.groups.end())
             return static_cast<double>(list->standard);
@@ -290,8 +289,8 @@ std::optional<double> ControlVariables::modal_code(std::int64_t number, bool by_
 std::optional<double> ControlVariables::code_in_list(const nc::CodeList& list,
                                                      std::size_t group) const {
     const nc::FormId last = reader_.last_form(group);
-    const bool is_said = last != nc::kNoForm &&
-                         info(tables_.forms[last].function).group == nc::Group::Once;
+    const bool is_said =
+        last != nc::kNoForm && info(tables_.forms[last].function).group == nc::Group::Once;
     const nc::Form* form = is_said ? &tables_.forms[last] : active_form(group);
     if (form == nullptr) return static_cast<double>(list.standard);
     const auto found = std::ranges::find(list.codes, form->words[0].text);

@@ -397,8 +397,8 @@ class Executor {
     BlockQueue program_;
     Output output_;
     RunClock clock_;
-    std::size_t timed_ = 0;         // commands of this batch that the clock knows
-    double latest_time_ = 0;        // that the program has been told, s
+    std::size_t timed_ = 0;   // commands of this batch that the clock knows
+    double latest_time_ = 0;  // that the program has been told, s
     /// A clock of the program's own, s: what it shows, or what is added to the running time.
     struct Timer {
         double value = 0;

@@ -72,8 +72,8 @@ struct RadiusCompState {
     nc::Function corner = nc::Function::None;
     bool has_check = false;
     std::optional<std::int64_t> feed;  // CompFeed by number; nothing: as the control begins
-    double pointed = 0;    // of arcs about corners, percent
-    double allowance = 0;  // mm
+    double pointed = 0;                // of arcs about corners, percent
+    double allowance = 0;              // mm
 };
 
 /// What the program has chosen for soft approaches and retracts.

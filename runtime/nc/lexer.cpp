@@ -22,16 +22,16 @@ struct ModeName {
     GivenWord::Mode mode;
 };
 constexpr std::array<ModeName, 10> kModes = {{{"AC", GivenWord::Mode::Absolute},
-                                             {"IC", GivenWord::Mode::Incremental},
-                                             {"DAC", GivenWord::Mode::DiameterAbsolute},
-                                             {"DIC", GivenWord::Mode::DiameterIncremental},
-                                             {"RAC", GivenWord::Mode::RadiusAbsolute},
-                                             {"RIC", GivenWord::Mode::RadiusIncremental},
-                                             {"DC", GivenWord::Mode::Shortest},
-                                             {"ACP", GivenWord::Mode::Positive},
-                                             {"ACN", GivenWord::Mode::Negative},
-                                             // Without an acknowledgement of the machine.
-                                             {"QU", GivenWord::Mode::Modal}}};
+                                              {"IC", GivenWord::Mode::Incremental},
+                                              {"DAC", GivenWord::Mode::DiameterAbsolute},
+                                              {"DIC", GivenWord::Mode::DiameterIncremental},
+                                              {"RAC", GivenWord::Mode::RadiusAbsolute},
+                                              {"RIC", GivenWord::Mode::RadiusIncremental},
+                                              {"DC", GivenWord::Mode::Shortest},
+                                              {"ACP", GivenWord::Mode::Positive},
+                                              {"ACN", GivenWord::Mode::Negative},
+                                              // Without an acknowledgement of the machine.
+                                              {"QU", GivenWord::Mode::Modal}}};
 
 class Lexer {
   public:
@@ -290,8 +290,8 @@ class Lexer {
              {known.empty() ? "an address with a number of its own" : known});
     }
 
-    /// `S1=500`, `M1=3`, `SPOS[1]=90`: a word of the only spindle that there is; `at_` is behind the
-    /// letters that begin at `begin`.
+    /// `S1=500`, `M1=3`, `SPOS[1]=90`: a word of the only spindle that there is; `at_` is behind
+    /// the letters that begin at `begin`.
     bool take_spindle(std::size_t begin) {
         const bool has_index = peek() == '[';
         if ((!has_index && !is_digit(peek())) || rules_.spindle_words.empty()) return false;
@@ -363,8 +363,7 @@ class Lexer {
         while (end < line_.size()) {
             while (joins(end)) ++end;
             end = behind_blanks();
-            while (end < line_.size() && !is_blank(line_[end]) && !joins(end) &&
-                   !is_comment(end)) {
+            while (end < line_.size() && !is_blank(line_[end]) && !joins(end) && !is_comment(end)) {
                 const bool opens = line_[end] == '(' || line_[end] == '[' || line_[end] == '"';
                 end = opens ? end_of_brackets(end) : end + 1;
             }

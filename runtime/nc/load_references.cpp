@@ -32,6 +32,13 @@ std::string DialectTables::unsupported_words(std::string_view word) const {
     return std::string("`").append(word).append("` (").append(found->second).append(")");
 }
 
+bool DialectTables::is_passed(std::string_view word) const {
+    const auto first = passed.lower_bound(word);
+    if (first == passed.end() || !first->first.starts_with(word)) return false;
+    const std::string_view rest = std::string_view(first->first).substr(word.size());
+    return rest.empty() || rest[0] == '(' || rest[0] == '=';
+}
+
 void load_alarm(const XmlElement& element, DialectTables& tables, Attributes& attributes) {
     const XmlAttribute& name = needed(element, "for");
     const auto rows = all_diagnostics();
