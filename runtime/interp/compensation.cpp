@@ -221,6 +221,7 @@ Compensation::Fault Compensation::follow_kept(Command& command) {
 Compensation::Fault Compensation::approach(Command& command) {
     if (!is_straight(command.op)) return &diag::CompStartOnArc;
     if (keeps_vector_) return &diag::CompNoVector;
+    if (is_curve(settings_.start) && command.op != Op::Line) return &diag::CompMotion;
     begin_approach(command);
     return nullptr;
 }
@@ -260,7 +261,6 @@ Compensation::Fault Compensation::enter(const Element& first) {
         return nullptr;
     }
     if (is_curve(settings_.start) && !goes_straight_) {
-        if (held_.front().command.op != Op::Line) return &diag::CompMotion;
         emit_curve_in(first);
     } else {
         emit_line(held_.front(), path::RadiusComp::start_of(first, distance_), false);

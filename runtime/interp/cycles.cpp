@@ -483,12 +483,13 @@ bool Executor::check_surroundings(const Block& block, const ModalCycle& call) {
     const bool turns_by_itself = has("turns") || has("after");
     const bool turns =
         spindle_.mode == path::SpindleMode::Cw || spindle_.mode == path::SpindleMode::Ccw;
+    // A program that calls no tool at all finds the one from before; it is warned where it cuts.
     std::string_view missing;
     if (comp_.side != Function::RadiusCompOff) {
         missing = "cutter radius compensation must be off before a cycle";
-    } else if (tool_.source == Tool::Source::None) {
+    } else if (tool_.source == Tool::Source::None && tool_.current != 0) {
         missing = "no tool offset acts, and the cycle needs one";
-    } else if (tool_.current == 0) {
+    } else if (tool_.source != Tool::Source::None && tool_.current == 0) {
         missing = "the tool in the spindle is number 0, and the cycle needs one";
     } else if (needs_feed && !has_feed) {
         missing = "no feed is set for the cycle";
