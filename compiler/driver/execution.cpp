@@ -85,6 +85,15 @@ class Execution::HeldMessages final : public DiagnosticSink {
         for (Diagnostic& diagnostic : held_) next_.take(std::move(diagnostic));
         held_.clear();
     }
+    /// Behind the last block: what was said of the lines up to it.
+    void release_up_to(const std::string& file, std::uint32_t line) {
+        const auto is_behind = [&](const Diagnostic& diagnostic) {
+            return diagnostic.severity != Severity::Warning || !diagnostic.line ||
+                   (diagnostic.line->file == file && diagnostic.line->line > line);
+        };
+        std::erase_if(held_, is_behind);
+        release();
+    }
 
   private:
     DiagnosticSink& next_;
@@ -296,6 +305,7 @@ std::size_t Execution::pull(std::span<path::Command> out) {
     has_stopped_ = has_stopped_ || sink_->alarms() > alarms;
     // Stopped without a word of its own: the reader knows why.
     if (count == 0 && interpreter_->alarmed() && !has_stopped_) held_->release();
+    if (count == 0) held_->release_up_to(text_name_, last_line_);
     return count;
 }
 

@@ -99,6 +99,20 @@ std::optional<double> Executor::clock(Quantity quantity) {
     }
 }
 
+double Executor::timer(std::int64_t number) {
+    const auto found = timers_.find(number);
+    if (found == timers_.end()) return 0;
+    return found->second.runs ? run_time() + found->second.value : found->second.value;
+}
+
+void Executor::set_timer(std::int64_t number, double value) {
+    if (value < 0) {
+        timers_[number] = {timer(number), false};
+    } else {
+        timers_[number] = {value - run_time(), true};
+    }
+}
+
 std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
                                          std::int64_t second) {
     if (spline_) finish_spline();  // where the tool is cannot be said inside of one
@@ -138,12 +152,20 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::SelectedTool: return number(tool_.selected);
         case Quantity::LengthOffset: return number(tool_.offset);
         case Quantity::RadiusOffset: return number(tool_.radius_offset);
+        case Quantity::ToolEdge: return tool_.source == Tool::Source::Edge ? 1 : 0;
+        case Quantity::ToolPart:
+            if (first < 1 || first > 3) return std::nullopt;
+            return first == 1 && tool_.source != Tool::Source::None
+                       ? tool_offsets_.length(tool_.length_number())
+                       : 0;
+        case Quantity::Timer: return timer(first);
         case Quantity::ToolRadius: return tool_offsets_.radius(tool_.current);
         case Quantity::LengthGeometry:
         case Quantity::LengthWear:
         case Quantity::RadiusGeometry:
         case Quantity::RadiusWear:
-            if (first < 1 || first > rules_.tool_offsets) return std::nullopt;
+            // Of a tool the first cutting edge is known.
+            if (first < 1 || first > rules_.tool_offsets || second > 1) return std::nullopt;
             return tool_offsets_.value(*ToolOffsets::column_of(quantity), first);
         case Quantity::ProbePosition: {
             const auto axis = axis_of(first);

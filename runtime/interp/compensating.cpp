@@ -64,7 +64,7 @@ void Executor::act_on_comp(const Block& block, const Actions& actions) {
     send_comp({CompChange::Kind::Set,
                comp_settings(),
                modal_.plane,
-               comp_distance(block),
+               comp_distance(block, comp_offset().value_or(0)),
                position_.base,
                {},
                {}});
@@ -146,8 +146,12 @@ void Executor::begin_comp(const Block& block, Function side) {
         return;
     }
     comp_.side = side;
-    const double distance = comp_distance(block);
-    if (ended_) return;
+    const std::optional<std::int64_t> offset = comp_offset();
+    if (!offset) {
+        report(diag::CompWithoutTool, block, comp_.side);
+        return;
+    }
+    const double distance = comp_distance(block, *offset);
     send_comp(
         {CompChange::Kind::Begin, comp_settings(), modal_.plane, distance, position_.base, {}, {}});
 }
@@ -172,22 +176,23 @@ CompSettings Executor::comp_settings() const {
                      : comp_.start == Function::CompStartTangent ? CompStart::Tangent
                      : comp_.start == Function::CompStartSmooth  ? CompStart::Smooth
                                                                  : rules_.comp_start;
-    settings.feed = rules_.comp_feed;
+    settings.feed = comp_.feed ? static_cast<CompFeed>(*comp_.feed) : rules_.comp_feed;
+    settings.radius_changes_in_lines = rules_.comp_keeps_tool;
     settings.empty_blocks = rules_.comp_empty_blocks;
     settings.more_empty_is_fault = rules_.comp_more_empty_is_alarm;
     return settings;
 }
 
+/// Number of the offset whose radius acts, 0 for none; nothing: no edge of a tool acts.
+std::optional<std::int64_t> Executor::comp_offset() const {
+    if (rules_.comp_radius_by_offset || tool_.radius_offset != 0) return tool_.radius_offset;
+    if (tool_.source == Tool::Source::None || tool_.current == 0) return std::nullopt;
+    return tool_.current;
+}
+
 /// Of the cutter's centre from the contour, mm, positive to the left. A frame that mirrors the
 /// plane changes the side.
-double Executor::comp_distance(const Block& block) {
-    const bool by_offset = rules_.comp_radius_by_offset || tool_.radius_offset != 0;
-    const bool has_edge = tool_.source != Tool::Source::None;
-    const std::int64_t number = by_offset ? tool_.radius_offset : has_edge ? tool_.current : 0;
-    if (number == 0 && !by_offset) {
-        report(diag::CompWithoutTool, block, comp_.side);
-        return 0;
-    }
+double Executor::comp_distance(const Block& block, std::int64_t number) {
     const double radius = tool_offsets_.radius(number);
     const bool is_known_gap =
         std::find(unknown_radii_.begin(), unknown_radii_.end(), number) != unknown_radii_.end();

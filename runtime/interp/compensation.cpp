@@ -240,8 +240,12 @@ Compensation::Fault Compensation::follow(Command& command) {
         if (const Fault fault = enter(element)) return fault;
     }
     const double radius = element.is_arc() ? path::radius(element) : 0;
+    const bool has_changed = has_last_ && std::abs(distance_ - last_distance_) > path::kSamePoint;
+    if (has_changed && element.is_arc() && settings_.radius_changes_in_lines)
+        return &diag::CompMotion;
+    last_distance_ = distance_;
     here_ = command.to;
-    return push(element, {std::move(command), ++elements_, radius, false});
+    return push(element, {std::move(command), ++elements_, radius, false, settings_.feed});
 }
 
 /// The first element says where the approach ends.
@@ -363,7 +367,8 @@ void Compensation::emit_arc(const Held& held, const CompPiece& piece) {
         command.center = {shown_[0], shown_[1], shown_[2]};
         command.exact_stop = false;
         command.turns = 0;
-    } else if (settings_.feed == CompFeed::Contour && held.radius > 0) {
+    } else if (held.radius > 0 && (held.feed == CompFeed::Contour ||
+                                   (held.feed == CompFeed::Inside && radius < held.radius))) {
         command.feed *= radius / held.radius;
     }
     set_in_plane(command.to, arc.to);

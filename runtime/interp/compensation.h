@@ -24,6 +24,8 @@ struct CompSettings {
     path::CompRules corners;
     CompStart start = CompStart::Normal;
     CompFeed feed = CompFeed::Contour;
+    bool radius_changes_in_lines =
+        false;                        // an arc under another radius is a fault; else its side steps
     int empty_blocks = 3;             // without motion in the plane that may stand in a row
     bool more_empty_is_fault = true;  // else the cutter goes to the normal before them
 };
@@ -89,6 +91,7 @@ class Compensation {
         std::size_t index = 0;      // of the element; 0: no motion in the plane
         double radius = 0;          // of an arc as programmed
         bool is_departure = false;  // ends where it is programmed
+        CompFeed feed = CompFeed::Contour;
     };
     using Fault = const DiagnosticRow*;  // null: none
 
@@ -134,7 +137,8 @@ class Compensation {
     AxisValues meant_{};  // … and as it was programmed
     path::RadiusComp corners_{{}};
     std::size_t elements_ = 0;
-    path::Element last_;  // of the contour
+    path::Element last_;        // of the contour …
+    double last_distance_ = 0;  // … and how far the cutter's centre goes beside it
     bool has_last_ = false;
     bool approaches_ = false;     // the first of `held_` waits for the first element
     bool goes_straight_ = false;  // the approach, whatever the settings say

@@ -35,6 +35,7 @@ bool is_of_axis(Quantity quantity) {
 bool is_of_tool_data(Quantity quantity) {
     switch (quantity) {
         case Quantity::ToolRadius:
+        case Quantity::ToolPart:
         case Quantity::LengthGeometry:
         case Quantity::LengthWear:
         case Quantity::RadiusGeometry:
@@ -286,29 +287,44 @@ const nc::Form* ControlVariables::active_form(std::size_t group) const {
 }
 
 std::optional<double> ControlVariables::modal_code(std::int64_t number, bool by_place) const {
-    for (std::size_t group = 0; group < tables_.groups.size(); ++group) {
-        if (number_of(tables_.groups[group].name) != number) continue;
-        const nc::Form* form = active_form(group);
-        // Of codes on which nothing depends the first one acts before any was said.
-        const auto is_of_group = [&](const nc::Form& other) {
-            return other.group == static_cast<int>(group) && other.is_read;
-        };
-        const auto first = std::ranges::find_if(tables_.forms, is_of_group);
-        if (form == nullptr && first != tables_.forms.end() &&
-            first->function == nc::Function::None)
-            form = &*first;
-        if (form == nullptr) return std::nullopt;
-        const nc::FormWord& word = form->words[0];
-        if (!by_place) return word.number;
-        for (const nc::CodeList& list : language_.code_lists) {
-            if (list.group != tables_.groups[group].name) continue;
-            const auto found = std::ranges::find(list.codes, word.text);
-            if (found == list.codes.end()) return std::nullopt;
-            return static_cast<double>(found - list.codes.begin() + 1);
-        }
-        return std::nullopt;
+    const auto place = std::ranges::find_if(
+        tables_.groups, [&](const auto& group) { return number_of(group.name) == number; });
+    if (by_place) {
+        const auto list = std::ranges::find_if(
+            language_.code_lists, [&](const auto& of) { return number_of(of.group) == number; });
+        if (list == language_.code_lists.end()) return std::nullopt;
+        if (list->standard == 0 || place == tables_.groups.end())
+            return static_cast<double>(list->standard);
+        return code_in_list(*list, static_cast<std::size_t>(place - tables_.groups.begin()));
     }
-    return std::nullopt;
+    if (place == tables_.groups.end()) return std::nullopt;
+    const auto group = static_cast<std::size_t>(place - tables_.groups.begin());
+    const nc::Form* form = active_form(group);
+    if (form == nullptr) {
+        // Of codes on which nothing depends the first one acts before any was said.
+        const auto first = std::ranges::find_if(tables_.forms, [&](const nc::Form& other) {
+            return other.group == static_cast<int>(group) && other.is_read;
+        });
+        const bool is_passed =
+            first != tables_.forms.end() && first->function == nc::Function::None;
+        if (is_passed) form = &*first;
+    }
+    if (form == nullptr) return std::nullopt;
+    return form->words[0].number;
+}
+
+/// The place of the code that acts; one that is no modal function of the vocabulary acts since it
+/// was said.
+std::optional<double> ControlVariables::code_in_list(const nc::CodeList& list,
+                                                     std::size_t group) const {
+    const nc::FormId last = reader_.last_form(group);
+    const bool is_said =
+        last != nc::kNoForm && info(tables_.forms[last].function).group == nc::Group::Once;
+    const nc::Form* form = is_said ? &tables_.forms[last] : active_form(group);
+    if (form == nullptr) return static_cast<double>(list.standard);
+    const auto found = std::ranges::find(list.codes, form->words[0].text);
+    if (found == list.codes.end()) return static_cast<double>(list.standard);
+    return static_cast<double>(found - list.codes.begin() + 1);
 }
 
 // ---------------------------------------------------------------- names

@@ -96,6 +96,7 @@ class ControlVariables final : public Variables {
     double to_text_units(nc::Quantity quantity, const Indices& indices, double value) const;
     double on_increment(double value, bool is_length) const;
     double text_factor(const Indices& indices, std::int64_t axis) const;
+    std::optional<double> code_in_list(const nc::CodeList& list, std::size_t group) const;
     std::optional<double> modal_code(std::int64_t group, bool by_place) const;
     /// Sets a variable of a store by `set`, and notes it if somebody wants to know. `symbol`: that
     /// it is a part of; null: a variable of the language.

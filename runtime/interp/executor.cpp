@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/assert.h"
+#include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
 
@@ -254,7 +255,16 @@ void Executor::run_functions(const Block& said) {
     const Block* places = with_places(block);
     if (places != nullptr && actions.angle != nullptr) places = with_angle(*places, *actions.angle);
     if (places == nullptr) return;
+    const Modal modal = modal_;
+    if (actions.feed_once) {
+        modal_.feed = *actions.feed_once;
+        modal_.has_feed = true;
+    }
     move(*places, actions);
+    if (actions.feed_once) {
+        modal_.feed = modal.feed;
+        modal_.has_feed = modal.has_feed;
+    }
     if (call_behind_motions_) call_behind_motion(*places);
     if (actions.calls_defined && !ended_) call_defined(block);
     if (ended_) return;
@@ -395,6 +405,11 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             soft_.side = static_cast<SoftState::Side>(
                 std::clamp<std::int64_t>(count_of(block, invocation), 0, 3));
             break;
+        case Function::CompFeed:
+            comp_.feed = std::clamp<std::int64_t>(count_of(block, invocation), 0, 2);
+            actions.comp_changed |= comp_.side != Function::RadiusCompOff;
+            break;
+        case Function::FeedOnce: actions.feed_once = block.argument(invocation, 0); break;
         case Function::SoftSteps: soft_.in_steps = count_of(block, invocation) != 0; break;
         case Function::LengthCompOn:
         case Function::LengthCompMinus:
@@ -413,10 +428,11 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             set_length_source(
                 count_of(block, invocation) == 0 ? Tool::Source::None : Tool::Source::Edge,
                 actions);
+            if (!keeps_shape()) actions.comp_changed |= comp_.side != Function::RadiusCompOff;
             break;
         case Function::ToolSelect:
             tool_.selected = tool_number(block, invocation);
-            actions.tool_change |= rules_.tool_select_changes;
+            actions.tool_change |= selects_at_once();
             if ((invocation.given & 2u) != 0) {
                 tool_.offset = std::llround(block.argument(invocation, 1));
                 set_length_source(tool_.offset == 0 ? Tool::Source::None : Tool::Source::Offset,
@@ -476,7 +492,11 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::ToolOffsetData: actions.data = &invocation; break;
         case Function::Shift:
         case Function::ShiftAdd:
+        case Function::ShiftCoarse:
+        case Function::ShiftFine:
         case Function::Rotate:
+        case Function::RotateSpace:
+        case Function::RotateSolid:
         case Function::RotateOff:
         case Function::Scale:
         case Function::ScaleOff:
@@ -693,7 +713,17 @@ std::int64_t Executor::unlisted_tool(const Block& block) {
     return number;
 }
 
+bool Executor::selects_at_once() const {
+    return rules_.tool_select_changes == ToolSelectChanges::Yes ||
+           (rules_.tool_select_changes == ToolSelectChanges::Lathe && machine_.is_lathe);
+}
+
 void Executor::change_tool(const Block& block) {
+    const bool is_other = tool_.selected != tool_.current;
+    if (is_other && rules_.comp_keeps_tool && comp_.side != Function::RadiusCompOff) {
+        report(diag::CompToolChange, block);
+        return;
+    }
     if (tool_.selected != tool_.current) {
         tool_.current = tool_.selected;
         put(Op::Tool, block).tool = tool_.current;
@@ -702,7 +732,9 @@ void Executor::change_tool(const Block& block) {
         spindle_.mode = SpindleMode::Stop;
         update_spindle(block);
     }
-    if (rules_.tool_change_activates_length) tool_.source = Tool::Source::Edge;
+    // What the block says of the edge itself is said.
+    if (rules_.tool_change_activates_length && block.find(Function::ToolEdge) == nullptr)
+        tool_.source = Tool::Source::Edge;
     tool_.has_changed |= tool_.source == Tool::Source::Edge;
 }
 
@@ -730,6 +762,10 @@ void Executor::apply_frame(const Block& block, const Invocation& invocation) {
     switch (invocation.function) {
         case Function::Shift: frames_.shift(words); break;
         case Function::ShiftAdd: frames_.shift_add(words); break;
+        case Function::ShiftCoarse: frames_.set_coarse(words); break;
+        case Function::ShiftFine: frames_.set_fine(words); break;
+        case Function::RotateSpace:
+        case Function::RotateSolid: rotate_in_space(block, invocation); break;
         case Function::Rotate:
             frames_.rotate(plane_in(block),
                            rad_from_deg(block.argument(invocation, 0, rules_.rotation_angle)),
@@ -766,6 +802,22 @@ FrameWords Executor::center_of(const Block& block, const Invocation& invocation)
         if (!center.has(i)) center.values[i] = position_.here[i];
     }
     return center;
+}
+
+/// About X, Y and Z, as far as they are named.
+void Executor::rotate_in_space(const Block& block, const Invocation& invocation) {
+    std::vector<AxisAndValue> angles;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if ((invocation.given >> i & 1u) != 0)
+            angles.push_back({static_cast<Axis>(i), block.argument(invocation, i)});
+    }
+    if (invocation.function == Function::RotateSpace) {
+        frames_.turn(rotation_frame(angles).linear);
+    } else if (angles.size() <= 2) {
+        frames_.turn(solid_frame(angles).linear);
+    } else {
+        report(diag::SolidAngles, block, invocation.function).arg(angles.size());
+    }
 }
 
 /// One factor, or one for each axis; the axes that nothing is said of keep their size.

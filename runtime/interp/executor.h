@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -59,6 +60,7 @@ struct Actions {
     bool had_feed = false;
     const nc::Invocation* corner = nullptr;  // chamfer or rounding at the end of the block
     double corner_feed = 0;                  // 0: not said
+    std::optional<double> feed_once;         // of this block alone
     const nc::Invocation* angle = nullptr;
     const nc::Invocation* orient = nullptr;
     const nc::Invocation* dwell = nullptr;
@@ -143,6 +145,8 @@ class Executor {
     std::optional<double> place_of(nc::Quantity quantity, Axis axis) const;
     double mirrored_axes() const;
     std::optional<double> clock(nc::Quantity quantity);
+    double timer(std::int64_t number);
+    void set_timer(std::int64_t number, double value);
     void count_time();
     double run_time();
     // offsets.cpp: what a program writes
@@ -189,6 +193,8 @@ class Executor {
     void apply_frame(const nc::Block& block, const nc::Invocation& invocation);
     FrameWords center_of(const nc::Block& block, const nc::Invocation& invocation) const;
     void scale(const nc::Block& block, const nc::Invocation& invocation);
+    void rotate_in_space(const nc::Block& block, const nc::Invocation& invocation);
+    bool selects_at_once() const;
     void pass_machine_function(const nc::Block& block, std::int64_t number);
 
     // plain_moves.cpp
@@ -281,7 +287,8 @@ class Executor {
     std::optional<path::Vec2> direction_in_base(const path::Vec3& programmed) const;
     std::optional<path::Vec2> leave_direction(const nc::Block& block) const;
     CompSettings comp_settings() const;
-    double comp_distance(const nc::Block& block);
+    std::optional<std::int64_t> comp_offset() const;
+    double comp_distance(const nc::Block& block, std::int64_t number);
     void report_comp(const CompAlarm& alarm);
 
     // soft_moves.cpp
@@ -403,8 +410,14 @@ class Executor {
     BlockQueue program_;
     Output output_;
     RunClock clock_;
-    std::size_t timed_ = 0;         // commands of this batch that the clock knows
-    double latest_time_ = 0;        // that the program has been told, s
+    std::size_t timed_ = 0;   // commands of this batch that the clock knows
+    double latest_time_ = 0;  // that the program has been told, s
+    /// A clock of the program's own, s: what it shows, or what is added to the running time.
+    struct Timer {
+        double value = 0;
+        bool runs = false;
+    };
+    std::map<std::int64_t, Timer> timers_;
     double milliseconds_from_ = 0;  // what the program has set, without the time since
     double hours_from_ = 0;
     std::optional<AxisValues> probed_;  // where the last probing ended, in the programmed system

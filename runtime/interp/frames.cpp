@@ -98,6 +98,25 @@ void Frames::shift_add(const FrameWords& words) {
     append(Step::Kind::Shift, path::translation(vector_of(words)));
 }
 
+void Frames::set_coarse(const FrameWords& words) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (words.has(i)) shift_[i] = words.values[i];
+    }
+    update();
+}
+
+void Frames::set_fine(const FrameWords& words) {
+    const AxisValues now = programmable().fine;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (words.has(i)) fine_[i] += words.values[i] - now[i];
+    }
+    update();
+}
+
+void Frames::turn(const path::Mat3& rotation) {
+    append(Step::Kind::Rotation, {rotation, Vec3::Zero()});
+}
+
 void Frames::rotate(path::Plane plane, double angle, const FrameWords& center) {
     if (rules_->rotate_replaces) erase(Step::Kind::Rotation);
     const Frame rotation = path::rotation_in_plane(plane, angle);

@@ -35,6 +35,11 @@ class Frames {
     void set_programmable(const ControlFrame& frame);
     void shift(const FrameWords& words);
     void shift_add(const FrameWords& words);
+    /// The shift of the named axes, and what was added to it.
+    void set_coarse(const FrameWords& words);
+    void set_fine(const FrameWords& words);
+    /// A rotation in space, about the origin reached so far.
+    void turn(const path::Mat3& rotation);
     /// angle   rad
     /// center  in the system reached so far; what is not given is its origin
     void rotate(path::Plane plane, double angle, const FrameWords& center);

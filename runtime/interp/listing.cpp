@@ -69,6 +69,9 @@ std::string_view coolant_name(CoolantMode mode) {
     return "";
 }
 
+/// Directions this close to each other are the same one.
+constexpr double kSamePlane = 1e-9;
+
 /// Nine decimals at most, without trailing zeros: frames leave noise behind them.
 void append_number(std::string& out, double value) {
     constexpr double kScale = 1e9;
@@ -171,6 +174,12 @@ void append_arc(std::string& out, const Command& command) {
     append_numbers(out, {command.center.data(), 3});
     append_word(out, "plane", plane_name(command.plane));
     append_word(out, "dir", command.is_clockwise ? "cw" : "ccw");
+    // An arc in space goes counter-clockwise about its normal, whatever the plane.
+    const path::Vec3 across = path::unit(path::axes_of(command.plane).normal);
+    if (std::abs(command.normal.dot(across)) < 1 - kSamePlane) {
+        append_key(out, "normal");
+        append_numbers(out, {command.normal.data(), 3});
+    }
     if (command.turns != 0) append_field(out, "turns", command.turns);
 }
 

@@ -46,7 +46,9 @@ Write Executor::set_quantity(Quantity quantity, std::int64_t first, std::int64_t
         case Quantity::LengthWear:
         case Quantity::RadiusGeometry:
         case Quantity::RadiusWear:
+            if (second > 1) return Write::NoPlace;
             return set_tool_offset(*ToolOffsets::column_of(quantity), first, value);
+        case Quantity::Timer: set_timer(first, value); return Write::Done;
         case Quantity::Milliseconds:
             milliseconds_from_ = value - run_time() * 1000;
             return Write::Done;

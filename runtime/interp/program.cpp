@@ -419,6 +419,10 @@ Program::State::Done Program::State::run(CompiledLine& line, Block& out) {
         return lines.read_known(line.text, out) ? Done::Block : Done::Nothing;
     const nc::LexedLine& words = line.line.words;
     if (words.skip >= 0 && (options.skip_levels >> words.skip & 1u) != 0) return Done::Nothing;
+    if (!words.passed.empty()) {
+        lines.note_content();
+        lines.say_passed(words, line.text);
+    }
     const std::vector<ControlStatement>& statements = line.line.statements;
     // A subprogram is called behind the words of its block.
     const bool is_call = !line.line.calls.empty();

@@ -380,6 +380,7 @@ Program::State::Done Program::State::bind_parameters(CompiledLine& line, const P
                                                      Frame& callee) {
     const ControlStatement* const head = call.unit->procedure();
     const std::size_t count = head == nullptr ? 0 : head->parameters.size();
+    if (call.unit->has_wrong_head) return Done::Nothing;
     if (call.arguments.size() > count) {
         return fail(line, diag::CallArguments, call.arguments[count].span,
                     {quoted(call.unit->name), std::to_string(count),

@@ -97,9 +97,8 @@ void ProgramUnits::look_for_head(ProgramUnit& unit) const {
         if (is_header || at >= line.size() || words.is_comment(at)) continue;
         if (nc::front_of(tables_, line).statement != nc::Statement::Procedure) return;
         nc::ControlLine head;
-        const bool is_fine =
-            !compile_line(tables_, nc::SymbolTable(), line, head) && !head.statements.empty();
-        if (is_fine) unit.head = std::move(head);
+        unit.has_wrong_head = compile_line(tables_, nc::SymbolTable(), line, head).has_value();
+        if (!unit.has_wrong_head && !head.statements.empty()) unit.head = std::move(head);
         return;
     }
 }

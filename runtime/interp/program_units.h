@@ -67,6 +67,7 @@ struct ProgramUnit {
     std::unordered_map<std::uint64_t, std::unique_ptr<CompiledLine>> compiled;
     bool has_looked_for_head = false;
     std::optional<nc::ControlLine> head;  // with its statement, if it is a procedure
+    bool has_wrong_head = false;  // … that has a fault, which is told where it is executed
 
     const nc::ControlStatement* procedure() const { return head ? &head->statements[0] : nullptr; }
 };

@@ -60,7 +60,12 @@ bool read(std::string_view text, LengthAxis& value) { return read(text, "plane",
 bool read(std::string_view text, CompStart& value) {
     return read(text, "normal", "extended", "around", value);
 }
-bool read(std::string_view text, CompFeed& value) { return read(text, "contour", "center", value); }
+bool read(std::string_view text, CompFeed& value) {
+    return read(text, "contour", "center", "inside", value);
+}
+bool read(std::string_view text, ToolSelectChanges& value) {
+    return read(text, "no", "yes", "lathe", value);
+}
 bool read(std::string_view text, path::OutsideCorner& value) {
     return read(text, "arc", "intersection", "square", value);
 }

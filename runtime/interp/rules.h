@@ -20,6 +20,8 @@ enum class ArcWithoutChord : std::uint8_t { Alarm, NoMotion };
 enum class ArcWithoutCenter : std::uint8_t { Alarm, Line };
 enum class IncrementalFrame : std::uint8_t { Traversed, Distance };
 enum class LengthAxis : std::uint8_t { Plane, Z };
+/// Whether a tool that is selected is in the spindle at once.
+enum class ToolSelectChanges : std::uint8_t { No, Yes, Lathe };
 enum class MissingEnd : std::uint8_t { Warning, Alarm };
 /// How the cutter goes to the first point beside the contour, and from the last.
 enum class CompStart : std::uint8_t {
@@ -29,8 +31,9 @@ enum class CompStart : std::uint8_t {
     Tangent,   // on a curve that has the contour's direction there
     Smooth,    // … and its curvature
 };
-/// What F is of on a compensated arc.
-enum class CompFeed : std::uint8_t { Contour, Center };
+/// What F is of on a compensated arc; Inside: of the contour where the cutter is inside of the arc,
+/// else of the cutter's centre.
+enum class CompFeed : std::uint8_t { Contour, Center, Inside };
 
 struct Rules {
 #define KADR_RULE(type, field, standard, values, meaning, source) type field = standard;

@@ -161,7 +161,7 @@ void Executor::approach_softly(const Block& block, const Actions& actions) {
         send_comp({CompChange::Kind::Begin,
                    comp_settings(),
                    modal_.plane,
-                   comp_distance(block),
+                   comp_distance(block, comp_offset().value_or(0)),
                    position_.base,
                    {},
                    {}});
@@ -334,7 +334,7 @@ void Executor::retract_softly(const Block& block, const Actions& actions) {
         send_comp({CompChange::Kind::Begin,
                    comp_settings(),
                    modal_.plane,
-                   comp_distance(block),
+                   comp_distance(block, comp_offset().value_or(0)),
                    position_.base,
                    {},
                    {}});

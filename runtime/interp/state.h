@@ -72,8 +72,9 @@ struct RadiusCompState {
     nc::Function start = nc::Function::None;  // None: as the control begins
     nc::Function corner = nc::Function::None;
     bool has_check = false;
-    double pointed = 0;    // of arcs about corners, percent
-    double allowance = 0;  // mm
+    std::optional<std::int64_t> feed;  // CompFeed by number; nothing: as the control begins
+    double pointed = 0;                // of arcs about corners, percent
+    double allowance = 0;              // mm
 };
 
 /// What the program has chosen for soft approaches and retracts.

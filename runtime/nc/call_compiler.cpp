@@ -287,7 +287,8 @@ bool CallCompiler::take_named_call() {
     }
     const std::size_t name_begin = at_;
     call.name = program_name(at_);
-    if (call.name.empty() || is_known_name(call.name)) return give_up();
+    if (call.name.empty() || is_known_name(call.name) || tables_.is_passed(call.name))
+        return give_up();
     form = form_of_name(call.name);
     call.form = static_cast<std::int32_t>(form - language_.calls.calls.data());
     call.span = span_from(name_begin);

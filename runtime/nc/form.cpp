@@ -335,8 +335,16 @@ class LineParser {
             word.is_lead = unit == "lead";
             return true;
         }
+        if (unit == "placeholder") {
+            word.is_named_only = word.is_placeholder = true;
+            return true;
+        }
         if (unit == "absolute") {
             word.is_absolute = true;
+            return true;
+        }
+        if (unit == "turned") {
+            word.takes_ways = true;
             return true;
         }
         if (unit == "increments") {

@@ -212,6 +212,7 @@ struct FramePartName {
 struct CodeList {
     std::string group;
     std::vector<std::string> codes;
+    std::int64_t standard = 1;  // the number of the one that acts where none was said; 0: none does
 };
 
 /// The whole language of a control.

@@ -1,5 +1,6 @@
 #include "nc/lexer.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -20,15 +21,17 @@ struct ModeName {
     std::string_view name;
     GivenWord::Mode mode;
 };
-constexpr std::array<ModeName, 9> kModes = {{{"AC", GivenWord::Mode::Absolute},
-                                             {"IC", GivenWord::Mode::Incremental},
-                                             {"DAC", GivenWord::Mode::DiameterAbsolute},
-                                             {"DIC", GivenWord::Mode::DiameterIncremental},
-                                             {"RAC", GivenWord::Mode::RadiusAbsolute},
-                                             {"RIC", GivenWord::Mode::RadiusIncremental},
-                                             {"DC", GivenWord::Mode::Shortest},
-                                             {"ACP", GivenWord::Mode::Positive},
-                                             {"ACN", GivenWord::Mode::Negative}}};
+constexpr std::array<ModeName, 10> kModes = {{{"AC", GivenWord::Mode::Absolute},
+                                              {"IC", GivenWord::Mode::Incremental},
+                                              {"DAC", GivenWord::Mode::DiameterAbsolute},
+                                              {"DIC", GivenWord::Mode::DiameterIncremental},
+                                              {"RAC", GivenWord::Mode::RadiusAbsolute},
+                                              {"RIC", GivenWord::Mode::RadiusIncremental},
+                                              {"DC", GivenWord::Mode::Shortest},
+                                              {"ACP", GivenWord::Mode::Positive},
+                                              {"ACN", GivenWord::Mode::Negative},
+                                              // Without an acknowledgement of the machine.
+                                              {"QU", GivenWord::Mode::Modal}}};
 
 class Lexer {
   public:
@@ -268,14 +271,18 @@ class Lexer {
         const char letter = peek();
         ++at_;
         if (is_digit(peek()) && take_extended(begin)) return;
+        if (take_spindle(begin)) return;
         const AddressId address = tables_.letters[static_cast<unsigned char>(letter) & 127u];
         if (address == kNoAddress) {
+            if (take_passed(begin)) return;
             skip_inner_blanks();
             while (at_ < line_.size() && (is_digit(peek()) || peek() == '.' || peek() == '-'))
                 ++at_;
             if (peek() == '=') {
+                const std::string known =
+                    tables_.unsupported_words(upper_ascii(line_.substr(begin, at_ - begin)));
                 return fail(diag::IsoNotSupported, begin, at_,
-                            {"the control's own parametric language"});
+                            {known.empty() ? "the control's own parametric language" : known});
             }
             return fail_unknown(begin, at_);
         }
@@ -292,8 +299,111 @@ class Lexer {
             }
         }
         if (!take_number(address, begin)) return;
-        if (peek() == '=')
-            fail(diag::IsoNotSupported, begin, at_, {"an address with a number of its own"});
+        if (peek() != '=') return;
+        const std::string known =
+            tables_.unsupported_words(upper_ascii(line_.substr(begin, at_ - begin)));
+        fail(diag::IsoNotSupported, begin, at_,
+             {known.empty() ? "an address with a number of its own" : known});
+    }
+
+    /// `S1=500`, `M1=3`, `SPOS[1]=90`: a word of the only spindle that there is; `at_` is behind
+    /// the letters that begin at `begin`.
+    bool take_spindle(std::size_t begin) {
+        const bool has_index = peek() == '[';
+        if ((!has_index && !is_digit(peek())) || rules_.spindle_words.empty()) return false;
+        std::string name(line_.substr(begin, at_ - begin));
+        if (rules_.ignores_case) name = upper_ascii(name);
+        if (std::ranges::find(rules_.spindle_words, name) == rules_.spindle_words.end())
+            return false;
+        std::size_t end = at_ + (has_index ? 1 : 0);
+        const std::size_t first = end;
+        while (end < line_.size() && is_digit(line_[end])) ++end;
+        const std::string_view number = line_.substr(first, end - first);
+        if (has_index) {
+            if (end == line_.size() || line_[end] != ']') return false;
+            ++end;
+        }
+        const std::size_t sign = std::min(line_.find_first_not_of(" \t", end), line_.size());
+        if (number.empty() || sign == line_.size() || line_[sign] != '=') return false;
+        if (number != "1") {
+            fail(diag::IsoNotSupported, begin, end,
+                 {"`" + std::string(line_.substr(begin, end - begin)) + "` (another spindle)"});
+            return true;
+        }
+        at_ = sign;
+        take_assigned(tables_.find_address(name), begin);
+        return true;
+    }
+
+    /// A word on which nothing here depends, with its brackets and its value; `at_` is behind the
+    /// letters that begin at `begin`.
+    bool take_passed(std::size_t begin) {
+        if (tables_.passed.empty()) return false;
+        const auto named = [&](std::size_t end) {
+            std::string text;
+            for (const char c : line_.substr(begin, end - begin))
+                if (!is_blank(c)) text += rules_.ignores_case ? upper(c) : c;
+            return tables_.passed.find(text);
+        };
+        const std::size_t end = end_of_passed(begin);
+        auto found = named(end);
+        // Where the control has more of the word than that, it counts as it stands alone.
+        const std::string word = upper_ascii(line_.substr(begin, at_ - begin));
+        if (found == tables_.passed.end() && tables_.unsupported_words(word).empty())
+            found = named(at_);
+        if (found == tables_.passed.end()) return false;
+        at_ = found->second.takes_rest ? line_.size() : end;
+        out_.passed.push_back(
+            {{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)}, &found->second});
+        return true;
+    }
+
+    /// Where a word ends whose letters end at `at_`: behind its number or brackets, and its value.
+    std::size_t end_of_passed(std::size_t begin) const {
+        std::size_t end = at_;
+        if (end == begin + 1 && (peek() == '-' || peek() == '+')) ++end;
+        const auto behind_blanks = [&] {
+            return std::min(line_.find_first_not_of(" \t", end), line_.size());
+        };
+        while (end < line_.size() && (is_digit(line_[end]) || line_[end] == '.')) ++end;
+        while (behind_blanks() < line_.size() && !is_comment(behind_blanks()) &&
+               (line_[behind_blanks()] == '[' || line_[behind_blanks()] == '('))
+            end = end_of_brackets(behind_blanks());
+        if (behind_blanks() == line_.size() || line_[behind_blanks()] != '=') return end;
+        end = behind_blanks() + 1;
+        end = behind_blanks();
+        // Words that signs join: `=2*R1`, `=AC(5) + 1`.
+        const auto joins = [&](std::size_t i) {
+            return i < line_.size() && std::string_view("+-*/<>").find(line_[i]) < 6;
+        };
+        while (end < line_.size()) {
+            while (joins(end)) ++end;
+            end = behind_blanks();
+            while (end < line_.size() && !is_blank(line_[end]) && !joins(end) && !is_comment(end)) {
+                const bool opens = line_[end] == '(' || line_[end] == '[' || line_[end] == '"';
+                end = opens ? end_of_brackets(end) : end + 1;
+            }
+            if (!joins(behind_blanks())) break;
+            end = behind_blanks();
+        }
+        return end;
+    }
+
+    bool is_comment(std::size_t at) const {
+        return !open_.empty() && line_.compare(at, open_.size(), open_) == 0;
+    }
+
+    /// Behind the bracket or the text that opens at `at`.
+    std::size_t end_of_brackets(std::size_t at) const {
+        int depth = 0;
+        for (; at < line_.size(); ++at) {
+            const char c = line_[at];
+            if (c == '"') at = std::min(line_.find('"', at + 1), line_.size() - 1);
+            if (c == '(' || c == '[') ++depth;
+            if (c == ')' || c == ']') --depth;
+            if (depth == 0) return at + 1;
+        }
+        return at;
     }
 
     /// `,C5.`: an address of two characters.
@@ -461,8 +571,12 @@ class Lexer {
                 }
             }
             at_ = end;
-            return fail_unknown(begin, end);
+            return take_passed(begin) ? void() : fail_unknown(begin, end);
         }
+        const std::size_t next = at_;
+        at_ = end;
+        if (take_spindle(begin)) return;
+        at_ = next;
         const Address& head = tables_.addresses[address];
         if (head.kind == Address::Kind::Call && peek() == '(') return take_call(address, begin);
         if (head.kind == Address::Kind::Word) {
@@ -476,6 +590,10 @@ class Lexer {
 
     /// `=10`, `=AC(10)`, `=IC(-5)`, `=DC(90)`, `="text"`; behind the address.
     void take_assigned(AddressId address, std::size_t begin) {
+        const Address& head = tables_.addresses[address];
+        if (head.kind == Address::Kind::Code &&
+            std::ranges::find(rules_.code_words, head.name) != rules_.code_words.end())
+            return fail_here(diag::IsoSyntax);
         ++at_;
         skip_blanks();
         if (peek() == '"' && !is_computed_text()) return take_quoted(address, begin);
@@ -624,6 +742,7 @@ class Lexer {
 }  // namespace
 
 void LexedLine::clear() {
+    passed.clear();
     words.clear();
     decimals.clear();
     minus.clear();

@@ -19,6 +19,12 @@ struct Span {
 
 /// What one line holds. Reused from line to line.
 struct LexedLine {
+    /// A word that is passed over; its row lives in the dialect.
+    struct Passed {
+        Span span;
+        const PassedWord* word = nullptr;
+    };
+    std::vector<Passed> passed;
     std::vector<GivenWord> words;
     std::vector<Decimal> decimals;  // of the words
     std::vector<bool> minus;

@@ -530,6 +530,7 @@ bool LineReader::fill(std::string_view line, Block& block, MatchedLine* known,
         tables_.note(&tables_.forms[lexed_->comment_form]);
         block.add(tables_.forms[lexed_->comment_form].function);
     }
+    say_passed(*lexed_, line);
     if (lexed_->words.empty()) {
         if (lexed_->has_comment && block.number < 0 && block.skip < 0 &&
             block.function_count == 0) {
@@ -545,6 +546,17 @@ bool LineReader::fill(std::string_view line, Block& block, MatchedLine* known,
     }
     if (known != nullptr) remember(*compiled, block, *known);
     return apply(block, line);
+}
+
+void LineReader::say_passed(const LexedLine& words, std::string_view line) {
+    for (const LexedLine::Passed& passed : words.passed) {
+        if (!passed.word->is_said || !said_passed_.insert(passed.word).second) continue;
+        const Span& span = passed.span;
+        DiagnosticBuilder builder =
+            sink_.report(diag::WordPassed, place(line, line_number_, passed.span));
+        builder.arg(line.substr(span.begin, span.end - span.begin)).arg(passed.word->meaning);
+        write_notes(builder);
+    }
 }
 
 /// Puts the numbers where they belong. The block's own changes of units act in it already.

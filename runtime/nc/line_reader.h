@@ -7,6 +7,7 @@
 
 #include <bitset>
 #include <functional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -110,6 +111,9 @@ class LineReader {
     /// had said it, and follows it.
     void restore(const ModalFunctions& wanted, Block& block);
 
+    /// Each word of a line that has no effect here is said once.
+    void say_passed(const LexedLine& words, std::string_view line);
+
     bool failed() const { return failed_; }
     std::uint64_t first_fault() const { return first_fault_; }
     const TextUnits& units() const { return units_; }
@@ -181,6 +185,7 @@ class LineReader {
     FormId last_cycle_ = kNoForm;
     double machine_code_ = 0;
     std::vector<FormId> passed_;  // forms of which was said that they are passed over
+    std::set<const PassedWord*> said_passed_;
 };
 
 }  // namespace kadr::nc

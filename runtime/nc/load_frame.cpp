@@ -136,6 +136,15 @@ void load_rules(const XmlElement& element, Rules& rules, Attributes& attributes)
     }
     Attributes::read_text(element, "block_end", rules.block_end);
     Attributes::read_text(element, "modal_call", rules.modal_call);
+    const auto read_words = [&](std::string_view name, std::vector<std::string>& out) {
+        const XmlAttribute* attribute = element.find(name);
+        if (attribute == nullptr) return;
+        out.clear();
+        for (const XmlWord& word : words_of(*attribute)) out.push_back(word.text);
+    };
+    attributes.read_number(element, "most_builder_code", rules.most_builder_code);
+    read_words("spindle_words", rules.spindle_words);
+    read_words("code_words", rules.code_words);
     attributes.read_number(element, "skip_levels", rules.skip_levels);
     attributes.read_number(element, "default_skip", rules.default_skip);
     attributes.read_number(element, "read_line", rules.max_line);

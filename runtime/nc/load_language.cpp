@@ -339,7 +339,8 @@ class LanguageLoader {
     }
 
     void load_codes(const XmlElement& element) {
-        CodeList list{needed(element, "group").value, {}};
+        CodeList list{needed(element, "group").value, {}, 1};
+        attributes_.read_number(element, "standard", list.standard);
         for (const XmlWord& word : words_of(needed(element, "list")))
             list.codes.push_back(word.text);
         std::erase_if(language_.code_lists,

@@ -23,9 +23,20 @@ std::string normal_word(std::string_view word) {
 }  // namespace
 
 std::string DialectTables::unsupported_words(std::string_view word) const {
-    const auto found = unsupported.find(normal_word(word));
+    auto found = unsupported.find(normal_word(word));
+    // `$MC_*`: every name that begins so.
+    for (std::size_t front = word.rfind('_'); found == unsupported.end() && front < word.size();
+         front = front == 0 ? word.npos : word.rfind('_', front - 1))
+        found = unsupported.find(std::string(word.substr(0, front + 1)) + '*');
     if (found == unsupported.end()) return {};
     return std::string("`").append(word).append("` (").append(found->second).append(")");
+}
+
+bool DialectTables::is_passed(std::string_view word) const {
+    const auto first = passed.lower_bound(word);
+    if (first == passed.end() || !first->first.starts_with(word)) return false;
+    const std::string_view rest = std::string_view(first->first).substr(word.size());
+    return rest.empty() || rest[0] == '(' || rest[0] == '=';
 }
 
 void load_alarm(const XmlElement& element, DialectTables& tables, Attributes& attributes) {
@@ -64,6 +75,17 @@ void load_unsupported(const XmlElement& element, DialectTables& tables) {
     const std::string& meaning = needed(element, "meaning").value;
     for (const XmlWord& word : words_of(needed(element, "words"))) {
         tables.unsupported.insert_or_assign(normal_word(word.text), meaning);
+    }
+}
+
+void load_passed(const XmlElement& element, DialectTables& tables, Attributes& attributes) {
+    PassedWord passed;
+    passed.meaning = needed(element, "meaning").value;
+    attributes.read_flag(element, "warns", passed.is_said);
+    attributes.read_flag(element, "rest", passed.takes_rest);
+    for (const XmlWord& word : words_of(needed(element, "words"))) {
+        tables.passed.insert_or_assign(word.text, passed);
+        tables.unsupported.erase(word.text);
     }
 }
 

@@ -120,6 +120,7 @@ class Matcher {
             if (!word.has_value) return MatchFault{MatchFault::Kind::NoValue, i};
             if (!word.is_known) return MatchFault{MatchFault::Kind::CodeComputed, i};
             const Code* code = tables_.find_code(word.address, word.number);
+            if (code == nullptr && is_for_builder(word)) return take_for_builder(i);
             if (code == nullptr) return MatchFault{MatchFault::Kind::UnknownCode, i};
             return take_form(i, code->forms);
         }
@@ -127,6 +128,22 @@ class Matcher {
         if (!word.is_known || tables_.code_index[word.address].empty()) return {};
         const Code* code = tables_.find_code(word.address, word.number);
         return code == nullptr ? Fault{} : take_form(i, code->forms);
+    }
+
+    /// `M123`: so many that no form names them.
+    bool is_for_builder(const GivenWord& word) const {
+        constexpr double kFirst = 100;
+        const auto& forms = tables_.forms_of[static_cast<std::size_t>(Function::MachineFunction)];
+        return !forms.empty() && tables_.forms[forms[0]].words[0].address == word.address &&
+               word.number >= kFirst && word.number <= tables_.rules.most_builder_code &&
+               word.number == std::floor(word.number);
+    }
+
+    Fault take_for_builder(std::size_t i) {
+        used_[i] = true;
+        if (Fault fault = say(Function::MachineFunction, i, 1)) return fault;
+        block_.set_argument(block_.functions[block_.function_count - 1u], 0, words_[i].number);
+        return {};
     }
 
     Fault take_form(std::size_t head, const std::vector<FormId>& candidates) {
@@ -302,12 +319,11 @@ class Matcher {
             case FormWord::Kind::Name: break;
             case FormWord::Kind::Value:
                 if (!word.has_value || word.is_text) refuse(fit, Fit::Answer::Value, i);
-                if (wanted.is_named_only && word.is_known && !near(word.number, 0)) {
+                if (wanted.is_named_only && !wanted.is_placeholder && word.is_known &&
+                    !near(word.number, 0)) {
                     refuse(fit, Fit::Answer::Value, i);
                 }
-                if (word.mode !=
-                    (wanted.is_absolute ? GivenWord::Mode::Absolute : GivenWord::Mode::Modal))
-                    refuse(fit, Fit::Answer::Mode, i);
+                if (!is_of_mode(wanted, word.mode)) refuse(fit, Fit::Answer::Mode, i);
                 if (word.is_known && !is_in_range(form, wanted, word.number))
                     refuse(fit, Fit::Answer::Value, i);
                 if (wanted.tail_digits > 0 && word.is_known && !has_tail(wanted, word.number))
@@ -320,6 +336,14 @@ class Matcher {
             case FormWord::Kind::Empty:
             case FormWord::Kind::Text: break;
         }
+    }
+
+    static bool is_of_mode(const FormWord& wanted, GivenWord::Mode mode) {
+        using Mode = GivenWord::Mode;
+        const bool is_way = mode == Mode::Absolute || mode == Mode::Shortest ||
+                            mode == Mode::Positive || mode == Mode::Negative;
+        if (wanted.takes_ways && is_way) return true;
+        return mode == (wanted.is_absolute ? Mode::Absolute : Mode::Modal);
     }
 
     /// Whether a number is the one of the form. That of a quantity has been rounded in the units of

@@ -102,13 +102,15 @@ struct FormWord {
     int tail_digits = 0;
     int tail_parameter = -1;
     int tail_value = 0;
-    bool is_named_only = false;  // the word stands for itself, its number is always 0
-    bool is_absolute = false;    // said absolute by itself, `AC(…)`; in forms that are read
-    bool is_lead = false;        // the lead of a thread, which counts on every turn
-    bool is_any = false;         // `{}`: a number on which nothing depends; read only
-    double plain_factor = 0;     // `s|ms`: as `factor`, of a number without a point; 0: the same
-    bool adds = false;           // read: added to the parameter; written: 0
-    bool has_default = false;    // written with `fallback` if the parameter was not given
+    bool is_named_only = false;   // the word stands for itself, its number is always 0 …
+    bool is_placeholder = false;  // … or, where it is read, any number, which means nothing
+    bool is_absolute = false;     // said absolute by itself, `AC(…)`; in forms that are read
+    bool takes_ways = false;  // an angle that may say the way to it: `DC(…)`, `ACP(…)`, `ACN(…)`
+    bool is_lead = false;     // the lead of a thread, which counts on every turn
+    bool is_any = false;      // `{}`: a number on which nothing depends; read only
+    double plain_factor = 0;   // `s|ms`: as `factor`, of a number without a point; 0: the same
+    bool adds = false;         // read: added to the parameter; written: 0
+    bool has_default = false;  // written with `fallback` if the parameter was not given
     double fallback = 0;
     bool is_optional = false;
     bool is_kept = false;             // optional because a cycle before it may have said the word
@@ -227,11 +229,14 @@ struct Rules {
     char end_sign = '\0';              // that may end a block before the line ends
     std::string block_end;             // written behind the words of every block
     std::string modal_call;            // word that makes the cycle behind it modal; empty: none
-    int skip_levels = 10;              // `/0` … `/9`
-    int default_skip = 0;              // what `/` alone means; the lowest level
-    std::size_t max_line = 512;        // bytes, read
-    std::size_t write_line = 512;      // bytes, written
-    bool crlf = false;                 // written line ends
+    std::vector<std::string> spindle_words;  // that may name the spindle: `S1=500`, `SPOS[1]=90`
+    std::vector<std::string> code_words;     // codes whose number cannot stand behind `=`
+    double most_builder_code = 0;  // M functions from 100 up to this one are the builder's
+    int skip_levels = 10;          // `/0` … `/9`
+    int default_skip = 0;          // what `/` alone means; the lowest level
+    std::size_t max_line = 512;    // bytes, read
+    std::size_t write_line = 512;  // bytes, written
+    bool crlf = false;             // written line ends
 };
 
 /// An alarm for a row whose detail holds these words.
@@ -239,6 +244,13 @@ struct AlarmAbout {
     std::string row;
     std::string words;
     AlarmText alarm;
+};
+
+/// A word of the control on which nothing that Kadr executes depends, with its brackets and value.
+struct PassedWord {
+    std::string meaning;
+    bool is_said = false;     // that it has no effect here: on the control it has one
+    bool takes_rest = false;  // whatever stands behind it in the line belongs to it
 };
 
 /// Words that are held back until a block programs an axis or says a function.
@@ -268,6 +280,8 @@ struct DialectTables {
     std::vector<AlarmAbout> alarms_about;                  // looked at first
     std::map<std::string, std::string, std::less<>>
         unsupported;  // words that the control has and Kadr does not read, with their meaning
+    /// By the word alone, or with all that belongs to it: `SETMS(1)`.
+    std::map<std::string, PassedWord, std::less<>> passed;
     std::vector<RuleSetting> rule_settings;  // of the interpreter
     std::vector<Deferred> deferred;
     std::vector<Example> examples;
@@ -309,6 +323,8 @@ struct DialectTables {
     }
     /// "`MCALL` (modal call)": a word of the control that Kadr does not read; empty for others.
     std::string unsupported_words(std::string_view word) const;
+    /// Whether a word with this name is passed over, at least with some values.
+    bool is_passed(std::string_view word) const;
     /// The code with this number (`54.1`), nullptr if the control has none.
     const Code* find_code(AddressId address, double number) const {
         const std::vector<std::uint16_t>& index = code_index[address];

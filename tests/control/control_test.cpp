@@ -16,6 +16,7 @@
 //   expect: alarm PS0115 K5410 at 3:4   the alarm that ends it, its row, line and column
 //   expect: called 5:3       … and where the program of that line was called, the nearest first
 //   skip: 1                  blocks of this level are left out
+//   machine: lathe           it runs on a lathe, also where the dialect is not one of lathes
 // Programs that are called stand in the same file, or in the folder `called` beside it.
 // What is not told must not happen: a program without `alarm` ends without one.
 #include "base/diagnostics/control.h"
@@ -75,6 +76,7 @@ struct Expected {
     std::string called;
     std::uint16_t skip_levels = 0;
     bool has_rule = false;
+    bool is_on_lathe = false;
 };
 
 std::string content_of(const fs::path& file) {
@@ -96,6 +98,7 @@ Expected parse(const std::string& text) {
             return value;
         };
         expected.has_rule |= !value_of("rule: ").empty();
+        expected.is_on_lathe |= value_of("machine: ") == "lathe";
         if (const std::string level = value_of("skip: "); !level.empty())
             expected.skip_levels = static_cast<std::uint16_t>(1u << std::stoi(level));
         const std::string value = value_of("expect: ");
@@ -264,7 +267,7 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
     machine::Machine machine = mill();
     machine.work_offsets = {{}, {}, {10, 20, 30}};
     machine.tools[0].length = 0;
-    machine.is_lathe = is_of_lathe(dialect);
+    machine.is_lathe = is_of_lathe(dialect) || expected.is_on_lathe;
     DiagnosticList messages;
     PiecedText source(text, can_seek);
     ProgramOptions options;
@@ -665,7 +668,7 @@ TEST_P(Control, DoesWhatTheManualSays) {
     for (const bool can_seek : {true, false}) {
         SCOPED_TRACE(can_seek ? "from a file" : "through a pipe");
         check(expected, run_program(dialect, text, expected, file.parent_path(), can_seek),
-              is_of_lathe(dialect));
+              is_of_lathe(dialect) || expected.is_on_lathe);
     }
 }
 

@@ -1,6 +1,8 @@
 // The program as its user runs it: exit status, what goes where, and files left as they were.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -254,6 +256,34 @@ TEST_F(CommandLine, OnlyWhatIsReachedIsComplainedOf) {
     const ProcessResult checked = kadr({"check", file("early.nc"), "-d", "iso"});
     EXPECT_NE(checked.err.find("early.nc:2:"), std::string::npos) << checked.err;
     EXPECT_NE(checked.err.find("early.nc:3:"), std::string::npos) << checked.err;
+}
+
+TEST_F(CommandLine, WhatIsPassedOverIsSaidThoughTheProgramEnds) {
+    save("beside.mpf",
+         "G0 X10\nID=1 WHEN $AA_IM[X]>10 DO M8\nACC[X]=50\nX20\nM30\nID=2 EVERY $A_IN[1] DO M9\n");
+    const ProcessResult result = kadr({"run", file("beside.mpf"), "-d", "sinumerik"});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_NE(result.err.find("beside.mpf:2:1: warning[K5488]"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("beside.mpf:3:1: warning[K5247]"), std::string::npos) << result.err;
+    EXPECT_EQ(result.err.find("ID=2"), std::string::npos) << result.err;
+}
+
+TEST_F(CommandLine, ArcsInSpaceHaveTheirNormal) {
+    save("space.mpf",
+         "T1 D1 M6\nS500 M3 F100\nG0 X0 Y0 Z0\nCIP X20 Y0 Z0 I1=10 J1=0 K1=10\n"
+         "G2 X30 Y0 CR=5\nMSG(\"\xC4rger\")\nM30\n");
+    const ProcessResult result =
+        kadr({"run", file("space.mpf"), "-d", "sinumerik", "--commands", "-"});
+    std::istringstream lines(result.out);
+    int arcs = 0;
+    for (std::string line; std::getline(lines, line);) {
+        const auto command = nlohmann::json::parse(line);  // throws where it is not UTF-8
+        if (command["op"] == "message") EXPECT_NE(command["text"], "");
+        if (command["op"] != "arc") continue;
+        EXPECT_EQ(command.contains("normal"), arcs == 0) << line;
+        if (arcs++ == 0) EXPECT_NEAR(std::abs(command["normal"][1].get<double>()), 1, 1e-9);
+    }
+    EXPECT_EQ(arcs, 2);
 }
 
 TEST_F(CommandLine, VariablesAreAnObject) {
