@@ -162,9 +162,10 @@ void Trace::append_json(const TraceStep& step, const TraceState& state, std::str
         out += ",\"src\":" + json_string(session_.source_name(step.statement));
     if (step.has_calls) append_calls(out, step.calls, session_);
     std::string members;
-    for (const interp::VariableChange& change : step.variables)
+    for (const interp::VariableChange& change : step.variables) {
         append_change(members, change.after.name, json_value(change.before),
                       json_value(change.after));
+    }
     append_key(out, "variables");
     out += '{' + std::exchange(members, {}) + '}';
     each_code_change(before_.codes, state.codes, [&](auto group, auto before, auto after) {

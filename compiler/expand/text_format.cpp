@@ -35,7 +35,7 @@ std::string number(double value, const FormatPiece& piece) {
 }
 
 /// The text in its width, its unit behind it.
-void pad(std::string text, const FormatPiece& piece, std::string& out, bool is_second = false) {
+void pad(std::string text, const FormatPiece& piece, std::string& out, std::string_view unit = {}) {
     if (piece.plus && !text.empty() && text[0] != '-') text.insert(0, 1, '+');
     const auto width = static_cast<std::size_t>(std::max<int>(0, piece.width));
     const std::size_t places = count_code_points(text);
@@ -46,7 +46,7 @@ void pad(std::string text, const FormatPiece& piece, std::string& out, bool is_s
         else text.insert(0, missing, ' ');
     }
     out += text;
-    out += is_second ? piece.second_unit : piece.unit;
+    out += unit;
 }
 
 }  // namespace
@@ -60,6 +60,8 @@ std::string Expander::State::format(const sema::FormatPattern& pattern, const Sl
             continue;
         }
         const Slot value = *values++;
+        const FormatPiece::Scale& scale =
+            is_inch && piece.serves_inches ? piece.inch_scale : piece.scale;
         switch (piece.kind) {
             case FormatPiece::Kind::Literal: break;
             case FormatPiece::Kind::Integer:
@@ -70,22 +72,20 @@ std::string Expander::State::format(const sema::FormatPattern& pattern, const Sl
                 }
                 break;
             case FormatPiece::Kind::Number:
-                pad(number(value.number * (is_inch && piece.inch_factor != 0 ? piece.inch_factor
-                                                                             : piece.factor),
-                           piece),
-                    piece, out);
+                pad(number(value.number * scale.factor, piece), piece, out, scale.unit);
                 break;
             case FormatPiece::Kind::Feed:
             case FormatPiece::Kind::Speed: {
                 // Per revolution: mm; cutting speed: m/min.
                 const bool second = sema::is_second_form(value.number);
                 const bool is_feed = piece.kind == FormatPiece::Kind::Feed;
-                double shown_value = value.number * piece.factor;
+                double shown_value = value.number * scale.factor;
                 if (second) {
                     const double plain = value.number / sema::kSecondForm;
-                    shown_value = is_feed ? plain * piece.factor / 60 : plain * 0.06;
+                    shown_value = is_feed ? plain * scale.factor / 60 : plain * 0.06;
                 }
-                pad(number(shown_value, piece), piece, out, second);
+                pad(number(shown_value, piece), piece, out,
+                    second ? scale.second_unit : scale.unit);
                 break;
             }
             case FormatPiece::Kind::Text: pad(heap.text(value.integer), piece, out); break;

@@ -305,7 +305,9 @@ class Checker {
     bool format_piece(const Value& value, std::string_view format, const SourceRange& range,
                       FormatPiece& piece);
     /// Lets the piece show the unit of its values behind them, with `between` before it.
+    void set_factor(Quantity quantity, FormatPiece& piece) const;
     void add_unit(Type type, std::string_view between, FormatPiece& piece);
+    void add_unit(Type type, std::string_view between, Units units, FormatPiece::Scale& scale);
     Value text_of(const Value& value, const SourceRange& range);
     /// Makes the value of an expression known at the prompt, given or not.
     void show(syntax::ExprId id);

@@ -269,16 +269,20 @@ struct SourceCycle {
 /// A text with holes: `"{x:.3} mm"`.
 struct FormatPiece {
     enum class Kind : std::uint8_t { Literal, Integer, Number, Feed, Speed, Text, Bool, Enum };
+    struct Scale {
+        double factor = 1;        // a number is multiplied by it: mm → the file's units
+        std::string unit;         // stands behind the value; empty: none
+        std::string second_unit;  // … of a Feed or Speed of the second form
+    };
     Kind kind = Kind::Literal;
-    std::string text;        // of a Literal
-    double factor = 1;       // a Number is multiplied by it: mm → the file's units
-    double inch_factor = 0;  // … of the library, which serves programs in inches; 0: the same
+    std::string text;  // of a Literal
+    Scale scale;
+    Scale inch_scale;            // … of the library in a program in inches
+    bool serves_inches = false;  // it has that
     std::int16_t decimals = -1;
     std::int16_t width = 0;
     bool zeros = false;  // filled with zeros instead of blanks
     bool plus = false;
-    std::string unit;         // stands behind the value; empty: none
-    std::string second_unit;  // … of a Feed or Speed of the second form
     std::uint32_t enumeration = 0;
 };
 using FormatPattern = std::vector<FormatPiece>;

@@ -51,17 +51,15 @@ bool Checker::format_piece(const Value& value, std::string_view format, const So
         case Kind::Int: piece.kind = K::Integer; break;
         case Kind::Real:
             piece.kind = K::Number;
-            piece.factor = 1.0 / bare_factor(info.quantity, units_);
-            if (is_library(module_))
-                piece.inch_factor = 1.0 / bare_factor(info.quantity, Units::Inch);
+            set_factor(info.quantity, piece);
             break;
         case Kind::Feed:
             piece.kind = K::Feed;
-            piece.factor = 1.0 / bare_factor(kFeedPerTime, units_);
+            set_factor(kFeedPerTime, piece);
             break;
         case Kind::Speed:
             piece.kind = K::Speed;
-            piece.factor = 1.0 / bare_factor(kSpindleSpeed, units_);
+            set_factor(kSpindleSpeed, piece);
             break;
         case Kind::String: piece.kind = K::Text; break;
         case Kind::Enum:
@@ -114,21 +112,33 @@ bool Checker::format_piece(const Value& value, std::string_view format, const So
     return true;
 }
 
+/// The library speaks in the units of the program that it serves.
+void Checker::set_factor(Quantity quantity, FormatPiece& piece) const {
+    piece.scale.factor = 1.0 / bare_factor(quantity, units_);
+    piece.serves_inches = is_library(module_);
+    if (piece.serves_inches) piece.inch_scale.factor = 1.0 / bare_factor(quantity, Units::Inch);
+}
+
 void Checker::add_unit(Type type, std::string_view between, FormatPiece& piece) {
+    add_unit(type, between, units_, piece.scale);
+    if (piece.serves_inches) add_unit(type, between, Units::Inch, piece.inch_scale);
+}
+
+void Checker::add_unit(Type type, std::string_view between, Units units,
+                       FormatPiece::Scale& scale) {
     const auto add = [&](Quantity quantity, std::string& unit) {
-        unit = unit_text(quantity, units_);
+        unit = unit_text(quantity, units);
         if (!unit.empty()) unit.insert(0, between);
     };
     const TypeInfo info = type_info(types_.given(type));
-    piece.inch_factor = 0;
-    if (info.kind == Kind::Real) add(info.quantity, piece.unit);
+    if (info.kind == Kind::Real) add(info.quantity, scale.unit);
     if (info.kind == Kind::Feed) {
-        add(kFeedPerTime, piece.unit);
-        add(kFeedPerTurn, piece.second_unit);
+        add(kFeedPerTime, scale.unit);
+        add(kFeedPerTurn, scale.second_unit);
     }
     if (info.kind == Kind::Speed) {
-        add(kSpindleSpeed, piece.unit);
-        piece.second_unit = std::string(between) + "m/min";
+        add(kSpindleSpeed, scale.unit);
+        scale.second_unit = std::string(between) + "m/min";
     }
 }
 

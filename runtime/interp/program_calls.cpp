@@ -414,10 +414,11 @@ Program::State::Done Program::State::bind_parameter(CompiledLine& line, const Pr
     }
     for (std::size_t i = 0; i < symbol.dimensions; ++i) {
         const nc::Expression& length = parameter.declaration.sizes[i];
-        if (length.is_given() && work_out(length, size))
+        if (length.is_given() && work_out(length, size)) {
             symbol.sizes[i] = static_cast<std::uint32_t>(std::clamp<double>(size.number, 1, 1e6));
-        else if (given_value.place.symbol != nullptr)
+        } else if (given_value.place.symbol != nullptr) {
             symbol.sizes[i] = given_value.place.symbol->sizes[i];
+        }
     }
     if (parameter.is_reference) return bind_reference(line, parameter, given_value, symbol);
     const std::size_t dimensions =

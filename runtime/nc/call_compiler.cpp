@@ -189,7 +189,7 @@ bool CallCompiler::take_letter_argument(Call& call, bool is_block) {
     }
     if (!take_value_of_word(argument)) return false;
     argument.span = span_from(begin);
-    call.arguments.push_back(std::move(argument));
+    call.arguments.push_back(argument);
     return true;
 }
 
@@ -218,7 +218,7 @@ std::string CallCompiler::program_name(std::size_t& at) const {
     std::size_t end = at;
     while (end < line_.size() && (is_letter(line_[end]) || (end > at && is_digit(line_[end]))))
         ++end;
-    const std::string name = words_.normal(line_.substr(at, end - at));
+    std::string name = words_.normal(line_.substr(at, end - at));
     if (name.empty() || form_of_name(name) == nullptr) return {};
     at = end;
     return name;
@@ -360,7 +360,7 @@ bool CallCompiler::take_list(Call& call) {
         if (!call.arguments.empty()) ++at_;
         CallArgument argument;
         if (!take_listed(argument)) return false;
-        call.arguments.push_back(std::move(argument));
+        call.arguments.push_back(argument);
         skip();
     } while (peek() == ',');
     return take_close(language_.close);

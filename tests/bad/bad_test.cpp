@@ -20,6 +20,7 @@
 #include <unistd.h>
 
 #include "tests/common/process.h"
+#include "tests/common/scratch.h"
 
 namespace {
 
@@ -93,7 +94,7 @@ Case parse_case(const fs::path& file) {
 class School {
   public:
     explicit School(const fs::path& language)
-        : root_(fs::path(testing::TempDir()) / ("kadr-school-" + language.stem().string())) {
+        : root_(kadr::testing::scratch("school-" + language.stem().string())) {
         const fs::path real = KADR_ROOT;
         fs::remove_all(root_);
         fs::create_directories(root_ / "dialects/languages");
@@ -158,9 +159,7 @@ TEST_P(BadInput, GivesTheRightMessage) {
     const fs::path file = GetParam();
     const Case wanted = parse_case(file);
     ASSERT_FALSE(wanted.expected.empty()) << file << " says no `expect:`";
-    // The tests of another tree may run beside these.
-    const fs::path out = fs::path(testing::TempDir()) /
-                         (file.stem().string() + '.' + std::to_string(::getpid()) + ".out");
+    const fs::path out = kadr::testing::scratch(file.stem().string() + ".out");
     const std::string before = "an existing file\n";
     std::ofstream(out, std::ios::binary) << before;
 
@@ -268,7 +267,7 @@ class MadeInput : public testing::TestWithParam<Rubbish> {};
 
 TEST_P(MadeInput, EndsWithAMessage) {
     const Rubbish& wrong = GetParam();
-    const fs::path file = fs::path(testing::TempDir()) / (std::string(wrong.name) + wrong.suffix);
+    const fs::path file = kadr::testing::scratch(std::string(wrong.name) + wrong.suffix);
     std::ofstream(file, std::ios::binary) << wrong.text;
     const ProcessResult result = run_process(command_line(wrong.arguments, file, {}));
     EXPECT_EQ(result.status, wrong.status) << result.err.substr(0, 2000);

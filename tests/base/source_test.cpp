@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/text.h"
+#include "tests/common/scratch.h"
 
 namespace {
 
@@ -34,7 +35,7 @@ TEST(Sources, UnreadableIsNothing) {
 }
 
 TEST(Text, WritesWholeOrNotAtAll) {
-    const std::string path = testing::TempDir() + "whole.txt";
+    const std::string path = kadr::testing::scratch("whole.txt");
     ASSERT_TRUE(kadr::write_file_whole(path, "first"));
     ASSERT_TRUE(kadr::write_file_whole(path, "second"));
     EXPECT_EQ(kadr::read_file(path), "second");

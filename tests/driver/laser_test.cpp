@@ -28,7 +28,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 /// The same dots by both ways: as many pulses, half the time.
-TEST_F(Laser, BlocksEndOnPulsesInHalfTheTime) {
+TEST_F(Laser, BlocksEndOnPulsesInUnderHalfTheTime) {
     save("stop.xml", replaced(machine_text(), "<laser ", "<laser mode=\"stop\" "));
     const ProcessResult with = kadr({"run", kDots, "-d", "sinumerik", "-m", "laser", "--summary",
                                      "json", "--setpoints", file("dots.csv")});
@@ -41,8 +41,10 @@ TEST_F(Laser, BlocksEndOnPulsesInHalfTheTime) {
     EXPECT_GT(fast["pulses"], 1000);
     EXPECT_EQ(fast["pulses"], slow["pulses"]);
     const double saved = 1 - fast["time_s"].get<double>() / slow["time_s"].get<double>();
-    EXPECT_GT(saved, 0.4);
-    EXPECT_LT(saved, 0.55);
+    // A point that is stopped at takes three intervals (0.125 mm from rest to rest: 58 ms), one
+    // that is passed takes one.
+    EXPECT_GT(saved, 0.5);
+    EXPECT_LT(saved, 2.0 / 3);
 
     double pulses = 0;
     double last = 0;

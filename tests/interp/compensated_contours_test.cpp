@@ -68,8 +68,8 @@ std::string text_of(const Contour& contour, const Control& control, double dista
     return text + "G40 G1 " + place(beside(last.to, path::end_direction(last))) + "\nM30\n";
 }
 
-/// What the control makes of the contour's words, which it takes to its increment: a run of the same
-/// text without compensation, from behind the approach to the way out.
+/// What the control makes of the contour's words, which it takes to its increment: a run of the
+/// same text without compensation, from behind the approach to the way out.
 Contour as_read(const Contour& contour, const Control& control, double distance,
                 const machine::Machine& machine) {
     std::string text = text_of(contour, control, distance);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/common/scratch.h"
 #include "tests/nc/nc_testing.h"
 
 namespace kadr::nc {
@@ -620,7 +621,7 @@ TEST(Writer, LongCommentsGoOn) {
 TEST(Writer, ANumberThatWouldReadOtherwiseIsNeverWritten) {
     // A point that is left out where the control then counts increments.
     // In a folder of its own: a dialect beside the file would be the one that it extends.
-    const std::string folder = ::testing::TempDir() + "kadr_broken_point";
+    const std::string folder = kadr::testing::scratch("broken_point");
     std::filesystem::create_directories(folder);
     const std::string file = folder + "/broken.xml";
     std::ofstream(file) << "<dialect name=\"broken\" extends=\"fanuc\" title=\"t\" suffix=\"nc\">"

@@ -110,8 +110,9 @@ TEST(PulseTimer, EveryPointIsBurntWhereItIs) {
     }
     EXPECT_EQ(point, 40);
     for (const int ticks : intervals_of(timed)) EXPECT_TRUE(is_in_a_window(ticks)) << ticks;
-    // Two intervals for the first or the last point, one for each other.
-    EXPECT_NEAR(timed.totals.time, 41 * 0.025, 0.012);
+    // From rest 0.125 mm take 29 ms at 300 mm/s²: two intervals for the first point and for the
+    // last one, one for each other.
+    EXPECT_NEAR(timed.totals.time, 42 * 0.025, 0.012);
     EXPECT_NEAR(timed.setpoints.back().tip[0], 5, 1e-9);
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "parsing.h"
+#include "tests/common/scratch.h"
 
 namespace kadr::syntax {
 namespace {
@@ -35,7 +36,7 @@ TEST(Keywords, TheHeaderKnowsTheWordsOfAllLanguages) {
 }
 
 std::string mistakes(const std::string& xml) {
-    const std::string path = testing::TempDir() + "kadr_keywords_test.xml";
+    const std::string path = kadr::testing::scratch("keywords.xml");
     EXPECT_TRUE(write_file_whole(path, xml));
     Sources sources;
     DiagnosticList list;
