@@ -7,6 +7,7 @@
 
 #include "base/diagnostics/iso.h"
 #include "interp/executor.h"
+#include "interp/named_shape.h"
 
 namespace kadr::interp {
 
@@ -59,6 +60,19 @@ bool has_shift_vector(const nc::CycleInfo& cycle, const ModalCycle& call) {
 
 }  // namespace
 
+/// A form of the cycle that the call says by a letter ("E") is the number of the letter; 0: it is
+/// none.
+void Executor::take_letter(const Block& block, ModalCycle& call) const {
+    const std::vector<nc::Parameter>& parameters = dialect_.cycles()[call.cycle].parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if (parameters[i].dimension != nc::Dimension::Text || parameters[i].name == "shape")
+            continue;
+        const char letter = block.text.size() == 1 ? block.text[0] : '\0';
+        const bool is_letter = (letter >= 'A' && letter <= 'Z') || (letter >= 'a' && letter <= 'z');
+        set_argument(call, i, is_letter ? letter & ~0x20 : 0);
+    }
+}
+
 /// Whether further axis words repeat the cycle, so that its words stay in force.
 bool Executor::is_modal(nc::CycleId cycle) const {
     return rules_.modal_cycles && dialect_.cycles()[cycle].is_modal;
@@ -83,7 +97,8 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
     complete_surroundings(call);
     take_ends(block, call);
     complete_ends(call);
-    if (info.takes_shape()) return begin_shape(block, call);
+    take_letter(block, call);
+    if (info.takes_shape() || names_shape(info)) return begin_shape(block, call);
     call.is_active = is_modal(call.cycle);
     if (taps_rigidly_) {
         constexpr double kStop = 5;  // M5
@@ -116,6 +131,11 @@ void Executor::call_behind_motion(const Block& block) {
     call.line = block.line;
     call.source = block.source;
     call.given = 0;
+    const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
+    if (names_shape(info)) {  // its contour does not follow a motion
+        report(diag::CycleUnavailable, call, Function::Cycle).arg(info.name);
+        return;
+    }
     Actions actions;
     actions.cycle = call.find(Function::Cycle);
     call_cycle(call, actions);
@@ -429,7 +449,10 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
     if (spindle_.mode == path::SpindleMode::Cw) request.spindle = Function::SpindleCw;
     if (spindle_.mode == path::SpindleMode::Ccw) request.spindle = Function::SpindleCcw;
     request.source = block.source;
-    request.shape = shape;
+    // Without a shape it is the plane alone, in which turning cycles work.
+    const CycleShape plane_of_lathe{{}, modal_.plane, true};
+    request.shape = shape != nullptr || !machine_.is_lathe ? shape : &plane_of_lathe;
+    request.x_is_diameter = !machine_.is_lathe || word_scale_[index(Axis::X)] != 1;
     std::unique_ptr<Stream<Block>> blocks = cycles_->expand(request);
     if (blocks == nullptr) {
         if (!was_refused(block)) ended_ = alarmed_ = true;  // the expander has said why
@@ -446,6 +469,7 @@ void Executor::open_cycle(const Block& block, std::unique_ptr<Stream<Block>> blo
     cycle_stream_ = std::move(blocks);
     caller_ = block;
     modal_before_cycle_ = modal_;
+    x_scale_before_cycle_ = word_scale_[index(Axis::X)];
     after_cycle_ = {};
     modal_.is_incremental = false;
     modal_.motion = Function::Rapid;
@@ -578,6 +602,7 @@ void Executor::finish_cycle() {
     cycle_blocks_.reset();
     cycle_stream_.reset();
     modal_ = modal_before_cycle_;
+    word_scale_[index(Axis::X)] = x_scale_before_cycle_;
     modal_cycle_.is_active = is_modal_behind_cycle_;
     if (final_level_) return_to_level();
     if (ended_) return;

@@ -266,7 +266,7 @@ void Executor::run_functions(const Block& said) {
         modal_.has_feed = modal.has_feed;
     }
     if (call_behind_motions_) call_behind_motion(*places);
-    if (actions.calls_defined && !ended_) call_defined(block);
+    if (actions.calls_defined && !ended_ && !shape_) call_defined(block);
     if (ended_) return;
     if (cycle_blocks_ && !was_in_cycle) {
         after_cycle_ = actions;  // what the calling block does after its motion waits for the cycle

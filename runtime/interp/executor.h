@@ -310,6 +310,7 @@ class Executor {
     // shapes.cpp: the blocks of the program along which a cycle works
     void begin_shape(const nc::Block& block, const ModalCycle& call);
     bool check_shape_block(const nc::Block& block);
+    bool is_behind_shape(const nc::Block& block) const;
     void end_shape_block(const nc::Block& block);
     void finish_shape();
     void return_from_shape();
@@ -349,6 +350,7 @@ class Executor {
     void repeat_cycle(const nc::Block& block, const Actions& actions);
     void call_behind_motion(const nc::Block& block);
     void move_instead_of_cycle(const nc::Block& block, const Actions& actions);
+    void take_letter(const nc::Block& block, ModalCycle& call) const;
     bool is_modal(nc::CycleId cycle) const;
     bool count_times(const CycleWords& words);
     void keep_words(const CycleWords& words);
@@ -491,6 +493,7 @@ class Executor {
     std::string_view cycle_name_;
     nc::Block caller_{};
     Modal modal_before_cycle_;
+    double x_scale_before_cycle_ = 1;
     bool is_modal_behind_cycle_ = false;
     Actions after_cycle_;
     // A pattern of places: a cycle whose blocks are followed by the call behind motions.

@@ -7,6 +7,7 @@
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
+#include "interp/named_shape.h"
 #include "interp/program_state.h"
 #include "nc/control_words.h"
 
@@ -332,6 +333,7 @@ void Program::State::follow_shape(const Block& block, std::string_view text, con
     const auto number_of = [&](int parameter) -> std::int64_t {
         return std::llround(block.argument(*call, static_cast<std::size_t>(parameter), -1));
     };
+    if (names_shape(cycle)) return follow_named_shape(block, text, place);
     if (!cycle.takes_shape()) return;
     const std::int64_t first = number_of(cycle.roles.first_block);
     const std::int64_t last = number_of(cycle.roles.last_block);
