@@ -29,7 +29,8 @@ class CycleBlocks final : public Stream<nc::Block> {
         expand::Expander::Surroundings at{.position = call.position,
                                           .feed = call.feed,
                                           .speed = call.speed,
-                                          .spindle = call.spindle};
+                                          .spindle = call.spindle,
+                                          .x_is_diameter = call.x_is_diameter};
         if (call.shape != nullptr) {
             at.shape = &call.shape->elements;
             at.plane = call.shape->plane;

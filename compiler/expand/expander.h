@@ -73,9 +73,11 @@ class Expander final : public Stream<nc::Block> {
         const path::Contour* shape = nullptr;       // for a parameter that is a contour, …
         path::Plane plane = path::Plane::Zx;        // its plane,
         bool is_diameter = false;                   // and whether X of its points is a diameter
+        bool x_is_diameter = true;                  // X of the position; else the cycle says so
     };
     /// Starts a cycle by name with arguments as the interpreter has them (mm, deg, s). A contour
-    /// stands for two of them, the numbers of its first and last block. False: reported or unknown.
+    /// stands for all that its place has more of them: the numbers of its first and last block, or
+    /// its name. False: reported or unknown.
     bool start_cycle(std::string_view cycle, std::span<const double> arguments, std::uint32_t given,
                      const Surroundings& at);
 

@@ -61,6 +61,7 @@ Expander::State::State(const sema::Code& program, const nc::Dialect& dialect,
     : code(program), target(dialect), options(wanted), sink(messages), heap(program) {
     turns_reserve = std::max<std::uint64_t>(options.limits.loop_turns, 1);
     blocks_left = options.limits.blocks;
+    has_machine_rapid = target.has_rule("machine_coordinates_rapid");
     has_frame_diameter = target.has_rule("shift_in_diameter");
     all_given.reserve(code.functions.size());
     for (const FunctionCode& function : code.functions) {
@@ -291,11 +292,15 @@ bool Expander::State::start_cycle(std::string_view name, std::span<const double>
                                             code.functions[0].registers + 16));
     options.native_cycles = false;  // this is the body of a native one
     modal = first_state(function);
-    // Whether X is a diameter the program has said that calls it.
+    // Whether X is a diameter the program has said that calls it; a cycle that needs diameters
+    // where it has said radii begins with that.
+    const bool turns = modal.diameter_due != nc::Function::None;
+    const bool needs_diameter = turns && !at.x_is_diameter;
     modal.active[static_cast<std::size_t>(nc::Group::Diameter)] = nc::Function::None;
     modal.is_diameter = false;
-    modal.diameter_due = nc::Function::None;
+    modal.diameter_due = needs_diameter ? nc::Function::DiameterOn : nc::Function::None;
     modal.position = at.position;
+    if (needs_diameter) modal.position[0] *= 2;
     modal.known = static_cast<AxisMask>((1u << kAxes) - 1u);
     modal.has_feed = at.feed > 0;
     modal.feed = at.feed;
@@ -303,7 +308,11 @@ bool Expander::State::start_cycle(std::string_view name, std::span<const double>
     modal.speed = at.speed;
     if (at.spindle == nc::Function::SpindleCw) modal.set_spindle(3, {});
     if (at.spindle == nc::Function::SpindleCcw) modal.set_spindle(4, {});
-    if (at.shape != nullptr) {  // such a cycle works in the plane of its shape
+    const bool takes_shape = std::ranges::any_of(function.parameters, [](const ParameterInfo& p) {
+        return p.kind == ParameterInfo::Kind::Contour;
+    });
+    // A cycle along a shape works in the plane of that, one that turns in the plane that acts.
+    if (at.shape != nullptr && (takes_shape || turns)) {
         modal.active[static_cast<std::size_t>(nc::Group::Plane)] =
             at.plane == path::Plane::Xy   ? nc::Function::PlaneXy
             : at.plane == path::Plane::Zx ? nc::Function::PlaneZx
@@ -317,7 +326,7 @@ bool Expander::State::start_cycle(std::string_view name, std::span<const double>
             stack[code.globals + parameter.slot].integer =
                 make_contour({*at.shape, at.plane, at.is_diameter}, parameter.layout);
             set |= 1u << i;
-            next += 2;
+            next += arguments.size() + 1 - function.parameters.size();
             continue;
         }
         const std::size_t argument = next++;

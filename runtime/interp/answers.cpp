@@ -169,8 +169,8 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
             return tool_offsets_.value(*ToolOffsets::column_of(quantity), first);
         case Quantity::ProbePosition: {
             const auto axis = axis_of(first);
-            if (!axis || !probed_) return std::nullopt;
-            return (*probed_)[index(*axis)];
+            if (!axis) return std::nullopt;
+            return probed_ ? (*probed_)[index(*axis)] : 0.0;
         }
         case Quantity::MirroredAxes: return mirrored_axes();
         case Quantity::FirstPlaneAxis: return name_of_axis(path::axes_of(modal_.plane).first);
@@ -189,6 +189,9 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::ModalCode:
         case Quantity::ModalNumber:
         case Quantity::BlockNumber:
+        case Quantity::ModalCall:
+        case Quantity::MachineCode:
+        case Quantity::ProgramNumber:
         case Quantity::Alarm:
         case Quantity::MessageStop: return std::nullopt;
     }

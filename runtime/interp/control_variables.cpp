@@ -182,9 +182,14 @@ Variables::Answer ControlVariables::system(Quantity quantity, std::int64_t first
         out = *code;
         return Answer::Value;
     }
-    if (quantity == Quantity::BlockNumber) {
-        out = static_cast<double>(block_number_);
-        return Answer::Value;
+    switch (quantity) {
+        case Quantity::BlockNumber: out = static_cast<double>(block_number_); return Answer::Value;
+        case Quantity::MachineCode: out = reader_.machine_code(); return Answer::Value;
+        case Quantity::ModalCall: out = modal_call_ ? modal_call_() : 0; return Answer::Value;
+        case Quantity::ProgramNumber:
+            out = static_cast<double>(number_of(reader_.text().program).value_or(0));
+            return Answer::Value;
+        default: break;
     }
     if (state_ == nullptr) return Answer::Unsupported;
     if (!in_step_) return Answer::Later;
@@ -222,14 +227,22 @@ double ControlVariables::text_factor(const Indices& indices, std::int64_t axis) 
 double ControlVariables::to_text_units(Quantity quantity, const Indices& indices,
                                        double value) const {
     if (is_of_axis(quantity)) {
-        const bool is_offset = quantity == Quantity::WorkOffset;
-        return value * text_factor(indices, is_offset ? indices.second : indices.first);
+        const std::int64_t axis = quantity == Quantity::WorkOffset ? indices.second : indices.first;
+        return on_increment(value * text_factor(indices, axis), state_->is_length(axis));
     }
     if (quantity == Quantity::Feed)
         return value * text_scale(nc::Dimension::Feed, reader_.units(), true);
     if (is_of_tool_data(quantity))
-        return value * text_scale(nc::Dimension::Length, reader_.units(), true);
+        return on_increment(value * text_scale(nc::Dimension::Length, reader_.units(), true), true);
     return value;
+}
+
+/// Where words are rounded to the increment, the control keeps positions and offsets in increments.
+double ControlVariables::on_increment(double value, bool is_length) const {
+    if (!language_.rules.rounds_values) return value;
+    const nc::Dimension dimension = is_length ? nc::Dimension::Length : nc::Dimension::Angle;
+    const double power = std::round(1 / increment_size(tables_, dimension, reader_.units()));
+    return std::round(value * power) / power + 0.0;
 }
 
 // ---------------------------------------------------------------- active codes
@@ -243,10 +256,17 @@ const nc::Form* ControlVariables::active_form(std::size_t group) const {
             active = dialect_.first_motion();
         return active == form.function;
     };
+    const auto& defaults = tables_.groups[group].power_on;
+    const bool is_of_cycles = std::ranges::find(defaults, nc::Function::CycleOff) != defaults.end();
+    if (is_of_cycles && reader_.last_cycle() != nc::kNoForm &&
+        reader_.modal()[static_cast<std::size_t>(nc::Group::CycleMode)] == nc::Function::Cycle)
+        return &tables_.forms[reader_.last_cycle()];
     const nc::FormId last = reader_.last_form(group);
     if (last != nc::kNoForm) {
         const nc::Form& form = tables_.forms[last];
-        if (form.function == nc::Function::None || acts(form)) return &form;
+        // Functions that act once, as frames do, are a group where one of them is the default.
+        const bool is_kept = info(form.function).group == nc::Group::Once && !defaults.empty();
+        if (form.function == nc::Function::None || is_kept || acts(form)) return &form;
     }
     for (const nc::Form& form : tables_.forms) {
         if (form.group != static_cast<int>(group) || !form.is_read || !acts(form)) continue;
@@ -260,7 +280,6 @@ const nc::Form* ControlVariables::active_form(std::size_t group) const {
         if (form.group != static_cast<int>(group) || !form.is_read) continue;
         const bool is_offset = form.function == nc::Function::WorkOffset && !form.fixed.empty() &&
                                form.fixed[0].second == dialect_.first_work_offset();
-        const auto& defaults = tables_.groups[group].power_on;
         const bool is_default = std::ranges::find(defaults, form.function) != defaults.end();
         if (is_offset || is_default) return &form;
     }
@@ -279,7 +298,17 @@ std::optional<double> ControlVariables::modal_code(std::int64_t number, bool by_
         return code_in_list(*list, static_cast<std::size_t>(place - tables_.groups.begin()));
     }
     if (place == tables_.groups.end()) return std::nullopt;
-    const nc::Form* form = active_form(static_cast<std::size_t>(place - tables_.groups.begin()));
+    const auto group = static_cast<std::size_t>(place - tables_.groups.begin());
+    const nc::Form* form = active_form(group);
+    if (form == nullptr) {
+        // Of codes on which nothing depends the first one acts before any was said.
+        const auto first = std::ranges::find_if(tables_.forms, [&](const nc::Form& other) {
+            return other.group == static_cast<int>(group) && other.is_read;
+        });
+        const bool is_passed =
+            first != tables_.forms.end() && first->function == nc::Function::None;
+        if (is_passed) form = &*first;
+    }
     if (form == nullptr) return std::nullopt;
     return form->words[0].number;
 }
@@ -601,10 +630,16 @@ ControlVariables::Fault ControlVariables::store_system(Quantity quantity, const 
     const std::string name(info(quantity).name);
     if (state_ == nullptr) return {&diag::IsoNotSupported, {name}};
     if (!value.is_number()) return {&diag::TypesDiffer, {name, std::string(kind_name(value))}};
-    double factor = 1;
-    if (quantity == Quantity::WorkOffset) factor = text_factor(indices, indices.second);
-    if (is_of_tool_data(quantity)) factor = to_text_units(quantity, indices, 1);
-    switch (state_->set_quantity(quantity, indices.first, indices.second, value.number / factor,
+    double number = value.number;
+    if (quantity == Quantity::WorkOffset) {
+        number = on_increment(number, state_->is_length(indices.second)) /
+                 text_factor(indices, indices.second);
+    }
+    if (is_of_tool_data(quantity)) {
+        number =
+            on_increment(number, true) / text_scale(nc::Dimension::Length, reader_.units(), true);
+    }
+    switch (state_->set_quantity(quantity, indices.first, indices.second, number,
                                  language_.rules.offsets_act_at_once)) {
         case ControlState::Write::Done: return {};
         case ControlState::Write::NoPlace: return {&diag::VariableNumber, {"of this offset"}};

@@ -2,6 +2,7 @@
 // state of the control.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,6 +28,8 @@ class ControlVariables final : public Variables {
     void begin_batch() { in_step_ = true; }
     /// Whether everything that was given is executed.
     void set_in_step(bool in_step) { in_step_ = in_step; }
+    /// Who knows which modal call acts, and says its code.
+    void ask_modal_call(std::function<double()> ask) { modal_call_ = std::move(ask); }
     void set_block_number(std::int64_t number) { block_number_ = number; }
 
     Answer family(std::uint32_t form, std::int64_t number, Value& out) override;
@@ -91,6 +94,7 @@ class ControlVariables final : public Variables {
     std::string written(const ControlFrame& frame) const;
     static Fault convert(nc::ValueType type, Value& value, std::string_view text);
     double to_text_units(nc::Quantity quantity, const Indices& indices, double value) const;
+    double on_increment(double value, bool is_length) const;
     double text_factor(const Indices& indices, std::int64_t axis) const;
     std::optional<double> code_in_list(const nc::CodeList& list, std::size_t group) const;
     std::optional<double> modal_code(std::int64_t group, bool by_place) const;
@@ -112,6 +116,7 @@ class ControlVariables final : public Variables {
     Level main_;
     Level* level_ = &main_;
     std::int64_t block_number_ = 0;
+    std::function<double()> modal_call_;
     bool in_step_ = true;
     std::vector<VariableChange>* changes_ = nullptr;
 };

@@ -7,6 +7,7 @@
 
 #include "base/diagnostics/iso.h"
 #include "interp/executor.h"
+#include "interp/named_shape.h"
 
 namespace kadr::interp {
 
@@ -51,7 +52,26 @@ bool is_given(const ModalCycle& call, std::optional<std::size_t> parameter) {
     return parameter && (call.given >> *parameter & 1u) != 0;
 }
 
+/// Whether the call says its shift along both axes, so that it has a direction.
+bool has_shift_vector(const nc::CycleInfo& cycle, const ModalCycle& call) {
+    if (cycle.roles.shift < 0) return false;
+    return is_given(call, static_cast<std::size_t>(cycle.roles.shift) + 1);
+}
+
 }  // namespace
+
+/// A form of the cycle that the call says by a letter ("E") is the number of the letter; 0: it is
+/// none.
+void Executor::take_letter(const Block& block, ModalCycle& call) const {
+    const std::vector<nc::Parameter>& parameters = dialect_.cycles()[call.cycle].parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if (parameters[i].dimension != nc::Dimension::Text || parameters[i].name == "shape")
+            continue;
+        const char letter = block.text.size() == 1 ? block.text[0] : '\0';
+        const bool is_letter = (letter >= 'A' && letter <= 'Z') || (letter >= 'a' && letter <= 'z');
+        set_argument(call, i, is_letter ? letter & ~0x20 : 0);
+    }
+}
 
 /// Whether further axis words repeat the cycle, so that its words stay in force.
 bool Executor::is_modal(nc::CycleId cycle) const {
@@ -77,7 +97,8 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
     complete_surroundings(call);
     take_ends(block, call);
     complete_ends(call);
-    if (info.takes_shape()) return begin_shape(block, call);
+    take_letter(block, call);
+    if (info.takes_shape() || names_shape(info)) return begin_shape(block, call);
     call.is_active = is_modal(call.cycle);
     if (taps_rigidly_) {
         constexpr double kStop = 5;  // M5
@@ -110,6 +131,11 @@ void Executor::call_behind_motion(const Block& block) {
     call.line = block.line;
     call.source = block.source;
     call.given = 0;
+    const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
+    if (names_shape(info)) {  // its contour does not follow a motion
+        report(diag::CycleUnavailable, call, Function::Cycle).arg(info.name);
+        return;
+    }
     Actions actions;
     actions.cycle = call.find(Function::Cycle);
     call_cycle(call, actions);
@@ -151,6 +177,25 @@ void Executor::move_instead_of_cycle(const Block& block, const Actions& actions)
 // ------------------------------------------------------------------------------ words of modal
 // cycles
 
+/// The level of a cycle is a word of the plane's normal; in another plane than X-Y its word of Z is
+/// a place.
+const Block& Executor::with_depth_apart(const Block& block) {
+    const Invocation* const said = block.find(Function::Cycle);
+    if (said == nullptr || cycle_blocks_ || machine_.is_lathe || !is_modal(block.cycle))
+        return block;
+    const int depth = dialect_.cycles()[block.cycle].roles.depth;
+    const bool is_said =
+        depth >= 0 && (said->given >> depth & 1u) != 0 && (said->by_form >> depth & 1u) == 0;
+    if (!is_said || plane_in(block) == path::Plane::Xy) return block;
+    called_ = block;
+    called_.set(Slot::Z, block.argument(*said, static_cast<std::size_t>(depth)));
+    for (std::size_t i = 0; i < called_.function_count; ++i) {
+        Invocation& invocation = called_.functions[i];
+        if (invocation.function == Function::Cycle) invocation.given &= ~(1u << depth);
+    }
+    return called_;
+}
+
 /// How often the block does the cycle; false: not at all.
 bool Executor::count_times(const CycleWords& words) {
     const auto times = static_cast<int>(words.times.value_or(1));
@@ -170,7 +215,8 @@ CycleLevel Executor::retract_now(double value) const {
 
 /// Keeps what a call says by its words; what its code says by itself is not for other cycles.
 void Executor::keep_call(const ModalCycle& call) {
-    const nc::CycleInfo::Roles& roles = dialect_.cycles()[call.cycle].roles;
+    const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
+    const nc::CycleInfo::Roles& roles = info.roles;
     const auto says = [&](int parameter) {
         return parameter >= 0 && (call.given >> parameter & 1u) != 0 &&
                (call.by_form >> parameter & 1u) == 0;
@@ -182,7 +228,8 @@ void Executor::keep_call(const ModalCycle& call) {
     if (says(roles.retract)) cycle_data_.retract = retract_now(value(roles.retract));
     // A stroke and a shift have no direction: their sign does not count.
     if (says(roles.stroke)) cycle_data_.stroke = std::abs(value(roles.stroke));
-    if (says(roles.shift)) cycle_data_.stroke = std::abs(value(roles.shift));
+    if (says(roles.shift) && !has_shift_vector(info, call))
+        cycle_data_.stroke = std::abs(value(roles.shift));
     if (says(roles.dwell)) cycle_data_.dwell = value(roles.dwell);
 }
 
@@ -229,12 +276,36 @@ void Executor::complete_words(ModalCycle& call) {
     set(roles.depth, depth);
     const double stroke = cycle_data_.stroke.value_or(0);
     set(roles.stroke, stroke > 0 ? stroke : std::abs(retract - depth));
-    set(roles.shift, stroke);
+    if (!has_shift_vector(info, call)) set(roles.shift, stroke);
     if (cycle_data_.dwell) set(roles.dwell, *cycle_data_.dwell);
 
     // A level under the bottom (boring from below) is no place to come back to.
     const bool stays_low = returns_to_retract_ && retract > depth;
     set_argument(call, find_parameter(info, "initial"), stays_low ? retract : cycle_data_.initial);
+}
+
+/// Where a scaling spares what a cycle says of ways, the cycle runs without it, between the levels
+/// that it gives.
+void Executor::take_off_scale(ModalCycle& call) {
+    const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
+    if (rules_.cycle_distances_scaled || !frames_.is_scaled() || info.roles.depth < 0) return;
+    const std::size_t normal = index(path::axes_of(cycle_plane()).normal);
+    std::array<AxisValues, 3> places;
+    const std::array<std::optional<std::size_t>, 3> levels = {
+        static_cast<std::size_t>(info.roles.depth), static_cast<std::size_t>(info.roles.retract),
+        find_parameter(info, "initial")};
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        places[i] = position_.here;
+        if (is_given(call, levels[i])) places[i][normal] = call.arguments[*levels[i]];
+        places[i] = frames_.to_base(places[i]);
+    }
+    frames_outside_ = frames_;
+    frames_.scale_off();
+    frame_changed();
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        if (is_given(call, levels[i]))
+            call.arguments[*levels[i]] = frames_.from_base(places[i])[normal];
+    }
 }
 
 /// The library's cycles begin and end at their initial level; those of controls go straight to the
@@ -360,6 +431,7 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
 
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     complete_words(call);
+    take_off_scale(call);
     go_straight(call);
     if (!time_turns(block, call)) return;
     if (!complete_tap(block, call) || !complete_thread(block, call)) return;
@@ -377,7 +449,10 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
     if (spindle_.mode == path::SpindleMode::Cw) request.spindle = Function::SpindleCw;
     if (spindle_.mode == path::SpindleMode::Ccw) request.spindle = Function::SpindleCcw;
     request.source = block.source;
-    request.shape = shape;
+    // Without a shape it is the plane alone, in which turning cycles work.
+    const CycleShape plane_of_lathe{{}, modal_.plane, true};
+    request.shape = shape != nullptr || !machine_.is_lathe ? shape : &plane_of_lathe;
+    request.x_is_diameter = !machine_.is_lathe || word_scale_[index(Axis::X)] != 1;
     std::unique_ptr<Stream<Block>> blocks = cycles_->expand(request);
     if (blocks == nullptr) {
         if (!was_refused(block)) ended_ = alarmed_ = true;  // the expander has said why
@@ -394,6 +469,7 @@ void Executor::open_cycle(const Block& block, std::unique_ptr<Stream<Block>> blo
     cycle_stream_ = std::move(blocks);
     caller_ = block;
     modal_before_cycle_ = modal_;
+    x_scale_before_cycle_ = word_scale_[index(Axis::X)];
     after_cycle_ = {};
     modal_.is_incremental = false;
     modal_.motion = Function::Rapid;
@@ -526,9 +602,15 @@ void Executor::finish_cycle() {
     cycle_blocks_.reset();
     cycle_stream_.reset();
     modal_ = modal_before_cycle_;
+    word_scale_[index(Axis::X)] = x_scale_before_cycle_;
     modal_cycle_.is_active = is_modal_behind_cycle_;
     if (final_level_) return_to_level();
     if (ended_) return;
+    if (frames_outside_) {
+        frames_ = *frames_outside_;
+        frames_outside_.reset();
+        frame_changed();
+    }
     if (times_left_ > 0) {
         --times_left_;
         const Actions after = after_cycle_;

@@ -98,6 +98,8 @@ Evaluator::Outcome Evaluator::execute(const nc::ControlLine& line, const nc::Exp
         if (instruction.kind == Instruction::Kind::Number) {
             push(Value::of(instruction.number, instruction.type));
         } else if (instruction.kind == Instruction::Kind::Operate) {
+            const bool is_sign = expression.keeps_vacant && at + 1 == end;
+            if (is_sign && stack_[size_ - 1].is_vacant()) continue;
             place_ = line.places[at];
             is_fine = operate(instruction, decimals);
         } else {

@@ -239,7 +239,8 @@ void Executor::run(const Block& block) {
     if (call_behind_motions_) call_behind_motion(*places);
 }
 
-void Executor::run_functions(const Block& block) {
+void Executor::run_functions(const Block& said) {
+    const Block& block = with_depth_apart(said);
     Actions actions = apply_functions(block);
     if (ended_) return;
     actions.motion_before = modal_.motion;
@@ -265,7 +266,7 @@ void Executor::run_functions(const Block& block) {
         modal_.has_feed = modal.has_feed;
     }
     if (call_behind_motions_) call_behind_motion(*places);
-    if (actions.calls_defined && !ended_) call_defined(block);
+    if (actions.calls_defined && !ended_ && !shape_) call_defined(block);
     if (ended_) return;
     if (cycle_blocks_ && !was_in_cycle) {
         after_cycle_ = actions;  // what the calling block does after its motion waits for the cycle
@@ -278,6 +279,19 @@ void Executor::run_functions(const Block& block) {
 
 Actions Executor::apply_functions(const Block& block) {
     Actions actions;
+    const auto apply = [&](bool is_plane) {
+        for (std::size_t i = 0; i < block.function_count && !ended_; ++i) {
+            const Invocation& invocation = block.functions[i];
+            const bool sets_plane = nc::info(invocation.function).group == Group::Plane;
+            if (sets_plane == is_plane) apply_function(block, invocation, actions);
+        }
+    };
+    if (block.find(Function::Rotate) != nullptr) {
+        // A rotation turns in the plane of its block, wherever that is said.
+        apply(true);
+        apply(false);
+        return actions;
+    }
     for (std::size_t i = 0; i < block.function_count && !ended_; ++i) {
         apply_function(block, block.functions[i], actions);
     }
@@ -296,7 +310,10 @@ bool Executor::is_too_late(Function function) const {
         case Function::Scale:
         case Function::ReferencePoint:
         case Function::ReferenceReturn:
+        case Function::ReferenceCheck:
+        case Function::ReferenceLeave:
         case Function::MachineCoordinates:
+        case Function::PositionReset:
         case Function::SetPosition: return true;
         case Function::PlaneXy: return modal_.plane != Plane::Xy;
         case Function::PlaneZx: return modal_.plane != Plane::Zx;
@@ -395,6 +412,8 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::FeedOnce: actions.feed_once = block.argument(invocation, 0); break;
         case Function::SoftSteps: soft_.in_steps = count_of(block, invocation) != 0; break;
         case Function::LengthCompOn:
+        case Function::LengthCompMinus:
+            tool_.is_taken_off = invocation.function == Function::LengthCompMinus;
             if ((invocation.given & 1u) != 0) tool_.offset = count_of(block, invocation);
             set_length_source(Tool::Source::Offset, actions);
             break;
@@ -435,7 +454,11 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::ExactStopOnce: actions.exact_stop = true; break;
         case Function::MachineCoordinates: actions.machine_coordinates = true; break;
         case Function::ReferencePoint:
-        case Function::ReferenceReturn: actions.reference = &invocation; break;
+        case Function::ReferenceReturn:
+        case Function::ReferenceCheck:
+        case Function::ReferenceLeave: actions.reference = &invocation; break;
+        case Function::RapidOnce: actions.at_rapid = true; break;
+        case Function::WayOffset: actions.way_offset = block.argument(invocation, 0); break;
         case Function::TapFloating: actions.taps = true; break;
         case Function::Probe: actions.probes = true; break;
         // Here the part lies where the program expects it, and every probe finds it.
@@ -479,6 +502,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::ScaleOff:
         case Function::Mirror:
         case Function::MirrorOff:
+        case Function::PositionReset:
         case Function::SetPosition: apply_frame(block, invocation); break;
 
         case Function::SpindleCw:
@@ -727,7 +751,8 @@ void Executor::select_work_offset(const Block& block, std::int64_t number) {
 }
 
 void Executor::apply_frame(const Block& block, const Invocation& invocation) {
-    const bool is_set = invocation.function == Function::SetPosition;
+    const bool is_set = invocation.function == Function::SetPosition ||
+                        invocation.function == Function::PositionReset;
     if (is_set && modal_cycle_.is_active) {
         report(diag::SetPositionInCycle, block, invocation.function);
         return;
@@ -742,16 +767,23 @@ void Executor::apply_frame(const Block& block, const Invocation& invocation) {
         case Function::RotateSpace:
         case Function::RotateSolid: rotate_in_space(block, invocation); break;
         case Function::Rotate:
-            frames_.rotate(modal_.plane, rad_from_deg(block.argument(invocation, 0)),
+            frames_.rotate(plane_in(block),
+                           rad_from_deg(block.argument(invocation, 0, rules_.rotation_angle)),
                            center_of(block, invocation));
             break;
         case Function::Scale: scale(block, invocation); break;
         case Function::ScaleOff: frames_.scale_off(); break;
-        case Function::RotateOff: frames_.rotate_off(); break;
+        case Function::RotateOff:
+            if (rules_.place_behind_rotation && frames_.is_rotated()) unplaced_ = plane_mask();
+            frames_.rotate_off();
+            break;
         case Function::Mirror: frames_.mirror(words); break;
         case Function::MirrorOff: frames_.mirror_off(static_cast<AxisMask>(words.given)); break;
         case Function::SetPosition:
             frames_.set_position(words, position_.here, position_.base);
+            break;
+        case Function::PositionReset:
+            frames_.reset_position(static_cast<AxisMask>(words.given));
             break;
         default: KADR_ASSERT(false, "not a function of frames");
     }

@@ -39,6 +39,8 @@ struct Actions {
     bool taps = false;    // a line of floating tapping
     bool probes = false;  // a line that ends where the probe triggers
     bool exact_stop = false;
+    bool at_rapid = false;  // whatever the modal motion
+    double way_offset = 0;  // times the radius offset by which the ways are longer
     bool length_changed = false;
     bool tool_change = false;
     bool flood = false;
@@ -70,7 +72,7 @@ struct Actions {
     bool calls_behind_motions = false;
     bool calls_defined = false;  // the cycle that was defined last, behind the motion
     CycleWords cycle_words;
-    const nc::Invocation* reference = nullptr;  // ReferencePoint or ReferenceReturn
+    const nc::Invocation* reference = nullptr;  // a way to the reference point, or from there
 };
 
 /// End of a motion in the programmed system and in the base system.
@@ -202,6 +204,7 @@ class Executor {
 
     // motion.cpp
     void move(const nc::Block& block, const Actions& actions);
+    void check_place(const nc::Block& block, nc::SlotMask targets);
     Target target_of(const nc::Block& block, nc::SlotMask targets) const;
     double x_scale(const nc::Block& block, bool is_distance) const;
     bool check_rotary_ways(const nc::Block& block);
@@ -210,7 +213,11 @@ class Executor {
     void line(const nc::Block& block, const Target& target, path::Op op, bool exact_stop);
     void move_in_machine_coordinates(const nc::Block& block);
     void rapid_to_machine_position(const nc::Block& block, const AxisValues& to, AxisMask moved);
+    void refer(const nc::Block& block, const nc::Invocation& invocation);
     void return_to_reference(const nc::Block& block, const nc::Invocation& invocation);
+    void check_reference(const nc::Block& block);
+    void leave_reference(const nc::Block& block);
+    bool offset_ways(const nc::Block& block, double times, Target& target);
     void tap(const nc::Block& block, const Target& target);
     void thread(const nc::Block& block, const Target& target, const Actions& actions);
     std::optional<double> thread_pitch(const nc::Block& block, const path::Vec3& way);
@@ -221,6 +228,9 @@ class Executor {
     void arc(const nc::Block& block, const Target& target, bool exact_stop);
     void put_arc(const nc::Block& block, const path::Arc& programmed, const Target& target,
                  bool exact_stop);
+    void put_base_arc(const nc::Block& block, const path::Arc& arc, const Target& target,
+                      bool exact_stop);
+    void stretched_arc(const nc::Block& block, const Target& target, bool exact_stop);
     std::optional<path::Arc> resolve_arc(const nc::Block& block, const Target& target);
     std::optional<int> turns_of(const nc::Block& block);
     std::optional<path::Vec3> center_of_arc(const nc::Block& block, const path::Vec3& start);
@@ -300,6 +310,7 @@ class Executor {
     // shapes.cpp: the blocks of the program along which a cycle works
     void begin_shape(const nc::Block& block, const ModalCycle& call);
     bool check_shape_block(const nc::Block& block);
+    bool is_behind_shape(const nc::Block& block) const;
     void end_shape_block(const nc::Block& block);
     void finish_shape();
     void return_from_shape();
@@ -339,6 +350,7 @@ class Executor {
     void repeat_cycle(const nc::Block& block, const Actions& actions);
     void call_behind_motion(const nc::Block& block);
     void move_instead_of_cycle(const nc::Block& block, const Actions& actions);
+    void take_letter(const nc::Block& block, ModalCycle& call) const;
     bool is_modal(nc::CycleId cycle) const;
     bool count_times(const CycleWords& words);
     void keep_words(const CycleWords& words);
@@ -351,6 +363,8 @@ class Executor {
     void go_straight(ModalCycle& call);
     bool time_turns(const nc::Block& block, ModalCycle& call);
     void start_cycle(const nc::Block& block, ModalCycle call, const CycleShape* shape = nullptr);
+    void take_off_scale(ModalCycle& call);
+    const nc::Block& with_depth_apart(const nc::Block& block);
     bool complete_tap(const nc::Block& block, ModalCycle& call);
     bool complete_thread(const nc::Block& block, ModalCycle& call);
     void open_cycle(const nc::Block& block, std::unique_ptr<Stream<nc::Block>> blocks);
@@ -372,6 +386,7 @@ class Executor {
     path::Command& behind_corners();
     path::Command& put(path::Op op, const nc::Block& block);
     void frame_changed();
+    AxisMask plane_mask() const;
     /// A message at the block, or at the word that set the slot or said the function. Inside a
     /// cycle the place is that of the block which called it. An alarm ends the run.
     DiagnosticBuilder report(const DiagnosticRow& row, const nc::Block& block);
@@ -448,6 +463,7 @@ class Executor {
     nc::Block spline_end_{};                             // place of its latest block
     int spline_degree_ = 3;
     bool taps_rigidly_ = false;  // of the tapping cycles that follow
+    AxisMask unplaced_ = 0;      // axes that want a place behind the end of a rotation
 
     // Of the machine, by logical axis; deg for rotary axes.
     AxisMask axes_ = 0;
@@ -455,6 +471,8 @@ class Executor {
     AxisValues upper_{};
     std::array<AxisValues, machine::kReferencePoints> reference_points_{};
     std::array<AxisMask, machine::kReferencePoints> has_reference_point_{};
+    AxisValues left_over_{};  // places over which axes went to a reference point last
+    AxisMask has_left_ = 0;
     AxisValues word_scale_{};    // 0.5 for X of a lathe: a diameter is programmed
     AxisValues length_shift_{};  // machine position − base position: the tool length in force
 
@@ -462,8 +480,9 @@ class Executor {
     ModalCycle modal_cycle_;
     CycleData cycle_data_;
     std::optional<nc::Block> call_behind_motions_;
-    int times_left_ = 0;                  // that the block does the cycle again
-    std::optional<double> begins_at_;     // level at which the cycle takes the tool to be
+    int times_left_ = 0;                    // that the block does the cycle again
+    std::optional<Frames> frames_outside_;  // of a cycle whose distances the scaling spares
+    std::optional<double> begins_at_;       // level at which the cycle takes the tool to be
     std::optional<double> final_level_;   // below its retract level, where the tool goes behind it
     std::vector<ModalCycle> presets_;     // parameters that the next calls need not give
     std::optional<nc::CycleId> defined_;  // the one of them that was said last
@@ -474,6 +493,7 @@ class Executor {
     std::string_view cycle_name_;
     nc::Block caller_{};
     Modal modal_before_cycle_;
+    double x_scale_before_cycle_ = 1;
     bool is_modal_behind_cycle_ = false;
     Actions after_cycle_;
     // A pattern of places: a cycle whose blocks are followed by the call behind motions.
@@ -488,6 +508,7 @@ class Executor {
     std::array<std::optional<double>, 3> center_;  // that stays, in the programmed system
     nc::Block centered_{};                         // a block with it
     nc::Block remapped_{};  // a block of the cycle, in another plane than X-Y
+    nc::Block called_{};    // a call whose word of Z is a place, in another plane than X-Y
 
     nc::Block cartesian_{};                   // a block whose other words have become places
     std::optional<nc::Block> said_in_polar_;  // … that it was made of

@@ -188,6 +188,13 @@ void Frames::set_position(const FrameWords& words, const AxisValues& here, const
     update();
 }
 
+void Frames::reset_position(AxisMask axes) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        if ((axes >> i & 1u) != 0) set_shift_[i] = shift_[i] = 0;
+    }
+    update();
+}
+
 void Frames::append(Step::Kind kind, const Frame& frame) {
     if (!steps_.empty() && steps_.back().kind == kind) {
         steps_.back().frame = steps_.back().frame * frame;
@@ -199,6 +206,17 @@ void Frames::append(Step::Kind kind, const Frame& frame) {
         steps_.erase(steps_.begin());
     }
     update();
+}
+
+bool Frames::is_scaled() const {
+    return std::ranges::any_of(steps_,
+                               [](const Step& step) { return step.kind == Step::Kind::Scale; });
+}
+
+double Frames::larger_factor(path::Plane plane) const {
+    const path::PlaneAxes axes = path::axes_of(plane);
+    return std::max(total_.direction(path::unit(axes.first)).norm(),
+                    total_.direction(path::unit(axes.second)).norm());
 }
 
 bool Frames::is_rotated() const {

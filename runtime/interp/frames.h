@@ -47,6 +47,9 @@ class Frames {
     /// factors  along X, Y, Z, none of them 0
     void scale(const path::Vec3& factors, const FrameWords& center);
     void scale_off();
+    bool is_scaled() const;
+    /// The larger one of the factors by which the plane's axes are scaled.
+    double larger_factor(path::Plane plane) const;
     /// Each axis that is named, about its coordinate in the system reached so far.
     void mirror(const FrameWords& words);
     /// No axes: all of them.
@@ -54,6 +57,9 @@ class Frames {
     /// The tool stands at `base`; the words given are the coordinates that it gets, `here` the
     /// others'. Moves the origin of every work offset.
     void set_position(const FrameWords& words, const AxisValues& here, const AxisValues& base);
+
+    /// Takes back what set_position and shift have done to these axes.
+    void reset_position(AxisMask axes);
 
     AxisValues to_base(const AxisValues& programmed) const;
     AxisValues from_base(const AxisValues& base) const;

@@ -46,6 +46,7 @@ struct CycleCall {
     nc::Function spindle = nc::Function::None;  // how it turns; None: it does not
     SourceId source;
     const CycleShape* shape = nullptr;  // of a cycle that takes one
+    bool x_is_diameter = true;          // X of the position, and of the words that act
 };
 
 /// Expands a machining cycle into blocks. The one thing that the runtime needs from the compiler;

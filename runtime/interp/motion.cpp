@@ -72,7 +72,17 @@ void Executor::move(const Block& block, const Actions& actions) {
         return actions.soft->function == Function::SoftApproach ? approach_softly(block, actions)
                                                                 : retract_softly(block, actions);
     }
-    if (actions.reference != nullptr) return return_to_reference(block, *actions.reference);
+    if (actions.reference != nullptr) return refer(block, *actions.reference);
+    if (actions.probes && comp_.side != Function::RadiusCompOff) {
+        report(diag::ProbeCompensated, block, Function::Probe);
+        return;
+    }
+    const bool is_in_cycle = modal_cycle_.is_active || actions.cycle != nullptr;
+    if (is_in_cycle && targets != 0 && (actions.machine_coordinates || actions.probes)) {
+        const Function own = actions.probes ? Function::Probe : Function::MachineCoordinates;
+        report(diag::MotionInCycle, block, own).arg(nc::info(own).name);
+        return;
+    }
     if (actions.calls_behind_motions) {
         call_behind_motions_.reset();
         if (actions.cycle != nullptr) call_behind_motions_ = block;
@@ -93,10 +103,14 @@ void Executor::move(const Block& block, const Actions& actions) {
         return;
     }
     if (!check_axes(block, targets) || !check_rotary_ways(block)) return;
+    if ((unplaced_ & targets) != 0) [[unlikely]]
+        check_place(block, targets);
     if (actions.machine_coordinates) return move_in_machine_coordinates(block);
 
-    const Target target = target_of(block, targets);
+    Target target = target_of(block, targets);
+    if (actions.way_offset != 0 && !offset_ways(block, actions.way_offset, target)) return;
     const bool exact_stop = modal_.has_exact_stop || actions.exact_stop;
+    if (actions.at_rapid) return line(block, target, Op::Rapid, true);
     if (actions.taps) return line(block, target, Op::Line, exact_stop);
     if (actions.probes) return line(block, target, Op::Probe, true);
     if (modal_.motion == Function::Thread) return thread(block, target, actions);
@@ -107,6 +121,18 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (arc_words != 0 && !wish_square_corner(block, target)) warn_arc_word(block, arc_words);
     if (ended_) return;
     line(block, target, modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, exact_stop);
+}
+
+AxisMask Executor::plane_mask() const {
+    const path::PlaneAxes axes = path::axes_of(modal_.plane);
+    return static_cast<AxisMask>(1u << index(axes.first) | 1u << index(axes.second));
+}
+
+/// The first motion behind the end of a rotation.
+void Executor::check_place(const Block& block, SlotMask targets) {
+    const SlotMask distances = modal_.is_incremental ? ~block.absolute : block.incremental;
+    if ((distances & targets & unplaced_) != 0) report(diag::IncrementBehindRotation, block);
+    unplaced_ = 0;
 }
 
 Target Executor::target_of(const Block& block, SlotMask targets) const {
@@ -265,13 +291,79 @@ void Executor::rapid_to_machine_position(const Block& block, const AxisValues& t
     arrive(target);
 }
 
-/// Over the programmed place, if the block names one and the tool is not there, to the reference
-/// point of the axes that are named.
-void Executor::return_to_reference(const Block& block, const nc::Invocation& invocation) {
+/// A way to a reference point, or from there; none of them stands among the holes of a cycle.
+void Executor::refer(const Block& block, const nc::Invocation& invocation) {
     if (modal_cycle_.is_active) {
         report(diag::ReferenceInCycle, block, invocation.function);
         return;
     }
+    switch (invocation.function) {
+        case Function::ReferenceCheck: return check_reference(block);
+        case Function::ReferenceLeave: return leave_reference(block);
+        default: return return_to_reference(block, invocation);
+    }
+}
+
+/// To the programmed place, which must be the reference point of the axes that are named.
+void Executor::check_reference(const Block& block) {
+    constexpr double kWidth = 0.0005;  // mm, deg: half an increment
+    const SlotMask targets = block.given & nc::kTargetSlots;
+    if (targets == 0 || !check_axes(block, targets)) return;
+    line(block, target_of(block, targets), Op::Rapid, true);
+    for (std::size_t i = 0; i < kAxes && !ended_; ++i) {
+        if ((targets >> i & 1u) == 0) continue;
+        const double at = position_.base[i] + length_shift_[i];
+        if (std::abs(at - reference_points_[0][i]) <= kWidth) continue;
+        report(diag::ReferenceMissed, block, Function::ReferenceCheck)
+            .arg(kAxisNames[i])
+            .arg(round_to(at, 4))
+            .arg(round_to(reference_points_[0][i], 4));
+    }
+}
+
+/// Over the place over which the axes went to their reference point, to the programmed one. A
+/// distance counts from the place between.
+void Executor::leave_reference(const Block& block) {
+    const SlotMask targets = block.given & nc::kTargetSlots;
+    if (targets == 0 || !check_axes(block, targets)) return;
+    Target over{position_.here, {}, static_cast<AxisMask>(targets)};
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        if ((targets >> i & 1u) == 0) continue;
+        if ((has_left_ >> i & 1u) == 0) {
+            report(diag::ReferenceNoPlace, block, Function::ReferenceLeave).arg(kAxisNames[i]);
+            return;
+        }
+        over.here[i] = left_over_[i];
+    }
+    over.base = frames_.to_base(over.here);
+    if (over.base != position_.base) line(block, over, Op::Rapid, true);
+    if (!ended_) line(block, target_of(block, targets), Op::Rapid, true);
+}
+
+/// Makes the ways longer by the radius offset, so many times. False: that is not possible, and it
+/// was said.
+bool Executor::offset_ways(const Block& block, double times, Target& target) {
+    if (comp_.side != Function::RadiusCompOff) {
+        report(diag::WayOffsetCompensated, block, Function::WayOffset);
+        return false;
+    }
+    if (is_circle(modal_.motion)) {
+        report(diag::IsoNotSupported, block, Function::WayOffset)
+            .arg("an arc whose ends are moved by an offset");
+        return false;
+    }
+    const double offset = times * tool_offsets_.radius(tool_.radius_offset);
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        if ((target.moved >> i & 1u) == 0) continue;
+        target.here[i] += target.here[i] < position_.here[i] ? -offset : offset;
+    }
+    target.base = frames_.to_base(target.here);
+    return true;
+}
+
+/// Over the programmed place, if the block names one and the tool is not there, to the reference
+/// point of the axes that are named.
+void Executor::return_to_reference(const Block& block, const nc::Invocation& invocation) {
     const SlotMask targets = block.given & nc::kTargetSlots;
     auto moved = static_cast<AxisMask>(targets);
     if (invocation.function == Function::ReferencePoint) {
@@ -296,6 +388,9 @@ void Executor::return_to_reference(const Block& block, const nc::Invocation& inv
         to[i] += length_shift_[i];
         if ((moved >> i & 1u) != 0) to[i] = reference_points_[point][i];
     }
+    for (std::size_t i = 0; i < kAxes; ++i)
+        if ((moved >> i & 1u) != 0) left_over_[i] = position_.here[i];
+    has_left_ = static_cast<AxisMask>(has_left_ | moved);
     if (moved != 0) rapid_to_machine_position(block, to, moved);
 }
 
@@ -398,7 +493,9 @@ double Executor::wanted_length(const Block& block) {
     if (tool_.source == Tool::Source::None) return 0;
     const std::int64_t number = tool_.length_number();
     if (number == 0) return 0;
-    if (tool_offsets_.is_known(number)) return tool_offsets_.length(number);
+    const bool is_taken_off = tool_.source == Tool::Source::Offset && tool_.is_taken_off;
+    if (tool_offsets_.is_known(number))
+        return is_taken_off ? -tool_offsets_.length(number) : tool_offsets_.length(number);
     // A machine without a tool table has no lengths; a table with a gap is likely a mistake.
     const bool is_known_gap =
         std::find(unknown_tools_.begin(), unknown_tools_.end(), number) != unknown_tools_.end();
@@ -445,10 +542,7 @@ void Executor::move_length_alone(const Block& block) {
 
 void Executor::arc(const Block& block, const Target& target, bool exact_stop) {
     if (!check_feed(block, "arc")) return;
-    if (frames_.is_stretched(modal_.plane)) {
-        report(diag::ArcStretched, block, modal_.motion);
-        return;
-    }
+    if (frames_.is_stretched(modal_.plane)) return stretched_arc(block, target, exact_stop);
     const bool has_opening = block.has(Slot::Opening);
     const bool has_form = (block.given & (nc::kCenterSlots | bit(Slot::Radius))) != 0;
     if (!has_form && !has_opening && rules_.arc_without_center == ArcWithoutCenter::Line) {
@@ -480,6 +574,33 @@ void Executor::put_arc(const Block& block, const path::Arc& programmed, const Ta
     const path::Arc arc{linear(position_.base), linear(target.base), frame(programmed.center),
                         frame.direction(first).cross(frame.direction(second)).normalized(),
                         programmed.sweep};
+    put_base_arc(block, arc, target, exact_stop);
+}
+
+/// Under unequal factors: an arc by its radius between the scaled ends, where the control makes
+/// one.
+void Executor::stretched_arc(const Block& block, const Target& target, bool exact_stop) {
+    const bool by_radius = rules_.arc_radius_scaled_by_larger && block.has(Slot::Radius);
+    if (!by_radius || frames_.is_tilted(modal_.plane)) {
+        report(diag::ArcStretched, block, modal_.motion);
+        return;
+    }
+    const std::optional<int> turns = turns_of(block);
+    if (!turns) return;
+    if (tool_.has_changed) activate_length(block, target.moved);
+    const path::ArcEnds ends{linear(position_.base), linear(target.base)};
+    const bool is_cw = (modal_.motion == Function::ArcCw) != frames_.is_mirrored(modal_.plane);
+    const Result<path::Arc, path::ArcFault> arc =
+        path::arc_of_radius(ends, block.at(Slot::Radius) * frames_.larger_factor(modal_.plane),
+                            {modal_.plane, is_cw, *turns});
+    if (!arc) return report_radius_arc(block, arc.error(), ends);
+    put_base_arc(block, *arc, target, exact_stop);
+}
+
+/// An arc of the base system as a command.
+void Executor::put_base_arc(const Block& block, const path::Arc& arc, const Target& target,
+                            bool exact_stop) {
+    const Vec3 third = path::unit(path::axes_of(modal_.plane).normal);
     if (!check_arc_limits(block, arc, target)) return;
 
     Command& command = put(Op::Arc, block);

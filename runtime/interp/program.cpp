@@ -7,6 +7,7 @@
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
+#include "interp/named_shape.h"
 #include "interp/program_state.h"
 #include "nc/control_words.h"
 
@@ -47,6 +48,7 @@ Program::State::State(const nc::Dialect& dialect_, nc::TextSource& text, std::st
     main->level = &variables.main_level();
     frames.push_back(std::move(main));
     resume_frame(*frames[0]);
+    variables.ask_modal_call([this] { return modal_call_code(); });
     lines.add_notes([this](DiagnosticBuilder& message) {
         for (const nc::CallSite* site = frame->site.get(); site != nullptr; site = site->from.get())
             message.note(site->place, "called here");
@@ -331,6 +333,7 @@ void Program::State::follow_shape(const Block& block, std::string_view text, con
     const auto number_of = [&](int parameter) -> std::int64_t {
         return std::llround(block.argument(*call, static_cast<std::size_t>(parameter), -1));
     };
+    if (names_shape(cycle)) return follow_named_shape(block, text, place);
     if (!cycle.takes_shape()) return;
     const std::int64_t first = number_of(cycle.roles.first_block);
     const std::int64_t last = number_of(cycle.roles.last_block);

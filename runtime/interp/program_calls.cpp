@@ -324,6 +324,7 @@ Program::State::Done Program::State::begin(CompiledLine& line, const PreparedCal
     auto callee = std::make_unique<Frame>();
     callee->unit = call.unit;
     callee->text.name = call.unit->text->name;
+    callee->text.program = call.unit->name;
     callee->call = call;
     callee->left = call.passes;
     callee->site = call.site;
@@ -335,7 +336,8 @@ Program::State::Done Program::State::begin(CompiledLine& line, const PreparedCal
     callee->saves = saves;
     if (call.is_macro()) {
         callee->own_level = call.level;
-    } else if (language.rules.subprograms_have_variables) {
+    } else if (language.rules.subprograms_have_variables &&
+               !(call.is_shape && call.unit == frame->unit)) {
         callee->own_level = variables.new_level();
     }
     callee->level = callee->own_level ? callee->own_level.get() : frame->level;
@@ -352,10 +354,8 @@ Program::State::Done Program::State::begin(CompiledLine& line, const PreparedCal
         callee->here = found.line;
     }
     if (call.from) callee->here = call.from->line;
-    if (saves) {
-        callee->modal_before = lines.modal();
-        interpreter->keep_frames();
-    }
+    if (saves || call.is_shape) callee->modal_before = lines.modal();
+    if (saves) interpreter->keep_frames();
     begins = std::move(callee);
     return Done::Nothing;
 }
@@ -552,6 +552,15 @@ const PreparedCall* Program::State::active_modal_call() const {
     return count == 0 ? nullptr : modal_calls[count - 1].get();
 }
 
+/// The code of the modal call that acts; without one that which ends it.
+double Program::State::modal_call_code() const {
+    const PreparedCall* const active = active_modal_call();
+    if (active != nullptr && active->form != nullptr) return active->form->number;
+    const auto end =
+        std::ranges::find(language.calls.calls, CallForm::Kind::EndModal, &CallForm::kind);
+    return end == language.calls.calls.end() ? 0 : end->number;
+}
+
 bool Program::State::takes_blocks() const {
     const PreparedCall* const active = active_modal_call();
     return active != nullptr && active->form != nullptr &&
@@ -559,7 +568,7 @@ bool Program::State::takes_blocks() const {
 }
 
 nc::LineContext Program::State::context() const {
-    return {frame->is_in_code_call, !modal_calls.empty() && takes_blocks()};
+    return {frame->is_in_code_call, !modal_calls.empty() && takes_blocks(), options.skip_levels};
 }
 
 /// Behind a block that moves an axis the modal call is made.
@@ -586,7 +595,8 @@ Program::State::Done Program::State::begin_due() {
     if (done == Done::Wait) return done;
     due.reset();
     if (!begins) return done;
-    begins->modal_limit = std::min(frame->modal_limit, modal_calls.size()) - 1;
+    begins->modal_limit =
+        begins->call.is_shape ? 0 : std::min(frame->modal_limit, modal_calls.size()) - 1;
     perform_call();
     return done;
 }
@@ -604,6 +614,50 @@ Program::State::Done Program::State::call_with_block(CompiledLine& line) {
     done = begin(line, call);
     if (begins) begins->modal_limit = std::min(frame->modal_limit, modal_calls.size()) - 1;
     return done;
+}
+
+// ------------------------------------------------------------------------------ shapes
+
+/// The blocks of a shape that a cycle names: those of a program, or those between two labels of the
+/// program that runs (`"BEGIN:END"`). They come next; behind them the cycle is called.
+void Program::State::follow_named_shape(const Block& block, std::string_view text_of_line,
+                                        const Place& place) {
+    if (block.find(Function::CycleModal) != nullptr) return;  // the interpreter refuses it
+    const nc::Span whole{0, static_cast<std::uint32_t>(text_of_line.size())};
+    const auto missing = [&](const DiagnosticRow& row, std::string what) {
+        lines.report_fault(text_of_line, nc::LineFault{&row, whole, {std::move(what)}});
+        has_ended = true;
+    };
+    PreparedCall call;
+    call.is_shape = true;
+    call.site = std::make_shared<nc::CallSite>(
+        nc::CallSite{lines.place(text_of_line, place.line.line, whole), frame->site});
+    const std::size_t colon = block.text.find(':');
+    if (colon == std::string::npos) {
+        const std::string name =
+            nc::program_of_path(language.calls, block.text, tables.rules.ignores_case);
+        call.unit = name.empty() ? nullptr : units.find(name, text());
+        if (call.unit == nullptr)
+            return missing(
+                diag::ProgramMissing,
+                quoted(name.empty() ? block.text : nc::shown_program(language.calls, name)));
+        due = std::move(call);
+        return;
+    }
+    call.unit = frame->unit;
+    Place begin{frame->unit->begin, frame->unit->begin};
+    Place end;
+    for (const std::string_view label : {std::string_view(block.text).substr(0, colon),
+                                         std::string_view(block.text).substr(colon + 1)}) {
+        const Target target{std::string(label), -1};
+        const Place from = begin;
+        Place& found = label.data() == block.text.data() ? begin : end;
+        if (map().find(target, Direction::Forward, from, found) != ProgramMap::Fault::None)
+            return missing(diag::JumpTargetMissing, quoted(label));
+    }
+    call.from = begin;
+    call.to = end.next;
+    due = std::move(call);
 }
 
 // ------------------------------------------------------------------------------ returns
@@ -714,9 +768,9 @@ Program::State::Done Program::State::finish_return(Block& out) {
         const std::unique_ptr<Frame> left = std::move(frames.back());
         frames.pop_back();
         resume_frame(*frames.back());
-        if (!left->saves) continue;
-        interpreter->restore_frames(true);
-        lines.restore(left->modal_before, out);
+        if (left->saves) interpreter->restore_frames(true);
+        if (left->saves || left->call.is_shape) lines.restore(left->modal_before, out);
+        if (left->call.is_shape) out.add(Function::CycleCall);
     }
     if (out.function_count > 0 || out.motion != Function::None) {
         out.line = units.line_id(left_text, std::max<std::uint64_t>(from.line, 2) - 1);

@@ -63,6 +63,7 @@ struct PreparedCall {
     std::optional<Position> to;
     std::shared_ptr<const nc::CallSite> site;
     bool is_modal = false;
+    bool is_shape = false;  // its blocks are those of the shape along which a cycle works
     bool is_macro() const { return form != nullptr && form->kind == nc::CallForm::Kind::Macro; }
 };
 
@@ -163,6 +164,7 @@ struct Program::State {
     void end_after(nc::Block& block);
     bool is_left_out(const nc::Block& block) const;
     void follow_shape(const nc::Block& block, std::string_view text, const Place& place);
+    void follow_named_shape(const nc::Block& block, std::string_view text, const Place& place);
     Done end_of_text();
     void advance();
     Done read_words(CompiledLine& line, nc::Block& out);
@@ -232,6 +234,7 @@ struct Program::State {
     void perform_call();
     const PreparedCall* active_modal_call() const;
     bool takes_blocks() const;
+    double modal_call_code() const;
     nc::LineContext context() const;
     void call_behind(const nc::Block& block, std::string_view text, std::uint64_t number);
     Done begin_due();

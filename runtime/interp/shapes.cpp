@@ -1,9 +1,11 @@
-// shapes.cpp — cycles along a shape: its blocks stand in the program, from one number to another.
+// shapes.cpp — cycles along a shape: its blocks stand in the program, from one number to another,
+// or in a program that the call names.
 #include <algorithm>
 #include <cmath>
 
 #include "base/diagnostics/iso.h"
 #include "interp/executor.h"
+#include "interp/named_shape.h"
 
 namespace kadr::interp {
 
@@ -25,7 +27,12 @@ bool is_foreign(Function function) {
         case Function::EndRewind:
         case Function::ReferencePoint:
         case Function::ReferenceReturn:
+        case Function::ReferenceCheck:
+        case Function::ReferenceLeave:
+        case Function::RapidOnce:
+        case Function::WayOffset:
         case Function::MachineCoordinates:
+        case Function::PositionReset:
         case Function::SetPosition:
         case Function::WorkOffset:
         case Function::Shift:
@@ -46,6 +53,12 @@ bool is_foreign(Function function) {
     }
 }
 
+/// Whether the function chooses the plane that acts already.
+bool is_plane(Function function, path::Plane plane) {
+    return (function == Function::PlaneXy && plane == path::Plane::Xy) ||
+           (function == Function::PlaneYz && plane == path::Plane::Yz);
+}
+
 bool is_shape_motion(Function motion) {
     return motion == Function::None || motion == Function::Rapid || motion == Function::Line ||
            is_arc(motion);
@@ -56,11 +69,12 @@ bool is_shape_motion(Function motion) {
 void Executor::begin_shape(const Block& block, const ModalCycle& call) {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     const auto given = [&](int parameter) { return (call.given >> parameter & 1u) != 0; };
-    if (!given(info.roles.first_block) || !given(info.roles.last_block)) {
+    const bool is_named = names_shape(info);
+    if (!is_named && (!given(info.roles.first_block) || !given(info.roles.last_block))) {
         report(diag::ShapeNotNamed, block, Function::Cycle);
         return;
     }
-    if (modal_.plane != path::Plane::Zx) {
+    if (!is_named && modal_.plane != path::Plane::Zx) {
         report(diag::ShapePlane, block, Function::Cycle);
         return;
     }
@@ -68,8 +82,12 @@ void Executor::begin_shape(const Block& block, const ModalCycle& call) {
     shape_.emplace();
     shape_->block = block;
     shape_->call = call;
-    shape_->last = std::llround(call.arguments[static_cast<std::size_t>(info.roles.last_block)]);
-    shape_->is_followed = info.parameters.size() == 2;
+    shape_->is_named = is_named;
+    if (!is_named) {
+        shape_->last =
+            std::llround(call.arguments[static_cast<std::size_t>(info.roles.last_block)]);
+        shape_->is_followed = info.parameters.size() == 2;
+    }
     shape_->modal = modal_;
     shape_->position = position_;
     shape_->spindle = spindle_;
@@ -79,9 +97,10 @@ void Executor::begin_shape(const Block& block, const ModalCycle& call) {
 
 /// Whether the block can be a part of the shape; false: it was reported.
 bool Executor::check_shape_block(const Block& block) {
-    if (block.kind != Block::Kind::Nc) return true;
+    if (block.kind != Block::Kind::Nc || is_behind_shape(block)) return true;
     for (std::size_t i = 0; i < block.function_count; ++i) {
         if (!is_foreign(block.functions[i].function)) continue;
+        if (is_plane(block.functions[i].function, modal_.plane)) continue;
         report(diag::ShapeBlockWrong, block, block.functions[i].function)
             .arg(nc::info(block.functions[i].function).name);
         return false;
@@ -91,9 +110,13 @@ bool Executor::check_shape_block(const Block& block) {
         return false;
     }
     if (shape_->has_begun) return true;
+    // A program of its own begins with what it needs.
+    if (shape_->is_named && (block.given & nc::kTargetSlots) == 0) return true;
     shape_->has_begun = true;
-    if (block.motion == Function::Rapid || block.motion == Function::Line) {
-        shape_->approach = block.motion;
+    const bool goes_on = shape_->is_named && block.motion == Function::None;
+    const Function motion = goes_on ? modal_.motion : block.motion;
+    if (motion == Function::Rapid || motion == Function::Line) {
+        shape_->approach = motion;
         shape_->approach_axes = block.given & nc::kTargetSlots;
         return true;
     }
@@ -101,7 +124,16 @@ bool Executor::check_shape_block(const Block& block) {
     return false;
 }
 
+/// Behind the blocks of a program that a call has named, the cycle is called.
+bool Executor::is_behind_shape(const Block& block) const {
+    return shape_->is_named && block.find(Function::CycleCall) != nullptr;
+}
+
 void Executor::end_shape_block(const Block& block) {
+    if (shape_->is_named) {
+        if (is_behind_shape(block)) finish_shape();
+        return;
+    }
     if (!shape_->has_begun || block.number < 0 || block.number != shape_->last) return;
     finish_shape();
 }
@@ -146,14 +178,16 @@ void Executor::return_from_shape() {
 
 CycleShape Executor::shape_of(const ShapeRun& run) const {
     CycleShape shape;
-    shape.plane = run.modal.plane;
-    shape.is_diameter = word_scale_[index(Axis::X)] != 1;
-    const path::PlaneAxes axes = path::axes_of(shape.plane);
+    const path::Plane plane = run.modal.plane;
+    // Where the words of a cycle are turned into another plane, so is its shape.
+    shape.plane = run.is_named && !machine_.is_lathe ? path::Plane::Xy : plane;
+    shape.is_diameter = machine_.is_lathe || word_scale_[index(Axis::X)] != 1;
+    const path::PlaneAxes axes = path::axes_of(plane);
     const auto in_plane = [&](const AxisValues& base) -> Vec2 {
         const AxisValues here = frames_.from_base(base);
         return {here[index(axes.first)], here[index(axes.second)]};
     };
-    const bool is_mirrored = frames_.is_mirrored(shape.plane);
+    const bool is_mirrored = frames_.is_mirrored(plane);
     Vec2 from = in_plane(run.position.base);
     bool is_first = true;
     for (const Command& command : run.commands) {

@@ -55,6 +55,7 @@ struct Tool {
     std::int64_t current = 0;  // in the spindle; 0 none
     Source source = Source::None;
     std::int64_t offset = 0;         // Source::Offset: number of the length offset
+    bool is_taken_off = false;       // … and whether it counts the other way
     bool has_changed = false;        // the length that should act has to be looked up
     std::int64_t radius_offset = 0;  // number of the radius offset for compensation
 

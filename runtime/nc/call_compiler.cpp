@@ -126,6 +126,8 @@ bool CallCompiler::take_word_of_call() {
     const std::size_t begin = at_++;
     if (!take_value_of_word(*value)) return false;
     value->span = span_from(begin);
+    if (value->is_plain && value->decimal.has_point && !rules_.values_need_assignment)
+        return fail(diag::IsoPointNotAllowed, value->span);
     return true;
 }
 

@@ -48,7 +48,8 @@ struct Expression {
     std::uint32_t first = 0;
     std::uint32_t count = 0;  // 0: not given
     Span span;
-    bool is_logical = false;  // the result of a comparison
+    bool is_logical = false;    // the result of a comparison
+    bool keeps_vacant = false;  // a value behind a sign, `X-#1`: the sign of vacant is vacant
     bool is_given() const { return count != 0; }
 };
 
@@ -217,8 +218,9 @@ class SymbolTable {
 
 /// How a line is understood beyond what stands in it.
 struct LineContext {
-    bool has_plain_codes = false;  // codes that call a program of their own mean what they are
-    bool is_argument = false;      // the words are arguments of a modal call
+    bool has_plain_codes = false;   // codes that call a program of their own mean what they are
+    bool is_argument = false;       // the words are arguments of a modal call
+    std::uint16_t skip_levels = 0;  // bit n: the operator leaves out what has the level n
     friend bool operator==(const LineContext&, const LineContext&) = default;
 };
 

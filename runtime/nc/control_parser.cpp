@@ -84,6 +84,8 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         return find_operator(at, false) != nullptr;
     }
 
+    bool leaves_out(int level) const override { return (context_.skip_levels >> level & 1u) != 0; }
+
     std::optional<LineFault> take_value(std::size_t& at, std::uint16_t word,
                                         std::int32_t argument) override {
         begin(at);

@@ -103,6 +103,7 @@ class Explainer {
         }
         if (form.owns_block) line += ", in a block of its own";
         if (form.owns_axes) line += ", without a motion in its block";
+        if (form.owns_line) line += ", without axis words in its block, written in one of its own";
         if (form.owns_address) line += ", alone among its address";
         if (!form.unsupported.empty()) line += ", not executed: " + form.unsupported;
         if (form.is_preset) line += ", for the calls that follow";

@@ -100,7 +100,12 @@ bool ExpressionCompiler::take_expression(Expression& out) {
 }
 
 bool ExpressionCompiler::take_operand(Expression& out) {
-    return take_as_expression(out, [this](bool& is_logical) { return take_level(0, is_logical); });
+    skip();
+    const OperatorForm* const sign = find_operator(at_, true);
+    const bool is_fine =
+        take_as_expression(out, [this](bool& is_logical) { return take_level(0, is_logical); });
+    out.keeps_vacant = sign != nullptr && sign->operation == Operation::Negate;
+    return is_fine;
 }
 
 /// A value that is no comparison where the control does not store such.
@@ -284,6 +289,8 @@ bool ExpressionCompiler::take_text() {
 // ---------------- names
 
 bool ExpressionCompiler::take_name(const Word& word) {
+    const bool is_sign = word.text == "#" || word.text == "$";  // without a number or a name
+    if (is_sign) return fail_here(diag::ExpressionSyntax);
     if (begins_reference(word.begin)) return take_variable();
     for (const FunctionForm& form : language_.functions) {
         if (words_.says(word, form.name)) return take_function(word, form);
@@ -391,6 +398,8 @@ bool ExpressionCompiler::take_reference(Reference& out) {
     const Word word = words_.word_at(at_);
     const bool is_fine = take_family(word, out) || (!fault_ && take_named(word, out)) ||
                          (!fault_ && take_symbol(word, out));
+    const bool is_sign = word.text == "#" || word.text == "$";  // without a number or a name
+    if (!is_fine && !fault_ && is_sign) return fail_here(diag::ExpressionSyntax);
     if (!is_fine) return fault_ ? false : fail_unknown(word);
     out.indices.count = static_cast<std::uint32_t>(out_.code.size()) - out.indices.first;
     out.indices.span = out.span = span_from(begin);

@@ -94,12 +94,20 @@ class Finisher {
             if (code.forms.size() != 1 || code.simple == kNoForm) continue;
             const Form& form = tables_.forms[code.simple];
             code.function = form.function;
-            code.is_plain = form.function != Function::None && form.sets.empty() &&
+            // Which one of such a group was said last is noted where lines are looked at closely.
+            const bool is_noted = info(form.function).group == Group::Once && has_default(form);
+            code.is_plain = !is_noted && form.function != Function::None && form.sets.empty() &&
                             form.fixed.empty() && form.during.empty() && !form.owns_block &&
-                            !form.owns_axes && !form.owns_address && form.unsupported.empty() &&
-                            !form.remembers && form.function != Function::Cycle &&
+                            !form.owns_axes && !form.owns_line && form.without.empty() &&
+                            !form.owns_address && form.unsupported.empty() && !form.remembers &&
+                            form.function != Function::Cycle &&
                             info(form.function).parameters.empty();
         }
+    }
+
+    bool has_default(const Form& form) const {
+        return form.group >= 0 &&
+               !tables_.groups[static_cast<std::size_t>(form.group)].power_on.empty();
     }
 
     /// The groups of which the form, or a code among its words, is a member. More than 64 groups
@@ -146,6 +154,7 @@ class Finisher {
         tables_.power_on.fill(Function::None);
         for (const DialectGroup& group : tables_.groups) {
             for (const Function function : group.power_on) {
+                if (info(function).group == Group::Once) continue;
                 tables_.power_on[static_cast<std::size_t>(info(function).group)] = function;
             }
         }

@@ -109,7 +109,8 @@ class Lexer {
         while (!fault_ && peek() == '/') take_skip_sign();
     }
 
-    void take_skip_sign() {
+    /// `/`, `/2`: the level, or nothing if it was reported.
+    std::optional<int> take_skip_level() {
         const std::size_t begin = at_++;
         skip_inner_blanks();
         int level = rules_.default_skip;
@@ -117,10 +118,26 @@ class Lexer {
             level = 0;
             while (is_digit(peek()) && level < 100) level = level * 10 + (line_[at_++] - '0');
         }
-        if (level < rules_.default_skip || level >= rules_.skip_levels || level > 9) {
-            fail(diag::IsoSkipLevel, begin, at_, {std::to_string(level)});
-            return;
+        if (level >= rules_.default_skip && level < rules_.skip_levels && level <= 9) return level;
+        fail(diag::IsoSkipLevel, begin, at_, {std::to_string(level)});
+        return std::nullopt;
+    }
+
+    /// The rest of the block is left out if the operator wants it. Behind a value of the control's
+    /// own language the sign could be a division.
+    void take_skip_of_rest() {
+        if (compiler_ == nullptr || is_behind_computed_) {
+            return fail(diag::IsoNotSupported, at_, line_.size(),
+                        {"a part of a block that the operator may leave out"});
         }
+        const std::optional<int> level = take_skip_level();
+        if (level && compiler_->leaves_out(*level)) at_ = line_.size();
+    }
+
+    void take_skip_sign() {
+        const std::optional<int> given = take_skip_level();
+        if (!given) return;
+        const int level = *given;
         if (out_.skip < 0) {
             out_.skip = static_cast<std::int8_t>(level);
         } else {
@@ -163,6 +180,7 @@ class Lexer {
         if (fault_) return;
         add_word(address, begin);
         out_.words.back().has_value = true;
+        is_behind_computed_ = true;
     }
 
     /// Whether what stands here is more than one number.
@@ -184,10 +202,8 @@ class Lexer {
         if (line_.compare(at_, open_.size(), open_) == 0) return take_comment();
         const char c = peek();
         if (c == rules_.end_sign && c != '\0') return take_end();
-        if (c == '/' && rules_.has_several_skips) {
-            return fail(diag::IsoNotSupported, at_, line_.size(),
-                        {"a part of a block that the operator may leave out"});
-        }
+        if (c == '/' && rules_.has_several_skips) return take_skip_of_rest();
+        is_behind_computed_ = false;
         if (c == ',' && has_comma_words_) return take_comma_word();
         const bool is_index = c == '[' && compiler_ != nullptr;
         if (is_index)
@@ -716,7 +732,8 @@ class Lexer {
     std::string_view open_;
     std::string compact_;
     bool has_names_ = false;
-    bool has_comma_words_ = false;  // `,C`
+    bool has_comma_words_ = false;     // `,C`
+    bool is_behind_computed_ = false;  // the piece before is a word that is worked out
     std::size_t at_ = 0;
     std::optional<LineFault> fault_;
 };

@@ -64,6 +64,8 @@ class ValueCompiler {
                                                bool& was_taken) = 0;
     /// Whether an operator stands here, behind a number.
     virtual bool continues(std::size_t at) const = 0;
+    /// Whether the operator leaves out what has this skip level.
+    virtual bool leaves_out(int level) const = 0;
     /// The value of a word, or of an argument of a call (index into LexedLine::arguments).
     virtual std::optional<LineFault> take_value(std::size_t& at, std::uint16_t word,
                                                 std::int32_t argument) = 0;

@@ -49,7 +49,7 @@ bool is_end_line(std::string_view line, std::string_view end) {
 }  // namespace
 
 LineReader::LineReader(const Dialect& dialect, std::string name, DiagnosticSink& sink)
-    : dialect_(dialect), tables_(dialect.tables()), own_text_{std::move(name)}, sink_(sink) {
+    : dialect_(dialect), tables_(dialect.tables()), own_text_{std::move(name), {}}, sink_(sink) {
     for (std::size_t letter = 0; letter < letters_.size(); ++letter) prepare(letter);
     modal_ = tables_.power_on;
     modal_[static_cast<std::size_t>(Group::Motion)] = Function::None;
@@ -105,6 +105,11 @@ LineReader::LineKind LineReader::kind_of(std::string_view line) {
     const bool is_header = std::ranges::any_of(
         tables_.program.skipped, [&](const std::string& front) { return line.starts_with(front); });
     if (!is_header) return LineKind::Words;
+    if (!text_->has_content) {
+        if (auto program =
+                program_of_header(tables_.language.calls, line, tables_.rules.ignores_case))
+            text_->program = std::move(*program);
+    }
     if (text_->has_content &&
         program_of_header(tables_.language.calls, line, tables_.rules.ignores_case)) {
         text_->has_ended = true;
@@ -141,7 +146,16 @@ bool LineReader::read_plain(std::string_view line, Block& block) {
     text_->has_content = true;
     // Later forms depend on modal functions: G68 on its plane, G53 on absolute dimensions.
     if (block.function_count != 0 || block.motion != Function::None) follow_modal(block, modal_);
+    if (block.function_count != 0) note_machine_code(line);
     return true;
+}
+
+/// The last M code among codes and numbers.
+void LineReader::note_machine_code(std::string_view line) {
+    std::size_t at = line.find_last_of(tables_.rules.ignores_case ? "Mm" : "M");
+    if (at == std::string_view::npos) return;
+    const Decimal code = parse_decimal(line.data() + at + 1, line.data() + line.size());
+    if (code.end != line.data() + at + 1) machine_code_ = code.value;
 }
 
 bool LineReader::has_words(std::string_view line) {
@@ -524,6 +538,7 @@ bool LineReader::fill(std::string_view line, Block& block, MatchedLine* known,
         }
         return true;
     }
+    if (!check_code_points(line)) return false;
     if (const auto fault =
             match_words(tables_, lexed_->words, lexed_->arguments, modal_, block, match_)) {
         report(line, *fault);
@@ -547,10 +562,7 @@ void LineReader::say_passed(const LexedLine& words, std::string_view line) {
 /// Puts the numbers where they belong. The block's own changes of units act in it already.
 bool LineReader::apply(Block& block, std::string_view line) {
     for (std::size_t i = 0; i < match_.form_count; ++i) {
-        const Form& form = tables_.forms[match_.forms[i]];
-        tables_.note(&form);
-        if (info(form.function).group == Group::Units) feed_stays_metric_ = form.feed_stays_metric;
-        if (form.group >= 0) last_forms_[static_cast<std::size_t>(form.group)] = match_.forms[i];
+        note_form(match_.forms[i], line);
     }
     const ModalFunctions before = modal_;
     follow_modal(block, modal_);
@@ -561,6 +573,47 @@ bool LineReader::apply(Block& block, std::string_view line) {
     }
     if (!is_fine) modal_ = before;
     return is_fine;
+}
+
+/// What a form that was read leaves behind for the lines that follow.
+void LineReader::note_form(FormId id, std::string_view line) {
+    const Form& form = tables_.forms[id];
+    tables_.note(&form);
+    if (info(form.function).group == Group::Units) feed_stays_metric_ = form.feed_stays_metric;
+    if (form.group >= 0) last_forms_[static_cast<std::size_t>(form.group)] = id;
+    if (form.function == Function::Cycle && !form.is_preset) last_cycle_ = id;
+    const bool is_told = form.passed.empty() || std::ranges::find(passed_, id) != passed_.end();
+    if (is_told) return;
+    passed_.push_back(id);
+    const Span span = span_of_form(form, line);
+    DiagnosticBuilder message = sink_.report(diag::IsoPassedOver, place(line, line_number_, span));
+    message.arg(std::string(line.substr(span.begin, span.end - span.begin))).arg(form.passed);
+    write_notes(message);
+}
+
+/// Where the first word of the form stands.
+Span LineReader::span_of_form(const Form& form, std::string_view line) const {
+    for (std::size_t i = 0; i < lexed_->words.size(); ++i) {
+        const GivenWord& word = lexed_->words[i];
+        if (word.address == form.words[0].address && word.number == form.words[0].number)
+            return lexed_->spans[i];
+    }
+    return {0, static_cast<std::uint32_t>(line.size())};
+}
+
+/// Codes that have no decimals stand without a point. Notes the M code on the way.
+bool LineReader::check_code_points(std::string_view line) {
+    for (std::size_t i = 0; i < lexed_->words.size(); ++i) {
+        const GivenWord& word = lexed_->words[i];
+        const Address& address = tables_.addresses[word.address];
+        if (address.kind != Address::Kind::Code || word.is_left_out) continue;
+        if (word.is_known && address.name == "M") machine_code_ = word.number;
+        const bool has_point = !word.is_computed && lexed_->decimals[i].has_point;
+        if (address.format.point != PointRule::Never || !has_point) continue;
+        report(line, LineFault{&diag::IsoPointNotAllowed, lexed_->spans[i], {word_text(line, i)}});
+        return false;
+    }
+    return true;
 }
 
 bool LineReader::apply_claim(const Claim& claim, Block& block, std::string_view line) {
@@ -716,6 +769,23 @@ bool is_tool_offset(Function function) {
            function == Function::RadiusOffset;
 }
 
+/// The pattern as a manual writes it: `G10 L2 P_ X_`; arguments of a call keep their names.
+std::string shown_pattern(std::string_view pattern) {
+    std::string out;
+    while (!pattern.empty()) {
+        const std::size_t open = std::min(pattern.find('{'), pattern.size());
+        out += pattern.substr(0, open);
+        const std::size_t close = pattern.find('}', open);
+        if (close == std::string_view::npos) break;
+        const std::string_view hole = pattern.substr(open + 1, close - open - 1);
+        const bool is_argument = out.ends_with('(') || out.ends_with(',');
+        if (is_argument) out += hole.substr(0, hole.find_first_of("?:="));
+        if (!is_argument) out += '_';
+        pattern.remove_prefix(close + 1);
+    }
+    return out;
+}
+
 /// "`CYCLE83` with -5 as its 17th argument", "`CYCLE97` without its 3rd argument"
 std::string argument_words(const LexedLine& lexed, const MatchFault& fault,
                            const std::string& name) {
@@ -787,7 +857,8 @@ void LineReader::report(std::string_view line, const MatchFault& fault) {
     }
     const std::string word = word_text(line, fault.word);
     const std::string other = word_text(line, fault.other);
-    const std::string form = fault.form == kNoForm ? "" : first_line(tables_.forms[fault.form]);
+    const std::string form =
+        fault.form == kNoForm ? "" : shown_pattern(first_line(tables_.forms[fault.form]));
     out.span = lexed_->spans[fault.word];
     switch (fault.kind) {
         case Kind::UnknownCode:

@@ -49,6 +49,7 @@ struct MatchedLine {
 /// The text that lines stand in, and how far a program in it is read.
 struct TextState {
     std::string name;          // shown in messages
+    std::string program;       // as the head names it
     bool has_content = false;  // blocks or statements were read
     bool has_ended = false;    // the end mark, or the head of another program
 };
@@ -119,6 +120,10 @@ class LineReader {
     const ModalFunctions& modal() const { return modal_; }
     /// The form that said something for a group of the dialect last; kNoForm.
     FormId last_form(std::size_t group) const { return last_forms_[group]; }
+    /// The form that called a cycle last; kNoForm.
+    FormId last_cycle() const { return last_cycle_; }
+    /// The number of the last M function; 0: none was said.
+    double machine_code() const { return machine_code_; }
     LinePlace place(std::string_view line, std::uint64_t number, const Span& span) const {
         return place(text_->name, line, number, span);
     }
@@ -143,6 +148,10 @@ class LineReader {
     bool apply_claim(const Claim& claim, Block& block, std::string_view line);
     bool apply_whole(const Claim& claim, Block& block, std::string_view line);
     bool is_pitch(const Claim& claim, const Block& block) const;
+    void note_form(FormId id, std::string_view line);
+    void note_machine_code(std::string_view line);
+    bool check_code_points(std::string_view line);
+    Span span_of_form(const Form& form, std::string_view line) const;
     LineKind kind_of(std::string_view line);
     bool has_wrong_number(std::string_view line) const;
     bool are_of_motions(const Address& address);
@@ -173,6 +182,9 @@ class LineReader {
     LexedLine own_lexed_;
     Match match_;
     std::vector<FormId> last_forms_;  // of each group of the dialect
+    FormId last_cycle_ = kNoForm;
+    double machine_code_ = 0;
+    std::vector<FormId> passed_;  // forms of which was said that they are passed over
     std::set<const PassedWord*> said_passed_;
 };
 

@@ -138,10 +138,13 @@ void FormLoader::read_form_attributes(const XmlElement& element, Form& form) {
         form.feed_by_radius = *feed == 3;
         form.feed_is_pitch = *feed == 4;
     }
-    if (const auto own = attributes_.choice(element, "own_block", {"no", "yes", "axes"})) {
+    if (const auto own = attributes_.choice(element, "own_block", {"no", "yes", "axes", "line"})) {
         form.owns_block = *own == 1;
         form.owns_axes = *own == 2;
+        form.owns_line = *own == 3;
     }
+    attributes_.read_flag(element, "joins", form.joins);
+    Attributes::read_text(element, "passed", form.passed);
     attributes_.read_flag(element, "only", form.owns_address);
     Attributes::read_text(element, "unsupported", form.unsupported);
     form.is_written &= form.unsupported.empty();
@@ -155,6 +158,14 @@ void FormLoader::read_form_attributes(const XmlElement& element, Form& form) {
         if (!parse_form_line(attribute->value, tables_.parameters(form), tables_,
                              attribute->value_range, form.lead, attributes_.sink())) {
             attributes_.fail();
+        }
+    }
+    if (const XmlAttribute* attribute = element.find("without")) {
+        for (const XmlWord& word : words_of(*attribute)) {
+            const AddressId id = tables_.find_address(word.text);
+            if (id == kNoAddress)
+                attributes_.bad_word(word, "without", "it is not declared as an address");
+            form.without.push_back(id);
         }
     }
     if (const XmlAttribute* attribute = element.find("implied"))

@@ -167,7 +167,20 @@ class Matcher {
             return no_form(head, nearest, nearest_fit);
         }
         if (Fault fault = check_rivals(head, candidates, best, best_fit)) return fault;
-        return apply(tables_.forms[best], best, head, best_fit);
+        if (Fault fault = apply(tables_.forms[best], best, head, best_fit)) return fault;
+        return take_joined(head, candidates, best);
+    }
+
+    /// What the words that are left say by another form of the same code.
+    Fault take_joined(std::size_t head, const std::vector<FormId>& candidates, FormId first) {
+        for (const FormId id : candidates) {
+            const Form& form = tables_.forms[id];
+            if (id == first || !(form.joins || tables_.forms[first].joins)) continue;
+            const Fit fit = fit_form(head, form);
+            if (fit.answer == Fit::Answer::Yes && fit.matched > 1)
+                return apply(form, id, head, fit);
+        }
+        return {};
     }
 
     /// A call of a source is a cycle of a module that it can import.
@@ -191,7 +204,7 @@ class Matcher {
     Fault check_rivals(std::size_t head, const std::vector<FormId>& candidates, FormId best,
                        const Fit& best_fit) const {
         for (const FormId id : candidates) {
-            if (id == best) continue;
+            if (id == best || tables_.forms[id].joins || tables_.forms[best].joins) continue;
             const Fit fit = fit_form(head, tables_.forms[id]);
             if (fit.answer != Fit::Answer::Yes) continue;
             const WordSet beyond = fit.taken & ~best_fit.taken;
@@ -402,8 +415,15 @@ class Matcher {
         match_.forms[match_.form_count++] = id;
         if (!form.unsupported.empty())
             return MatchFault{MatchFault::Kind::NotSupported, head, head, id};
-        if (form.owns_block && !alone_) alone_ = head;
+        const bool is_source = words_of_ == WordsOf::Source;
+        if ((form.owns_block || (form.owns_line && is_source)) && !alone_) alone_ = head;
         if (form.owns_axes && !without_axes_) without_axes_ = head;
+        if (form.owns_line && !without_places_) without_places_ = head;
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            const bool is_barred =
+                std::ranges::find(form.without, words_[i].address) != form.without.end();
+            if (is_barred) return MatchFault{MatchFault::Kind::Company, head, i};
+        }
         if (form.owns_address) {
             for (std::size_t i = 0; i < words_.size(); ++i) {
                 if (i != head && words_[i].address == words_[head].address)
@@ -604,6 +624,8 @@ class Matcher {
         constexpr SlotMask kPlaces = kTargetSlots | kArcSlots | kReadSlots;
         if (without_axes_ && (motion_head_ || (seen_slots_ & kPlaces) != 0))
             return MatchFault{MatchFault::Kind::Alone, *without_axes_};
+        if (without_places_ && (seen_slots_ & kPlaces) != 0)
+            return MatchFault{MatchFault::Kind::Alone, *without_places_};
         if (!alone_) return {};
         const bool has_more = match_.form_count > 1 || seen_slots_ != 0;
         if (!has_more) return {};
@@ -621,6 +643,7 @@ class Matcher {
     SlotMask seen_slots_ = 0;
     std::optional<std::size_t> alone_;
     std::optional<std::size_t> without_axes_;
+    std::optional<std::size_t> without_places_;
     std::optional<std::size_t> motion_head_;            // word that says the motion
     std::array<std::size_t, kMaxInvocations> heads_{};  // word behind each function
 };

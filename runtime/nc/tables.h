@@ -142,18 +142,21 @@ struct Form {
     std::vector<Function> needs;       // modal functions that are written before it in the line
     std::vector<Function> before;      // functions that are written on lines of their own before it
     std::vector<Function> during;      // modal functions of which one must be active
-    std::vector<Function> outside;  // rotate, scale, mirror that must not act where it is written
-    int group = -1;                 // modal group of the dialect; -1 none
-    std::uint64_t excludes = 0;     // groups of the form and of the codes in it, a bit each
-    int order = 0;                  // place in the block: the order of its first word
+    std::vector<Function> outside;   // rotate, scale, mirror that must not act where it is written
+    std::vector<AddressId> without;  // words that must not stand beside it
+    int group = -1;                  // modal group of the dialect; -1 none
+    std::uint64_t excludes = 0;      // groups of the form and of the codes in it, a bit each
+    int order = 0;                   // place in the block: the order of its first word
     bool is_written = true;
     bool is_read = true;
-    bool owns_block = false;         // stands alone
-    bool owns_axes = false;          // no motion and no axis word stands beside it
-    bool owns_address = false;       // no other word of its address stands in the block
-    bool remembers = false;          // parameters that are left out keep their value
-    bool is_verbatim = false;        // a line of the control's own language, letter by letter
-    bool is_comment = false;         // stands between the comment signs
+    bool owns_block = false;    // stands alone
+    bool owns_axes = false;     // no motion and no axis word stands beside it
+    bool owns_line = false;     // stands alone where it is written; read, no axis word beside it
+    bool joins = false;         // its code may say it together with another of its forms
+    bool owns_address = false;  // no other word of its address stands in the block
+    bool remembers = false;     // parameters that are left out keep their value
+    bool is_verbatim = false;   // a line of the control's own language, letter by letter
+    bool is_comment = false;    // stands between the comment signs
     bool feed_every_block = false;   // F has to be repeated in every block
     bool feed_by_radius = false;     // … and of an arc it is feed/radius
     bool feed_is_pitch = false;      // of a `thread` code: F is the pitch
@@ -163,6 +166,7 @@ struct Form {
     std::string doc;
     std::string note;
     std::string unsupported;  // what it is, if Kadr does not execute it
+    std::string passed;       // … and if it passes over it with a message
     SourceRange range;        // in the file
 };
 

@@ -224,7 +224,7 @@ std::optional<CompFault> RadiusComp::join_inside(Side& a, Side& b, const Vec2& c
 void RadiusComp::join_outside(Side& a, Side& b, double turn, bool rounds) const {
     const double sharpness = std::abs(turn);
     const bool has_arc = a.path.is_arc() || b.path.is_arc();
-    OutsideCorner style = sharpness <= rules_.limit ? rules_.outside : rules_.sharp;
+    OutsideCorner style = sharpness <= rules_.limit + kSmooth ? rules_.outside : rules_.sharp;
     if ((has_arc && !rules_.extends_tangents) || rounds) style = OutsideCorner::Arc;
     const double reach = std::abs(a.distance);
     if (reach < kSamePoint) return;

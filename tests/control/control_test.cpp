@@ -16,7 +16,8 @@
 //   expect: alarm PS0115 K5410 at 3:4   the alarm that ends it, its row, line and column
 //   expect: called 5:3       … and where the program of that line was called, the nearest first
 //   skip: 1                  blocks of this level are left out
-//   machine: lathe           it runs on a lathe, also where the dialect is not one of lathes
+//   machine: lathe           it runs on a lathe: X is a diameter, the tools are
+//                            1 a point, 2 a nose of 0.4, 3 a groove tool of 4 mm
 // Programs that are called stand in the same file, or in the folder `called` beside it.
 // What is not told must not happen: a program without `alarm` ends without one.
 #include "base/diagnostics/control.h"
@@ -75,8 +76,8 @@ struct Expected {
     std::string alarm;
     std::string called;
     std::uint16_t skip_levels = 0;
+    bool is_of_lathe = false;
     bool has_rule = false;
-    bool is_on_lathe = false;
 };
 
 std::string content_of(const fs::path& file) {
@@ -98,9 +99,9 @@ Expected parse(const std::string& text) {
             return value;
         };
         expected.has_rule |= !value_of("rule: ").empty();
-        expected.is_on_lathe |= value_of("machine: ") == "lathe";
         if (const std::string level = value_of("skip: "); !level.empty())
             expected.skip_levels = static_cast<std::uint16_t>(1u << std::stoi(level));
+        expected.is_of_lathe |= value_of("machine: ") == "lathe";
         const std::string value = value_of("expect: ");
         if (value.empty()) continue;
         if (value.starts_with("to ")) {
@@ -267,7 +268,12 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
     machine::Machine machine = mill();
     machine.work_offsets = {{}, {}, {10, 20, 30}};
     machine.tools[0].length = 0;
-    machine.is_lathe = is_of_lathe(dialect) || expected.is_on_lathe;
+    machine.is_lathe = expected.is_of_lathe || is_of_lathe(dialect);
+    if (expected.is_of_lathe) {  // noses of 0 and 0.4 mm, a groove tool of 4 mm
+        machine.tools = {{.number = 1, .length = 0, .radius = 0, .name = "POINT"},
+                         {.number = 2, .length = 0, .radius = 0.4, .name = "NOSE"},
+                         {.number = 3, .length = 0, .radius = 2, .name = "GROOVE"}};
+    }
     DiagnosticList messages;
     PiecedText source(text, can_seek);
     ProgramOptions options;
@@ -668,7 +674,7 @@ TEST_P(Control, DoesWhatTheManualSays) {
     for (const bool can_seek : {true, false}) {
         SCOPED_TRACE(can_seek ? "from a file" : "through a pipe");
         check(expected, run_program(dialect, text, expected, file.parent_path(), can_seek),
-              is_of_lathe(dialect) || expected.is_on_lathe);
+              expected.is_of_lathe || is_of_lathe(dialect));
     }
 }
 

@@ -218,7 +218,7 @@ TEST(Reader, FanucAlarms) {
                                {"S100.5", "PS0007", 1, 1},
                                {"G01 X1. F-5.", "PS0006", 1, 9},
                                {"G01 X1. P5", "PS0009", 1, 9},
-                               {"G68 X10. Y5.", "PS0010", 1, 1},
+                               {"G10 P1 X0.", "PS1144", 1, 1},
                                {"G04 X1. P500", "PS0010", 1, 5},
                                {"X1.\nX1. (ROUGH\nX2.", "PS0004", 2, 5},
                                {"G01 x5.", "PS0004", 1, 5},
@@ -262,8 +262,8 @@ TEST(Reader, WordsOfTheControlThatKadrLacksAreNotTheProgramsMistake) {
         const auto read = read_blocks(shipped(dialect), text);
         return testing::rendered(read.messages, {});
     };
-    EXPECT_NE(said("sinumerik", "CYCLE832(0.01,1,1)")
-                  .find("`CYCLE832` (high-speed settings) is not supported by Kadr yet"),
+    EXPECT_NE(said("sinumerik", "COMPCAD")
+                  .find("`COMPCAD` (high-speed settings) is not supported by Kadr yet"),
               std::string::npos);
     EXPECT_NE(said("sinumerik", "invcw X10 Y2").find("`INVCW` (involute)"), std::string::npos);
     EXPECT_NE(said("fanuc", "G05.4 Q1").find("`G05.4` (high-speed machining)"), std::string::npos);

@@ -1,7 +1,7 @@
 %
 O0001
-(rule: F 6.8 P is a whole number)
-(expect: alarm PS0076 K5463 at 5:4)
+(rule: F 1.6 P takes no decimal point)
+(expect: alarm PS0007 K5005 at 5:4)
 M98P1.5
 M30
 %

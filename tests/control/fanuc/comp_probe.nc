@@ -1,0 +1,10 @@
+%
+O0001
+(rule: F 3.6 G31 in G41: PS0035)
+(expect: to X0 Y-20)
+(expect: alarm PS0035 K5341 at 8:6)
+G10L12P1R5.
+G00X0Y-20.S500M3
+G41D1G31Z-5.F100
+M30
+%

@@ -1,0 +1,11 @@
+%
+O0001
+(rule: F 3.7 ... nor on the shift of G76)
+(expect: path Z20 X20 Z4 z-10f100 X20.5 Z4 Z20 X20)
+G00X0Y0Z20.S1000M3
+G51X0Y0Z0P2000
+G76X10.Y0Z-5.R2.Q0.5F100
+G80
+G50
+M30
+%

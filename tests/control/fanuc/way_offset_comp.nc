@@ -1,0 +1,11 @@
+%
+O0001
+(rule: F 4.3 G45 in G41: PS0042)
+(expect: to X0 Y-20)
+(expect: alarm PS0042 K5342 at 9:1)
+G10L12P1R5.
+G00X0Y-20.S500M3
+G41D1G01X0Y0F100
+G45Y30.
+M30
+%

@@ -1,0 +1,13 @@
+%
+O0001
+(rule: F 2.2 G54.1 P1 to P300)
+(expect: to X5)
+(expect: to X7)
+(expect: #1=300)
+G10L20P300X5.
+G10L20P49X7.
+G54.1P300G00X0
+#1=#4130
+G54P49X0
+M30
+%
