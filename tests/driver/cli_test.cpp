@@ -278,6 +278,9 @@ TEST_F(CommandLine, ArcsInSpaceHaveTheirNormal) {
     int arcs = 0;
     for (std::string line; std::getline(lines, line);) {
         const auto command = nlohmann::json::parse(line);  // throws where it is not UTF-8
+        if (command["op"] == "message") {
+            EXPECT_NE(command["text"], "");
+        }
         if (command["op"] != "arc") continue;
         EXPECT_EQ(command.contains("normal"), arcs == 0) << line;
         if (arcs++ == 0) {
