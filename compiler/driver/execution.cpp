@@ -85,14 +85,18 @@ class Execution::HeldMessages final : public DiagnosticSink {
         for (Diagnostic& diagnostic : held_) next_.take(std::move(diagnostic));
         held_.clear();
     }
-    /// Behind the last block: what was said of the lines up to it.
+    /// Behind the last block: the warnings of the lines up to it. What stands behind it waits for a
+    /// check that reads on.
     void release_up_to(const std::string& file, std::uint32_t line) {
-        const auto is_behind = [&](const Diagnostic& diagnostic) {
-            return diagnostic.severity != Severity::Warning || !diagnostic.line ||
-                   (diagnostic.line->file == file && diagnostic.line->line > line);
-        };
-        std::erase_if(held_, is_behind);
-        release();
+        std::vector<Diagnostic> behind;
+        for (Diagnostic& diagnostic : held_) {
+            const bool is_behind =
+                diagnostic.severity != Severity::Warning || !diagnostic.line ||
+                (diagnostic.line->file == file && diagnostic.line->line > line);
+            if (is_behind) behind.push_back(std::move(diagnostic));
+            else next_.take(std::move(diagnostic));
+        }
+        held_ = std::move(behind);
     }
 
   private:

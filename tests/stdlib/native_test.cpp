@@ -67,7 +67,7 @@ TEST(Native, CyclesOfTheControlsMoveAsTheLibraryDoes) {
         {"fanuc", "G98 G76 Z-15. R2. Q0.3 P200\nG80",
          "bore_oriented(to: -15mm, lift_x: 0.3mm, dwell: 0.2s);"},
         {"fanuc", "G98 G87 Z-10. R-15. Q3.\nG80",
-         "back_bore(to: -10mm, below: -15mm, shift_x: 3mm);"},
+         "back_bore(to: -10mm, below: -15mm, shift_x: 3mm, off_face: 0mm);"},
         {"sinumerik", "CYCLE81(50,2,0,-15)", "drill(to: -15mm);"},
         {"sinumerik", "CYCLE81(50,0,2,-15)", "drill(to: -15mm);"},
         {"sinumerik", "CYCLE82(50,2,0,-15,,0.3)", "drill(to: -15mm, dwell: 0.3s);"},
@@ -211,7 +211,7 @@ TEST(ShopText, FanucCycles) {
 // Rows of sinumerik.md 10.1.
 TEST(ShopText, SinumerikCycles) {
     expect_ways(
-        "sinumerik", "G17 G90 G94 G71\nT1 D0 M6\nS1000 M3\nG0 X0 Y0 Z50 F100\n", "\nM30\n",
+        "sinumerik", "G17 G90 G94 G71\nT1 D1 M6\nS1000 M3\nG0 X0 Y0 Z50 F100\n", "\nM30\n",
         {{"CYCLE81(60,0,2,-8)", " Z2 z-8f100 Z60"},
          {"CYCLE81(20,0,2,,10)", " Z2 z-10f100 Z20"},
          {"CYCLE82(20,0,2,-8,9,-5,0,0,0)", " Z2 z-9f100 @0.3 Z20"},
