@@ -43,6 +43,7 @@ TEST(Listing, Arc) {
     arc.to = {1, 2, 3};
     arc.center = {0, 0.5, 3};
     arc.plane = path::Plane::Zx;
+    arc.normal = path::Vec3::UnitY();
     arc.is_clockwise = true;
     arc.turns = 2;
     arc.feed = 0.1;
@@ -54,6 +55,7 @@ TEST(Listing, Arc) {
     arc.turns = 0;
     arc.is_clockwise = false;
     arc.plane = path::Plane::Yz;
+    arc.normal = path::Vec3::UnitX();
     arc.feed_mode = path::FeedMode::PerMinute;
     EXPECT_EQ(line_of(arc),
               "{\"op\":\"arc\",\"to\":{\"X\":1,\"Y\":2,\"Z\":3,\"B\":0},\"center\":[0,0.5,3],"
