@@ -555,7 +555,8 @@ bool Executor::check_surroundings(const Block& block, const ModalCycle& call) {
     const bool has_feed = (modal_.has_feed && modal_.feed > 0) ||
                           is_given(call, find_parameter(info, "cut")) ||
                           is_given(call, find_parameter(info, "in_feed"));
-    const bool needs_feed = !has("lead") && !has("pitch") && !has("per_turn");
+    const bool needs_feed =
+        !has("lead") && !has("pitch") && !has("per_turn") && !has("thread_size");
     const bool turns_by_itself = has("turns") || has("after");
     const bool turns =
         spindle_.mode == path::SpindleMode::Cw || spindle_.mode == path::SpindleMode::Ccw;

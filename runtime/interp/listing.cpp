@@ -7,6 +7,7 @@
 
 #include "base/numbers.h"
 #include "base/render.h"
+#include "path/frame.h"
 
 namespace kadr::interp {
 

@@ -769,8 +769,8 @@ Program::State::Done Program::State::finish_return(Block& out) {
         frames.pop_back();
         resume_frame(*frames.back());
         if (left->saves) interpreter->restore_frames(true);
-        if (left->saves || left->call.is_shape) lines.restore(left->modal_before, out);
         if (left->call.is_shape) out.add(Function::CycleCall);
+        if (left->saves || left->call.is_shape) lines.restore(left->modal_before, out);
     }
     if (out.function_count > 0 || out.motion != Function::None) {
         out.line = units.line_id(left_text, std::max<std::uint64_t>(from.line, 2) - 1);

@@ -109,6 +109,10 @@ bool Executor::check_shape_block(const Block& block) {
         report(diag::ShapeBlockWrong, block, block.motion).arg(nc::info(block.motion).name);
         return false;
     }
+    if (shape_->is_named && !modal_.has_feed) {  // the cycle says the feeds
+        modal_.has_feed = true;
+        modal_.feed = 1;
+    }
     if (shape_->has_begun) return true;
     // A program of its own begins with what it needs.
     if (shape_->is_named && (block.given & nc::kTargetSlots) == 0) return true;

@@ -87,6 +87,12 @@ class Lexer {
         if (known.empty()) return fail(diag::IsoUnknownWord, begin, end, {written});
         fail(diag::IsoNotSupported, begin, end, {known});
     }
+    /// `A3=`: a letter with a number of its own, behind which `=` stands.
+    void fail_assigned(std::size_t begin, const char* otherwise) {
+        const std::string known =
+            tables_.unsupported_words(upper_ascii(line_.substr(begin, at_ - begin)) + '=');
+        fail(diag::IsoNotSupported, begin, at_, {known.empty() ? otherwise : known});
+    }
     void fail_here(const DiagnosticRow& row) {
         std::size_t end = at_ + 1;
         // A character of several bytes is shown whole.
@@ -279,10 +285,7 @@ class Lexer {
             while (at_ < line_.size() && (is_digit(peek()) || peek() == '.' || peek() == '-'))
                 ++at_;
             if (peek() == '=') {
-                const std::string known =
-                    tables_.unsupported_words(upper_ascii(line_.substr(begin, at_ - begin)));
-                return fail(diag::IsoNotSupported, begin, at_,
-                            {known.empty() ? "the control's own parametric language" : known});
+                return fail_assigned(begin, "the control's own parametric language");
             }
             return fail_unknown(begin, at_);
         }
@@ -299,11 +302,7 @@ class Lexer {
             }
         }
         if (!take_number(address, begin)) return;
-        if (peek() != '=') return;
-        const std::string known =
-            tables_.unsupported_words(upper_ascii(line_.substr(begin, at_ - begin)));
-        fail(diag::IsoNotSupported, begin, at_,
-             {known.empty() ? "an address with a number of its own" : known});
+        if (peek() == '=') fail_assigned(begin, "an address with a number of its own");
     }
 
     /// `S1=500`, `M1=3`, `SPOS[1]=90`: a word of the only spindle that there is; `at_` is behind

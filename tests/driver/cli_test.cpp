@@ -278,10 +278,14 @@ TEST_F(CommandLine, ArcsInSpaceHaveTheirNormal) {
     int arcs = 0;
     for (std::string line; std::getline(lines, line);) {
         const auto command = nlohmann::json::parse(line);  // throws where it is not UTF-8
-        if (command["op"] == "message") EXPECT_NE(command["text"], "");
+        if (command["op"] == "message") {
+            EXPECT_NE(command["text"], "");
+        }
         if (command["op"] != "arc") continue;
         EXPECT_EQ(command.contains("normal"), arcs == 0) << line;
-        if (arcs++ == 0) EXPECT_NEAR(std::abs(command["normal"][1].get<double>()), 1, 1e-9);
+        if (arcs++ == 0) {
+            EXPECT_NEAR(std::abs(command["normal"][1].get<double>()), 1, 1e-9);
+        }
     }
     EXPECT_EQ(arcs, 2);
 }

@@ -182,6 +182,8 @@ TEST(Load, WhatIsNotSupportedIsNotSpelled) {
         const DialectTables& tables = testing::shipped(name).tables();
         EXPECT_GT(tables.unsupported.size(), 20u);
         for (const auto& [word, meaning] : tables.unsupported) {
+            // As it stands alone it asks for what is so anyway: `SETMS`.
+            if (tables.passed.contains(word)) continue;
             const auto read = testing::read_blocks(testing::shipped(name), word + "\n");
             EXPECT_EQ(testing::codes(read.messages), "K5018") << name << ": " << word;
         }

@@ -210,4 +210,43 @@ TEST(ControlCycles, FaceAndSpigot) {
     }
 }
 
+// Around a rectangle whose contour stands in a program of its own, from the middle of its right
+// side.
+TEST(ControlCycles, AlongAContour) {
+    Dice dice(15);
+    for (int i = 0; i < kSets; ++i) {
+        const double tool_d = dice.length(6, 14), l = dice.length(15, 40), w = dice.length(15, 40);
+        const double r = dice.length(0.5, std::min(l, w) / 2 - 1), depth = dice.length(1, 6);
+        const double step = dice.length(0.8, 4), allowance = dice.coin() ? 0 : 0.3;
+        const double on_floor = dice.coin() ? 0 : 0.2;
+        const double onto = dice.number(1, 3), off = dice.number(1, 3);
+        const bool is_steep = dice.coin();
+        const double behind = 100 * dice.number(0, 2), size = 1.5 * tool_d;
+        const auto along = [&](double kind) {
+            std::string text = call(
+                "CYCLE72", {kNone, 40, 0, 1, -depth, step, allowance, on_floor, 500, 100,
+                            behind + kind, 42, onto + (is_steep ? 10 : 0), size, 800, off, size});
+            return text.insert(text.find('(') + 1, "\"KONT\"");
+        };
+        const std::string x = number(l / 2), y = number(w / 2), a = number(l / 2 - r),
+                          b = number(w / 2 - r), cr = " CR=" + number(r) + "\n";
+        const std::string contour = "\nM30\n%_N_KONT_SPF\nG1 X" + x + " Y0\nY" + b + "\nG3 X" + a +
+                                    " Y" + y + cr + "G1 X-" + a + "\nG3 X-" + x + " Y" + b + cr +
+                                    "G1 Y-" + b + "\nG3 X-" + a + " Y-" + y + cr + "G1 X" + a +
+                                    "\nG3 X" + x + " Y-" + b + cr + "G1 Y0\nM17";
+        SCOPED_TRACE(along(1) + contour);
+        const Shape blank = rectangle(l + tool_d, w + tool_d, 0);
+        Stock bar(40, kCell, 0, blank);
+        bar.cut(commands_of_calls(along(1) + contour, tool_d), tool_d);
+        EXPECT_LE(bar.deepest_cut(), step + 1e-3);
+        EXPECT_NEAR(bar.lowest(), -depth + on_floor, 1e-6);
+        const Shape left = rectangle(l + 2 * allowance, w + 2 * allowance, r + allowance);
+        EXPECT_EQ(bar.spigot_difference(left, -depth + on_floor, kMargin, kEdge), "");
+        bar.cut(commands_of_calls(along(2) + contour, tool_d), tool_d);
+        expect_no_rapid_cut(bar);
+        EXPECT_EQ(bar.spigot_difference(rectangle(l, w, r), -depth, kMargin, kEdge), "");
+        EXPECT_NEAR(bar.lowest(), -depth, 1e-6);
+    }
+}
+
 }  // namespace

@@ -305,6 +305,117 @@ TEST(Turning, Finishing) {
     }
 }
 
+// ---------------------------------------------------------------- cycles of SINUMERIK's calls
+
+/// Roughing leaves its allowances; the whole cycle nothing on the contour.
+void expect_removed(const Roughing& r, bool is_complete) {
+    const int kind = (is_complete ? 9 : 1) + (r.view.is_facing ? 1 : 0) + (r.view.side < 0 ? 2 : 0);
+    const std::string call =
+        "stock_removal(shape, step: " + mm(r.step) + ", allowance: " + mm(r.allowance) +
+        ", allowance_x: " + mm(r.view.is_facing ? r.more_t : r.more_h) +
+        ", allowance_z: " + mm(r.view.is_facing ? r.more_h : r.more_t) +
+        ", kind: " + json(kind + (r.is_along || is_complete ? 0 : 200)).dump() +
+        ", tool_d: " + mm(2 * r.nose) + ")";
+    const double radius = r.view.side * (r.view.is_facing ? r.rough_t : r.rough_h);
+    const ProfilePoint start{tenth(radius + (r.view.side > 0 ? 10 : -3)), 60};
+    const std::string text = program_text(contour_text(r.shape, r.view), call, start, "removal");
+    SCOPED_TRACE(text);
+    const CycleRun run = run_text(text, "iso", "lathe");
+    ASSERT_EQ(run.status, 0) << run.error;
+    Profile part = rough_part(r);
+    part.cut(run.commands, r.view, {r.nose, 89});
+    expect_clean(part);
+    if (r.nose == 0 && !is_complete) {
+        EXPECT_LE(part.deepest_cut(), r.step + kExact);
+    }
+    const double allowance = is_complete ? 0 : r.allowance;
+    const double more_h = is_complete ? 0 : r.more_h, more_t = is_complete ? 0 : r.more_t;
+    const std::vector<double> kept = part.kept(r.shape, allowance, more_h, more_t, r.nose);
+    const double t_low = r.shape.end().t + allowance + more_t + 2 * r.nose + 0.05;
+    const double t_high = std::min(r.shape.start.t - allowance - r.nose, r.rough_t) - 0.05;
+    const double rest = r.is_along || is_complete ? 0 : r.step + r.nose;
+    expect_between(part, kept, t_low, t_high, r.rough_h, rest);
+}
+
+TEST(ControlTurning, StockRemoval) {
+    Dice dice(26);
+    for (int i = 0; i < sets(); ++i) {
+        const bool is_facing = dice.coin(), is_outer = dice.coin();
+        const double length = dice.length(5, 40);
+        const double side = is_outer ? 1 : -1;
+        const ProfilePoint start =
+            is_facing
+                ? ProfilePoint{dice.length(-40, 0), is_outer ? length + 60 : -dice.length(8, 20)}
+                : ProfilePoint{is_outer ? dice.length(6, 20) : -dice.length(35, 50), 0};
+        Roughing r = draw_roughing(dice, {is_facing, side}, start, length);
+        // The rough part is as large as the contour.
+        r.rough_h = r.shape.highest();
+        r.rough_t = r.shape.start.t;
+        const Profile part = rough_part(r);
+        const std::vector<double> kept =
+            part.kept(r.shape, r.allowance, r.more_h, r.more_t, r.nose);
+        double low = r.rough_h;
+        for (std::size_t k = 0; k < kept.size(); ++k) {
+            const double t = part.place(k);
+            if (t < r.shape.start.t - r.allowance - r.nose - 0.1 && t > r.shape.end().t + 0.1)
+                low = std::min(low, kept[k]);
+        }
+        if (low > r.rough_h - 0.5) continue;  // there is nothing to be roughed
+        // Across, the contour is finished outwards, with the other edge of the tool.
+        expect_removed(r, dice.coin() && !is_facing);
+    }
+}
+
+/// A groove with flanks, both edges and the ground sharp.
+TEST(ControlTurning, Groove) {
+    Dice dice(35);
+    for (int i = 0; i < sets(); ++i) {
+        const double tool_w = dice.length(1, 5), deep = dice.length(0.5, 8);
+        const double allowance = dice.coin() ? 0 : 0.1;
+        const double w = tenth(tool_w + 2 * allowance + (dice.coin() ? 0 : dice.length(0, 12)));
+        const double d = dice.length(25, 60), step = dice.coin() ? 0 : dice.length(0.5, 3);
+        const int flank = 5 * dice.number(0, 8), flank_end = 5 * dice.number(0, 8);
+        const bool is_left = dice.coin();
+        const double along = std::tan(flank * std::numbers::pi / 180);
+        const double along_end = std::tan(flank_end * std::numbers::pi / 180);
+        const double wide = w + deep * (along + along_end);
+        const double z = is_left ? -wide - 3 : -3;
+        const std::string call =
+            "groove_cut(d: " + mm(d) + ", z: " + mm(z) + ", w: " + mm(w) + ", deep: " + mm(deep) +
+            ", flank: " + json(flank).dump() + "deg, flank_end: " + json(flank_end).dump() +
+            "deg, allowance: " + mm(allowance) + ", allowance_wall: " + mm(allowance) +
+            ", step: " + mm(step) + ", kind: " + (is_left ? "1" : "5") + ", tool_d: " + mm(tool_w) +
+            ")";
+        const ProfilePoint start{d / 2 + 10, 60};
+        const std::string text = program_text("", call, start, "grooves");
+        SCOPED_TRACE(text);
+        const CycleRun run = run_text(text, "iso", "lathe");
+        ASSERT_EQ(run.status, 0) << run.error;
+        Profile part(-wide - 20, 30, kCell);
+        part.fill(-1e9, 0, d / 2);
+        part.cut(run.commands, {false, 1}, {0, 0, tool_w});
+        expect_clean(part);
+        const double left = is_left ? std::round(1000 * z) / 1000 : z - wide;
+        const double left_along = is_left ? along : along_end;
+        const double right_along = is_left ? along_end : along;
+        const auto wanted = [&](double t) {
+            const double from_left = t - left, from_right = left + wide - t;
+            if (from_left < 0 || from_right < 0) return d / 2;
+            const double left_depth = left_along > 0 ? from_left / left_along : deep;
+            const double right_depth = right_along > 0 ? from_right / right_along : deep;
+            return d / 2 - std::min({deep, left_depth, right_depth});
+        };
+        for (std::size_t k = 0; k < part.heights().size(); ++k) {
+            const double t = part.place(k);
+            if (t < left - 10 || t > -0.1) continue;
+            const std::initializer_list<double> near = {wanted(t - 1.5 * kCell), wanted(t),
+                                                        wanted(t + 1.5 * kCell)};
+            ASSERT_GT(part.heights()[k], std::min(near) - kExact) << "cut into it at " << t;
+            ASSERT_LT(part.heights()[k], std::max(near) + kExact) << "left at " << t;
+        }
+    }
+}
+
 // ---------------------------------------------------------------- cycles of cycles.turning
 
 /// The part after a call from the diameter 2·start.h, at Z 60; the tool comes back there.
