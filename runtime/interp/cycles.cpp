@@ -126,7 +126,7 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
 
 /// The cycle that is called wherever an axis has moved; its place in the text is the motion's.
 void Executor::call_behind_motion(const Block& block) {
-    if (ended_ || cycle_blocks_ || (block.given & nc::kTargetSlots) == 0) return;
+    if (ended_ || cycle_blocks_ || shape_ || (block.given & nc::kTargetSlots) == 0) return;
     Block call = *call_behind_motions_;
     call.line = block.line;
     call.source = block.source;

@@ -1,4 +1,5 @@
-// named_shape.h — cycles whose call names the program in which their shape stands. Internal to interp.
+// named_shape.h — cycles whose call names the program in which their shape stands. Internal to
+// interp.
 #pragma once
 
 #include <algorithm>
