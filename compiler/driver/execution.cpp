@@ -90,9 +90,8 @@ class Execution::HeldMessages final : public DiagnosticSink {
     void release_up_to(const std::string& file, std::uint32_t line) {
         std::vector<Diagnostic> behind;
         for (Diagnostic& diagnostic : held_) {
-            const bool is_behind =
-                diagnostic.severity != Severity::Warning || !diagnostic.line ||
-                (diagnostic.line->file == file && diagnostic.line->line > line);
+            const bool is_behind = diagnostic.severity != Severity::Warning || !diagnostic.line ||
+                                   (diagnostic.line->file == file && diagnostic.line->line > line);
             if (is_behind) behind.push_back(std::move(diagnostic));
             else next_.take(std::move(diagnostic));
         }

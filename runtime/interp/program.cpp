@@ -105,7 +105,7 @@ void Program::State::take_flat(std::span<Block> out) {
         ++given;
         variables.set_in_step(false);
         most_line = std::max(most_line, number);
-        const Position next{from.offset(), number + 1};
+        const LinePosition next{from.offset(), number + 1};
         if (block.function_count != 0) {  // it may end the program, or call a cycle
             frame->goes_on = next;
             finish_first(Done::Block, ahead.line, next, block);
@@ -196,7 +196,7 @@ Program::State::Done Program::State::first_time(Block& out) {
     bool is_too_long = false;
     if (!source().next(text, is_too_long)) return end_of_text();
     if (watch != nullptr && !shows(text)) return Done::Nothing;
-    const Position next{source().offset(), frame->here.line + 1};
+    const LinePosition next{source().offset(), frame->here.line + 1};
     frame->goes_on = next;
     most_line = std::max(most_line, frame->here.line);
     if (is_too_long) {
@@ -217,8 +217,8 @@ Program::State::Done Program::State::first_time(Block& out) {
 
 /// next  where the line behind it begins. By value: a place that was stored in parts a moment ago
 ///       would be waited for by a copy of the whole.
-Program::State::Done Program::State::finish_first(Done done, std::string_view text, Position next,
-                                                  Block& out) {
+Program::State::Done Program::State::finish_first(Done done, std::string_view text,
+                                                  LinePosition next, Block& out) {
     is_waiting = done == Done::Wait;
     if (is_waiting) return done;
     frame->resume = 0;
@@ -362,7 +362,7 @@ void Program::State::follow_shape(const Block& block, std::string_view text, con
 }
 
 /// A line that was executed before, kept compiled; nullptr: it cannot be read again.
-CompiledLine* Program::State::line_at(const Position& position) {
+CompiledLine* Program::State::line_at(const LinePosition& position) {
     if (position.offset >= frontier().offset) return nullptr;
     if (const auto known = frame->unit->compiled.find(position.offset);
         known != frame->unit->compiled.end())
@@ -814,7 +814,7 @@ Program::State::Done Program::State::stop_with_message(std::string_view text, Bl
 // ------------------------------------------------------------------------------ jumps
 
 /// False: `done` says why.
-bool Program::State::resolve(CompiledLine& line, const JumpTarget& target, Target& out,
+bool Program::State::resolve(CompiledLine& line, const JumpTarget& target, LineTarget& out,
                              Done& done) {
     done = Done::Nothing;
     out = {target.label, target.number};
@@ -842,7 +842,7 @@ bool Program::State::resolve(CompiledLine& line, const JumpTarget& target, Targe
 }
 
 Program::State::Done Program::State::jump(CompiledLine& line, const ControlStatement& statement) {
-    Target target;
+    LineTarget target;
     Done done = Done::Nothing;
     if (!resolve(line, statement.target, target, done)) return done;
     const Direction direction = statement.kind == Statement::JumpForward    ? Direction::Forward
@@ -870,7 +870,7 @@ Program::State::Done Program::State::go(CompiledLine& line, const Place& target,
 }
 
 /// A jump leaves structures and sections that the target does not stand in.
-void Program::State::leave_open(const Position& target) {
+void Program::State::leave_open(const LinePosition& target) {
     const std::uint64_t to = target.offset;
     while (!frame->structures.empty() && (to <= frame->structures.back().head.line.offset ||
                                           to > frame->structures.back().end.line.offset))
@@ -1041,7 +1041,7 @@ Program::State::Done Program::State::repeat_section(CompiledLine& line,
             return fail(line, diag::RepeatCount, statement.count.span, {evaluator.written(count)});
         passes = static_cast<std::int64_t>(wanted);
     }
-    Target target;
+    LineTarget target;
     Done done = Done::Nothing;
     if (!resolve(line, statement.from, target, done)) return done;
     const auto missing = [&](ProgramMap::Fault fault, const JumpTarget& which) {
@@ -1058,7 +1058,7 @@ Program::State::Done Program::State::repeat_section(CompiledLine& line,
     if (statement.kind == Statement::RepeatBlock) {
         repeat.end = begin.next;
     } else if (statement.to.kind != JumpTarget::Kind::None) {
-        Target last;
+        LineTarget last;
         if (!resolve(line, statement.to, last, done)) return done;
         Place end;
         fault = map().find(last, Direction::Forward, begin, end);
@@ -1068,7 +1068,7 @@ Program::State::Done Program::State::repeat_section(CompiledLine& line,
         if (fault != ProgramMap::Fault::None && is_behind) return missing(fault, statement.to);
     } else if (!language.end_label.empty()) {
         Place end;
-        const Position limit = is_behind ? Position{~std::uint64_t{0}, 0} : line.place.line;
+        const LinePosition limit = is_behind ? LinePosition{~std::uint64_t{0}, 0} : line.place.line;
         fault = map().find_label_between(language.end_label, begin.line, limit, end);
         if (fault == ProgramMap::Fault::None) repeat.end = end.next;
         if (fault != ProgramMap::Fault::None && is_behind) return missing(fault, statement.from);

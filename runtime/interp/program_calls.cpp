@@ -181,7 +181,7 @@ Program::State::Done Program::State::prepare_section(CompiledLine& line,
     Place begin;
     Place end;
     const auto find = [&](const nc::JumpTarget& wanted, const Place& from, Place& found) {
-        Target target;
+        LineTarget target;
         Done done = Done::Nothing;
         if (!resolve(line, wanted, target, done)) return done;
         const auto fault = out.unit->map.find(target, Direction::Forward, from, found);
@@ -649,7 +649,7 @@ void Program::State::follow_named_shape(const Block& block, std::string_view tex
     Place end;
     for (const std::string_view label : {std::string_view(block.text).substr(0, colon),
                                          std::string_view(block.text).substr(colon + 1)}) {
-        const Target target{std::string(label), -1};
+        const LineTarget target{std::string(label), -1};
         const Place from = begin;
         Place& found = label.data() == block.text.data() ? begin : end;
         if (map().find(target, Direction::Forward, from, found) != ProgramMap::Fault::None)
@@ -666,9 +666,9 @@ Program::State::Done Program::State::leave_program(CompiledLine& line,
                                                    const ControlStatement& statement, Block& out) {
     const nc::Call* const words =
         line.line.calls.empty() ? nullptr : &line.line.calls[statement.call];
-    std::optional<Target> target;
+    std::optional<LineTarget> target;
     if (statement.target.kind != nc::JumpTarget::Kind::None) {
-        Target wanted;
+        LineTarget wanted;
         Done done = Done::Nothing;
         if (!resolve(line, statement.target, wanted, done)) return done;
         if (!wanted.label.empty() || wanted.number >= 0) target = wanted;
@@ -677,7 +677,7 @@ Program::State::Done Program::State::leave_program(CompiledLine& line,
     Done done = Done::Nothing;
     if (words != nullptr) done = number_of(line, words->target, number);
     if (done == Done::Wait || lines.failed()) return done;
-    if (number) target = Target{{}, static_cast<std::int64_t>(*number)};
+    if (number) target = LineTarget{{}, static_cast<std::int64_t>(*number)};
     if (!target && cancel_repeat()) return Done::Nothing;
     if (frames.size() == 1) return return_in_main(line, statement, target, out);
     if (frame->call.is_modal && !line.line.words.words.empty()) {
@@ -718,7 +718,7 @@ Program::State::Done Program::State::leave_program(CompiledLine& line,
 /// The main program is begun again, or ends.
 Program::State::Done Program::State::return_in_main(CompiledLine& line,
                                                     const ControlStatement& statement,
-                                                    const std::optional<Target>& target,
+                                                    const std::optional<LineTarget>& target,
                                                     Block& out) {
     if (!language.rules.return_restarts_main) {
         out.add(Function::End);
@@ -761,7 +761,7 @@ Program::State::Done Program::State::finish_return(Block& out) {
         return Done::Nothing;
     }
     const std::optional<Place> target = frame->returns_to;
-    const Position from = frame->here;
+    const LinePosition from = frame->here;
     ProgramText& left_text = text();
     Done done = Done::Nothing;
     for (int levels = frame->levels; levels > 0 && frames.size() > 1; --levels) {

@@ -43,9 +43,9 @@ bool is_end(Statement statement) {
 }  // namespace
 
 template <typename Look>
-ProgramMap::Fault ProgramMap::scan(const Position& from, Look look) {
+ProgramMap::Fault ProgramMap::scan(const LinePosition& from, Look look) {
     if (!source_.seek(from.offset)) return Fault::TextGone;
-    Position here = from;
+    LinePosition here = from;
     std::string_view line;
     bool is_too_long = false;
     const std::vector<std::string>& ends = tables_.program.end;
@@ -64,12 +64,12 @@ ProgramMap::Fault ProgramMap::scan(const Position& from, Look look) {
     return Fault::None;
 }
 
-bool ProgramMap::is_target(const nc::LineFront& front, const Target& target) const {
+bool ProgramMap::is_target(const nc::LineFront& front, const LineTarget& target) const {
     if (target.label.empty()) return front.number == target.number;
     return nc::ControlWords(tables_, front.label).is_same(front.label, target.label);
 }
 
-ProgramMap::Fault ProgramMap::find(const Target& target, Direction direction, const Place& from,
+ProgramMap::Fault ProgramMap::find(const LineTarget& target, Direction direction, const Place& from,
                                    Place& out) {
     const std::tuple key{from.line.offset, direction, target};
     if (const auto known = targets_.find(key); known != targets_.end()) {
@@ -138,9 +138,9 @@ ProgramMap::Fault ProgramMap::find_end(const Place& head, const nc::LineFront& f
     return Fault::None;
 }
 
-ProgramMap::Fault ProgramMap::find_label_between(std::string_view label, const Position& from,
-                                                 const Position& to, Place& out) {
-    const Target target{std::string(label), -1};
+ProgramMap::Fault ProgramMap::find_label_between(std::string_view label, const LinePosition& from,
+                                                 const LinePosition& to, Place& out) {
+    const LineTarget target{std::string(label), -1};
     std::optional<Place> found;
     const Fault fault = scan(from, [&](std::string_view line, const Place& place) {
         if (place.line.offset >= to.offset) return false;
@@ -153,7 +153,7 @@ ProgramMap::Fault ProgramMap::find_label_between(std::string_view label, const P
     return Fault::None;
 }
 
-bool ProgramMap::is_empty_between(const Position& from, const Position& to) {
+bool ProgramMap::is_empty_between(const LinePosition& from, const LinePosition& to) {
     const nc::CommentStyle& comment = tables_.comment;
     const auto is_empty = [&](std::string_view line) {
         while (true) {

@@ -14,16 +14,16 @@
 namespace kadr::interp {
 
 /// The beginning of a line.
-struct Position {
+struct LinePosition {
     std::uint64_t offset = 0;
     std::uint64_t line = 1;
-    friend bool operator==(const Position&, const Position&) = default;
+    friend bool operator==(const LinePosition&, const LinePosition&) = default;
 };
 
 /// Where a line is and where the next one begins.
 struct Place {
-    Position line;
-    Position next;
+    LinePosition line;
+    LinePosition next;
 };
 
 /// The further parts of a loop or a condition, from its head.
@@ -35,44 +35,45 @@ struct Structure {
 enum class Direction : std::uint8_t { Both, Forward, Backward };
 
 /// What is looked for: a label, or a block number if the label is empty.
-struct Target {
+struct LineTarget {
     std::string label;
     std::int64_t number = -1;
     // clang-tidy takes the 0 that the compiler compares with for a null pointer of ours.
-    friend auto operator<=>(const Target&,
-                            const Target&) = default;  // NOLINT(modernize-use-nullptr)
+    friend auto operator<=>(const LineTarget&,
+                            const LineTarget&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 class ProgramMap {
   public:
     /// begin  of the program in its text
-    ProgramMap(const nc::DialectTables& tables, nc::LineSource& source, const Position& begin = {})
+    ProgramMap(const nc::DialectTables& tables, nc::LineSource& source,
+               const LinePosition& begin = {})
         : tables_(tables), source_(source), begin_(begin) {}
 
     enum class Fault : std::uint8_t { None, Missing, TextGone, LoopNumber };
 
     /// The nearest line with the target, forward from `from` to the end of the program, then from
     /// its head; backward the nearest one before it.
-    Fault find(const Target& target, Direction direction, const Place& from, Place& out);
+    Fault find(const LineTarget& target, Direction direction, const Place& from, Place& out);
     /// The end of the structure whose head stands at `head`.
     Fault find_end(const Place& head, const nc::LineFront& front, const Structure*& out);
     /// The next mark of this name behind `from`.
-    Fault find_label_between(std::string_view label, const Position& from, const Position& to,
-                             Place& out);
+    Fault find_label_between(std::string_view label, const LinePosition& from,
+                             const LinePosition& to, Place& out);
 
     /// Whether nothing but comments stands between two places.
-    bool is_empty_between(const Position& from, const Position& to);
+    bool is_empty_between(const LinePosition& from, const LinePosition& to);
 
   private:
     /// Calls `look` with each line from `from` on and its place, until it says false.
     template <typename Look>
-    Fault scan(const Position& from, Look look);
-    bool is_target(const nc::LineFront& front, const Target& target) const;
+    Fault scan(const LinePosition& from, Look look);
+    bool is_target(const nc::LineFront& front, const LineTarget& target) const;
 
     const nc::DialectTables& tables_;
     nc::LineSource& source_;
-    Position begin_;
-    std::map<std::tuple<std::uint64_t, Direction, Target>, Place> targets_;
+    LinePosition begin_;
+    std::map<std::tuple<std::uint64_t, Direction, LineTarget>, Place> targets_;
     std::unordered_map<std::uint64_t, Structure> structures_;
 };
 

@@ -34,9 +34,9 @@ struct OpenStructure {
 
 /// A section that is being repeated.
 struct OpenRepeat {
-    Position begin;
-    Position end;     // reached: the section is through
-    Position behind;  // where the program goes on in the end
+    LinePosition begin;
+    LinePosition end;     // reached: the section is through
+    LinePosition behind;  // where the program goes on in the end
     std::int64_t left = 0;
 };
 
@@ -60,7 +60,7 @@ struct PreparedCall {
     std::vector<GivenValue> arguments;  // by their places
     std::shared_ptr<Level> level;       // of a macro: arguments are set once
     std::optional<Place> from;          // of a section
-    std::optional<Position> to;
+    std::optional<LinePosition> to;
     std::shared_ptr<const nc::CallSite> site;
     bool is_modal = false;
     bool is_shape = false;  // its blocks are those of the shape along which a cycle works
@@ -73,8 +73,8 @@ struct Frame {
     nc::TextState text;
     Level* level = nullptr;
     std::shared_ptr<Level> own_level;   // null: the caller's
-    Position here;                      // of the line that is next
-    Position goes_on;                   // behind the line that is executed
+    LinePosition here;                  // of the line that is next
+    LinePosition goes_on;               // behind the line that is executed
     CompiledLine* next_line = nullptr;  // if the next line is kept
     std::vector<OpenStructure> structures;
     std::vector<OpenRepeat> repeats;
@@ -145,7 +145,7 @@ struct Program::State {
     ProgramText& text() { return *frame->unit->text; }
     nc::LineSource& source() { return frame->unit->text->source; }
     ProgramMap& map() { return frame->unit->map; }
-    Position& frontier() { return frame->unit->frontier; }
+    LinePosition& frontier() { return frame->unit->frontier; }
 
     // lines
     std::size_t pull(std::span<nc::Block> out);
@@ -155,9 +155,9 @@ struct Program::State {
     bool may_go_on();
     bool shows(std::string_view text);
     Done first_time(nc::Block& out);
-    Done finish_first(Done done, std::string_view text, Position next, nc::Block& out);
+    Done finish_first(Done done, std::string_view text, LinePosition next, nc::Block& out);
     Done run(CompiledLine& line, nc::Block& out);
-    CompiledLine* line_at(const Position& position);
+    CompiledLine* line_at(const LinePosition& position);
     void compile(CompiledLine& line, nc::Block& out);
     void compile_language(CompiledLine& line);
     void deliver(nc::Block& block, std::string_view text, std::uint64_t number, bool again);
@@ -197,9 +197,9 @@ struct Program::State {
     Done truth(CompiledLine& line, const nc::Expression& expression, bool& out);
     Done store(CompiledLine& line, const nc::Reference& reference, const Value& value);
     Done count_on(CompiledLine& line, OpenStructure& loop, bool& goes_on_looping);
-    bool resolve(CompiledLine& line, const nc::JumpTarget& target, Target& out, Done& done);
+    bool resolve(CompiledLine& line, const nc::JumpTarget& target, LineTarget& out, Done& done);
     Done go(CompiledLine& line, const Place& target, const nc::Span& span);
-    void leave_open(const Position& target);
+    void leave_open(const LinePosition& target);
     Done fail(CompiledLine& line, const nc::LineFault& fault);
     Done fail(CompiledLine& line, const DiagnosticRow& row, const nc::Span& span,
               std::vector<std::string> arguments = {}) {
@@ -246,7 +246,7 @@ struct Program::State {
     Done declare_procedure(CompiledLine& line, const nc::ControlStatement& statement);
     Done leave_program(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
     Done return_in_main(CompiledLine& line, const nc::ControlStatement& statement,
-                        const std::optional<Target>& target, nc::Block& out);
+                        const std::optional<LineTarget>& target, nc::Block& out);
     bool cancel_repeat();
     Done finish_return(nc::Block& out);
     void restart(Frame& again);

@@ -26,13 +26,13 @@ ProgramUnits::ProgramUnits(const nc::Dialect& dialect, nc::TextSource& main, std
     : dialect_(dialect), tables_(dialect.tables()), kept_(kept), files_(files) {
     texts_.push_back(
         std::make_unique<ProgramText>(main, std::move(name), kept_, tables_.rules.max_line));
-    main_ = std::make_unique<ProgramUnit>(tables_, *texts_[0], Position{}, std::string());
+    main_ = std::make_unique<ProgramUnit>(tables_, *texts_[0], LinePosition{}, std::string());
 }
 
 ProgramUnit* ProgramUnits::find(const std::string& name, ProgramText& near) {
     if (const auto known = units_.find(name); known != units_.end()) return known->second.get();
     ProgramText* text = &near;
-    std::optional<Position> begin = find_in(near, name);
+    std::optional<LinePosition> begin = find_in(near, name);
     if (!begin && text != texts_[0].get()) {
         text = texts_[0].get();
         begin = find_in(*text, name);
@@ -46,7 +46,7 @@ ProgramUnit* ProgramUnits::find(const std::string& name, ProgramText& near) {
         text->own = std::move(file->text);
         // One that stands behind another in its file begins at its own head.
         begin = find_in(*text, name);
-        if (!begin || text->programs.size() == 1) begin = Position{};
+        if (!begin || text->programs.size() == 1) begin = LinePosition{};
     }
     if (!begin) return nullptr;
     auto unit = std::make_unique<ProgramUnit>(tables_, *text, *begin, name);
@@ -55,7 +55,8 @@ ProgramUnit* ProgramUnits::find(const std::string& name, ProgramText& near) {
 }
 
 /// Where the program begins in the text; heads on the way are remembered.
-std::optional<Position> ProgramUnits::find_in(ProgramText& text, const std::string& name) const {
+std::optional<LinePosition> ProgramUnits::find_in(ProgramText& text,
+                                                  const std::string& name) const {
     const nc::CallLanguage& calls = tables_.language.calls;
     const auto known = text.programs.find(name);
     if (known != text.programs.end()) return known->second;
@@ -65,7 +66,7 @@ std::optional<Position> ProgramUnits::find_in(ProgramText& text, const std::stri
     std::string_view line;
     bool is_too_long = false;
     while (text.source.next(line, is_too_long)) {
-        const Position here = text.seen;
+        const LinePosition here = text.seen;
         text.seen = {text.source.offset(), here.line + 1};
         const auto found = nc::program_of_header(calls, line, tables_.rules.ignores_case);
         if (!found) continue;

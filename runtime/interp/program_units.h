@@ -44,14 +44,14 @@ struct ProgramText {
     nc::LineSource source;
     std::vector<std::uint32_t> windows;  // of the ids of its lines; the main text needs none
     // Programs that were seen in it, up to a place.
-    std::map<std::string, Position> programs;
-    Position seen;
+    std::map<std::string, LinePosition> programs;
+    LinePosition seen;
     bool is_seen_whole = false;
 };
 
 /// A program: what stands in a text from a place up to the next head of a program.
 struct ProgramUnit {
-    ProgramUnit(const nc::DialectTables& tables, ProgramText& text_, const Position& begin_,
+    ProgramUnit(const nc::DialectTables& tables, ProgramText& text_, const LinePosition& begin_,
                 std::string name_)
         : text(&text_),
           begin(begin_),
@@ -60,10 +60,10 @@ struct ProgramUnit {
           frontier(begin_) {}
 
     ProgramText* text;
-    Position begin;
+    LinePosition begin;
     std::string name;  // empty: of the main program
     ProgramMap map;
-    Position frontier;  // of the first line that was never executed
+    LinePosition frontier;  // of the first line that was never executed
     std::unordered_map<std::uint64_t, std::unique_ptr<CompiledLine>> compiled;
     bool has_looked_for_head = false;
     std::optional<nc::ControlLine> head;  // with its statement, if it is a procedure
@@ -90,7 +90,7 @@ class ProgramUnits {
     Line line_of(std::uint32_t id) const;
 
   private:
-    std::optional<Position> find_in(ProgramText& text, const std::string& name) const;
+    std::optional<LinePosition> find_in(ProgramText& text, const std::string& name) const;
     void look_for_head(ProgramUnit& unit) const;
 
     const nc::Dialect& dialect_;
