@@ -156,6 +156,17 @@ bool Expander::State::emit_block(const sema::Plan& plan, const Instruction& inst
     return false;
 }
 
+/// Whether the spindle is started, stopped or taken over by the changer.
+static bool switches_spindle(const Block& block) {
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        const Function function = block.functions[i].function;
+        if (nc::info(function).group == Group::Spindle || function == Function::ToolChange ||
+            function == Function::Tool)
+            return true;
+    }
+    return false;
+}
+
 bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instruction,
                                 const sema::Slot* registers, std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
@@ -190,6 +201,9 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
             return false;
         const Function motion = plan.motion != Function::None ? plan.motion : modal[Group::Motion];
         modal.take_functions(block);
+        // What was said of a standing spindle is said anew when it stands again.
+        if ((warned_of_spindle || warned_of_rapid) && switches_spindle(block))
+            warned_of_spindle = warned_of_rapid = false;
         const bool says_rapid = (plan.customs & sema::custom::kMachineRapid) != 0;
         if (has_machine_rapid && !says_rapid && motion != Function::Rapid &&
             block.find(Function::MachineCoordinates) != nullptr) [[unlikely]] {
@@ -465,7 +479,8 @@ void Expander::State::check_rapid(const Block& block, std::uint32_t at) {
     const bool is_mill = modal[Group::Plane] == Function::PlaneXy && !modal.is_diameter;
     if (!is_mill || modal[Group::Spindle] != Function::SpindleStop || block.skip >= 0) return;
     if (block.function_count != 0 && (block.find(Function::MachineCoordinates) != nullptr ||
-                                      block.find(Function::ReferenceReturn) != nullptr))
+                                      block.find(Function::ReferenceReturn) != nullptr ||
+                                      block.find(Function::Probe) != nullptr))
         return;
     const nc::SlotMask word = bit(nc::Slot::Z);
     const bool is_known = (modal.known >> kZ & 1u) != 0;
@@ -532,6 +547,15 @@ bool Expander::State::emit_text(const Instruction& instruction, const sema::Slot
     return true;
 }
 
+/// Whether the cycle turns the spindle by itself: it taps, and not in a compensating chuck.
+static bool turns_spindle(std::span<const sema::ParameterInfo> parameters, std::uint32_t given,
+                          std::span<const double> values) {
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if (parameters[i].name == "floating") return (given >> i & 1u) == 0 || values[i] == 0;
+    }
+    return false;
+}
+
 /// Whether a cycle has its feed from this parameter: threads are cut with their pitch.
 static bool says_feed(const sema::ParameterInfo& parameter) {
     return parameter.name == "pitch" || parameter.name == "lead" || parameter.name == "per_turn";
@@ -568,7 +592,8 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
     if (modal.lost != 0 && !knows_for_cycle(*frame.function, given, at)) return true;
     const bool needs_feed = std::ranges::none_of(parameters, says_feed);
     if (needs_feed && modal.is_feed_lost) return !feed_lost(at, frames.size() - 1);
-    if (options.warns_of_cuts && is_cut_doubtful()) warn_of_cut(at, needs_feed);
+    if (options.warns_of_cuts && is_cut_doubtful() && !turns_spindle(parameters, given, values))
+        warn_of_cut(at, needs_feed);
     if (has_failed) return true;
     if (is_block_limit(at)) return true;
     if (modal.has_ended) warn_after_end(at);
