@@ -67,7 +67,7 @@ TEST(Native, CyclesOfTheControlsMoveAsTheLibraryDoes) {
         {"fanuc", "G98 G76 Z-15. R2. Q0.3 P200\nG80",
          "bore_oriented(to: -15mm, lift_x: 0.3mm, dwell: 0.2s);"},
         {"fanuc", "G98 G87 Z-10. R-15. Q3.\nG80",
-         "back_bore(to: -10mm, below: -15mm, shift_x: 3mm);"},
+         "back_bore(to: -10mm, below: -15mm, shift_x: 3mm, off_face: 0mm);"},
         {"sinumerik", "CYCLE81(50,2,0,-15)", "drill(to: -15mm);"},
         {"sinumerik", "CYCLE81(50,0,2,-15)", "drill(to: -15mm);"},
         {"sinumerik", "CYCLE82(50,2,0,-15,,0.3)", "drill(to: -15mm, dwell: 0.3s);"},
