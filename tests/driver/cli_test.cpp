@@ -179,7 +179,8 @@ TEST_F(CommandLine, CutsWithoutFeedOrSpindleAreWarnedOf) {
           Row{"turret", "G18; S500 M3; F100; tool(2); G0 X0; G1 X1;", ""},
           Row{"a speed behind the start", "tool(2); M3; S100; F100; G0 X0; G1 X1;", ""},
           Row{"a probe",
-              "tool(2); G0 X0 Y0; G0 Z50; probe_edge(z_minus, at: -3mm, ball_d: 6mm, offset: 1);",
+              "work_offset(1); tool(2); G0 X0 Y0; G0 Z50; probe_edge(z_minus, at: -3mm, ball_d: "
+              "6mm, offset: 1);",
               ""},
           Row{"again", "tool(2); S500 M3; F100; G0 X0; G1 X1;", ""}}) {
         SCOPED_TRACE(row.name);

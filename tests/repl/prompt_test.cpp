@@ -153,9 +153,10 @@ TEST(Prompt, AHeadAtTheEndOfALineWaitsForItsBody) {
     talk.say("void up()");
     talk.say("{ G0 Z9; }");
     EXPECT_TRUE(has(talk.say("up()"), "Z9\n"));
-    talk.say("language pl;");
-    talk.say("jeśli (fałsz)");
-    EXPECT_TRUE(talk.prompt().is_waiting());
+    Conversation polish;
+    polish.say("language pl;");
+    polish.say("jeżeli (fałsz)");
+    EXPECT_TRUE(polish.prompt().is_waiting());
 }
 
 TEST(Prompt, AMistakeInACycleIsOneMessage) {
