@@ -136,7 +136,7 @@ TEST(Plan, CallsOfTheControl) {
     EXPECT_FALSE(plan->holes[1].adds);
     EXPECT_TRUE(plan->holes[2].adds);
 
-    // The sign of the pitch is the hand, so it must be known here.
+    // The sign of the pitch is the hand; the cycle of the call takes it as it is, computed, too.
     std::vector<SourceArgument> tap = {number(50),    number(2), nothing,    number(-10),
                                        nothing,       number(0), number(5),  nothing,
                                        number(-1.25), number(0), number(500)};
@@ -145,7 +145,10 @@ TEST(Plan, CallsOfTheControl) {
     EXPECT_EQ(left->holes.back().factor, 1);
     EXPECT_TRUE(sink.all().empty());
     tap[8] = computed;
-    EXPECT_FALSE(plan_call(sinumerik, "CYCLE84", {}, tap, sink));
+    EXPECT_TRUE(plan_call(sinumerik, "CYCLE84", {}, tap, sink));
+    EXPECT_TRUE(sink.all().empty());
+    const std::vector<SourceArgument> unheard(40, number(1));
+    EXPECT_FALSE(plan_call(sinumerik, "CYCLE84", {}, unheard, sink));
     EXPECT_EQ(testing::codes(sink), "K4111");
 
     DiagnosticList too_many;
