@@ -561,6 +561,16 @@ static bool says_feed(const sema::ParameterInfo& parameter) {
     return parameter.name == "pitch" || parameter.name == "lead" || parameter.name == "per_turn";
 }
 
+/// Strokes and shifts are scaled in the language; a control that spares them gets moves, if its own
+/// program does not say the cycle.
+bool Expander::State::spares_distances(nc::CycleId cycle, std::uint32_t given) const {
+    if (said_cycle.is_active && said_cycle.is_running) return false;
+    const nc::CycleInfo::Roles& roles = target.cycles()[cycle].roles;
+    const auto is_given = [&](int role) { return role >= 0 && (given >> role & 1u) != 0; };
+    return (is_given(roles.stroke) || is_given(roles.shift)) &&
+           target.has_rule("cycle_distances_scaled", "no");
+}
+
 bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers) {
     if (!options.native_cycles || !recordings.empty()) return false;
     const CallFrame& frame = frames.back();
@@ -588,6 +598,7 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
         values[i] = neat(values[i] * kMinute);
     }
     if (!target.has_native_cycle(cycle, given, {values.data(), parameters.size()})) return false;
+    if (modal.frame.has_scale() && spares_distances(cycle, given)) return false;
     const std::uint32_t at = frame.return_to > 0 ? frame.return_to - 1 : 0;
     if (modal.lost != 0 && !knows_for_cycle(*frame.function, given, at)) return true;
     const bool needs_feed = std::ranges::none_of(parameters, says_feed);

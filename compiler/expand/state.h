@@ -239,6 +239,7 @@ struct Expander::State {
     bool feed_lost(std::uint32_t at, std::size_t depth);
     bool emit_text(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     /// True if the control has the cycle and a block stands for it now.
+    bool spares_distances(nc::CycleId cycle, std::uint32_t given) const;
     bool emit_cycle(nc::CycleId cycle, const Slot* registers);
     bool change_frame(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     void say_place(const sema::Plan& plan, const sema::Instruction& instruction, std::uint32_t at);
