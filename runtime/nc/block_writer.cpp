@@ -760,7 +760,8 @@ Function BlockWriter::acting_around(const Form& form) const {
         const Activity activity = around == Function::Rotate   ? modal_.rotation
                                   : around == Function::Scale  ? modal_.scale
                                   : around == Function::Mirror ? modal_.mirror
-                                                               : Activity::No;
+                                  : modal_.text_of(info(around).group) == around ? Activity::Yes
+                                                                                 : Activity::No;
         // Behind raw text nobody knows, and the control says so if it acts; but what a frame means
         // depends on those around it.
         if (activity == Activity::Yes) return around;
