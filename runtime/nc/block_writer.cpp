@@ -757,9 +757,9 @@ std::string BlockWriter::misfit_words(std::span<const Parameter> parameters, con
 /// The frame function that acts and that the form must not stand inside of; None: there is none.
 Function BlockWriter::acting_around(const Form& form) const {
     for (const Function around : form.outside) {
-        const Activity activity = around == Function::Rotate   ? modal_.rotation
-                                  : around == Function::Scale  ? modal_.scale
-                                  : around == Function::Mirror ? modal_.mirror
+        const Activity activity = around == Function::Rotate                     ? modal_.rotation
+                                  : around == Function::Scale                    ? modal_.scale
+                                  : around == Function::Mirror                   ? modal_.mirror
                                   : modal_.text_of(info(around).group) == around ? Activity::Yes
                                                                                  : Activity::No;
         // Behind raw text nobody knows, and the control says so if it acts; but what a frame means
