@@ -392,8 +392,9 @@ void Expander::State::become_place(Block& block, std::size_t axis) const {
 }
 
 /// The first motion behind the beginning or the end of a rotation names coordinates of both axes
-/// that it turns: what the control takes for the others depends on parameters. source       F 3.7
-/// G68, G69; No.11600#5 AX1
+/// that it turns: what the control takes for an axis that is not named depends on a parameter.
+///
+/// source       F 3.7 G68, G69; No.11600#5 AX1
 void Expander::State::name_places(Block& block) {
     const bool is_modal = modal[Group::Distance] == Function::Incremental;
     for (std::size_t i = 0; i < kAxes; ++i) {

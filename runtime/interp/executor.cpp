@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "base/assert.h"
 #include "base/diagnostics/control.h"
@@ -255,16 +256,7 @@ void Executor::run_functions(const Block& said) {
     const Block* places = with_places(block);
     if (places != nullptr && actions.angle != nullptr) places = with_angle(*places, *actions.angle);
     if (places == nullptr) return;
-    const Modal modal = modal_;
-    if (actions.feed_once) {
-        modal_.feed = *actions.feed_once;
-        modal_.has_feed = true;
-    }
-    move(*places, actions);
-    if (actions.feed_once) {
-        modal_.feed = modal.feed;
-        modal_.has_feed = modal.has_feed;
-    }
+    move_with_own_feed(*places, actions);
     if (call_behind_motions_) call_behind_motion(*places);
     if (actions.calls_defined && !ended_ && !shape_) call_defined(block);
     if (ended_) return;
@@ -273,6 +265,16 @@ void Executor::run_functions(const Block& said) {
     } else {
         act_after_motion(block, actions);
     }
+}
+
+/// A feed that the block alone has acts in its motion; behind it the modal one does again.
+void Executor::move_with_own_feed(const Block& places, const Actions& actions) {
+    if (!actions.feed_once) return move(places, actions);
+    const double feed = std::exchange(modal_.feed, *actions.feed_once);
+    const bool has_feed = std::exchange(modal_.has_feed, true);
+    move(places, actions);
+    modal_.feed = feed;
+    modal_.has_feed = has_feed;
 }
 
 // ------------------------------------------------------------------------------ functions

@@ -203,6 +203,7 @@ class Executor {
     bool is_plain_state() const;
 
     // motion.cpp
+    void move_with_own_feed(const nc::Block& places, const Actions& actions);
     void move(const nc::Block& block, const Actions& actions);
     void check_place(const nc::Block& block, nc::SlotMask targets);
     Target target_of(const nc::Block& block, nc::SlotMask targets) const;

@@ -4,14 +4,12 @@
 #include "base/numbers.h"
 #include "base/text.h"
 #include "nc/explain_parts.h"
+#include "nc/quoted.h"
 #include "nc/tables.h"
 
 namespace kadr::nc {
 
 namespace {
-
-/// Code in a message.
-std::string quoted(std::string_view text) { return std::string("`").append(text).append("`"); }
 
 class Explainer {
   public:

@@ -3,12 +3,11 @@
 
 #include "base/text.h"
 #include "nc/explain_parts.h"
+#include "nc/quoted.h"
 
 namespace kadr::nc {
 
 namespace {
-
-std::string quoted(std::string_view text) { return std::string("`").append(text).append("`"); }
 
 void explain_range(const VariableForm& form, const VariableRange& range,
                    std::vector<std::string>& lines) {

@@ -5,6 +5,7 @@
 #include "base/diagnostics/dialect.h"
 #include "base/numbers.h"
 #include "base/text.h"
+#include "nc/quoted.h"
 
 namespace kadr::nc {
 
@@ -12,9 +13,6 @@ namespace {
 
 bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-/// `text` between backticks, for messages.
-std::string quoted(std::string_view text) { return std::string("`").append(text).append("`"); }
 
 std::string_view trimmed(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r\n");

@@ -6,8 +6,11 @@
 
 #include "nc/match.h"
 #include "nc/number_text.h"
+#include "nc/quoted.h"
 
 namespace kadr::nc {
+
+constexpr std::size_t index_of(Group group) { return static_cast<std::size_t>(group); }
 
 /// Position of the axes, twice: as the program means it, and as the rounded words of the text add
 /// up to it, so that incremental words cannot drift. mm and degrees.

@@ -1,0 +1,201 @@
+// Which form says a function: what it needs, what must not act, and why none fits.
+#include <algorithm>
+#include <optional>
+
+#include "base/assert.h"
+#include "base/diagnostics/dialect.h"
+#include "nc/block_writer.h"
+
+namespace kadr::nc {
+
+namespace {
+
+bool is_frame(Function function) {
+    switch (function) {
+        case Function::Shift:
+        case Function::ShiftAdd:
+        case Function::Rotate:
+        case Function::Scale:
+        case Function::Mirror: return true;
+        default: return false;
+    }
+}
+
+/// The function of the group that the block says by itself; None: there is none.
+Function said_of(const Block& block, Group group) {
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        if (info(block.functions[i].function).group == group) return block.functions[i].function;
+    }
+    return Function::None;
+}
+
+}  // namespace
+
+/// Why the form cannot say what was given, or lacks what it needs.
+BlockWriter::Misfit BlockWriter::misfit(const Form& form, const Block& block,
+                                        const Invocation& invocation) const {
+    Misfit misfit;
+    std::uint32_t said = 0;
+    int first_name = -1;  // parameter of the first word that names an axis
+    bool names_axis = false;
+    const auto argument = [&](int parameter, double fallback) {
+        return block.argument(invocation, static_cast<std::size_t>(parameter), fallback);
+    };
+    const auto expect = [&](int parameter, bool is_right) {
+        if (!is_right) misfit.parameters |= 1u << parameter;
+    };
+    const auto look = [&](const auto& self, const std::vector<FormWord>& words) -> void {
+        for (const FormWord& word : words) {
+            self(self, word.arguments);
+            if (word.parameter < 0) continue;
+            said |= 1u << word.parameter;
+            if (word.tail_parameter >= 0) {
+                said |= 1u << word.tail_parameter;
+                expect(word.tail_parameter, (invocation.given >> word.tail_parameter & 1u) != 0);
+            }
+            // The word's presence is all that the control takes: another value would be lost.
+            const bool is_given = (invocation.given >> word.parameter & 1u) != 0;
+            if (word.is_named_only) {
+                expect(word.parameter, argument(word.parameter, 0) == 0);
+                if (first_name < 0) first_name = word.parameter;
+                names_axis |= is_given;
+            }
+            const bool has_text = !block.text.empty() && (word.kind == FormWord::Kind::Text ||
+                                                          word.kind == FormWord::Kind::Quoted);
+            expect(word.parameter, is_given || has_text || word.is_optional || word.has_default);
+        }
+    };
+    look(look, form.words);
+    for (const std::vector<FormWord>& line : form.extra) look(look, line);
+    look(look, form.lead);
+    // Without an axis the code stands alone, and means nothing or something else.
+    if (first_name >= 0) expect(first_name, names_axis);
+    for (const int parameter : form.implied) said |= 1u << parameter;
+    if (form.spindle_parameter >= 0) said |= 1u << form.spindle_parameter;
+    for (const int parameter : form.drops) said |= 1u << parameter;
+    for (const auto& [parameter, value] : form.fixed) {
+        said |= 1u << parameter;
+        const bool is_given = (invocation.given >> parameter & 1u) != 0;
+        const bool may_lack =
+            tables_.parameters(form)[static_cast<std::size_t>(parameter)].is_optional;
+        expect(parameter, is_given ? argument(parameter, 0) == value : may_lack);
+    }
+    for (const Constraint& c : form.when) {
+        const double value = argument(c.parameter, c.least);
+        expect(c.parameter, value >= c.least && value <= c.most);
+    }
+    misfit.parameters |= invocation.given & ~said;
+    misfit.lacking = misfit.parameters & ~invocation.given;
+    for (const Function needed : form.during) {
+        const Group group = info(needed).group;
+        // What the text does not agree upon with the program is said again in this block.
+        const bool is_restored = group == Group::Distance && (block.given & kTargetSlots) != 0 &&
+                                 modal_.meant[index_of(group)] == needed;
+        const bool is_said = group == Group::Motion && effective_motion(block) == needed &&
+                             (block.motion == needed || (block.given & kTargetSlots) != 0);
+        // In its own line the block says it for the form, or the contrary.
+        const bool is_alone = form.owns_block || form.owns_line;
+        const Function own = is_alone ? Function::None : said_of(block, group);
+        const bool is_active = own != Function::None ? own == needed
+                                                     : modal_.text[index_of(group)] == needed ||
+                                                           is_restored || is_said;
+        if (!is_active) misfit.state = needed;
+    }
+    return misfit;
+}
+
+/// Whether the further functions of a form are wanted by the block or in force anyway.
+bool BlockWriter::holds(const Form& form, const Block& block, Function asked,
+                        bool allow_unknown) const {
+    const auto is_fine = [&](Function also) {
+        if (also == asked || block.find(also) != nullptr || block.motion == also) return true;
+        const Group group = info(also).group;
+        for (std::size_t i = 0; i < block.function_count; ++i) {
+            if (info(block.functions[i].function).group == group)
+                return false;  // the block wants another
+        }
+        const Function active = modal_.text[index_of(group)];
+        return active == also || (allow_unknown && active == Function::None);
+    };
+    return is_fine(form.function) && std::ranges::all_of(form.sets, is_fine);
+}
+
+FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation) {
+    const bool is_cycle = invocation.function == Function::Cycle;
+    KADR_ASSERT(!is_cycle || block.cycle < tables_.forms_of_cycle.size(),
+                "a cycle of the common list");
+    const auto& candidates = is_cycle
+                                 ? tables_.forms_of_cycle[block.cycle]
+                                 : tables_.forms_of[static_cast<std::size_t>(invocation.function)];
+    Function blocking = Function::None;  // acts where it must not
+    std::optional<Misfit> nearest;
+    for (const bool allow_unknown : {false, true}) {
+        for (const FormId id : candidates) {
+            const Form& form = tables_.forms[id];
+            // Parameters belong to the form's own function.
+            const bool is_own = form.function == invocation.function;
+            if (is_own) {
+                const Misfit why = misfit(form, block, invocation);
+                if (!why.is_none()) {
+                    if (!nearest || why.count() < nearest->count()) nearest = why;
+                    continue;
+                }
+            }
+            const Function around = acting_around(form);
+            if (around != Function::None) blocking = around;
+            else if (holds(form, block, invocation.function, allow_unknown)) return id;
+        }
+    }
+    const std::string_view name = info(invocation.function).name;
+    if (blocking != Function::None) {
+        if (is_new_message(block, name)) {
+            sink_.report(diag::WriterFrameOrder, place(block))
+                .arg(tables_.name)
+                .arg(name)
+                .arg(info(blocking).name);
+        }
+        return kNoForm;
+    }
+    std::string what = quoted(name);
+    if (is_cycle) what = "the cycle " + quoted(tables_.cycles[block.cycle].name);
+    if (!candidates.empty()) {
+        const Form& any = tables_.forms[candidates.front()];
+        what += nearest ? misfit_words(tables_.parameters(any), *nearest)
+                        : " with these values or in this modal state";
+    }
+    cannot_express(block, what);
+    return kNoForm;
+}
+
+/// " with this `back`": what the control does not take as it was given; " unless `absolute` is
+/// active": when it does not take it.
+std::string BlockWriter::misfit_words(std::span<const Parameter> parameters, const Misfit& misfit) {
+    std::string words;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if ((misfit.parameters >> i & 1u) == 0) continue;
+        const bool is_lacking = (misfit.lacking >> i & 1u) != 0;
+        words += words.empty() ? " " : " and ";
+        words += (is_lacking ? "without " : "with this ") + quoted(parameters[i].name);
+    }
+    if (misfit.state != Function::None)
+        words += " unless " + quoted(info(misfit.state).name) + " is active";
+    return words;
+}
+
+/// The frame function that acts and that the form must not stand inside of; None: there is none.
+Function BlockWriter::acting_around(const Form& form) const {
+    for (const Function around : form.outside) {
+        const Activity activity = around == Function::Rotate                     ? modal_.rotation
+                                  : around == Function::Scale                    ? modal_.scale
+                                  : around == Function::Mirror                   ? modal_.mirror
+                                  : modal_.text_of(info(around).group) == around ? Activity::Yes
+                                                                                 : Activity::No;
+        // Behind raw text nobody knows, and the control says so if it acts; but what a frame means
+        // depends on those around it.
+        if (activity == Activity::Yes) return around;
+        if (activity == Activity::Unknown && is_frame(form.function)) return around;
+    }
+    return Function::None;
+}
+
+}  // namespace kadr::nc

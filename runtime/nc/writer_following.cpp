@@ -1,0 +1,178 @@
+// What the functions of a block leave behind: the modal state of the text, frames, positions and
+// words that wait for their axis.
+#include <algorithm>
+
+#include "nc/block_writer.h"
+
+namespace kadr::nc {
+
+/// Modal functions act in their own block already.
+void BlockWriter::follow_functions(const Block& block) {
+    follow_modal(block, modal_.meant);
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        if ((done_ >> i & 1u) == 0 && chosen_[i] != kNoForm)
+            note_written(tables_.forms[chosen_[i]]);
+        const Function function = block.functions[i].function;
+        if (function == Function::FeedPerMinute || function == Function::FeedPerRevolution ||
+            function == Function::FeedInverseTime) {
+            modal_.has_meant_feed = false;
+        }
+        if (info(function).group == Group::SpeedMode) modal_.has_meant_speed = false;
+    }
+    if (block.has(Slot::Speed)) {
+        modal_.meant_speed = block.at(Slot::Speed);
+        modal_.has_meant_speed = true;
+    }
+    if (block.has(Slot::Feed)) {
+        modal_.meant_feed = block.at(Slot::Feed);
+        modal_.has_meant_feed = true;
+    }
+}
+
+/// Whether the tool length acts behind a reference return differs between series of a control: what
+/// a tool change holds back for its axis is said again.
+void BlockWriter::defer_length(const Block& block, const Invocation& invocation) {
+    constexpr std::uint32_t kFirstAxis = 1;  // behind the number of the point
+    for (const Deferred& deferred : tables_.deferred) {
+        if (deferred.axis < 0 || !modal_.tool.is_known) continue;
+        const auto axis = static_cast<std::uint32_t>(deferred.axis);
+        const bool is_named = invocation.function == Function::ReferencePoint
+                                  ? (invocation.given >> (kFirstAxis + axis) & 1u) != 0
+                                  : block.has(static_cast<Slot>(axis));
+        if (!is_named) continue;
+        std::erase_if(pending_, [&](const Pending& p) { return p.deferred == &deferred; });
+        pending_.push_back({&deferred, modal_.tool.value});
+    }
+}
+
+/// What a function means for positions, frames and held-back words.
+void BlockWriter::follow_function(const Block& block, const Invocation& invocation) {
+    switch (invocation.function) {
+        case Function::Shift: follow_shift(block, invocation); break;
+        case Function::ShiftAdd:
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                if (block.argument(invocation, axis) == 0) continue;
+                modal_.origin[axis].is_known = false;
+                modal_.position.known &= ~bit(static_cast<Slot>(axis));
+            }
+            break;
+        case Function::Rotate:
+            modal_.rotation = Activity::Yes;
+            turn_axes(plane_axes()[0]);
+            turn_axes(plane_axes()[1]);
+            break;
+        case Function::RotateOff:
+            modal_.rotation = Activity::No;
+            modal_.position.known &= ~modal_.turned;
+            break;
+        case Function::Scale:
+            modal_.scale = Activity::Yes;
+            modal_.turned = kTargetSlots;
+            modal_.position.forget();
+            break;
+        case Function::ScaleOff:
+            modal_.scale = Activity::No;
+            modal_.position.forget();
+            break;
+        case Function::Mirror:
+            modal_.mirror = Activity::Yes;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                if ((invocation.given >> axis & 1u) != 0) turn_axes(axis);
+            }
+            break;
+        case Function::MirrorOff:
+            modal_.mirror = Activity::No;
+            modal_.position.known &= ~modal_.turned;
+            break;
+        case Function::Probe: forget_motion(); [[fallthrough]];
+        case Function::MachineCoordinates: modal_.position.known &= ~block.given; break;
+        case Function::OffsetToEdge:
+        case Function::OffsetToMiddle: modal_.position.forget(); break;
+        case Function::SetPosition:
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                if ((invocation.given >> axis & 1u) == 0) continue;
+                const double value = block.argument(invocation, axis);
+                modal_.position.meant[axis] = value;
+                const auto slot = static_cast<Slot>(axis);
+                const double scale = to_text(slot, 1);
+                modal_.position.text[axis] = round_to(value * scale, decimals(slot)) / scale;
+                modal_.position.known |= bit(slot);
+            }
+            break;
+        case Function::Tool:
+            forget_motion();
+            for (const Deferred& deferred : tables_.deferred) {
+                std::erase_if(pending_, [&](const Pending& p) { return p.deferred == &deferred; });
+                pending_.push_back({&deferred, block.argument(invocation, 0)});
+            }
+            modal_.tool = {true, block.argument(invocation, 0)};
+            modal_.edge = {true, 1};
+            modal_.waiting_edge = 0;
+            modal_.position.forget();
+            break;
+        case Function::ToolChange:
+            forget_motion();
+            modal_.tool.is_known = false;
+            modal_.edge = {true, 1};
+            modal_.waiting_edge = 0;
+            modal_.position.forget();
+            break;
+        case Function::ToolEdge:
+            modal_.edge = {true, block.argument(invocation, 0)};
+            modal_.waiting_edge = 0;
+            modal_.position.forget();
+            break;
+        case Function::RadiusOffset:
+            std::erase_if(pending_, [](const Pending& p) { return p.deferred->axis < 0; });
+            break;
+        case Function::ReferencePoint:
+        case Function::ReferenceReturn:
+            defer_length(block, invocation);
+            modal_.position.forget();
+            break;
+        case Function::WorkOffset:
+        case Function::WorkOffsetData:
+        case Function::ToolSelect:
+        case Function::LengthOffset: modal_.position.forget(); break;
+        case Function::LengthCompOn:
+        case Function::LengthCompOff:
+            // Said by the program itself: nothing of the tool's own waits any longer.
+            std::erase_if(pending_, [](const Pending& p) { return p.deferred->axis >= 0; });
+            modal_.position.forget();
+            break;
+        case Function::Cycle:
+        case Function::CycleOff: forget_motion(); break;
+        case Function::End:
+        case Function::EndRewind: has_ended_ = true; break;
+        default: break;  // the others move nothing and end nothing
+    }
+}
+
+/// Which motion is modal behind a cycle or a tool change is the control's or its builder's choice,
+/// and an operator who starts there wants to read it: the next motion says it again.
+void BlockWriter::forget_motion() { modal_.text_of(Group::Motion) = Function::None; }
+
+/// A rotation or mirroring acts on the axis; its coordinate is another one now.
+void BlockWriter::turn_axes(std::size_t axis) {
+    const SlotMask mask = bit(static_cast<Slot>(axis));
+    modal_.turned |= mask;
+    modal_.position.known &= ~mask;
+}
+
+/// A shift replaces all of the programmable frame. Axes whose share in it does not change stay
+/// where they are. Of the others the coordinate could be worked out, but an incremental word behind
+/// it counts from the old one on some controls; and X may be a diameter.
+void BlockWriter::follow_shift(const Block& block, const Invocation& invocation) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const SlotMask mask = bit(static_cast<Slot>(axis));
+        const double shift = block.argument(invocation, axis);
+        Standing& origin = modal_.origin[axis];
+        const bool stays = (modal_.turned & mask) == 0 && origin.is_known && origin.value == shift;
+        if (!stays) modal_.position.known &= ~mask;
+        origin = {true, shift};
+    }
+    modal_.rotation = modal_.mirror = modal_.scale = Activity::No;
+    modal_.turned = 0;
+}
+
+}  // namespace kadr::nc
