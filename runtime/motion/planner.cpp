@@ -1,5 +1,21 @@
+// How commands become segments with their profiles.
+//
+// prepare.h turns every command into pieces of path, each with limits along the path that keep every
+// axis within its velocity, acceleration and jerk whatever the profile does below them, and every
+// corner with a speed. Then there are two ways:
+//
+// Without a limit of the jerk every piece is a stretch of its own: the look-ahead gives its ends
+// their speeds, and a trapezoid connects them.
+//
+// With one, stretch.h gathers pieces to stretches with one set of limits. The look-ahead gives the
+// ends of the stretches their speeds; there the acceleration vanishes. A profile of seven phases
+// connects them, and profile_cut.h shares it out among the pieces, so phases run across blocks. No
+// limit can be passed: a profile keeps those of its stretch, and these are the least of its pieces'.
+// Every speed at a junction can be braked to rest within what is known. What the gathering costs
+// against the best plan is time alone.
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <vector>
 
@@ -8,6 +24,9 @@
 #include "motion/lookahead.h"
 #include "motion/pipeline.h"
 #include "motion/prepare.h"
+#include "motion/profile_cut.h"
+#include "motion/smooth_profile.h"
+#include "motion/stretch.h"
 
 namespace kadr::motion {
 
@@ -51,6 +70,7 @@ struct Planner::State {
         : options(options_in),
           axes(machine),
           preparer(commands, machine, axes, options, sink),
+          gathered(std::max<std::size_t>(options.lookahead, 1)),
           lookahead(options.lookahead),
           tick(options.tick > 0 ? options.tick : machine.tick) {
         record_travel();
@@ -58,17 +78,25 @@ struct Planner::State {
 
     bool next(Segment& segment);
     void fill();
-    void hand_on(const Piece& piece);
-    void plan(Piece& piece, const JunctionSpeeds& speeds);
+    void hand_on(const Piece& piece, double exit_limit);
+    void append_complete();
+    void begin_stretch();
+    void plan(Piece& piece);
     void record(const Piece& piece);
-    void record_corner(const Segment& segment);
+    void record_corner(const Segment& segment, const AxisTable::Peaks& peaks);
     void record_travel();
 
     PlannerOptions options;
     AxisTable axes;
     Preparer preparer;
+    StretchBuilder gathered;
     LookAhead lookahead;
+    std::deque<Stretch> stretches;  // in the look-ahead
     PieceRing pieces;
+    Stretch current;  // its pieces are being delivered
+    JunctionSpeeds speeds;
+    ProfileCut cut;        // of its profile, if its jerk is limited
+    std::size_t left = 0;  // so many of its pieces
     double tick;
     bool has_ended = false;
     bool is_waiting = false;  // the last piece, for the corner behind it
@@ -76,6 +104,8 @@ struct Planner::State {
     Totals totals;
     AxisRates last_rates{};  // of the piece delivered last, at its end
     AxisTable::Loads last_loads;
+    AxisRates last_bends{};
+    AxisRates last_jerk{};
     double last_along = 0;  // its acceleration along the path
 };
 
@@ -84,7 +114,9 @@ void Planner::State::fill() {
         Piece& piece = pieces.push_back();
         if (!preparer.next(piece)) {
             pieces.drop_back();
-            if (is_waiting) hand_on(pieces.back(0));
+            if (is_waiting) hand_on(pieces.back(0), 0);
+            gathered.finish();
+            append_complete();
             lookahead.finish();
             has_ended = true;
             return;
@@ -93,39 +125,76 @@ void Planner::State::fill() {
         if (is_waiting) {
             Piece& before = pieces.back(1);
             before.acceleration *= std::min(1.0, piece.ramp_before / before.ramp);
-            hand_on(before);
+            before.jerk *= std::min(1.0, piece.jerk_before / before.jerk_share);
+            before.acceleration =
+                std::min(before.acceleration, before.turning_acceleration * piece.jerk_before);
+            hand_on(before, piece.entry_limit);
         }
         is_waiting = true;
     }
 }
 
-void Planner::State::hand_on(const Piece& piece) {
-    lookahead.append({piece.length, piece.speed, piece.acceleration, piece.entry_limit});
+/// `exit_limit`: of the corner behind it.
+void Planner::State::hand_on(const Piece& piece, double exit_limit) {
+    gathered.add({piece.length, piece.speed, piece.acceleration, piece.entry_limit, piece.jerk,
+                  piece.entry_acceleration},
+                 exit_limit);
+    append_complete();
+}
+
+void Planner::State::append_complete() {
+    for (const Stretch& stretch : gathered.complete()) {
+        lookahead.append(stretch);
+        stretches.push_back(stretch);
+    }
+    gathered.clear();
+}
+
+void Planner::State::begin_stretch() {
+    current = stretches.front();
+    stretches.pop_front();
+    speeds = lookahead.take();
+    left = current.pieces;
+    if (std::isinf(current.jerk)) return;
+    const auto whole =
+        seven_phases(current.length, speeds.entry, speeds.exit,
+                     {current.speed, current.acceleration, current.acceleration, current.jerk});
+    KADR_ASSERT(whole.has_value(), "the look-ahead promised a smooth ramp that does not fit");
+    cut = ProfileCut(*whole);
 }
 
 bool Planner::State::next(Segment& segment) {
-    if (!lookahead.is_ready()) fill();
-    if (!lookahead.is_ready()) {
-        totals.commands = preparer.commands();
-        record_travel();
-        return false;
+    if (left == 0) {
+        if (!lookahead.is_ready()) fill();
+        if (!lookahead.is_ready()) {
+            totals.commands = preparer.commands();
+            record_travel();
+            return false;
+        }
+        begin_stretch();
     }
+    --left;
     Piece& piece = pieces.front();
-    plan(piece, lookahead.take());
+    plan(piece);
     record(piece);
     segment = piece.segment;
     pieces.pop_front();
     return true;
 }
 
-void Planner::State::plan(Piece& piece, const JunctionSpeeds& speeds) {
+void Planner::State::plan(Piece& piece) {
     Segment& segment = piece.segment;
     segment.start_time = totals.time;
     if (!is_motion(segment.kind)) return;
-    const auto profile = trapezoid(piece.length, speeds.entry, speeds.exit,
-                                   {piece.speed, piece.acceleration, piece.acceleration});
-    KADR_ASSERT(profile.has_value(), "the look-ahead promised a change of speed that does not fit");
-    segment.profile = *profile;
+    if (std::isinf(current.jerk)) {
+        const auto profile = trapezoid(piece.length, speeds.entry, speeds.exit,
+                                       {piece.speed, piece.acceleration, piece.acceleration});
+        KADR_ASSERT(profile.has_value(),
+                    "the look-ahead promised a change of speed that does not fit");
+        segment.profile = *profile;
+    } else {
+        segment.profile = cut.next(piece.length, left == 0);
+    }
     segment.duration = segment.profile.duration();
 }
 
@@ -148,32 +217,37 @@ void Planner::State::record(const Piece& piece) {
     for (std::size_t i = 0; i < axes.size(); ++i) {
         totals.max_velocity[i] = std::max(totals.max_velocity[i], peaks.velocity[i]);
         totals.max_acceleration[i] = std::max(totals.max_acceleration[i], peaks.acceleration[i]);
-        // The acceleration of a trapezoid begins and ends at once.
-        if (peaks.acceleration[i] > 0) {
-            totals.max_jerk[i] = std::numeric_limits<double>::infinity();
-        }
+        totals.max_jerk[i] = std::max(totals.max_jerk[i], peaks.jerk[i]);
     }
-    record_corner(segment);
+    record_corner(segment, peaks);
 }
 
-/// What setpoints show at a corner: the jump of the velocity and the ramps beside it.
-void Planner::State::record_corner(const Segment& segment) {
+/// What setpoints show at a corner: the jumps of the velocity and of the acceleration, and the
+/// ramps beside it.
+void Planner::State::record_corner(const Segment& segment, const AxisTable::Peaks& peaks) {
     const AxisRates in = axes.start_rates(segment);
     const double speed = segment.profile.entry_speed;
     const AxisTable::Loads loads = axes.loads(segment);
     const double along = path_acceleration(segment.profile);
+    const AxisRates bends = axes.start_bends(segment);
     if (speed > 0) {
         for (std::size_t i = 0; i < axes.size(); ++i) {
             const double jump = std::abs(in[i] - last_rates[i]) * speed / tick;
-            if (jump == 0) continue;
+            const double bend = std::abs(bends[i] - last_bends[i]) * speed * speed;
+            if (jump == 0 && bend == 0) continue;
+            const double jerk = jump / tick + kJumpBell * bend / tick +
+                                std::max(last_jerk[i], peaks.jerk[i]);
+            totals.max_jerk[i] = std::max(totals.max_jerk[i], jerk);
             const double reached = corner_acceleration(last_loads.at(i, speed, last_along),
                                                        loads.at(i, speed, along), jump);
             totals.max_acceleration[i] = std::max(totals.max_acceleration[i], reached);
         }
     }
     last_rates = axes.end_rates(segment);
+    last_bends = axes.end_bends(segment);
     last_loads = loads;
     last_along = along;
+    last_jerk = peaks.jerk;
 }
 
 void Planner::State::record_travel() {

@@ -31,6 +31,11 @@ constexpr double kSharedRamp = 0.5;  // half and half
 constexpr double kCrowding = 1.125;
 constexpr double kStraight = 1e-9;  // as in corner.cpp
 
+// Jumps of the curvature of equal distance below the width of the bell weigh up to 1.05 times as
+// much as their mean.
+constexpr double kBellCrowding = 1.05;
+constexpr double kMostJump = 0.5;  // part of an axis' jerk that a jump of the curvature may take
+
 // To go on after a missing feed has been reported, mm/s; slow enough to be noticed in the time.
 constexpr double kFallbackFeed = 1;
 
@@ -40,14 +45,21 @@ constexpr double kSameSpeed = 1e-9;
 /// What a corner needs to know of the piece before it.
 struct CornerMemory {
     AxisRates rates{};  // dq/ds at its end
+    AxisRates bends{};  // d²q/ds² at its end
     AxisTable::Loads loads;
     double length = 0;
     double speed = 0;               // limit inside
     Vec3 direction = Vec3::Zero();  // at its end
     double acceleration = 0;
     bool turns_only = false;
+    bool is_bent = false;
     bool must_stop = true;  // the path comes to rest behind it
 };
+
+bool is_straight(const Segment& segment) {
+    return std::holds_alternative<path::Line>(segment.curve) ||
+           std::holds_alternative<path::Point>(segment.curve);
+}
 
 }  // namespace
 
@@ -77,6 +89,8 @@ struct Preparer::State {
     double time_beside(const Piece& piece, double speed, double ramp) const;
     double shared_speed(const Piece& piece, const AxisRates& in, const AxisTable::Loads& loads,
                         double ramp) const;
+    double corner_acceleration_limit(const AxisRates& in) const;
+    void take_bend(Piece& piece) const;
     void remember(const Piece& piece, const AxisRates& in, const AxisTable::Loads& loads);
 
     void alarm_raised();
@@ -88,6 +102,7 @@ struct Preparer::State {
     DiagnosticSink& sink;
     double tick = 0;   // s
     AxisRates jump{};  // by how much an axis may change its velocity at a corner
+    bool is_jerk_limited = false;  // any axis
 
     std::vector<Command> batch = std::vector<Command>(kBatch);
     std::size_t batch_size = 0;
@@ -118,6 +133,7 @@ Preparer::State::State(Stream<Command>& commands_in, const machine::Machine& mac
       check(machine_in, axes_in, options_in, sink_in) {
     tick = options.tick > 0 ? options.tick : machine.tick;
     for (std::size_t i = 0; i < axes.size(); ++i) {
+        is_jerk_limited = is_jerk_limited || std::isfinite(axes.jerk(i));
         jump[i] =
             options.velocity_jump[i] > 0 ? options.velocity_jump[i] : axes.acceleration(i) * tick;
     }
@@ -314,9 +330,15 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     piece.length = length;
     piece.speed = limits.speed;
     piece.acceleration = limits.acceleration;
+    piece.jerk = limits.jerk;
+    piece.turning_acceleration = limits.turning_acceleration;
     piece.entry_limit = corner_speed(segment, in, limits.acceleration);
     const AxisTable::Loads loads = axes.loads(segment);
     take_corner(piece, in, loads);
+    if (is_jerk_limited) {
+        piece.entry_acceleration = corner_acceleration_limit(in);
+        take_bend(piece);
+    }
     remember(piece, in, loads);
 }
 
@@ -436,11 +458,52 @@ double Preparer::State::shared_speed(const Piece& piece, const AxisRates& in,
     return speed;
 }
 
+/// With how much acceleration along the path the corner may be passed.
+double Preparer::State::corner_acceleration_limit(const AxisRates& in) const {
+    double most = kInfinity;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        const double change = std::abs(in[i] - last.rates[i]);
+        if (change > kStraight) most = std::min(most, axes.jerk(i) * tick / change);
+    }
+    return most;
+}
+
+/// Where the curvature jumps, as between a line and an arc, the acceleration of the axes does at
+/// any speed: from tick to tick that is a jerk. The jump gets a share of what the axes have, as
+/// little as its speed needs and half at most; the pieces beside it keep the rest.
+void Preparer::State::take_bend(Piece& piece) const {
+    if (piece.entry_limit == 0) return;
+    const bool is_bent = !is_straight(piece.segment);
+    if (!is_bent && !last.is_bent) return;
+    const AxisRates bends = is_bent ? axes.start_bends(piece.segment) : AxisRates{};
+    double change = 0;  // of d²q/ds², in parts of the axis' jerk
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        change = std::max(change, std::abs(bends[i] - last.bends[i]) / axes.jerk(i));
+    }
+    const double speed = std::min({piece.entry_limit, last.speed, piece.speed});
+    const double reach = std::min(last.length, piece.length);
+    const bool is_alone = reach >= kJumpBellTicks * tick * speed;
+    const double weight = (is_alone ? 1 : kBellCrowding) * change;
+    const double bell = kJumpBell / tick;
+    const double full = weight * speed * speed * (is_alone ? bell : std::max(bell, speed / reach));
+    if (full < kStraight) return;
+    if (full > kMostJump) {
+        const double most = kMostJump / weight;
+        const double alone = std::sqrt(most / bell);
+        piece.entry_limit = is_alone ? alone : std::min(alone, std::cbrt(most * reach));
+    }
+    piece.jerk_share = piece.jerk_before = 1 - std::min(full, kMostJump);
+    piece.jerk *= piece.jerk_share;
+    piece.acceleration =
+        std::min(piece.acceleration, piece.turning_acceleration * piece.jerk_share);
+}
+
 void Preparer::State::remember(const Piece& piece, const AxisRates& in,
                                const AxisTable::Loads& loads) {
     const Segment& segment = piece.segment;
-    const bool is_straight = std::holds_alternative<path::Line>(segment.curve);
-    last.rates = is_straight ? in : axes.end_rates(segment);
+    last.is_bent = !is_straight(segment);
+    last.rates = last.is_bent ? axes.end_rates(segment) : in;
+    if (is_jerk_limited) last.bends = last.is_bent ? axes.end_bends(segment) : AxisRates{};
     if (options.corner_rule == CornerRule::JunctionDeviation) {
         last.direction = path::evaluate(segment.curve, path::length(segment.curve)).tangent;
     }

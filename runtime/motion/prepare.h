@@ -4,6 +4,7 @@
 // translates ahead. Knows one corner at a time; the speeds over many pieces are lookahead.h's.
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "base/diagnostic.h"
@@ -19,9 +20,14 @@ struct Piece {
     double length = 0;        // of the path, mm (deg); 0 for a standstill
     double speed = 0;         // limit inside the piece
     double acceleration = 0;  // along the path
+    double jerk = std::numeric_limits<double>::infinity();  // along the path
     double entry_limit = 0;   // of the corner before it; 0: the path comes to rest there
+    double entry_acceleration = std::numeric_limits<double>::infinity();  // as of a Stretch
     double ramp = 1;          // part of its acceleration that the corner before it leaves
     double ramp_before = 1;   // part of its acceleration that the corner leaves to the piece before
+    double jerk_share = 1;    // the same of the jerk, where the curvature jumps
+    double jerk_before = 1;
+    double turning_acceleration = std::numeric_limits<double>::infinity();  // see PathLimits
 };
 
 class Preparer {

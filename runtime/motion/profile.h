@@ -1,12 +1,14 @@
 // profile.h — distance over time along one piece of path.
 //
-// Trapezoidal: constant acceleration, cruise, constant deceleration. The jerk-limited profile of
-// seven phases will be a second kind behind the same questions (duration, state_at); the planner
-// and the sampler do not look into the phases.
+// Two kinds behind the same questions (duration, state_at): the trapezoid of constant acceleration,
+// cruise and constant deceleration, and a run of phases of constant jerk (smooth_profile.h). The
+// sampler does not look into the phases.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <limits>
 
 #include "base/result.h"
 
@@ -17,18 +19,33 @@ struct ProfileLimits {
     double speed = 0;         // > 0
     double acceleration = 0;  // > 0
     double deceleration = 0;  // > 0
+    double jerk = std::numeric_limits<double>::infinity();  // > 0
 };
+
+/// A time of constant jerk.
+struct Phase {
+    double duration = 0;      // s
+    double acceleration = 0;  // at its start, either sign
+    double jerk = 0;          // either sign
+};
+
+/// Up with jerk, with constant acceleration, easing off; cruise; and the same down.
+inline constexpr std::size_t kMostPhases = 7;
 
 struct Profile {
     double length = 0;  // of the path
     double entry_speed = 0;
     double peak_speed = 0;
     double exit_speed = 0;
-    double acceleration = 0;  // of the first phase, > 0
-    double deceleration = 0;  // of the last phase, > 0
-    double accelerating = 0;  // s, first phase
-    double cruising = 0;      // s, second phase
-    double braking = 0;       // s, third phase
+    double acceleration = 0;  // greatest while accelerating
+    double deceleration = 0;  // greatest while braking
+    double accelerating = 0;  // s, first part
+    double cruising = 0;      // s, second part
+    double braking = 0;       // s, third part
+    double jerk = std::numeric_limits<double>::infinity();  // greatest, of either sign
+
+    std::array<Phase, kMostPhases> phases{};
+    std::size_t phase_count = 0;  // 0: a trapezoid
 
     double duration() const { return accelerating + cruising + braking; }
 };
@@ -38,6 +55,16 @@ constexpr double path_acceleration(const Profile& profile) {
     const double up = profile.accelerating > 0 ? profile.acceleration : 0;
     const double down = profile.braking > 0 ? profile.deceleration : 0;
     return up > down ? up : down;
+}
+
+/// Greatest jerk along the path of a profile, either way; infinite if the acceleration jumps.
+inline double path_jerk(const Profile& profile) {
+    if (profile.phase_count == 0) return path_acceleration(profile) > 0 ? profile.jerk : 0;
+    double greatest = 0;
+    for (std::size_t i = 0; i < profile.phase_count; ++i) {
+        greatest = std::max(greatest, std::max(profile.phases[i].jerk, -profile.phases[i].jerk));
+    }
+    return greatest;
 }
 
 /// Distance, speed and acceleration at one moment.
@@ -66,13 +93,35 @@ double ramp_length(double from, double to, const ProfileLimits& limits);
 /// How many ticks a duration takes. A billionth of a tick is rounding, not time.
 double ticks_of(double duration, double tick);
 
-/// The profile with its peak lowered so that it lasts a whole number of ticks.
+/// The profile with its peak lowered so that it lasts a whole number of ticks; of a run of phases
+/// only if it is a whole one, with no acceleration at its ends.
 /// source       reference motion §2.7 (b)
 Result<Profile, ProfileFault> fitted_to_ticks(const Profile& profile, double tick);
+
+/// `state_at` of a run of phases. At most seven are added up, so nothing accumulates over pieces.
+inline ProfileState state_in_phases(const Profile& profile, double time) {
+    ProfileState at{0, profile.entry_speed, 0};
+    for (std::size_t i = 0; i < profile.phase_count; ++i) {
+        const Phase& phase = profile.phases[i];
+        const double t = std::clamp(time, 0.0, phase.duration);
+        const double half = 0.5 * phase.jerk * t;
+        at.distance += (at.speed + (0.5 * phase.acceleration + half / 3) * t) * t;
+        at.speed += (phase.acceleration + half) * t;
+        at.acceleration = phase.acceleration + 2 * half;
+        if (time < phase.duration) {
+            // The sum of rounding errors must not leave the piece.
+            return {std::min(at.distance, profile.length), std::max(at.speed, 0.0),
+                    at.acceleration};
+        }
+        time -= phase.duration;
+    }
+    return {profile.length, profile.exit_speed, at.acceleration};
+}
 
 /// The state at `time` from the start. Computed from the start or the end of the phase, so nothing
 /// accumulates; at the duration and after it the distance is the length, exactly.
 inline ProfileState state_at(const Profile& profile, double time) {
+    if (profile.phase_count > 0) return state_in_phases(profile, time);
     if (time < profile.accelerating) {
         const double t = std::max(0.0, time);
         return {(profile.entry_speed + 0.5 * profile.acceleration * t) * t,
