@@ -86,7 +86,9 @@ AxisTable::AxisTable(const machine::Machine& machine) {
     slots_.fill(machine.axes.size());
     for (const machine::MachineAxis& axis : machine.axes) {
         slots_[index(axis.axis)] = axes_.size();
-        axes_.push_back({index(axis.axis), axis.velocity, axis.acceleration, axis.jerk});
+        // A machine that no file describes may leave the jerk open.
+        const double jerk = axis.jerk > 0 ? axis.jerk : kInfinity;
+        axes_.push_back({index(axis.axis), axis.velocity, axis.acceleration, jerk});
     }
 }
 
@@ -207,7 +209,8 @@ double AxisTable::jerk_left(const path::Helix& helix, const Segment& piece, cons
     const double steady = m * circle.third * v * v * v;
     const double speeding = 3 * m * circle.curvature * v * limits.acceleration;
     const double c = m * circle.turning;
-    const double h = circle.rising * std::abs(helix.normal[static_cast<Eigen::Index>(axis.coordinate)]);
+    const double h =
+        circle.rising * std::abs(helix.normal[static_cast<Eigen::Index>(axis.coordinate)]);
     const double left = axis.jerk * axis.jerk - steady * steady - speeding * speeding;
     const double linear = c * steady + h * axis.jerk;
     const double root = std::sqrt(std::max(0.0, linear * linear + (c * c - h * h) * left));
@@ -263,10 +266,10 @@ PathLimits AxisTable::helix_limits(const path::Helix& helix, const Segment& piec
     }
     PathLimits limits{speed, std::min(acceleration, turning_acceleration), kInfinity,
                       turning_acceleration};
-    for (const Entry& axis : axes_) limits.jerk = std::min(limits.jerk, jerk_left(helix, piece, axis, limits));
+    for (const Entry& axis : axes_)
+        limits.jerk = std::min(limits.jerk, jerk_left(helix, piece, axis, limits));
     return limits;
 }
-
 
 AxisTable::Loads AxisTable::loads(const Segment& piece) const {
     Loads loads;

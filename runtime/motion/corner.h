@@ -40,7 +40,8 @@ double jump_share(double before, double behind, bool is_alone);
 double corner_acceleration(double before, double behind, double jump);
 
 /// A jump of the acceleration counts this much of itself, divided by the tick, as a jerk: the third
-/// difference of setpoints, divided by the tick cubed, averages the jerk with a bell of three ticks.
+/// difference of setpoints, divided by the tick cubed, averages the jerk with a bell of three
+/// ticks.
 inline constexpr double kJumpBell = 0.75;
 inline constexpr double kJumpBellTicks = 3;
 

@@ -1,8 +1,8 @@
 // How commands become segments with their profiles.
 //
-// prepare.h turns every command into pieces of path, each with limits along the path that keep every
-// axis within its velocity, acceleration and jerk whatever the profile does below them, and every
-// corner with a speed. Then there are two ways:
+// prepare.h turns every command into pieces of path, each with limits along the path that keep
+// every axis within its velocity, acceleration and jerk whatever the profile does below them, and
+// every corner with a speed. Then there are two ways:
 //
 // Without a limit of the jerk every piece is a stretch of its own: the look-ahead gives its ends
 // their speeds, and a trapezoid connects them.
@@ -10,9 +10,9 @@
 // With one, stretch.h gathers pieces to stretches with one set of limits. The look-ahead gives the
 // ends of the stretches their speeds; there the acceleration vanishes. A profile of seven phases
 // connects them, and profile_cut.h shares it out among the pieces, so phases run across blocks. No
-// limit can be passed: a profile keeps those of its stretch, and these are the least of its pieces'.
-// Every speed at a junction can be braked to rest within what is known. What the gathering costs
-// against the best plan is time alone.
+// limit can be passed: a profile keeps those of its stretch, and these are the least of its
+// pieces'. Every speed at a junction can be braked to rest within what is known. What the gathering
+// costs against the best plan is time alone.
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -235,8 +235,8 @@ void Planner::State::record_corner(const Segment& segment, const AxisTable::Peak
             const double jump = std::abs(in[i] - last_rates[i]) * speed / tick;
             const double bend = std::abs(bends[i] - last_bends[i]) * speed * speed;
             if (jump == 0 && bend == 0) continue;
-            const double jerk = jump / tick + kJumpBell * bend / tick +
-                                std::max(last_jerk[i], peaks.jerk[i]);
+            const double jerk =
+                jump / tick + kJumpBell * bend / tick + std::max(last_jerk[i], peaks.jerk[i]);
             totals.max_jerk[i] = std::max(totals.max_jerk[i], jerk);
             const double reached = corner_acceleration(last_loads.at(i, speed, last_along),
                                                        loads.at(i, speed, along), jump);

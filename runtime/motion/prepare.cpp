@@ -100,8 +100,8 @@ struct Preparer::State {
     const AxisTable& axes;
     const PlannerOptions& options;
     DiagnosticSink& sink;
-    double tick = 0;   // s
-    AxisRates jump{};  // by how much an axis may change its velocity at a corner
+    double tick = 0;               // s
+    AxisRates jump{};              // by how much an axis may change its velocity at a corner
     bool is_jerk_limited = false;  // any axis
 
     std::vector<Command> batch = std::vector<Command>(kBatch);

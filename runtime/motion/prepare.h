@@ -21,11 +21,11 @@ struct Piece {
     double speed = 0;         // limit inside the piece
     double acceleration = 0;  // along the path
     double jerk = std::numeric_limits<double>::infinity();  // along the path
-    double entry_limit = 0;   // of the corner before it; 0: the path comes to rest there
+    double entry_limit = 0;  // of the corner before it; 0: the path comes to rest there
     double entry_acceleration = std::numeric_limits<double>::infinity();  // as of a Stretch
-    double ramp = 1;          // part of its acceleration that the corner before it leaves
-    double ramp_before = 1;   // part of its acceleration that the corner leaves to the piece before
-    double jerk_share = 1;    // the same of the jerk, where the curvature jumps
+    double ramp = 1;         // part of its acceleration that the corner before it leaves
+    double ramp_before = 1;  // part of its acceleration that the corner leaves to the piece before
+    double jerk_share = 1;   // the same of the jerk, where the curvature jumps
     double jerk_before = 1;
     double turning_acceleration = std::numeric_limits<double>::infinity();  // see PathLimits
 };

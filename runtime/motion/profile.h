@@ -16,9 +16,9 @@ namespace kadr::motion {
 
 /// What a profile has to keep. mm and s; deg instead of mm for pure turning.
 struct ProfileLimits {
-    double speed = 0;         // > 0
-    double acceleration = 0;  // > 0
-    double deceleration = 0;  // > 0
+    double speed = 0;                                       // > 0
+    double acceleration = 0;                                // > 0
+    double deceleration = 0;                                // > 0
     double jerk = std::numeric_limits<double>::infinity();  // > 0
 };
 
@@ -37,11 +37,11 @@ struct Profile {
     double entry_speed = 0;
     double peak_speed = 0;
     double exit_speed = 0;
-    double acceleration = 0;  // greatest while accelerating
-    double deceleration = 0;  // greatest while braking
-    double accelerating = 0;  // s, first part
-    double cruising = 0;      // s, second part
-    double braking = 0;       // s, third part
+    double acceleration = 0;                                // greatest while accelerating
+    double deceleration = 0;                                // greatest while braking
+    double accelerating = 0;                                // s, first part
+    double cruising = 0;                                    // s, second part
+    double braking = 0;                                     // s, third part
     double jerk = std::numeric_limits<double>::infinity();  // greatest, of either sign
 
     std::array<Phase, kMostPhases> phases{};

@@ -24,9 +24,9 @@ ProfileCut::ProfileCut(const Profile& whole) : whole_(whole), speed_(whole.entry
     starts_[0] = {0, whole.entry_speed};
     for (std::size_t i = 0; i < whole.phase_count; ++i) {
         const Phase& phase = whole.phases[i];
-        starts_[i + 1] = {starts_[i].distance +
-                              distance_in(phase, starts_[i].speed, phase.duration),
-                          speed_in(phase, starts_[i].speed, phase.duration)};
+        starts_[i + 1] = {
+            starts_[i].distance + distance_in(phase, starts_[i].speed, phase.duration),
+            speed_in(phase, starts_[i].speed, phase.duration)};
     }
 }
 
@@ -39,8 +39,8 @@ double ProfileCut::time_at(double distance) const {
     // The way grows with time, so Newton's steps stay in a bracket.
     double low = time_;
     double high = phase.duration;
-    double t = low + (high - low) * (distance - distance_) /
-                         (starts_[phase_ + 1].distance - distance_);
+    double t =
+        low + (high - low) * (distance - distance_) / (starts_[phase_ + 1].distance - distance_);
     for (int i = 0; i < 60; ++i) {
         const double miss = distance_in(phase, start.speed, t) - way;
         (miss > 0 ? high : low) = t;

@@ -157,7 +157,8 @@ double steady_reach(double from, double length, const RampLimits& limits) {
         const double half_gain = a * a / (2 * j);
         if (from <= half_gain) return std::sqrt(2 * a * length) - half_gain;
     } else {
-        // The cube of the lowest point's speed tells which side it is on; its root is rarely needed.
+        // The cube of the lowest point's speed tells which side it is on; its root is rarely
+        // needed.
         const double cube = j * length * length / 32;
         if (from * from * from <= cube) return 3 * std::cbrt(cube);
     }

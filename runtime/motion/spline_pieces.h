@@ -16,9 +16,9 @@ std::vector<path::Curve> evenly_bent(const path::Spline& spline);
 /// Y, Z, from samples so close that what is between them is covered by their differences.
 struct SplineBend {
     path::Vec3 rate = path::Vec3::Zero();
-    path::Vec3 bend = path::Vec3::Zero();  // 1/mm
-    path::Vec3 third = path::Vec3::Zero(); // 1/mm²
-    double curvature = 0;                  // greatest |d²C/ds²|, 1/mm
+    path::Vec3 bend = path::Vec3::Zero();   // 1/mm
+    path::Vec3 third = path::Vec3::Zero();  // 1/mm²
+    double curvature = 0;                   // greatest |d²C/ds²|, 1/mm
 };
 SplineBend bend_of(const path::Spline& spline);
 

@@ -69,9 +69,9 @@ class StretchBuilder {
     std::size_t most_;
     std::vector<Part> parts_;  // of the open stretch
     Open open_;
-    double ramps_ = 0;         // length of its ramps up and down
-    std::size_t cut_ = 0;      // so many of its pieces can be split off, 0: not yet
-    double cut_length_ = 0;    // of these pieces
+    double ramps_ = 0;       // length of its ramps up and down
+    std::size_t cut_ = 0;    // so many of its pieces can be split off, 0: not yet
+    double cut_length_ = 0;  // of these pieces
     std::vector<Stretch> complete_;
 };
 

@@ -83,8 +83,12 @@ std::array<double, 7> all_phases(const Profile& profile) {
     for (std::size_t i = 0; i < profile.phase_count; ++i) {
         const Phase& phase = profile.phases[i];
         const double middle = phase.acceleration + phase.jerk * phase.duration / 2;
-        const std::size_t place = middle > 0   ? (phase.jerk > 0 ? 0 : phase.jerk < 0 ? 2 : 1)
-                                  : middle < 0 ? (phase.jerk < 0 ? 4 : phase.jerk > 0 ? 6 : 5)
+        const std::size_t place = middle > 0   ? (phase.jerk > 0   ? 0
+                                                  : phase.jerk < 0 ? 2
+                                                                   : 1)
+                                  : middle < 0 ? (phase.jerk < 0   ? 4
+                                                  : phase.jerk > 0 ? 6
+                                                                   : 5)
                                                : 3;
         durations[place] += phase.duration;
     }

@@ -7,6 +7,7 @@
 
 #include "motion/axis_table.h"
 #include "motion/lookahead.h"
+#include "motion/smooth_profile.h"
 #include "tests/motion/support.h"
 
 namespace kadr::motion {
@@ -407,7 +408,8 @@ Chain any_chain() {
     const int count = *rc::gen::inRange(1, 120);
     for (int i = 0; i < count; ++i) {
         chain.stretches.push_back({any_number(0, 3), any_number(1, 200), any_number(100, 2000),
-                                   *rc::gen::element(0.0, 5.0, 50.0, 1e9)});
+                                   *rc::gen::element(0.0, 5.0, 50.0, 1e9),
+                                   *rc::gen::element(kUnlimited, 5e3, 2e5)});
     }
     return chain;
 }
@@ -420,13 +422,18 @@ std::vector<double> by_definition(const std::vector<Stretch>& path, std::size_t 
         const double v = std::min({corner, before, path[k].speed});
         return v * v;
     };
-    const auto gain = [&](std::size_t k) { return 2 * path[k].acceleration * path[k].length; };
+    const auto reach = [&](double square, std::size_t k) {
+        const Stretch& s = path[k];
+        if (std::isinf(s.jerk)) return square + 2 * s.acceleration * s.length;
+        const double v = steady_reach(std::sqrt(square), s.length, {s.acceleration, s.jerk});
+        return v * v;
+    };
     std::vector<double> speeds = {0};
     for (std::size_t k = 0; k < path.size(); ++k) {
         const std::size_t known = std::min(path.size(), k + depth);
         double after = 0;
-        for (std::size_t i = known; i-- > k + 1;) after = std::min(limit(i), after + gain(i));
-        speeds.push_back(std::min(after, speeds[k] + gain(k)));
+        for (std::size_t i = known; i-- > k + 1;) after = std::min(limit(i), reach(after, i));
+        speeds.push_back(std::min(after, reach(speeds[k], k)));
     }
     return speeds;
 }
