@@ -83,7 +83,7 @@ struct Planner::State {
     void begin_stretch();
     void plan(Piece& piece);
     void record(const Piece& piece);
-    void record_corner(const Segment& segment, const AxisTable::Peaks& peaks);
+    void record_corner(const Segment& segment);
     void record_travel();
 
     PlannerOptions options;
@@ -105,8 +105,8 @@ struct Planner::State {
     AxisRates last_rates{};  // of the piece delivered last, at its end
     AxisTable::Loads last_loads;
     AxisRates last_bends{};
-    AxisRates last_jerk{};
     double last_along = 0;  // its acceleration along the path
+    double last_jerk = 0;   // its jerk along the path
 };
 
 void Planner::State::fill() {
@@ -219,12 +219,12 @@ void Planner::State::record(const Piece& piece) {
         totals.max_acceleration[i] = std::max(totals.max_acceleration[i], peaks.acceleration[i]);
         totals.max_jerk[i] = std::max(totals.max_jerk[i], peaks.jerk[i]);
     }
-    record_corner(segment, peaks);
+    record_corner(segment);
 }
 
 /// What setpoints show at a corner: the jumps of the velocity and of the acceleration, and the
 /// ramps beside it.
-void Planner::State::record_corner(const Segment& segment, const AxisTable::Peaks& peaks) {
+void Planner::State::record_corner(const Segment& segment) {
     const AxisRates in = axes.start_rates(segment);
     const double speed = segment.profile.entry_speed;
     const AxisTable::Loads loads = axes.loads(segment);
@@ -235,8 +235,10 @@ void Planner::State::record_corner(const Segment& segment, const AxisTable::Peak
             const double jump = std::abs(in[i] - last_rates[i]) * speed / tick;
             const double bend = std::abs(bends[i] - last_bends[i]) * speed * speed;
             if (jump == 0 && bend == 0) continue;
-            const double jerk =
-                jump / tick + kJumpBell * bend / tick + std::max(last_jerk[i], peaks.jerk[i]);
+            const double beside =
+                std::max(last_loads.jerk_at(i, {speed, last_along, last_jerk}),
+                         loads.jerk_at(i, {speed, along, path_jerk(segment.profile)}));
+            const double jerk = jump / tick + kJumpBell * bend / tick + beside;
             totals.max_jerk[i] = std::max(totals.max_jerk[i], jerk);
             const double reached = corner_acceleration(last_loads.at(i, speed, last_along),
                                                        loads.at(i, speed, along), jump);
@@ -247,7 +249,7 @@ void Planner::State::record_corner(const Segment& segment, const AxisTable::Peak
     last_bends = axes.end_bends(segment);
     last_loads = loads;
     last_along = along;
-    last_jerk = peaks.jerk;
+    last_jerk = path_jerk(segment.profile);
 }
 
 void Planner::State::record_travel() {

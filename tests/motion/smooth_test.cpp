@@ -152,9 +152,9 @@ TEST(Stretches, LongOnesAreSplitWhereTheSpeedIsReached) {
     // Both ramps take 2.236 mm: 23 pieces of 0.1 mm, and as many behind them.
     std::vector<Stretch> line(100, piece(0.1));
     line[0].entry_limit = 0;
-    EXPECT_EQ(counts(line), (std::vector<std::size_t>{23, 23, 54 - 23, 23}));
+    EXPECT_EQ(counts(line), (std::vector<std::size_t>{23, 23, 23, 31}));
     // Where the window is shorter than the ramps, half of it is let go.
-    EXPECT_EQ(counts(line, 20), (std::vector<std::size_t>{10, 10, 10, 10, 10, 10, 10, 10, 20}));
+    EXPECT_EQ(counts(line, 20), std::vector<std::size_t>(10, 10));
 }
 
 TEST(Stretches, AStretchHasTheLeastOfItsLimits) {
@@ -204,7 +204,8 @@ TEST(SmoothPlan, AnArcIsEnteredWithTheJerkOfATick) {
         machine,
         {line_to({30, 0, 0}, 6000), arc_to({40, 10, 0}, {30, 10, 0}, std::numbers::pi / 2, 6000)});
     EXPECT_NEAR(result.segments[0].profile.exit_speed, std::sqrt(500 / 0.75), 1e-9);
-    EXPECT_LE(result.totals.max_jerk[1], 100000 * (1 + 1e-9));
+    // And what the arc itself takes at this speed, v³ / (10 mm)²: 172 mm/s³.
+    EXPECT_LE(result.totals.max_jerk[1], 100173);
     // As slow as 10 mm/s there is nothing to slow down for.
     const Motion slow = run(machine, {line_to({30, 0, 0}, 600),
                                       arc_to({40, 10, 0}, {30, 10, 0}, std::numbers::pi / 2, 600)});
