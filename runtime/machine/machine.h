@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,7 +24,7 @@ struct MachineAxis {
     double upper = 0;
     double velocity = 0;      // > 0; rapid traverse
     double acceleration = 0;  // > 0
-    double jerk = std::numeric_limits<double>::infinity();  // > 0; infinite if not limited
+    double jerk = 0;          // > 0; infinite if not limited
     double home = 0;          // reference point, where the axis stands at program start
     /// Reference points 2, 3 and 4, if the machine has them.
     std::array<std::optional<double>, kReferencePoints - 1> further_homes{};
