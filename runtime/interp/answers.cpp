@@ -132,6 +132,19 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::RadiusWear:
             if (first < 1 || first > rules_.tool_offsets) return std::nullopt;
             return tool_offsets_.value(*ToolOffsets::column_of(quantity), first);
+        case Quantity::EdgeType:
+        case Quantity::EdgeLength:
+        case Quantity::EdgeLengthWear:
+        case Quantity::EdgeRadius:
+        case Quantity::EdgeRadiusWear:
+            if (first < 1 || first > rules_.tool_offsets || second != 1) return std::nullopt;
+            return tool_offsets_.value(*ToolOffsets::column_of(quantity), first);
+        case Quantity::EdgeCount: return tool_offsets_.is_known(first) ? 1 : 0;
+        case Quantity::ActiveEdge: return tool_.source == Tool::Source::Edge ? 1 : 0;
+        case Quantity::ActiveLength:
+            if (first < 1 || first > 3) return std::nullopt;
+            return first == 1 ? tool_.length : 0;
+        case Quantity::RadiusAllowance: return comp_.allowance;
         case Quantity::ProbePosition: {
             const auto axis = axis_of(first);
             if (!axis || !probed_) return std::nullopt;
@@ -150,6 +163,7 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::BaseFrame:
         case Quantity::ProgrammableFrame:
         case Quantity::TotalFrame:
+        case Quantity::ProgramLevel:
         case Quantity::None:
         case Quantity::ModalCode:
         case Quantity::ModalNumber:

@@ -35,6 +35,12 @@ bool is_of_axis(Quantity quantity) {
 bool is_of_tool_data(Quantity quantity) {
     switch (quantity) {
         case Quantity::ToolRadius:
+        case Quantity::EdgeLength:
+        case Quantity::EdgeLengthWear:
+        case Quantity::EdgeRadius:
+        case Quantity::EdgeRadiusWear:
+        case Quantity::ActiveLength:
+        case Quantity::RadiusAllowance:
         case Quantity::LengthGeometry:
         case Quantity::LengthWear:
         case Quantity::RadiusGeometry:
@@ -183,6 +189,10 @@ Variables::Answer ControlVariables::system(Quantity quantity, std::int64_t first
     }
     if (quantity == Quantity::BlockNumber) {
         out = static_cast<double>(block_number_);
+        return Answer::Value;
+    }
+    if (quantity == Quantity::ProgramLevel) {
+        out = static_cast<double>(program_level_);
         return Answer::Value;
     }
     if (state_ == nullptr) return Answer::Unsupported;

@@ -28,6 +28,7 @@ class ControlVariables final : public Variables {
     /// Whether everything that was given is executed.
     void set_in_step(bool in_step) { in_step_ = in_step; }
     void set_block_number(std::int64_t number) { block_number_ = number; }
+    void set_program_level(std::size_t level) { program_level_ = level; }
 
     Answer family(std::uint32_t form, std::int64_t number, Value& out) override;
     Answer system(nc::Quantity quantity, std::int64_t first, std::int64_t second,
@@ -111,6 +112,7 @@ class ControlVariables final : public Variables {
     Level main_;
     Level* level_ = &main_;
     std::int64_t block_number_ = 0;
+    std::size_t program_level_ = 0;
     bool in_step_ = true;
     std::vector<VariableChange>* changes_ = nullptr;
 };

@@ -47,6 +47,13 @@ Write Executor::set_quantity(Quantity quantity, std::int64_t first, std::int64_t
         case Quantity::RadiusGeometry:
         case Quantity::RadiusWear:
             return set_tool_offset(*ToolOffsets::column_of(quantity), first, value);
+        case Quantity::EdgeType:
+        case Quantity::EdgeLength:
+        case Quantity::EdgeLengthWear:
+        case Quantity::EdgeRadius:
+        case Quantity::EdgeRadiusWear:
+            if (second != 1) return Write::NoPlace;
+            return set_tool_offset(*ToolOffsets::column_of(quantity), first, value);
         case Quantity::Milliseconds:
             count_time();
             milliseconds_from_ = value - clock_.seconds() * 1000;

@@ -56,6 +56,7 @@ Program::State::State(const nc::Dialect& dialect_, nc::TextSource& text, std::st
 // ------------------------------------------------------------------------------ the batch
 
 std::size_t Program::State::pull(std::span<Block> out) {
+    if (!has_begun) begin_main();
     kept.clear();
     given = 0;
     has_visible_fault = lines.failed();
@@ -76,6 +77,14 @@ std::size_t Program::State::pull(std::span<Block> out) {
         if (is_only_checking && done == Done::Block && !has_visible_fault) return given;
     }
     return given;
+}
+
+/// The text is looked at when somebody wants it, and not before.
+void Program::State::begin_main() {
+    has_begun = true;
+    units.settle_main();
+    frames[0]->unit = &units.main();
+    frames[0]->here = units.main().begin;
 }
 
 /// Loops without a block give nobody else the occasion to look at the clock.

@@ -133,6 +133,7 @@ struct Program::State {
     std::uint64_t most_line = 0;
     bool is_waiting = false;        // the line in `scratch` is to be run again
     bool is_only_checking = false;  // the program has ended; lines behind are read for mistakes
+    bool has_begun = false;
     bool has_ended = false;
     bool is_printer_open = false;
     std::set<std::pair<const ProgramUnit*, std::uint64_t>> said_synchronous;  // unit, place of line
@@ -149,6 +150,7 @@ struct Program::State {
     // lines
     std::size_t pull(std::span<nc::Block> out);
     Done step(nc::Block& out);
+    void begin_main();
     bool may_go_on();
     bool shows(std::string_view text);
     Done first_time(nc::Block& out);
