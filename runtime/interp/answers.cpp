@@ -167,6 +167,8 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
             // Of a tool the first cutting edge is known.
             if (first < 1 || first > rules_.tool_offsets || second > 1) return std::nullopt;
             return tool_offsets_.value(*ToolOffsets::column_of(quantity), first);
+        case Quantity::EdgeCount: return tool_offsets_.is_known(first) ? 1 : 0;
+        case Quantity::RadiusAllowance: return comp_.allowance;
         case Quantity::ProbePosition: {
             const auto axis = axis_of(first);
             if (!axis) return std::nullopt;
@@ -185,6 +187,7 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::BaseFrame:
         case Quantity::ProgrammableFrame:
         case Quantity::TotalFrame:
+        case Quantity::ProgramLevel:
         case Quantity::None:
         case Quantity::ModalCode:
         case Quantity::ModalNumber:

@@ -36,6 +36,7 @@ bool is_of_tool_data(Quantity quantity) {
     switch (quantity) {
         case Quantity::ToolRadius:
         case Quantity::ToolPart:
+        case Quantity::RadiusAllowance:
         case Quantity::LengthGeometry:
         case Quantity::LengthWear:
         case Quantity::RadiusGeometry:
@@ -190,6 +191,10 @@ Variables::Answer ControlVariables::system(Quantity quantity, std::int64_t first
             out = static_cast<double>(number_of(reader_.text().program).value_or(0));
             return Answer::Value;
         default: break;
+    }
+    if (quantity == Quantity::ProgramLevel) {
+        out = static_cast<double>(program_level_);
+        return Answer::Value;
     }
     if (state_ == nullptr) return Answer::Unsupported;
     if (!in_step_) return Answer::Later;

@@ -10,15 +10,21 @@ std::size_t place_of(ToolOffsets::Column column) { return static_cast<std::size_
 
 ToolOffsets::ToolOffsets(const machine::Machine& machine) {
     for (const machine::ToolData& tool : machine.tools)
-        offsets_.try_emplace(tool.number, std::array<double, 4>{tool.length, 0, tool.radius, 0});
+        offsets_.try_emplace(tool.number,
+                             std::array<double, kColumns>{tool.length, 0, tool.radius, 0, 0});
 }
 
 std::optional<ToolOffsets::Column> ToolOffsets::column_of(nc::Quantity quantity) {
     switch (quantity) {
-        case nc::Quantity::LengthGeometry: return Column::Length;
-        case nc::Quantity::LengthWear: return Column::LengthWear;
-        case nc::Quantity::RadiusGeometry: return Column::Radius;
-        case nc::Quantity::RadiusWear: return Column::RadiusWear;
+        case nc::Quantity::LengthGeometry:
+        case nc::Quantity::EdgeLength: return Column::Length;
+        case nc::Quantity::LengthWear:
+        case nc::Quantity::EdgeLengthWear: return Column::LengthWear;
+        case nc::Quantity::RadiusGeometry:
+        case nc::Quantity::EdgeRadius: return Column::Radius;
+        case nc::Quantity::RadiusWear:
+        case nc::Quantity::EdgeRadiusWear: return Column::RadiusWear;
+        case nc::Quantity::EdgeType: return Column::Type;
         default: return std::nullopt;
     }
 }

@@ -15,7 +15,7 @@ namespace kadr::interp {
 class ToolOffsets {
   public:
     /// What an offset consists of; the numbers are those of the vocabulary (tool_offset_data).
-    enum class Column : std::uint8_t { Length = 1, LengthWear, Radius, RadiusWear };
+    enum class Column : std::uint8_t { Length = 1, LengthWear, Radius, RadiusWear, Type };
 
     explicit ToolOffsets(const machine::Machine& machine);
 
@@ -30,7 +30,8 @@ class ToolOffsets {
     double radius(std::int64_t number) const;
 
   private:
-    std::map<std::int64_t, std::array<double, 4>> offsets_;
+    static constexpr std::size_t kColumns = 5;
+    std::map<std::int64_t, std::array<double, kColumns>> offsets_;
 };
 
 }  // namespace kadr::interp
