@@ -24,7 +24,7 @@ namespace {
 constexpr double kMinute = 60;
 constexpr double kMmPerMeter = 1000;
 constexpr nc::SlotMask kPointSlots = 7;  // X, Y, Z
-constexpr std::uint16_t kOfCycles = sema::custom::kCyclePlace | sema::custom::kPlaces;
+constexpr std::uint32_t kOfCycles = sema::custom::kCyclePlace | sema::custom::kPlaces;
 
 /// Anything a control could be told; beyond it the calculation has run away.
 bool is_sane(double value) { return std::fabs(value) < 1e15; }
@@ -187,6 +187,7 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
             return false;
         const Function motion = plan.motion != Function::None ? plan.motion : modal[Group::Motion];
         modal.take_functions(block);
+        if (has_frame_diameter) scale_frame_x(block, 2);
         if (modal[Group::Diameter] == Function::None && options.warns_of_cuts &&
             !warned_of_diameter)
             warn_of_radius(block, at);
@@ -628,6 +629,17 @@ bool Expander::State::change_frame(const Instruction& instruction, const sema::S
 /// Says the way from the present frame to another one in functions that every control has: the
 /// whole shift, which deletes all else, then mirrors, scale and rotation anew, in the order in
 /// which FANUC takes them. An unequal scale stands inside the rotation.
+/// Frames have radii in the language; a control may take them as what X is.
+void Expander::State::scale_frame_x(Block& block, double factor) const {
+    if (!modal.is_diameter) return;
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        nc::Invocation& invocation = block.functions[i];
+        const std::optional<std::size_t> x = nc::frame_x(invocation.function);
+        if (!x || (invocation.given >> *x & 1u) == 0) continue;
+        block.set_argument(invocation, *x, factor * block.argument(invocation, *x));
+    }
+}
+
 void Expander::State::write_frame(const ProgramFrame& next, SourceId source, std::uint32_t at,
                                   unsigned depth) {
     const ProgramFrame from = modal.frame;
@@ -641,6 +653,7 @@ void Expander::State::write_frame(const ProgramFrame& next, SourceId source, std
         for (std::size_t i = 0; i < values.size(); ++i) {
             if (given[i]) block.set_argument(*invocation, i, values[i]);
         }
+        if (has_frame_diameter) scale_frame_x(block, 2);
         if (options.trace) keep_trace(at, depth, source);
     };
     const std::array<bool, 3> none{};

@@ -148,7 +148,8 @@ bool Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
 }
 
 bool Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t at) {
-    const std::uint16_t customs = plan.customs;
+    const std::uint32_t customs = plan.customs;
+    if ((customs & custom::kFrameDiameter) != 0) scale_frame_x(block, 0.5);
     for (std::size_t i = 0; i < block.function_count; ++i) {
         Invocation& invocation = block.functions[i];
         bool is_good =

@@ -42,7 +42,9 @@ void ModalState::set_frame(const ProgramFrame& next, SourceId source) {
         point.value[i] = position[i];
         point.is_known[i] = (known >> i & 1u) != 0;
     }
-    const KnownPoint moved = change_frame(point, frame, next);
+    if (is_diameter) point.value[0] /= 2;  // frames have radii
+    KnownPoint moved = change_frame(point, frame, next);
+    if (is_diameter) moved.value[0] *= 2;
     for (std::size_t i = 0; i < 3; ++i) {
         if (next.differs(frame, i))
             note_drift(i, point.is_known[i] && moved.is_known[i], moved.value[i] - position[i]);

@@ -235,6 +235,7 @@ struct Expander::State {
     /// True if the control has the cycle and a block stands for it now.
     bool emit_cycle(nc::CycleId cycle, const Slot* registers);
     bool change_frame(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    void scale_frame_x(nc::Block& block, double factor) const;
     void write_frame(const ProgramFrame& next, SourceId source, std::uint32_t at, unsigned depth);
     bool set_back(const OpenWith& scope, SourceId source, std::uint32_t at, unsigned depth);
     bool leave_with(SourceId source, std::uint32_t at, unsigned depth);
@@ -356,6 +357,7 @@ struct Expander::State {
     Clock::time_point began = Clock::now();
     bool is_late = false;  // Limits::seconds are over
     std::uint64_t blocks_left = 0;
+    bool has_frame_diameter = false;  // the target takes X of frames as a diameter where X is one
     bool is_running = false;
     bool has_failed = false;
 

@@ -97,11 +97,11 @@ bool Checker::check_points(const nc::BlockPlan& plan, std::span<const Word> word
     return is_good;
 }
 
-std::uint16_t Checker::customs_of(const Plan& plan, std::span<const Word> words) const {
+std::uint32_t Checker::customs_of(const Plan& plan, std::span<const Word> words) const {
     const nc::Dialect& dialect = *modules_[module_].dialect;
-    std::uint16_t customs = 0;
-    const auto add = [&](bool is_so, std::uint16_t bit) {
-        if (is_so) customs = static_cast<std::uint16_t>(customs | bit);
+    std::uint32_t customs = 0;
+    const auto add = [&](bool is_so, std::uint32_t bit) {
+        if (is_so) customs |= bit;
     };
     for (const nc::Invocation& invocation : plan.functions) {
         const nc::Group group = nc::info(invocation.function).group;
@@ -115,6 +115,8 @@ std::uint16_t Checker::customs_of(const Plan& plan, std::span<const Word> words)
     for (const nc::Invocation& invocation : plan.functions) {
         using nc::Function;
         add(dialect.has_rule("rotation_is_innermost"), custom::kFrameOrder);
+        add(dialect.has_rule("shift_in_diameter") && nc::frame_x(invocation.function).has_value(),
+            custom::kFrameDiameter);
         const bool by_tool = dialect.counts_offsets_by_tool();
         switch (invocation.function) {
             case Function::Shift:

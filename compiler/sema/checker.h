@@ -351,7 +351,7 @@ class Checker {
     /// there is one.
     bool check_points(const nc::BlockPlan& plan, std::span<const syntax::Word> words);
     /// What the control of the input dialect does otherwise than the language (`custom`).
-    std::uint16_t customs_of(const Plan& plan, std::span<const syntax::Word> words) const;
+    std::uint32_t customs_of(const Plan& plan, std::span<const syntax::Word> words) const;
     bool has_point(const syntax::Word& word) const;
     void check_units_words(const nc::BlockPlan& plan, std::span<const syntax::Word> words);
     void check_counts(const nc::BlockPlan& plan, std::span<const syntax::Word> words);

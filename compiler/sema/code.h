@@ -95,7 +95,7 @@ enum class Math : std::uint8_t {
 };
 
 /// What `state.…` reads.
-enum class StateValue : std::uint8_t { Feed, Speed, Tool, Spindle, Mirrored, Turned };
+enum class StateValue : std::uint8_t { Feed, Speed, Tool, Spindle, Mirrored, Turned, Diameter };
 
 /// Registers of a contour's element, in the order of its members.
 enum class ElementSlot : std::uint8_t {
@@ -220,6 +220,7 @@ inline constexpr std::uint16_t kIncrementTravels = 4096;
 inline constexpr std::uint16_t kMirrorAxes = 8192;   // the mirrors of some axes end
 inline constexpr std::uint16_t kCyclePlace = 16384;  // the cycle of the block begins at its place
 inline constexpr std::uint16_t kPlaces = 32768;      // while a cycle is modal, a place of it
+inline constexpr std::uint32_t kFrameDiameter = 65536;  // X of a frame is a diameter where X is one
 }  // namespace custom
 
 /// A block without its values: what the words say before the program runs.
@@ -233,7 +234,7 @@ struct Plan {
                             // target's own default
     nc::CycleId cycle = 0;
     std::int32_t number = -1;
-    std::uint16_t customs = 0;  // bits of `custom`
+    std::uint32_t customs = 0;  // bits of `custom`
     std::vector<nc::Invocation> functions;
     std::vector<std::pair<std::uint8_t, double>> arguments;  // fixed by the dialect's words
     std::vector<std::pair<std::uint8_t, double>> values;     // likewise
@@ -447,9 +448,9 @@ struct FunctionCode {
     Units units = Units::Metric;
     nc::Function motion = nc::Function::Rapid;  // that is modal where a program begins
     int work_offset = 0;                        // that acts there; 0: what the target has
-    bool has_diameters = false;                 // X is a diameter there: it, or what it calls, turns
-    SourceRange range;                          // of the name
-    bool is_main_file = false;                  // a program of the file that was asked for
+    bool has_diameters = false;  // X is a diameter there: it, or what it calls, turns
+    SourceRange range;           // of the name
+    bool is_main_file = false;   // a program of the file that was asked for
 };
 
 struct Code {

@@ -130,8 +130,15 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::LengthWear:
         case Quantity::RadiusGeometry:
         case Quantity::RadiusWear:
+        case Quantity::CrossGeometry:
+        case Quantity::CrossWear:
+        case Quantity::ToolTip: {
             if (first < 1 || first > rules_.tool_offsets) return std::nullopt;
-            return tool_offsets_.value(*ToolOffsets::column_of(quantity), first);
+            const bool is_cross =
+                quantity == Quantity::CrossGeometry || quantity == Quantity::CrossWear;
+            return tool_offsets_.value(*ToolOffsets::column_of(quantity), first) /
+                   (is_cross ? word_scale_[index(Axis::X)] : 1);
+        }
         case Quantity::ProbePosition: {
             const auto axis = axis_of(first);
             if (!axis || !probed_) return std::nullopt;

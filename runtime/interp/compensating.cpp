@@ -1,5 +1,6 @@
 // compensating.cpp — what switches the cutter radius compensation, and what passes through it.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/diagnostics/iso.h"
@@ -15,6 +16,14 @@ using nc::Invocation;
 namespace {
 
 constexpr std::size_t kCheckedBlocks = 3;  // MD20240 CUTCOM_MAXNUM_CHECK_BLOCKS
+
+/// Where the tip lies, seen from the centre of the nose, in Z and X.
+path::Vec2 tip_direction(int tip) {
+    static constexpr std::array<std::array<double, 2>, 10> kZx = {
+        {{0, 0}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}, {0, 0}}};
+    const auto& [z, x] = kZx[static_cast<std::size_t>(tip)];
+    return {z, x};
+}
 
 }  // namespace
 
@@ -39,7 +48,7 @@ void Executor::choose_comp(const Block& block, const Invocation& invocation, Act
 void Executor::act_on_comp(const Block& block, const Actions& actions) {
     if (actions.radius_comp == Function::RadiusCompOff) {
         comp_.side = Function::RadiusCompOff;
-        send_comp({CompChange::Kind::Leave, {}, modal_.plane, 0, position_.base});
+        send_comp({CompChange::Kind::Leave, {}, modal_.plane, {}, position_.base});
         return;
     }
     if (actions.radius_comp != Function::None && actions.radius_comp != comp_.side) {
@@ -47,8 +56,8 @@ void Executor::act_on_comp(const Block& block, const Actions& actions) {
         return;
     }
     if (comp_.side == Function::RadiusCompOff) return;
-    send_comp({CompChange::Kind::Set, comp_settings(), modal_.plane, comp_distance(block),
-               position_.base});
+    send_comp(
+        {CompChange::Kind::Set, comp_settings(), modal_.plane, comp_tool(block), position_.base});
 }
 
 /// At its place among the commands: behind a corner that is not known yet.
@@ -62,26 +71,22 @@ void Executor::change_comp(const CompChange& change) {
         case CompChange::Kind::Leave: compensation_.leave(); break;
         case CompChange::Kind::Set:
             compensation_.set_settings(change.settings);
-            compensation_.set_distance(change.distance);
+            compensation_.set_tool(change.tool);
             break;
         case CompChange::Kind::Begin:
             // From one side to the other: the contour so far ends on its normal.
             if (compensation_.is_on()) flush_comp();
             if (ended_) return;
-            compensation_.begin(change.settings, change.plane, change.distance, change.here);
+            compensation_.begin(change.settings, change.plane, change.tool, change.here);
             break;
     }
 }
 
 void Executor::begin_comp(const Block& block, Function side) {
-    if (machine_.is_lathe) {
-        report(diag::RadiusCompUnsupported, block, side);
-        return;
-    }
     comp_.side = side;
-    const double distance = comp_distance(block);
+    const CompTool tool = comp_tool(block);
     if (ended_) return;
-    send_comp({CompChange::Kind::Begin, comp_settings(), modal_.plane, distance, position_.base});
+    send_comp({CompChange::Kind::Begin, comp_settings(), modal_.plane, tool, position_.base});
 }
 
 CompSettings Executor::comp_settings() const {
@@ -107,26 +112,33 @@ CompSettings Executor::comp_settings() const {
     return settings;
 }
 
-/// Of the cutter's centre from the contour, mm, positive to the left. A frame that mirrors the
-/// plane changes the side.
-double Executor::comp_distance(const Block& block) {
+/// Of the cutter's centre from the contour, positive to the left: a frame that mirrors the plane
+/// changes the side. A lathe's tool is programmed by its tip.
+CompTool Executor::comp_tool(const Block& block) {
     const bool by_offset = rules_.comp_radius_by_offset || tool_.radius_offset != 0;
     const bool has_edge = tool_.source != Tool::Source::None;
     const std::int64_t number = by_offset ? tool_.radius_offset : has_edge ? tool_.current : 0;
     if (number == 0 && !by_offset) {
         report(diag::CompWithoutTool, block, comp_.side);
-        return 0;
+        return {};
     }
     const double radius = tool_offsets_.radius(number);
+    const int tip = tool_offsets_.tip(number);
     const bool is_known_gap =
         std::find(unknown_radii_.begin(), unknown_radii_.end(), number) != unknown_radii_.end();
-    if (radius == 0 && number != 0 && !is_known_gap) {
+    const bool has_no_tip = machine_.is_lathe && radius != 0 && tip == 0;
+    if ((radius == 0 || has_no_tip) && number != 0 && !is_known_gap) {
         unknown_radii_.push_back(number);
-        report(diag::CompRadiusUnknown, block, comp_.side).arg(number);
+        if (has_no_tip) report(diag::CompTipUnknown, block, comp_.side).arg(number);
+        else report(diag::CompRadiusUnknown, block, comp_.side).arg(number);
     }
     const bool is_left =
         (comp_.side == Function::RadiusCompLeft) != frames_.is_mirrored(modal_.plane);
-    return (radius + comp_.allowance) * (is_left ? 1 : -1);
+    CompTool tool;
+    tool.distance = (radius + comp_.allowance) * (is_left ? 1 : -1);
+    if (machine_.is_lathe && modal_.plane == path::Plane::Zx)
+        tool.center = -radius * tip_direction(tip);
+    return tool;
 }
 
 /// What a block has put goes through the compensation; what is settled of it goes out.

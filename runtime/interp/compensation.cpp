@@ -46,18 +46,28 @@ const DiagnosticRow* row_of(CompFault fault) {
 
 // ------------------------------------------------------------------------------ on and off
 
-void Compensation::begin(const CompSettings& settings, path::Plane plane, double distance,
+void Compensation::begin(const CompSettings& settings, path::Plane plane, const CompTool& tool,
                          const AxisValues& here) {
-    if (state_ == State::Off) shown_ = here;
     settings_ = settings;
     plane_ = plane;
     axes_ = path::axes_of(plane);
-    distance_ = distance;
+    if (state_ == State::Off) {
+        shown_ = here;
+        center_ = Vec2::Zero();
+    }
+    set_tool(tool);
     here_ = here;
     corners_ = path::RadiusComp(settings.corners);
     has_last_ = approaches_ = false;
     empty_blocks_ = 0;
     state_ = State::Starting;
+}
+
+/// The tip stays where it is.
+void Compensation::set_tool(const CompTool& tool) {
+    distance_ = tool.distance;
+    set_in_plane(shown_, in_plane(shown_) + tool.center - center_);
+    center_ = tool.center;
 }
 
 void Compensation::set_settings(const CompSettings& settings) {
@@ -81,7 +91,7 @@ Compensation::Fault Compensation::finish() {
     for (; !held_.empty(); held_.pop_front()) {
         // An approach to no contour at all goes where it is programmed.
         if (held_.front().index != 0) {
-            emit_line(held_.front(), in_plane(held_.front().command.to), false);
+            emit_line(held_.front(), center_at(held_.front().command.to), false);
         } else {
             emit_empty();
         }
@@ -134,11 +144,13 @@ Compensation::Fault Compensation::take(Command& command, const AxisValues& behin
         if (const Fault fault = finish()) return fault;
         if (state_ == State::On) state_ = State::Starting;
         // Axes that it does not name stay where the cutter is.
+        AxisValues tip = shown_;
+        set_in_plane(tip, in_plane(shown_) - center_);
         for (const Axis axis : {axes_.first, axes_.second}) {
-            if ((command.moved & bit(axis)) == 0) command.to[index(axis)] = shown_[index(axis)];
+            if ((command.moved & bit(axis)) == 0) command.to[index(axis)] = tip[index(axis)];
         }
         here_ = shown_ = behind;
-        set_in_plane(shown_, in_plane(command.to));
+        set_in_plane(shown_, center_at(command.to));
         settled_.push_back(std::move(command));
         return nullptr;
     }
@@ -211,7 +223,7 @@ Compensation::Fault Compensation::push(const Element& element, Held held) {
 
 Compensation::Fault Compensation::depart(Command& command) {
     if (!is_straight(command.op)) return &diag::CompEndOnArc;
-    const Vec2 to = in_plane(command.to);
+    const Vec2 to = center_at(command.to);
     std::optional<Element> way;
     if (has_last_) {
         if (const Fault fault = way_out(to, way)) return fault;
@@ -299,7 +311,7 @@ void Compensation::emit(const CompPiece& piece) {
     const Held& held = held_.front();
     const Element& way = piece.element;
     if (!way.is_arc()) {
-        emit_line(held, held.is_departure ? in_plane(held.command.to) : way.to, piece.is_inserted);
+        emit_line(held, held.is_departure ? center_at(held.command.to) : way.to, piece.is_inserted);
     } else {
         const bool is_gap = (in_plane(shown_) - way.from).norm() > path::kSamePoint;
         if (is_gap) emit_line(held, way.from, true);
@@ -367,6 +379,9 @@ void Compensation::emit_rapid_around(const Held& held, const Element& arc) {
 void Compensation::put(Command command) {
     command.moved = static_cast<AxisMask>(command.moved | bit(axes_.first) | bit(axes_.second));
     shown_ = command.to;
+    set_in_plane(command.to, in_plane(command.to) - center_);
+    command.center[static_cast<Eigen::Index>(index(axes_.first))] -= center_.x();
+    command.center[static_cast<Eigen::Index>(index(axes_.second))] -= center_.y();
     settled_.push_back(std::move(command));
 }
 

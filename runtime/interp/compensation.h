@@ -28,6 +28,15 @@ struct CompSettings {
     bool more_empty_is_fault = true;  // else the cutter goes to the normal before them
 };
 
+/// The tool beside the contour.
+struct CompTool {
+    double distance = 0;  // radius and allowance, mm, positive left of the contour
+    /// From the point that is programmed to the centre of the tool, in the plane, mm: of a lathe's
+    /// tool, whose tip lies on the nose. On the contour the centre is led; what goes out is the
+    /// tip.
+    path::Vec2 center = path::Vec2::Zero();
+};
+
 /// What was wrong, and where: the command of the block.
 struct CompAlarm {
     const DiagnosticRow* row = nullptr;
@@ -41,10 +50,9 @@ class Compensation {
 
     /// Compensation begins with the next motion in the plane. `here` is where the tool is.
     ///
-    /// distance  radius of the cutter and allowance, mm, positive left of the contour
-    void begin(const CompSettings& settings, path::Plane plane, double distance,
+    void begin(const CompSettings& settings, path::Plane plane, const CompTool& tool,
                const AxisValues& here);
-    void set_distance(double distance) { distance_ = distance; }
+    void set_tool(const CompTool& tool);
     void set_settings(const CompSettings& settings);
     /// The next motion in the plane leaves the contour.
     void leave();
@@ -93,6 +101,8 @@ class Compensation {
     void emit_rapid_around(const Held& held, const path::Element& arc);
     void put(path::Command command);
     path::Vec2 in_plane(const AxisValues& values) const;
+    /// Where the centre is while the tip is there.
+    path::Vec2 center_at(const AxisValues& tip) const { return in_plane(tip) + center_; }
     void set_in_plane(AxisValues& values, const path::Vec2& at) const;
 
     State state_ = State::Off;
@@ -100,8 +110,9 @@ class Compensation {
     path::PlaneAxes axes_;
     path::Plane plane_ = path::Plane::Xy;
     double distance_ = 0;
-    AxisValues here_{};   // programmed
-    AxisValues shown_{};  // end of the last command that was let go
+    path::Vec2 center_ = path::Vec2::Zero();  // as of CompTool
+    AxisValues here_{};                       // programmed
+    AxisValues shown_{};  // centre at the end of the last command that was let go
     path::RadiusComp corners_{{}};
     std::size_t elements_ = 0;
     path::Element last_;  // of the contour

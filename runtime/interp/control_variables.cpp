@@ -38,7 +38,9 @@ bool is_of_tool_data(Quantity quantity) {
         case Quantity::LengthGeometry:
         case Quantity::LengthWear:
         case Quantity::RadiusGeometry:
-        case Quantity::RadiusWear: return true;
+        case Quantity::RadiusWear:
+        case Quantity::CrossGeometry:
+        case Quantity::CrossWear: return true;
         default: return false;
     }
 }

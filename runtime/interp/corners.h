@@ -55,7 +55,7 @@ struct CompChange {
     Kind kind = Kind::Set;
     CompSettings settings;
     path::Plane plane = path::Plane::Xy;
-    double distance = 0;
+    CompTool tool;
     AxisValues here{};  // where the tool is, Begin
 };
 

@@ -352,7 +352,8 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             tool_.selected = tool_number(block, invocation);
             actions.tool_change |= rules_.tool_select_changes;
             if ((invocation.given & 2u) != 0) {
-                tool_.offset = std::llround(block.argument(invocation, 1));
+                // The offset of a turret's station has length, radius and tip.
+                tool_.offset = tool_.radius_offset = std::llround(block.argument(invocation, 1));
                 set_length_source(tool_.offset == 0 ? Tool::Source::None : Tool::Source::Offset,
                                   actions);
             }
@@ -403,6 +404,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             break;
         case Function::WorkOffset: select_work_offset(block, count_of(block, invocation)); break;
         case Function::WorkOffsetData:
+        case Function::LatheOffsetData:
         case Function::ToolOffsetData: actions.data = &invocation; break;
         case Function::Shift:
         case Function::ShiftAdd:

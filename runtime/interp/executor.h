@@ -131,6 +131,9 @@ class Executor {
     void write_data(const nc::Block& block, const nc::Invocation& invocation);
     void write_work_offset(const nc::Block& block, const nc::Invocation& invocation);
     void write_tool_offset(const nc::Block& block, const nc::Invocation& invocation);
+    void write_lathe_offset(const nc::Block& block, const nc::Invocation& invocation);
+    void put_tool_offset(const nc::Block& block, const nc::Invocation& invocation,
+                         ToolOffsets::Column column, double value);
     ControlFrame work_offset_frame(std::int64_t number) const;
     ControlFrame& work_offset_at(std::int64_t number);
     void work_offset_changed(std::int64_t number, bool acts_at_once);
@@ -189,6 +192,7 @@ class Executor {
     std::optional<double> thread_pitch(const nc::Block& block, const path::Vec3& way);
     Axis wanted_length_axis() const;
     double wanted_length(const nc::Block& block);
+    double wanted_cross() const;
     void activate_length(const nc::Block& block, AxisMask moved);
     void move_length_alone(const nc::Block& block);
     void arc(const nc::Block& block, const Target& target, bool exact_stop);
@@ -243,7 +247,7 @@ class Executor {
     void settle_comp(const nc::Block& block, const AxisValues& here, bool is_last = true);
     void flush_comp();
     CompSettings comp_settings() const;
-    double comp_distance(const nc::Block& block);
+    CompTool comp_tool(const nc::Block& block);
     void report_comp(const CompAlarm& alarm);
 
     // shapes.cpp: the blocks of the program along which a cycle works

@@ -239,6 +239,7 @@ void Listing::append(const Command& command, std::string_view source, std::strin
         case Op::ToolLength:
             append_field(out, "tool", static_cast<double>(command.tool));
             append_field(out, "length", command.length);
+            if (command.length_x != 0) append_field(out, "length_x", command.length_x);
             break;
         case Op::Coolant: append_word(out, "mode", coolant_name(command.coolant)); break;
         case Op::Message: append_text(out, "text", command.text); break;

@@ -385,7 +385,14 @@ std::optional<double> Executor::thread_pitch(const Block& block, const Vec3& way
 // ------------------------------------------------------------------------------ tool length
 
 Axis Executor::wanted_length_axis() const {
-    return rules_.length_axis == LengthAxis::Z ? Axis::Z : path::axes_of(modal_.plane).normal;
+    // A lathe's tools have lengths along X and Z, whatever the plane.
+    if (machine_.is_lathe || rules_.length_axis == LengthAxis::Z) return Axis::Z;
+    return path::axes_of(modal_.plane).normal;
+}
+
+double Executor::wanted_cross() const {
+    const bool is_lathe_tool = machine_.is_lathe && tool_.source != Tool::Source::None;
+    return is_lathe_tool ? tool_offsets_.cross(tool_.length_number()) : 0;
 }
 
 double Executor::wanted_length(const Block& block) {
@@ -407,22 +414,27 @@ double Executor::wanted_length(const Block& block) {
 /// just before it, and only if the length is another one than before.
 void Executor::activate_length(const Block& block, AxisMask moved) {
     const Axis axis = wanted_length_axis();
-    if ((moved & (bit(axis) | bit(tool_.axis))) == 0) return;
+    const AxisMask also = machine_.is_lathe ? bit(Axis::X) : AxisMask{0};
+    if ((moved & (bit(axis) | bit(tool_.axis) | also)) == 0) return;
     tool_.has_changed = false;
     const double length = wanted_length(block);
-    if (length == tool_.length && (axis == tool_.axis || length == 0)) {
+    const double cross = wanted_cross();
+    if (length == tool_.length && cross == tool_.cross && (axis == tool_.axis || length == 0)) {
         tool_.axis = axis;
         return;
     }
     tool_.length = length;
+    tool_.cross = cross;
     tool_.axis = axis;
     length_shift_ = {};
-    length_shift_[index(axis)] = length;
+    length_shift_[index(Axis::X)] = cross;
+    length_shift_[index(axis)] += length;
     Command& command = put(Op::ToolLength, block);
     command.plane = plane_with_normal(axis);
     command.tool = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
     command.length = length;
-    command.moved = bit(axis);
+    command.length_x = cross;
+    command.moved = static_cast<AxisMask>(bit(axis) | also);
 }
 
 /// `G43 H1` in a block without axis words: the programmed position stays, so the machine axis moves
@@ -430,7 +442,8 @@ void Executor::activate_length(const Block& block, AxisMask moved) {
 void Executor::move_length_alone(const Block& block) {
     if (!rules_.length_moves_alone) return;
     const Axis axis = wanted_length_axis();
-    if (wanted_length(block) == tool_.length && axis == tool_.axis) return;
+    if (wanted_length(block) == tool_.length && wanted_cross() == tool_.cross && axis == tool_.axis)
+        return;
     line(block, {position_.here, position_.base, bit(axis)},
          modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, modal_.has_exact_stop);
 }

@@ -59,6 +59,7 @@ struct Tool {
     std::int64_t radius_offset = 0;  // number of the radius offset for compensation
 
     double length = 0;    // in force, mm
+    double cross = 0;     // … and along X, of a lathe's tool
     Axis axis = Axis::Z;  // along which it is in force
 
     /// Number of the tool or offset whose length should act.

@@ -10,7 +10,9 @@ std::size_t place_of(ToolOffsets::Column column) { return static_cast<std::size_
 
 ToolOffsets::ToolOffsets(const machine::Machine& machine) {
     for (const machine::ToolData& tool : machine.tools)
-        offsets_.try_emplace(tool.number, std::array<double, 4>{tool.length, 0, tool.radius, 0});
+        offsets_.try_emplace(
+            tool.number, std::array<double, kColumns>{tool.length, 0, tool.radius, 0, tool.length_x,
+                                                      0, static_cast<double>(tool.tip)});
 }
 
 std::optional<ToolOffsets::Column> ToolOffsets::column_of(nc::Quantity quantity) {
@@ -19,6 +21,9 @@ std::optional<ToolOffsets::Column> ToolOffsets::column_of(nc::Quantity quantity)
         case nc::Quantity::LengthWear: return Column::LengthWear;
         case nc::Quantity::RadiusGeometry: return Column::Radius;
         case nc::Quantity::RadiusWear: return Column::RadiusWear;
+        case nc::Quantity::CrossGeometry: return Column::Cross;
+        case nc::Quantity::CrossWear: return Column::CrossWear;
+        case nc::Quantity::ToolTip: return Column::Tip;
         default: return std::nullopt;
     }
 }
@@ -38,6 +43,14 @@ double ToolOffsets::length(std::int64_t number) const {
 
 double ToolOffsets::radius(std::int64_t number) const {
     return value(Column::Radius, number) + value(Column::RadiusWear, number);
+}
+
+double ToolOffsets::cross(std::int64_t number) const {
+    return value(Column::Cross, number) + value(Column::CrossWear, number);
+}
+
+int ToolOffsets::tip(std::int64_t number) const {
+    return static_cast<int>(value(Column::Tip, number));
 }
 
 }  // namespace kadr::interp

@@ -15,7 +15,16 @@ namespace kadr::interp {
 class ToolOffsets {
   public:
     /// What an offset consists of; the numbers are those of the vocabulary (tool_offset_data).
-    enum class Column : std::uint8_t { Length = 1, LengthWear, Radius, RadiusWear };
+    enum class Column : std::uint8_t {
+        Length = 1,
+        LengthWear,
+        Radius,
+        RadiusWear,
+        Cross,  // along X, of a lathe's tool; on the radius
+        CrossWear,
+        Tip,  // 0 to 9, as in machine::ToolData
+    };
+    static constexpr std::size_t kColumns = 7;
 
     explicit ToolOffsets(const machine::Machine& machine);
 
@@ -28,9 +37,11 @@ class ToolOffsets {
     /// What acts: geometry and wear, mm.
     double length(std::int64_t number) const;
     double radius(std::int64_t number) const;
+    double cross(std::int64_t number) const;
+    int tip(std::int64_t number) const;
 
   private:
-    std::map<std::int64_t, std::array<double, 4>> offsets_;
+    std::map<std::int64_t, std::array<double, kColumns>> offsets_;
 };
 
 }  // namespace kadr::interp

@@ -121,6 +121,11 @@ void Standing::set_tool_length(const Command& command, const AxisTable& axes) {
     const Vec3 carrier = tip_ + tool_length_ * tool_;
     tool_ = tool_axis(command.plane, axes);
     tool_length_ = command.length;
+    if (command.length_x != 0) {  // of a lathe's tool: what the axes carry lies aside as well
+        const Vec3 aside = command.length * tool_ + command.length_x * Vec3::UnitX();
+        tool_length_ = aside.norm();
+        tool_ = aside / tool_length_;
+    }
     tip_ = carrier - tool_length_ * tool_;
 }
 

@@ -83,6 +83,17 @@ std::string_view dimension_name(Dimension dimension);
 std::optional<Dimension> find_dimension(std::string_view name);
 
 constexpr bool is_tapping(Function f) { return f == Function::TapIn || f == Function::TapOut; }
+/// Which parameter of a function of frames is its X, a place or a shift.
+constexpr std::optional<std::size_t> frame_x(Function f) {
+    switch (f) {
+        case Function::Shift:
+        case Function::ShiftAdd:
+        case Function::Mirror: return 0;
+        case Function::Rotate:
+        case Function::Scale: return 1;
+        default: return std::nullopt;
+    }
+}
 /// Motions whose centre word is a pitch.
 constexpr bool takes_pitch(Function f) { return is_tapping(f) || f == Function::Thread; }
 constexpr bool is_arc(Function f) { return f == Function::ArcCw || f == Function::ArcCcw; }

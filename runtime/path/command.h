@@ -72,6 +72,7 @@ struct Command {
     double revolutions = 0;  // Dwell
     std::int64_t tool = 0;   // Tool, ToolLength: the tool or offset number
     double length = 0;       // ToolLength: what is added along the normal of `plane`, mm
+    double length_x = 0;     // ToolLength: … and along X, of a lathe's tool
     std::string text;        // Message
 };
 

@@ -79,6 +79,27 @@ TEST(Diameter, TheToolStaysWhereItIs) {
     });
 }
 
+// Frames have radii in the language; a FANUC takes them as what X is.
+TEST(Diameter, FramesHaveRadii) {
+    const char* const source =
+        "program p() { DIAMON; G0 X50; with shift(x: 3mm) { note \"{position.x}\"; X40; } }";
+    expect_rows({{source, "diameter_on\nrapid X50\nshift(x=3)\ncomment \"44\"\nX40\nshift"}});
+    RunOptions options;
+    options.target = "fanuc-lathe";
+    expect_rows(
+        {{source, "diameter_on\nrapid X50\nshift(x=6)\ncomment \"44\"\nX40\nshift"},
+         {"program p() { DIAMON; TRANS X3; ATRANS X1; G0 X40; }",
+          "diameter_on\nshift(x=6)\nshift(x=8)\nrapid X40"},
+         {"program p() { DIAMOF; TRANS X3; G0 X40; }", "diameter_off\nshift(x=3)\nrapid X40"}},
+        options);
+    options.source = "fanuc-lathe";
+    options.target = "iso";
+    expect_rows({{"program p() { G0 X50. Z2.; G52 X6. Z-1.; X40.; G52 X0. Z0.; }",
+                  "work_offset(number=1)\nrapid X50 Z2 | diameter_on\nshift(x=3, z=-1)\nX40\n"
+                  "shift(x=0, z=0)"}},
+                options);
+}
+
 TEST(Diameter, ACycleIsNotCalledInRadii) {
     expect_rows(
         {{"cycle c() preserves DIAMON { G1 X10; }\nprogram p() { F100; DIAMOF; c(); }",
