@@ -42,6 +42,7 @@ declaration
     | Dialect dialectName ';'                                             # dialectDeclaration
     | Units Identifier ';'                                                # unitsDeclaration
     | Import importPath ';'                                               # importDeclaration
+    | Include                                                             # includeDeclaration
     | Struct Identifier '{' field* '}'                                    # structDeclaration
     | Enum Identifier '{' (enumerator (',' enumerator)* ','?)? '}'        # enumDeclaration
     | Curve Identifier parameters Over type Identifier '=' range block    # curveDeclaration
@@ -73,7 +74,7 @@ enumerator : Identifier ('=' expression)? ;
 parameters : '(' (parameter (',' parameter)*)? ')' ;
 parameter : type Identifier ('=' expression | In range)? ;
 preserves : Preserves preserved (',' preserved)* ;
-preserved : LiteralWord | BareWord | Frames ;
+preserved : LiteralWord | BareWord | Address | Frames ;
 type : TypeName ('[' expression? ']')? '?'? '&'? ;
 
 // ---------------------------------------------------------------- statements
@@ -110,7 +111,7 @@ statement
     ;
 
 forHead
-    : (type | Auto) Identifier ':' range                                  # forEachHead
+    : Const? (type | Auto) Identifier ':' range                           # forEachHead
     | forStart? ';' condition? ';' assignment?                            # forCountHead
     ;
 
@@ -152,7 +153,10 @@ modal
 
 // ---------------------------------------------------------------- expressions
 
-assignment : expression (('=' | '+=' | '-=' | '*=' | '/=' | '%=') expression)? ;
+assignment
+    : expression
+      (('=' | '+=' | '-=' | '*=' | '/=' | '%=' | '<<=' | '>>=' | '&=' | '^=' | '|=') expression)?
+    ;
 
 // `=` is let in so that the message can say what is meant.
 condition : expression ('=' expression)? ;
@@ -207,6 +211,8 @@ Plus : '+' ;           Minus : '-' ;          Star : '*' ;           Slash : '/'
 Percent : '%' ;        PlusPlus : '++' ;      MinusMinus : '--' ;
 Assign : '=' ;         PlusAssign : '+=' ;    MinusAssign : '-=' ;
 StarAssign : '*=' ;    SlashAssign : '/=' ;   PercentAssign : '%=' ;
+ShiftLeftAssign : '<<=' ; ShiftRightAssign : '>>=' ;
+AndAssign : '&=' ;     XorAssign : '^=' ;     OrAssign : '|=' ;
 Equal : '==' ;         NotEqual : '!=' ;
 Less : '<' ;           LessEqual : '<=' ;     Greater : '>' ;        GreaterEqual : '>=' ;
 ShiftLeft : '<<' ;     ShiftRight : '>>' ;
@@ -226,6 +232,7 @@ TextWrongQuotes
     | [\u201C\u201E] ~[\u201C\u201D\r\n]* [\u201C\u201D]
     | '\u00AB' ~[\u00BB\r\n]* '\u00BB'
     ;
+Include : '#' [ \t]* 'include' ~[\r\n]* ;
 LineComment : '//' ~[\r\n]* ;
 BlockComment : '/*' .*? '*/' ;
 CommentUnclosed : '/*' ;

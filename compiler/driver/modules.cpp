@@ -19,6 +19,8 @@ constexpr const char* kDefaultLanguage = "en";
 constexpr const char* kDefaultDialect = "iso";
 constexpr const char* kPrelude = "prelude";
 constexpr const char* kSuffix = ".kadr";
+/// What the files of the library share; nothing in it is a cycle for programs.
+constexpr const char* kInnerModule = "cycles.levels";
 
 /// `cycles.drilling` → `cycles/drilling.kadr`.
 std::string relative_path(std::string_view import, bool is_file) {
@@ -132,6 +134,7 @@ Modules::Module Modules::load(std::string_view import, bool is_file, FileId from
 std::optional<std::string> Modules::library_module_of(std::string_view function) {
     const std::string head = ' ' + std::string(function) + '(';
     for (const std::string& name : module_names({session_.share().library})) {
+        if (name == kInnerModule) continue;
         const fs::path path = fs::path(session_.share().library) / relative_path(name, false);
         const std::string text = '\n' + read_file(path.string()).value_or("");
         // A declaration stands at the left margin, behind its type or `cycle`.

@@ -43,9 +43,9 @@ struct Options {
     std::uint16_t skip_levels = 0;      // bit n: blocks with skip level n are left out
     bool optional_stop = false;         // M1 stops
     std::optional<double> tick;         // s; nothing: as the machine says
-    const std::atomic<bool>* stop = nullptr;  // set from outside: what runs ends with an error
-    std::uint32_t shown_from = sema::kNothingShown;  // expressions from this byte on are shown
-    std::vector<std::string>* shown = nullptr;       // gets their values, as texts
+    const std::atomic<bool>* stop = nullptr;    // set from outside: what runs ends with an error
+    sema::CheckOptions check;                   // what a prompt may do
+    std::vector<std::string>* shown = nullptr;  // gets their values, as texts
 };
 
 /// Where the results of an expansion go; `-` is standard output.

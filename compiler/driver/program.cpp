@@ -38,7 +38,7 @@ std::optional<Program> load_program(Session& session, FileId file) {
     const auto [ast, dialect] = program.modules->parse(file);
     if (ast == nullptr) return std::nullopt;
     program.code = sema::check(*ast, *dialect, *program.modules, session.sources(),
-                               session.messages(), session.options().shown_from);
+                               session.messages(), session.options().check);
     if (program.code != nullptr) name_truth(session, *program.code);
     if (program.code == nullptr || session.messages().errors() > errors_before) return std::nullopt;
     return program;

@@ -120,15 +120,22 @@ Reply list_dialects(Session& session) {
 
 Reply check_dialect(Session& session, const std::string& name_or_file) {
     if (is_missing_file(session, name_or_file)) return {session.status(), {}};
-    const nc::Dialect* dialect = session.dialect(name_or_file);
-    if (dialect == nullptr) return {session.status(), {}};
-    (void)interp::rules_of(*dialect, session.messages());
-    nc::check_frame(*dialect, session.messages());
-    check_cycles(session, *dialect);
-    check_examples(session, *dialect);
+    const nc::InspectedDialect inspected = nc::inspect_dialect(
+        name_or_file, session.share().dialects, session.sources(), session.messages());
+    if (!inspected.dialect) return {session.status(), {}};
+    const nc::Dialect& dialect = *inspected.dialect;
+    (void)interp::rules_of(dialect, session.messages());
+    if (inspected.has_mistakes) {
+        // What is tried out would only tell the same mistakes again.
+        return {session.status(),
+                fmt::format("{}: the examples are tried when these are mended\n", dialect.name())};
+    }
+    nc::check_frame(dialect, session.messages());
+    check_cycles(session, dialect);
+    check_examples(session, dialect);
     if (session.messages().errors() > 0) return {session.status(), {}};
     return {session.status(),
-            fmt::format("{}: {}, no mistakes\n", dialect->name(), dialect->title())};
+            fmt::format("{}: {}, no mistakes\n", dialect.name(), dialect.title())};
 }
 
 Reply explain_word(Session& session, const std::string& name_or_file, const std::string& word) {

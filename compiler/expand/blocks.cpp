@@ -289,6 +289,9 @@ bool Expander::State::fill(Block& block, const Filling& filling, sema::Slot valu
         case Filling::Form::Speed:
         case Filling::Form::SpeedPerTime:
         case Filling::Form::SpeedCutting: return fill_speed(block, filling, number, at);
+        case Filling::Form::Diameter:
+            if (!modal.is_diameter) number /= 2;
+            break;
         case Filling::Form::Plain: break;
     }
     if (!is_sane(number)) {
@@ -397,7 +400,7 @@ bool Expander::State::check_cut(const Block& block, std::uint32_t at) {
     if (!is_cut || !moves || block.find(Function::ReferenceReturn) != nullptr) return true;
     if (modal.is_feed_lost) return feed_lost(at, frames.size());
     if (options.warns_of_cuts) warn_of_cut(at);
-    return true;
+    return !has_failed;
 }
 
 /// A number of millimetres per minute would cut as millimetres per revolution.
@@ -413,9 +416,18 @@ bool Expander::State::feed_lost(std::uint32_t at, std::size_t depth) {
 }
 
 /// What the interpreter finds when the text is run, said where only the text is made.
-void Expander::State::warn_of_cut(std::uint32_t at) {
-    if (!modal.has_feed && !warned_of_feed) {
+void Expander::State::warn_of_cut(std::uint32_t at, bool needs_feed) {
+    if (needs_feed && !modal.has_feed && !warned_of_feed) {
         warned_of_feed = true;
+        // Where the control alarms, no text is written that would; the common core has no alarms.
+        if (const auto alarm = target.alarm(diag::FeedMissing)) {
+            const std::string number = alarm->number.empty() ? alarm->text : alarm->number;
+            fault(diag::FeedNotSet, at)
+                .arg(target.name())
+                .arg(number)
+                .fix("give the block a feed: `F200`, or set one before it");
+            return;
+        }
         fault(diag::FeedNeverSet, at);
     }
     if (modal.is_spindle_turning() && modal.lacks_tool) {
@@ -505,6 +517,11 @@ bool Expander::State::emit_text(const Instruction& instruction, const sema::Slot
     return true;
 }
 
+/// Whether a cycle has its feed from this parameter: threads are cut with their pitch.
+static bool says_feed(const sema::ParameterInfo& parameter) {
+    return parameter.name == "pitch" || parameter.name == "lead" || parameter.name == "per_turn";
+}
+
 bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers) {
     if (!options.native_cycles || !recordings.empty()) return false;
     const CallFrame& frame = frames.back();
@@ -534,11 +551,10 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
     if (!target.has_native_cycle(cycle, given, {values.data(), parameters.size()})) return false;
     const std::uint32_t at = frame.return_to > 0 ? frame.return_to - 1 : 0;
     if (modal.lost != 0 && !knows_for_cycle(*frame.function, given, at)) return true;
-    // A cycle with a pitch has its feed from it.
-    const bool has_own_feed =
-        std::ranges::find(parameters, "pitch", &sema::ParameterInfo::name) != parameters.end();
-    if (!has_own_feed && modal.is_feed_lost) return !feed_lost(at, frames.size() - 1);
-    if (!has_own_feed && options.warns_of_cuts && is_cut_doubtful()) warn_of_cut(at);
+    const bool needs_feed = std::ranges::none_of(parameters, says_feed);
+    if (needs_feed && modal.is_feed_lost) return !feed_lost(at, frames.size() - 1);
+    if (options.warns_of_cuts && is_cut_doubtful()) warn_of_cut(at, needs_feed);
+    if (has_failed) return true;
     if (is_block_limit(at)) return true;
     if (modal.has_ended) warn_after_end(at);
     const Instruction& call = code.instructions[at];
@@ -759,6 +775,8 @@ bool Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint
     }
     if (feed) block.set(nc::Slot::Feed, before.feed);
     if (speed) block.set(nc::Slot::Speed, before.speed);
+    if ((changed & sema::group_bit(Group::LengthComp)) != 0 && !take_core_offsets(block, at))
+        return false;
     modal.take_functions(block);
     modal.take_words(block);
     if (options.trace) keep_trace(at, depth, source);

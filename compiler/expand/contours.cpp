@@ -601,7 +601,8 @@ bool Expander::State::follow_contour(const Instruction& instruction, const Slot*
     next.source = {static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     next.depth = instruction.c;
     next.feed = arguments[at(FollowSlot::Feed)].number;
-    // X is what the program, or a contour that is being made, says; else what the contour's words were.
+    // X is what the program, or a contour that is being made, says; else what the contour's words
+    // were.
     const bool is_said = !recordings.empty() || modal[Group::Diameter] != Function::None;
     const Wording wording{plane, is_said ? modal.is_diameter : contour->is_diameter};
     next.is_diameter = wording.is_diameter;

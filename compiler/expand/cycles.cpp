@@ -90,7 +90,11 @@ bool Expander::State::take_place(Block& block, const sema::Plan& plan, std::uint
     const bool is_called =
         said_cycle.is_active && said_cycle.said->kind == SourceCycle::Kind::Called;
     if (begins && is_called) return cycle_active("another cycle", at);
-    if (!begins && !said_cycle.is_active) return true;
+    if (!begins && !said_cycle.is_active) {
+        if ((plan.customs & custom::kRepeats) == 0) return true;
+        fault(diag::SourceRepeats, at).arg("K").arg("none is active");
+        return false;
+    }
     if (ends && !is_called) {
         said_cycle.is_active = false;
         return true;

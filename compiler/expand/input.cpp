@@ -194,6 +194,7 @@ bool Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t 
             by_tool ? take_offsets_as_edges(block, at) : take_edges_as_offsets(block, at);
         if (!takes) return false;
     }
+    if ((customs & custom::kCoreOffsets) != 0 && !take_core_offsets(block, at)) return false;
     // Cycles of the source are calls of the library's, so these have nothing to do in the target.
     for (std::size_t i = block.function_count; i-- > 0;) {
         const Function function = block.functions[i].function;
@@ -450,9 +451,63 @@ bool Expander::State::take_offsets_as_edges(Block& block, std::uint32_t at) {
             continue;
         }
         is_said = true;
+        if (!is_radius) {  // what a `with` around it sets back
+            modal.active[static_cast<std::size_t>(Group::LengthComp)] =
+                number == 0 ? Function::LengthCompOff : Function::LengthCompOn;
+            modal.has_length_offset = number != 0;
+            modal.length_offset = number;
+        }
         become(block, invocation, Function::ToolEdge, number == 0 ? 0 : 1);
         ++i;
     }
+    return true;
+}
+
+/// The common core has the words of both ways: those that the target has not are said in its own.
+bool Expander::State::take_core_offsets(Block& block, std::uint32_t at) {
+    const bool by_tool = target.counts_offsets_by_tool();
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        Invocation& invocation = block.functions[i];
+        if (target.can_write(invocation.function)) continue;
+        switch (invocation.function) {
+            case Function::LengthCompOn:
+            case Function::LengthCompOff:
+                if (!by_tool) return take_offsets_as_edges(block, at);
+                break;
+            case Function::ToolEdge:
+                if (by_tool && !take_edge_as_length(block, invocation, at)) return false;
+                break;
+            default: break;
+        }
+    }
+    return true;
+}
+
+/// `D1` is the length of the tool that is in, `D0` none.
+bool Expander::State::take_edge_as_length(Block& block, Invocation& edge, std::uint32_t at) {
+    const double number = block.argument(edge, 0);
+    const Invocation* select = block.find(Function::ToolSelect);
+    const bool changes = block.find(Function::ToolChange) != nullptr;
+    // Of a tool that waits for its change the length must not act yet.
+    const bool has_tool =
+        changes ? select != nullptr || modal.has_tool : select == nullptr && modal.has_tool_in;
+    const double tool = !changes            ? modal.tool_in
+                        : select != nullptr ? block.argument(*select, 0)
+                                            : modal.tool;
+    if (number == 0) {
+        edge.function = Function::LengthCompOff;
+        edge.given = 0;
+        return true;
+    }
+    if (number != 1 || !has_tool) {
+        fault(diag::SourceOffset, at)
+            .arg(target.name())
+            .arg("the edge")
+            .arg(std::to_string(std::llround(number)))
+            .fix("say `tool(n)`, which makes the length act on every control");
+        return false;
+    }
+    become(block, edge, Function::LengthCompOn, tool);
     return true;
 }
 

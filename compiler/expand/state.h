@@ -191,6 +191,8 @@ struct Expander::State {
     void say_reference(nc::Block& block);
     bool take_offsets_as_edges(nc::Block& block, std::uint32_t at);
     bool take_edges_as_offsets(nc::Block& block, std::uint32_t at);
+    bool take_core_offsets(nc::Block& block, std::uint32_t at);
+    bool take_edge_as_length(nc::Block& block, nc::Invocation& edge, std::uint32_t at);
 
     // ---- cycles.cpp: cycles as the control of the input dialect has them
     bool is_between_places() const {
@@ -222,7 +224,7 @@ struct Expander::State {
     bool fill_speed(nc::Block& block, const sema::Filling& filling, double value, std::uint32_t at);
     /// Whether the block may cut: a feed that belonged to another feed mode does not count.
     bool check_cut(const nc::Block& block, std::uint32_t at);
-    void warn_of_cut(std::uint32_t at);
+    void warn_of_cut(std::uint32_t at, bool needs_feed = true);
     bool is_cut_doubtful() const {
         return !modal.has_feed ||
                (options.warns_of_cuts && (modal.lacks_tool || !modal.is_spindle_turning()));

@@ -69,6 +69,10 @@ std::size_t Expander::State::pull(std::span<nc::Block> out) {
         waiting.pop_front();
     }
     if (is_running && batch_count < batch_size) {
+        // A slice of turns can make blocks for seconds: somebody who wants it to end is heard in
+        // the next turn.
+        if (options.stop != nullptr && options.stop->load(std::memory_order_relaxed))
+            turns_reserve += std::exchange(turns_left, 1) - 1;
         if (options.trace) run<true, false>();
         else run<false, false>();
     }

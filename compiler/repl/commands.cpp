@@ -235,7 +235,7 @@ constexpr Row kRows[] = {
     {{"help", "", "what can be typed"}, &Commands::help},
     {{"dialect", "[NAME]", "the control that the text is for"}, &Commands::dialect},
     {{"machine", "[NAME]", "the machine that executes it"}, &Commands::machine},
-    {{"load", "FILE", "use what a Kadr file declares"}, &Commands::load},
+    {{"load", "FILE", "use what a Kadr file declares, programs too"}, &Commands::load},
     {{"reload", "", "evaluate all again, files read anew"}, &Commands::reload},
     {{"state", "", "position and modal state"}, &Commands::state},
     {{"vars", "", "variables and their values"}, &Commands::vars},

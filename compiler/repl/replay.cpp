@@ -196,7 +196,7 @@ Outcome replay(const driver::Options& options, const driver::Share& share,
     driver::Messages messages(sources, {}, [&](std::string_view text) { hearing.take(text); });
     driver::Options chosen = options;
     chosen.program = "prompt";
-    chosen.shown_from = request.shown_from;
+    chosen.check = {.shown_from = request.shown_from, .calls_programs = "prompt"};
     chosen.shown = &outcome.values;
     driver::Session session(chosen, share, sources, messages);
     const FileId file = sources.add("prompt.kadr", request.program);

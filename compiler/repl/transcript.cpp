@@ -157,6 +157,32 @@ std::string program_word(driver::Session& session, std::string_view headers) {
     return "program";
 }
 
+namespace {
+
+/// Whether a text with mistakes is meant to stand beside the program: it declares a cycle, a
+/// function, a struct. What is wrong in it is then told as it is there.
+bool declares(driver::Session& session, const std::string& headers, std::string_view text) {
+    const FileId file = session.sources().add("prompt", headers + std::string(text));
+    const driver::SourceWords words = driver::words_of(session, file);
+    if (!words) return false;
+    const std::string word(text.substr(0, text.find_first_of(" \t\r\n({")));
+    const auto meaning = words.keywords->canonical.find(word);
+    const std::string_view name =
+        meaning == words.keywords->canonical.end() ? std::string_view() : meaning->second;
+    constexpr std::string_view kDeclarations[] = {"cycle",    "program", "curve", "test",
+                                                  "property", "struct",  "enum"};
+    const std::size_t after = text.find_first_not_of(" \t\r\n", word.size());
+    const bool is_named = after != std::string_view::npos && after > word.size();
+    if (is_named && std::ranges::find(kDeclarations, name) != std::end(kDeclarations)) return true;
+    DiagnosticList mistakes;
+    const Ast ast =
+        syntax::parse(session.sources(), file, *words.keywords, *words.dialect, mistakes);
+    return std::ranges::any_of(
+        ast.top, [&](const syntax::DeclId id) { return ast[id].kind == DeclKind::Function; });
+}
+
+}  // namespace
+
 Input classify(driver::Session& session, std::string_view headers, std::string text) {
     text = trimmed(std::move(text));
     const std::string word = program_word(session, headers);
@@ -174,7 +200,8 @@ Input classify(driver::Session& session, std::string_view headers, std::string t
     }
     // A keyword language that cannot be loaded: nothing can be read in it.
     if (first_word(text) == "language") return {Input::Kind::Header, ended(text)};
-    return {Input::Kind::Wrong, std::move(text)};
+    const bool is_declaration = declares(session, std::string(headers), text);
+    return {is_declaration ? Input::Kind::Declaration : Input::Kind::Wrong, std::move(text)};
 }
 
 Input Transcript::undo() {

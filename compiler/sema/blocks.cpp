@@ -108,6 +108,10 @@ std::uint32_t Checker::customs_of(const Plan& plan, std::span<const Word> words)
         add(group == nc::Group::CycleMode || group == nc::Group::CycleReturn, custom::kCycleWords);
         add(invocation.function == nc::Function::MirrorOff, custom::kMirrorAxes);
         add(invocation.function == nc::Function::TapRigid, custom::kCycleWords);
+        const bool is_offset = invocation.function == nc::Function::LengthCompOn ||
+                               invocation.function == nc::Function::LengthCompOff ||
+                               invocation.function == nc::Function::ToolEdge;
+        add(is_offset && dialect.is_core(), custom::kCoreOffsets);
     }
     if (dialect.is_core()) return customs;
     add(!cycle_modules_.empty(), custom::kPlaces);
@@ -291,6 +295,15 @@ Filling Checker::fill_literal(const Word& word, const nc::Hole& hole, Reg reg) {
     return filling;
 }
 
+/// Across a part measures only X: any other word with a diameter means half of it or is a mistake.
+bool Checker::takes_diameter(const Value& value, const SourceRange& range, std::string_view what) {
+    if (!is_diameter(value)) return true;
+    report(diag::DiameterPlace, range)
+        .arg(what)
+        .fix("half of it, the radius, is a length: `…/2`; the measure itself `1*…`");
+    return false;
+}
+
 /// A value that the program computes, or one that carries a unit.
 Filling Checker::fill_computed(const Value& source, const Word& word, const nc::Hole& hole,
                                bool has_unit, Reg reg) {
@@ -305,6 +318,8 @@ Filling Checker::fill_computed(const Value& source, const Word& word, const nc::
     if (!hole.is_argument && hole.place == static_cast<std::uint8_t>(nc::Slot::Speed)) {
         return fill_speed(value, word, reg);
     }
+    const bool is_x = !hole.is_argument && hole.place == static_cast<std::uint8_t>(nc::Slot::X);
+    if (!is_x && !takes_diameter(value, value_range, what)) return filling;
     const TypeInfo info = type_info(value.type);
     const bool is_bare = !has_unit && (info.kind == Kind::Int ||
                                        (info.kind == Kind::Real && info.quantity.is_number()));
@@ -319,6 +334,7 @@ Filling Checker::fill_computed(const Value& source, const Word& word, const nc::
     }
     if (factor != 1) emit_.emit_number(Op::MulFK, reg, reg, factor);
     if (offset != 0) emit_.emit_number(Op::AddFK, reg, reg, offset);
+    if (is_x && info.is_diameter) filling.form = Filling::Form::Diameter;
     return filling;
 }
 
@@ -486,7 +502,7 @@ Value Checker::target_value(ExprId point, std::span<const Word> words) {
 }
 
 bool Checker::emit_words(std::span<const Word> words, ExprId point, const SourceRange& range,
-                         std::int8_t skip) {
+                         std::int8_t skip, std::uint32_t customs) {
     const Reg mark = emit_.mark();
     std::optional<nc::BlockPlan> planned;
     Plan plan;
@@ -507,7 +523,7 @@ bool Checker::emit_words(std::span<const Word> words, ExprId point, const Source
             planned->holes.begin(), planned->holes.end(),
             [&](const nc::Hole& hole) { return !is_of_cycle(planned->block, hole); });
         plan = compact(*planned);
-        plan.customs = customs_of(plan, words);
+        plan.customs = customs_of(plan, words) | customs;
         plan.skip = skip;
         if (skip >= 0) check_skipped(plan, words);
     }
@@ -589,6 +605,8 @@ void Checker::check_skipped(const Plan& plan, std::span<const Word> words) {
 
 void Checker::words_statement(const Stmt& stmt) {
     if (is_modal_call(ast().word_run(stmt.words))) return modal_call(stmt);
+    if (const Word* times = repeats_of(ast().word_run(stmt.words)))
+        return repeat_places(stmt, *times);
     emit_words(ast().word_run(stmt.words), stmt.expression[0], stmt.range, stmt.skip);
 }
 

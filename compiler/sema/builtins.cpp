@@ -15,14 +15,14 @@ using syntax::ExprKind;
 
 namespace {
 
-constexpr std::array<std::string_view, 44> kNames = {
-    "abs",     "acos",   "asin",         "atan",          "atan2",   "attempt",      "begun_near",
-    "cbrt",    "ceil",   "cos",          "crossings",     "dialect", "dialects",     "distance",
-    "execute", "exp",    "expect_error", "floor",         "follow",  "follow_start", "hypot",
-    "image",   "inside", "int",          "intersections", "ln",      "log",          "log10",
-    "max",     "min",    "mod",          "nearest",       "offset",  "pow",          "real",
-    "reverse", "round",  "sign",         "sin",           "sqrt",    "table",        "tan",
-    "text",    "trunc",
+constexpr std::array<std::string_view, 45> kNames = {
+    "abs",      "acos",    "asin",   "atan",         "atan2",         "attempt",  "begun_near",
+    "cbrt",     "ceil",    "cos",    "crossings",    "dialect",       "dialects", "diameter",
+    "distance", "execute", "exp",    "expect_error", "floor",         "follow",   "follow_start",
+    "hypot",    "image",   "inside", "int",          "intersections", "ln",       "log",
+    "log10",    "max",     "min",    "mod",          "nearest",       "offset",   "pow",
+    "real",     "reverse", "round",  "sign",         "sin",           "sqrt",     "table",
+    "tan",      "text",    "trunc",
 };
 
 }  // namespace
@@ -389,7 +389,16 @@ std::optional<Value> Checker::builtin(std::string_view name, const Expr& expr, R
         return error_value();
     }
     if (name == "distance") return distance_call(expr);
+    if (name == "diameter") return diameter_call(expr);
     return std::nullopt;
+}
+
+/// A length as a diameter: `diameter(2*r)`.
+Value Checker::diameter_call(const Expr& expr) {
+    if (!count_arguments(expr, "diameter", 1, 1)) return error_value();
+    const ExprId item = ast().exprs(expr.list)[0];
+    const std::optional<Value> value = numeric_argument(item, "diameter");
+    return value ? convert(*value, types::kDiameter, ast()[item].range, "diameter") : error_value();
 }
 
 /// Distance of two points in the coordinates that they have: both the same ones.

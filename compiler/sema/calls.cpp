@@ -54,6 +54,11 @@ Value Checker::call(ExprId id, Reg hint) {
     if (report_foreign(name, callee.range)) return error_value();
     auto builder = report(diag::UnknownFunction, callee.range);
     builder.arg(name);
+    if (name == "cycle" || name == "program") {
+        builder.fix("declare it in the file, `" + std::string(name) +
+                    " name(…) { … }`, and call a cycle by its name");
+        return error_value();
+    }
     if (const auto module = loader_.library_module_of(name)) {
         builder.fix("it is in the library: `import " + *module + ";`");
         return error_value();
@@ -67,7 +72,8 @@ Value Checker::call(ExprId id, Reg hint) {
 
 std::optional<std::vector<ExprId>> Checker::bind_arguments(const Expr& expr, std::string_view name,
                                                            std::span<const std::string_view> names,
-                                                           const SourceRange& declared) {
+                                                           const SourceRange& declared,
+                                                           std::uint32_t required) {
     std::vector<ExprId> bound(names.size());
     std::size_t next = 0;
     bool named_before = false;
@@ -84,15 +90,12 @@ std::optional<std::vector<ExprId>> Checker::bind_arguments(const Expr& expr, std
                 auto builder = report(diag::UnknownArgument, argument.range);
                 builder.arg(name).arg(text(argument.text));
                 if (declared.file.is_valid()) builder.note(declared, "it is declared here");
-                if (const auto near =
-                        nearest_name(text(argument.text), names.data(), names.size())) {
-                    builder.fix("did you mean " + quoted(*near) + "?");
-                } else if (!names.empty()) {
-                    std::string all;
-                    for (const std::string_view known : names)
-                        all += (all.empty() ? "" : ", ") + quoted(known);
-                    builder.fix("it has " + all);
-                }
+                const std::string_view wrong = text(argument.text);
+                // Of two letters every word of three is near.
+                const auto near = wrong.size() > 2 ? nearest_name(wrong, names.data(), names.size())
+                                                   : std::nullopt;
+                if (near) builder.fix("did you mean " + quoted(*near) + "?");
+                else if (!names.empty()) builder.fix(parameter_list(expr, names, required));
                 is_good = false;
                 continue;
             }
@@ -120,6 +123,24 @@ std::optional<std::vector<ExprId>> Checker::bind_arguments(const Expr& expr, std
         return std::nullopt;
     }
     return bound;
+}
+
+/// The parameters for a person who named another one, and which of them the call still needs.
+std::string Checker::parameter_list(const Expr& expr, std::span<const std::string_view> names,
+                                    std::uint32_t required) const {
+    std::string all;
+    std::string missing;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        all += (all.empty() ? "" : ", ") + quoted(names[i]);
+        const auto items = ast().exprs(expr.list);
+        const bool is_given =
+            std::ranges::any_of(items,
+                                [&](ExprId id) { return text(ast()[id].text) == names[i]; }) ||
+            (i < items.size() && ast()[items[i]].text.is_empty());
+        if ((required >> i & 1u) != 0 && !is_given)
+            missing += (missing.empty() ? "" : ", ") + quoted(names[i]);
+    }
+    return "it has " + all + (missing.empty() ? "" : "; it needs " + missing);
 }
 
 void Checker::pass_argument(const ParameterDecl& parameter, ExprId argument, Reg first) {
@@ -159,13 +180,19 @@ Value Checker::call_function(std::uint32_t index, const Expr& expr) {
         wanted_.push_back(index);
     }
     const FunctionDecl function = functions_[index];
-    if (function.kind == syntax::DeclKind::Program) {
+    const bool may_call = module_ == 0 && function_ != nullptr &&
+                          !options_.calls_programs.empty() &&
+                          function_->name == options_.calls_programs;
+    if (function.kind == syntax::DeclKind::Program && !may_call) {
         report(diag::ProgramCalled, expr.range).arg(function.name);
         return error_value();
     }
     std::vector<std::string_view> names;
     for (const ParameterDecl& parameter : function.parameters) names.push_back(parameter.name);
-    const auto bound = bind_arguments(expr, function.name, names, function.range);
+    std::uint32_t required = 0;
+    for (std::size_t i = 0; i < function.parameters.size(); ++i)
+        required |= function.parameters[i].is_required ? 1u << i : 0u;
+    const auto bound = bind_arguments(expr, function.name, names, function.range, required);
     if (!bound)
         return function.result == types::kVoid ? in_registers(types::kVoid, 0) : error_value();
 
@@ -230,6 +257,8 @@ Value Checker::call_vocabulary(const nc::FunctionInfo& info, const Expr& expr) {
                 continue;
             }
             if (is_named) value = constant_number(0, types::kReal);
+            if (parameter.dimension == nc::Dimension::Length)
+                takes_diameter(value, range, parameter.name);
             filling = fill_value(value, parameter.dimension, range, parameter.name, reg);
             emit_.release_to(inner);
         }

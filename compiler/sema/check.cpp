@@ -11,11 +11,11 @@ namespace kadr::sema {
 using syntax::DeclKind;
 
 Checker::Checker(ModuleLoader& modules, const Sources& sources, DiagnosticSink& sink,
-                 std::uint32_t shown_from)
+                 const CheckOptions& options)
     : loader_(modules),
       sources_(sources),
       sink_(sink),
-      shown_from_(shown_from),
+      options_(options),
       code_(std::make_unique<Code>()),
       emit_(*code_) {}
 
@@ -224,8 +224,8 @@ void Checker::mark_diameters() {
 
 std::unique_ptr<Code> check(const syntax::Ast& main, const nc::Dialect& dialect,
                             ModuleLoader& modules, const Sources& sources, DiagnosticSink& sink,
-                            std::uint32_t shown_from) {
-    return Checker(modules, sources, sink, shown_from).run(main, dialect);
+                            const CheckOptions& options) {
+    return Checker(modules, sources, sink, options).run(main, dialect);
 }
 
 }  // namespace kadr::sema

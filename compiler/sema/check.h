@@ -43,11 +43,19 @@ struct Define {
 
 inline constexpr std::uint32_t kNothingShown = 0xffffffffu;
 
+/// What a prompt may do and a program may not.
+struct CheckOptions {
+    /// An expression that is a statement of the main file and begins at this byte or later shows
+    /// its value (Op::Show).
+    std::uint32_t shown_from = kNothingShown;
+    /// The program of the main file that may call others as if they were cycles.
+    std::string_view calls_programs;
+};
+
 /// Checks the file and everything it imports. Mistakes are reported, all of them; the code is
-/// returned only if there was no error. An expression that is a statement of the main file and
-/// begins at the byte `shown_from` or later shows its value (Op::Show), as at the prompt.
+/// returned only if there was no error.
 std::unique_ptr<Code> check(const syntax::Ast& main, const nc::Dialect& dialect,
                             ModuleLoader& modules, const Sources& sources, DiagnosticSink& sink,
-                            std::uint32_t shown_from = kNothingShown);
+                            const CheckOptions& options = {});
 
 }  // namespace kadr::sema

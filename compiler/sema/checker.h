@@ -54,7 +54,7 @@ struct LoopScope {
 class Checker {
   public:
     Checker(ModuleLoader& modules, const Sources& sources, DiagnosticSink& sink,
-            std::uint32_t shown_from);
+            const CheckOptions& options);
     std::unique_ptr<Code> run(const syntax::Ast& main, const nc::Dialect& dialect);
 
   private:
@@ -152,6 +152,7 @@ class Checker {
     /// Reads an optional as if it were given: reports or emits the check.
     Value require_given(const Value& value, const SourceRange& range, std::string_view name);
     bool is_plain_number(const Value& value) const;
+    bool is_diameter(const Value& value) const;
     std::string quantity_name(Type type) const;
     static Value retyped(Value value, Type type);
     Value whole_number(const Value& value, Type target, const SourceRange& range,
@@ -260,7 +261,9 @@ class Checker {
     void add_columns(TableSchema& schema, Type type, const std::string& prefix, std::uint16_t slot);
     std::optional<std::vector<syntax::ExprId>> bind_arguments(
         const syntax::Expr& expr, std::string_view name, std::span<const std::string_view> names,
-        const SourceRange& declared);
+        const SourceRange& declared, std::uint32_t required = 0);
+    std::string parameter_list(const syntax::Expr& expr, std::span<const std::string_view> names,
+                               std::uint32_t required) const;
 
     // builtins.cpp
     std::optional<Value> builtin(std::string_view name, const syntax::Expr& expr, Reg hint);
@@ -272,6 +275,7 @@ class Checker {
     Value trigonometric(Op op, const syntax::Expr& expr, std::string_view name, Reg hint);
     Value distance_call(const syntax::Expr& expr);
     Value mod_call(const syntax::Expr& expr);
+    Value diameter_call(const syntax::Expr& expr);
     bool count_arguments(const syntax::Expr& expr, std::string_view name, std::size_t least,
                          std::size_t most);
     std::optional<Value> numeric_argument(syntax::ExprId argument, std::string_view name);
@@ -343,7 +347,7 @@ class Checker {
     void words_statement(const syntax::Stmt& stmt);
     Value target_value(syntax::ExprId point, std::span<const syntax::Word> words);
     bool emit_words(std::span<const syntax::Word> words, syntax::ExprId point,
-                    const SourceRange& range, std::int8_t skip = -1);
+                    const SourceRange& range, std::int8_t skip = -1, std::uint32_t customs = 0);
     void check_skipped(const Plan& plan, std::span<const syntax::Word> words);
     std::optional<nc::BlockPlan> plan_words(std::span<const syntax::Word> words);
     void check_units_function(nc::Function function, const SourceRange& range);
@@ -359,6 +363,7 @@ class Checker {
     Filling fill_literal(const syntax::Word& word, const nc::Hole& hole, Reg reg);
     Filling fill_computed(const Value& source, const syntax::Word& word, const nc::Hole& hole,
                           bool has_unit, Reg reg);
+    bool takes_diameter(const Value& value, const SourceRange& range, std::string_view what);
     Filling fill_feed(const Value& value, const syntax::Word& word, Reg reg);
     Filling fill_speed(const Value& value, const syntax::Word& word, Reg reg);
     Filling fill_value(Value value, nc::Dimension dimension, const SourceRange& range,
@@ -368,6 +373,8 @@ class Checker {
     bool with_statement(const syntax::Stmt& stmt);
     ModalMask modal_mask(const nc::BlockPlan& plan, bool& is_modal) const;
     ModalMask words_mask(std::span<const syntax::Word> words, bool is_preserves);
+    ModalMask named_state(const syntax::Word& word) const;
+    ModalMask with_mask(const syntax::Stmt& stmt);
     bool check_least(const nc::FunctionInfo& info, std::span<const syntax::ExprId> bound,
                      const syntax::Expr& expr);
     void frame_call(syntax::ExprId id);
@@ -376,6 +383,8 @@ class Checker {
     // cycle_blocks.cpp
     void load_cycles(std::uint32_t module);
     const Name* cycle_function(nc::CycleId cycle) const;
+    const syntax::Word* repeats_of(std::span<const syntax::Word> words) const;
+    void repeat_places(const syntax::Stmt& stmt, const syntax::Word& times);
     bool is_modal_call(std::span<const syntax::Word> words) const;
     void modal_call(const syntax::Stmt& stmt);
     Value cycle_call(const syntax::Expr& expr, SourceCycle::Kind kind);
@@ -449,7 +458,7 @@ class Checker {
     ModuleLoader& loader_;
     const Sources& sources_;
     CountingSink sink_;
-    std::uint32_t shown_from_;  // byte of the main file, see check()
+    CheckOptions options_;
     std::unique_ptr<Code> code_;
     Emitter emit_;
     TypeTable types_;

@@ -48,7 +48,7 @@ inline constexpr double kNotGivenNumber = std::numeric_limits<double>::quiet_NaN
 /// power of two far beyond any real value, so the two are told apart by size and nothing is lost.
 inline constexpr double kSecondForm = 0x1p600;
 /// Flag beside the form that an instruction asks for: it is one of a speed, not of a feed.
-inline constexpr std::uint16_t kSpeedForm = 2;
+inline constexpr std::uint32_t kSpeedForm = 2;
 inline bool is_second_form(double value) { return std::fabs(value) > 0x1p300; }
 
 /// Whether a register that holds such a value (a SlotKind) holds one.
@@ -108,7 +108,7 @@ enum class ElementSlot : std::uint8_t {
     IsArc = 12,
     IsDiameter = 13,  // X of the points is a diameter
 };
-inline constexpr std::uint16_t kElementSlots = 14;
+inline constexpr std::uint32_t kElementSlots = 14;
 
 /// What can be asked of a contour and made of it. Arguments stand in the registers from b, the
 /// contour first; the layout is that of the result's elements.
@@ -146,7 +146,7 @@ enum class FollowSlot : std::uint8_t {
     ArcIn,
     ArcOut,
 };
-inline constexpr std::uint16_t kFollowSlots = 8;
+inline constexpr std::uint32_t kFollowSlots = 8;
 
 /// How far a curve may be from the blocks that follow it if nothing is said, mm: half of what a
 /// finishing cut is usually allowed.
@@ -176,8 +176,9 @@ constexpr ModalMask group_bit(nc::Group group) { return 1u << static_cast<unsign
 /// One value of a block that is known only when the program runs, in the order of the registers.
 struct Filling {
     enum class Form : std::uint8_t {
-        Plain,  // in the unit of the block
-        Count,  // a whole number in an integer register
+        Plain,     // in the unit of the block
+        Diameter,  // of X: halved where X is a radius
+        Count,     // a whole number in an integer register
         Text,
         FeedBare,      // F200: in the unit of the feed mode, lengths in the file's unit
         Feed,          // mm/s, or mm/rev in the second form
@@ -202,25 +203,28 @@ struct Filling {
 /// What the control of the input dialect does with a block where controls differ. The evaluator
 /// says it so that every target does the same.
 namespace custom {
-inline constexpr std::uint16_t kShiftKeeps = 1;      // a shift keeps the axes that it does not name
-inline constexpr std::uint16_t kRotateReplaces = 2;  // a rotation replaces the one before
-inline constexpr std::uint16_t kMachineRapid = 4;    // machine coordinates are reached at rapid
-inline constexpr std::uint16_t kMachineLength = 8;   // … with the tool length
-inline constexpr std::uint16_t kOffsetsByTool = 16;  // `D3`, `H3` are offsets of tool 3
-inline constexpr std::uint16_t kEdges = 32;          // `D1` is an edge; M6 activates the length
-inline constexpr std::uint16_t kFeedCounts = 64;     // F has no point: increments per revolution
-inline constexpr std::uint16_t kCycleWords = 128;    // G80, G98, G99: only beside its own cycles
-inline constexpr std::uint16_t kFrameOrder = 256;    // mirror, scale, rotation in this order only
-inline constexpr std::uint16_t kReference = 512;     // G28 goes over the programmed place
-inline constexpr std::uint16_t kCenterAtTool = 1024;  // a centre not named is where the tool stands
-inline constexpr std::uint16_t kFeedDeleted = 2048;   // another kind of feed deletes F
+inline constexpr std::uint32_t kShiftKeeps = 1;      // a shift keeps the axes that it does not name
+inline constexpr std::uint32_t kRotateReplaces = 2;  // a rotation replaces the one before
+inline constexpr std::uint32_t kMachineRapid = 4;    // machine coordinates are reached at rapid
+inline constexpr std::uint32_t kMachineLength = 8;   // … with the tool length
+inline constexpr std::uint32_t kOffsetsByTool = 16;  // `D3`, `H3` are offsets of tool 3
+inline constexpr std::uint32_t kEdges = 32;          // `D1` is an edge; M6 activates the length
+inline constexpr std::uint32_t kFeedCounts = 64;     // F has no point: increments per revolution
+inline constexpr std::uint32_t kCycleWords = 128;    // G80, G98, G99: only beside its own cycles
+inline constexpr std::uint32_t kFrameOrder = 256;    // mirror, scale, rotation in this order only
+inline constexpr std::uint32_t kReference = 512;     // G28 goes over the programmed place
+inline constexpr std::uint32_t kCenterAtTool = 1024;  // a centre not named is where the tool stands
+inline constexpr std::uint32_t kFeedDeleted = 2048;   // another kind of feed deletes F
 // An increment counts from the coordinate that was programmed last, and so travels a change of the
 // frame as well.
-inline constexpr std::uint16_t kIncrementTravels = 4096;
-inline constexpr std::uint16_t kMirrorAxes = 8192;   // the mirrors of some axes end
-inline constexpr std::uint16_t kCyclePlace = 16384;  // the cycle of the block begins at its place
-inline constexpr std::uint16_t kPlaces = 32768;      // while a cycle is modal, a place of it
-inline constexpr std::uint32_t kFrameDiameter = 65536;  // X of a frame is a diameter where X is one
+inline constexpr std::uint32_t kIncrementTravels = 4096;
+inline constexpr std::uint32_t kMirrorAxes = 8192;    // the mirrors of some axes end
+inline constexpr std::uint32_t kCyclePlace = 16384;   // the cycle of the block begins at its place
+inline constexpr std::uint32_t kPlaces = 32768;       // while a cycle is modal, a place of it
+inline constexpr std::uint32_t kCoreOffsets = 65536;  // `G43 H1` and `D1` of the common core
+inline constexpr std::uint32_t kRepeats = 131072;     // `K5`: the cycle that is modal, so often
+inline constexpr std::uint32_t kFrameDiameter =
+    262144;  // X of a frame is a diameter where X is one
 }  // namespace custom
 
 /// A block without its values: what the words say before the program runs.
@@ -412,12 +416,12 @@ struct TestCall {
 };
 /// Registers in front of the arguments: where a cycle begins (a point), feed, speed, and the text
 /// that the purpose needs: the dialect, or the code of the error. What is not given is the default.
-inline constexpr std::uint16_t kTestOptions = 6;
+inline constexpr std::uint32_t kTestOptions = 6;
 
 /// Why an expectation failed, as far as the instruction knows.
 enum class Expectation : std::uint8_t { Compared, Untrue, UntrueOfText };
 /// Flag beside an Expectation: a figure that is a function was asked, its reason is worth a note.
-inline constexpr std::uint16_t kHasReason = 8;
+inline constexpr std::uint32_t kHasReason = 8;
 
 /// Lengths, angles and times in a test are equal up to here, in mm, degrees, seconds: half of a
 /// thousandth is what the last digit of the text rounds, the rest is for the last binary digit.

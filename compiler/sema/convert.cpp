@@ -90,10 +90,14 @@ bool Checker::is_plain_number(const Value& value) const {
            (kind(value.type) == Kind::Real && type_info(value.type).quantity.is_number());
 }
 
+bool Checker::is_diameter(const Value& value) const { return type_info(value.type).is_diameter; }
+
 std::string Checker::quantity_name(Type type) const {
     switch (kind(type)) {
         case Kind::Int: return "number";
-        case Kind::Real: return describe(type_info(type).quantity);
+        case Kind::Real:
+            if (!type_info(type).is_diameter) return describe(type_info(type).quantity);
+            return type_name(type);
         default: return type_name(type);
     }
 }

@@ -151,6 +151,73 @@ std::optional<SourceCycle> Checker::take_cycle(Plan& plan, const nc::BlockPlan& 
     return cycle;
 }
 
+namespace {
+
+/// The word that says how often a block repeats its cycle, `K`; empty: the control has none.
+std::string_view repeats_address(const nc::DialectTables& tables) {
+    const auto parameters = nc::info(nc::Function::CycleWords).parameters;
+    const auto times = std::ranges::find(parameters, "times", &nc::Parameter::name);
+    for (const nc::Form& form : tables.forms) {
+        if (form.function != nc::Function::CycleWords || form.words.empty()) continue;
+        if (form.words[0].parameter == times - parameters.begin())
+            return tables.addresses[form.words[0].address].name;
+    }
+    return {};
+}
+
+/// `G2` and its like: what stands beside it are words of a path.
+bool says_motion(const nc::DialectTables& tables, std::string_view address, double number) {
+    const nc::AddressId id = tables.find_address(address);
+    if (id == nc::kNoAddress || tables.addresses[id].kind != nc::Address::Kind::Code) return false;
+    const nc::Code* code = tables.find_code(id, number);
+    return code != nullptr && std::ranges::any_of(code->forms, [&](nc::FormId form) {
+               return nc::info(tables.forms[form].function).group == nc::Group::Motion;
+           });
+}
+
+}  // namespace
+
+/// `K5` in a block that calls a cycle or can be a place of one; in another it is a centre.
+const Word* Checker::repeats_of(std::span<const Word> words) const {
+    const nc::Dialect& dialect = *modules_[module_].dialect;
+    if (dialect.is_core() || cycle_modules_.empty()) return nullptr;
+    const std::string_view address = repeats_address(dialect.tables());
+    const Word* times = nullptr;
+    bool has_cycle = false;
+    bool has_motion = false;
+    for (const Word& word : words) {
+        if (word.form != Word::Form::Literal) continue;
+        if (text(word.address) == address && !has_point(word)) times = &word;
+        has_cycle |= nc::cycle_of(dialect, text(word.address), word.number).has_value();
+        has_motion |= says_motion(dialect.tables(), text(word.address), word.number);
+    }
+    return has_cycle || !has_motion ? times : nullptr;
+}
+
+/// The block, then its place in the plane again and again: under G91 one behind the other.
+void Checker::repeat_places(const Stmt& stmt, const Word& times) {
+    constexpr double kMost = 9999;
+    std::vector<Word> words;
+    std::vector<Word> place;
+    for (const Word& word : ast().word_run(stmt.words)) {
+        if (&word == &times) continue;
+        words.push_back(word);
+        if (text(word.address) == "X" || text(word.address) == "Y") place.push_back(word);
+    }
+    const char* fault = times.number < 1 || times.number > kMost
+                            ? "1 to 9999 times it can be; what 0 keeps for later blocks they say"
+                        : place.empty() ? "the block names no place in the plane"
+                                        : nullptr;
+    if (fault != nullptr) {
+        report(diag::SourceRepeats, times.range).arg(word_text(times)).arg(fault);
+        return;
+    }
+    const std::size_t errors = sink_.errors;
+    emit_words(words, stmt.expression[0], stmt.range, stmt.skip, custom::kRepeats);
+    for (int i = 1; i < static_cast<int>(times.number) && errors == sink_.errors; ++i)
+        emit_words(place, {}, stmt.range, stmt.skip, custom::kRepeats);
+}
+
 // ---------------------------------------------------------------- calls: `CYCLE81(50,2,,-10)`
 
 /// What the arguments say as far as the form of the call depends on it; their values beside them.

@@ -198,19 +198,13 @@ std::optional<Type> Checker::builtin_type(std::string_view name) const {
         Type type;
     };
     static constexpr Row kRows[] = {
-        {"void", types::kVoid},
-        {"bool", types::kBool},
-        {"int", types::kInt},
-        {"real", types::kReal},
-        {"length", types::kLengthType},
-        {"angle", types::kAngleType},
-        {"time", types::kTimeType},
-        {"feed", types::kFeed},
-        {"speed", types::kSpeed},
-        {"string", types::kString},
-        {"point", types::kPoint},
-        {"vector", types::kVector},
-        {"execution", types::kExecution},
+        {"void", types::kVoid},         {"bool", types::kBool},
+        {"int", types::kInt},           {"real", types::kReal},
+        {"length", types::kLengthType}, {"diameter", types::kDiameter},
+        {"angle", types::kAngleType},   {"time", types::kTimeType},
+        {"feed", types::kFeed},         {"speed", types::kSpeed},
+        {"string", types::kString},     {"point", types::kPoint},
+        {"vector", types::kVector},     {"execution", types::kExecution},
         {"contour", types::kContour},
     };
     for (const Row& row : kRows) {
@@ -236,9 +230,9 @@ Type Checker::resolve_type(syntax::TypeId id) {
         if (is_lost(name) || report_foreign(name, ref.range)) return types::kError;
         auto builder = report(diag::UnknownType, ref.range);
         builder.arg(name);
-        std::vector<std::string_view> known = {"bool",   "int",   "real",   "length",
-                                               "angle",  "time",  "feed",   "speed",
-                                               "string", "point", "vector", "contour"};
+        std::vector<std::string_view> known = {"bool",   "int",     "real",    "length", "angle",
+                                               "time",   "feed",    "speed",   "string", "point",
+                                               "vector", "contour", "diameter"};
         for (const auto& [other, entry] : modules_[module_].names) {
             if (entry.what == Name::What::Type) known.push_back(other);
         }

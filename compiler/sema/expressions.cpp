@@ -128,6 +128,11 @@ Value Checker::name_value(ExprId id, Reg hint) {
     if (found.symbol < 0 && found.name == nullptr && name == "pi") {
         return constant_number(3.14159265358979323846, types::kReal);
     }
+    if (found.symbol < 0 && found.name == nullptr && name == "position") {
+        const Reg reg = emit_.take(3);
+        for (unsigned i = 0; i < 3; ++i) emit_.emit(Op::Position, reg + i, 0, i);
+        return in_registers(types::kPoint, reg);
+    }
     const std::optional<Place> place = name_place(id);
     return place ? load(*place, expr.range, true, hint) : error_value();
 }

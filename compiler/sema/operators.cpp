@@ -504,6 +504,20 @@ Value Checker::arithmetic(Operator op, Value left, Value right, const Expr& expr
     if (is_sum) {
         if (!match_quantities(left, right, expr)) return error_value();
         if (is_family(left)) return families(op, left, right, expr, hint);
+        if (is_diameter(left) != is_diameter(right)) {
+            // A constant is a diameter here; of a variable nobody knows.
+            Value& other = is_diameter(left) ? right : left;
+            if (!other.is_constant()) {
+                report(diag::MixedDimensions, expr.range)
+                    .arg(spelling(op))
+                    .arg(quantity_name(left.type))
+                    .arg(quantity_name(right.type))
+                    .fix(
+                        "`diameter(…)` makes a diameter of a length: of a radius, `diameter(2*r)`");
+                return error_value();
+            }
+            other = retyped(other, types::kDiameter);
+        }
         left = to_real(left);
         right = to_real(right);
         return emit_reals(op, left, right, left.type == types::kInt ? types::kReal : left.type,

@@ -388,6 +388,11 @@ Value Checker::assign(ExprId id, bool is_value) {
         case Operator::MultiplyAssign: op = Operator::Multiply; break;
         case Operator::DivideAssign: op = Operator::Divide; break;
         case Operator::ModuloAssign: op = Operator::Modulo; break;
+        case Operator::ShiftLeftAssign: op = Operator::ShiftLeft; break;
+        case Operator::ShiftRightAssign: op = Operator::ShiftRight; break;
+        case Operator::BitAndAssign: op = Operator::BitAnd; break;
+        case Operator::BitXorAssign: op = Operator::BitXor; break;
+        case Operator::BitOrAssign: op = Operator::BitOr; break;
         default: break;
     }
     const Value old = load(*target, target_range, true, kNoReg);

@@ -166,8 +166,7 @@ class PreservesCheck {
     void with(const Stmt& stmt, Flow& flow) {
         // Whatever it sets is set back on every way out: the groups of its head are as before.
         const Flow before = flow;
-        ModalMask mask = checker_.words_mask(checker_.ast().word_run(stmt.words), false);
-        if (stmt.expressions.count > 0) mask |= kFrameBit;
+        const ModalMask mask = checker_.with_mask(stmt);
         restored_.push_back({mask, before});
         for (ModalMask bit = 1; bit != 0; bit <<= 1) {
             if ((mask & bit) != 0) flow.setters.erase(bit);
@@ -269,8 +268,7 @@ std::vector<nc::Function> Checker::preserved_members(const syntax::Decl& decl) {
     const bool was_quiet = std::exchange(sink_.is_quiet, true);  // words_mask has said it
     std::vector<nc::Function> members;
     for (const syntax::Word& word : ast().word_run(decl.preserves)) {
-        const ModalMask mask = words_mask({&word, 1}, true);
-        if (mask == 0 || mask == kFrameBit) continue;
+        if (named_state(word) != 0) continue;
         if (const auto plan = plan_words({&word, 1}); plan) {
             if (plan->block.motion != nc::Function::None) {
                 members.push_back(plan->block.motion);
@@ -293,7 +291,7 @@ void Checker::check_preserves(const FunctionDecl& function, const syntax::Decl& 
         if (mask == 0) continue;
         names[mask] = mask == kFrameBit ? "frames" : word_text(word);
         promised[mask] = nc::Function::None;
-        if (mask == kFrameBit) continue;
+        if (named_state(word) != 0) continue;
         if (const auto plan = plan_words({&word, 1}); plan) {
             promised[mask] = plan->block.motion != nc::Function::None ? plan->block.motion
                              : plan->block.function_count > 0 ? plan->block.functions[0].function

@@ -112,7 +112,9 @@ std::vector<std::string_view> Checker::known_names(bool functions) const {
         const auto builtins = builtin_names();
         names.insert(names.end(), builtins.begin(), builtins.end());
         for (const nc::FunctionInfo& info : nc::all_functions()) {
-            if (!info.name.empty() && !nc::is_read_only(info.function)) names.push_back(info.name);
+            const bool is_callable = info.function != nc::Function::Cycle &&
+                                     !nc::is_read_only(info.function) && !info.name.empty();
+            if (is_callable) names.push_back(info.name);
         }
     } else {
         for (const Symbol& symbol : symbols_) names.push_back(symbol.name);

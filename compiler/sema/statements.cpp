@@ -188,7 +188,7 @@ void Checker::variable(const Decl& decl) {
 
 void Checker::expression_statement(const Stmt& stmt) {
     const Expr& expr = ast()[stmt.expression[0]];
-    const bool is_shown = module_ == 0 && stmt.range.begin >= shown_from_;
+    const bool is_shown = module_ == 0 && stmt.range.begin >= options_.shown_from;
     statement_ = statement_id(stmt.range);
     switch (expr.kind) {
         case ExprKind::Assign: assign(stmt.expression[0], false); return;

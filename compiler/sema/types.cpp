@@ -61,7 +61,9 @@ TypeTable::TypeTable() {
                               {"length", types::kLengthType, 0, 0, {}},
                               {"is_arc", types::kBool, 0, 0, {}},
                               {"is_diameter", types::kBool, 0, 0, {}}});
-    KADR_ASSERT(element == types::kElement && types_.size() == types::kContour.index + 1u &&
+    add_real(kLength, false);
+    types_.back().is_diameter = true;
+    KADR_ASSERT(element == types::kElement && types_.size() == types::kDiameter.index + 1u &&
                     (*this)[element].slots == kElementSlots,
                 "built-in types moved");
 }
@@ -157,7 +159,9 @@ std::string TypeTable::name(Type type) const {
         case Kind::Bool: text += "bool"; break;
         case Kind::Int: text += "int"; break;
         case Kind::Real:
-            text += info.quantity.is_number() ? "real" : describe(info.quantity);
+            text += info.is_diameter            ? "diameter"
+                    : info.quantity.is_number() ? "real"
+                                                : describe(info.quantity);
             break;
         case Kind::Feed:
         case Kind::Speed:

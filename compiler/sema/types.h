@@ -39,6 +39,7 @@ enum class Kind : std::uint8_t {
 struct TypeInfo {
     Kind kind = Kind::Error;
     Quantity quantity;             // of Real
+    bool is_diameter = false;      // a length that goes across: X of it is a diameter everywhere
     bool is_optional = false;      // may be not given
     Type element;                  // of Array
     std::int64_t count = -1;       // of a fixed Array; -1 growing
@@ -92,6 +93,7 @@ inline constexpr Type kRange{15};
 inline constexpr Type kExecution{16};
 inline constexpr Type kElement{17};  // of a contour; its registers: ElementSlot in code.h
 inline constexpr Type kContour{18};
+inline constexpr Type kDiameter{19};
 }  // namespace types
 
 /// The form of a feed or speed (0 or 1) that measures this; nothing if none does.

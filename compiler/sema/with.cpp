@@ -10,6 +10,14 @@ using syntax::ExprKind;
 using syntax::Stmt;
 using syntax::Word;
 
+/// `frames`, and in `preserves G90, F, S` the values of these words.
+ModalMask Checker::named_state(const Word& word) const {
+    const std::string_view name = text(word.address);
+    if (name == "FRAMES" || name == "frames") return kFrameBit;
+    if (word.form != Word::Form::Bare) return 0;
+    return name == "F" ? kFeedBit : name == "S" ? kSpeedBit : 0;
+}
+
 /// What a planned block sets for good; `is_modal` becomes false if it also does something once.
 ModalMask Checker::modal_mask(const nc::BlockPlan& plan, bool& is_modal) const {
     const nc::Block& block = plan.block;
@@ -44,8 +52,8 @@ ModalMask Checker::words_mask(std::span<const Word> words, bool is_preserves) {
         if (is_modal) return mask;
     }
     for (const Word& word : words) {
-        if (text(word.address) == "FRAMES" || text(word.address) == "frames") {
-            mask |= kFrameBit;
+        if (const ModalMask named = named_state(word); named != 0) {
+            mask |= named;
             continue;
         }
         const std::optional<nc::BlockPlan> plan = plan_words({&word, 1});
@@ -58,6 +66,14 @@ ModalMask Checker::words_mask(std::span<const Word> words, bool is_preserves) {
 }
 
 namespace {
+
+/// The functions of the vocabulary that hold until another one: `work_offset(2)`.
+const nc::FunctionInfo* modal_function(std::string_view name) {
+    const std::optional<nc::Function> function = nc::find_function(name);
+    if (!function || *function == nc::Function::None || nc::is_read_only(*function)) return nullptr;
+    const nc::FunctionInfo& info = nc::info(*function);
+    return info.group == nc::Group::Once ? nullptr : &info;
+}
 
 /// The frames that `with` can undo.
 std::optional<std::pair<nc::Function, FrameChange>> frame_change(std::string_view name) {
@@ -95,6 +111,12 @@ void Checker::frame_call(ExprId id) {
     const std::string_view name =
         callee.kind == ExprKind::Name ? text(callee.text) : std::string_view();
     const auto change = frame_change(name);
+    if (expr.kind == ExprKind::Call && !change) {
+        if (const nc::FunctionInfo* function = modal_function(name)) {
+            call_vocabulary(*function, expr);
+            return;
+        }
+    }
     if (expr.kind != ExprKind::Call || !change) {
         report(diag::WithCall, expr.range).arg(sources_.text(callee.range));
         return;
@@ -118,6 +140,8 @@ void Checker::frame_call(ExprId id) {
         const SourceRange range = ast()[(*bound)[i]].range;
         const Reg mark = emit_.mark();
         const Value value = expression((*bound)[i]);
+        if (info.parameters[i].dimension == nc::Dimension::Length)
+            takes_diameter(value, range, names[i]);
         const bool is_no =
             value.is_constant() && kind(value.type) == Kind::Bool && value.constant.integer == 0;
         if (is_no) emit_.emit_number(Op::LoadF, reg, 0, kNotGivenNumber);
@@ -129,11 +153,24 @@ void Checker::frame_call(ExprId id) {
                     static_cast<unsigned>(loop_depth_), 0, statement_id(expr.range));
 }
 
+/// What the head of a `with` sets, words and calls.
+ModalMask Checker::with_mask(const Stmt& stmt) {
+    ModalMask mask = words_mask(ast().word_run(stmt.words), false);
+    for (const ExprId id : ast().exprs(stmt.expressions)) {
+        const Expr& expr = ast()[id];
+        if (expr.kind != ExprKind::Call || ast()[expr.child[0]].kind != ExprKind::Name) continue;
+        const std::string_view name = text(ast()[expr.child[0]].text);
+        if (frame_change(name)) mask |= kFrameBit;
+        else if (const nc::FunctionInfo* function = modal_function(name))
+            mask |= group_bit(function->group);
+    }
+    return mask;
+}
+
 bool Checker::with_statement(const Stmt& stmt) {
     const auto words = ast().word_run(stmt.words);
     const std::size_t errors = sink_.errors;
-    ModalMask mask = words_mask(words, false);
-    if (stmt.expressions.count > 0) mask |= kFrameBit;
+    const ModalMask mask = with_mask(stmt);
     // The source of the block is the head of the statement, not its whole body.
     SourceRange head = stmt.range;
     if (stmt.statement[0].is_valid() && ast()[stmt.statement[0]].range.begin > head.begin) {

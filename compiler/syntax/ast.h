@@ -134,6 +134,11 @@ enum class Operator : std::uint8_t {
     MultiplyAssign,
     DivideAssign,
     ModuloAssign,
+    ShiftLeftAssign,
+    ShiftRightAssign,
+    BitAndAssign,
+    BitXorAssign,
+    BitOrAssign,
 };
 
 /// Whether `a op b op c …` is a chain: a tree that leans to the left and may be of any length, as
@@ -240,15 +245,15 @@ enum class DeclKind : std::uint8_t {
     Program,    // name, parameters, preserves, body
     Struct,     // name; members: list of Variable
     Enum,       // name; members: list of Variable (value may be invalid)
-    Import,     // name: dotted path `cycles.drilling`, or a file in quotes (is_file)
-    Contour,    // name, body
-    Curve,      // name, parameters; members[0]: the running parameter (Variable); values: from, to;
-                // body
-    Test,       // name: its title; body
-    Property,   // name; parameters with ranges in `value`; body
-    Units,      // name: "mm" or "inch", for the whole file
-    Dialect,    // name: input dialect of the file
-    Language,   // name: keyword language of the file
+    Import,    // name: dotted path `cycles.drilling`, or a file in quotes (is_file); `#include` too
+    Contour,   // name, body
+    Curve,     // name, parameters; members[0]: the running parameter (Variable); values: from, to;
+               // body
+    Test,      // name: its title; body
+    Property,  // name; parameters with ranges in `value`; body
+    Units,     // name: "mm" or "inch", for the whole file
+    Dialect,   // name: input dialect of the file
+    Language,  // name: keyword language of the file
 };
 
 struct Decl {

@@ -37,6 +37,7 @@ bool begins_declaration(Token token) {
         case Token::Struct:
         case Token::Enum:
         case Token::Import:
+        case Token::Include:
         case Token::Language:
         case Token::Dialect: return true;
         default: return false;
@@ -360,8 +361,10 @@ bool Complaints::explain_declaration(const Place& place) {
     return true;
 }
 
-/// The variable whose declaration has this mistake: its name is no second one.
+/// The variable or cycle whose declaration has this mistake: its name is no second one.
 void Complaints::lose_variable(const Place& place) {
+    if (place.head == Token::Cycle || place.head == Token::Curve)
+        return lose_names(place.head_index);
     const bool is_variable =
         place.head == Token::TypeName || place.head == Token::Const || place.head == Token::Auto;
     if (!is_variable) return;
@@ -557,9 +560,7 @@ void Complaints::explain_start(antlr4::Parser& parser) {
     const bool follows_repair = index > 0 && stream_.lexeme(index - 1).is_repair;
     if (follows_repair) return;
     if (is_file && file_.spelling(lexeme) == "include") {
-        const bool has_hash = lexeme.begin > 0 && file_.text[lexeme.begin - 1] == '#';
-        const SourceRange whole = file_.range(lexeme.begin - (has_hash ? 1 : 0), lexeme.end);
-        file_.sink.report(diag::IncludeWord, whole).fix(whole, "import", "use `import`");
+        file_.sink.report(diag::IncludeWord, range).fix(range, "import", "use `import`");
     } else if (is_file) {
         file_.sink.report(diag::StatementOutside, range).arg(quoted(lexeme));
     } else if (lexeme.token == Token::Else) {
@@ -734,7 +735,7 @@ void Complaints::sync(antlr4::Parser* parser) {
 void Complaints::skip_start(antlr4::Parser& parser, bool is_file) {
     const Token first = token_of(stream_.LA(1));
     stream_.consume();
-    if (first == Token::Else && !is_file) return;
+    if ((first == Token::Else || first == Token::Include) && !is_file) return;
     int depth = opens(first) ? 1 : 0;
     Token last = first;
     while (stream_.LA(1) != antlr4::Token::EOF) {

@@ -440,7 +440,9 @@ Formatting::Pieces Formatting::take_head() {
             --depth;
         }
         out.push_back(take());
-        if (depth == 0 && (token == Token::Semicolon || token == Token::RawText)) return out;
+        const bool is_end =
+            token == Token::Semicolon || token == Token::RawText || token == Token::Include;
+        if (depth == 0 && is_end) return out;
     }
     return out;
 }

@@ -71,7 +71,12 @@ bool is_assignment(Token token) {
         case Token::MinusAssign:
         case Token::StarAssign:
         case Token::SlashAssign:
-        case Token::PercentAssign: return true;
+        case Token::PercentAssign:
+        case Token::ShiftLeftAssign:
+        case Token::ShiftRightAssign:
+        case Token::AndAssign:
+        case Token::XorAssign:
+        case Token::OrAssign: return true;
         default: return false;
     }
 }

@@ -37,6 +37,7 @@ constexpr Keyword kKeywords[] = {
     {"dialect", Token::Dialect, Place::Statement, "nt;"},
     {"units", Token::Units, Place::Statement, "n;"},
     {"note", Token::Note, Place::Statement, "nt(;"},
+    {"comment", Token::Note, Place::Statement, "t(", false},  // the same
     {"raw", Token::Raw, Place::Statement, "nt({;"},
     {"require", Token::Require, Place::Statement, "("},
     {"assert", Token::Assert, Place::Statement, "("},
@@ -58,6 +59,7 @@ constexpr Keyword kKeywords[] = {
     {"real", Token::TypeName, Place::Type, ""},
     {"string", Token::TypeName, Place::Type, ""},
     {"length", Token::TypeName, Place::Type, ""},
+    {"diameter", Token::TypeName, Place::Type, ""},
     {"angle", Token::TypeName, Place::Type, ""},
     {"time", Token::TypeName, Place::Type, ""},
     {"feed", Token::TypeName, Place::Type, ""},

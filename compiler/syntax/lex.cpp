@@ -99,6 +99,7 @@ class Lexing {
     };
     void take_token(Token token, std::uint32_t begin, std::uint32_t end, Reading& reading);
     void comment(std::uint32_t begin, std::uint32_t end);
+    void include(std::uint32_t begin, std::uint32_t end, Reading& reading);
     void text(Token token, std::uint32_t begin, std::uint32_t end, Reading& reading);
     void raw_text(std::uint32_t begin, Reading& reading);
     void unknown(std::uint32_t begin, std::uint32_t end);
@@ -153,6 +154,7 @@ void Lexing::take_token(Token token, std::uint32_t begin, std::uint32_t end, Rea
         case Token::OpenBrace:
             if (!out_.empty() && is_raw(out_.back())) return raw_text(begin, reading);
             return push(token, begin, end);
+        case Token::Include: return include(begin, end, reading);
         case Token::Identifier:
             return push(token, begin, end,
                         file_.texts.intern(file_.text.substr(begin, end - begin)));
@@ -176,6 +178,25 @@ void Lexing::comment(std::uint32_t begin, std::uint32_t end) {
         const auto at = begin + static_cast<std::uint32_t>(code.data() - spelled.data());
         file_.sink.report(diag::AllowCode, file_.range(at, at + 5)).arg(code);
     }
+}
+
+/// `#include "holes.kadr"` or `<cycles/drilling.kadr>`; behind it the line goes on.
+void Lexing::include(std::uint32_t begin, std::uint32_t end, Reading& reading) {
+    const std::string_view line = file_.text.substr(begin, end - begin);
+    const std::size_t word = line.find("include") + std::string_view("include").size();
+    const std::size_t open = line.find_first_not_of(" \t", word);
+    const bool is_quoted =
+        open != std::string_view::npos && (line[open] == '"' || line[open] == '<');
+    const std::size_t close =
+        is_quoted ? line.find(line[open] == '"' ? '"' : '>', open + 1) : std::string_view::npos;
+    if (close == std::string_view::npos) {
+        file_.sink.report(diag::IncludeWord, file_.range(begin, end))
+            .fix("the name of the file stands in quotes: `#include \"holes.kadr\"`");
+        return;
+    }
+    const std::uint32_t past = begin + static_cast<std::uint32_t>(close) + 1;
+    push(Token::Include, begin, past, file_.texts.intern(line.substr(open + 1, close - open - 1)));
+    reading.go_on_at(past);
 }
 
 void Lexing::text(Token token, std::uint32_t begin, std::uint32_t end, Reading& reading) {
@@ -241,7 +262,6 @@ void Lexing::unknown(std::uint32_t begin, std::uint32_t end) {
     is_beside_unknown_ = true;
     if (continues) return;
     const std::string_view spelled = file_.text.substr(begin, end - begin);
-    if (file_.text.substr(end).starts_with("include")) return;  // told by the parser
     if (spelled == "#") {
         file_.sink.report(diag::HashSign, file_.range(begin, end));
     } else {

@@ -435,6 +435,11 @@ std::string_view operator_text(Operator op) {
         case Operator::MultiplyAssign: return "*=";
         case Operator::DivideAssign: return "/=";
         case Operator::ModuloAssign: return "%=";
+        case Operator::ShiftLeftAssign: return "<<=";
+        case Operator::ShiftRightAssign: return ">>=";
+        case Operator::BitAndAssign: return "&=";
+        case Operator::BitXorAssign: return "^=";
+        case Operator::BitOrAssign: return "|=";
         default: return "";
     }
 }

@@ -165,6 +165,10 @@ void Retyping::step() {
             end_statement();
             return;
         }
+        case Token::Include:
+            push(lexeme, lexeme.token);
+            end_statement();
+            return;
         case Token::RawText:
             // `raw { … }` ends with its brace, as a block does.
             push(lexeme, lexeme.token);

@@ -59,6 +59,7 @@ DeclId TreeBuilder::declaration(KadrParser::DeclarationContext& context) {
         case Token::Dialect:
         case Token::Units:
         case Token::Import:
+        case Token::Include:
         case Token::Test: simple_declaration(decl, context); break;
         case Token::Struct:
         case Token::Enum: members(decl, context); break;
@@ -102,6 +103,12 @@ void TreeBuilder::simple_declaration(Decl& decl, KadrParser::DeclarationContext&
         decl.name_range = range_of(*test->text());
         decl.name = plain_text(*test->text());
         decl.body = block(*test->block());
+    } else if (token_at(context) == Token::Include) {
+        const Lexeme& whole = lexeme(context.start);
+        decl.kind = DeclKind::Import;
+        decl.is_file = true;
+        decl.name = whole.text;
+        decl.name_range = file_.range(whole);
     } else {
         // Names of several parts, `fanuc-lathe` and `cycles.drilling`, are kept as written.
         const bool is_import = token_at(context) == Token::Import;

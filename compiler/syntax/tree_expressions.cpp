@@ -16,6 +16,11 @@ Operator assignment_operator(Token token) {
         case Token::StarAssign: return Operator::MultiplyAssign;
         case Token::SlashAssign: return Operator::DivideAssign;
         case Token::PercentAssign: return Operator::ModuloAssign;
+        case Token::ShiftLeftAssign: return Operator::ShiftLeftAssign;
+        case Token::ShiftRightAssign: return Operator::ShiftRightAssign;
+        case Token::AndAssign: return Operator::BitAndAssign;
+        case Token::XorAssign: return Operator::BitXorAssign;
+        case Token::OrAssign: return Operator::BitOrAssign;
         default: return Operator::Assign;
     }
 }

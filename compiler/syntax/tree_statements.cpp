@@ -162,6 +162,7 @@ void TreeBuilder::for_statement(Stmt& stmt, KadrParser::ForStatementContext& con
         Decl decl;
         decl.kind = DeclKind::Variable;
         decl.range = range_of(*each);
+        decl.is_const = each->Const() != nullptr;
         if (each->type() != nullptr) decl.type = type(*each->type());
         name(decl, each->Identifier());
         stmt.declaration = add(decl);

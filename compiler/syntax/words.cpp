@@ -81,6 +81,7 @@ class Merging {
   private:
     void number();
     void identifier();
+    bool comma_word();
     bool compact_words(std::string_view identifier);
     void word(Lexeme word, std::string_view number, std::string_view rest);
     bool lookalike(const Lexeme& identifier);
@@ -136,6 +137,8 @@ std::vector<Lexeme> Merging::run() {
             number();
         } else if (lexeme.token == Token::Identifier) {
             identifier();
+        } else if (lexeme.token == Token::Comma && comma_word()) {
+            continue;
         } else {
             if (lexeme.token == Token::Semicolon) is_lowercase_block_ = false;
             bracket(lexeme);
@@ -333,6 +336,29 @@ void Merging::identifier() {
         if (compact_words(name)) return;
     }
     out_.push_back(lexeme);
+}
+
+/// `,C2.` and `,R2.`: addresses that begin with a comma, behind other words.
+bool Merging::comma_word() {
+    const Lexeme& comma = at(i_);
+    const Lexeme& next = at(i_ + 1);
+    if (depth_ > 0 || !is_in_block() || next.token != Token::Identifier || next.begin != comma.end)
+        return false;
+    const Spelling s = take_apart(file_.spelling(next));
+    const std::string address = ',' + std::string(s.address);
+    if (s.address.empty() || kind_of_(address) != nc::WordKind::Address) return false;
+    Lexeme made = next;
+    made.begin = comma.begin;
+    made.text = file_.texts.intern(address);
+    i_ += 2;
+    std::string number(s.digits);
+    if (s.digits.empty() && s.rest.empty() && !take_sign_and_number(made, number)) {
+        made.token = Token::Address;
+        out_.push_back(made);
+    } else {
+        word(made, number, s.rest);
+    }
+    return true;
 }
 
 /// `X` with a number behind it: `X-5.25`, `X+30`, `X.5`, `X -5`.

@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <numeric>
 #include <vector>
 
@@ -37,7 +36,15 @@ std::optional<std::string> read_file(const std::string& path) {
     if (std::filesystem::is_directory(path, error)) return std::nullopt;
     std::ifstream in(path, std::ios::binary);
     if (!in) return std::nullopt;
-    std::string text(std::istreambuf_iterator<char>(in), {});
+    // In pieces: what is read may be no file with a size.
+    std::string text;
+    constexpr std::size_t kPiece = std::size_t{1} << 16;
+    while (in) {
+        const std::size_t before = text.size();
+        text.resize(before + kPiece);
+        in.read(text.data() + before, kPiece);
+        text.resize(before + static_cast<std::size_t>(in.gcount()));
+    }
     if (in.bad()) return std::nullopt;
     return text;
 }

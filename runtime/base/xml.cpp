@@ -297,6 +297,31 @@ bool check_xml(const XmlElement& element, const XmlShape& shape, DiagnosticSink&
     return is_good;
 }
 
+bool has_needed_attributes(const XmlElement& element, const XmlShape& shape) {
+    const XmlRule* rule = find_rule(shape, element.name);
+    return rule != nullptr &&
+           std::ranges::all_of(rule->attributes, [&](const XmlAttributeRule& wanted) {
+               const XmlAttribute* attribute = element.find(wanted.name);
+               const bool is_filled = attribute != nullptr && !attribute->value.empty();
+               return wanted.use == XmlAttributeRule::Use::Optional ||
+                      (wanted.use == XmlAttributeRule::Use::Filled ? is_filled
+                                                                   : attribute != nullptr);
+           });
+}
+
+XmlElement sound_part(const XmlElement& element, const XmlShape& shape) {
+    XmlElement sound = element;
+    sound.children.clear();
+    const XmlRule* rule = find_rule(shape, element.name);
+    for (const XmlElement& child : element.children) {
+        const bool is_known = rule != nullptr &&
+                              std::ranges::find(rule->children, child.name) != rule->children.end();
+        if (is_known && has_needed_attributes(child, shape))
+            sound.children.push_back(sound_part(child, shape));
+    }
+    return sound;
+}
+
 std::string shown_value(std::string_view value) {
     constexpr std::size_t kLongest = 60;
     if (value.size() <= kLongest) return std::string(value);

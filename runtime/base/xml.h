@@ -74,6 +74,13 @@ std::optional<XmlElement> parse_xml(FileId file, const Sources& sources, const X
 /// the name that may have been meant. Attributes of XML itself (`xmlns`, `xsi:…`) pass.
 bool check_xml(const XmlElement& element, const XmlShape& shape, DiagnosticSink& sink);
 
+/// The element without what is below it and does not fit the shape: unknown elements, and those
+/// that lack an attribute which they need. For looking at the rest of a file with mistakes.
+XmlElement sound_part(const XmlElement& element, const XmlShape& shape);
+
+/// Whether the element itself has the attributes that the shape demands.
+bool has_needed_attributes(const XmlElement& element, const XmlShape& shape);
+
 /// A value that is too long for one line of a message is cut.
 std::string shown_value(std::string_view value);
 

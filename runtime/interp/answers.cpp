@@ -65,12 +65,25 @@ void Executor::count_time() {
     for (; timed_ < output_.written(); ++timed_) clock_.add(output_.at(timed_));
 }
 
+/// How long the program has run, s: what waits for its corner has been executed by then. A corner
+/// may make it a little shorter than it was taken for; time never goes back for that.
+double Executor::run_time() {
+    count_time();
+    RunClock clock = clock_;
+    const auto add = [&](const path::Command& command) { clock.add(command); };
+    for (const path::Command& command : output_.waiting()) add(command);
+    compensation_.look_at_waiting(add);
+    soft_approach_.look_at_waiting(add);
+    corners_.look_at_waiting(add);
+    latest_time_ = std::max(latest_time_, clock.seconds());
+    return latest_time_;
+}
+
 std::optional<double> Executor::clock(Quantity quantity) {
     constexpr double kDay = 86400;
     constexpr double kHour = 3600;
     constexpr double kMilliseconds = 2147483648;  // then the counter begins again; F 6.5
-    count_time();
-    const double now = clock_.seconds();
+    const double now = run_time();
     switch (quantity) {
         case Quantity::Milliseconds:
             return std::fmod(std::floor(milliseconds_from_ + now * 1000), kMilliseconds);

@@ -19,10 +19,9 @@ constexpr std::size_t kCheckedBlocks = 3;  // MD20240 CUTCOM_MAXNUM_CHECK_BLOCKS
 
 /// Where the tip lies, seen from the centre of the nose, in Z and X.
 path::Vec2 tip_direction(int tip) {
-    static constexpr std::array<std::array<double, 2>, 10> kZx = {
-        {{0, 0}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}, {0, 0}}};
-    const auto& [z, x] = kZx[static_cast<std::size_t>(tip)];
-    return {z, x};
+    static constexpr std::array<double, 10> kZ = {0, 1, -1, -1, 1, 1, 0, -1, 0, 0};
+    static constexpr std::array<double, 10> kX = {0, 1, 1, -1, -1, 0, 1, 0, -1, 0};
+    return {kZ[static_cast<std::size_t>(tip)], kX[static_cast<std::size_t>(tip)]};
 }
 
 }  // namespace
@@ -34,9 +33,16 @@ void Executor::choose_comp(const Block& block, const Invocation& invocation, Act
             tool_.radius_offset = std::llround(block.argument(invocation, 0));
             break;
         case Function::CompStartNormal:
-        case Function::CompStartAround: comp_.start = invocation.function; break;
+        case Function::CompStartAround:
+        case Function::CompStartTangent:
+        case Function::CompStartSmooth: comp_.start = invocation.function; break;
         case Function::CompCornerArc:
         case Function::CompCornerIntersection: comp_.corner = invocation.function; break;
+        case Function::CompCornerPointed:
+            comp_.pointed = block.argument(invocation, 0);
+            if (comp_.pointed < 0 || comp_.pointed > 100)
+                report(diag::CompPointedRange, block, invocation.function).arg(comp_.pointed);
+            break;
         case Function::CompCheckOn: comp_.has_check = true; break;
         case Function::CompCheckOff: comp_.has_check = false; break;
         case Function::CompAllowance: comp_.allowance = block.argument(invocation, 0); break;
@@ -48,7 +54,14 @@ void Executor::choose_comp(const Block& block, const Invocation& invocation, Act
 void Executor::act_on_comp(const Block& block, const Actions& actions) {
     if (actions.radius_comp == Function::RadiusCompOff) {
         comp_.side = Function::RadiusCompOff;
-        send_comp({CompChange::Kind::Leave, {}, modal_.plane, {}, position_.base});
+        if (actions.soft != nullptr) return;  // its way still belongs to the contour
+        send_comp({CompChange::Kind::Leave,
+                   {},
+                   modal_.plane,
+                   0,
+                   position_.base,
+                   leave_direction(block),
+                   {}});
         return;
     }
     if (actions.radius_comp != Function::None && actions.radius_comp != comp_.side) {
@@ -56,8 +69,51 @@ void Executor::act_on_comp(const Block& block, const Actions& actions) {
         return;
     }
     if (comp_.side == Function::RadiusCompOff) return;
-    send_comp(
-        {CompChange::Kind::Set, comp_settings(), modal_.plane, comp_tool(block), position_.base});
+    send_comp(comp_change(block, CompChange::Kind::Set));
+}
+
+/// A direction of the programmed system as one in the plane of the base system; none: it has no
+/// length there.
+std::optional<path::Vec2> Executor::direction_in_base(const path::Vec3& programmed) const {
+    const path::Vec3 base = frames_.total().direction(programmed);
+    const path::PlaneAxes axes = path::axes_of(modal_.plane);
+    const path::Vec2 direction{base[static_cast<Eigen::Index>(index(axes.first))],
+                               base[static_cast<Eigen::Index>(index(axes.second))]};
+    if (direction.norm() < path::kSamePoint) return std::nullopt;
+    return direction.normalized();
+}
+
+/// The direction that the centre's words say beside the code that ends the compensation.
+std::optional<path::Vec2> Executor::leave_direction(const Block& block) const {
+    if (!rules_.comp_end_by_center || block.find(Function::RadiusCompOff) == nullptr)
+        return std::nullopt;
+    path::Vec3 direction = path::Vec3::Zero();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto slot = static_cast<nc::Slot>(static_cast<std::size_t>(nc::Slot::CenterX) + i);
+        if (block.has(slot)) direction[static_cast<Eigen::Index>(i)] = block.at(slot);
+    }
+    return direction_in_base(direction);
+}
+
+/// An arc about the corner at which the cutter is, in a block of its own.
+void Executor::round_comp_corner(const Block& block, const Invocation& invocation) {
+    if ((block.given & nc::kTargetSlots) != 0) {
+        report(diag::CompCornerMoves, block, invocation.function);
+        return;
+    }
+    if (!check_feed(block, "arc")) return;
+    path::Vec3 direction = path::Vec3::Zero();
+    for (std::size_t i = 0; i < 3; ++i)
+        direction[static_cast<Eigen::Index>(i)] = block.argument(invocation, i);
+    CompChange change{CompChange::Kind::RoundCorner, {}, modal_.plane, 0, position_.base,
+                      direction_in_base(direction),  {}};
+    change.motion.op = path::Op::Arc;
+    change.motion.feed_mode = modal_.feed_mode;
+    change.motion.plane = modal_.plane;
+    change.motion.feed = modal_.feed;
+    change.motion.source = origin(block).source;
+    change.motion.line = origin(block).line;
+    send_comp(change);
 }
 
 /// At its place among the commands: behind a corner that is not known yet.
@@ -68,25 +124,40 @@ void Executor::send_comp(const CompChange& change) {
 
 void Executor::change_comp(const CompChange& change) {
     switch (change.kind) {
-        case CompChange::Kind::Leave: compensation_.leave(); break;
+        case CompChange::Kind::Leave: compensation_.leave(change.direction); break;
+        case CompChange::Kind::KeepVector: compensation_.keep_vector(); break;
+        case CompChange::Kind::RoundCorner:
+            take_comp(compensation_.round_corner(change.motion, change.direction));
+            break;
         case CompChange::Kind::Set:
             compensation_.set_settings(change.settings);
-            compensation_.set_tool(change.tool);
+            compensation_.set_distance(change.distance);
+            compensation_.set_aside(change.aside);
             break;
         case CompChange::Kind::Begin:
             // From one side to the other: the contour so far ends on its normal.
             if (compensation_.is_on()) flush_comp();
             if (ended_) return;
-            compensation_.begin(change.settings, change.plane, change.tool, change.here);
+            compensation_.begin(change.settings, change.plane, change.distance, change.here);
+            compensation_.set_aside(change.aside);
             break;
     }
 }
 
 void Executor::begin_comp(const Block& block, Function side) {
     comp_.side = side;
-    const CompTool tool = comp_tool(block);
-    if (ended_) return;
-    send_comp({CompChange::Kind::Begin, comp_settings(), modal_.plane, tool, position_.base});
+    const CompChange change = comp_change(block, CompChange::Kind::Begin);
+    if (!ended_) send_comp(change);
+}
+
+CompChange Executor::comp_change(const Block& block, CompChange::Kind kind) {
+    CompChange change;
+    change.kind = kind;
+    change.settings = comp_settings();
+    change.plane = modal_.plane;
+    change.here = position_.base;
+    take_comp_tool(block, change);
+    return change;
 }
 
 CompSettings Executor::comp_settings() const {
@@ -96,6 +167,7 @@ CompSettings Executor::comp_settings() const {
                       : comp_.corner == Function::CompCornerIntersection
                           ? path::OutsideCorner::Intersection
                           : rules_.comp_corner;
+    corners.pointed = std::min(comp_.pointed, rules_.comp_pointed_limit) / 100;
     corners.limit = rad_from_deg(rules_.comp_corner_limit);
     corners.sharp = rules_.comp_sharp_corner;
     corners.extends_tangents = rules_.comp_extends_tangents;
@@ -103,42 +175,42 @@ CompSettings Executor::comp_settings() const {
     corners.look_ahead = comp_.has_check
                              ? kCheckedBlocks
                              : static_cast<std::size_t>(std::max(1, rules_.comp_look_ahead));
-    settings.start = comp_.start == Function::CompStartNormal   ? CompStart::Normal
-                     : comp_.start == Function::CompStartAround ? CompStart::Around
-                                                                : rules_.comp_start;
+    settings.start = comp_.start == Function::CompStartNormal    ? CompStart::Normal
+                     : comp_.start == Function::CompStartAround  ? CompStart::Around
+                     : comp_.start == Function::CompStartTangent ? CompStart::Tangent
+                     : comp_.start == Function::CompStartSmooth  ? CompStart::Smooth
+                                                                 : rules_.comp_start;
     settings.feed = rules_.comp_feed;
     settings.empty_blocks = rules_.comp_empty_blocks;
     settings.more_empty_is_fault = rules_.comp_more_empty_is_alarm;
     return settings;
 }
 
-/// Of the cutter's centre from the contour, positive to the left: a frame that mirrors the plane
-/// changes the side. A lathe's tool is programmed by its tip.
-CompTool Executor::comp_tool(const Block& block) {
+/// How far beside the contour the cutter's centre goes, positive to the left: a frame that mirrors
+/// the plane changes the side. A lathe's tool is programmed by its tip.
+void Executor::take_comp_tool(const Block& block, CompChange& change) {
     const bool by_offset = rules_.comp_radius_by_offset || tool_.radius_offset != 0;
     const bool has_edge = tool_.source != Tool::Source::None;
     const std::int64_t number = by_offset ? tool_.radius_offset : has_edge ? tool_.current : 0;
     if (number == 0 && !by_offset) {
         report(diag::CompWithoutTool, block, comp_.side);
-        return {};
+        return;
     }
     const double radius = tool_offsets_.radius(number);
     const int tip = tool_offsets_.tip(number);
+    const bool has_no_tip = machine_.is_lathe && radius != 0 && tip == 0;
     const bool is_known_gap =
         std::find(unknown_radii_.begin(), unknown_radii_.end(), number) != unknown_radii_.end();
-    const bool has_no_tip = machine_.is_lathe && radius != 0 && tip == 0;
     if ((radius == 0 || has_no_tip) && number != 0 && !is_known_gap) {
         unknown_radii_.push_back(number);
-        if (has_no_tip) report(diag::CompTipUnknown, block, comp_.side).arg(number);
-        else report(diag::CompRadiusUnknown, block, comp_.side).arg(number);
+        report(has_no_tip ? diag::CompTipUnknown : diag::CompRadiusUnknown, block, comp_.side)
+            .arg(number);
     }
     const bool is_left =
         (comp_.side == Function::RadiusCompLeft) != frames_.is_mirrored(modal_.plane);
-    CompTool tool;
-    tool.distance = (radius + comp_.allowance) * (is_left ? 1 : -1);
+    change.distance = (radius + comp_.allowance) * (is_left ? 1 : -1);
     if (machine_.is_lathe && modal_.plane == path::Plane::Zx)
-        tool.center = -radius * tip_direction(tip);
-    return tool;
+        change.aside = radius * tip_direction(tip);
 }
 
 /// What a block has put goes through the compensation; what is settled of it goes out.
@@ -149,20 +221,20 @@ void Executor::settle_comp(const Block& block, const AxisValues& here, bool is_l
     std::optional<CompAlarm> alarm;
     if (!alarmed_ && modal_.plane != compensation_.plane()) {
         report(diag::CompPlane, block);
-    } else if (!alarmed_ && cycle_blocks_) {
-        report(diag::CompMotion, block);
     } else if (!alarmed_ && frames_.is_tilted(modal_.plane)) {
         report(diag::IsoNotSupported, block).arg("cutter radius compensation in a tilted plane");
     }
     if (!alarmed_) alarm = compensation_.end_block(here, block);
     if (!alarmed_ && !alarm && ended_ && is_last) alarm = compensation_.flush();
-    for (path::Command& command : compensation_.settled()) output_.next() = std::move(command);
-    compensation_.settled().clear();
-    if (alarm) report_comp(*alarm);
+    take_comp(alarm);
 }
 
-void Executor::flush_comp() {
-    const std::optional<CompAlarm> alarm = compensation_.flush();
+void Executor::flush_comp() { take_comp(compensation_.flush()); }
+
+void Executor::stop_comp() { take_comp(compensation_.stop()); }
+
+/// What the compensation has settled goes out.
+void Executor::take_comp(const std::optional<CompAlarm>& alarm) {
     for (path::Command& command : compensation_.settled()) output_.next() = std::move(command);
     compensation_.settled().clear();
     if (alarm) report_comp(*alarm);

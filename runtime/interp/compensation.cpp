@@ -21,9 +21,9 @@ using std::numbers::pi;
 
 namespace {
 
-Vec2 left_of(const Vec2& direction) { return {-direction.y(), direction.x()}; }
-
 bool is_straight(Op op) { return op == Op::Line || op == Op::Rapid; }
+
+bool is_curve(CompStart start) { return start == CompStart::Tangent || start == CompStart::Smooth; }
 
 bool is_same(const AxisValues& a, const AxisValues& b) {
     for (std::size_t i = 0; i < kAxes; ++i) {
@@ -46,28 +46,26 @@ const DiagnosticRow* row_of(CompFault fault) {
 
 // ------------------------------------------------------------------------------ on and off
 
-void Compensation::begin(const CompSettings& settings, path::Plane plane, const CompTool& tool,
+void Compensation::begin(const CompSettings& settings, path::Plane plane, double distance,
                          const AxisValues& here) {
+    if (state_ == State::Off) shown_ = here;
+    meant_ = here;
     settings_ = settings;
     plane_ = plane;
     axes_ = path::axes_of(plane);
-    if (state_ == State::Off) {
-        shown_ = here;
-        center_ = Vec2::Zero();
-    }
-    set_tool(tool);
+    distance_ = distance;
     here_ = here;
     corners_ = path::RadiusComp(settings.corners);
-    has_last_ = approaches_ = false;
+    has_last_ = approaches_ = keeps_vector_ = false;
+    leave_direction_.reset();
     empty_blocks_ = 0;
     state_ = State::Starting;
 }
 
-/// The tip stays where it is.
-void Compensation::set_tool(const CompTool& tool) {
-    distance_ = tool.distance;
-    set_in_plane(shown_, in_plane(shown_) + tool.center - center_);
-    center_ = tool.center;
+/// The contour goes on from the same place of the part.
+void Compensation::set_aside(const Vec2& aside) {
+    if (is_on_contour()) set_in_plane(here_, in_plane(here_) + aside - aside_);
+    aside_ = aside;
 }
 
 void Compensation::set_settings(const CompSettings& settings) {
@@ -75,7 +73,43 @@ void Compensation::set_settings(const CompSettings& settings) {
     corners_.set_rules(settings.corners);
 }
 
-void Compensation::leave() { state_ = state_ == State::On ? State::Leaving : State::Off; }
+void Compensation::leave(const std::optional<Vec2>& direction) {
+    leave_direction_ = direction;
+    state_ = state_ == State::On ? State::Leaving : State::Off;
+}
+
+std::optional<CompAlarm> Compensation::stop() {
+    std::optional<CompAlarm> alarm = flush();
+    state_ = State::Off;
+    return alarm;
+}
+
+void Compensation::begin_soft_approach(Command motion) {
+    lead(motion);
+    begin_approach(motion);
+    goes_straight_ = true;
+}
+
+std::optional<CompAlarm> Compensation::round_corner(const Command& motion,
+                                                    const std::optional<Vec2>& direction) {
+    const CompAlarm missing{&diag::CompNoVector, motion.source, motion.line};
+    if (state_ != State::On || !has_last_) return missing;
+    if (!direction) {
+        corners_.round_next_corner();
+        return std::nullopt;
+    }
+    const Vec2 tangent = path::end_direction(last_);
+    const double turn = std::atan2(tangent.x() * direction->y() - tangent.y() * direction->x(),
+                                   tangent.dot(*direction));
+    const Vec2 corner = last_.to;
+    if (const Fault fault = finish()) return alarm(fault, motion);
+    if (turn * distance_ > 0) return CompAlarm{&diag::CompCollision, motion.source, motion.line};
+    if (std::abs(turn * distance_) < path::kSamePoint) return std::nullopt;
+    const Vec2 from = in_plane(shown_);
+    const Vec2 to = corner + Eigen::Rotation2D(turn) * (from - corner);
+    emit_arc({motion, 0, 0, false}, {{from, to, corner, turn}, 0, true, 0, Vec2::Zero()});
+    return std::nullopt;
+}
 
 std::optional<CompAlarm> Compensation::flush() {
     const Command nowhere;
@@ -85,13 +119,14 @@ std::optional<CompAlarm> Compensation::flush() {
 }
 
 /// The contour ends here, on its normal.
-Compensation::Fault Compensation::finish() {
-    if (const auto fault = corners_.finish()) return row_of(*fault);
+Compensation::Fault Compensation::finish(const std::optional<Vec2>& direction) {
+    const auto fault = direction ? corners_.finish_towards(*direction) : corners_.finish();
+    if (fault) return row_of(*fault);
     emit_pieces();
     for (; !held_.empty(); held_.pop_front()) {
         // An approach to no contour at all goes where it is programmed.
         if (held_.front().index != 0) {
-            emit_line(held_.front(), center_at(held_.front().command.to), false);
+            emit_line(held_.front(), in_plane(held_.front().command.to) - aside_, false);
         } else {
             emit_empty();
         }
@@ -106,7 +141,7 @@ Compensation::Fault Compensation::finish() {
 std::optional<CompAlarm> Compensation::end_block(const AxisValues& here, const nc::Block& block) {
     bool has_moved = false;
     for (Command& command : fresh_) {
-        has_moved = has_moved || (path::is_motion(command.op) && moves_in_plane(command));
+        has_moved = has_moved || (path::is_motion(command.op) && moves_on(command));
         const Command place = command;
         if (const Fault fault = take(command, here)) {
             fresh_.clear();
@@ -115,6 +150,8 @@ std::optional<CompAlarm> Compensation::end_block(const AxisValues& here, const n
     }
     fresh_.clear();
     here_ = here;
+    if (is_on_contour()) lead(here_);
+    keeps_vector_ = false;
     if (has_moved || !has_last_) {
         empty_blocks_ = 0;
         return std::nullopt;
@@ -144,17 +181,22 @@ Compensation::Fault Compensation::take(Command& command, const AxisValues& behin
         if (const Fault fault = finish()) return fault;
         if (state_ == State::On) state_ = State::Starting;
         // Axes that it does not name stay where the cutter is.
-        AxisValues tip = shown_;
-        set_in_plane(tip, in_plane(shown_) - center_);
         for (const Axis axis : {axes_.first, axes_.second}) {
-            if ((command.moved & bit(axis)) == 0) command.to[index(axis)] = tip[index(axis)];
+            if ((command.moved & bit(axis)) == 0) command.to[index(axis)] = shown_[index(axis)];
         }
         here_ = shown_ = behind;
-        set_in_plane(shown_, center_at(command.to));
+        set_in_plane(shown_, in_plane(command.to));
+        meant_ = shown_;
         settled_.push_back(std::move(command));
         return nullptr;
     }
-    if (path::is_motion(command.op) && moves_in_plane(command)) return take_motion(command);
+    if (path::is_motion(command.op)) {
+        const bool moves = moves_on(command);
+        // The way to the contour ends on it; the way from it ends where it is programmed.
+        const bool is_led = moves ? state_ != State::Leaving : is_on_contour();
+        if (is_led) lead(command);
+        if (moves) return take_motion(command);
+    }
     if (path::is_motion(command.op) && !is_straight(command.op) && state_ != State::Starting)
         return &diag::CompMotion;
     if (path::is_motion(command.op)) here_ = command.to;
@@ -172,17 +214,37 @@ Compensation::Fault Compensation::take_motion(Command& command) {
     switch (state_) {
         case State::Starting: return approach(command);
         case State::Leaving: return depart(command);
-        default: return follow(command);
+        default: return keeps_vector_ ? follow_kept(command) : follow(command);
     }
+}
+
+/// Beside the block before it ends on the normal, and this one is as far from its contour.
+Compensation::Fault Compensation::follow_kept(Command& command) {
+    if (!is_straight(command.op)) return &diag::CompMotion;
+    if (approaches_) return &diag::CompNoVector;
+    if (has_last_) {
+        if (const Fault fault = finish()) return fault;
+    }
+    const Vec2 vector = in_plane(shown_) - in_plane(here_);
+    const Vec2 to = in_plane(command.to) + vector;
+    here_ = meant_ = command.to;
+    emit_line({std::move(command), 0, 0, false}, to, false);
+    return nullptr;
 }
 
 Compensation::Fault Compensation::approach(Command& command) {
     if (!is_straight(command.op)) return &diag::CompStartOnArc;
+    if (keeps_vector_) return &diag::CompNoVector;
+    begin_approach(command);
+    return nullptr;
+}
+
+void Compensation::begin_approach(Command& command) {
     here_ = command.to;
     held_.push_back({std::move(command), ++elements_, 0, false});
     approaches_ = true;
+    goes_straight_ = false;
     state_ = State::On;
-    return nullptr;
 }
 
 Compensation::Fault Compensation::follow(Command& command) {
@@ -198,14 +260,22 @@ Compensation::Fault Compensation::follow(Command& command) {
 /// The first element says where the approach ends.
 Compensation::Fault Compensation::enter(const Element& first) {
     std::optional<Element> way;
-    if (const Fault fault = way_in(first, way)) return fault;
+    if (!goes_straight_) {
+        if (const Fault fault = way_in(first, way)) return fault;
+    }
     approaches_ = false;
     if (way) {
         if (const auto fault = corners_.push(*way, distance_, held_.front().index))
             return row_of(*fault);
         return nullptr;
     }
-    emit_line(held_.front(), path::RadiusComp::start_of(first, distance_), false);
+    if (is_curve(settings_.start) && !goes_straight_) {
+        if (held_.front().command.op != Op::Line) return &diag::CompMotion;
+        emit_curve_in(first);
+    } else {
+        emit_line(held_.front(), path::RadiusComp::start_of(first, distance_), false);
+    }
+    meant_ = held_.front().command.to;
     held_.pop_front();
     return nullptr;
 }
@@ -223,7 +293,7 @@ Compensation::Fault Compensation::push(const Element& element, Held held) {
 
 Compensation::Fault Compensation::depart(Command& command) {
     if (!is_straight(command.op)) return &diag::CompEndOnArc;
-    const Vec2 to = center_at(command.to);
+    const Vec2 to = in_plane(command.to);
     std::optional<Element> way;
     if (has_last_) {
         if (const Fault fault = way_out(to, way)) return fault;
@@ -234,65 +304,17 @@ Compensation::Fault Compensation::depart(Command& command) {
             return fault;
         if (const Fault fault = finish()) return fault;
     } else {
-        if (const Fault fault = finish()) return fault;
-        emit_line({std::move(command), 0, 0, true}, to, false);
+        const bool has_contour = has_last_;
+        if (const Fault fault = finish(leave_direction_)) return fault;
+        if (!is_curve(settings_.start) || !has_contour) {
+            emit_line({std::move(command), 0, 0, true}, to, false);
+        } else if (command.op != Op::Line) {
+            return &diag::CompMotion;
+        } else {
+            emit_curve_out(command);
+        }
     }
     state_ = State::Off;
-    return nullptr;
-}
-
-// ------------------------------------------------------------------------------ there and back
-
-/// The place on the circle about the corner that a line from `from` touches, so that the corner is
-/// at the distance beside it. None within the circle.
-std::optional<Vec2> Compensation::touched(const Vec2& corner, const Vec2& from,
-                                          double distance) const {
-    const Vec2 away = from - corner;
-    const double apart = away.norm();
-    const double radius = std::abs(distance);
-    if (apart <= radius) return std::nullopt;
-    const double angle = std::acos(radius / apart);
-    const Vec2 direction = away / apart;
-    for (const double sign : {1.0, -1.0}) {
-        const Vec2 place = corner + Eigen::Rotation2D(sign * angle) * direction * radius;
-        if (left_of(place - from).dot(place - corner) * distance > 0) return place;
-    }
-    return std::nullopt;
-}
-
-/// The approach as an element of the contour, if the first corner is to be treated as one; none:
-/// straight to the normal.
-Compensation::Fault Compensation::way_in(const Element& first, std::optional<Element>& way) const {
-    const Vec2 from = in_plane(shown_);
-    const Vec2 tangent = path::start_direction(first);
-    const Vec2 along = first.from - from;
-    if (along.norm() < path::kSamePoint || distance_ == 0) return nullptr;
-    if (settings_.start == CompStart::Extended) {
-        const double turn = along.x() * tangent.y() - along.y() * tangent.x();
-        if (turn * distance_ < 0) way = path::line_element(from, first.from);
-    }
-    const bool is_behind = left_of(tangent).dot(along) * distance_ > path::kSamePoint;
-    if (settings_.start != CompStart::Around || !is_behind) return nullptr;
-    const std::optional<Vec2> touch = touched(first.from, from, distance_);
-    if (!touch) return &diag::CompStartBlocked;
-    way = path::line_element(first.from - (*touch - from), first.from);
-    return nullptr;
-}
-
-Compensation::Fault Compensation::way_out(const Vec2& to, std::optional<Element>& way) const {
-    const Vec2 tangent = path::end_direction(last_);
-    const Vec2 along = to - last_.to;
-    if (along.norm() < path::kSamePoint || distance_ == 0) return nullptr;
-    if (settings_.start == CompStart::Extended) {
-        const double turn = tangent.x() * along.y() - tangent.y() * along.x();
-        if (turn * distance_ < 0) way = path::line_element(last_.to, to);
-    }
-    const bool is_behind = left_of(tangent).dot(along) * distance_ < -path::kSamePoint;
-    if (settings_.start != CompStart::Around || !is_behind) return nullptr;
-    // The way back touches from the other side.
-    const std::optional<Vec2> touch = touched(last_.to, to, -distance_);
-    if (!touch) return &diag::CompStartBlocked;
-    way = path::line_element(last_.to, last_.to + (to - *touch));
     return nullptr;
 }
 
@@ -310,21 +332,25 @@ void Compensation::emit(const CompPiece& piece) {
     }
     const Held& held = held_.front();
     const Element& way = piece.element;
+    if (piece.weight > 0) return emit_conic(held, piece);
     if (!way.is_arc()) {
-        emit_line(held, held.is_departure ? center_at(held.command.to) : way.to, piece.is_inserted);
+        emit_line(held, held.is_departure ? in_plane(held.command.to) : way.to, piece.is_inserted);
     } else {
         const bool is_gap = (in_plane(shown_) - way.from).norm() > path::kSamePoint;
         if (is_gap) emit_line(held, way.from, true);
         if (held.command.op == Op::Rapid) emit_rapid_around(held, way);
         else emit_arc(held, piece);
     }
-    if (!piece.is_inserted) held_.pop_front();
+    if (piece.is_inserted) return;
+    meant_ = held.command.to;
+    held_.pop_front();
 }
 
 /// A block without motion in the plane: where the cutter stands now.
 void Compensation::emit_empty() {
     Held& held = held_.front();
     if (!path::is_motion(held.command.op)) return settled_.push_back(std::move(held.command));
+    meant_ = held.command.to;
     set_in_plane(held.command.to, in_plane(shown_));
     put(std::move(held.command));
 }
@@ -363,6 +389,29 @@ void Compensation::emit_arc(const Held& held, const CompPiece& piece) {
     put(std::move(command));
 }
 
+/// The arc about a corner that has been made more pointed; at rapid the tangents at its ends and at
+/// its middle.
+void Compensation::emit_conic(const Held& held, const CompPiece& piece) {
+    const Vec2& to = piece.element.to;
+    if (held.command.op == Op::Rapid) {
+        const double sum = 1 + piece.weight;
+        emit_line(held, (piece.element.from + piece.weight * piece.apex) / sum, true);
+        emit_line(held, (to + piece.weight * piece.apex) / sum, true);
+        return emit_line(held, to, true);
+    }
+    Command command = held.command;
+    command.op = Op::Spline;
+    command.to = shown_;
+    command.exact_stop = false;
+    AxisValues apex = shown_;
+    set_in_plane(apex, piece.apex);
+    command.spline.degree = 2;
+    command.spline.inner[0] = path::Vec3(apex[0], apex[1], apex[2]);
+    command.spline.weights = {1, piece.weight, 1, 1};
+    set_in_plane(command.to, to);
+    put(std::move(command));
+}
+
 /// At rapid there are no arcs: around a corner by lines that touch the arc.
 void Compensation::emit_rapid_around(const Held& held, const Element& arc) {
     const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(arc.sweep) / (pi / 2))));
@@ -379,10 +428,15 @@ void Compensation::emit_rapid_around(const Held& held, const Element& arc) {
 void Compensation::put(Command command) {
     command.moved = static_cast<AxisMask>(command.moved | bit(axes_.first) | bit(axes_.second));
     shown_ = command.to;
-    set_in_plane(command.to, in_plane(command.to) - center_);
-    command.center[static_cast<Eigen::Index>(index(axes_.first))] -= center_.x();
-    command.center[static_cast<Eigen::Index>(index(axes_.second))] -= center_.y();
     settled_.push_back(std::move(command));
+}
+
+Command Compensation::as_far_beside(Command command) const {
+    const Vec2 beside = in_plane(shown_) - in_plane(meant_);
+    set_in_plane(command.to, in_plane(command.to) + beside);
+    command.center[static_cast<Eigen::Index>(index(axes_.first))] += beside.x();
+    command.center[static_cast<Eigen::Index>(index(axes_.second))] += beside.y();
+    return command;
 }
 
 // ------------------------------------------------------------------------------ the plane
@@ -390,6 +444,21 @@ void Compensation::put(Command command) {
 bool Compensation::moves_in_plane(const Command& command) const {
     return command.op == Op::Arc ||
            (in_plane(command.to) - in_plane(here_)).norm() > path::kSamePoint;
+}
+
+/// The same of a command as it is programmed.
+bool Compensation::moves_on(const Command& command) const {
+    Command led = command;
+    if (is_on_contour()) lead(led);
+    return moves_in_plane(led);
+}
+
+void Compensation::lead(AxisValues& place) const { set_in_plane(place, in_plane(place) + aside_); }
+
+void Compensation::lead(Command& command) const {
+    lead(command.to);
+    command.center[static_cast<Eigen::Index>(index(axes_.first))] += aside_.x();
+    command.center[static_cast<Eigen::Index>(index(axes_.second))] += aside_.y();
 }
 
 Element Compensation::element_of(const Command& command) const {

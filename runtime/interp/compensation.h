@@ -1,9 +1,9 @@
 // compensation.h — cutter radius compensation: commands of the programmed contour in, commands of
 // the cutter's centre out, a block or more later.
 //
-// What a corner becomes is path/radius_comp.h; here is the order of things in a program: how the
-// cutter comes to the contour and leaves it, blocks without motion in the plane, what inserted
-// pieces inherit from their block.
+// What a corner becomes is path/radius_comp.h, compensation_ways.cpp the way to the contour; here
+// is the order of things in a program: how the cutter comes to the contour and leaves it, blocks
+// without motion in the plane, what inserted pieces inherit from their block.
 #pragma once
 
 #include <cstdint>
@@ -28,15 +28,6 @@ struct CompSettings {
     bool more_empty_is_fault = true;  // else the cutter goes to the normal before them
 };
 
-/// The tool beside the contour.
-struct CompTool {
-    double distance = 0;  // radius and allowance, mm, positive left of the contour
-    /// From the point that is programmed to the centre of the tool, in the plane, mm: of a lathe's
-    /// tool, whose tip lies on the nose. On the contour the centre is led; what goes out is the
-    /// tip.
-    path::Vec2 center = path::Vec2::Zero();
-};
-
 /// What was wrong, and where: the command of the block.
 struct CompAlarm {
     const DiagnosticRow* row = nullptr;
@@ -50,13 +41,33 @@ class Compensation {
 
     /// Compensation begins with the next motion in the plane. `here` is where the tool is.
     ///
-    void begin(const CompSettings& settings, path::Plane plane, const CompTool& tool,
+    /// distance  radius of the cutter and allowance, mm, positive left of the contour
+    void begin(const CompSettings& settings, path::Plane plane, double distance,
                const AxisValues& here);
-    void set_tool(const CompTool& tool);
+    void set_distance(double distance) { distance_ = distance; }
+    /// Of a lathe's tool: from the centre of its nose to the tip, which is what is programmed, in
+    /// the plane, mm. The contour is led so far aside that beside it the tip goes, and not the
+    /// centre.
+    void set_aside(const path::Vec2& aside);
     void set_settings(const CompSettings& settings);
-    /// The next motion in the plane leaves the contour.
-    void leave();
+    double distance() const { return distance_; }
+    /// The next motion in the plane leaves the contour; if a direction is given, from where the
+    /// contour would meet the way beside a line into it.
+    void leave(const std::optional<path::Vec2>& direction = std::nullopt);
+    /// Compensation is over at once: what waits is let go of, and the cutter stays where it is.
+    std::optional<CompAlarm> stop();
+    /// Where the cutter is, once nothing waits any more.
+    const AxisValues& place() const { return shown_; }
     path::Plane plane() const { return plane_; }
+
+    /// The motions of the block that follows leave the cutter as far beside the contour as it is.
+    void keep_vector() { keeps_vector_ = true; }
+    /// The cutter goes on an arc about the corner at which it is: to the normal of the next motion,
+    /// or of a direction. `motion` tells feed and place of the arc.
+    std::optional<CompAlarm> round_corner(const path::Command& motion,
+                                          const std::optional<path::Vec2>& direction);
+    /// The way to the contour, whose first element comes next; it may be no way at all.
+    void begin_soft_approach(path::Command motion);
 
     /// Where the executor puts a command while compensation is on.
     path::Command& next() { return fresh_.emplace_back(); }
@@ -67,6 +78,13 @@ class Compensation {
     std::optional<CompAlarm> flush();
     /// Commands that are settled, in order. The caller clears them.
     std::vector<path::Command>& settled() { return settled_; }
+    /// Calls `see` for every command that waits, in order: about where the cutter will go, as far
+    /// from what is programmed as it is now.
+    template <typename See>
+    void look_at_waiting(See see) const {
+        for (const Held& held : held_) see(as_far_beside(held.command));
+        for (const path::Command& command : fresh_) see(as_far_beside(command));
+    }
 
   private:
     enum class State : std::uint8_t { Off, Starting, On, Leaving };
@@ -81,12 +99,18 @@ class Compensation {
     Fault take(path::Command& command, const AxisValues& behind);
     Fault take_motion(path::Command& command);
     Fault approach(path::Command& command);
+    void begin_approach(path::Command& command);
     Fault follow(path::Command& command);
     Fault depart(path::Command& command);
     Fault enter(const path::Element& first);
     Fault push(const path::Element& element, Held held);
-    Fault finish();
+    Fault follow_kept(path::Command& command);
+    Fault finish(const std::optional<path::Vec2>& direction = std::nullopt);
     bool moves_in_plane(const path::Command& command) const;
+    bool is_on_contour() const { return state_ == State::On || state_ == State::Leaving; }
+    bool moves_on(const path::Command& command) const;
+    void lead(AxisValues& place) const;
+    void lead(path::Command& command) const;
     path::Element element_of(const path::Command& command) const;
     Fault way_in(const path::Element& first, std::optional<path::Element>& way) const;
     Fault way_out(const path::Vec2& to, std::optional<path::Element>& way) const;
@@ -99,10 +123,13 @@ class Compensation {
     void emit_line(const Held& held, const path::Vec2& to, bool is_inserted);
     void emit_arc(const Held& held, const path::CompPiece& piece);
     void emit_rapid_around(const Held& held, const path::Element& arc);
+    void emit_conic(const Held& held, const path::CompPiece& piece);
+    void emit_curve_in(const path::Element& first);
+    void emit_curve_out(path::Command& command);
+    double curvature_beside(const path::Element& element) const;
     void put(path::Command command);
+    path::Command as_far_beside(path::Command command) const;
     path::Vec2 in_plane(const AxisValues& values) const;
-    /// Where the centre is while the tip is there.
-    path::Vec2 center_at(const AxisValues& tip) const { return in_plane(tip) + center_; }
     void set_in_plane(AxisValues& values, const path::Vec2& at) const;
 
     State state_ = State::Off;
@@ -110,14 +137,18 @@ class Compensation {
     path::PlaneAxes axes_;
     path::Plane plane_ = path::Plane::Xy;
     double distance_ = 0;
-    path::Vec2 center_ = path::Vec2::Zero();  // as of CompTool
-    AxisValues here_{};                       // programmed
-    AxisValues shown_{};  // centre at the end of the last command that was let go
+    path::Vec2 aside_ = path::Vec2::Zero();
+    AxisValues here_{};   // programmed
+    AxisValues shown_{};  // end of the last command that was let go …
+    AxisValues meant_{};  // … and as it was programmed
     path::RadiusComp corners_{{}};
     std::size_t elements_ = 0;
     path::Element last_;  // of the contour
     bool has_last_ = false;
-    bool approaches_ = false;  // the first of `held_` waits for the first element
+    bool approaches_ = false;     // the first of `held_` waits for the first element
+    bool goes_straight_ = false;  // the approach, whatever the settings say
+    bool keeps_vector_ = false;
+    std::optional<path::Vec2> leave_direction_;
     int empty_blocks_ = 0;
     std::deque<Held> held_;
     std::vector<path::Command> fresh_;

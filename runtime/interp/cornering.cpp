@@ -60,6 +60,11 @@ void Executor::choose_corner(const Block& block, const Invocation& invocation, A
 /// Tells the corners what this block wants, before it puts its motion.
 void Executor::wish_corner(const Block& block, const Actions& actions) {
     if (cycle_blocks_) return;
+    // Where a soft approach begins its contour, nothing stands before the corner.
+    if (actions.soft != nullptr || soft_approach_.needs_place()) {
+        if (actions.corner != nullptr) report(diag::CornerNotContour, block);
+        return;
+    }
     CornerWish wish;
     if (actions.corner != nullptr) {
         const Invocation& said = *actions.corner;
@@ -139,10 +144,7 @@ bool Executor::wish_square_corner(const Block& block, const Target& target) {
 
 /// What a block has put goes through the corners and the compensation; what is settled goes out.
 void Executor::settle(const Block& block) {
-    if (!corners_.is_active()) {
-        if (compensation_.is_on()) settle_comp(block, position_.base);
-        return;
-    }
+    if (!corners_.is_active()) return settle_stages(block, position_.base, true);
     std::optional<CornerMessage> message;
     if (alarmed_) {
         message = corners_.leave(diag::CornerWithoutMotion);
@@ -154,6 +156,11 @@ void Executor::settle(const Block& block) {
     pass_corners();
     if (message) report_corner(*message);
     if (!alarmed_ && ended_ && compensation_.is_on()) flush_comp();
+}
+
+void Executor::settle_stages(const Block& block, const AxisValues& here, bool is_last) {
+    if (soft_approach_.is_active()) settle_soft(block);
+    if (compensation_.is_on()) settle_comp(block, here, is_last);
 }
 
 /// A cycle, or the end of the text, has no corner with the motion before it.
@@ -184,8 +191,8 @@ void Executor::pass_corners() {
             at.line = item.place.line;
         }
         // A change acts on what comes behind it.
-        if (compensation_.is_on() && (!is_change || has_put))
-            settle_comp(at, is_change ? item.change.here : item.here, false);
+        if (!is_change || has_put)
+            settle_stages(at, is_change ? item.change.here : item.here, false);
         has_put = false;
         if (is_change) change_comp(item.change);
     }

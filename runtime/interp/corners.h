@@ -51,12 +51,15 @@ struct CornerMessage {
 
 /// A change of the compensation, at its place among the commands.
 struct CompChange {
-    enum class Kind : std::uint8_t { Leave, Begin, Set };
+    enum class Kind : std::uint8_t { Leave, Begin, Set, KeepVector, RoundCorner };
     Kind kind = Kind::Set;
     CompSettings settings;
     path::Plane plane = path::Plane::Xy;
-    CompTool tool;
-    AxisValues here{};  // where the tool is, Begin
+    double distance = 0;
+    AxisValues here{};                         // where the tool is, Begin
+    std::optional<path::Vec2> direction = {};  // Leave, RoundCorner
+    path::Command motion = {};                 // RoundCorner
+    path::Vec2 aside = path::Vec2::Zero();     // Begin, Set: see Compensation::set_aside
 };
 
 class Corners {
@@ -88,6 +91,14 @@ class Corners {
     std::optional<CornerMessage> leave(const DiagnosticRow& why);
     /// Items that are settled. The caller clears them.
     std::vector<Item>& settled() { return settled_; }
+    /// Calls `see` for every command that waits, in order.
+    template <typename See>
+    void look_at_waiting(See see) const {
+        for (const auto* items : {&held_, &fresh_}) {
+            for (const Item& item : *items)
+                if (item.kind == Item::Kind::Command) see(item.command);
+        }
+    }
     /// Warnings; the caller clears them.
     std::vector<CornerMessage>& warnings() { return warnings_; }
 

@@ -340,6 +340,10 @@ void Executor::repeat_cycle(const Block& block, const Actions& actions) {
 
 /// Moves to the place in the plane and opens the stream of the cycle's blocks.
 void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape* shape) {
+    if (comp_.side != Function::RadiusCompOff) {
+        report(diag::CycleCompensated, block);
+        return;
+    }
     const path::PlaneAxes plane = path::axes_of(cycle_plane());
     const SlotMask place =
         block.given & nc::kTargetSlots & ~SlotMask{bit(nc::slot_of(plane.normal))};
@@ -451,6 +455,14 @@ bool Executor::was_refused(const Block& block) {
 
 void Executor::finish_cycle() {
     if (was_refused(caller_)) return;
+    // Compensation that the cycle has not ended is over; the cutter stays where it is.
+    if (comp_.side != Function::RadiusCompOff) {
+        comp_.side = Function::RadiusCompOff;
+        stop_comp();
+        if (ended_) return;
+        position_.base = compensation_.place();
+        frame_changed();
+    }
     cycle_blocks_.reset();
     cycle_stream_.reset();
     modal_ = modal_before_cycle_;

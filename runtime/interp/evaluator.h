@@ -74,8 +74,8 @@ class Evaluator {
         return value.is_frame() ? keep_frame(*content.frame) : value;
     }
     void forget() {
-        texts_.clear();
-        frames_.clear();
+        if (!texts_.empty()) texts_.clear();
+        if (!frames_.empty()) frames_.clear();
     }
     void enter(const Level& level) { level_ = &level; }
 

@@ -137,8 +137,11 @@ void Executor::execute_next() {
         const Block* block = cycle_blocks_->next();
         if (block == nullptr) {
             finish_cycle();
+            if (has_stages()) settle(caller_);
         } else {
-            execute(in_plane_of_cycle(*block));
+            const Block& own = in_plane_of_cycle(*block);
+            execute(own);
+            if (has_stages()) settle(own);
         }
         return;
     }
@@ -148,12 +151,17 @@ void Executor::execute_next() {
         ended_ = alarmed_ = true;  // the control stops at the line that could not be read
         return;
     }
+    if (move_plainly(*block)) return;
     if (shape_ && !check_shape_block(*block)) return;
     execute(rules_.center_stays ? with_center(*block) : *block);
-    const bool has_stages = corners_.is_active() || compensation_.is_on();  // nearly never
     const bool is_open = open_line_ || (corners_.is_active() && !acts(*block));
-    if (has_stages && !is_open) settle(*block);
+    if (has_stages() && !is_open) settle(*block);
     if (shape_ && !ended_) end_shape_block(*block);
+}
+
+/// Whether commands pass through something that keeps them back; nearly never.
+bool Executor::has_stages() const {
+    return corners_.is_active() || compensation_.is_on() || soft_approach_.is_active();
 }
 
 void Executor::end_of_blocks() {
@@ -163,6 +171,13 @@ void Executor::end_of_blocks() {
     if (ended_) return;
     leave_corners(diag::CornerWithoutMotion);
     if (ended_) return;
+    if (soft_approach_.is_active()) {
+        Block at{};
+        at.source = soft_approach_.move().slow.source;
+        at.line = soft_approach_.move().slow.line;
+        report(diag::SoftNoDirection, at);
+        return;
+    }
     if (compensation_.is_on()) flush_comp();
     if (ended_) return;
     ended_ = true;
@@ -223,8 +238,11 @@ void Executor::run(const Block& block) {
 }
 
 void Executor::run_functions(const Block& block) {
-    const Actions actions = apply_functions(block);
+    Actions actions = apply_functions(block);
     if (ended_) return;
+    actions.motion_before = modal_.motion;
+    actions.feed_before = modal_.feed;
+    actions.had_feed = modal_.has_feed;
     if (block.has(Slot::Feed)) set_feed(block);
     if (actions.corner != nullptr || rounding_ > 0) wish_corner(block, actions);
     if (ended_) return;
@@ -324,14 +342,46 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::RadiusOffset:
         case Function::CompStartNormal:
         case Function::CompStartAround:
+        case Function::CompStartTangent:
+        case Function::CompStartSmooth:
         case Function::CompCornerArc:
         case Function::CompCornerIntersection:
+        case Function::CompCornerPointed:
         case Function::CompCheckOn:
         case Function::CompCheckOff:
         case Function::CompAllowance:
             // Roughing works along the programmed shape; where it is followed, it is compensated.
             if (!keeps_shape()) choose_comp(block, invocation, actions);
             break;
+        case Function::CompKeepVector:
+        case Function::CompCornerHere:
+            if (comp_.side == Function::RadiusCompOff) {
+                report(diag::CompNoVector, block, invocation.function);
+                return;
+            }
+            actions.keeps_vector |= invocation.function == Function::CompKeepVector;
+            if (invocation.function == Function::CompCornerHere) actions.comp_corner = &invocation;
+            break;
+        case Function::SoftApproach:
+        case Function::SoftRetract:
+            if (actions.soft != nullptr || soft_approach_.is_active()) {
+                report(diag::SoftTwice, block, invocation.function);
+                return;
+            }
+            if (machine_.is_lathe) {
+                report(diag::IsoNotSupported, block).arg("a soft approach on a lathe");
+                return;
+            }
+            actions.soft = &invocation;
+            break;
+        case Function::SoftRadius:  // beside the approach, in soft_moves.cpp
+        case Function::SoftClearance:
+        case Function::SoftFeed: break;
+        case Function::SoftSide:
+            soft_.side = static_cast<SoftState::Side>(
+                std::clamp<std::int64_t>(count_of(block, invocation), 0, 3));
+            break;
+        case Function::SoftSteps: soft_.in_steps = count_of(block, invocation) != 0; break;
         case Function::LengthCompOn:
             if ((invocation.given & 1u) != 0) tool_.offset = count_of(block, invocation);
             set_length_source(Tool::Source::Offset, actions);
@@ -464,6 +514,9 @@ void Executor::act_before_motion(const Block& block, const Actions& actions) {
     if (actions.data != nullptr) write_data(block, *actions.data);
     if (actions.tool_change) change_tool(block);
     if (actions.comp_changed) act_on_comp(block, actions);
+    if (actions.keeps_vector)
+        send_comp({CompChange::Kind::KeepVector, {}, modal_.plane, 0, position_.base, {}, {}});
+    if (actions.comp_corner != nullptr) round_comp_corner(block, *actions.comp_corner);
     if (ended_) return;
     if (actions.limit != nullptr) set_speed_limit(block, *actions.limit);
     if (block.has(Slot::Speed)) program_speed(block);
@@ -720,6 +773,7 @@ void Executor::frame_changed() { position_.here = frames_.from_base(position_.ba
 /// Where a command goes that no corner waits for.
 Command& Executor::behind_corners() {
     if (keeps_shape()) return shape_->commands.emplace_back();
+    if (soft_approach_.is_active()) return soft_approach_.next();
     return compensation_.is_on() ? compensation_.next() : output_.next();
 }
 

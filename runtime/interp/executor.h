@@ -1,10 +1,11 @@
 // executor.h — executes blocks one by one and puts commands out. Internal to interp.
 //
 // What a block does is told in chapters: executor.cpp (the order of things in a block, its single
-// functions), motion.cpp (targets, lines, arcs, tool length, limits), circles.cpp, polar.cpp and
-// angles.cpp (what controls work out of other words), cornering.cpp and compensating.cpp (what the
-// commands pass through), cycles.cpp (machining cycles), shapes.cpp (cycles along a shape that
-// stands in the program).
+// functions), plain_moves.cpp (what nearly every block is), motion.cpp (targets, lines, arcs, tool
+// length, limits), circles.cpp, polar.cpp and angles.cpp (what controls work out of other words),
+// cornering.cpp and compensating.cpp (what the commands pass through), soft_moves.cpp (soft
+// approaches and retracts), cycles.cpp (machining
+// cycles), shapes.cpp (cycles along a shape that stands in the program).
 #pragma once
 
 #include <array>
@@ -23,6 +24,7 @@
 #include "interp/run_clock.h"
 #include "interp/shape_run.h"
 #include "interp/snapshot.h"
+#include "interp/soft_approach.h"
 #include "interp/spline_run.h"
 #include "interp/state.h"
 #include "interp/tool_offsets.h"
@@ -46,7 +48,13 @@ struct Actions {
     nc::Function stop = nc::Function::None;
     nc::Function end = nc::Function::None;
     nc::Function radius_comp = nc::Function::None;
-    bool comp_changed = false;               // its radius, allowance or rules
+    bool comp_changed = false;  // its radius, allowance or rules
+    bool keeps_vector = false;  // of the compensation
+    const nc::Invocation* comp_corner = nullptr;
+    const nc::Invocation* soft = nullptr;             // SoftApproach or SoftRetract
+    nc::Function motion_before = nc::Function::None;  // … in the block before
+    double feed_before = 0;
+    bool had_feed = false;
     const nc::Invocation* corner = nullptr;  // chamfer or rounding at the end of the block
     double corner_feed = 0;                  // 0: not said
     const nc::Invocation* angle = nullptr;
@@ -68,6 +76,13 @@ struct Target {
     AxisValues here;
     AxisValues base;
     AxisMask moved = 0;
+};
+
+/// Where a soft approach or retract touches the contour, in the plane of the base system.
+struct SoftPlace {
+    path::Vec2 place = path::Vec2::Zero();
+    path::Vec2 direction = path::Vec2::Zero();  // of the contour there, unit vector
+    path::Vec2 tool = path::Vec2::Zero();       // where the tool comes from or goes to
 };
 
 /// Blocks of one stream, pulled in batches.
@@ -117,7 +132,7 @@ class Executor {
                                   const ControlFrame& frame, bool acts_at_once);  // offsets.cpp
     bool is_length(std::int64_t axis) const;
     double word_factor(std::int64_t axis) const;
-    bool is_compensated() const { return compensation_.is_on(); }
+    bool is_compensated() const { return compensation_.is_on() || soft_approach_.is_active(); }
     void keep_frames() { kept_frames_.push_back({frames_, work_offset_}); }
     void restore_frames(bool is_wanted);
 
@@ -127,6 +142,7 @@ class Executor {
     double mirrored_axes() const;
     std::optional<double> clock(nc::Quantity quantity);
     void count_time();
+    double run_time();
     // offsets.cpp: what a program writes
     void write_data(const nc::Block& block, const nc::Invocation& invocation);
     void write_work_offset(const nc::Block& block, const nc::Invocation& invocation);
@@ -143,6 +159,7 @@ class Executor {
                                         double value);
     // executor.cpp: the order of things
     void execute_next();
+    bool has_stages() const;
     bool acts(const nc::Block& block) const;
     void execute(const nc::Block& block);
     void run(const nc::Block& block);
@@ -175,6 +192,11 @@ class Executor {
     FrameWords center_of(const nc::Block& block, const nc::Invocation& invocation) const;
     void scale(const nc::Block& block, const nc::Invocation& invocation);
     void pass_machine_function(const nc::Block& block, std::int64_t number);
+
+    // plain_moves.cpp
+    bool move_plainly(const nc::Block& block);
+    bool is_plain_block(const nc::Block& block) const;
+    bool is_plain_state() const;
 
     // motion.cpp
     void move(const nc::Block& block, const Actions& actions);
@@ -234,6 +256,7 @@ class Executor {
     void put_wish(const nc::Block& block, CornerWish wish);
     bool wish_square_corner(const nc::Block& block, const Target& target);
     void settle(const nc::Block& block);
+    void settle_stages(const nc::Block& block, const AxisValues& here, bool is_last);
     void leave_corners(const DiagnosticRow& why);
     void pass_corners();
     void report_corner(const CornerMessage& message);
@@ -246,9 +269,31 @@ class Executor {
     void change_comp(const CompChange& change);
     void settle_comp(const nc::Block& block, const AxisValues& here, bool is_last = true);
     void flush_comp();
+    void stop_comp();
+    void take_comp(const std::optional<CompAlarm>& alarm);
+    void round_comp_corner(const nc::Block& block, const nc::Invocation& invocation);
+    std::optional<path::Vec2> direction_in_base(const path::Vec3& programmed) const;
+    std::optional<path::Vec2> leave_direction(const nc::Block& block) const;
     CompSettings comp_settings() const;
-    CompTool comp_tool(const nc::Block& block);
+    CompChange comp_change(const nc::Block& block, CompChange::Kind kind);
+    void take_comp_tool(const nc::Block& block, CompChange& change);
     void report_comp(const CompAlarm& alarm);
+
+    // soft_moves.cpp
+    void approach_softly(const nc::Block& block, const Actions& actions);
+    void retract_softly(const nc::Block& block, const Actions& actions);
+    std::optional<SoftMove> soft_move_of(const nc::Block& block, const Actions& actions);
+    double base_level(double programmed) const;
+    std::optional<path::SoftWay> soft_way(const nc::Block& block, const SoftMove& move,
+                                          const SoftPlace& at);
+    std::optional<double> soft_level(const nc::Block& block, const SoftMove& move, double contour,
+                                     double tool);
+    void settle_soft(const nc::Block& block);
+    void put_soft_approach();
+    void put_infeed(path::Command command, AxisValues& here, double level);
+    void put_soft_way(path::Command command, const path::Element& element);
+    path::Vec2 in_plane(const AxisValues& values) const;
+    void set_in_plane(AxisValues& values, const path::Vec2& place) const;
 
     // shapes.cpp: the blocks of the program along which a cycle works
     void begin_shape(const nc::Block& block, const ModalCycle& call);
@@ -344,6 +389,7 @@ class Executor {
     Output output_;
     RunClock clock_;
     std::size_t timed_ = 0;         // commands of this batch that the clock knows
+    double latest_time_ = 0;        // that the program has been told, s
     double milliseconds_from_ = 0;  // what the program has set, without the time since
     double hours_from_ = 0;
     std::optional<AxisValues> probed_;  // where the last probing ended, in the programmed system
@@ -368,6 +414,8 @@ class Executor {
     double corner_feed_ = 0;                     // of every corner; 0: that of a neighbour
     Corners corners_{corner_settings(rules_)};
     RadiusCompState comp_;
+    SoftState soft_;
+    SoftApproach soft_approach_;
     Compensation compensation_;
     path::CoolantMode coolant_ = path::CoolantMode::Off;
     bool warned_spindle_stopped_ = false;

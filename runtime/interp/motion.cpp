@@ -65,7 +65,13 @@ void Executor::move(const Block& block, const Actions& actions) {
         modal_cycle_.is_active = false;  // a motion code ends a modal cycle
     }
     const SlotMask targets = block.given & nc::kTargetSlots;
-    const SlotMask arc_words = block.given & kArcSlots;
+    SlotMask arc_words = block.given & kArcSlots;
+    // They have told where the compensation ends.
+    if (arc_words != 0 && leave_direction(block)) arc_words &= ~nc::kCenterSlots;
+    if (actions.soft != nullptr) {
+        return actions.soft->function == Function::SoftApproach ? approach_softly(block, actions)
+                                                                : retract_softly(block, actions);
+    }
     if (actions.reference != nullptr) return return_to_reference(block, *actions.reference);
     if (actions.calls_behind_motions) {
         call_behind_motions_.reset();

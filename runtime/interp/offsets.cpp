@@ -54,13 +54,9 @@ Write Executor::set_quantity(Quantity quantity, std::int64_t first, std::int64_t
             return set_tool_offset(*ToolOffsets::column_of(quantity), first,
                                    value * word_scale_[index(Axis::X)]);
         case Quantity::Milliseconds:
-            count_time();
-            milliseconds_from_ = value - clock_.seconds() * 1000;
+            milliseconds_from_ = value - run_time() * 1000;
             return Write::Done;
-        case Quantity::Hours:
-            count_time();
-            hours_from_ = value - clock_.seconds() / 3600;
-            return Write::Done;
+        case Quantity::Hours: hours_from_ = value - run_time() / 3600; return Write::Done;
         default: return Write::Refused;
     }
 }

@@ -28,6 +28,9 @@ class Output {
     /// A command of this batch that is in the caller's room.
     const path::Command& at(std::size_t i) const { return out_[i]; }
 
+    /// Commands that wait for the next batch.
+    const std::vector<path::Command>& waiting() const { return queue_; }
+
     /// The place of the next command. Valid until the next call.
     path::Command& next() {
         if (written_ < out_.size()) return out_[written_++];

@@ -74,8 +74,45 @@ std::size_t Program::State::pull(std::span<Block> out) {
             has_visible_fault = true;
         }
         if (is_only_checking && done == Done::Block && !has_visible_fault) return given;
+        if (done == Done::Block && runs_flat()) take_flat(out);
     }
     return given;
+}
+
+/// Whether nothing but the next line of the text decides what comes.
+bool Program::State::runs_flat() {
+    if (frame->here.offset != frontier().offset || source().offset() != frame->here.offset)
+        return false;
+    const bool is_called = due || frame->call.to || frame->is_returning || !modal_calls.empty();
+    const bool is_at_end = is_only_checking || has_ended || lines.has_ended();
+    return !is_called && !is_at_end && !is_waiting && watch == nullptr && frame->repeats.empty();
+}
+
+/// Lines that nobody has executed yet, one behind the other, while they are plain words: in a flat
+/// program all. What the usual way asks at each line was asked once, by `runs_flat`.
+void Program::State::take_flat(std::span<Block> out) {
+    nc::LineSource& from = source();
+    nc::LineSource::Ahead ahead;
+    while (given < out.size() && may_go_on() && from.look(ahead)) {
+        Block& block = out[given];
+        block.reset();
+        const std::uint64_t number = frame->here.line;
+        lines.begin(number);
+        if (!lines.read_plain(ahead.line, block)) return;
+        from.pass(ahead);
+        ++given;
+        variables.set_in_step(false);
+        most_line = std::max(most_line, number);
+        const Position next{from.offset(), number + 1};
+        if (block.function_count != 0) {  // it may end the program, or call a cycle
+            frame->goes_on = next;
+            finish_first(Done::Block, ahead.line, next, block);
+            return;
+        }
+        frontier() = next;
+        frame->here = next;
+        deliver(block, ahead.line, number, false);
+    }
 }
 
 /// Loops without a block give nobody else the occasion to look at the clock.
@@ -105,7 +142,6 @@ Program::State::Done Program::State::step(Block& out) {
     if (frame->call.to && frame->here == *frame->call.to) frame->is_returning = true;
     if (frame->is_returning) return finish_return(out);
     if (lines.has_ended()) return end_of_text();
-    frame->goes_on = frame->here;
     if (frame->here.offset >= frontier().offset) return first_time(out);
     CompiledLine* const line =
         frame->next_line != nullptr ? frame->next_line : line_at(frame->here);
@@ -130,7 +166,7 @@ Program::State::Done Program::State::step(Block& out) {
     if (!frame->repeats.empty()) advance();
     if (done == Done::Block) {
         deliver(out, line->text, line->place.line.line, true);
-        follow_shape(out, line->text, Place(line->place));
+        if (out.function_count != 0) follow_shape(out, line->text, Place(line->place));
     }
     if (begins) perform_call();
     return done;
@@ -141,7 +177,7 @@ Program::State::Done Program::State::first_time(Block& out) {
     if (is_waiting) {
         frame->goes_on = scratch.place.next;
         lines.begin(frame->here.line);
-        return finish_first(run(scratch, out), scratch.text, scratch.place, out);
+        return finish_first(run(scratch, out), scratch.text, scratch.place.next, out);
     }
     if (source().offset() != frame->here.offset && !source().seek(frame->here.offset)) {
         lines.begin(frame->here.line);
@@ -155,36 +191,41 @@ Program::State::Done Program::State::first_time(Block& out) {
     bool is_too_long = false;
     if (!source().next(text, is_too_long)) return end_of_text();
     if (watch != nullptr && !shows(text)) return Done::Nothing;
-    const Place place{frame->here, {source().offset(), frame->here.line + 1}};
-    frame->goes_on = place.next;
+    const Position next{source().offset(), frame->here.line + 1};
+    frame->goes_on = next;
     most_line = std::max(most_line, frame->here.line);
     if (is_too_long) {
         lines.report_too_long(text, frame->here.line);
-        frame->here = frontier() = place.next;
+        frame->here = frontier() = next;
         return Done::Nothing;
     }
     lines.begin(frame->here.line);
     const bool is_plain = modal_calls.empty() || !takes_blocks();
-    if (is_plain && lines.read_plain(text, out)) return finish_first(Done::Block, text, place, out);
+    if (is_plain && lines.read_plain(text, out)) return finish_first(Done::Block, text, next, out);
     scratch.text = text;
-    scratch.place = place;
+    scratch.place = {frame->here, next};
     compile(scratch, out);
     const bool is_readable = scratch.kind != CompiledLine::Kind::New;
     const Done done = is_readable ? run(scratch, out) : Done::Nothing;
-    return finish_first(done, scratch.text, place, out);
+    return finish_first(done, scratch.text, next, out);
 }
 
-Program::State::Done Program::State::finish_first(Done done, std::string_view text,
-                                                  const Place& place, Block& out) {
+/// next  where the line behind it begins. By value: a place that was stored in parts a moment ago
+///       would be waited for by a copy of the whole.
+Program::State::Done Program::State::finish_first(Done done, std::string_view text, Position next,
+                                                  Block& out) {
     is_waiting = done == Done::Wait;
     if (is_waiting) return done;
     frame->resume = 0;
-    frontier() = place.next;
-    frame->here = frame->goes_on;
+    const std::uint64_t offset = frame->here.offset;
+    const std::uint64_t number = frame->here.line;
+    frontier() = next;
+    frame->here = next;
+    if (frame->goes_on != next) frame->here = frame->goes_on;
     if (!frame->repeats.empty()) advance();
     if (done == Done::Block) {
-        deliver(out, text, place.line.line, false);
-        follow_shape(out, text, Place(place));
+        deliver(out, text, number, false);
+        if (out.function_count != 0) follow_shape(out, text, {{offset, number}, next});
     }
     if (begins) perform_call();
     return done;
@@ -280,7 +321,7 @@ bool Program::State::is_left_out(const Block& block) const {
 /// then the program goes on with the block behind the cycle. Where that is the shape itself, and
 /// the cycle works something out of it, it goes on behind the shape.
 void Program::State::follow_shape(const Block& block, std::string_view text, const Place& place) {
-    if (block.function_count == 0 || is_only_checking || has_ended) return;
+    if (is_only_checking || has_ended) return;
     const nc::Invocation* const call = block.find(Function::Cycle);
     if (call == nullptr || is_left_out(block)) return;
     const nc::CycleInfo& cycle = dialect.cycles()[block.cycle];

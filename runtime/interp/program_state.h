@@ -149,10 +149,12 @@ struct Program::State {
     // lines
     std::size_t pull(std::span<nc::Block> out);
     Done step(nc::Block& out);
+    bool runs_flat();
+    void take_flat(std::span<nc::Block> out);
     bool may_go_on();
     bool shows(std::string_view text);
     Done first_time(nc::Block& out);
-    Done finish_first(Done done, std::string_view text, const Place& place, nc::Block& out);
+    Done finish_first(Done done, std::string_view text, Position next, nc::Block& out);
     Done run(CompiledLine& line, nc::Block& out);
     CompiledLine* line_at(const Position& position);
     void compile(CompiledLine& line, nc::Block& out);

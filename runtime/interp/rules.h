@@ -26,6 +26,8 @@ enum class CompStart : std::uint8_t {
     Normal,    // straight to the normal of the contour there, even through it
     Extended,  // at a corner that opens, as if the approach belonged to the contour
     Around,    // around the contour's end if the cutter is behind it
+    Tangent,   // on a curve that has the contour's direction there
+    Smooth,    // … and its curvature
 };
 /// What F is of on a compensated arc.
 enum class CompFeed : std::uint8_t { Contour, Center };

@@ -19,13 +19,17 @@ Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}
 
 }  // namespace
 
+void RunClock::move(const path::Command& command, const AxisValues& to) {
+    seconds_ += motion(command, to);
+    at_ = to;
+}
+
 void RunClock::add(const path::Command& command) {
     if (path::is_motion(command.op)) {
+        if (!command.machine_coordinates) return move(command, command.to);
         AxisValues to = command.to;
-        for (std::size_t i = 0; !command.machine_coordinates && i < kAxes; ++i) to[i] += length_[i];
-        seconds_ += motion(command, to);
-        at_ = to;
-        return;
+        for (std::size_t i = 0; i < kAxes; ++i) to[i] -= length_[i];
+        return move(command, to);
     }
     switch (command.op) {
         case Op::Dwell: {
@@ -40,10 +44,15 @@ void RunClock::add(const path::Command& command) {
             if (command.spindle == path::SpindleMode::Orient) seconds_ += machine_.orient_time;
             return;
         case Op::Tool: seconds_ += machine_.tool_change_time; return;
-        case Op::ToolLength:
+        case Op::ToolLength: {
+            // The machine stays where it is: the tip of the other tool is elsewhere.
+            for (std::size_t i = 0; i < kAxes; ++i) at_[i] += length_[i];
             length_ = {};
-            length_[index(path::axes_of(command.plane).normal)] = command.length;
+            const std::size_t axis = index(path::axes_of(command.plane).normal);
+            length_[axis] = command.length;
+            at_[axis] -= command.length;
             return;
+        }
         default: return;
     }
 }
@@ -75,10 +84,8 @@ double RunClock::way(const path::Command& command, const AxisValues& to) const {
     const Vec3 from = linear(at_);
     const Vec3 end = linear(to);
     if (command.op == Op::Arc) {
-        // The center is one of the tip: only the distance across the normal counts.
-        Vec3 tip_center = command.center;
-        for (std::size_t i = 0; i < 3; ++i) tip_center[static_cast<Eigen::Index>(i)] += length_[i];
-        const Vec3 out = from - tip_center;
+        // Only the distance across the normal counts.
+        const Vec3 out = from - command.center;
         const double radius = (out - command.normal * out.dot(command.normal)).norm();
         return std::hypot(radius * command.sweep, (end - from).dot(command.normal));
     }
@@ -89,10 +96,10 @@ double RunClock::way(const path::Command& command, const AxisValues& to) const {
     return turned;
 }
 
-/// rpm
+/// rpm; `x` is of the tip
 double RunClock::speed_at(double x) const {
     if (!has_cutting_speed_) return spindle_;
-    const double diameter = 2 * std::abs(x);
+    const double diameter = 2 * std::abs(x + length_[index(Axis::X)]);
     const double most = machine_.max_speed > 0 ? rpm_from_speed(machine_.max_speed) : spindle_;
     return diameter > 0 ? std::min(most, 1000 * spindle_ / (std::numbers::pi * diameter)) : most;
 }

@@ -22,13 +22,14 @@ class RunClock {
     double seconds() const { return seconds_; }
 
   private:
+    void move(const path::Command& command, const AxisValues& to);
     double motion(const path::Command& command, const AxisValues& to) const;
     double rapid(const AxisValues& to) const;
     double way(const path::Command& command, const AxisValues& to) const;
     double speed_at(double x) const;
 
     const machine::Machine& machine_;
-    AxisValues at_{};      // machine coordinates
+    AxisValues at_{};      // of the tip, in the base system
     AxisValues length_{};  // of the tool
     double seconds_ = 0;
     double spindle_ = 0;  // rpm, or m/min

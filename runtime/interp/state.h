@@ -72,7 +72,15 @@ struct RadiusCompState {
     nc::Function start = nc::Function::None;  // None: as the control begins
     nc::Function corner = nc::Function::None;
     bool has_check = false;
+    double pointed = 0;    // of arcs about corners, percent
     double allowance = 0;  // mm
+};
+
+/// What the program has chosen for soft approaches and retracts.
+struct SoftState {
+    enum class Side : std::uint8_t { OfCutter, Left, Right, OfTool };
+    Side side = Side::OfCutter;
+    bool in_steps = false;
 };
 
 /// Polar coordinates, in the working plane of the programmed system.

@@ -37,6 +37,7 @@ AxisCheck::AxisCheck(const machine::Machine& machine, const AxisTable& axes,
         const std::size_t slot = axes.slot(axis);
         if (slot == axes.size()) {
             missing_.push_back(axis);
+            missing_mask_ |= bit(axis);
         } else {
             travel_.lower[slot] = travel_.upper[slot] = machine.axes[slot].home;
         }
@@ -46,11 +47,13 @@ AxisCheck::AxisCheck(const machine::Machine& machine, const AxisTable& axes,
 AxisCheck::Answer AxisCheck::check(const path::Command& command, const Segment& piece,
                                    double length) {
     if (!has_all_axes(command, piece, length)) return Answer::Impossible;
-    return keeps_limits(command, axes_.travel(piece, length)) ? Answer::Possible : Answer::Beyond;
+    reached_ = axes_.travel(piece, length);
+    return keeps_limits(command, reached_) ? Answer::Possible : Answer::Beyond;
 }
 
 bool AxisCheck::has_all_axes(const path::Command& command, const Segment& piece, double length) {
-    if (missing_.empty()) return true;
+    // Linear axes and followers may move, nothing else does.
+    if ((missing_mask_ & (kLinearXYZ | piece.followers)) == 0) return true;
     const path::Box box = path::bounds(piece.curve);  // an arc may come back to where it began
     bool has_all = true;
     for (const Axis axis : missing_) {
@@ -90,11 +93,10 @@ bool AxisCheck::keeps_limits(const path::Command& command, const AxisTable::Trav
     return keeps_all;
 }
 
-void AxisCheck::widen_travel(const Segment& piece, double length) {
-    const AxisTable::Travel reached = axes_.travel(piece, length);
+void AxisCheck::widen_travel() {
     for (std::size_t i = 0; i < axes_.size(); ++i) {
-        travel_.lower[i] = std::min(travel_.lower[i], reached.lower[i]);
-        travel_.upper[i] = std::max(travel_.upper[i], reached.upper[i]);
+        travel_.lower[i] = std::min(travel_.lower[i], reached_.lower[i]);
+        travel_.upper[i] = std::max(travel_.upper[i], reached_.upper[i]);
     }
 }
 

@@ -32,8 +32,8 @@ class AxisCheck {
     /// Asks about a piece of this path length and reports what is wrong with it.
     Answer check(const path::Command& command, const Segment& piece, double length);
 
-    /// Counts a piece into the travel.
-    void widen_travel(const Segment& piece, double length);
+    /// Counts the piece that was checked last into the travel.
+    void widen_travel();
     /// Least and greatest position of every axis so far, start included.
     const AxisTable::Travel& travel() const { return travel_; }
 
@@ -46,8 +46,10 @@ class AxisCheck {
     const PlannerOptions& options_;
     DiagnosticSink& sink_;
     std::vector<Axis> missing_;              // logical axes without a machine axis
+    AxisMask missing_mask_ = 0;              // … the same
     std::array<bool, kAxes> is_reported_{};  // per logical axis: missing, and said
     std::array<bool, kAxes> is_outside_{};   // per machine axis: said, and not back yet
+    AxisTable::Travel reached_;              // of the piece that was checked last
     AxisTable::Travel travel_;
 };
 

@@ -125,16 +125,15 @@ PathLimits AxisTable::spline_limits(const path::Spline& spline, double wanted) c
     return limits;
 }
 
-PathLimits AxisTable::limits(const Segment& piece, double wanted) const {
+PathLimits AxisTable::limits(const Segment& piece, const AxisRates& start, double wanted) const {
     if (const auto* spline = std::get_if<path::Spline>(&piece.curve))
         return spline_limits(*spline, wanted);
     const auto* helix = std::get_if<path::Helix>(&piece.curve);
     if (helix == nullptr) {
-        const AxisRates along = start_rates(piece);
         double slowness = 0;  // 1/speed
         double weight = 0;    // 1/acceleration
         for (std::size_t i = 0; i < axes_.size(); ++i) {
-            const double rate = std::abs(along[i]);
+            const double rate = std::abs(start[i]);
             slowness = std::max(slowness, rate / axes_[i].velocity);
             weight = std::max(weight, rate / axes_[i].acceleration);
         }
@@ -181,7 +180,7 @@ PathLimits AxisTable::limits(const Segment& piece, double wanted) const {
     return {speed, acceleration};
 }
 
-AxisTable::Loads AxisTable::loads(const Segment& piece) const {
+AxisTable::Loads AxisTable::loads(const Segment& piece, const AxisRates& start) const {
     Loads loads;
     if (const auto* spline = std::get_if<path::Spline>(&piece.curve)) {
         const SplineBend bend = bend_of(*spline);
@@ -196,8 +195,7 @@ AxisTable::Loads AxisTable::loads(const Segment& piece) const {
     }
     const auto* helix = std::get_if<path::Helix>(&piece.curve);
     if (helix == nullptr) {
-        const AxisRates rates = start_rates(piece);
-        for (std::size_t i = 0; i < axes_.size(); ++i) loads.turning[i] = std::abs(rates[i]);
+        for (std::size_t i = 0; i < axes_.size(); ++i) loads.turning[i] = std::abs(start[i]);
         return loads;
     }
     const CircleView circle(*helix);
@@ -215,12 +213,11 @@ AxisTable::Loads AxisTable::loads(const Segment& piece) const {
     return loads;
 }
 
-AxisTable::Peaks AxisTable::peaks(const Segment& piece) const {
+AxisTable::Peaks AxisTable::peaks(const Segment& piece, const Loads& loads) const {
     Peaks peaks;
     const double speed = piece.profile.peak_speed;
     const double along = path_acceleration(piece.profile);
     const auto* helix = std::get_if<path::Helix>(&piece.curve);
-    const Loads loads = this->loads(piece);
     for (std::size_t i = 0; i < axes_.size(); ++i) {
         const std::size_t c = axes_[i].coordinate;
         const double rate = helix == nullptr || c >= 3

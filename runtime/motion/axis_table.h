@@ -36,12 +36,13 @@ class AxisTable {
     AxisRates start_rates(const Segment& piece) const;
     AxisRates end_rates(const Segment& piece) const;
 
-    /// The greatest path speed up to `wanted`, and the acceleration that then remains.
+    /// The greatest path speed up to `wanted`, and the acceleration that then remains. `start` are
+    /// the start_rates of the piece, here and below.
     ///
     /// On an arc the centripetal acceleration takes its share first: at most kNormalShare of what
     /// an axis has, so that enough is left to reach the speed at all. source       reference motion
     /// §2.1
-    PathLimits limits(const Segment& piece, double wanted) const;
+    PathLimits limits(const Segment& piece, const AxisRates& start, double wanted) const;
 
     /// What the acceleration of each axis is made of on a piece: at the path speed v and the path
     /// acceleration a it is at most hypot(turning·a, bend·v²) + rising·a, and at most
@@ -60,14 +61,14 @@ class AxisTable {
             return std::min(sum, std::hypot(along, curvature * speed * speed));
         }
     };
-    Loads loads(const Segment& piece) const;
+    Loads loads(const Segment& piece, const AxisRates& start) const;
 
-    /// Greatest axis velocities and accelerations of a piece under its profile.
+    /// Greatest axis velocities and accelerations of a piece with these loads under its profile.
     struct Peaks {
         AxisRates velocity{};
         AxisRates acceleration{};
     };
-    Peaks peaks(const Segment& piece) const;
+    Peaks peaks(const Segment& piece, const Loads& loads) const;
 
     /// Positions of the axes at a distance along the piece.
     AxisRates positions(const Segment& piece, double distance) const;

@@ -61,7 +61,7 @@ struct Planner::State {
     void hand_on(const Piece& piece);
     void plan(Piece& piece, const JunctionSpeeds& speeds);
     void record(const Piece& piece);
-    void record_corner(const Segment& segment);
+    void record_corner(const Piece& piece);
     void record_travel();
 
     PlannerOptions options;
@@ -144,7 +144,7 @@ void Planner::State::record(const Piece& piece) {
     const double length = path::length(segment.curve);
     totals.length += length;
     if (segment.kind == SegmentKind::Feed) totals.cutting_length += length;
-    const AxisTable::Peaks peaks = axes.peaks(segment);
+    const AxisTable::Peaks peaks = axes.peaks(segment, piece.loads);
     for (std::size_t i = 0; i < axes.size(); ++i) {
         totals.max_velocity[i] = std::max(totals.max_velocity[i], peaks.velocity[i]);
         totals.max_acceleration[i] = std::max(totals.max_acceleration[i], peaks.acceleration[i]);
@@ -153,26 +153,26 @@ void Planner::State::record(const Piece& piece) {
             totals.max_jerk[i] = std::numeric_limits<double>::infinity();
         }
     }
-    record_corner(segment);
+    record_corner(piece);
 }
 
 /// What setpoints show at a corner: the jump of the velocity and the ramps beside it.
-void Planner::State::record_corner(const Segment& segment) {
-    const AxisRates in = axes.start_rates(segment);
+void Planner::State::record_corner(const Piece& piece) {
+    const Segment& segment = piece.segment;
     const double speed = segment.profile.entry_speed;
-    const AxisTable::Loads loads = axes.loads(segment);
     const double along = path_acceleration(segment.profile);
     if (speed > 0) {
         for (std::size_t i = 0; i < axes.size(); ++i) {
-            const double jump = std::abs(in[i] - last_rates[i]) * speed / tick;
+            const double jump = std::abs(piece.rates[i] - last_rates[i]) * speed / tick;
             if (jump == 0) continue;
             const double reached = corner_acceleration(last_loads.at(i, speed, last_along),
-                                                       loads.at(i, speed, along), jump);
+                                                       piece.loads.at(i, speed, along), jump);
             totals.max_acceleration[i] = std::max(totals.max_acceleration[i], reached);
         }
     }
-    last_rates = axes.end_rates(segment);
-    last_loads = loads;
+    const bool is_straight = std::holds_alternative<path::Line>(segment.curve);
+    last_rates = is_straight ? piece.rates : axes.end_rates(segment);
+    last_loads = piece.loads;
     last_along = along;
 }
 

@@ -72,12 +72,11 @@ struct Preparer::State {
     void report_thread_speed(const Command& command, double feed, double most);
     double wanted_feed(const Command& command, const Segment& segment, double length);
     double corner_speed(const Segment& segment, const AxisRates& in, double acceleration) const;
-    void take_corner(Piece& piece, const AxisRates& in, const AxisTable::Loads& loads) const;
+    void take_corner(Piece& piece) const;
     bool is_alone(const Piece& piece) const;
     double time_beside(const Piece& piece, double speed, double ramp) const;
-    double shared_speed(const Piece& piece, const AxisRates& in, const AxisTable::Loads& loads,
-                        double ramp) const;
-    void remember(const Piece& piece, const AxisRates& in, const AxisTable::Loads& loads);
+    double shared_speed(const Piece& piece, bool alone, double ramp) const;
+    void remember(const Piece& piece);
 
     void alarm_raised();
 
@@ -238,7 +237,7 @@ void Preparer::State::move(const Command& command) {
         } else {
             emit_feed_parts(command, segment, length);
         }
-        if (!has_ended) check.widen_travel(segment, length);
+        if (!has_ended) check.widen_travel();
     }
     if (has_ended) return;
     standing.arrive(command, target);
@@ -297,7 +296,8 @@ void Preparer::State::emit_parts(const Command& command, const Segment& whole, d
 void Preparer::State::emit(const Command& command, const Segment& segment, double length) {
     double feed = wanted_feed(command, segment, length);
     if (has_ended) return;
-    PathLimits limits = axes.limits(segment, feed);
+    const AxisRates in = axes.start_rates(segment);
+    PathLimits limits = axes.limits(segment, in, feed);
     if (segment.kind == SegmentKind::Rapid) {
         // A straight line: its acceleration does not depend on the speed.
         limits.speed *= options.rapid_override;
@@ -307,7 +307,6 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
         report_thread_speed(command, feed, limits.speed);
         if (has_ended) return;
     }
-    const AxisRates in = axes.start_rates(segment);
     Piece& piece = ready.emplace_back();
     piece.segment = segment;
     piece.segment.feed = feed;
@@ -315,9 +314,10 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     piece.speed = limits.speed;
     piece.acceleration = limits.acceleration;
     piece.entry_limit = corner_speed(segment, in, limits.acceleration);
-    const AxisTable::Loads loads = axes.loads(segment);
-    take_corner(piece, in, loads);
-    remember(piece, in, loads);
+    piece.rates = in;
+    piece.loads = axes.loads(segment, in);
+    take_corner(piece);
+    remember(piece);
 }
 
 /// The axes cannot follow the spindle: the thread would get another pitch.
@@ -372,17 +372,17 @@ double Preparer::State::corner_speed(const Segment& segment, const AxisRates& in
 /// The speed at which a corner may be taken, beside the ramps on both sides of it. What is left to
 /// the ramps makes the approach faster, what is left to the jump the corner: the quicker of two
 /// ways to share is taken.
-void Preparer::State::take_corner(Piece& piece, const AxisRates& in,
-                                  const AxisTable::Loads& loads) const {
+void Preparer::State::take_corner(Piece& piece) const {
     const bool is_jump_given =
         std::ranges::any_of(options.velocity_jump, [](double given) { return given > 0; });
     const bool is_free = options.corner_rule != CornerRule::AxisJump || is_jump_given ||
                          piece.entry_limit == 0 || std::isinf(piece.entry_limit);
     if (is_free) return;
+    const bool alone = is_alone(piece);
     double ramp = kSharedRamp;
-    double speed = shared_speed(piece, in, loads, kSharedRamp);
-    if (is_alone(piece)) {
-        const double slower = shared_speed(piece, in, loads, kMostRamp);
+    double speed = shared_speed(piece, alone, kSharedRamp);
+    if (alone) {
+        const double slower = shared_speed(piece, alone, kMostRamp);
         if (time_beside(piece, slower, kMostRamp) <= time_beside(piece, speed, kSharedRamp)) {
             ramp = kMostRamp;
             speed = slower;
@@ -413,19 +413,17 @@ bool Preparer::State::is_alone(const Piece& piece) const {
 }
 
 /// … if the pieces on both sides use the part `ramp` of their acceleration.
-double Preparer::State::shared_speed(const Piece& piece, const AxisRates& in,
-                                     const AxisTable::Loads& loads, double ramp) const {
+double Preparer::State::shared_speed(const Piece& piece, bool alone, double ramp) const {
     const double full = std::min({piece.entry_limit, last.speed, piece.speed});
     const double reach = std::min(last.length, piece.length);
     const double gain = tick * std::max(last.acceleration, piece.acceleration);
-    const bool alone = is_alone(piece);
     double speed = piece.entry_limit;
     for (std::size_t i = 0; i < axes.size(); ++i) {
-        const double change = std::abs(in[i] - last.rates[i]);
+        const double change = std::abs(piece.rates[i] - last.rates[i]);
         if (change < kStraight) continue;
         const double limit = axes.acceleration(i);
         const double before = last.loads.at(i, full, ramp * last.acceleration) / limit;
-        const double behind = loads.at(i, full, ramp * piece.acceleration) / limit;
+        const double behind = piece.loads.at(i, full, ramp * piece.acceleration) / limit;
         const double share = jump_share(before, behind, alone);
         speed = std::min(speed, share * jump[i] / change);
         if (alone) continue;
@@ -436,15 +434,14 @@ double Preparer::State::shared_speed(const Piece& piece, const AxisRates& in,
     return speed;
 }
 
-void Preparer::State::remember(const Piece& piece, const AxisRates& in,
-                               const AxisTable::Loads& loads) {
+void Preparer::State::remember(const Piece& piece) {
     const Segment& segment = piece.segment;
     const bool is_straight = std::holds_alternative<path::Line>(segment.curve);
-    last.rates = is_straight ? in : axes.end_rates(segment);
+    last.rates = is_straight ? piece.rates : axes.end_rates(segment);
     if (options.corner_rule == CornerRule::JunctionDeviation) {
         last.direction = path::evaluate(segment.curve, path::length(segment.curve)).tangent;
     }
-    last.loads = loads;
+    last.loads = piece.loads;
     last.length = piece.length;
     last.speed = piece.speed;
     last.acceleration = piece.acceleration / piece.ramp;

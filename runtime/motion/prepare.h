@@ -22,6 +22,8 @@ struct Piece {
     double entry_limit = 0;   // of the corner before it; 0: the path comes to rest there
     double ramp = 1;          // part of its acceleration that the corner before it leaves
     double ramp_before = 1;   // part of its acceleration that the corner leaves to the piece before
+    AxisRates rates{};        // dq/ds at its start
+    AxisTable::Loads loads;
 };
 
 class Preparer {

@@ -7,6 +7,7 @@
 
 #include "base/assert.h"
 #include "base/diagnostics/dialect.h"
+#include "base/text.h"
 #include "nc/comment_text.h"
 
 namespace kadr::nc {
@@ -505,6 +506,13 @@ void BlockWriter::write_raw(const Block& block, std::string& out) {
         alone.source = block.source;
         write_items(alone, items, {}, out);
     }
+    const auto foreign = std::ranges::find_if(block.text, [](char c) { return (c & 0x80) != 0; });
+    if (tables_.comment.is_ascii && foreign != block.text.end() && is_unsaid(block, "raw")) {
+        const auto at = static_cast<std::size_t>(foreign - block.text.begin());
+        sink_.report(diag::RawCharacter, place(block))
+            .arg(code_points(std::string_view(block.text).substr(at), 0, 1))
+            .arg(tables_.name);
+    }
     std::string_view rest = block.text;
     while (!rest.empty()) {
         const std::size_t end = std::min(rest.find('\n'), rest.size());
@@ -572,7 +580,7 @@ bool BlockWriter::is_left_to_machine(const Block& block, const Invocation& invoc
     const bool has_any = has_code(Function::DiameterOn) || has_code(Function::DiameterOff) ||
                          tables_.power_on[index_of(Group::Diameter)] != Function::None;
     if (has_any) return false;
-    if (is_new_warning(block, info(invocation.function).name)) {
+    if (is_unsaid(block, info(invocation.function).name)) {
         const bool is_diameter = invocation.function == Function::DiameterOn;
         sink_.report(diag::DiameterLeft, place(block))
             .arg(tables_.name)
@@ -1148,10 +1156,11 @@ SourceRange BlockWriter::word_place(const Block& block, std::string_view address
 /// The writing failed; whether the statement has not said this yet: a loop reports once.
 bool BlockWriter::is_new_message(const Block& block, std::string_view what) {
     failed_ = true;
-    return is_new_warning(block, what);
+    return is_unsaid(block, what);
 }
 
-bool BlockWriter::is_new_warning(const Block& block, std::string_view what) {
+/// Whether the statement has not been told this yet.
+bool BlockWriter::is_unsaid(const Block& block, std::string_view what) {
     const std::uint64_t key =
         std::hash<std::string_view>()(what) ^ (std::uint64_t{block.source.index} << 32);
     return reported_.insert(key).second;

@@ -254,7 +254,7 @@ class BlockWriter {
     SourceRange word_place(const Block& block, std::string_view address) const;
     void cannot_express(const Block& block, const std::string& what);
     bool is_new_message(const Block& block, std::string_view what);
-    bool is_new_warning(const Block& block, std::string_view what);
+    bool is_unsaid(const Block& block, std::string_view what);
     void position_unknown(const Block& block, std::string_view name);
     void number_fault(const Block& block, NumberFault fault, double value, std::string_view name);
 

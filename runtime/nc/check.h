@@ -4,12 +4,23 @@
 // What a file says is checked when it is loaded; here it is tried out, by writing and reading.
 #pragma once
 
+#include <optional>
 #include <span>
+#include <string>
 
 #include "nc/block.h"
 #include "nc/dialect.h"
 
 namespace kadr::nc {
+
+struct InspectedDialect {
+    std::optional<Dialect> dialect;  // nothing: there is no such file, or it cannot be read at all
+    bool has_mistakes = true;        // reported; then the dialect is good for looking on only
+};
+
+/// Loads a dialect as `load_dialect` does, but gives it with its mistakes, for further checks.
+InspectedDialect inspect_dialect(const std::string& name_or_file, const SearchPath& folders,
+                                 Sources& sources, DiagnosticSink& sink);
 
 /// Writes the frame of a program, in mm and in inches, and reads it again. An alarm is reported at
 /// the file's `<program>`.

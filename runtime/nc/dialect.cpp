@@ -7,6 +7,7 @@
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/driver.h"
 #include "base/text.h"
+#include "nc/check.h"
 #include "nc/load.h"
 
 namespace kadr::nc {
@@ -203,21 +204,26 @@ std::vector<std::string> dialect_names(const SearchPath& folders) {
     return names;
 }
 
-void report_missing(const std::string& name, const SourceRange& place, const SearchPath& folders,
-                    DiagnosticSink& sink) {
+/// Says that there is none; the one that may have been meant.
+std::optional<std::string> report_missing(const std::string& name, const SourceRange& place,
+                                          const SearchPath& folders, DiagnosticSink& sink) {
     auto report = std::move(sink.report(diag::DialectNotFound, place).arg(name));
     const std::vector<std::string> known = dialect_names(folders);
     const std::vector<std::string_view> views(known.begin(), known.end());
     if (const auto near = nearest_name(name, views.data(), views.size())) {
         report.fix("is `" + std::string(*near) + "` meant?");
-    } else if (!known.empty()) {
+        return std::string(*near);
+    }
+    if (!known.empty()) {
         std::string all = "known are";
         for (const std::string& one : known) all += ' ' + one;
         report.note(all);
     }
+    return std::nullopt;
 }
 
-/// Follows `extends` to the root and applies the files from there on.
+/// Follows `extends` to the root and applies the files from there on. Goes on behind a mistake, so
+/// that one run tells all of them.
 class ChainLoader {
   public:
     ChainLoader(const SearchPath& folders, Sources& sources, DiagnosticSink& sink)
@@ -227,10 +233,13 @@ class ChainLoader {
         // Messages name a file as the one that extends it does.
         const bool is_extended = place.file.is_valid();
         const std::string said = is_extended ? std::string(sources_.text(place)) : name;
-        const auto path = find_dialect_file(name, folders_);
+        auto path = find_dialect_file(name, folders_);
         if (!path) {
-            report_missing(said, place, folders_, sink_);
-            return false;
+            has_mistakes_ = true;
+            const auto meant = report_missing(said, place, folders_, sink_);
+            // What stands in the file is judged beside the one that was meant.
+            if (is_extended && meant) path = find_dialect_file(*meant, folders_);
+            if (!path) return false;
         }
         if (std::find(chain_.begin(), chain_.end(), *path) != chain_.end()) {
             sink_.report(diag::DialectExtendsItself, place).arg(said);
@@ -244,11 +253,17 @@ class ChainLoader {
         }
         return load_file(*file, *path, tables);
     }
+    bool has_mistakes() const { return has_mistakes_; }
 
   private:
     bool load_file(FileId file, const std::string& path, DialectTables& tables) {
-        const auto root = parse_xml(file, sources_, dialect_shape(), sink_);
-        if (!root || !check_xml(*root, dialect_shape(), sink_)) return false;
+        auto root = parse_xml(file, sources_, dialect_shape(), sink_);
+        if (!root) return false;
+        if (!check_xml(*root, dialect_shape(), sink_)) {
+            has_mistakes_ = true;
+            if (!has_needed_attributes(*root, dialect_shape())) return false;
+            root = sound_part(*root, dialect_shape());
+        }
         const XmlAttribute* base = root->find("extends");
         if (base != nullptr && !load(parent_name(*base, path), base->value_range, tables)) {
             return false;
@@ -258,7 +273,8 @@ class ChainLoader {
         tables.name = root->find("name")->value;
         tables.title = root->find("title")->value;
         tables.suffix = root->find("suffix")->value;
-        return apply_dialect(*root, tables, sink_);
+        if (!apply_dialect(*root, tables, sink_)) has_mistakes_ = true;
+        return true;
     }
 
     /// A file that is extended by its path lies where the one that extends it does.
@@ -271,12 +287,13 @@ class ChainLoader {
     Sources& sources_;
     DiagnosticSink& sink_;
     std::vector<std::string> chain_;
+    bool has_mistakes_ = false;
 };
 
 }  // namespace
 
-std::optional<Dialect> load_dialect(const std::string& name_or_file, const SearchPath& folders,
-                                    Sources& sources, DiagnosticSink& sink) {
+InspectedDialect inspect_dialect(const std::string& name_or_file, const SearchPath& folders,
+                                 Sources& sources, DiagnosticSink& sink) {
     auto tables = std::make_unique<DialectTables>();
     tables->letters.fill(kNoAddress);
     SearchPath with_own = folders;
@@ -286,9 +303,16 @@ std::optional<Dialect> load_dialect(const std::string& name_or_file, const Searc
         with_own.insert(with_own.begin(), folder.empty() ? "." : folder.string());
     }
     ChainLoader chain(with_own, sources, sink);
-    if (!chain.load(name_or_file, {}, *tables)) return std::nullopt;
-    if (!finish_tables(*tables, sink)) return std::nullopt;
-    return Dialect(std::move(tables));
+    if (!chain.load(name_or_file, {}, *tables)) return {};
+    const bool is_whole = finish_tables(*tables, sink);
+    return {Dialect(std::move(tables)), chain.has_mistakes() || !is_whole};
+}
+
+std::optional<Dialect> load_dialect(const std::string& name_or_file, const SearchPath& folders,
+                                    Sources& sources, DiagnosticSink& sink) {
+    InspectedDialect inspected = inspect_dialect(name_or_file, folders, sources, sink);
+    if (inspected.has_mistakes) return std::nullopt;
+    return std::move(inspected.dialect);
 }
 
 std::vector<DialectSummary> list_dialects(const SearchPath& folders) {

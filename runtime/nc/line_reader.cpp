@@ -1,10 +1,14 @@
 #include "nc/line_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
+#include "base/powers.h"
+#include "base/short_number.h"
 #include "base/text.h"
 
 namespace kadr::nc {
@@ -14,39 +18,24 @@ namespace {
 bool is_digit(char c) { return static_cast<unsigned char>(c - '0') <= 9; }
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
+/// What a byte behind the digits of a number says about it.
+enum NumberEnd : std::uint8_t { kEnds = 0, kGoesOn = 1, kIsExpression = 2, kBlank = 4 };
+constexpr std::array<std::uint8_t, 256> number_ends() {
+    std::array<std::uint8_t, 256> ends{};
+    for (const char c : std::string_view(".0123456789"))
+        ends[static_cast<unsigned char>(c)] = kGoesOn;
+    for (const char c : std::string_view("=Ee#["))
+        ends[static_cast<unsigned char>(c)] = kIsExpression;
+    for (const char c : std::string_view(" \t")) ends[static_cast<unsigned char>(c)] = kBlank;
+    return ends;
+}
+constexpr std::array<std::uint8_t, 256> kNumberEnds = number_ends();
+
 /// Whether no number of the format needs a second look.
 bool is_literal(const NumberFormat& format) {
     return format.increment == 0 && format.inch_increment == 0 &&
            format.revolution_increment == 0 && !format.truncates && format.max_digits == 0 &&
            format.point == PointRule::Needed && format.allows_minus;
-}
-
-/// A number as nearly all are: `-12.345`, no more than 15 digits, whose value is then the exact
-/// quotient of two exact numbers. False: it is another one, and `p` is where it was.
-inline bool take_short_number(const char*& p, const char* end, double& value) {
-    constexpr std::array<double, 16> kPowersOfTen = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                                     1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-    const char* at = p;
-    const bool is_negative = at != end && *at == '-';
-    if (is_negative) ++at;
-    const char* const first = at;
-    std::uint64_t mantissa = 0;
-    for (; at != end && is_digit(*at); ++at)
-        mantissa = mantissa * 10 + static_cast<std::uint64_t>(*at - '0');
-    std::ptrdiff_t digits = at - first;
-    std::ptrdiff_t decimals = 0;
-    if (at != end && *at == '.') {
-        const char* const point = at++;
-        for (; at != end && is_digit(*at); ++at)
-            mantissa = mantissa * 10 + static_cast<std::uint64_t>(*at - '0');
-        decimals = at - point - 1;
-        digits += decimals;
-    }
-    if (digits == 0 || digits > 15) return false;
-    value = static_cast<double>(mantissa) / kPowersOfTen[static_cast<std::size_t>(decimals)];
-    if (is_negative) value = -value;
-    p = at;
-    return true;
 }
 
 /// Whether a line is the last one of a program: it begins as the template does before what is
@@ -313,7 +302,7 @@ int LineReader::value_decimals(const ControlLine& line, std::size_t computed) co
 /// from zero.
 double LineReader::rounded(double value, const NumberFormat& format, Dimension dimension) const {
     if (!tables_.language.rules.rounds_values) return value;
-    const double power = std::pow(10.0, text_decimals(format, dimension, units_));
+    const double power = power_of_ten(text_decimals(format, dimension, units_));
     return std::round(value * power) / power;
 }
 
@@ -332,17 +321,20 @@ bool LineReader::read_fast(std::string_view line, Block& block) const {
     bool has_word = false;
     const Function motion = modal_[static_cast<std::size_t>(Group::Motion)];
     if (closely_read_[static_cast<std::size_t>(motion)] || tables_.used != nullptr) return false;
-    while (true) {
-        while (p != end && is_blank(*p)) ++p;
-        if (p == end) return has_word;
+    while (p != end && is_blank(*p)) ++p;
+    while (p != end) {
         const auto letter = static_cast<unsigned char>(*p);
         if (letter >= 128) return false;
         const FastLetter& fast = letters_[letter];
         ++p;
+        std::uint8_t wrong_ends = kGoesOn;
         if (fast.kind == FastLetter::Kind::Slot) {
             if (block.has(fast.slot)) return false;
-            double meaning = 0;
-            if (!fast.is_literal || !take_short_number(p, end, meaning)) {
+            const ShortNumber number = fast.is_literal ? read_short_number(p, line) : ShortNumber{};
+            double meaning = number.value;
+            if (number.end != nullptr) {
+                p = number.end;
+            } else {
                 const Decimal decimal = parse_decimal(p, end);
                 if (decimal.end == p) return false;
                 const bool is_minus = *p == '-';
@@ -352,16 +344,14 @@ bool LineReader::read_fast(std::string_view line, Block& block) const {
                     NumberFault::None)
                     return false;
             }
-            if (p != end && (*p == '=' || *p == 'E' || *p == 'e' || *p == '#' || *p == '['))
-                return false;
             const double scale = slot_scales_[static_cast<std::size_t>(fast.dimension)];
             block.set(fast.slot, scale == 1 ? meaning : meaning / scale);
+            wrong_ends = kGoesOn | kIsExpression;
         } else if (fast.kind == FastLetter::Kind::Code) {
-            std::size_t code = 0;
-            const char* const digits = p;
-            while (p != end && is_digit(*p) && p - digits < 4)
-                code = code * 10 + static_cast<std::size_t>(*p++ - '0');
-            if (p == digits || (p != end && (*p == '.' || *p == '=' || is_digit(*p)))) return false;
+            const ShortWhole whole = read_short_whole(p, line);
+            p = whole.end;
+            if (p == nullptr || (p != end && *p == '=')) return false;
+            const std::size_t code = whole.value;
             const std::vector<std::uint16_t>& index = tables_.code_index[fast.address];
             if (code * 10 >= index.size() || index[code * 10] == 0) return false;
             const Code& known = tables_.codes[index[code * 10] - 1u];
@@ -380,25 +370,27 @@ bool LineReader::read_fast(std::string_view line, Block& block) const {
                 return false;
             }
         } else if (fast.kind == FastLetter::Kind::Number && block.number < 0 && !has_word) {
-            std::int32_t number = 0;
-            const char* const digits = p;
-            while (p != end && is_digit(*p) && p - digits < 8) number = number * 10 + (*p++ - '0');
-            if (p == digits || (p != end && is_digit(*p)) || number > tables_.block_numbers.most ||
-                number < tables_.block_numbers.least)
+            const ShortWhole whole = read_short_whole(p, line);
+            p = whole.end;
+            if (p == nullptr) return false;
+            block.number = static_cast<std::int32_t>(whole.value);
+            if (block.number > tables_.block_numbers.most ||
+                block.number < tables_.block_numbers.least)
                 return false;
-            block.number = number;
         } else {
             return false;
         }
-        // A blank may stand inside a number, or a name begin with a known letter.
-        if (p != end && (is_digit(*p) || *p == '.')) return false;
-        if (tables_.rules.blanks_inside_words && p != end && is_blank(*p)) {
-            const char* next = p;
-            while (next != end && is_blank(*next)) ++next;
-            if (next != end && (is_digit(*next) || *next == '.')) return false;
-        }
         has_word = true;
+        if (p == end) return true;
+        // A blank may stand inside a number: a digit behind it is no letter that is known.
+        std::uint8_t behind = kNumberEnds[static_cast<unsigned char>(*p)];
+        if ((behind & wrong_ends) != 0) return false;
+        while (behind == kBlank) {
+            if (++p == end) return true;
+            behind = kNumberEnds[static_cast<unsigned char>(*p)];
+        }
     }
+    return has_word;
 }
 
 /// A line of the control's own language that the dialect knows by its letters.
@@ -582,10 +574,9 @@ bool LineReader::apply_claim(const Claim& claim, Block& block, std::string_view 
     const Decimal& decimal = lexed_->decimals[claim.word];
     if (claim.in_increments || claim.tail_digits > 0) return apply_whole(claim, block, line);
     const NumberFormat& own = tables_.addresses[word.address].format;
-    NumberFormat lead;
-    const bool is_lead = claim.is_lead || (invocation == nullptr && is_pitch(claim, block));
-    if (is_lead) lead = lead_format(own);
-    const NumberFormat& format = is_lead ? lead : own;
+    std::optional<NumberFormat> lead;
+    if (claim.is_lead || (invocation == nullptr && is_pitch(claim, block))) lead = lead_format(own);
+    const NumberFormat& format = lead ? *lead : own;
     const double meaning = word.is_computed
                                ? rounded(decimal.value, format, claim.dimension)
                                : read_meaning(decimal, format, claim.dimension, units_);

@@ -12,7 +12,8 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 }  // namespace
 
-bool LineSource::next(std::string_view& line, bool& is_too_long) {
+/// The first line of the text, of a piece, or one that goes over from one piece to the next.
+bool LineSource::next_at_edge(std::string_view& line, bool& is_too_long) {
     const bool is_first = offset() == 0;
     if (!take(line, is_too_long)) return false;
     if (is_first && line.starts_with(kByteOrderMark)) line.remove_prefix(kByteOrderMark.size());

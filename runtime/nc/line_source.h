@@ -1,6 +1,7 @@
 // line_source.h — lines out of pieces of text.
 #pragma once
 
+#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -16,13 +17,42 @@ class LineSource {
 
     /// The next line without its end; false at the end of the text. `is_too_long`: only the front
     /// of the line is kept.
-    bool next(std::string_view& line, bool& is_too_long);
+    bool next(std::string_view& line, bool& is_too_long) {
+        Ahead ahead;
+        if (!look(ahead)) return next_at_edge(line, is_too_long);
+        pass(ahead);
+        line = ahead.line;
+        is_too_long = false;
+        return true;
+    }
+
+    /// A line that was looked at, and is still the next one.
+    struct Ahead {
+        std::string_view line;
+        std::size_t length = 0;  // with its end
+    };
+    /// The next line, if it stands whole in the piece and behind the head of the text, as nearly
+    /// every line does.
+    bool look(Ahead& ahead) const {
+        const std::size_t left = piece_.size() - at_;
+        if (left == 0 || offset() == 0) return false;
+        const char* const begin = piece_.data() + at_;
+        const auto* const end = static_cast<const char*>(std::memchr(begin, '\n', left));
+        if (end == nullptr) return false;
+        const auto length = static_cast<std::size_t>(end - begin);
+        if (length > longest_) return false;
+        ahead.line = {begin, length - (length != 0 && begin[length - 1] == '\r' ? 1 : 0)};
+        ahead.length = length + 1;
+        return true;
+    }
+    void pass(const Ahead& ahead) { at_ += ahead.length; }
     /// Where the next line begins, bytes from the head of the text.
     std::uint64_t offset() const { return base_ + at_; }
     /// The next line is the one that begins there; false if the text cannot be read again.
     bool seek(std::uint64_t offset);
 
   private:
+    bool next_at_edge(std::string_view& line, bool& is_too_long);
     bool take(std::string_view& line, bool& is_too_long);
 
     TextSource& source_;

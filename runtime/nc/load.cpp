@@ -39,6 +39,7 @@ bool apply_dialect(const XmlElement& root, DialectTables& tables, DiagnosticSink
         if (e.name == "example") load_example(e, tables);
         if (e.name == "language") load_language(e, tables, attributes);
     }
+    drop_cleared_forms(tables);
     return !attributes.has_failed();
 }
 

@@ -11,10 +11,18 @@
 
 namespace kadr::nc {
 
+/// They are marked, and dropped all together: each move of the forms behind them would cost as much
+/// as reading the file.
 void clear_forms(DialectTables& tables, Function function, CycleId cycle) {
-    std::erase_if(tables.forms, [&](const Form& form) {
-        return form.function == function && (function != Function::Cycle || form.cycle == cycle);
-    });
+    for (Form& form : tables.forms) {
+        const bool is_meant = form.function == function;
+        if (is_meant && (function != Function::Cycle || form.cycle == cycle))
+            form.is_read = form.is_written = false;
+    }
+}
+
+void drop_cleared_forms(DialectTables& tables) {
+    std::erase_if(tables.forms, [](const Form& form) { return !form.is_read && !form.is_written; });
 }
 
 std::optional<CycleId> cycle_named(const DialectTables& tables, std::string_view name) {

@@ -73,6 +73,7 @@ class FormLoader {
 
 // Shared by them.
 void clear_forms(DialectTables& tables, Function function, CycleId cycle);
+void drop_cleared_forms(DialectTables& tables);
 std::optional<CycleId> cycle_named(const DialectTables& tables, std::string_view name);
 
 struct SlotInfo {

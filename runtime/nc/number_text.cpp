@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/powers.h"
 #include "base/units.h"
 
 namespace kadr::nc {
@@ -12,10 +13,6 @@ namespace kadr::nc {
 namespace {
 
 constexpr double kMetersPerFoot = 0.3048;  // exact by definition
-
-constexpr std::array<double, 10> kPowersOfTen = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
-
-double power_of_ten(int exponent) { return kPowersOfTen[static_cast<std::size_t>(exponent)]; }
 
 /// What 1 without a decimal point means; 0: one.
 double increment_of(const NumberFormat& format, Dimension dimension, const TextUnits& units) {
@@ -115,7 +112,7 @@ char* write_scaled(char* out, std::uint64_t scaled, bool is_minus, int decimals,
 }
 
 std::uint64_t most_increments(const NumberFormat& format) {
-    constexpr auto kPowers = [] {
+    static constexpr auto kPowers = [] {
         std::array<std::uint64_t, 19> powers{1};
         for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = powers[i - 1] * 10;
         return powers;
@@ -126,6 +123,12 @@ std::uint64_t most_increments(const NumberFormat& format) {
 }
 
 namespace {
+
+/// A coordinate of half an increment is 0; a feed, a speed or a wait of 0 is none any more.
+bool is_lost_at_zero(Dimension dimension) {
+    return dimension == Dimension::Time || dimension == Dimension::Feed ||
+           dimension == Dimension::Speed;
+}
 
 /// The usual number: its rounding is certain, the control takes it, and what stands there is what
 /// it means. False: it needs a second look, and nothing was written.
@@ -139,6 +142,7 @@ bool append_plain(std::string& out, double number, const NumberFormat& format, D
     std::uint64_t scaled = 0;
     if (!scaled_magnitude(number, decimals, scaled) || scaled > most_increments(format))
         return false;
+    if (scaled == 0 && number != 0 && is_lost_at_zero(dimension)) return false;
     const bool is_minus = number < 0 && scaled != 0;
     if (is_minus && !format.allows_minus) return false;
     if (dimension == Dimension::Count && number != std::nearbyint(number)) return false;
@@ -174,6 +178,8 @@ NumberFault append_number(std::string& out, double number, const NumberFormat& f
     out.append(text.data(), end);
     const Decimal decimal = parse_decimal(begin, end);
     const double meaning = read_meaning(decimal, format, dimension, units);
+    if (decimal.value == 0 && number != 0 && is_lost_at_zero(dimension))
+        return NumberFault::NotReadBack;
     const double half_increment = 0.5 / power_of_ten(decimals);
     // One part in 10^12 for the last bits of the product that made the number.
     if (!(std::fabs(meaning - number) <= half_increment + std::fabs(number) * 1e-12)) {

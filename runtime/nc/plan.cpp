@@ -16,12 +16,11 @@ namespace {
 void report_cycle(std::string_view name, const SourceRange& range, const DialectTables& tables,
                   CycleId cycle, DiagnosticSink& sink) {
     auto report = std::move(sink.report(diag::SourceCycle, range).arg(name));
-    if (tables.forms_of_cycle[cycle].empty()) {
-        report.fix("call a cycle of the library at each place: it is written for every control");
-    } else {
-        report.fix("call the library's `" + tables.cycles[cycle].name +
-                   "` at each place: it is written as the control's own cycle");
-    }
+    const std::string advice =
+        "call the library's `" + tables.cycles[cycle].name + "` at each place: ";
+    if (tables.forms_of_cycle[cycle].empty())
+        report.fix(advice + "it says what this cycle leaves open");
+    else report.fix(advice + "it is written as the control's own cycle");
 }
 
 /// The form as a person writes it: names of a call's parameters, and numbers where they are fixed.

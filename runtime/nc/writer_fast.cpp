@@ -5,13 +5,13 @@
 #include <array>
 #include <cmath>
 
+#include "base/powers.h"
 #include "nc/block_writer.h"
 
 namespace kadr::nc {
 
 namespace {
 
-constexpr std::array<double, 10> kPowersOfTen = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
 constexpr double kSame = 1e-9;  // mm or deg, as in writer_positions.cpp
 
 }  // namespace

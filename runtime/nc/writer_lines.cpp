@@ -527,13 +527,10 @@ void BlockWriter::append_slot(const Block& block, Slot slot, const Targets& targ
         out += '=';
     }
     const bool is_lead = slot == Slot::Feed && feed_is_lead_;
-    NumberFault fault =
+    const NumberFault fault =
         is_lead ? append_number(out, number, lead_format(address.format), address.dimension,
                                 modal_.units)
                 : append_number(out, number, address.format, address.dimension, modal_.units);
-    // A feed that is written as 0 is no feed any more.
-    if (slot == Slot::Feed && number > 0 && round_to(number, decimals(slot)) == 0)
-        fault = NumberFault::NotReadBack;
     if (is_absolute || is_incremental) out += ')';
     if (fault != NumberFault::None) number_fault(block, fault, number, address.name);
     if (slot == Slot::Feed) {

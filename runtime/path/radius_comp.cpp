@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -15,6 +17,8 @@ using std::numbers::pi;
 constexpr double kSmooth = 1e-6;           // rad
 constexpr double kNear = 10 * kSamePoint;  // mm: the joint of two sides, found as a crossing
 constexpr double kReversal = 1e-9;         // rad short of turning back
+constexpr double kCut = 5e-4;              // mm: half an increment is not a cut into the contour
+constexpr int kChords = 64;                // of a conic where it is looked at for collisions
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 Vec2 left_of(const Vec2& direction) { return {-direction.y(), direction.x()}; }
@@ -99,7 +103,40 @@ Element trimmed(const Element& path, double from, double to) {
     return arc;
 }
 
+/// The places of `path` of which one is nearest to the curve of `other`: its ends, the foot of the
+/// other's centre and the place opposite to that.
+std::vector<Vec2> near_places(const Element& path, const Element& other) {
+    std::vector<Vec2> places = {path.from, path.to};
+    if (!other.is_arc()) {
+        if (!path.is_arc()) return places;
+        // Where the arc runs along the line.
+        const Vec2 across = left_of((other.to - other.from).normalized()) * radius(path);
+        for (const double sign : {1.0, -1.0})
+            places.push_back(nearest(path, path.center + sign * across).point);
+        return places;
+    }
+    places.push_back(nearest(path, other.center).point);
+    if (path.is_arc()) places.push_back(nearest(path, 2 * path.center - other.center).point);
+    return places;
+}
+
+/// The least distance of two elements that do not cross.
+double distance_between(const Element& a, const Element& b) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vec2& place : near_places(a, b)) least = std::min(least, nearest(b, place).distance);
+    for (const Vec2& place : near_places(b, a)) least = std::min(least, nearest(a, place).distance);
+    return least;
+}
+
 }  // namespace
+
+Vec2 conic_at(const CompPiece& piece, double u) {
+    const double from = (1 - u) * (1 - u);
+    const double apex = 2 * u * (1 - u) * piece.weight;
+    const double to = u * u;
+    return (piece.element.from * from + piece.apex * apex + piece.element.to * to) /
+           (from + apex + to);
+}
 
 Vec2 RadiusComp::start_of(const Element& element, double distance) {
     return element.from + left_of(start_direction(element)) * distance;
@@ -127,10 +164,11 @@ std::optional<CompFault> RadiusComp::push(const Element& element, double distanc
 }
 
 std::optional<CompFault> RadiusComp::finish() {
+    rounds_next_ = false;
     if (!sides_.empty()) {
         const Side& last = sides_.back();
         fault_at_ = last.index;
-        if (last.from > extent(last.path) + kSamePoint) return CompFault::Reversed;
+        if (last.from + last.to > extent(last.path) + kSamePoint) return CompFault::Reversed;
         if (rules_.look_ahead > 1 && runs_into_earlier(sides_.size() - 1))
             return CompFault::Bottleneck;
     }
@@ -138,18 +176,39 @@ std::optional<CompFault> RadiusComp::finish() {
     return std::nullopt;
 }
 
-std::optional<CompFault> RadiusComp::join(Side& a, Side& b) const {
+std::optional<CompFault> RadiusComp::finish_towards(const Vec2& direction) {
+    if (sides_.empty()) return finish();
+    Side& last = sides_.back();
+    const Vec2 corner = last.contour.to;
+    const Vec2 beside = corner + left_of(direction) * last.distance;
+    const std::vector<Vec2> common =
+        crossings_of(curve_of(last.path), {beside, direction.normalized(), Vec2::Zero(), 0, false});
+    if (!common.empty()) {
+        const Vec2 meeting = *std::ranges::min_element(
+            common, {}, [&](const Vec2& point) { return (point - corner).squaredNorm(); });
+        last.to = ahead(last.path, meeting, last.path.to);
+    }
+    return finish();
+}
+
+std::optional<CompFault> RadiusComp::join(Side& a, Side& b) {
+    const bool rounds = std::exchange(rounds_next_, false);
     const Vec2 corner = b.contour.from;
     const double turn = angle_between(end_direction(a.contour), start_direction(b.contour));
     if (std::abs(turn) < kSmooth) {
         if ((a.path.to - b.path.from).norm() > kSamePoint)  // an arc with another distance
-            b.before.push_back(line_element(a.path.to, b.path.from));
+            insert(b, line_element(a.path.to, b.path.from));
         return std::nullopt;
     }
     const bool closes = turn * a.distance > 0 && pi - std::abs(turn) > kReversal;
+    if (closes && rounds) return CompFault::Bottleneck;
     if (closes) return join_inside(a, b, corner);
-    join_outside(a, b, turn);
+    join_outside(a, b, turn, rounds);
     return std::nullopt;
+}
+
+void RadiusComp::insert(Side& side, const Element& element) {
+    side.before.push_back({element, side.index, true, 0, Vec2::Zero()});
 }
 
 std::optional<CompFault> RadiusComp::join_inside(Side& a, Side& b, const Vec2& corner) const {
@@ -162,29 +221,49 @@ std::optional<CompFault> RadiusComp::join_inside(Side& a, Side& b, const Vec2& c
     return std::nullopt;
 }
 
-void RadiusComp::join_outside(Side& a, Side& b, double turn) const {
+void RadiusComp::join_outside(Side& a, Side& b, double turn, bool rounds) const {
     const double sharpness = std::abs(turn);
     const bool has_arc = a.path.is_arc() || b.path.is_arc();
     OutsideCorner style = sharpness <= rules_.limit ? rules_.outside : rules_.sharp;
-    if (has_arc && !rules_.extends_tangents) style = OutsideCorner::Arc;
+    if ((has_arc && !rules_.extends_tangents) || rounds) style = OutsideCorner::Arc;
     const double reach = std::abs(a.distance);
     if (reach < kSamePoint) return;
     const bool turns_back = pi - sharpness < kSmooth;
+    if (style == OutsideCorner::Arc && rules_.pointed > 0 && !turns_back && !rounds)
+        return join_by_conic(a, b, turn);
     if (style == OutsideCorner::Arc || (style == OutsideCorner::Intersection && turns_back)) {
         Element arc{a.path.to, b.path.from, b.contour.from, turn};
         if (turns_back) arc.sweep = a.distance > 0 ? -pi : pi;
-        b.before.push_back(arc);
+        insert(b, arc);
         return;
     }
     const bool meets = style == OutsideCorner::Intersection;
     const double more = meets ? reach * std::tan(sharpness / 2) : reach;
     const Vec2 behind_a = a.path.to + end_direction(a.contour) * more;
     const Vec2 before_b = b.path.from - start_direction(b.contour) * more;
-    if (a.path.is_arc()) b.before.push_back(line_element(a.path.to, behind_a));
+    if (a.path.is_arc()) insert(b, line_element(a.path.to, behind_a));
     else a.to = -more;
-    if (!meets) b.before.push_back(line_element(behind_a, before_b));
-    if (b.path.is_arc()) b.before.push_back(line_element(before_b, b.path.from));
+    if (!meets) insert(b, line_element(behind_a, before_b));
+    if (b.path.is_arc()) insert(b, line_element(before_b, b.path.from));
     else b.from = -more;
+}
+
+/// The arc about the corner is a conic whose middle weight is c, the cosine of half the turn. Seen
+/// from the corner its middle is at the radius r, the sides meet at r/c, and the chord is at r·c:
+/// the weight that puts the middle at m is (m − r·c)/(r/c − m).
+void RadiusComp::join_by_conic(Side& a, Side& b, double turn) const {
+    const double reach = std::abs(a.distance);
+    const double cosine = std::cos(turn / 2);
+    const Vec2 apex = a.path.to + end_direction(a.contour) * reach * std::tan(std::abs(turn) / 2);
+    const double middle = reach + rules_.pointed * (reach / cosine - reach);
+    const double rest = reach / cosine - middle;
+    if (rest < kSamePoint) {  // the sides meet
+        insert(b, line_element(a.path.to, apex));
+        insert(b, line_element(apex, b.path.from));
+        return;
+    }
+    const Element ends = line_element(a.path.to, b.path.from);
+    b.before.push_back({ends, b.index, true, (middle - reach * cosine) / rest, apex});
 }
 
 /// Looks at the element that has got its second end, and lets go of what is far enough behind.
@@ -219,17 +298,41 @@ bool RadiusComp::leaves_out_reversed() {
     return true;
 }
 
-/// Whether a side that is done, or what was inserted before it, crosses an earlier one.
+/// What the cutter does at the corner before a side and along it, in lines and arcs.
+std::vector<Element> RadiusComp::way_of(const Side& side) {
+    std::vector<Element> way;
+    for (const CompPiece& piece : side.before) {
+        if (!(piece.weight > 0)) {
+            way.push_back(piece.element);
+            continue;
+        }
+        for (int i = 0; i < kChords; ++i)
+            way.push_back(line_element(conic_at(piece, static_cast<double>(i) / kChords),
+                                       conic_at(piece, static_cast<double>(i + 1) / kChords)));
+    }
+    way.push_back(trimmed(side.path, side.from, side.to));
+    return way;
+}
+
+/// Whether the cutter on its way along one side comes too near to the contour's element of another.
+bool RadiusComp::cuts_into(const Side& side, const Side& other) {
+    const double least = std::min(std::abs(side.distance), std::abs(other.distance)) - kCut;
+    const std::vector<Element> way = way_of(side);
+    return std::any_of(way.begin(), way.end(), [&](const Element& piece) {
+        return !crossings(piece, other.contour).empty() ||
+               distance_between(piece, other.contour) < least;
+    });
+}
+
+/// Whether a side that is done, or what was inserted before it, crosses an earlier one and cuts
+/// into the contour there. Sides that touch, or lie on each other, do not.
 bool RadiusComp::runs_into_earlier(std::size_t done) const {
-    const auto way_of = [](const Side& side) {
-        std::vector<Element> way = side.before;
-        way.push_back(trimmed(side.path, side.from, side.to));
-        return way;
-    };
+    if (std::abs(sides_[done].distance) < kCut) return false;
     const std::vector<Element> latest = way_of(sides_[done]);
     const auto crosses = [&](const Element& earlier, bool is_neighbour) {
-        return std::ranges::any_of(latest, [&](const Element& piece) {
-            return std::ranges::any_of(crossings(earlier, piece), [&](const Crossing& crossing) {
+        return std::any_of(latest.begin(), latest.end(), [&](const Element& piece) {
+            const std::vector<Crossing> common = crossings(earlier, piece);
+            return std::any_of(common.begin(), common.end(), [&](const Crossing& crossing) {
                 const bool is_joint = (crossing.point - latest.front().from).norm() < kNear;
                 const bool closes_up = (crossing.point - latest.back().to).norm() < kNear;
                 return !closes_up && !(is_neighbour && is_joint);
@@ -237,9 +340,12 @@ bool RadiusComp::runs_into_earlier(std::size_t done) const {
         });
     };
     for (std::size_t i = 0; i < done; ++i) {
-        for (const Element& earlier : way_of(sides_[i])) {
-            if (crosses(earlier, i + 1 == done)) return true;
-        }
+        const std::vector<Element> way = way_of(sides_[i]);
+        const bool meet = std::any_of(way.begin(), way.end(), [&](const Element& earlier) {
+            return crosses(earlier, i + 1 == done);
+        });
+        if (meet && (cuts_into(sides_[done], sides_[i]) || cuts_into(sides_[i], sides_[done])))
+            return true;
     }
     return false;
 }
@@ -247,11 +353,11 @@ bool RadiusComp::runs_into_earlier(std::size_t done) const {
 void RadiusComp::release(std::size_t kept) {
     for (; sides_.size() > kept; sides_.pop_front()) {
         const Side& side = sides_.front();
-        for (const Element& inserted : side.before) pieces_.push_back({inserted, side.index, true});
+        pieces_.insert(pieces_.end(), side.before.begin(), side.before.end());
         Element path = trimmed(side.path, side.from, side.to);
         // What is left of an arc on the spot, or of nothing, is no arc.
         if (path.is_arc() && std::abs(path.sweep) * path::radius(path) < kSamePoint) path.sweep = 0;
-        pieces_.push_back({path, side.index, false});
+        pieces_.push_back({path, side.index, false, 0, Vec2::Zero()});
     }
 }
 

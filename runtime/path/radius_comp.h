@@ -26,6 +26,9 @@ enum class OutsideCorner : std::uint8_t {
 
 struct CompRules {
     OutsideCorner outside = OutsideCorner::Arc;
+    /// How far the middle of such an arc is moved towards where both sides would meet, 0 … 1: an
+    /// arc, a conic tangent to both sides, their intersection.
+    double pointed = 0;
     /// Changes of direction beyond this angle, rad, are joined by `sharp` instead.
     double limit = std::numbers::pi;
     OutsideCorner sharp = OutsideCorner::Arc;
@@ -50,7 +53,13 @@ struct CompPiece {
     Element element;        // a full turn at most; a line without length if nothing is left of it
     std::size_t index = 0;  // of the contour's element that it runs beside
     bool is_inserted = false;  // at the corner before that element
+    /// Above 0: between the ends of the element a conic, a rational Bézier curve of degree two with
+    /// this weight of its middle control point, which is `apex`.
+    double weight = 0;
+    Vec2 apex = Vec2::Zero();
 };
+/// The point of a conic piece at a parameter 0 … 1.
+Vec2 conic_at(const CompPiece& piece, double u);
 
 class RadiusComp {
   public:
@@ -66,8 +75,14 @@ class RadiusComp {
     std::optional<CompFault> push(const Element& element, double distance, std::size_t index);
     /// The element that the last fault is about.
     std::size_t fault_at() const { return fault_at_; }
+    /// The corner in front of the next element gets an arc about it whatever the rules say; at one
+    /// that closes, where that would cut into the contour, it is a bottleneck.
+    void round_next_corner() { rounds_next_ = true; }
     /// No further element: the cutter ends on the normal at the end of the last one.
     std::optional<CompFault> finish();
+    /// … or where the side meets the one beside a line from there in this direction, be it shorter
+    /// or longer for that; on the normal where they do not meet.
+    std::optional<CompFault> finish_towards(const Vec2& direction);
 
     /// Pieces that will not change any more, in the order of travel. The caller clears them.
     std::vector<CompPiece>& pieces() { return pieces_; }
@@ -84,20 +99,25 @@ class RadiusComp {
         double from = 0;      // how much is taken away at its start and at its end, mm or rad, …
         double to = 0;        // … below zero where it is extended
         std::size_t index = 0;
-        std::vector<Element> before;  // inserted in front of it
+        std::vector<CompPiece> before;  // inserted in front of it
     };
 
-    std::optional<CompFault> join(Side& a, Side& b) const;
+    std::optional<CompFault> join(Side& a, Side& b);
     std::optional<CompFault> join_inside(Side& a, Side& b, const Vec2& corner) const;
-    void join_outside(Side& a, Side& b, double turn) const;
+    void join_outside(Side& a, Side& b, double turn, bool rounds) const;
+    void join_by_conic(Side& a, Side& b, double turn) const;
+    static void insert(Side& side, const Element& element);
     std::optional<CompFault> settle();
     bool leaves_out_reversed();
     bool runs_into_earlier(std::size_t done) const;
+    static bool cuts_into(const Side& side, const Side& other);
+    static std::vector<Element> way_of(const Side& side);
     void release(std::size_t kept);
 
     CompRules rules_;
     std::deque<Side> sides_;
     std::size_t fault_at_ = 0;
+    bool rounds_next_ = false;
     std::vector<CompPiece> pieces_;
 };
 

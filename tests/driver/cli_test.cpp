@@ -165,8 +165,7 @@ TEST_F(CommandLine, CutsWithoutFeedOrSpindleAreWarnedOf) {
         const char* message;  // in `expand` and `check`; empty: none
     };
     for (const Row& row :
-         {Row{"feed", "tool(2); S1000 M3; G0 X0; G1 X1; G1 X2;", "warning[K3222]"},
-          Row{"tool", "S1000 M3; F100; G0 X0; G1 X1; G1 X2;", "warning[K5265]"},
+         {Row{"tool", "S1000 M3; F100; G0 X0; G1 X1; G1 X2;", "warning[K5265]"},
           Row{"down at rapid", "tool(2); G0 X-5 Z-5; Z-6; S1000 M3;", "warning[K5264]"},
           Row{"down from a known height", "tool(2); G0 Z5; Z+=-9; S1000 M3;", "warning[K5264]"},
           Row{"up below the zero", "tool(2); S1000 M3; G0 Z-5; M5; G0 Z-2;", ""},
@@ -362,6 +361,87 @@ TEST_F(CommandLine, ExplainsItsMessages) {
     const ProcessResult all = kadr({"explain"});
     EXPECT_NE(all.out.find("\nK9001"), std::string::npos);
     EXPECT_EQ(kadr({"explain", "K0000"}).status, 2);  // K9010
+}
+
+TEST_F(CommandLine, WhatTheControlWouldAlarmOnIsNotWritten) {
+    save("feed.kadr", "program p() { tool(2); S1000 M3; G0 X0; G1 X1; G1 X2; M30; }\n");
+    for (const char* command : {"expand", "check"}) {
+        const ProcessResult core = kadr({command, file("feed.kadr"), "-d", "iso"});
+        EXPECT_EQ(core.status, 0);
+        EXPECT_NE(core.err.find("warning[K3222]"), std::string::npos) << core.err;
+        const ProcessResult real = kadr({command, file("feed.kadr"), "-d", "fanuc"});
+        EXPECT_EQ(real.status, 1);
+        EXPECT_EQ(real.out, "");
+        EXPECT_NE(real.err.find("error[K3223]: no feed is set for this cut: fanuc stops with alarm "
+                                "PS0011"),
+                  std::string::npos)
+            << real.err;
+    }
+    EXPECT_EQ(kadr({"run", file("feed.kadr"), "-d", "fanuc"}).status, 3);
+    save("times.kadr", "program p() { dwell(0.4ms); S0.2 M3; M30; }\n");
+    const ProcessResult times = kadr({"expand", file("times.kadr"), "-d", "fanuc"});
+    EXPECT_EQ(times.status, 1);
+    EXPECT_NE(times.err.find("0.4 does not survive the number format of `P`"), std::string::npos)
+        << times.err;
+    EXPECT_NE(times.err.find("0.2 does not survive the number format of `S`"), std::string::npos)
+        << times.err;
+    save("letters.kadr", "program p() { for (int i : 1..2) raw \"(деталь)\"; M30; }\n");
+    const ProcessResult letters = kadr({"expand", file("letters.kadr"), "-d", "fanuc"});
+    EXPECT_EQ(letters.status, 0);
+    EXPECT_NE(letters.err.find("warning[K4216]: `д` is no character of fanuc"), std::string::npos);
+    EXPECT_EQ(letters.err.find("K4216"), letters.err.rfind("K4216"));
+    EXPECT_EQ(kadr({"expand", file("letters.kadr"), "-d", "sinumerik"}).err, "");
+}
+
+TEST_F(CommandLine, OffsetsOfTheCoreAreThoseOfTheTarget) {
+    save("core.kadr",
+         "program p() { T3 M6; G43 H3; S1 M3; G0 X0 Z5; G49; G0 Z9; T4 M6; D1; Z8; D0; M30; }\n");
+    const std::string edges = kadr({"expand", file("core.kadr"), "-d", "sinumerik"}).out;
+    EXPECT_NE(edges.find("M6\nN30 D1\n"), std::string::npos) << edges;
+    EXPECT_NE(edges.find("N60 D0\n"), std::string::npos) << edges;
+    const std::string offsets = kadr({"expand", file("core.kadr"), "-d", "fanuc"}).out;
+    EXPECT_NE(offsets.find("T04 M06\nG43 H04\nG00 Z8.\nG49\n"), std::string::npos) << offsets;
+    save("with.kadr", "program p() { T3 M6; with G43 H3 { G0 Z5; } Z9; M30; }\n");
+    const std::string inside = kadr({"expand", file("with.kadr"), "-d", "sinumerik"}).out;
+    EXPECT_NE(inside.find("N30 D1\nN40 G0 Z5\nN50 D0\nN60 Z9\n"), std::string::npos) << inside;
+    save("other.kadr", "program p() { T3 M6; G43 H5; M30; }\n");
+    EXPECT_NE(kadr({"expand", file("other.kadr"), "-d", "sinumerik"}).err.find("say `tool(n)`"),
+              std::string::npos);
+    save("edge.kadr", "program p() { T3 M6; D2; M30; }\n");
+    EXPECT_NE(kadr({"expand", file("edge.kadr"), "-d", "fanuc"}).err.find("say `tool(n)`"),
+              std::string::npos);
+}
+
+TEST_F(CommandLine, ADialectFileTellsAllItsMistakesAtOnce) {
+    save("my.xml",
+         "<dialect name=\"my\" extends=\"fanuk\" title=\"My\" suffix=\"nc\">\n"
+         "<foo/>\n"
+         "<number addresses=\"X\" decimals=\"three\"/>\n"
+         "<group name=\"01\"><code text=\"G0\" command=\"rapit\"/></group>\n"
+         "<cycle name=\"drill_peck\"><form>G83 Z{to}</form></cycle>\n"
+         "<rule name=\"arc_tol\" value=\"1\"/>\n"
+         "<rule/>\n"
+         "</dialect>\n");
+    const ProcessResult result = kadr({"dialect", "check", file("my.xml")});
+    EXPECT_EQ(result.status, 1);
+    for (const char* message :
+         {"my.xml:1:29: error[K4001]", "my.xml:2:2: error[K9103]", "my.xml:3:33: error[K4006]",
+          "my.xml:4:43: error[K4008]", "my.xml:5:32: error[K4011]", "my.xml:6:13: error[K5202]",
+          "my.xml:7:2: error[K9105]"})
+        EXPECT_NE(result.err.find(message), std::string::npos) << message << '\n' << result.err;
+    EXPECT_EQ(result.out, "my: the examples are tried when these are mended\n");
+}
+
+TEST_F(CommandLine, TheDirectionOfTheLanguageIsHeld) {
+    const std::string folder = KADR_ROOT "/tests/programs/";
+    const ProcessResult tests = kadr({"test", folder + "language_bracket.kadr", "--runs", "5"});
+    EXPECT_EQ(tests.status, 0) << tests.err;
+    for (const char* dialect : {"sinumerik", "fanuc", "axioma"}) {
+        for (const char* name : {"language_bracket", "language_pieces", "language_russian"}) {
+            const ProcessResult result = kadr({"expand", folder + name + ".kadr", "-d", dialect});
+            EXPECT_EQ(result.status, 0) << name << dialect << result.err;
+        }
+    }
 }
 
 TEST_F(CommandLine, TablesOfControlsAndMachines) {

@@ -91,6 +91,8 @@ TEST(Functions, Imports) {
     // Only direct imports can be seen.
     EXPECT_EQ(run("import a;\nprogram p() { X=from_b(); }", options).messages,
               std::vector<std::string>{"2:17 K2002"});
+    EXPECT_EQ(run("#include \"a\"\nprogram p() { X=from_a(); }", options).all_blocks(), "X11");
+    EXPECT_EQ(run("#include <a>\nprogram p() { X=from_a(); }", options).all_blocks(), "X11");
     EXPECT_EQ(run("import c;\nprogram p() { X1; }", options).messages,
               std::vector<std::string>{"1:1 K9001"});
     // The prelude is there without being asked for; what a file declares itself comes first.

@@ -1,4 +1,6 @@
 // Limits: a program that would not end says so.
+#include <atomic>
+
 #include <gtest/gtest.h>
 
 #include "tests/sema/running.h"
@@ -51,6 +53,16 @@ TEST(Limits, TimeActsInLoopsThatMakeNoBlocks) {
     const Outcome outcome =
         run("program p() { int n = 0; while (true) n = 1 - n; }", with_limits(limits));
     EXPECT_EQ(outcome.messages, std::vector<std::string>{"1:33 K3405"});
+}
+
+TEST(Limits, WhoStopsALoopIsHeardInItsNextTurn) {
+    const std::atomic<bool> stop = true;
+    RunOptions options;
+    options.expand.stop = &stop;
+    // A slice of turns, after which a loop without blocks looks up, would be 130 000 blocks.
+    const Outcome outcome = run("program p() { while (true) { X1; X2; } }", options);
+    EXPECT_LE(outcome.blocks.size(), 4u);
+    EXPECT_EQ(outcome.messages, std::vector<std::string>{"1:22 K3410"});
 }
 
 TEST(Limits, LoopTurns) {

@@ -39,6 +39,10 @@ TEST(Modal, WithSetsBackOnEveryWayOut) {
         {"program p() { F180; with F50 { G1 X1; } X2; }", "F180\nF50\nline X1\nF180\nX2"},
         {"program p() { G54; with G55 { X1; } }",
          "work_offset(number=1)\nwork_offset(number=2)\nX1\nwork_offset(number=1)"},
+        {"program p() { G54; with work_offset(2) { X1; } }",
+         "work_offset(number=1)\nwork_offset(number=2)\nX1\nwork_offset(number=1)"},
+        {"program p() { with plane_zx() shift(x: 1) { X1; } }",
+         "plane_zx\nshift(x=1)\nX1\nshift\nplane_xy"},
         {"program p() { with G43 H3 { Z1; } }", "length_comp_on(offset=3)\nZ1\nlength_comp_off"},
         {"program p() { G0; with G1 { X1; } X2; }", "rapid\nline\nX1\nrapid\nX2"},
     });
@@ -113,6 +117,8 @@ TEST(Modal, PreservesIsHeldToItsPromise) {
         {"cycle c() preserves frames { shift(x: 5mm); X1; }\nprogram p() { c(); }", "1:30 K2308"},
         // Who called it had another plane: seen only while it runs.
         {"cycle c() preserves G54 { G55; }\nprogram p() { G54; c(); }", "1:32 K3205"},
+        {"cycle c() preserves G90, F { F50; G1 X1; }\nprogram p() { F180; c(); }", "1:42 K3205"},
+        {"cycle c() preserves S { S50; }\nprogram p() { S180; c(); }", "1:30 K3205"},
         {"cycle c() preserves G17 { G18; G17; }\nprogram p() { G19; c(); }", "2:20 K3206"},
         {"cycle c() preserves G90, G17 { G0 X1; }\nprogram p() { with G91 { c(); } }",
          "2:26 K3206"},

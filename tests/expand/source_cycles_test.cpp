@@ -119,6 +119,41 @@ TEST(SourceCycles, TapsHaveTheirPitchFromF) {
               "cycle#3(0=-5, 1=1.5, 2=5, 3=50, 4=0.2, 5=1, 6=0, 7=500, 8=0, 9=5)");
 }
 
+TEST(SourceCycles, RepeatsUnderDistances) {
+    const std::string three =
+        "rapid X+10 | incremental\nabsolute\ncycle#0(0=-5, 1=2, 2=50, 3=0)\nincremental\n";
+    EXPECT_EQ(blocks(fanuc("G91 G81 X10. Z-7. R-48. K3; G80; G90;"), "fanuc"),
+              blocks(fanuc("G91 G81 X10. Z-7. R-48.; X10.; X10.; G80; G90;"), "fanuc"));
+    EXPECT_EQ(blocks(fanuc("G81 Z-5. R2.; G91 X10. K2; G80; G90;"), "sinumerik"),
+              blocks(fanuc("G81 Z-5. R2.; G91 X10.; X10.; G80; G90;"), "sinumerik"));
+    // With a point it is the centre of an arc.
+    const std::string arc = fanuc("G81 Z-5. R2.; G80; G18 G02 X10. Z50. I5. K0.;");
+    EXPECT_EQ(run(arc, options_of(arc, "fanuc")).all_messages(), "");
+    struct Row {
+        const char* statements;
+        const char* message;
+    };
+    for (const Row& row :
+         {Row{"G81 X10. Z-5. R2. K0;", "6:19 K4128"}, Row{"G81 Z-5. R2. K3;", "6:14 K4128"},
+          Row{"G81 Z-5. R2.; G80; G01; G91 X10. F100; Y5. K3;", "6:40 K4128"}}) {
+        SCOPED_TRACE(row.statements);
+        const std::string source = fanuc(row.statements);
+        const std::string messages = run(source, options_of(source, "fanuc")).all_messages();
+        EXPECT_EQ(messages.substr(0, messages.find(' ', 6)), row.message) << messages;
+    }
+}
+
+TEST(SourceCycles, ThreadsOfTheControl) {
+    const std::string source =
+        "dialect sinumerik;\nprogram p() {\nG18; DIAMON; S500 M3;\nG0 X50 Z5;\nF100;\n"
+        "CYCLE97(1.5,,0,-30,40,40,3,2,0.92,0.05,29,0,5,2,1,1);\n}";
+    const Outcome outcome = run(source, options_of(source, "sinumerik"));
+    EXPECT_EQ(outcome.all_messages(), "");
+    EXPECT_NE(outcome.all_blocks().find("cycle#"), std::string::npos) << outcome.all_blocks();
+    const Outcome moves = run(source, options_of(source, "iso"));
+    EXPECT_NE(moves.all_blocks().find("thread Z-32"), std::string::npos) << moves.all_blocks();
+}
+
 TEST(SourceCycles, CallsOfTheControl) {
     const std::string once = sinumerik("length d = 5; CYCLE81(50,1,1.5,-d); X10;");
     EXPECT_EQ(blocks(once, "fanuc"), "cycle#0(0=-5, 1=2.5, 2=50, 3=0)\nrapid X10");

@@ -82,7 +82,9 @@ TEST(ProfileOracle, LimitsOfALineFromTheAxes) {
         const json& in = entry["input"];
         const auto machine = machine_of({vec3(in["axis_v"]), vec3(in["axis_a"])});
         const Vec3 delta = vec3(in["delta"]);
-        const PathLimits limits = AxisTable(machine).limits(straight(delta), in["feed"]);
+        const AxisTable axes(machine);
+        const Segment piece = straight(delta);
+        const PathLimits limits = axes.limits(piece, axes.start_rates(piece), in["feed"]);
         const json& expected = entry["expect"];
         EXPECT_NEAR(limits.speed, expected["vmax"].get<double>(), 1e-7);
         EXPECT_NEAR(limits.acceleration, expected["amax"].get<double>(), 1e-7);
@@ -179,8 +181,8 @@ TEST(LookAheadOracle, CornerLimits) {
                                       {options.velocity_jump.data(), 3})
                     : junction_deviation_speed(Vec3(d1[0], d1[1], d1[2]), Vec3(d2[0], d2[1], d2[2]),
                                                options.junction_deviation,
-                                               std::min(axes.limits(before, 1).acceleration,
-                                                        axes.limits(after, 1).acceleration));
+                                               std::min(axes.limits(before, d1, 1).acceleration,
+                                                        axes.limits(after, d2, 1).acceleration));
             EXPECT_NEAR(std::min(corner, in["feed"].get<double>()),
                         entry["expect"]["corner_limits"][i].get<double>(), 1e-4)
                 << i;

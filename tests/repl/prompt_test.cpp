@@ -131,6 +131,20 @@ TEST(Prompt, AnInputMayHaveSeveralLines) {
     EXPECT_EQ(talk.say("1"), "1\n");
 }
 
+TEST(Prompt, AMistakeInACycleIsOneMessage) {
+    Conversation talk;
+    talk.say("length d = 40mm;");
+    talk.say("cycle ring(length r) {");
+    talk.say("    G0 X=r");
+    talk.say("    G2 I=-r F100;");
+    const std::string answer = talk.say("}");
+    EXPECT_TRUE(has(answer, "K1101")) << answer;
+    EXPECT_EQ(answer.find("error["), answer.rfind("error[")) << answer;
+    EXPECT_FALSE(has(answer, "40mm")) << answer;
+    // What only the library's own files use is not proposed.
+    EXPECT_FALSE(has(talk.say("ring(5mm)"), "levels"));
+}
+
 TEST(Prompt, AnErrorLeavesNothingBehind) {
     Conversation talk;
     EXPECT_TRUE(has(talk.say("G1 X=nothing F100"), "prompt.kadr:2:6: error[K2001]"));
@@ -386,6 +400,13 @@ TEST(Prompt, FilesAreLoadedAndSaved) {
     EXPECT_EQ(read_file(saved),
               "import \"" + library + "\";\n\nprogram prompt() {\n    hop(to: 7mm);\n}\n");
     EXPECT_TRUE(has(talk.say(":load " + (folder / "none.kadr").string()), "K9003"));
+    // A program of the file is called as a cycle is.
+    const std::string part = (folder / "part.kadr").string();
+    ASSERT_TRUE(write_file_whole(part, "program row(int n = 3) { for (int i : 1..n) G0 X=i; }\n"));
+    Conversation other;
+    EXPECT_EQ(other.say(":load " + part), "");
+    EXPECT_TRUE(has(other.say("row(n: 2)"), "X1\nX2\n"));
+    EXPECT_TRUE(has(other.say("G0 Z5"), "Z5\n"));
     EXPECT_EQ(talk.say(":plot " + (folder / "a.svg").string()), "nothing has moved\n");
     EXPECT_TRUE(fs::exists(folder / "a.svg"));
     fs::remove_all(folder);
@@ -408,6 +429,14 @@ TEST(Prompt, CompletesNamesWordsAndCommands) {
     EXPECT_TRUE(has(found("drill_peck(to: -5mm, pe"), "peck: "));
     EXPECT_TRUE(has(found("whi"), "while "));
     EXPECT_EQ(found("xyzzy"), "");
+}
+
+TEST(Prompt, ThePositionIsShown) {
+    Conversation talk;
+    talk.say("G0 X10 Y20 Z5");
+    EXPECT_TRUE(has(talk.say("position"), "10")) << talk.say("position");
+    EXPECT_TRUE(has(talk.say("position"), "20"));
+    EXPECT_EQ(talk.say("position.x"), "10 mm\n");
 }
 
 TEST(Prompt, ARunningEvaluationIsStopped) {

@@ -77,6 +77,45 @@ TEST(Mistakes, NamesThatAreSomethingElse) {
     });
 }
 
+TEST(Mistakes, DiametersAndLengths) {
+    expect_rows({
+        {"program p(diameter d, length r) { G0 X=d + r; }",
+         "1:40 K2103 `+` between diameter and length"},
+        {"program p(diameter d) { G0 Y=d; }",
+         "1:30 K2131 `Y` takes a length, and this is a diameter"},
+        {"program p(diameter d) { G2 X=d CR=d; }",
+         "1:35 K2131 `CR` takes a length, and this is a diameter"},
+        {"program p(diameter d) { shift(x: d); }",
+         "1:34 K2131 `x` takes a length, and this is a diameter"},
+        {"program p(diameter d) { with shift(z: d) { G0 X1; } }",
+         "1:39 K2131 `z` takes a length, and this is a diameter"},
+        {"program p(diameter d) { time t = d; dwell(t); }",
+         "1:34 K2102 `t` must be time, not diameter"},
+    });
+}
+
+TEST(Mistakes, CallsSayWhatTheyNeed) {
+    const auto fix_of = [](const char* source) {
+        const Checked checked = check_program(source);
+        if (checked.messages->all().empty() || checked.messages->all()[0].fixes.empty())
+            return std::string();
+        return checked.messages->all()[0].fixes[0].text;
+    };
+    // Of two letters, every word of three is near.
+    EXPECT_EQ(fix_of("cycle c(length back, length top = 1, length d) { G0 X=back+top+d; }\n"
+                     "program p() { c(to: 5, d: 3); }"),
+              "it has `back`, `top`, `d`; it needs `back`");
+    EXPECT_EQ(fix_of("cycle c(length peck = 1) { G0 X=peck; }\nprogram p() { c(pecks: 5); }"),
+              "did you mean `peck`?");
+    EXPECT_EQ(fix_of("program p() { cycle(); }"),
+              "declare it in the file, `cycle name(…) { … }`, and call a cycle by its name");
+    expect_rows({
+        // A mistake in the head of a cycle is one message.
+        {"cycle bad() preserves G90, 5 { G0 X1; }\nprogram p() { bad(); }",
+         "1:28 K1114 unexpected `5` behind `,`"},
+    });
+}
+
 TEST(Mistakes, DefaultsUseWhatStandsBeforeThem) {
     expect_rows({
         {"program p(int n = k, int k = 2) { X=n Y=k; }",

@@ -56,6 +56,32 @@ TEST(Values, NumbersTakeTheUnitOfTheirPlace) {
     });
 }
 
+TEST(Values, DiametersGoAcross) {
+    expect_rows({
+        {"diameter d = 40mm; G0 X=d;", "rapid X20"},
+        {"diameter d = 40; DIAMON; G0 X=d;", "diameter_on\nrapid X40"},
+        {"diameter d = 40; G0 X=d/2 Z=-d/4;", "rapid X20 Z-10"},
+        {"diameter d = 40; G0 X=d + 4; X=2mm + d; X=-d;", "rapid X22\nX21\nX-20"},
+        {"diameter d = 40; diameter e = 30; G0 X=d - e; if (d > e) X=e;", "rapid X5\nX15"},
+        {"length r = 5; diameter d = diameter(2*r); G0 X=d; X+=d; X=IC(d);",
+         "rapid X5\nX=IC(5)\nX=IC(5)"},
+        {"diameter d = 40; length w = d; G0 X=w;", "rapid X40"},
+        {"diameter[] all = {10, 20}; for (diameter d : all) G0 X=d;", "rapid X5\nrapid X10"},
+        {"diameter d = 40; note \"{d} {d:u} {pi*d:.1}\";", "comment \"40 40 mm 125.7\""},
+        {"units inch; diameter d = 2; G0 X=d;", "rapid X25.4"},
+        {"real diameter = 3; G0 X=diameter;", "rapid X3"},
+    });
+}
+
+TEST(Values, ThePositionIsAPoint) {
+    expect_rows({
+        {"G0 X1 Y2 Z3; point p = position; G0 p + {1mm, 1mm, 1mm};",
+         "rapid X1 Y2 Z3\nrapid X2 Y3 Z4"},
+        {"G0 X1; point p = position; note \"{given p.x} {given p.y}\";",
+         "rapid X1\ncomment \"true false\""},
+    });
+}
+
 TEST(Values, QuantitiesAreCoherent) {
     expect_notes({
         {"10mm + 1in", "35.4"},
@@ -198,6 +224,8 @@ TEST(Values, AssignmentAndSteps) {
         {"int i = 1; i += 2; i *= 5; i -= 1; note \"{i}\";", "comment \"14\""},
         {"real x = 1; x /= 4; x *= 2; note \"{x}\";", "comment \"0.5\""},
         {"int i = 7; i %= 4; note \"{i}\";", "comment \"3\""},
+        {"int i = 3; i <<= 2; i |= 3; i ^= 1; i &= 14; i >>= 1; note \"{i}\";", "comment \"7\""},
+        {"bool b = true; b &= false; b |= true; b ^= true; note \"{b}\";", "comment \"false\""},
         {"int i = 1; int a = i++; int b = ++i; note \"{a} {b} {i}\";", "comment \"1 3 3\""},
         {"int i = 5; int a = i-- - --i; note \"{a} {i}\";", "comment \"2 3\""},
         {"int i = 2; int a = i + i++; note \"{a}\";", "comment \"4\""},

@@ -499,7 +499,8 @@ TEST(Turning, WrongParametersAreRefused) {
         const char* call;
         const char* message;
     } rows[] = {
-        {"{ DIAMOF; G1 X10 Z0; Z-10; }", "turn_rough(shape, d: 40mm, step: 2mm)", "begins with DIAMON"},
+        {"{ DIAMOF; G1 X10 Z0; Z-10; }", "turn_rough(shape, d: 40mm, step: 2mm)",
+         "begins with DIAMON"},
         {"{ DIAMON; G1 X10 Z0; }", "turn_rough(shape, d: 40mm, step: 2mm)", "begins with DIAMON"},
         {"{ DIAMON; G1 X10 Z0; Z-10; X20 Z-8; }", "turn_rough(shape, d: 40mm, step: 2mm)",
          "shape[1] turns back in Z"},

@@ -139,6 +139,8 @@ TEST(Format, StatementsHaveOneLayout) {
 
 TEST(Format, DeclarationsHaveOneLayout) {
     const std::vector<Row> rows = {
+        {"#include   \"holes.kadr\"\nint f(int a) { a<<=2; return a; }",
+         "#include   \"holes.kadr\"\nint f(int a) { a <<= 2; return a; }\n"},
         {"import cycles . drilling;\nconst length r=5mm ;",
          "import cycles.drilling;\nconst length r = 5mm;\n"},
         {"struct hole{point at;length d=8mm;}", "struct hole { point at; length d = 8mm; }\n"},

@@ -139,9 +139,18 @@ program a() { M30; })",
         {"cycle a() { case 1: M8; }", "1:13 K1111 `case` stands outside of a `switch`"},
         {"cycle a() { switch (n) { M8; } }",
          "1:26 K1112 `M8` stands in a `switch` before any `case`"},
-        {R"(#include "holes.kadr"
+        {R"(#include holes.kadr
 program a() { M30; })",
          "1:1 K1115 files are brought in with `import`"},
+        {R"(include "holes.kadr";
+program a() { M30; })",
+         "1:1 K1115 files are brought in with `import`"},
+        {R"(program a() {
+    #include "holes.kadr"
+    M30;
+})",
+         "2:5 K1109 `#include \"holes.kadr\"` cannot be declared inside of a program, cycle or "
+         "function"},
         {"units cm;", "1:7 K1116 `cm` is no system of units"},
         {"curve c() over angle t = 0deg { x = t; }",
          "1:26 K1117 the parameter of the curve has no end"},

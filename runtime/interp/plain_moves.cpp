@@ -1,0 +1,73 @@
+// plain_moves.cpp — straight moves of which nothing needs a second look, as nearly every block is
+// one.
+//
+// What motion.cpp does in many steps, each with its question, is here one step behind all the
+// questions. Whatever is not plain is left to motion.cpp, as if nobody had looked here.
+#include <bit>
+
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::SlotMask;
+using path::Command;
+using path::Op;
+
+/// Nothing that waits, repeats or turns acts on a move to a place.
+bool Executor::is_plain_state() const {
+    const bool waits = cycle_blocks_ || shape_ || open_line_ || spline_ || call_behind_motions_;
+    const bool has_mode = modal_cycle_.is_active || taps_rigidly_ || polar_.is_on;
+    return !has_stages() && rounding_ == 0 && !waits && !has_mode && !modal_.is_incremental &&
+           !tool_.has_changed && frames_.is_shift();
+}
+
+/// Words of axes alone, each a place, for a line or a rapid.
+bool Executor::is_plain_block(const Block& block) const {
+    const SlotMask others = block.given & ~SlotMask{axes_};
+    const bool is_of_places =
+        block.given != 0 && others == 0 && block.incremental == 0 && block.rotary_ways == 0;
+    return block.kind == Block::Kind::Nc && block.function_count == 0 && block.skip < 0 &&
+           block.x_measure == nc::XMeasure::Modal && is_of_places;
+}
+
+/// False: the block is not a plain one, and nothing was done.
+bool Executor::move_plainly(const Block& block) {
+    if (!is_plain_block(block) || !is_plain_state()) return false;
+    const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
+    const bool is_rapid = motion == Function::Rapid;
+    if (is_rapid ? !warned_rapid_ && spindle_.mode == path::SpindleMode::Stop
+                 : motion != Function::Line)
+        return false;
+    if (options_.max_blocks != 0 && block_count_ >= options_.max_blocks) return false;
+    const AxisValues& shift = frames_.shift_values();
+    AxisValues to;  // in the base system
+    for (SlotMask rest = block.given; rest != 0; rest &= rest - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+        to[i] = block.values[i] * word_scale_[i] + shift[i];
+        const double at = to[i] + length_shift_[i];
+        if (!(at >= lower_[i] && at <= upper_[i])) return false;
+    }
+
+    ++block_count_;
+    modal_.motion = motion;
+    if (!is_rapid && !check_feed(block, "line")) return true;
+    has_moved_ = true;
+    Command& command = put(is_rapid ? Op::Rapid : Op::Line, block);
+    command.moved = static_cast<AxisMask>(block.given);
+    command.exact_stop = modal_.has_exact_stop;
+    command.feed = is_rapid ? 0 : modal_.feed;
+    const path::Vec3 before{position_.base[0], position_.base[1], position_.base[2]};
+    bool is_elsewhere = false;
+    for (SlotMask rest = block.given; rest != 0; rest &= rest - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+        is_elsewhere |= i < 3 && to[i] != position_.base[i];
+        command.to[i] = position_.base[i] = to[i];
+        position_.here[i] = position_.programmed[i] = block.values[i] * word_scale_[i];
+    }
+    if (is_elsewhere) came_from_ = before;
+    return true;
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,90 @@
+#include "interp/soft_approach.h"
+
+#include <cmath>
+#include <utility>
+
+#include "base/diagnostics/iso.h"
+
+namespace kadr::interp {
+
+using path::Command;
+using path::Op;
+using path::Vec2;
+
+void SoftApproach::begin(const SoftMove& move, path::Plane plane, const AxisValues& from,
+                         const AxisValues& to, bool has_place, bool has_level) {
+    is_active_ = true;
+    move_ = move;
+    axes_ = path::axes_of(plane);
+    from_ = from;
+    to_ = to;
+    has_place_ = has_place;
+    has_level_ = has_level;
+    empty_blocks_ = -1;  // its own block is none of them
+    fresh_.clear();
+    held_.clear();
+}
+
+const DiagnosticRow* SoftApproach::end_block(int empty_blocks) {
+    bool has_moved = false;
+    const DiagnosticRow* fault = nullptr;
+    for (Command& command : fresh_) {
+        has_moved = has_moved || path::is_motion(command.op);
+        // Behind the contour's beginning all goes through.
+        if (!is_active_) held_.push_back(std::move(command));
+        else if (fault == nullptr) fault = take(command);
+    }
+    fresh_.clear();
+    if (fault != nullptr || has_moved || !is_active_) return fault;
+    return ++empty_blocks_ > empty_blocks ? &diag::SoftEmptyBlocks : nullptr;
+}
+
+const DiagnosticRow* SoftApproach::take(Command& command) {
+    if (!path::is_motion(command.op)) {
+        held_.push_back(std::move(command));
+        return nullptr;
+    }
+    const bool is_arc = command.op == Op::Arc;
+    const bool is_straight = command.op == Op::Line || command.op == Op::Rapid;
+    if (command.is_unshifted) return &diag::SoftNoPlace;
+    const Vec2 way = in_plane(command.to) - in_plane(has_place_ ? to_ : from_);
+    const bool moves = is_arc || way.norm() > path::kSamePoint;
+    if (!has_place_) return moves && is_straight ? take_place(command) : &diag::SoftNoPlace;
+    if (!is_arc && !is_straight) return &diag::SoftNoDirection;
+    if (!moves) {
+        // The level of the contour, if the approach has not said it.
+        if (has_level_ || !is_straight) return &diag::SoftNoPlace;
+        to_ = command.to;
+        has_level_ = true;
+        return nullptr;
+    }
+    direction_ = way.normalized();
+    if (is_arc) {
+        const Vec2 center{command.center[static_cast<Eigen::Index>(index(axes_.first))],
+                          command.center[static_cast<Eigen::Index>(index(axes_.second))]};
+        const double side = command.normal.dot(path::unit(axes_.normal));
+        if (std::abs(side) < 1 - 1e-9) return &diag::SoftNoDirection;
+        const Vec2 arm = (in_plane(to_) - center).normalized();
+        direction_ = Vec2(-arm.y(), arm.x()) * side;
+    }
+    is_active_ = false;
+    held_.push_back(std::move(command));
+    return nullptr;
+}
+
+/// The line behind the approach says where the contour begins, and does not move by itself.
+const DiagnosticRow* SoftApproach::take_place(const Command& command) {
+    const std::size_t normal = index(axes_.normal);
+    const bool says_level = std::abs(command.to[normal] - to_[normal]) > path::kSamePoint;
+    if (has_level_ && says_level) return &diag::SoftNoPlace;
+    to_ = command.to;
+    has_place_ = true;
+    has_level_ = has_level_ || says_level;
+    return nullptr;
+}
+
+Vec2 SoftApproach::in_plane(const AxisValues& values) const {
+    return {values[index(axes_.first)], values[index(axes_.second)]};
+}
+
+}  // namespace kadr::interp

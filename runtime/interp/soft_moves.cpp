@@ -1,0 +1,327 @@
+// soft_moves.cpp — soft approaches and retracts: from the tool's level to the contour's beginning,
+// and back, with the contour's own direction.
+//
+// The places have the names of the manual's figures: P0 where the tool comes from, P1 above the
+// beginning of the way, P2 where the fast infeed ends, P3 where the way begins, P4 on the contour.
+// The retract has the same ones, backwards. Under cutter radius compensation the way is a part of
+// the contour and is compensated with it: its size is that of the contour then.
+#include <algorithm>
+#include <cmath>
+
+#include "base/diagnostics/iso.h"
+#include "base/numbers.h"
+#include "interp/executor.h"
+#include "path/soft_way.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Invocation;
+using nc::Slot;
+using nc::SlotMask;
+using path::Command;
+using path::Element;
+using path::Op;
+using path::Vec2;
+
+namespace {
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+path::SoftShape soft_shape_of(double number) {
+    return number == 2   ? path::SoftShape::Quarter
+           : number == 3 ? path::SoftShape::Half
+                         : path::SoftShape::Line;
+}
+
+}  // namespace
+
+/// The words of the block, and how the tool moves before and behind the slow infeed. Nothing: it
+/// was reported.
+std::optional<SoftMove> Executor::soft_move_of(const Block& block, const Actions& actions) {
+    SoftMove move;
+    move.shape = soft_shape_of(block.argument(*actions.soft, 0));
+    move.choice = soft_;
+    const Invocation* radius = block.find(Function::SoftRadius);
+    if (radius == nullptr) {
+        report(diag::SoftSizeWrong, block).arg("there is none");
+        return std::nullopt;
+    }
+    move.radius = block.argument(*radius, 0);
+    if (const Invocation* said = block.find(Function::SoftClearance)) {
+        if ((said->given & 1u) != 0) move.clearance = std::abs(block.argument(*said, 0));
+        else move.level = base_level(block.argument(*said, 1));
+    }
+    if (const Invocation* said = block.find(Function::SoftFeed))
+        move.slow_feed = block.argument(*said, 0);
+    if (!check_feed(block, "soft approach or retract")) return std::nullopt;
+    const auto motion = [&](bool is_rapid, double feed) {
+        Command command;
+        command.op = is_rapid ? Op::Rapid : Op::Line;
+        command.feed_mode = modal_.feed_mode;
+        command.plane = modal_.plane;
+        command.feed = is_rapid ? 0 : feed;
+        command.source = origin(block).source;
+        command.line = origin(block).line;
+        return command;
+    };
+    const bool was_rapid = actions.motion_before == Function::Rapid || !actions.had_feed;
+    const bool is_rapid = modal_.motion == Function::Rapid;
+    move.fast = motion(
+        actions.soft->function == Function::SoftApproach ? was_rapid : is_rapid,
+        actions.soft->function == Function::SoftApproach ? actions.feed_before : modal_.feed);
+    const bool keeps_feed = actions.soft->function == Function::SoftRetract && actions.had_feed;
+    move.slow = motion(false, keeps_feed ? actions.feed_before : modal_.feed);
+    return move;
+}
+
+/// A coordinate along the tool axis, in the base system.
+double Executor::base_level(double programmed) const {
+    AxisValues here = position_.here;
+    const std::size_t normal = index(path::axes_of(modal_.plane).normal);
+    here[normal] = programmed;
+    return frames_.to_base(here)[normal];
+}
+
+/// The way as an element of the contour, seen from the place P4 on it; `tool` is where the tool
+/// comes from or goes to. Nothing: it was reported.
+std::optional<path::SoftWay> Executor::soft_way(const Block& block, const SoftMove& move,
+                                                const SoftPlace& at) {
+    // A line is as long as it takes to keep the cutter DISR away from the contour's end.
+    const double offset = compensation_.is_on() ? compensation_.distance() : 0;
+    path::SoftWay way{move.shape, move.radius + std::abs(offset), offset > 0};
+    if (move.shape == path::SoftShape::Line) {
+        if (way.size > path::kSamePoint) return way;
+        report(diag::SoftSizeWrong, block).arg("the line has no length");
+        return std::nullopt;
+    }
+    switch (move.choice.side) {
+        case SoftState::Side::OfCutter:
+            if (offset != 0) break;
+            if (!compensation_.is_on() || comp_.side == Function::RadiusCompOff) {
+                report(diag::SoftNoDirection, block);
+                return std::nullopt;
+            }
+            way.is_left =
+                (comp_.side == Function::RadiusCompLeft) != frames_.is_mirrored(modal_.plane);
+            break;
+        case SoftState::Side::Left:
+        case SoftState::Side::Right:
+            way.is_left =
+                (move.choice.side == SoftState::Side::Left) != frames_.is_mirrored(modal_.plane);
+            break;
+        case SoftState::Side::OfTool:
+            way.is_left = cross(at.direction, at.tool - at.place) > 0;
+            break;
+    }
+    // The centre's way has the radius DISR.
+    way.size = move.radius + (way.is_left ? offset : -offset);
+    if (move.radius > 0 && way.size > path::kSamePoint) return way;
+    report(diag::SoftSizeWrong, block)
+        .arg(move.radius > 0 ? "the arc of the contour would have none"
+                             : "the radius is not above zero");
+    return std::nullopt;
+}
+
+/// Where fast and slow infeed meet, in the base system. Nothing: it was reported.
+std::optional<double> Executor::soft_level(const Block& block, const SoftMove& move, double contour,
+                                           double tool) {
+    const double sign = tool < contour ? -1 : 1;
+    const double level = move.level.value_or(contour + sign * move.clearance);
+    const double above = (level - contour) * sign;
+    const bool is_between =
+        above >= -path::kSamePoint && above <= std::abs(tool - contour) + path::kSamePoint;
+    if (is_between) return level;
+    report(diag::SoftClearanceWrong, block).arg(round_to(level, 6));
+    return std::nullopt;
+}
+
+void Executor::approach_softly(const Block& block, const Actions& actions) {
+    const std::optional<SoftMove> move = soft_move_of(block, actions);
+    if (!move) return;
+    const SlotMask targets = block.given & nc::kTargetSlots;
+    if (!check_axes(block, targets)) return;
+    const path::PlaneAxes axes = path::axes_of(modal_.plane);
+    const SlotMask plane = bit(nc::slot_of(axes.first)) | bit(nc::slot_of(axes.second));
+    const Target target = target_of(block, targets);
+    if (tool_.has_changed) activate_length(block, target.moved);
+    if (!check_limits(block, target.base, target.moved)) return;
+    leave_corners(diag::CornerWithoutMotion);
+    if (ended_) return;
+    // A contour that was followed so far ends on its normal, and the compensation begins anew.
+    const bool is_new = actions.radius_comp != Function::None;
+    if (compensation_.is_on() && comp_.side == Function::RadiusCompOff) {
+        stop_comp();
+    } else if (compensation_.is_on() && !is_new) {
+        send_comp(comp_change(block, CompChange::Kind::Begin));
+    }
+    if (ended_) return;
+    has_moved_ = true;
+    soft_approach_.begin(*move, modal_.plane, position_.base, target.base, (targets & plane) != 0,
+                         (targets & bit(nc::slot_of(axes.normal))) != 0);
+    arrive(target);
+}
+
+/// What a block has put while an approach waits; when its contour has begun, all goes on.
+void Executor::settle_soft(const Block& block) {
+    if (alarmed_) return;
+    if (const DiagnosticRow* fault = soft_approach_.end_block(rules_.comp_empty_blocks)) {
+        report(*fault, block);
+        return;
+    }
+    if (soft_approach_.is_active()) {
+        if (ended_) report(diag::SoftNoDirection, block);
+        return;
+    }
+    put_soft_approach();
+    if (alarmed_) return;
+    for (Command& command : soft_approach_.waiting()) behind_corners() = std::move(command);
+    soft_approach_.waiting().clear();
+}
+
+void Executor::put_soft_approach() {
+    const SoftMove& move = soft_approach_.move();
+    const path::PlaneAxes axes = path::axes_of(modal_.plane);
+    const std::size_t normal = index(axes.normal);
+    const AxisValues& contour = soft_approach_.place();
+    Block at{};  // messages are about the approach
+    at.source = move.slow.source;
+    at.line = move.slow.line;
+    const SoftPlace place{in_plane(contour), soft_approach_.direction(),
+                          in_plane(soft_approach_.from())};
+    const std::optional<path::SoftWay> way = soft_way(at, move, place);
+    if (!way) return;
+    const std::optional<double> level =
+        soft_level(at, move, contour[normal], soft_approach_.from()[normal]);
+    if (!level) return;
+    const Element element = path::way_to(place.place, place.direction, *way);
+
+    Command over = move.fast;  // P1
+    over.to = soft_approach_.from();
+    set_in_plane(over.to, element.from);
+    over.moved = static_cast<AxisMask>(bit(axes.first) | bit(axes.second));
+    AxisValues start = over.to;  // P3
+    if (compensation_.is_on()) {
+        compensation_.begin_soft_approach(std::move(over));
+    } else if ((element.from - place.tool).norm() > path::kSamePoint) {
+        output_.next() = std::move(over);
+    }
+    put_infeed(move.fast, start, *level);  // P2
+    const double slow_feed = move.slow_feed.value_or(move.slow.feed);
+    if (move.choice.in_steps) {
+        Command slow = move.slow;
+        slow.feed = slow_feed;
+        put_infeed(slow, start, contour[normal]);
+    }
+    Command last = move.slow;
+    if (!move.choice.in_steps) last.feed = slow_feed;
+    last.to = contour;
+    put_soft_way(last, element);
+}
+
+/// A move of the tool axis alone, from `here`, which follows it; none if it stands there.
+void Executor::put_infeed(Command command, AxisValues& here, double level) {
+    const Axis normal = path::axes_of(modal_.plane).normal;
+    if (std::abs(here[index(normal)] - level) < path::kSamePoint) return;
+    here[index(normal)] = level;
+    command.to = here;
+    command.moved = bit(normal);
+    behind_corners() = std::move(command);
+}
+
+/// The way in the plane, with the level of `command.to`.
+void Executor::put_soft_way(Command command, const Element& element) {
+    const path::PlaneAxes axes = path::axes_of(modal_.plane);
+    command.moved = kLinearXYZ;
+    set_in_plane(command.to, element.to);
+    if (element.is_arc()) {
+        command.op = Op::Arc;
+        command.center = {command.to[0], command.to[1], command.to[2]};
+        command.center[static_cast<Eigen::Index>(index(axes.first))] = element.center.x();
+        command.center[static_cast<Eigen::Index>(index(axes.second))] = element.center.y();
+        command.normal = path::unit(axes.normal) * (element.sweep > 0 ? 1 : -1);
+        command.sweep = std::abs(element.sweep);
+        command.is_clockwise = element.sweep < 0;
+    }
+    behind_corners() = std::move(command);
+}
+
+Vec2 Executor::in_plane(const AxisValues& values) const {
+    const path::PlaneAxes axes = path::axes_of(modal_.plane);
+    return {values[index(axes.first)], values[index(axes.second)]};
+}
+
+void Executor::set_in_plane(AxisValues& values, const Vec2& place) const {
+    const path::PlaneAxes axes = path::axes_of(modal_.plane);
+    values[index(axes.first)] = place.x();
+    values[index(axes.second)] = place.y();
+}
+
+void Executor::retract_softly(const Block& block, const Actions& actions) {
+    const std::optional<SoftMove> move = soft_move_of(block, actions);
+    if (!move) return;
+    const SlotMask targets = block.given & nc::kTargetSlots;
+    if (!check_axes(block, targets)) return;
+    leave_corners(diag::CornerWithoutMotion);
+    if (ended_) return;
+    const path::PlaneAxes axes = path::axes_of(modal_.plane);
+    const std::size_t normal = index(axes.normal);
+    const SlotMask plane = bit(nc::slot_of(axes.first)) | bit(nc::slot_of(axes.second));
+    const bool has_place = (targets & plane) != 0;
+    const Target target = target_of(block, targets);
+    AxisValues before = position_.base;
+    for (std::size_t i = 0; i < 3; ++i) before[i] = came_from_[static_cast<Eigen::Index>(i)];
+    const Vec2 came = in_plane(position_.base) - in_plane(before);
+    if (came.norm() < path::kSamePoint) {
+        report(diag::SoftNoDirection, block);
+        return;
+    }
+    if (move->choice.side == SoftState::Side::OfTool && !has_place) {
+        report(diag::SoftNoWay, block);
+        return;
+    }
+    const SoftPlace place{in_plane(position_.base), came.normalized(), in_plane(target.base)};
+    const std::optional<path::SoftWay> way = soft_way(block, *move, place);
+    if (!way) return;
+    const bool has_level = (targets & bit(nc::slot_of(axes.normal))) != 0;
+    const double contour = position_.base[normal];
+    const double tool =
+        has_level ? target.base[normal] : move->level.value_or(contour + move->clearance);
+    const std::optional<double> level = soft_level(block, *move, contour, tool);
+    if (!level || !check_limits(block, target.base, target.moved)) return;
+    has_moved_ = true;
+
+    const Element element = path::way_from(place.place, place.direction, *way);
+    Command first = move->slow;  // P4 to P3
+    AxisValues here = position_.base;
+    set_in_plane(here, element.to);
+    if (!move->choice.in_steps) here[normal] = *level;
+    first.to = here;
+    put_soft_way(first, element);
+    Command slow = move->slow;
+    slow.feed = move->slow_feed.value_or(slow.feed);
+    put_infeed(slow, here, *level);      // P2
+    put_infeed(move->fast, here, tool);  // P1
+    const bool was_on = compensation_.is_on();
+    if (was_on) {
+        settle_comp(block, here);
+        if (!ended_) stop_comp();
+        if (ended_) return;
+        here = compensation_.place();
+    }
+    if (has_place) {  // P0
+        Command away = move->fast;
+        away.to = here;
+        set_in_plane(away.to, in_plane(target.base));
+        away.moved = static_cast<AxisMask>(bit(axes.first) | bit(axes.second));
+        here = away.to;
+        output_.next() = std::move(away);
+    }
+    arrive({frames_.from_base(here), here,
+            static_cast<AxisMask>(target.moved | bit(axes.first) | bit(axes.second))});
+    if (comp_.side != Function::RadiusCompOff && was_on)
+        send_comp(comp_change(block, CompChange::Kind::Begin));
+}
+
+}  // namespace kadr::interp

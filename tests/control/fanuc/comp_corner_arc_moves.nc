@@ -1,0 +1,16 @@
+%
+O0001
+(rule: F 4.3 PS5445: motion in G39)
+(expect: to X0 Y-20)
+(expect: to X0 Y-5)
+(expect: alarm PS5445 K5286 at 13:1)
+G10L12P1R5.
+G17G90G40
+M3S1000
+G00X0.Y-20.
+G42D1G01X0.Y0.F200.
+X40.
+G39X60.
+G40X80.Y0.
+M30
+%

@@ -1,0 +1,139 @@
+// Texts of random contours under cutter radius compensation, executed: what goes out keeps the
+// cutter's distance from the programmed contour, measured by brute force.
+#include <cstdio>
+#include <limits>
+
+#include "path/radius_comp.h"
+#include "tests/path/random_contour.h"
+#include "text_bench.h"
+
+namespace kadr::interp {
+namespace {
+
+using path::Contour;
+using path::Element;
+using path::Op;
+using path::Vec2;
+using path::Vec3;
+using path::test::Dice;
+using std::numbers::pi;
+
+struct Control {
+    const char* dialect;
+    const char* start;  // with the side {0}
+    path::CompRules rules;
+};
+
+const path::CompRules kArcs{.leaves_out = true};
+const path::CompRules kPointed{.pointed = 0.4, .leaves_out = true};
+const path::CompRules kIntersections{
+    .outside = path::OutsideCorner::Intersection, .limit = 100 * pi / 180, .leaves_out = true};
+const path::CompRules kSquares{.outside = path::OutsideCorner::Intersection,
+                               .limit = pi / 2,
+                               .sharp = path::OutsideCorner::Square,
+                               .extends_tangents = true};
+
+const std::vector<Control> kControls = {
+    {"sinumerik", "T1 D1 M6\nM3 S1000 F500 CDON\n", kArcs},
+    {"sinumerik", "T1 D1 M6\nM3 S1000 F500 CDON DISC=40\n", kPointed},
+    {"sinumerik", "T1 D1 M6\nM3 S1000 F500 CDON G451\n", kIntersections},
+    {"fanuc", "G17 G21 G90 G94 G40 G49 G80\nT1 M6\nM3 S1000 F500.\n", kSquares},
+};
+
+std::string place(const Vec2& at, char x = 'X', char y = 'Y') {
+    char text[80];
+    std::snprintf(text, sizeof text, "%c%.6f %c%.6f", x, at.x(), y, at.y());
+    return text;
+}
+
+/// From a place on the normal at the contour's start, along it, to the normal at its end.
+std::string text_of(const Contour& contour, const Control& control, double distance) {
+    const bool is_fanuc = std::string(control.dialect) == "fanuc";
+    const auto beside = [&](const Vec2& at, const Vec2& direction) -> Vec2 {
+        return at + Vec2(-direction.y(), direction.x()) * distance;
+    };
+    const Element& last = contour.back();
+    std::string text = control.start;
+    text += "G0 " + place(beside(contour[0].from, path::start_direction(contour[0]))) + '\n';
+    text += std::string(distance > 0 ? "G41" : "G42") + (is_fanuc ? " D1" : "") + " G1 " +
+            place(contour[0].from) + '\n';
+    for (const Element& element : contour) {
+        text += !element.is_arc() ? "G1 " : element.sweep > 0 ? "G3 " : "G2 ";
+        text += place(element.to);
+        if (element.is_arc()) text += ' ' + place(element.center - element.from, 'I', 'J');
+        text += '\n';
+    }
+    return text + "G40 G1 " + place(beside(last.to, path::end_direction(last))) + "\nM30\n";
+}
+
+/// Every 20 µm of what is cut.
+double least_distance(const Ran& ran, const Contour& contour) {
+    double least = std::numeric_limits<double>::infinity();
+    Vec3 at = Vec3::Zero();
+    for (const path::Command& command : ran.commands) {
+        if (!path::is_motion(command.op)) continue;
+        const Vec3 to(command.to[0], command.to[1], command.to[2]);
+        const auto look = [&](double length, const auto& point) {
+            const int count = 1 + static_cast<int>(length / 0.02);
+            for (int i = 0; i <= count; ++i) {
+                const Vec3 here = point(static_cast<double>(i) / count);
+                least = std::min(least, path::nearest(contour, here.head<2>()).distance);
+            }
+        };
+        if (command.op == Op::Line) {
+            look((to - at).norm(), [&](double u) -> Vec3 { return at + (to - at) * u; });
+        } else if (command.op == Op::Arc) {
+            const Vec3 arm = at - command.center;
+            look(arm.norm() * command.sweep, [&](double u) -> Vec3 {
+                return command.center + Eigen::AngleAxisd(command.sweep * u, command.normal) * arm;
+            });
+        } else if (command.op == Op::Spline) {
+            const path::Spline span = path::make_spline(at, to, command.spline);
+            look(span.length * 2,
+                 [&](double u) -> Vec3 { return path::point_at(span, u).position; });
+        }
+        at = to;
+    }
+    return least;
+}
+
+std::optional<path::CompFault> fault_of(const Contour& contour, path::CompRules rules,
+                                        double distance) {
+    rules.look_ahead = contour.size();
+    path::RadiusComp comp(rules);
+    for (std::size_t i = 0; i < contour.size(); ++i)
+        if (const auto fault = comp.push(contour[i], distance, i + 1)) return fault;
+    return comp.finish();
+}
+
+TEST(CompensatedContours, KeepTheDistance) {
+    constexpr std::uint32_t kContours = 60;
+    std::uint32_t done = 0;
+    int alarmed = 0;
+    for (std::uint32_t seed = 1; done < kContours; ++seed) {
+        Dice dice(seed);
+        const Contour contour = path::test::any_contour(dice);
+        const double distance = path::test::any_distance(dice);
+        if (!path::test::is_simple(contour)) continue;
+        ++done;
+        const Control& control = kControls[seed % kControls.size()];
+        const std::string text = text_of(contour, control, distance);
+        SCOPED_TRACE(text);
+        machine::Machine machine = mill();
+        machine.work_offsets.clear();
+        machine.tools[0].radius = std::abs(distance);
+        const Ran ran = read(control.dialect, text, machine);
+        const auto fault = fault_of(contour, control.rules, distance);
+        alarmed += static_cast<int>(ran.alarmed);
+        if (!fault) {
+            EXPECT_EQ(alarms(ran), "") << "the cutter fits";
+            EXPECT_GT(least_distance(ran, contour), std::abs(distance) - 1e-3);
+        } else if (*fault != path::CompFault::Bottleneck) {
+            EXPECT_TRUE(ran.alarmed);  // a bottleneck may be farther than the control looks
+        }
+    }
+    EXPECT_LT(alarmed, static_cast<int>(kContours) / 4) << "most of them fit";
+}
+
+}  // namespace
+}  // namespace kadr::interp
