@@ -40,7 +40,15 @@ bool is_of_tool_data(Quantity quantity) {
         case Quantity::LengthGeometry:
         case Quantity::LengthWear:
         case Quantity::RadiusGeometry:
-        case Quantity::RadiusWear: return true;
+        case Quantity::RadiusWear:
+        case Quantity::CrossGeometry:
+        case Quantity::CrossWear:
+        case Quantity::FirstLength:
+        case Quantity::FirstWear:
+        case Quantity::SecondLength:
+        case Quantity::SecondWear:
+        case Quantity::ThirdLength:
+        case Quantity::ThirdWear: return true;
         default: return false;
     }
 }
