@@ -255,7 +255,8 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
         return false;
     if (modal.diameter_due != Function::None && recordings.empty()) [[unlikely]]
         say_diameter(block);
-    if (options.warns_of_cuts && !warned_of_rapid && recordings.empty()) check_rapid(block, at);
+    if (options.warns_of_cuts && !modal.warned_of_rapid && recordings.empty())
+        check_rapid(block, at);
     modal.take_words(block);
     if (recordings.empty() && is_cut_doubtful() && !check_cut(block, at)) [[unlikely]]
         return false;
@@ -435,13 +436,23 @@ void Expander::State::warn_of_cut(std::uint32_t at, bool needs_feed) {
         modal.lacks_tool = false;  // said once
         fault(diag::ToolNeverCalled, at);
     }
-    if (modal.is_spindle_turning() || warned_of_spindle) return;
-    warned_of_spindle = true;
-    DiagnosticBuilder builder = fault(diag::FeedWithSpindleStopped, at);
+    if (!modal.is_spindle_turning() && !modal.warned_of_spindle) warn_of_spindle(at);
+}
+
+void Expander::State::warn_of_spindle(std::uint32_t at) {
+    const bool is_on = modal[Group::Spindle] == Function::SpindleCw ||
+                       modal[Group::Spindle] == Function::SpindleCcw;
+    const DiagnosticRow& row = is_on && modal.lacks_speed
+                                   ? static_cast<const DiagnosticRow&>(diag::SpindleWithoutSpeed)
+                                   : diag::FeedWithSpindleStopped;
+    modal.warned_of_spindle = !is_allowed(row, at);
+    DiagnosticBuilder builder = fault(row, at);
     const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::Spindle)];
     if (modal[Group::Spindle] == Function::SpindleStop && by.is_valid() &&
         by.index < code.statements.size())
         builder.note(code.statements[by.index], "it stands from here on");
+    if (is_on && modal.lacks_speed && by.is_valid() && by.index < code.statements.size())
+        builder.note(code.statements[by.index], "it is started here, without S");
 }
 
 void Expander::State::check_rapid(const Block& block, std::uint32_t at) {
@@ -451,7 +462,8 @@ void Expander::State::check_rapid(const Block& block, std::uint32_t at) {
     const bool is_mill = modal[Group::Plane] == Function::PlaneXy && !modal.is_diameter;
     if (!is_mill || modal[Group::Spindle] != Function::SpindleStop || block.skip >= 0) return;
     if (block.function_count != 0 && (block.find(Function::MachineCoordinates) != nullptr ||
-                                      block.find(Function::ReferenceReturn) != nullptr))
+                                      block.find(Function::ReferenceReturn) != nullptr ||
+                                      block.find(Function::Probe) != nullptr))
         return;
     const nc::SlotMask word = bit(nc::Slot::Z);
     const bool is_known = (modal.known >> kZ & 1u) != 0;
@@ -461,7 +473,7 @@ void Expander::State::check_rapid(const Block& block, std::uint32_t at) {
     const double way = block.at(nc::Slot::Z);
     const double target_z = is_way ? modal.position[kZ] + way : way;
     if (!(target_z < 0) || (is_known && target_z >= modal.position[kZ])) return;
-    warned_of_rapid = true;
+    modal.warned_of_rapid = !is_allowed(diag::RapidBelowPlane, at);
     fault(diag::RapidBelowPlane, at).arg(neat(target_z));
 }
 
@@ -518,6 +530,15 @@ bool Expander::State::emit_text(const Instruction& instruction, const sema::Slot
     return true;
 }
 
+/// Whether the cycle turns the spindle by itself: it taps, and not in a compensating chuck.
+static bool turns_spindle(std::span<const sema::ParameterInfo> parameters, std::uint32_t given,
+                          std::span<const double> values) {
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if (parameters[i].name == "floating") return (given >> i & 1u) == 0 || values[i] == 0;
+    }
+    return false;
+}
+
 /// Whether a cycle has its feed from this parameter: threads are cut with their pitch.
 static bool says_feed(const sema::ParameterInfo& parameter) {
     return parameter.name == "pitch" || parameter.name == "lead" || parameter.name == "per_turn";
@@ -554,7 +575,8 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
     if (modal.lost != 0 && !knows_for_cycle(*frame.function, given, at)) return true;
     const bool needs_feed = std::ranges::none_of(parameters, says_feed);
     if (needs_feed && modal.is_feed_lost) return !feed_lost(at, frames.size() - 1);
-    if (options.warns_of_cuts && is_cut_doubtful()) warn_of_cut(at, needs_feed);
+    if (options.warns_of_cuts && is_cut_doubtful() && !turns_spindle(parameters, given, values))
+        warn_of_cut(at, needs_feed);
     if (has_failed) return true;
     if (is_block_limit(at)) return true;
     if (modal.has_ended) warn_after_end(at);

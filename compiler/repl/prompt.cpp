@@ -67,7 +67,8 @@ void Prompt::take(std::string_view line) {
     if (is_first && begin == std::string_view::npos) return;
     if (is_first && line[begin] == ':') return command(line.substr(begin + 1));
     pending_ += std::string(line) + '\n';
-    if (is_incomplete(pending_)) return;
+    QuietSession quiet(options_, share_);
+    if (is_incomplete(quiet.session(), transcript_.headers(), pending_)) return;
     take_input(std::exchange(pending_, {}));
 }
 

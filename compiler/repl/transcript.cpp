@@ -108,8 +108,8 @@ std::size_t past_string(std::string_view text, std::size_t at) {
     return std::min(at + 1, text.size());
 }
 
-/// The text with a `;` behind its last word; comments may follow that.
-std::string ended(const std::string& text) {
+/// Behind the last word of a text; comments may follow.
+std::size_t end_of_words(const std::string& text) {
     std::size_t end = 0;
     for (std::size_t i = 0; i < text.size();) {
         const std::size_t past = past_comment(text, i).value_or(text.size());
@@ -121,7 +121,26 @@ std::string ended(const std::string& text) {
         i = text[i] == '"' ? past_string(text, i) : i + 1;
         if (!is_blank) end = i;
     }
-    return text.substr(0, end) + ';' + text.substr(end);
+    return end;
+}
+
+/// The text with that behind its last word.
+std::string with_end(std::string text, std::string_view end) {
+    return text.insert(end_of_words(text), end);
+}
+
+std::string ended(const std::string& text) { return with_end(text, ";"); }
+
+/// Whether the statement at this place of the file is all that a condition or a loop does.
+bool is_lone_body(const Ast& ast, std::size_t place) {
+    return std::ranges::any_of(ast.statements, [&](const syntax::Stmt& head) {
+        const bool is_head = head.kind == StmtKind::If || head.kind == StmtKind::While ||
+                             head.kind == StmtKind::For || head.kind == StmtKind::ForEach;
+        return is_head && std::ranges::any_of(head.statement, [&](const syntax::StmtId id) {
+                   return id.is_valid() && ast[id].kind == StmtKind::Empty &&
+                          ast[id].range.begin == place;
+               });
+    });
 }
 
 std::string first_word(std::string_view text) {
@@ -130,7 +149,7 @@ std::string first_word(std::string_view text) {
 
 }  // namespace
 
-bool is_incomplete(std::string_view text) {
+bool has_open_end(std::string_view text) {
     int depth = 0;
     for (std::size_t i = 0; i < text.size();) {
         const std::optional<std::size_t> past = past_comment(text, i);
@@ -147,14 +166,51 @@ bool is_incomplete(std::string_view text) {
     return depth > 0;
 }
 
-std::string program_word(driver::Session& session, std::string_view headers) {
+namespace {
+
+/// The lexeme of a keyword in the keyword language of the headers.
+std::string lexeme_of(driver::Session& session, std::string_view headers,
+                      const std::string& keyword) {
     const FileId file = session.sources().add("prompt", std::string(headers));
     if (const driver::SourceWords words = driver::words_of(session, file)) {
         for (const auto& [lexeme, name] : words.keywords->canonical) {
-            if (name == "program") return lexeme;
+            if (name == keyword) return lexeme;
         }
     }
-    return "program";
+    return keyword;
+}
+
+/// Whether a text that is no program becomes one by what can only stand in the next lines.
+bool lacks_body(driver::Session& session, const std::string& headers, const std::string& text) {
+    const std::string word = program_word(session, headers);
+    const std::string until = lexeme_of(session, headers, "while") + " (true);";
+    for (const std::string& rest : {std::string(" {}"), " {} " + until, ' ' + until}) {
+        const std::string whole = with_end(text, rest);
+        if (parsed(session, headers + whole)) return true;
+        if (parsed(session, headers + as_program(word, whole))) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+std::string program_word(driver::Session& session, std::string_view headers) {
+    return lexeme_of(session, headers, "program");
+}
+
+bool is_incomplete(driver::Session& session, std::string_view headers, const std::string& text) {
+    if (has_open_end(text)) return true;
+    const std::string before(headers);
+    const std::string head = as_program(program_word(session, headers), "");
+    const std::size_t body = before.size() + head.find('\n') + 1;
+    for (const bool ends_it : {false, true}) {
+        const std::string whole = ends_it ? ended(text) : text;
+        if (parsed(session, before + whole) || parsed(session, whole)) return false;
+        const auto ast =
+            parsed(session, before + as_program(program_word(session, headers), whole));
+        if (ast) return ends_it && is_lone_body(*ast, body + end_of_words(text));
+    }
+    return lacks_body(session, before, text);
 }
 
 namespace {

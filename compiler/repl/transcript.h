@@ -28,9 +28,10 @@ struct Input {
     std::string text;  // as typed; a forgotten `;` is put behind
 };
 
-/// Whether the text has a bracket, a text or a comment that is not closed yet, so that more lines
-/// belong to it.
-bool is_incomplete(std::string_view text);
+/// Whether more lines belong to the text: it has a bracket or a comment that is not closed yet, or
+/// it ends in a head without its body: `if (…)`, `else`, `do`, `cycle c()`. `headers` are the
+/// `language` and `dialect` that hold.
+bool is_incomplete(driver::Session& session, std::string_view headers, const std::string& text);
 
 /// What a complete input is, judged by parsing it. `headers` are the `language` and `dialect` that
 /// hold.

@@ -1,15 +1,19 @@
 // blocks.cpp — NC blocks in the source: words become a plan with values to fill in.
 #include <algorithm>
+#include <charconv>
 
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/sema.h"
 #include "base/numbers.h"
 #include "nc/frame_words.h"
+#include "nc/tables.h"
 #include "sema/checker.h"
 
 namespace kadr::sema {
 
+using syntax::Expr;
 using syntax::ExprId;
+using syntax::ExprKind;
 using syntax::Stmt;
 using syntax::Word;
 
@@ -301,7 +305,7 @@ bool Checker::takes_diameter(const Value& value, const SourceRange& range, std::
     if (!is_diameter(value)) return true;
     report(diag::DiameterPlace, range)
         .arg(what)
-        .fix("half of it, the radius, is a length: `…/2`; the measure itself `1*…`");
+        .fix("half of it, the radius, is a length: `…/2`; the measure itself is `length(…)`");
     return false;
 }
 
@@ -339,9 +343,48 @@ Filling Checker::fill_computed(const Value& source, const Word& word, const nc::
     return filling;
 }
 
+namespace {
+
+/// What stands between the quotes of `T="3"`, if the control writes the word so.
+std::optional<std::string_view> quoted_of(const syntax::Ast& ast, const Word& word,
+                                          const nc::Dialect& dialect) {
+    if (!word.value.is_valid()) return std::nullopt;
+    const Expr& value = ast[word.value];
+    if (value.kind != ExprKind::String || value.list.count != 0) return std::nullopt;
+    const nc::DialectTables& tables = dialect.tables();
+    const nc::AddressId id = tables.find_address(ast.text(word.address));
+    if (id == nc::kNoAddress) return std::nullopt;
+    const std::vector<nc::FormId>& forms = tables.addresses[id].forms;
+    const bool has_quotes = std::ranges::any_of(forms, [&](const nc::FormId form) {
+        return tables.forms[form].words[0].kind == nc::FormWord::Kind::Quoted;
+    });
+    return has_quotes ? std::optional(ast.text(value.text)) : std::nullopt;
+}
+
+/// A whole number of at most eight digits.
+std::optional<std::int64_t> tool_number(std::string_view text) {
+    std::int64_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool is_whole = error == std::errc() && end == text.data() + text.size();
+    return is_whole && number >= 0 && text.size() <= 8 ? std::optional(number) : std::nullopt;
+}
+
+}  // namespace
+
 Filling Checker::fill_word(const Word& word, const nc::Hole& hole, Reg reg) {
     Filling filling;
-    if (word.form == Word::Form::Literal) {
+    const auto quoted = quoted_of(ast(), word, *modules_[module_].dialect);
+    if (quoted && hole.dimension == nc::Dimension::Count) {
+        filling.form = Filling::Form::Count;
+        const auto number = tool_number(*quoted);
+        if (!number) {
+            report(diag::ToolByName, ast()[word.value].range)
+                .arg(text(word.address))
+                .arg(*quoted)
+                .fix("give the number that the tool has on the machine: `T=3`");
+        }
+        emit_.emit_integer(Op::LoadI, reg, 0, number.value_or(0));
+    } else if (word.form == Word::Form::Literal) {
         filling = fill_literal(word, hole, reg);
     } else {
         const Reg mark = emit_.mark();

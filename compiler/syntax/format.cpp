@@ -58,6 +58,10 @@ class Formatting {
                                       std::size_t continuation = kIndent) const {
         return format_line(pieces, level * kIndent, continuation, width_);
     }
+    /// All of it, however long that becomes.
+    static std::string in_one_line(const Pieces& pieces) {
+        return format_line(pieces, 0, kIndent, kNoLimit).front();
+    }
     void comments(std::size_t level);
     void trailing_comment();
     void emit(const Pieces& pieces, std::size_t level, std::size_t continuation = kIndent);
@@ -322,7 +326,7 @@ bool Formatting::one_line_block(Pieces& head, std::size_t level) {
         const auto next = simple_end(i);
         const Pieces part(pieces_.begin() + static_cast<long>(i),
                           pieces_.begin() + static_cast<long>(*next));
-        line += ' ' + in_lines(part, 0).front();
+        line += ' ' + in_one_line(part);
         i = *next;
     }
     line += " }";
@@ -352,7 +356,7 @@ void Formatting::values_block(Pieces head, std::size_t level) {
         const Pieces names(pieces_.begin() + static_cast<long>(at_),
                            pieces_.begin() + static_cast<long>(end - 1));
         const std::string line =
-            in_lines(head, level).front() + ' ' + in_lines(names, 0).front() + " }";
+            std::string(level * kIndent, ' ') + in_one_line(head) + ' ' + in_one_line(names) + " }";
         if (text_width(line) <= width_) {
             at_ = end;
             lines_.push_back({line, {}});

@@ -1,5 +1,6 @@
 #include "syntax/retype.h"
 
+#include <algorithm>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -60,6 +61,7 @@ class Retyping {
     void begin_statement();
     void end_statement();
     void end_forgotten_statement();
+    bool is_lone_type() const;
     const char* head_text() const;
     void mend_before();
     void open_paren(Lexeme lexeme);
@@ -262,6 +264,18 @@ const char* Retyping::head_text() const {
                                                                      : "this statement";
 }
 
+/// Whether nothing but `point[]` stands there yet: its name may follow in the next line, as behind
+/// `void`.
+bool Retyping::is_lone_type() const {
+    if (out_[statement_first_].token != Token::TypeName) return false;
+    return std::all_of(out_.begin() + static_cast<std::ptrdiff_t>(statement_first_) + 1, out_.end(),
+                       [](const Lexeme& lexeme) {
+                           return lexeme.token == Token::OpenBracket ||
+                                  lexeme.token == Token::CloseBracket ||
+                                  lexeme.token == Token::Number;
+                       });
+}
+
 /// A statement goes on with a name in the next line only if that line is indented deeper. Otherwise
 /// its `;` was forgotten, and two NC blocks would silently become one.
 void Retyping::end_forgotten_statement() {
@@ -276,7 +290,7 @@ void Retyping::end_forgotten_statement() {
     const Keyword* keyword = keyword_of(lexeme);
     const bool goes_on =
         keyword != nullptr && is_keyword_here(*keyword) && keyword->place == Keyword::Place::Infix;
-    if (!ends_word || is_header || is_enum || goes_on) return;
+    if (!ends_word || is_header || is_enum || goes_on || is_lone_type()) return;
     Lexeme semicolon;
     semicolon.token = Token::Semicolon;
     semicolon.is_repair = true;

@@ -520,6 +520,8 @@ void Executor::act_before_motion(const Block& block, const Actions& actions) {
         report(diag::CuttingSpeedMissing, block, Function::CuttingSpeedOn);
         return;
     }
+    // What was said of a standing spindle is said anew when it stands again.
+    if (actions.spindle != Function::None) warned_spindle_stopped_ = warned_rapid_ = false;
     if (actions.spindle == Function::SpindleCw) spindle_.mode = SpindleMode::Cw;
     if (actions.spindle == Function::SpindleCcw) spindle_.mode = SpindleMode::Ccw;
     if (!rules_.stops_after_motion) stop_spindle_and_coolant(block, actions);
@@ -676,6 +678,7 @@ void Executor::change_tool(const Block& block) {
     }
     if (rules_.tool_change_stops_spindle && !machine_.is_lathe) {
         spindle_.mode = SpindleMode::Stop;
+        warned_spindle_stopped_ = warned_rapid_ = false;
         update_spindle(block);
     }
     if (rules_.tool_change_activates_length) tool_.source = Tool::Source::Edge;

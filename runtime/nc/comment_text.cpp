@@ -21,12 +21,20 @@ struct Letter {
     char32_t code;
     std::string_view text;
 };
-constexpr std::array<Letter, 30> kLetters = {
-    {{U'Ё', "E"},  {U'ё', "e"},   {U'Є', "IE"},  {U'є', "ie"}, {U'І', "I"},  {U'і', "i"},
-     {U'Ї', "I"},  {U'ї', "i"},   {U'Ґ', "G"},   {U'ґ', "g"},  {U'Ä', "AE"}, {U'ä', "ae"},
-     {U'Ö', "OE"}, {U'ö', "oe"},  {U'Ü', "UE"},  {U'ü', "ue"}, {U'ß', "ss"}, {U'ø', "o"},
-     {U'Ø', "O"},  {U'°', "DEG"}, {U'×', "X"},   {U'µ', "u"},  {U'–', "-"},  {U'—', "-"},
-     {U'“', "'"},  {U'”', "'"},   {U'…', "..."}, {U'№', "NO"}, {U'ł', "l"},  {U'Ł', "L"}}};
+constexpr std::array<Letter, 39> kLetters = {
+    {{U'Ё', "E"},   {U'ё', "e"},   {U'Є', "IE"},  {U'є', "ie"}, {U'І', "I"},  {U'і', "i"},
+     {U'Ї', "I"},   {U'ї', "i"},   {U'Ґ', "G"},   {U'ґ', "g"},  {U'Ä', "AE"}, {U'ä', "ae"},
+     {U'Ö', "OE"},  {U'ö', "oe"},  {U'Ü', "UE"},  {U'ü', "ue"}, {U'ß', "ss"}, {U'ø', "o"},
+     {U'Ø', "O"},   {U'°', "DEG"}, {U'×', "X"},   {U'µ', "u"},  {U'–', "-"},  {U'—', "-"},
+     {U'“', "'"},   {U'”', "'"},   {U'…', "..."}, {U'№', "NO"}, {U'±', "+-"}, {U'Æ', "AE"},
+     {U'æ', "ae"},  {U'Œ', "OE"},  {U'œ', "oe"},  {U'Þ', "TH"}, {U'þ', "th"}, {U'−', "-"},
+     {U'Ω', "OHM"}, {U'€', "EUR"}, {U'²', "2"}}};
+
+/// Latin letters from U+00C0 (À) to U+017F (ſ) without their marks.
+constexpr std::string_view kLatin =
+    "AAAAAAACEEEEIIIIDNOOOOOxOUUUUYTsaaaaaaaceeeeiiiidnooooo/ouuuuyty"
+    "AaAaAaCcCcCcCcDdDdEeEeEeEeEeGgGgGgGgHhHhIiIiIiIiIiIiJjKkkLlLlLlL"
+    "lLlNnNnNnnNnOoOoOoOoRrRrRrSsSsSsSsTtTtTtUuUuUuUuUuUuWwYyYZzZzZzs";
 
 /// The code point at the front, its bytes removed; malformed bytes come one by one as U+FFFD.
 char32_t take_code_point(std::string_view& text) {
@@ -61,6 +69,8 @@ void append_ascii(std::string& out, char32_t code) {
                                     [&](const Letter& letter) { return letter.code == code; });
     if (found != kLetters.end()) {
         out += found->text;
+    } else if (code >= 0xc0 && code < 0xc0 + kLatin.size()) {
+        out += kLatin[code - 0xc0];
     } else {
         out += '?';
     }

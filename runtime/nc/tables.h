@@ -160,8 +160,9 @@ struct Form {
     bool keeps_length = false;       // the tool length acts in its block unless edge 0 is said
     std::string doc;
     std::string note;
-    std::string unsupported;  // what it is, if Kadr does not execute it
-    SourceRange range;        // in the file
+    std::vector<std::string> names;  // of a call's arguments, as the control's manual has them
+    std::string unsupported;         // what it is, if Kadr does not execute it
+    SourceRange range;               // in the file
 };
 
 /// The pattern of the form's own line: what has to stand in one block.

@@ -175,9 +175,15 @@ TEST_F(CommandLine, CutsWithoutFeedOrSpindleAreWarnedOf) {
           Row{"speed", "S0 M3; F100; G0 X0; G1 X1;", "warning[K5213]"},
           Row{"tool change", "S500 M3; F100; tool(2); G0 X0; G1 X1;", "warning[K5213]"},
           Row{"turret", "G18; S500 M3; F100; tool(2); G0 X0; G1 X1;", ""},
+          Row{"no speed", "tool(2); M3; F100; G0 X0; G1 X1; X2;", "warning[K5217]"},
+          Row{"a speed behind the start", "tool(2); M3; S100; F100; G0 X0; G1 X1;", ""},
+          Row{"a probe",
+              "tool(2); G0 X0 Y0; G0 Z50; probe_edge(z_minus, at: -3mm, ball_d: 6mm, offset: 1);",
+              ""},
           Row{"again", "tool(2); S500 M3; F100; G0 X0; G1 X1;", ""}}) {
         SCOPED_TRACE(row.name);
-        save("cut.kadr", std::string("program cut() { ") + row.body + " M30; }\n");
+        save("cut.kadr",
+             std::string("import cycles.probing;\nprogram cut() { ") + row.body + " M30; }\n");
         for (const char* command : {"expand", "check"}) {
             const ProcessResult result = kadr({command, file("cut.kadr"), "-d", "sinumerik"});
             EXPECT_EQ(result.status, 0);
@@ -189,6 +195,47 @@ TEST_F(CommandLine, CutsWithoutFeedOrSpindleAreWarnedOf) {
             EXPECT_EQ(result.err.find("warning[", at + 1), std::string::npos) << result.err;
         }
     }
+}
+
+TEST_F(CommandLine, AStandingSpindleIsWarnedOfAnewEachTimeThatItWasStopped) {
+    struct Row {
+        const char* name;
+        const char* body;
+        std::vector<int> lines;  // of the warnings
+    };
+    for (const Row& row :
+         {Row{"stopped twice",
+              "M3 S100;\nG0 X0 F100;\nM5;\nG1 X1;\nX2;\nM3;\nX3;\nM5;\nX4;\nX5;",
+              {5, 10}},
+          Row{"allowed", "G0 X0 F100 S100;\nM5;\nG1 X1; // kadr: allow K5213\nG1 X2;\nG1 X3;", {5}},
+          Row{"tool change",
+              "G0 X0 F100 S100;\nG1 X1; // kadr: allow K5213\ntool(3);\nG1 X2;\nM3;\nG1 X3;",
+              {5}},
+          Row{"rapid",
+              "G0 Z5;\nG0 Z-3; // kadr: allow K5264\nG0 Z5 M3 S100;\nM5;\nG0 Z-4;\nZ-5;",
+              {6}}}) {
+        SCOPED_TRACE(row.name);
+        save("stands.kadr", std::string("program p() { tool(2);\n") + row.body + "\nM30; }\n");
+        const ProcessResult result = kadr({"check", file("stands.kadr"), "-d", "sinumerik"});
+        std::vector<int> lines;
+        const std::string place = file("stands.kadr") + ":";
+        for (std::size_t at = result.err.find("warning["); at != std::string::npos;
+             at = result.err.find("warning[", at + 1)) {
+            const std::size_t begin = result.err.rfind(place, at) + place.size();
+            lines.push_back(std::stoi(result.err.substr(begin)));
+        }
+        EXPECT_EQ(lines, row.lines) << result.err;
+    }
+}
+
+TEST_F(CommandLine, CountedNumbersLieAboveThoseOfTheSource) {
+    save("own.kadr",
+         "dialect sinumerik;\nprogram p() { G0 X1; N10 G0 X2; X3; N25 X4; N7 X5; M30; }\n");
+    const ProcessResult result = kadr({"expand", file("own.kadr"), "-d", "sinumerik"});
+    EXPECT_EQ(result.err, "");
+    EXPECT_NE(result.out.find("N40 G0 X1\nN10 X2\nN50 X3\nN25 X4\nN7 X5\nN60 M30\n"),
+              std::string::npos)
+        << result.out;
 }
 
 TEST_F(CommandLine, AHeaderTellsControlsOfOneSuffixApart) {

@@ -121,6 +121,8 @@ TEST(Text, WarningsThatSaveASpindle) {
     for (const Row& row : {
              Row{"down at rapid, spindle stopped", "T1 M6\nG0 Z5\nG0 Z-1\nM30\n", "K5264"},
              {"said once", "T1 M6\nG0 Z-1\nG0 Z-2\nM30\n", "K5264"},
+             {"said anew", "T1 M6\nG0 Z-1\nG0 Z5\nS500 M3\nM5\nG0 Z-2\nG0 Z-3\nM30\n",
+              "K5264 K5264"},
              {"up again", "T1 M6\nS500 M3\nG0 Z-5\nM5\nG0 Z-1\nM30\n", ""},
              {"along", "T1 M6\nS500 M3\nG0 Z-5\nM5\nG0 X10\nM30\n", ""},
              {"spindle on", "T1 M6\nS500 M3\nG0 Z-5\nM30\n", ""},

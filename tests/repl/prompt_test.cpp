@@ -131,6 +131,33 @@ TEST(Prompt, AnInputMayHaveSeveralLines) {
     EXPECT_EQ(talk.say("1"), "1\n");
 }
 
+TEST(Prompt, AHeadAtTheEndOfALineWaitsForItsBody) {
+    Conversation talk;
+    for (const char* head :
+         {"if (false)", "for (int i : 1..2)", "while (false)  // a comment",
+          "if (true) G0 X1; else", "do", "do { G0 X1; }", "with G91", "cycle c()", "switch (1)",
+          "struct s", "for (int i = 0; i < 2; i++)\n"}) {
+        EXPECT_EQ(talk.say(head), "") << head;
+        EXPECT_TRUE(talk.prompt().is_waiting()) << head;
+        talk.prompt().cancel();
+    }
+    for (const char* whole : {"if (false);", "G0 X1", "1 +", "while (false) {}", "G1 X", "f()"}) {
+        talk.say(whole);
+        EXPECT_FALSE(talk.prompt().is_waiting()) << whole;
+    }
+    talk.say("if (false)");
+    EXPECT_EQ(talk.say("G0 X6"), "") << "the move belongs to the condition";
+    talk.say("for (int i : 2..3)");
+    const std::string answer = talk.say("    G0 Y=i");
+    EXPECT_TRUE(has(answer, "Y2\n") && has(answer, "Y3\n")) << answer;
+    talk.say("void up()");
+    talk.say("{ G0 Z9; }");
+    EXPECT_TRUE(has(talk.say("up()"), "Z9\n"));
+    talk.say("language pl;");
+    talk.say("jeśli (fałsz)");
+    EXPECT_TRUE(talk.prompt().is_waiting());
+}
+
 TEST(Prompt, AMistakeInACycleIsOneMessage) {
     Conversation talk;
     talk.say("length d = 40mm;");

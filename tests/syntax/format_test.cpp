@@ -219,6 +219,51 @@ TEST(Format, BlanksDoNotMatter) {
     }
 }
 
+/// The text with many of its line ends taken away: functions and their bodies share long lines.
+std::string with_joined_lines(const std::string& text, std::mt19937& random, unsigned kept_of_ten) {
+    std::string out;
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t end = std::min(text.find('\n', i), text.size() - 1);
+        const std::string line = text.substr(i, end - i);
+        i = end + 1;
+        const bool ends_itself = line.find("//") != std::string::npos || line.starts_with('#');
+        const bool begins_line = text[i] == '#';
+        out += line;
+        out += ends_itself || begins_line || random() % 10 < kept_of_ten ? "\n" : " ";
+    }
+    return out;
+}
+
+TEST(Format, LongLinesKeepTheirMeaning) {
+    std::mt19937 random(31);
+    for (const std::string& text : programs()) {
+        if (text.find("raw") != std::string::npos) continue;
+        for (const unsigned kept : {0u, 2u, 5u, 8u}) {
+            const std::string joined = with_joined_lines(text, random, kept);
+            const std::string once = formatted(joined);  // it holds the tree against the old one
+            EXPECT_EQ(formatted(once), once) << joined;
+        }
+    }
+}
+
+TEST(Format, BodiesInOneLineThatDoNotFitAreBroken) {
+    const std::string words(85, 'w');
+    EXPECT_EQ(formatted("void c(length p) { require(p > 1mm, \"" + words + "\"); }"),
+              "void c(length p) {\n    require(p > 1mm,\n            \"" + words + "\");\n}\n");
+    EXPECT_EQ(formatted("void c(length p) { for (int i : 1..2) error(\"" + words + words +
+                        "\" + text(p)); }"),
+              "void c(length p) {\n    for (int i : 1..2)\n        error(\"" + words + words +
+                  "\" +\n              text(p));\n}\n");
+    std::string names;
+    std::string rows;
+    for (int i = 0; i < 20; ++i) {
+        const std::string name = "name_" + std::to_string(i) + (i < 19 ? "," : "");
+        names += name + ' ';
+        rows += "    " + name + '\n';
+    }
+    EXPECT_EQ(formatted("enum e { " + names + "}"), "enum e {\n" + rows + "}\n");
+}
+
 TEST(Format, AMistakeIsReportedAndNothingComesBack) {
     Sources sources;
     DiagnosticList list;
