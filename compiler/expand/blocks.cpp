@@ -134,6 +134,8 @@ bool Expander::State::emit_block(const sema::Plan& plan, const Instruction& inst
         const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
         say_diameter_alone(source, at, instruction.c);
     }
+    if (modal.is_place_due) [[unlikely]]
+        say_place(plan, instruction, at);
     const std::size_t in_batch = batch_count;
     if (fill_plan(plan, instruction, registers, at)) {
         if (plan.customs == 0) [[likely]]
@@ -188,11 +190,20 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
             return false;
         const Function motion = plan.motion != Function::None ? plan.motion : modal[Group::Motion];
         modal.take_functions(block);
+        const bool says_rapid = (plan.customs & sema::custom::kMachineRapid) != 0;
+        if (has_machine_rapid && !says_rapid && motion != Function::Rapid &&
+            block.find(Function::MachineCoordinates) != nullptr) [[unlikely]] {
+            fault(diag::MachineAtFeed, at)
+                .arg(target.name())
+                .arg(nc::info(motion).name)
+                .fix("write `G0` in the block");
+            return false;
+        }
         if (has_frame_diameter) scale_frame_x(block, 2);
         if (modal[Group::Diameter] == Function::None && options.warns_of_cuts &&
             !warned_of_diameter)
             warn_of_radius(block, at);
-        if ((plan.customs & sema::custom::kMachineRapid) != 0 && motion != Function::Rapid) {
+        if (says_rapid && motion != Function::Rapid) {
             modal.active[static_cast<std::size_t>(Group::Motion)] = motion;
             modal.restate_motion = true;
         }
@@ -238,9 +249,12 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
     if (recordings.empty()) {
         if ((modal.is_edge_off || modal.is_feed_deleted) && !may_move(block, at)) [[unlikely]]
             return false;
-        if (((modal.has_drift | modal.lost_drift) & block.given) != 0 &&
+        const bool owes_incremental = modal.owes_incremental;
+        if (((modal.has_drift | modal.lost_drift | modal.unplaced) & block.given) != 0 &&
             !adapt_increments(block, plan, at)) [[unlikely]]
             return false;
+        if (owes_incremental && block.find(Function::Absolute) == nullptr) [[unlikely]]
+            return_to_increments(block);
     }
     if ((plan.customs & sema::custom::kReference) != 0) say_reference(block);
     if (modal.is_stretched && nc::is_arc(modal[Group::Motion]) &&
@@ -663,6 +677,25 @@ bool Expander::State::change_frame(const Instruction& instruction, const sema::S
     }
     write_frame(next, source, at, instruction.c);
     return !has_failed;
+}
+
+/// Where a control has no words for coordinates and distances beside each other, its writer needs
+/// to know where the tool is in the new frame.
+void Expander::State::say_place(const sema::Plan& plan, const Instruction& instruction,
+                                std::uint32_t at) {
+    const nc::SlotMask known = modal.known & nc::kTargetSlots;
+    const bool moves = plan.given != 0 || !plan.fillings.empty();
+    if (!moves || !recordings.empty()) return;
+    modal.is_place_due = false;
+    if (known == 0 || target.has_distance_words()) return;
+    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    Block& block = next_block(source);
+    block.kind = Block::Kind::Position;
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        const auto slot = static_cast<nc::Slot>(i);
+        if ((known & nc::bit(slot)) != 0) block.set(slot, modal.position[i]);
+    }
+    if (options.trace) keep_trace(at, instruction.c, source);
 }
 
 /// Frames have radii in the language; a control may take them as what X is.

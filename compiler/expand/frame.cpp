@@ -57,6 +57,11 @@ std::array<double, 3> difference(std::array<double, 3> a, const std::array<doubl
 
 bool ProgramFrame::is_identity() const { return shift == std::array<double, 3>{} && is_shift(); }
 
+AxisMask ProgramFrame::plane_mask() const {
+    const PlaneAxes axes = axes_of(plane);
+    return static_cast<AxisMask>(1u << axes.first | 1u << axes.second);
+}
+
 bool ProgramFrame::is_stretched(nc::Function in_plane) const {
     const PlaneAxes axes = axes_of(in_plane);
     return scale[axes.first] != scale[axes.second];

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "base/axes.h"
 #include "nc/vocabulary.h"
 
 namespace kadr::expand {
@@ -32,6 +33,8 @@ struct ProgramFrame {
     bool has_scale() const { return scale != std::array<double, 3>{1, 1, 1}; }
     bool has_center() const { return center != std::array<double, 3>{}; }
     bool is_identity() const;
+    /// The axes that its rotation turns.
+    AxisMask plane_mask() const;
     /// Whether it moves the part and nothing else.
     bool is_shift() const { return angle_deg == 0 && !has_scale() && !has_mirror(); }
     /// Whether a right-hand screw becomes a left-hand one.

@@ -346,38 +346,81 @@ bool Expander::State::may_move(const Block& block, std::uint32_t at) {
 bool Expander::State::adapt_increments(Block& block, const sema::Plan& plan, std::uint32_t at) {
     const bool source_travels = (plan.customs & custom::kIncrementTravels) != 0;
     const bool target_travels = target.has_rule("incremental_frame", "traversed");
-    if (!source_travels && !target_travels) return true;
+    const bool wants_place = (modal.unplaced & block.given) != 0 &&
+                             target.has_rule("place_behind_rotation") &&
+                             block.find(Function::Cycle) == nullptr;
+    if (!source_travels && !target_travels && !wants_place) return true;
     if (block.find(Function::MachineCoordinates) != nullptr ||
         block.find(Function::ReferenceReturn) != nullptr)
         return true;
-    const bool is_modal = modal[Group::Distance] == Function::Incremental;
     for (std::size_t i = 0; i < kAxes; ++i) {
         const nc::SlotMask bit = nc::SlotMask{1} << i;
-        const bool is_increment =
-            (block.incremental & bit) != 0 || (is_modal && (block.absolute & bit) == 0);
-        if ((block.given & bit) == 0 || !is_increment) continue;
+        if ((block.given & bit) == 0 || !is_increment(block, bit)) continue;
         const bool is_lost = (modal.lost_drift >> i & 1u) != 0;
-        const double drift = modal.drift[i];
+        const bool is_known = (modal.known >> i & 1u) != 0;
+        const bool needs_place = wants_place && (modal.unplaced & bit) != 0;
         if (source_travels && target_travels) {
-            modal.position[i] -= drift;
+            modal.position[i] -= modal.drift[i];
             if (is_lost) modal.known &= static_cast<AxisMask>(~bit);
-        } else if (is_lost) {
+            continue;
+        }
+        if ((is_lost && (source_travels || target_travels)) || (needs_place && !is_known)) {
             fault(diag::IncrementAfterFrame, at)
                 .arg(kAxisNames[i])
                 .arg(target.name())
                 .fix("name a coordinate of " + std::string(kAxisNames[i]) + " first");
             return false;
-        } else if (source_travels) {
-            block.values[i] -= drift;
-        } else if ((modal.known >> i & 1u) != 0) {
-            block.values[i] += modal.position[i];
-            block.incremental &= ~bit;
+        }
+        if (source_travels) block.values[i] -= modal.drift[i];
+        const bool has_drifted = ((modal.has_drift | modal.lost_drift) & bit) != 0;
+        if (!target_travels || !has_drifted) continue;
+        if (is_known) become_place(block, i);
+        else block.values[i] += modal.drift[i];
+    }
+    if (wants_place) name_places(block);
+    return true;
+}
+
+bool Expander::State::is_increment(const Block& block, nc::SlotMask axis) const {
+    const bool is_modal = modal[Group::Distance] == Function::Incremental;
+    return (block.incremental & axis) != 0 || (is_modal && (block.absolute & axis) == 0);
+}
+
+/// The distance along an axis becomes the coordinate to which it leads.
+void Expander::State::become_place(Block& block, std::size_t axis) const {
+    const nc::SlotMask bit = nc::SlotMask{1} << axis;
+    block.values[axis] += modal.position[axis];
+    block.incremental &= ~bit;
+    if (modal[Group::Distance] == Function::Incremental) block.absolute |= bit;
+}
+
+/// The first motion behind the beginning or the end of a rotation names coordinates of both axes
+/// that it turns: what the control takes for the others depends on parameters. source       F 3.7
+/// G68, G69; No.11600#5 AX1
+void Expander::State::name_places(Block& block) {
+    const bool is_modal = modal[Group::Distance] == Function::Incremental;
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        const nc::SlotMask bit = nc::SlotMask{1} << i;
+        if ((modal.known & bit) == 0) continue;
+        if ((block.given & bit) != 0) {
+            if (is_increment(block, bit)) become_place(block, i);
+        } else if ((modal.unplaced & bit) != 0) {
+            block.set(static_cast<nc::Slot>(i), modal.position[i]);
             if (is_modal) block.absolute |= bit;
-        } else {
-            block.values[i] += drift;
         }
     }
-    return true;
+    if (!is_modal) return;
+    block.add(Function::Absolute);
+    modal.owes_incremental = true;
+}
+
+/// What stands under incremental dimensions for the program does so for the text again.
+void Expander::State::return_to_increments(Block& block) {
+    if ((block.given & (nc::kTargetSlots | nc::kCenterSlots)) == 0) return;
+    modal.owes_incremental = false;
+    if (modal[Group::Distance] == Function::Incremental &&
+        block.find(Function::Incremental) == nullptr)
+        block.add(Function::Incremental);
 }
 
 /// A return to the reference point that goes over no other place, for a target without words for

@@ -53,6 +53,9 @@ void ModalState::set_frame(const ProgramFrame& next, SourceId source) {
         known = static_cast<AxisMask>(moved.is_known[i] ? known | bit : known & ~bit);
     }
     if ((lost & sema::kFrameBit) != 0) known &= static_cast<AxisMask>(~kLinearXYZ);
+    is_place_due = true;
+    if (next.angle_deg != frame.angle_deg)
+        unplaced |= (next.angle_deg != 0 ? next : frame).plane_mask();
     frame = next;
     is_stretched = next.scale[0] != next.scale[1] || next.scale[1] != next.scale[2];
     frame_by = source;
@@ -75,6 +78,7 @@ void ModalState::forget_drift(AxisMask axes) {
     }
     has_drift &= static_cast<AxisMask>(~axes);
     lost_drift &= static_cast<AxisMask>(~axes);
+    unplaced &= static_cast<AxisMask>(~axes);
 }
 
 void ModalState::set_position(const nc::Block& block, const nc::Invocation& invocation) {
@@ -291,7 +295,7 @@ void ModalState::take_words(const nc::Block& block) {
     }
     nc::SlotMask targets = block.given & nc::kTargetSlots;
     if (targets == 0) return;
-    if ((has_drift | lost_drift) != 0) forget_drift(static_cast<AxisMask>(targets));
+    if ((has_drift | lost_drift | unplaced) != 0) forget_drift(static_cast<AxisMask>(targets));
     const bool modal_incremental = (*this)[Group::Distance] == Function::Incremental;
     const bool is_machine =
         block.function_count > 0 && (block.find(Function::MachineCoordinates) != nullptr ||

@@ -38,9 +38,12 @@ struct ModalState {
     // Position less the coordinate that was programmed last: what changes of the frame have made
     // of it since. Some controls travel it with the next increment.
     AxisValues drift{};
-    AxisMask has_drift = 0;    // of which axes it is not 0
-    AxisMask lost_drift = 0;   // … and of which it is not known
-    bool is_diameter = false;  // words of X
+    AxisMask has_drift = 0;         // of which axes it is not 0
+    AxisMask lost_drift = 0;        // … and of which it is not known
+    bool is_place_due = false;      // the frame has changed since a block was made
+    AxisMask unplaced = 0;          // of which no place was named since a rotation began or ended
+    bool owes_incremental = false;  // the text is under absolute dimensions for one block
+    bool is_diameter = false;       // words of X
     ProgramFrame frame;
     bool is_stretched = false;  // the frame makes ellipses of the circles of some plane
     ProgramFrame scaled;        // the frame behind a scale in one that had none …

@@ -61,6 +61,7 @@ Expander::State::State(const sema::Code& program, const nc::Dialect& dialect,
     : code(program), target(dialect), options(wanted), sink(messages), heap(program) {
     turns_reserve = std::max<std::uint64_t>(options.limits.loop_turns, 1);
     blocks_left = options.limits.blocks;
+    has_machine_rapid = target.has_rule("machine_coordinates_rapid");
     has_frame_diameter = target.has_rule("shift_in_diameter");
     all_given.reserve(code.functions.size());
     for (const FunctionCode& function : code.functions) {

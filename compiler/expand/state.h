@@ -188,6 +188,10 @@ struct Expander::State {
     bool adapt_increments(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
     void center_unknown(nc::Function function, std::size_t axis, std::uint32_t at);
     bool complete_center(nc::Block& block, nc::Invocation& invocation, std::uint32_t at);
+    bool is_increment(const nc::Block& block, nc::SlotMask axis) const;
+    void become_place(nc::Block& block, std::size_t axis) const;
+    void name_places(nc::Block& block);
+    void return_to_increments(nc::Block& block);
     void say_reference(nc::Block& block);
     bool take_offsets_as_edges(nc::Block& block, std::uint32_t at);
     bool take_edges_as_offsets(nc::Block& block, std::uint32_t at);
@@ -245,6 +249,7 @@ struct Expander::State {
     /// True if the control has the cycle and a block stands for it now.
     bool emit_cycle(nc::CycleId cycle, const Slot* registers);
     bool change_frame(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    void say_place(const sema::Plan& plan, const sema::Instruction& instruction, std::uint32_t at);
     void scale_frame_x(nc::Block& block, double factor) const;
     void write_frame(const ProgramFrame& next, SourceId source, std::uint32_t at, unsigned depth);
     bool set_back(const OpenWith& scope, SourceId source, std::uint32_t at, unsigned depth);
@@ -367,6 +372,7 @@ struct Expander::State {
     Clock::time_point began = Clock::now();
     bool is_late = false;  // Limits::seconds are over
     std::uint64_t blocks_left = 0;
+    bool has_machine_rapid = false;   // the target goes to machine coordinates at rapid only
     bool has_frame_diameter = false;  // the target takes X of frames as a diameter where X is one
     bool is_running = false;
     bool has_failed = false;

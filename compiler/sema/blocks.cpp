@@ -108,8 +108,10 @@ std::uint32_t Checker::customs_of(const Plan& plan, std::span<const Word> words)
     const auto add = [&](bool is_so, std::uint32_t bit) {
         if (is_so) customs |= bit;
     };
+    bool changes_tool = false;
     for (const nc::Invocation& invocation : plan.functions) {
         const nc::Group group = nc::info(invocation.function).group;
+        changes_tool |= invocation.function == nc::Function::ToolChange;
         add(group == nc::Group::CycleMode || group == nc::Group::CycleReturn, custom::kCycleWords);
         add(invocation.function == nc::Function::MirrorOff, custom::kMirrorAxes);
         add(invocation.function == nc::Function::TapRigid, custom::kCycleWords);
@@ -118,6 +120,8 @@ std::uint32_t Checker::customs_of(const Plan& plan, std::span<const Word> words)
                                invocation.function == nc::Function::ToolEdge;
         add(is_offset && dialect.is_core(), custom::kCoreOffsets);
     }
+    // Its length acts with the change, if the block does not name another one.
+    add(changes_tool && dialect.is_core() && (customs & custom::kCoreOffsets) == 0, custom::kEdges);
     if (dialect.is_core()) return customs;
     add(!cycle_modules_.empty(), custom::kPlaces);
     add(dialect.has_rule("incremental_frame", "traversed"), custom::kIncrementTravels);

@@ -174,7 +174,8 @@ Value Checker::conditional(ExprId id, Type expected, Reg hint) {
         return error_value();
     }
     Type type = first.type;
-    // `c ? 1 : 2.5` is real, `c ? 0 : d` a length: the second branch decides where it knows more.
+    // `c ? 1 : 2.5` and `c ? 2.5 : n` are real, `c ? 0 : d` a length: the second branch decides
+    // where it knows more.
     const auto is_bare = [&](const Value& v) {
         return v.is_constant() &&
                (kind(v.type) == Kind::Int ||
@@ -187,7 +188,8 @@ Value Checker::conditional(ExprId id, Type expected, Reg hint) {
                    : first.type;
     } else if (is_bare(first) || first.type == types::kInt) {
         const Type second = type_of(expr.child[2]);
-        if (types_.is_numeric(second)) type = second;
+        const bool knows_less = second == types::kInt && kind(first.type) == Kind::Real;
+        if (types_.is_numeric(second) && !knows_less) type = second;
     }
     if (kind(type) == Kind::Void) {
         report(diag::VoidValue, ast()[expr.child[1]].range);

@@ -714,7 +714,10 @@ void Executor::apply_frame(const Block& block, const Invocation& invocation) {
             break;
         case Function::Scale: scale(block, invocation); break;
         case Function::ScaleOff: frames_.scale_off(); break;
-        case Function::RotateOff: frames_.rotate_off(); break;
+        case Function::RotateOff:
+            if (rules_.place_behind_rotation && frames_.is_rotated()) unplaced_ = plane_mask();
+            frames_.rotate_off();
+            break;
         case Function::Mirror: frames_.mirror(words); break;
         case Function::MirrorOff: frames_.mirror_off(static_cast<AxisMask>(words.given)); break;
         case Function::SetPosition:

@@ -196,6 +196,7 @@ class Executor {
 
     // motion.cpp
     void move(const nc::Block& block, const Actions& actions);
+    void check_place(const nc::Block& block, nc::SlotMask targets);
     Target target_of(const nc::Block& block, nc::SlotMask targets) const;
     double x_scale(const nc::Block& block, bool is_distance) const;
     bool check_rotary_ways(const nc::Block& block);
@@ -365,6 +366,7 @@ class Executor {
     path::Command& behind_corners();
     path::Command& put(path::Op op, const nc::Block& block);
     void frame_changed();
+    AxisMask plane_mask() const;
     /// A message at the block, or at the word that set the slot or said the function. Inside a
     /// cycle the place is that of the block which called it. An alarm ends the run.
     DiagnosticBuilder report(const DiagnosticRow& row, const nc::Block& block);
@@ -435,6 +437,7 @@ class Executor {
     nc::Block spline_end_{};                             // place of its latest block
     int spline_degree_ = 3;
     bool taps_rigidly_ = false;  // of the tapping cycles that follow
+    AxisMask unplaced_ = 0;      // axes that want a place behind the end of a rotation
 
     // Of the machine, by logical axis; deg for rotary axes.
     AxisMask axes_ = 0;

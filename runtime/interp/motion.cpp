@@ -93,6 +93,8 @@ void Executor::move(const Block& block, const Actions& actions) {
         return;
     }
     if (!check_axes(block, targets) || !check_rotary_ways(block)) return;
+    if ((unplaced_ & targets) != 0) [[unlikely]]
+        check_place(block, targets);
     if (actions.machine_coordinates) return move_in_machine_coordinates(block);
 
     const Target target = target_of(block, targets);
@@ -107,6 +109,18 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (arc_words != 0 && !wish_square_corner(block, target)) warn_arc_word(block, arc_words);
     if (ended_) return;
     line(block, target, modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, exact_stop);
+}
+
+AxisMask Executor::plane_mask() const {
+    const path::PlaneAxes axes = path::axes_of(modal_.plane);
+    return static_cast<AxisMask>(1u << index(axes.first) | 1u << index(axes.second));
+}
+
+/// The first motion behind the end of a rotation.
+void Executor::check_place(const Block& block, SlotMask targets) {
+    const SlotMask distances = modal_.is_incremental ? ~block.absolute : block.incremental;
+    if ((distances & targets & unplaced_) != 0) report(diag::IncrementBehindRotation, block);
+    unplaced_ = 0;
 }
 
 Target Executor::target_of(const Block& block, SlotMask targets) const {

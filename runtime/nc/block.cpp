@@ -154,6 +154,7 @@ std::string describe(const Block& block) {
         case Block::Kind::Raw: return out.append("raw \"").append(block.text).append("\"");
         case Block::Kind::Label: return out.append("label ").append(block.text);
         case Block::Kind::Modal: return "modal";
+        case Block::Kind::Position: out = "position"; break;
     }
     if (block.skip >= 0) {
         out += '/';

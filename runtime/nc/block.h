@@ -81,11 +81,12 @@ using CycleId = std::uint16_t;
 
 struct Block {
     enum class Kind : std::uint8_t {
-        Nc,       // the normal case
-        Comment,  // only a comment
-        Raw,      // `text` is a line that goes through as it stands
-        Label,    // `text` is a jump target
-        Modal,    // nothing is written; tells the writer that the modal state below is unknown
+        Nc,        // the normal case
+        Comment,   // only a comment
+        Raw,       // `text` is a line that goes through as it stands
+        Label,     // `text` is a jump target
+        Modal,     // nothing is written; tells the writer that the modal state below is unknown
+        Position,  // nothing is written; tells the writer where the targets that are given stand
     };
 
     Kind kind = Kind::Nc;

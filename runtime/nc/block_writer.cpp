@@ -127,8 +127,20 @@ std::uint32_t BlockWriter::write(const Block& block, std::string& out) {
         case Block::Kind::Raw: write_raw(block, out); break;
         case Block::Kind::Label: cannot_express(block, "the label " + quoted(block.text)); break;
         case Block::Kind::Modal: forget_modal(); break;
+        case Block::Kind::Position: take_position(block); break;
     }
     return lines_ == before ? lines_ : before + 1;
+}
+
+/// What the program knows of the axes behind a change of its frame, of which the text says nothing.
+void BlockWriter::take_position(const Block& block) {
+    WrittenPosition& position = modal_.position;
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        if (!block.has(static_cast<Slot>(axis)) || is_known(axis)) continue;
+        position.meant[axis] = position.text[axis] = block.at(static_cast<Slot>(axis));
+        position.known |= bit(static_cast<Slot>(axis));
+        position.told |= bit(static_cast<Slot>(axis));
+    }
 }
 
 /// Whether the number that would be written is in force already.
@@ -835,7 +847,7 @@ void BlockWriter::write_initial_level(const Form& form, const Block& block,
     const std::size_t axis = plane_axes()[2];
     const double half_increment = 0.5 * std::pow(10.0, -decimals(static_cast<Slot>(axis)));
     const bool is_there =
-        is_known(axis) && std::fabs(modal_.position.text[axis] - level) <= half_increment;
+        is_named(axis) && std::fabs(modal_.position.text[axis] - level) <= half_increment;
     if (is_there) return;
     const auto chosen = chosen_;
     const std::uint32_t done = done_;
@@ -1071,9 +1083,13 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
         case Function::WorkOffset:
         case Function::WorkOffsetData:
         case Function::ToolSelect:
+        case Function::LengthOffset: modal_.position.forget(); break;
         case Function::LengthCompOn:
         case Function::LengthCompOff:
-        case Function::LengthOffset: modal_.position.forget(); break;
+            // Said by the program itself: nothing of the tool's own waits any longer.
+            std::erase_if(pending_, [](const Pending& p) { return p.deferred->axis >= 0; });
+            modal_.position.forget();
+            break;
         case Function::Cycle:
         case Function::CycleOff: forget_motion(); break;
         case Function::End:

@@ -195,6 +195,10 @@ class BlockWriter {
     bool straighten(const Block& block, std::string& out);
     bool vanishes(const Block& block) const;
     bool is_known(std::size_t axis) const { return (modal_.position.known >> axis & 1u) != 0; }
+    /// Known, and from a word of the text.
+    bool is_named(std::size_t axis) const {
+        return is_known(axis) && (modal_.position.told >> axis & 1u) == 0;
+    }
     double to_text(Slot slot, double value) const;
     int decimals(Slot slot) const;
     const Address& address_of(Slot slot) const;
@@ -255,6 +259,7 @@ class BlockWriter {
     void cannot_express(const Block& block, const std::string& what);
     bool is_new_message(const Block& block, std::string_view what);
     bool is_unsaid(const Block& block, std::string_view what);
+    void take_position(const Block& block);
     void position_unknown(const Block& block, std::string_view name);
     void number_fault(const Block& block, NumberFault fault, double value, std::string_view name);
 

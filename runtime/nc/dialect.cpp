@@ -56,6 +56,8 @@ Function Dialect::first_motion() const {
 
 bool Dialect::is_core() const { return tables_->extends.empty(); }
 
+bool Dialect::has_distance_words() const { return tables_->rules.has_modes; }
+
 bool Dialect::counts_offsets_by_tool() const { return !tables_->deferred.empty(); }
 
 std::span<const Example> Dialect::examples() const { return tables_->examples; }

@@ -118,6 +118,8 @@ class Dialect {
     Function first_motion() const;
     /// The common core, in which the library and most sources are written: it extends nothing.
     bool is_core() const;
+    /// `X=AC(10)` and `X=IC(5)`: coordinates and distances can stand beside each other.
+    bool has_distance_words() const;
     /// Offsets have the numbers of tools and are named apart from them (`T3 M6`, then `G43 H3`),
     /// so `D3` means the third tool's radius; else `D` is an edge of the tool that is in.
     bool counts_offsets_by_tool() const;

@@ -94,7 +94,7 @@ bool BlockWriter::write_fast(const Block& block, std::string& out) {
             static_cast<double>(scaled) / kPowersOfTen[static_cast<std::size_t>(decimals)];
         const double text = (is_minus ? -rounded : rounded) / scale;
         const auto place = static_cast<std::size_t>(axis.slot);
-        const bool is_same = !options_.verbose_modal && is_known(place) &&
+        const bool is_same = !options_.verbose_modal && is_named(place) &&
                              std::fabs(text - modal_.position.text[place]) < kSame;
         if (!is_same) changed |= bit(axis.slot);
         words[count++] = {&axis, scaled, text, is_minus, decimals};
@@ -113,6 +113,7 @@ bool BlockWriter::write_fast(const Block& block, std::string& out) {
         modal_.position.meant[place] = block.at(word.axis->slot);
         modal_.position.text[place] = word.text;
         modal_.position.known |= bit(word.axis->slot);
+        modal_.position.told &= ~bit(word.axis->slot);
         if (changed != 0 && (changed & bit(word.axis->slot)) == 0) continue;
         if (end != line.data() || out.size() != line_start_) *end++ = ' ';
         *end++ = word.axis->letter;

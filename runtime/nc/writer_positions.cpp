@@ -139,6 +139,7 @@ void BlockWriter::place_target(const Block& block, std::size_t axis, Targets& ta
     position.meant[axis] = is_distance ? position.meant[axis] + value : value;
     position.text[axis] = round_to(position.meant[axis] * scale, places) / scale;
     if (!is_distance) position.known |= mask;
+    position.told &= ~mask;
 
     bool writes_distance = is_distance;
     if (by_itself && tables_.rules.has_modes) {
@@ -178,7 +179,7 @@ void BlockWriter::drop_unchanged(const Block& block, const WrittenPosition& star
     SlotMask unchanged = 0;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         const SlotMask mask = bit(static_cast<Slot>(axis));
-        if ((targets.written & start.known & mask) == 0) continue;
+        if ((targets.written & start.known & ~start.told & mask) == 0) continue;
         if (std::fabs(start.text[axis] - modal_.position.text[axis]) < kSame) unchanged |= mask;
     }
     if (unchanged != targets.written) targets.written &= ~unchanged;

@@ -15,8 +15,9 @@ struct WrittenPosition {
     std::array<double, kAxes> meant{};
     std::array<double, kAxes> text{};
     SlotMask known = 0;  // the axes whose coordinates are known, not only their changes
+    SlotMask told = 0;   // … and of these the ones that no word of the text has named yet
 
-    void forget() { known = 0; }
+    void forget() { known = told = 0; }
 };
 
 /// Whether something additive (a rotation, a mirroring) acts.

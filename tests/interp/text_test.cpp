@@ -136,6 +136,11 @@ TEST(Text, WarningsThatSaveASpindle) {
         SCOPED_TRACE(row.name);
         EXPECT_EQ(alarms(read("iso", row.text, changer)), row.codes);
     }
+    // Behind G69 a FANUC wants a coordinate first.
+    const std::string rotated = "G90 G17 G00 X0 Y0\nG68 X0 Y0 R30.\nX10. Y0\nG69\n";
+    EXPECT_EQ(alarms(read("fanuc", rotated + "G91 X5.\nM30\n")), "K5267");
+    EXPECT_EQ(alarms(read("fanuc", rotated + "G91 Z5.\nG90 X5.\nG91 X5.\nM30\n")), "");
+    EXPECT_EQ(alarms(read("sinumerik", "G0 X0 Y0\nROT RPL=30\nX10 Y0\nROT\nG91 X5\nM30\n")), "");
     // A name that the table does not have is a tool all the same: it is changed, and known again.
     const Ran named =
         read("sinumerik", "T=\"MILL\" D1\nM6\nS500 M3\nG1 X5 F100\nT=\"MILL\"\nM6\nM30\n", changer);

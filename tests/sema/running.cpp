@@ -166,6 +166,7 @@ Outcome run(const std::string& source, const RunOptions& options) {
             std::array<nc::Block, 3> batch;
             while (const std::size_t count = expander.pull(batch)) {
                 for (std::size_t i = 0; i < count; ++i) {
+                    if (batch[i].kind == nc::Block::Kind::Position) continue;  // no text
                     outcome.blocks.push_back(nc::describe(batch[i]));
                     if (options.expand.trace) outcome.traces.push_back(expander.trace(i));
                 }

@@ -215,6 +215,8 @@ TEST(Values, LogicAndComparison) {
         {"int n = 5; if (!(n < 3 || n > 4)) M8; else M9;", "coolant_off"},
         {"int n = 5; real x = n > 3 ? 1.5 : 2; note \"{x}\";", "comment \"1.5\""},
         {"int n = 2; real x = n > 3 ? 1 : 2.5; note \"{x}\";", "comment \"2.5\""},
+        {"int n = 2; note \"{n > 3 ? 1 : 2.5} {n > 1 ? 2.5 : n} {n > 3 ? 4.0 : n}\";",
+         "comment \"2.5 2.5 2\""},
         {"length d = 5mm; int n = 2; length x = n > 3 ? 0 : d; note \"{x}\";", "comment \"5\""},
         {"real x = 1.5; bool b = x > 1; bool c = x <= 1; note \"{b} {c} {x == 1.5} {x != 1.5}\";",
          "comment \"true false true false\""},
