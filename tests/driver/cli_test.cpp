@@ -512,7 +512,7 @@ TEST_F(CommandLine, MessagesGoToStandardErrorOnly) {
 
 TEST_F(CommandLine, TheHouseKeepsItsOwnLayout) {
     std::vector<std::string> arguments = {"fmt", "--check"};
-    for (const char* folder : {"stdlib", "stdlib/cycles", "examples"}) {
+    for (const char* folder : {"stdlib", "stdlib/cycles", "examples", "examples/languages"}) {
         for (const auto& entry : fs::directory_iterator(fs::path(KADR_ROOT) / folder)) {
             if (entry.path().extension() == ".kadr") arguments.push_back(entry.path().string());
         }
