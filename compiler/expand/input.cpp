@@ -36,7 +36,7 @@ void become(Block& block, Invocation& invocation, Function function, double argu
 bool is_cycle_word(Function function) {
     const Group group = nc::info(function).group;
     return group == Group::CycleMode || group == Group::CycleReturn ||
-           function == Function::TapRigid;
+           function == Function::TapRigid || function == Function::CycleWords;
 }
 
 }  // namespace
@@ -172,6 +172,9 @@ bool Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t 
                 said_cycle.returns_low = invocation.function == Function::CycleReturnRetract;
                 break;
             case Function::TapRigid: said_cycle.taps_rigidly = true; break;
+            case Function::CycleWords:
+                is_good = is_good && take_cycle_words(block, invocation, at);
+                break;
             case Function::MachineCoordinates:
                 is_good = is_good && adapt_machine(block, plan, at);
                 break;

@@ -309,7 +309,7 @@ bool Checker::takes_diameter(const Value& value, const SourceRange& range, std::
     if (!is_diameter(value)) return true;
     report(diag::DiameterPlace, range)
         .arg(what)
-        .fix("half of it, the radius, is a length: `…/2`; the measure itself `1*…`");
+        .fix("half of it, the radius, is a length: `…/2`; the measure itself is `length(…)`");
     return false;
 }
 
@@ -382,10 +382,9 @@ Filling Checker::fill_word(const Word& word, const nc::Hole& hole, Reg reg) {
         filling.form = Filling::Form::Count;
         const auto number = tool_number(*quoted);
         if (!number) {
-            report(diag::TypeMismatch, ast()[word.value].range)
-                .arg('`' + std::string(text(word.address)) + '`')
-                .arg("int")
-                .arg("string")
+            report(diag::ToolByName, ast()[word.value].range)
+                .arg(text(word.address))
+                .arg(*quoted)
                 .fix("give the number that the tool has on the machine: `T=3`");
         }
         emit_.emit_integer(Op::LoadI, reg, 0, number.value_or(0));
