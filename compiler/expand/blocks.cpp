@@ -140,6 +140,8 @@ bool Expander::State::emit_block(const sema::Plan& plan, const Instruction& inst
     if (fill_plan(plan, instruction, registers, at)) {
         if (plan.customs == 0) [[likely]]
             return true;
+        if ((plan.customs & sema::custom::kReference) != 0)
+            go_over_place(SourceId{static_cast<std::uint32_t>(instruction.immediate.pair.second)});
         const Block& block = batch_count > in_batch ? batch[batch_count - 1] : waiting.back();
         const bool is_empty =
             block.function_count == 0 && block.given == 0 && block.motion == Function::None;

@@ -193,6 +193,8 @@ struct Expander::State {
     void name_places(nc::Block& block);
     void return_to_increments(nc::Block& block);
     void say_reference(nc::Block& block);
+    void go_over_place(SourceId source);
+    bool take_station(nc::Block& block, nc::Invocation& select, std::uint32_t at);
     bool take_offsets_as_edges(nc::Block& block, std::uint32_t at);
     bool take_edges_as_offsets(nc::Block& block, std::uint32_t at);
     bool take_core_offsets(nc::Block& block, std::uint32_t at);

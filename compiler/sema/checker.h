@@ -328,6 +328,7 @@ class Checker {
         return decl.type.is_valid() && ast()[decl.type].is_optional;
     }
     void warn_of_empty_body(const syntax::Stmt& stmt);  // empty_body.cpp
+    void warn_of_empty_range(const syntax::Expr& range);
     bool if_statement(const syntax::Stmt& stmt);
     bool switch_statement(const syntax::Stmt& stmt);
     bool is_own_local(syntax::ExprId id);

@@ -177,435 +177,414 @@ TEST_F(CommandLine, CutsWithoutFeedOrSpindleAreWarnedOf) {
           Row{"speed", "S0 M3; F100; G0 X0; G1 X1;", "warning[K5213]"},
           Row{"tool change", "S500 M3; F100; tool(2); G0 X0; G1 X1;", "warning[K5213]"},
           Row{"turret", "G18; S500 M3; F100; tool(2); G0 X0; G1 X1;", ""},
+          Row{"no speed", "tool(2); M3; F100; G0 X0; G1 X1; X2;", "warning[K5217]"},
           Row{"a speed behind the start", "tool(2); M3; S100; F100; G0 X0; G1 X1;", ""},
           Row{"a probe",
               "work_offset(1); tool(2); G0 X0 Y0; G0 Z50; probe_edge(z_minus, at: -3mm, ball_d: "
               "6mm, offset: 1);",
-          Row{"no speed", "tool(2); M3; F100; G0 X0; G1 X1; X2;", "warning[K5217]"},
-          Row{"a speed behind the start", "tool(2); M3; S100; F100; G0 X0; G1 X1;", ""},
-          Row{"a probe",
-              "tool(2); G0 X0 Y0; G0 Z50; probe_edge(z_minus, at: -3mm, ball_d: 6mm, offset: 1);",
               ""},
           Row{"again", "tool(2); S500 M3; F100; G0 X0; G1 X1;", ""}}) {
-            SCOPED_TRACE(row.name);
-            save("cut.kadr",
-                 std::string("import cycles.probing;\nprogram cut() { ") + row.body + " M30; }\n");
-            for (const char* command : {"expand", "check"}) {
-                const ProcessResult result = kadr({command, file("cut.kadr"), "-d", "sinumerik"});
-                EXPECT_EQ(result.status, 0);
-                const std::size_t at = result.err.find("warning[");
-                EXPECT_EQ(result.err.empty(), *row.message == 0) << result.err;
-                if (*row.message == 0) continue;
-                EXPECT_NE(result.err.find(row.message), std::string::npos) << result.err;
-                // Each is said once.
-                EXPECT_EQ(result.err.find("warning[", at + 1), std::string::npos) << result.err;
-            }
+        SCOPED_TRACE(row.name);
+        save("cut.kadr",
+             std::string("import cycles.probing;\nprogram cut() { ") + row.body + " M30; }\n");
+        for (const char* command : {"expand", "check"}) {
+            const ProcessResult result = kadr({command, file("cut.kadr"), "-d", "sinumerik"});
+            EXPECT_EQ(result.status, 0);
+            const std::size_t at = result.err.find("warning[");
+            EXPECT_EQ(result.err.empty(), *row.message == 0) << result.err;
+            if (*row.message == 0) continue;
+            EXPECT_NE(result.err.find(row.message), std::string::npos) << result.err;
+            // Each is said once.
+            EXPECT_EQ(result.err.find("warning[", at + 1), std::string::npos) << result.err;
         }
+    }
 }
 
 TEST_F(CommandLine, AStandingSpindleIsWarnedOfAnewEachTimeThatItWasStopped) {
-        struct Row {
-            const char* name;
-            const char* body;
-            std::vector<int> lines;  // of the warnings
-        };
-        for (const Row& row :
-             {Row{"stopped twice",
-                  "M3 S100;\nG0 X0 F100;\nM5;\nG1 X1;\nX2;\nM3;\nX3;\nM5;\nX4;\nX5;",
-                  {5, 10}},
-              Row{"allowed",
-                  "G0 X0 F100 S100;\nM5;\nG1 X1; // kadr: allow K5213\nM3;\nG1 X2;\nM5;\nG1 X3;",
-                  {8}},
-              Row{"allowed",
-                  "G0 X0 F100 S100;\nM5;\nG1 X1; // kadr: allow K5213\nG1 X2;\nG1 X3;",
-                  {5}},
-              Row{"tool change",
-                  "G0 X0 F100 S100;\nG1 X1; // kadr: allow K5213\ntool(3);\nG1 X2;\nM3;\nG1 X3;",
-                  {5}},
-              Row{"rapid",
-                  "G0 Z5;\nG0 Z-3; // kadr: allow K5264\nG0 Z5 M3 S100;\nM5;\nG0 Z-4;\nZ-5;",
-                  {6}}}) {
-            SCOPED_TRACE(row.name);
-            save("stands.kadr", std::string("program p() { tool(2);\n") + row.body + "\nM30; }\n");
-            const ProcessResult result = kadr({"check", file("stands.kadr"), "-d", "sinumerik"});
-            std::vector<int> lines;
-            const std::string place = file("stands.kadr") + ":";
-            for (std::size_t at = result.err.find("warning["); at != std::string::npos;
-                 at = result.err.find("warning[", at + 1)) {
-                const std::size_t begin = result.err.rfind(place, at) + place.size();
-                lines.push_back(std::stoi(result.err.substr(begin)));
-            }
-            EXPECT_EQ(lines, row.lines) << result.err;
+    struct Row {
+        const char* name;
+        const char* body;
+        std::vector<int> lines;  // of the warnings
+    };
+    for (const Row& row :
+         {Row{"stopped twice",
+              "M3 S100;\nG0 X0 F100;\nM5;\nG1 X1;\nX2;\nM3;\nX3;\nM5;\nX4;\nX5;",
+              {5, 10}},
+          Row{"allowed",
+              "G0 X0 F100 S100;\nM5;\nG1 X1; // kadr: allow K5213\nM3;\nG1 X2;\nM5;\nG1 X3;",
+              {8}},
+          Row{"allowed at its line alone",
+              "G0 X0 F100 S100;\nM5;\nG1 X1; // kadr: allow K5213\nG1 X2;\nG1 X3;",
+              {5}},
+          Row{"tool change",
+              "G0 X0 F100 S100;\nG1 X1; // kadr: allow K5213\ntool(3);\nG1 X2;\nM3;\nG1 X3;",
+              {5}},
+          Row{"rapid",
+              "G0 Z5;\nG0 Z-3; // kadr: allow K5264\nG0 Z5 M3 S100;\nM5;\nG0 Z-4;\nZ-5;",
+              {6}}}) {
+        SCOPED_TRACE(row.name);
+        save("stands.kadr", std::string("program p() { tool(2);\n") + row.body + "\nM30; }\n");
+        const ProcessResult result = kadr({"check", file("stands.kadr"), "-d", "sinumerik"});
+        std::vector<int> lines;
+        const std::string place = file("stands.kadr") + ":";
+        for (std::size_t at = result.err.find("warning["); at != std::string::npos;
+             at = result.err.find("warning[", at + 1)) {
+            const std::size_t begin = result.err.rfind(place, at) + place.size();
+            lines.push_back(std::stoi(result.err.substr(begin)));
         }
+        EXPECT_EQ(lines, row.lines) << result.err;
+    }
 }
 
 TEST_F(CommandLine, CountedNumbersLieAboveThoseOfTheSource) {
-        save("own.kadr",
-             "dialect sinumerik;\nprogram p() { G0 X1; N10 G0 X2; X3; N25 X4; N7 X5; M30; }\n");
-        const ProcessResult result = kadr({"expand", file("own.kadr"), "-d", "sinumerik"});
-        EXPECT_EQ(result.err, "");
-        EXPECT_NE(result.out.find("N40 G0 X1\nN10 X2\nN50 X3\nN25 X4\nN7 X5\nN60 M30\n"),
-                  std::string::npos)
-            << result.out;
+    save("own.kadr",
+         "dialect sinumerik;\nprogram p() { G0 X1; N10 G0 X2; X3; N25 X4; N7 X5; M30; }\n");
+    const ProcessResult result = kadr({"expand", file("own.kadr"), "-d", "sinumerik"});
+    EXPECT_EQ(result.err, "");
+    EXPECT_NE(result.out.find("N40 G0 X1\nN10 X2\nN50 X3\nN25 X4\nN7 X5\nN60 M30\n"),
+              std::string::npos)
+        << result.out;
 }
 
 TEST_F(CommandLine, AHeaderTellsControlsOfOneSuffixApart) {
-        struct Row {
-            const char* name;
-            const char* text;
-            const char* first;  // coordinate that X10 means; null: the text is refused
-        };
-        for (const Row& row :
-             {Row{"fanuc", "%\nO0001\nG0 X10\nM30\n%\n", "\"X\":0.01"},
-              Row{"without its percent sign", "O0001(A)\nG0 X10\nM30\n", "\"X\":0.01"},
-              Row{"axioma", "%_N_A_MPF\nN10 G0 X10\nN20 M30\n", "\"X\":10"},
-              Row{"nothing", "N10 G0 X10\nN20 M30\n", nullptr}}) {
-            SCOPED_TRACE(row.name);
-            save("part.nc", row.text);
-            const ProcessResult result = kadr({"run", file("part.nc"), "--commands", "-"});
-            if (row.first == nullptr) {
-                EXPECT_EQ(result.status, 2);
-                EXPECT_NE(result.err.find("error[K9015]"), std::string::npos) << result.err;
-                EXPECT_NE(result.err.find("`-d axioma` or `-d fanuc`"), std::string::npos)
-                    << result.err;
-            } else {
-                EXPECT_NE(result.out.find(row.first), std::string::npos)
-                    << result.out << result.err;
-            }
+    struct Row {
+        const char* name;
+        const char* text;
+        const char* first;  // coordinate that X10 means; null: the text is refused
+    };
+    for (const Row& row : {Row{"fanuc", "%\nO0001\nG0 X10\nM30\n%\n", "\"X\":0.01"},
+                           Row{"without its percent sign", "O0001(A)\nG0 X10\nM30\n", "\"X\":0.01"},
+                           Row{"axioma", "%_N_A_MPF\nN10 G0 X10\nN20 M30\n", "\"X\":10"},
+                           Row{"nothing", "N10 G0 X10\nN20 M30\n", nullptr}}) {
+        SCOPED_TRACE(row.name);
+        save("part.nc", row.text);
+        const ProcessResult result = kadr({"run", file("part.nc"), "--commands", "-"});
+        if (row.first == nullptr) {
+            EXPECT_EQ(result.status, 2);
+            EXPECT_NE(result.err.find("error[K9015]"), std::string::npos) << result.err;
+            EXPECT_NE(result.err.find("`-d axioma` or `-d fanuc`"), std::string::npos)
+                << result.err;
+        } else {
+            EXPECT_NE(result.out.find(row.first), std::string::npos) << result.out << result.err;
         }
+    }
 }
 
 TEST_F(CommandLine, UnwritableOutputsAreRefused) {
-        const ProcessResult result =
-            kadr({"expand", file("square.kadr"), "-o", file("missing/a.nc")});
-        EXPECT_EQ(result.status, 2);
-        EXPECT_NE(result.err.find("error[K9002]"), std::string::npos) << result.err;
-        EXPECT_EQ(kadr({"expand", file("square.kadr"), "-o", file("square.kadr")}).status,
-                  2);  // K9004
-        EXPECT_EQ(read_file(file("square.kadr")), kSquare);
+    const ProcessResult result = kadr({"expand", file("square.kadr"), "-o", file("missing/a.nc")});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.err.find("error[K9002]"), std::string::npos) << result.err;
+    EXPECT_EQ(kadr({"expand", file("square.kadr"), "-o", file("square.kadr")}).status, 2);  // K9004
+    EXPECT_EQ(read_file(file("square.kadr")), kSquare);
 }
 
 TEST_F(CommandLine, AlarmsEndWithThreeAndKeepWhatCameBefore) {
-        save("alarm.nc", "G0 X0 Y0 Z5\nG0 X10\nG1 X20\nG0 X30\nM30\n");  // no feed: the third block
-        const ProcessResult result =
-            kadr({"run", file("alarm.nc"), "-d", "iso", "--commands", file("old.txt"),
-                  "--setpoints", file("a.csv"), "--plot", file("a.svg")});
-        EXPECT_EQ(result.status, 3) << result.err;
-        EXPECT_NE(result.err.find("alarm.nc:3:"), std::string::npos) << result.err;
-        EXPECT_NE(result.err.find("K9007"), std::string::npos) << result.err;
-        const std::string commands = read_file(file("old.txt")).value();
-        EXPECT_EQ(lines(commands), 3u) << commands;
-        EXPECT_NE(commands.find("\"op\":\"alarm\""), std::string::npos);
-        EXPECT_NE(read_file(file("a.csv")).value().find("# not complete"), std::string::npos);
-        EXPECT_NE(read_file(file("a.svg")).value().find("not complete"), std::string::npos);
-        EXPECT_EQ(kadr({"check", file("alarm.nc"), "-d", "iso"}).status, 1);
+    save("alarm.nc", "G0 X0 Y0 Z5\nG0 X10\nG1 X20\nG0 X30\nM30\n");  // no feed: the third block
+    const ProcessResult result =
+        kadr({"run", file("alarm.nc"), "-d", "iso", "--commands", file("old.txt"), "--setpoints",
+              file("a.csv"), "--plot", file("a.svg")});
+    EXPECT_EQ(result.status, 3) << result.err;
+    EXPECT_NE(result.err.find("alarm.nc:3:"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("K9007"), std::string::npos) << result.err;
+    const std::string commands = read_file(file("old.txt")).value();
+    EXPECT_EQ(lines(commands), 3u) << commands;
+    EXPECT_NE(commands.find("\"op\":\"alarm\""), std::string::npos);
+    EXPECT_NE(read_file(file("a.csv")).value().find("# not complete"), std::string::npos);
+    EXPECT_NE(read_file(file("a.svg")).value().find("not complete"), std::string::npos);
+    EXPECT_EQ(kadr({"check", file("alarm.nc"), "-d", "iso"}).status, 1);
 }
 
 TEST_F(CommandLine, OnlyWhatIsReachedIsComplainedOf) {
-        // The reader is ahead of the execution: it must not speak first, nor of what stands behind
-        // the end.
-        save("early.nc", "G0 X0 Y0 Z5\nG1 X20\n?!\nM30\n");
-        const ProcessResult early =
-            kadr({"run", file("early.nc"), "-d", "iso", "--commands", file("a.jsonl")});
-        EXPECT_EQ(early.status, 3);
-        EXPECT_NE(early.err.find("early.nc:2:"), std::string::npos) << early.err;
-        EXPECT_EQ(early.err.find("early.nc:3:"), std::string::npos) << early.err;
-        save("behind.nc", "G0 X0 Y0 Z5\nM30\n?!\n");
-        EXPECT_EQ(kadr({"run", file("behind.nc"), "-d", "iso"}).status, 0);
-        // A check wants to know everything.
-        const ProcessResult checked = kadr({"check", file("early.nc"), "-d", "iso"});
-        EXPECT_NE(checked.err.find("early.nc:2:"), std::string::npos) << checked.err;
-        EXPECT_NE(checked.err.find("early.nc:3:"), std::string::npos) << checked.err;
+    // The reader is ahead of the execution: it must not speak first, nor of what stands behind the
+    // end.
+    save("early.nc", "G0 X0 Y0 Z5\nG1 X20\n?!\nM30\n");
+    const ProcessResult early =
+        kadr({"run", file("early.nc"), "-d", "iso", "--commands", file("a.jsonl")});
+    EXPECT_EQ(early.status, 3);
+    EXPECT_NE(early.err.find("early.nc:2:"), std::string::npos) << early.err;
+    EXPECT_EQ(early.err.find("early.nc:3:"), std::string::npos) << early.err;
+    save("behind.nc", "G0 X0 Y0 Z5\nM30\n?!\n");
+    EXPECT_EQ(kadr({"run", file("behind.nc"), "-d", "iso"}).status, 0);
+    // A check wants to know everything.
+    const ProcessResult checked = kadr({"check", file("early.nc"), "-d", "iso"});
+    EXPECT_NE(checked.err.find("early.nc:2:"), std::string::npos) << checked.err;
+    EXPECT_NE(checked.err.find("early.nc:3:"), std::string::npos) << checked.err;
 }
 
 TEST_F(CommandLine, WhatIsPassedOverIsSaidThoughTheProgramEnds) {
-        save("beside.mpf",
-             "G0 X10\nID=1 WHEN $AA_IM[X]>10 DO M8\nACC[X]=50\nX20\nM30\nID=2 EVERY $A_IN[1] DO "
-             "M9\n");
-        const ProcessResult result = kadr({"run", file("beside.mpf"), "-d", "sinumerik"});
-        EXPECT_EQ(result.status, 0);
-        EXPECT_NE(result.err.find("beside.mpf:2:1: warning[K5488]"), std::string::npos)
-            << result.err;
-        EXPECT_NE(result.err.find("beside.mpf:3:1: warning[K5247]"), std::string::npos)
-            << result.err;
-        EXPECT_EQ(result.err.find("ID=2"), std::string::npos) << result.err;
+    save("beside.mpf",
+         "G0 X10\nID=1 WHEN $AA_IM[X]>10 DO M8\nACC[X]=50\nX20\nM30\nID=2 EVERY $A_IN[1] DO M9\n");
+    const ProcessResult result = kadr({"run", file("beside.mpf"), "-d", "sinumerik"});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_NE(result.err.find("beside.mpf:2:1: warning[K5488]"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("beside.mpf:3:1: warning[K5247]"), std::string::npos) << result.err;
+    EXPECT_EQ(result.err.find("ID=2"), std::string::npos) << result.err;
 }
 
 TEST_F(CommandLine, ArcsInSpaceHaveTheirNormal) {
-        save("space.mpf",
-             "T1 D1 M6\nS500 M3 F100\nG0 X0 Y0 Z0\nCIP X20 Y0 Z0 I1=10 J1=0 K1=10\n"
-             "G2 X30 Y0 CR=5\nMSG(\"\xC4rger\")\nM30\n");
-        const ProcessResult result =
-            kadr({"run", file("space.mpf"), "-d", "sinumerik", "--commands", "-"});
-        std::istringstream lines(result.out);
-        int arcs = 0;
-        for (std::string line; std::getline(lines, line);) {
-            const auto command = nlohmann::json::parse(line);  // throws where it is not UTF-8
-            if (command["op"] == "message") {
-                EXPECT_NE(command["text"], "");
-            }
-            if (command["op"] != "arc") continue;
-            EXPECT_EQ(command.contains("normal"), arcs == 0) << line;
-            if (arcs++ == 0) {
-                EXPECT_NEAR(std::abs(command["normal"][1].get<double>()), 1, 1e-9);
-            }
+    save("space.mpf",
+         "T1 D1 M6\nS500 M3 F100\nG0 X0 Y0 Z0\nCIP X20 Y0 Z0 I1=10 J1=0 K1=10\n"
+         "G2 X30 Y0 CR=5\nMSG(\"\xC4rger\")\nM30\n");
+    const ProcessResult result =
+        kadr({"run", file("space.mpf"), "-d", "sinumerik", "--commands", "-"});
+    std::istringstream lines(result.out);
+    int arcs = 0;
+    for (std::string line; std::getline(lines, line);) {
+        const auto command = nlohmann::json::parse(line);  // throws where it is not UTF-8
+        if (command["op"] == "message") {
+            EXPECT_NE(command["text"], "");
         }
-        EXPECT_EQ(arcs, 2);
+        if (command["op"] != "arc") continue;
+        EXPECT_EQ(command.contains("normal"), arcs == 0) << line;
+        if (arcs++ == 0) {
+            EXPECT_NEAR(std::abs(command["normal"][1].get<double>()), 1, 1e-9);
+        }
+    }
+    EXPECT_EQ(arcs, 2);
 }
 
 TEST_F(CommandLine, VariablesAreAnObject) {
-        EXPECT_EQ(kadr({"run", file("flat.nc"), "-d", "iso", "--variables", "-"}).out, "{}\n");
+    EXPECT_EQ(kadr({"run", file("flat.nc"), "-d", "iso", "--variables", "-"}).out, "{}\n");
 }
 
 TEST_F(CommandLine, WhatAProgramPrintsGoesToAFile) {
-        save("print.nc", "%\nO0001\n#1=12.5\nPOPEN\nDPRNT[X#1[43]]\nDPRNT[END]\nPCLOS\nM30\n%\n");
-        const ProcessResult printed =
-            kadr({"run", file("print.nc"), "-d", "fanuc", "--print", "-"});
-        EXPECT_EQ(printed.status, 0) << printed.err;
-        EXPECT_EQ(printed.out, "X   12.500\nEND\n");
-        // What came before an alarm is kept.
-        save("alarm.nc", "%\nO0001\nPOPEN\nDPRNT[A]\n#3000=1(STOP)\nDPRNT[B]\nM30\n%\n");
-        EXPECT_EQ(kadr({"run", file("alarm.nc"), "-d", "fanuc", "--print", file("out.txt")}).status,
-                  3);
-        EXPECT_EQ(read_file(file("out.txt")), "A\n");
+    save("print.nc", "%\nO0001\n#1=12.5\nPOPEN\nDPRNT[X#1[43]]\nDPRNT[END]\nPCLOS\nM30\n%\n");
+    const ProcessResult printed = kadr({"run", file("print.nc"), "-d", "fanuc", "--print", "-"});
+    EXPECT_EQ(printed.status, 0) << printed.err;
+    EXPECT_EQ(printed.out, "X   12.500\nEND\n");
+    // What came before an alarm is kept.
+    save("alarm.nc", "%\nO0001\nPOPEN\nDPRNT[A]\n#3000=1(STOP)\nDPRNT[B]\nM30\n%\n");
+    EXPECT_EQ(kadr({"run", file("alarm.nc"), "-d", "fanuc", "--print", file("out.txt")}).status, 3);
+    EXPECT_EQ(read_file(file("out.txt")), "A\n");
 }
 
 TEST_F(CommandLine, AlarmInGeneratedTextNamesTheStatement) {
-        save("nofeed.kadr",
-             "program nofeed() {\n    G0 X0;\n    raw \"G1 X20\";\n    G90 G0 X30;\n}\n");
-        const ProcessResult result =
-            kadr({"run", file("nofeed.kadr"), "-d", "iso", "--commands", file("old.txt")});
-        EXPECT_EQ(result.status, 3) << result.err;
-        EXPECT_NE(result.err.find("nofeed.kadr:3:5: note: "), std::string::npos) << result.err;
+    save("nofeed.kadr",
+         "program nofeed() {\n    G0 X0;\n    raw \"G1 X20\";\n    G90 G0 X30;\n}\n");
+    const ProcessResult result =
+        kadr({"run", file("nofeed.kadr"), "-d", "iso", "--commands", file("old.txt")});
+    EXPECT_EQ(result.status, 3) << result.err;
+    EXPECT_NE(result.err.find("nofeed.kadr:3:5: note: "), std::string::npos) << result.err;
 }
 
 TEST_F(CommandLine, JsonDiagnosticsAreOneObjectALine) {
-        const ProcessResult result = kadr({"check", file("wrong.kadr"), "--diagnostics", "json"});
-        EXPECT_EQ(result.status, 1);
-        ASSERT_GE(lines(result.err), 1u);
-        const nlohmann::json message =
-            nlohmann::json::parse(result.err.substr(0, result.err.find('\n')));
-        EXPECT_EQ(message["severity"], "error");
-        EXPECT_EQ(message["line"], 2);
-        EXPECT_EQ(message["column"], 10);
+    const ProcessResult result = kadr({"check", file("wrong.kadr"), "--diagnostics", "json"});
+    EXPECT_EQ(result.status, 1);
+    ASSERT_GE(lines(result.err), 1u);
+    const nlohmann::json message =
+        nlohmann::json::parse(result.err.substr(0, result.err.find('\n')));
+    EXPECT_EQ(message["severity"], "error");
+    EXPECT_EQ(message["line"], 2);
+    EXPECT_EQ(message["column"], 10);
 }
 
 TEST_F(CommandLine, RunWritesEveryOutput) {
-        const ProcessResult result =
-            kadr({"run", file("square.kadr"), "--commands", file("a.jsonl"), "--setpoints",
-                  file("a.csv"), "--plot", file("a.svg"), "--map", file("a.map"), "--summary",
-                  "json", "--tick", "10ms"});
-        ASSERT_EQ(result.status, 0) << result.err;
-        const nlohmann::json summary = nlohmann::json::parse(result.out);
-        EXPECT_GT(summary["time_s"], 20.0);  // 4 · 20 mm at 200 mm/min are 24 s
-        EXPECT_EQ(summary["travel"]["X"]["max"], 20);
+    const ProcessResult result = kadr(
+        {"run", file("square.kadr"), "--commands", file("a.jsonl"), "--setpoints", file("a.csv"),
+         "--plot", file("a.svg"), "--map", file("a.map"), "--summary", "json", "--tick", "10ms"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const nlohmann::json summary = nlohmann::json::parse(result.out);
+    EXPECT_GT(summary["time_s"], 20.0);  // 4 · 20 mm at 200 mm/min are 24 s
+    EXPECT_EQ(summary["travel"]["X"]["max"], 20);
 
-        const std::string commands = read_file(file("a.jsonl")).value();
-        EXPECT_EQ(lines(commands), summary["commands"]);
-        EXPECT_NE(commands.find("square.kadr:5\""), std::string::npos) << commands;
+    const std::string commands = read_file(file("a.jsonl")).value();
+    EXPECT_EQ(lines(commands), summary["commands"]);
+    EXPECT_NE(commands.find("square.kadr:5\""), std::string::npos) << commands;
 
-        const std::string setpoints = read_file(file("a.csv")).value();
-        EXPECT_TRUE(setpoints.starts_with("t,X,Y,Z")) << setpoints.substr(0, 80);
-        EXPECT_NE(setpoints.find("\n0.01,"), std::string::npos);
-        EXPECT_EQ(setpoints.find("\n0.001,"), std::string::npos);
+    const std::string setpoints = read_file(file("a.csv")).value();
+    EXPECT_TRUE(setpoints.starts_with("t,X,Y,Z")) << setpoints.substr(0, 80);
+    EXPECT_NE(setpoints.find("\n0.01,"), std::string::npos);
+    EXPECT_EQ(setpoints.find("\n0.001,"), std::string::npos);
 
-        const std::string map = read_file(file("a.map")).value();
-        const nlohmann::json entry = nlohmann::json::parse(map.substr(0, map.find('\n')));
-        EXPECT_EQ(entry["line"], 2);
-        EXPECT_EQ(entry["file"], file("square.kadr"));
+    const std::string map = read_file(file("a.map")).value();
+    const nlohmann::json entry = nlohmann::json::parse(map.substr(0, map.find('\n')));
+    EXPECT_EQ(entry["line"], 2);
+    EXPECT_EQ(entry["file"], file("square.kadr"));
 }
 
 TEST_F(CommandLine, RunWithoutOutputsTellsAPerson) {
-        const ProcessResult result = kadr({"run", file("square.kadr")});
-        EXPECT_TRUE(result.out.starts_with("square.kadr\n")) << result.out << result.err;
-        EXPECT_EQ(kadr({"run", file("square.kadr"), "--plot", file("a.svg")}).out, "");
+    const ProcessResult result = kadr({"run", file("square.kadr")});
+    EXPECT_TRUE(result.out.starts_with("square.kadr\n")) << result.out << result.err;
+    EXPECT_EQ(kadr({"run", file("square.kadr"), "--plot", file("a.svg")}).out, "");
 }
 
 TEST_F(CommandLine, TruthIsSaidInTheWordsOfTheProgram) {
-        save("truth.kadr",
-             "language ru;\nпрограмма p(логический ф) { если (ф) M8; иначе M9; M30; }\n");
-        const auto expand = [&](const char* value) {
-            return kadr({"expand", file("truth.kadr"), "-D", std::string("ф=") + value});
-        };
-        EXPECT_NE(expand("истина").out.find("M8"), std::string::npos);
-        EXPECT_NE(expand("ложь").out.find("M9"), std::string::npos);
-        EXPECT_NE(expand("false").out.find("M9"), std::string::npos);
-        EXPECT_NE(expand("нет").err.find("истина"), std::string::npos);
+    save("truth.kadr", "language ru;\nпрограмма p(логический ф) { если (ф) M8; иначе M9; M30; }\n");
+    const auto expand = [&](const char* value) {
+        return kadr({"expand", file("truth.kadr"), "-D", std::string("ф=") + value});
+    };
+    EXPECT_NE(expand("истина").out.find("M8"), std::string::npos);
+    EXPECT_NE(expand("ложь").out.find("M9"), std::string::npos);
+    EXPECT_NE(expand("false").out.find("M9"), std::string::npos);
+    EXPECT_NE(expand("нет").err.find("истина"), std::string::npos);
 }
 
 TEST_F(CommandLine, MissingModuleProposesOne) {
-        save("import.kadr", "import cycles.driling;\nprogram p() { G0 X1; }\n");
-        const ProcessResult result = kadr({"check", file("import.kadr")});
-        EXPECT_EQ(result.status, 1);
-        EXPECT_NE(result.err.find("import.kadr:1:"), std::string::npos) << result.err;
-        EXPECT_NE(result.err.find("K9003"), std::string::npos) << result.err;
-        EXPECT_NE(result.err.find("`cycles.drilling`"), std::string::npos) << result.err;
+    save("import.kadr", "import cycles.driling;\nprogram p() { G0 X1; }\n");
+    const ProcessResult result = kadr({"check", file("import.kadr")});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_NE(result.err.find("import.kadr:1:"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("K9003"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("`cycles.drilling`"), std::string::npos) << result.err;
 }
 
 TEST_F(CommandLine, ProposesWhatMends) {
-        save("library.kadr", "program p() {\n    drill_peck(to: -3mm, peck: 1mm);\n}\n");
-        EXPECT_NE(kadr({"check", file("library.kadr")}).err.find("`import cycles.drilling;`"),
-                  std::string::npos);
-        save("struct.kadr",
-             "struct hole { length d; }\nprogram p(hole h) {\n    G0 X=h.d;\n    M30;\n}\n");
-        const ProcessResult missing = kadr({"expand", file("struct.kadr")});
-        EXPECT_EQ(missing.status, 1);
-        EXPECT_NE(missing.err.find("no option can set `hole`"), std::string::npos) << missing.err;
-        save("length.kadr", "program p(length d) {\n    G0 X=d;\n    M30;\n}\n");
-        EXPECT_NE(kadr({"expand", file("length.kadr")}).err.find("`-D d=…`"), std::string::npos);
+    save("library.kadr", "program p() {\n    drill_peck(to: -3mm, peck: 1mm);\n}\n");
+    EXPECT_NE(kadr({"check", file("library.kadr")}).err.find("`import cycles.drilling;`"),
+              std::string::npos);
+    save("struct.kadr",
+         "struct hole { length d; }\nprogram p(hole h) {\n    G0 X=h.d;\n    M30;\n}\n");
+    const ProcessResult missing = kadr({"expand", file("struct.kadr")});
+    EXPECT_EQ(missing.status, 1);
+    EXPECT_NE(missing.err.find("no option can set `hole`"), std::string::npos) << missing.err;
+    save("length.kadr", "program p(length d) {\n    G0 X=d;\n    M30;\n}\n");
+    EXPECT_NE(kadr({"expand", file("length.kadr")}).err.find("`-D d=…`"), std::string::npos);
 }
 
 TEST_F(CommandLine, ExplainsItsMessages) {
-        const ProcessResult one = kadr({"explain", "K9001"});
-        EXPECT_TRUE(one.out.starts_with("error[K9001]: cannot read")) << one.out;
-        EXPECT_NE(one.out.find("wrong:"), std::string::npos);
-        const ProcessResult all = kadr({"explain"});
-        EXPECT_NE(all.out.find("\nK9001"), std::string::npos);
-        EXPECT_EQ(kadr({"explain", "K0000"}).status, 2);  // K9010
+    const ProcessResult one = kadr({"explain", "K9001"});
+    EXPECT_TRUE(one.out.starts_with("error[K9001]: cannot read")) << one.out;
+    EXPECT_NE(one.out.find("wrong:"), std::string::npos);
+    const ProcessResult all = kadr({"explain"});
+    EXPECT_NE(all.out.find("\nK9001"), std::string::npos);
+    EXPECT_EQ(kadr({"explain", "K0000"}).status, 2);  // K9010
 }
 
 TEST_F(CommandLine, WhatTheControlWouldAlarmOnIsNotWritten) {
-        save("feed.kadr", "program p() { tool(2); S1000 M3; G0 X0; G1 X1; G1 X2; M30; }\n");
-        for (const char* command : {"expand", "check"}) {
-            const ProcessResult core = kadr({command, file("feed.kadr"), "-d", "iso"});
-            EXPECT_EQ(core.status, 0);
-            EXPECT_NE(core.err.find("warning[K3222]"), std::string::npos) << core.err;
-            const ProcessResult real = kadr({command, file("feed.kadr"), "-d", "fanuc"});
-            EXPECT_EQ(real.status, 1);
-            EXPECT_EQ(real.out, "");
-            EXPECT_NE(
-                real.err.find("error[K3223]: no feed is set for this cut: fanuc stops with alarm "
-                              "PS0011"),
-                std::string::npos)
-                << real.err;
-        }
-        EXPECT_EQ(kadr({"run", file("feed.kadr"), "-d", "fanuc"}).status, 3);
-        save("times.kadr", "program p() { dwell(0.4ms); S0.2 M3; M30; }\n");
-        const ProcessResult times = kadr({"expand", file("times.kadr"), "-d", "fanuc"});
-        EXPECT_EQ(times.status, 1);
-        EXPECT_NE(times.err.find("0.4 does not survive the number format of `P`"),
+    save("feed.kadr", "program p() { tool(2); S1000 M3; G0 X0; G1 X1; G1 X2; M30; }\n");
+    for (const char* command : {"expand", "check"}) {
+        const ProcessResult core = kadr({command, file("feed.kadr"), "-d", "iso"});
+        EXPECT_EQ(core.status, 0);
+        EXPECT_NE(core.err.find("warning[K3222]"), std::string::npos) << core.err;
+        const ProcessResult real = kadr({command, file("feed.kadr"), "-d", "fanuc"});
+        EXPECT_EQ(real.status, 1);
+        EXPECT_EQ(real.out, "");
+        EXPECT_NE(real.err.find("error[K3223]: no feed is set for this cut: fanuc stops with alarm "
+                                "PS0011"),
                   std::string::npos)
-            << times.err;
-        EXPECT_NE(times.err.find("0.2 does not survive the number format of `S`"),
-                  std::string::npos)
-            << times.err;
-        save("letters.kadr", "program p() { for (int i : 1..2) raw \"(деталь)\"; M30; }\n");
-        const ProcessResult letters = kadr({"expand", file("letters.kadr"), "-d", "fanuc"});
-        EXPECT_EQ(letters.status, 0);
-        EXPECT_NE(letters.err.find("warning[K4216]: `д` is no character of fanuc"),
-                  std::string::npos);
-        EXPECT_EQ(letters.err.find("K4216"), letters.err.rfind("K4216"));
-        EXPECT_EQ(kadr({"expand", file("letters.kadr"), "-d", "sinumerik"}).err, "");
+            << real.err;
+    }
+    EXPECT_EQ(kadr({"run", file("feed.kadr"), "-d", "fanuc"}).status, 3);
+    save("times.kadr", "program p() { dwell(0.4ms); S0.2 M3; M30; }\n");
+    const ProcessResult times = kadr({"expand", file("times.kadr"), "-d", "fanuc"});
+    EXPECT_EQ(times.status, 1);
+    EXPECT_NE(times.err.find("0.4 does not survive the number format of `P`"), std::string::npos)
+        << times.err;
+    EXPECT_NE(times.err.find("0.2 does not survive the number format of `S`"), std::string::npos)
+        << times.err;
+    save("letters.kadr", "program p() { for (int i : 1..2) raw \"(деталь)\"; M30; }\n");
+    const ProcessResult letters = kadr({"expand", file("letters.kadr"), "-d", "fanuc"});
+    EXPECT_EQ(letters.status, 0);
+    EXPECT_NE(letters.err.find("warning[K4216]: `д` is no character of fanuc"), std::string::npos);
+    EXPECT_EQ(letters.err.find("K4216"), letters.err.rfind("K4216"));
+    EXPECT_EQ(kadr({"expand", file("letters.kadr"), "-d", "sinumerik"}).err, "");
 }
 
 TEST_F(CommandLine, OffsetsOfTheCoreAreThoseOfTheTarget) {
-        save("core.kadr",
-             "program p() { T3 M6; G43 H3; S1 M3; G0 X0 Z5; G49; G0 Z9; T4 M6; D1; Z8; D0; M30; "
-             "}\n");
-        const std::string edges = kadr({"expand", file("core.kadr"), "-d", "sinumerik"}).out;
-        EXPECT_NE(edges.find("M6\nN30 D1\n"), std::string::npos) << edges;
-        EXPECT_NE(edges.find("N60 D0\n"), std::string::npos) << edges;
-        const std::string offsets = kadr({"expand", file("core.kadr"), "-d", "fanuc"}).out;
-        EXPECT_NE(offsets.find("T04 M06\nG43 H04\nG00 Z8.\nG49\n"), std::string::npos) << offsets;
-        save("with.kadr", "program p() { T3 M6; with G43 H3 { G0 Z5; } Z9; M30; }\n");
-        const std::string inside = kadr({"expand", file("with.kadr"), "-d", "sinumerik"}).out;
-        EXPECT_NE(inside.find("N30 D1\nN40 G0 Z5\nN50 D0\nN60 Z9\n"), std::string::npos) << inside;
-        save("other.kadr", "program p() { T3 M6; G43 H5; M30; }\n");
-        EXPECT_NE(kadr({"expand", file("other.kadr"), "-d", "sinumerik"}).err.find("say `tool(n)`"),
-                  std::string::npos);
-        save("edge.kadr", "program p() { T3 M6; D2; M30; }\n");
-        EXPECT_NE(kadr({"expand", file("edge.kadr"), "-d", "fanuc"}).err.find("say `tool(n)`"),
-                  std::string::npos);
+    save("core.kadr",
+         "program p() { T3 M6; G43 H3; S1 M3; G0 X0 Z5; G49; G0 Z9; T4 M6; D1; Z8; D0; M30; }\n");
+    const std::string edges = kadr({"expand", file("core.kadr"), "-d", "sinumerik"}).out;
+    EXPECT_NE(edges.find("M6\nN30 D1\n"), std::string::npos) << edges;
+    EXPECT_NE(edges.find("N60 D0\n"), std::string::npos) << edges;
+    const std::string offsets = kadr({"expand", file("core.kadr"), "-d", "fanuc"}).out;
+    EXPECT_NE(offsets.find("T04 M06\nG43 H04\nG00 Z8.\nG49\n"), std::string::npos) << offsets;
+    save("with.kadr", "program p() { T3 M6; with G43 H3 { G0 Z5; } Z9; M30; }\n");
+    const std::string inside = kadr({"expand", file("with.kadr"), "-d", "sinumerik"}).out;
+    EXPECT_NE(inside.find("N30 D1\nN40 G0 Z5\nN50 D0\nN60 Z9\n"), std::string::npos) << inside;
+    save("other.kadr", "program p() { T3 M6; G43 H5; M30; }\n");
+    EXPECT_NE(kadr({"expand", file("other.kadr"), "-d", "sinumerik"}).err.find("say `tool(n)`"),
+              std::string::npos);
+    save("edge.kadr", "program p() { T3 M6; D2; M30; }\n");
+    EXPECT_NE(kadr({"expand", file("edge.kadr"), "-d", "fanuc"}).err.find("say `tool(n)`"),
+              std::string::npos);
 }
 
 TEST_F(CommandLine, ADialectFileTellsAllItsMistakesAtOnce) {
-        save("my.xml",
-             "<dialect name=\"my\" extends=\"fanuk\" title=\"My\" suffix=\"nc\">\n"
-             "<foo/>\n"
-             "<number addresses=\"X\" decimals=\"three\"/>\n"
-             "<group name=\"01\"><code text=\"G0\" command=\"rapit\"/></group>\n"
-             "<cycle name=\"drill_peck\"><form>G83 Z{to}</form></cycle>\n"
-             "<rule name=\"arc_tol\" value=\"1\"/>\n"
-             "<rule/>\n"
-             "</dialect>\n");
-        const ProcessResult result = kadr({"dialect", "check", file("my.xml")});
-        EXPECT_EQ(result.status, 1);
-        for (const char* message :
-             {"my.xml:1:29: error[K4001]", "my.xml:2:2: error[K9103]", "my.xml:3:33: error[K4006]",
-              "my.xml:4:43: error[K4008]", "my.xml:5:32: error[K4011]", "my.xml:6:13: error[K5202]",
-              "my.xml:7:2: error[K9105]"})
-            EXPECT_NE(result.err.find(message), std::string::npos) << message << '\n' << result.err;
-        EXPECT_EQ(result.out, "my: the examples are tried when these are mended\n");
+    save("my.xml",
+         "<dialect name=\"my\" extends=\"fanuk\" title=\"My\" suffix=\"nc\">\n"
+         "<foo/>\n"
+         "<number addresses=\"X\" decimals=\"three\"/>\n"
+         "<group name=\"01\"><code text=\"G0\" command=\"rapit\"/></group>\n"
+         "<cycle name=\"drill_peck\"><form>G83 Z{to}</form></cycle>\n"
+         "<rule name=\"arc_tol\" value=\"1\"/>\n"
+         "<rule/>\n"
+         "</dialect>\n");
+    const ProcessResult result = kadr({"dialect", "check", file("my.xml")});
+    EXPECT_EQ(result.status, 1);
+    for (const char* message :
+         {"my.xml:1:29: error[K4001]", "my.xml:2:2: error[K9103]", "my.xml:3:33: error[K4006]",
+          "my.xml:4:43: error[K4008]", "my.xml:5:32: error[K4011]", "my.xml:6:13: error[K5202]",
+          "my.xml:7:2: error[K9105]"})
+        EXPECT_NE(result.err.find(message), std::string::npos) << message << '\n' << result.err;
+    EXPECT_EQ(result.out, "my: the examples are tried when these are mended\n");
 }
 
 TEST_F(CommandLine, TheDirectionOfTheLanguageIsHeld) {
-        const std::string folder = KADR_ROOT "/tests/programs/";
-        const ProcessResult tests = kadr({"test", folder + "language_bracket.kadr", "--runs", "5"});
-        EXPECT_EQ(tests.status, 0) << tests.err;
-        for (const char* dialect : {"sinumerik", "fanuc", "axioma"}) {
-            for (const char* name : {"language_bracket", "language_pieces", "language_russian"}) {
-                const ProcessResult result =
-                    kadr({"expand", folder + name + ".kadr", "-d", dialect});
-                EXPECT_EQ(result.status, 0) << name << dialect << result.err;
-            }
+    const std::string folder = KADR_ROOT "/tests/programs/";
+    const ProcessResult tests = kadr({"test", folder + "language_bracket.kadr", "--runs", "5"});
+    EXPECT_EQ(tests.status, 0) << tests.err;
+    for (const char* dialect : {"sinumerik", "fanuc", "axioma"}) {
+        for (const char* name : {"language_bracket", "language_pieces", "language_russian"}) {
+            const ProcessResult result = kadr({"expand", folder + name + ".kadr", "-d", dialect});
+            EXPECT_EQ(result.status, 0) << name << dialect << result.err;
         }
+    }
 }
 
 TEST_F(CommandLine, TablesOfControlsAndMachines) {
-        EXPECT_NE(kadr({"dialect", "list"}).out.find("iso"), std::string::npos);
-        const std::string commands = kadr({"dialect", "explain", "iso"}).out;
-        for (const char* row : {"\nspindle_cw  ", "\ndwell  ", "\nplane_xy  "})
-            EXPECT_NE(commands.find(row), std::string::npos) << row << commands;
-        EXPECT_EQ(kadr({"dialect", "check", "iso"}).status, 0);
-        EXPECT_EQ(kadr({"dialect", "check", file("missing.xml")}).status, 2);
-        EXPECT_NE(kadr({"dialect", "explain", "iso", "G1"}).out.find("line"), std::string::npos);
-        EXPECT_EQ(kadr({"dialect", "explain", "iso", "G777"}).status, 1);  // K9012
-        EXPECT_NE(kadr({"machine", "list"}).out.find("mill"), std::string::npos);
-        EXPECT_EQ(kadr({"machine", "check", "mill"}).status, 0);
+    EXPECT_NE(kadr({"dialect", "list"}).out.find("iso"), std::string::npos);
+    const std::string commands = kadr({"dialect", "explain", "iso"}).out;
+    for (const char* row : {"\nspindle_cw  ", "\ndwell  ", "\nplane_xy  "})
+        EXPECT_NE(commands.find(row), std::string::npos) << row << commands;
+    EXPECT_EQ(kadr({"dialect", "check", "iso"}).status, 0);
+    EXPECT_EQ(kadr({"dialect", "check", file("missing.xml")}).status, 2);
+    EXPECT_NE(kadr({"dialect", "explain", "iso", "G1"}).out.find("line"), std::string::npos);
+    EXPECT_EQ(kadr({"dialect", "explain", "iso", "G777"}).status, 1);  // K9012
+    EXPECT_NE(kadr({"machine", "list"}).out.find("mill"), std::string::npos);
+    EXPECT_EQ(kadr({"machine", "check", "mill"}).status, 0);
 }
 
 TEST_F(CommandLine, MessagesGoToStandardErrorOnly) {
-        const ProcessResult result = kadr({"expand", file("wrong.kadr")});
-        EXPECT_EQ(result.out, "");
-        EXPECT_EQ(result.err.find('\033'), std::string::npos);  // no colour beside a terminal
+    const ProcessResult result = kadr({"expand", file("wrong.kadr")});
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err.find('\033'), std::string::npos);  // no colour beside a terminal
 }
 
 TEST_F(CommandLine, TheHouseKeepsItsOwnLayout) {
-        std::vector<std::string> arguments = {"fmt", "--check"};
-        for (const char* folder : {"stdlib", "stdlib/cycles", "examples", "examples/languages"}) {
-            for (const auto& entry : fs::directory_iterator(fs::path(KADR_ROOT) / folder)) {
-                if (entry.path().extension() == ".kadr") arguments.push_back(entry.path().string());
-            }
+    std::vector<std::string> arguments = {"fmt", "--check"};
+    for (const char* folder : {"stdlib", "stdlib/cycles", "examples", "examples/languages"}) {
+        for (const auto& entry : fs::directory_iterator(fs::path(KADR_ROOT) / folder)) {
+            if (entry.path().extension() == ".kadr") arguments.push_back(entry.path().string());
         }
-        ASSERT_GT(arguments.size(), 25u);
-        const auto checked = kadr(arguments);
-        EXPECT_EQ(checked.status, 0) << checked.err;
+    }
+    ASSERT_GT(arguments.size(), 25u);
+    const auto checked = kadr(arguments);
+    EXPECT_EQ(checked.status, 0) << checked.err;
 }
 
 TEST_F(CommandLine, FormatRewritesAFileOrOnlyLooks) {
-        constexpr const char* kUgly = "program p(){G0 X1;\n  M30 ;}\n";
-        constexpr const char* kLaidOut = "program p() {\n    G0 X1;\n    M30;\n}\n";
-        save("ugly.kadr", kUgly);
-        const auto checked = kadr({"fmt", "--check", file("ugly.kadr")});
-        EXPECT_EQ(checked.status, 1);
-        EXPECT_NE(checked.err.find("ugly.kadr:1:1: error[K9013]"), std::string::npos)
-            << checked.err;
-        EXPECT_EQ(read_file(file("ugly.kadr")), kUgly);
+    constexpr const char* kUgly = "program p(){G0 X1;\n  M30 ;}\n";
+    constexpr const char* kLaidOut = "program p() {\n    G0 X1;\n    M30;\n}\n";
+    save("ugly.kadr", kUgly);
+    const auto checked = kadr({"fmt", "--check", file("ugly.kadr")});
+    EXPECT_EQ(checked.status, 1);
+    EXPECT_NE(checked.err.find("ugly.kadr:1:1: error[K9013]"), std::string::npos) << checked.err;
+    EXPECT_EQ(read_file(file("ugly.kadr")), kUgly);
 
-        const auto written = kadr({"fmt", file("ugly.kadr")});
-        EXPECT_EQ(written.status, 0) << written.err;
-        EXPECT_EQ(read_file(file("ugly.kadr")), kLaidOut);
-        EXPECT_EQ(kadr({"fmt", "--check", file("ugly.kadr")}).status, 0);
+    const auto written = kadr({"fmt", file("ugly.kadr")});
+    EXPECT_EQ(written.status, 0) << written.err;
+    EXPECT_EQ(read_file(file("ugly.kadr")), kLaidOut);
+    EXPECT_EQ(kadr({"fmt", "--check", file("ugly.kadr")}).status, 0);
 
-        EXPECT_EQ(kadr({"fmt", "-"}, kUgly).out, kLaidOut);
+    EXPECT_EQ(kadr({"fmt", "-"}, kUgly).out, kLaidOut);
 
-        save("broken.kadr", "program p( { }\n");
-        EXPECT_EQ(kadr({"fmt", file("broken.kadr")}).status, 1);
-        EXPECT_EQ(read_file(file("broken.kadr")), "program p( { }\n");
+    save("broken.kadr", "program p( { }\n");
+    EXPECT_EQ(kadr({"fmt", file("broken.kadr")}).status, 1);
+    EXPECT_EQ(read_file(file("broken.kadr")), "program p( { }\n");
 
-        const auto iso = kadr({"fmt", file("flat.nc")});
-        EXPECT_EQ(iso.status, 2);
-        EXPECT_NE(iso.err.find("K9014"), std::string::npos) << iso.err;
+    const auto iso = kadr({"fmt", file("flat.nc")});
+    EXPECT_EQ(iso.status, 2);
+    EXPECT_NE(iso.err.find("K9014"), std::string::npos) << iso.err;
 }
 
 }  // namespace

@@ -300,7 +300,7 @@ TEST(Writer, NumbersOfTheProgramStayWithTheirBlocks) {
     }
     EXPECT_EQ(text,
               "%_N_PART_MPF\nN10 G17 G71 G40 G64 G90 G94\nN20 G0 X1\nN100 X2\nN110 X3\n"
-              "N105 TRANS X1\nN110 X4\n");
+              "N105 TRANS X1\nN120 X4\n");
 }
 
 TEST(Writer, WhatAnOperatorMaySkipIsNotKnown) {

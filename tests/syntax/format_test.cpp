@@ -129,6 +129,9 @@ TEST(Format, StatementsHaveOneLayout) {
         // rows of values
         {"length[] l = {1, 2,\n3, 4};", "length[] l = {1, 2,\n              3, 4};\n"},
         {"length[] l = {\n1, 2,\n3, 4\n};", "length[] l = {\n    1, 2,\n    3, 4\n};\n"},
+        // … but inside of a call a list is filled, unless its first row stands below the brace
+        {"f(1, {1, 2,\n3, 4});", "f(1, {1, 2, 3, 4});\n"},
+        {"f(1, {\n1, 2,\n3, 4\n});", "f(1, {\n    1, 2,\n    3, 4\n});\n"},
     };
     for (const Row& row : rows) {
         SCOPED_TRACE(row.text);
