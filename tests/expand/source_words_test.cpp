@@ -37,7 +37,7 @@ TEST(SourceWords, AReturnOverAPlaceGoesThereFirst) {
         "work_offset(number=1)\nrapid Z5\nrapid Z20 | incremental\nreference_point(point=1, z=0)");
     // Over the place where it stands it goes straight.
     EXPECT_EQ(blocks("fanuc-lathe", "G28 U0. W0.;", "sinumerik"),
-              "reference_point(point=1, x=0, z=0)");
+              "work_offset(number=1)\nreference_point(point=1, x=0, z=0)");
     EXPECT_EQ(blocks("fanuc", "G28 X10. Z20.;", "fanuc"), "X10 Z20 | reference_return(point=1)");
 }
 
