@@ -289,6 +289,7 @@ void ModalState::take_words(const nc::Block& block) {
         speed = block.at(nc::Slot::Speed);
         has_speed = true;
         lacks_speed = false;
+        had_cutting_speed |= (*this)[Group::SpeedMode] == Function::CuttingSpeedOn;
         speed_by = block.source;
         lost &= ~sema::kSpeedBit;
         if (block.skip < 0) restate &= ~sema::kSpeedBit;

@@ -58,6 +58,7 @@ Program::State::State(const nc::Dialect& dialect_, nc::TextSource& text, std::st
 // ------------------------------------------------------------------------------ the batch
 
 std::size_t Program::State::pull(std::span<Block> out) {
+    if (!has_begun) begin_main();
     kept.clear();
     given = 0;
     has_visible_fault = lines.failed();
@@ -79,6 +80,14 @@ std::size_t Program::State::pull(std::span<Block> out) {
         if (is_only_checking && done == Done::Block && !has_visible_fault) return given;
     }
     return given;
+}
+
+/// The text is looked at when somebody wants it, and not before.
+void Program::State::begin_main() {
+    has_begun = true;
+    units.settle_main();
+    frames[0]->unit = &units.main();
+    frames[0]->here = units.main().begin;
 }
 
 /// Whether nothing but the next line of the text decides what comes.
