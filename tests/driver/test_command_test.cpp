@@ -369,10 +369,10 @@ TEST_F(TestCommand, EveryMessageIsShownByItsExamples) {
 
 TEST_F(TestCommand, WhatAControlCannotWriteIsToldWithItsCalls) {
     // The writer's error in the first block behind those that the test sets up.
-    const Outcome outcome = run(
-        "import cycles.drilling;\n"
-        "test \"t\" { auto run = execute(tap(to: -10mm, pitch: 1mm, back: 600rpm), dialect: "
-        "\"fanuc\"); }");
+    const Outcome outcome =
+        run("import cycles.drilling;\n"
+            "test \"t\" { auto run = execute(tap(to: -10mm, pitch: 1mm, back: 600rpm), dialect: "
+            "\"fanuc\"); }");
     EXPECT_EQ(outcome.status, Status::Failed);
     EXPECT_TRUE(outcome.has("fanuc cannot express the cycle `tap` with this `back`"))
         << outcome.messages;
