@@ -164,6 +164,9 @@ TEST_F(Docs, TheCommandsOfTheReadmeWork) {
         for (std::string line; std::getline(in, line);) {
             if (!line.starts_with("build/release/kadr ")) continue;  // the scripts run these tests
             ++commands;
+            // A hundred sets of values of a property are none of this test's matter.
+            if (line.find("kadr test ") != std::string::npos)
+                line = line.substr(0, line.find('#')) + "--runs 3";
             const ProcessResult result = run_process({"/bin/sh", "-c", line});
             EXPECT_EQ(result.status, 0) << line << '\n' << result.err;
             EXPECT_EQ(result.err.find("error["), std::string::npos) << line << '\n' << result.err;
