@@ -72,6 +72,12 @@ expand::ExpandOptions GeneratedText::expand_options(bool has_trace) const {
             .shown = options.shown};
 }
 
+void GeneratedText::warn_of_cuts(const Messages& messages) {
+    expander_.warn_of_cuts([&messages](const DiagnosticRow& row, const SourceRange& place) {
+        return messages.is_allowed(row.code, place);
+    });
+}
+
 bool GeneratedText::start() {
     const Options& options = session_.options();
     Entry entry;
@@ -106,6 +112,8 @@ bool GeneratedText::start(const Entry& entry) {
     info.name = entry.name;
     info.number = program_number(entry.name);
     info.is_inch = entry.is_inch;
+    for (const sema::Plan& plan : program_.code->plans)
+        info.greatest_number = std::max(info.greatest_number, std::int64_t{plan.number});
     writer_.begin(info, text_);
     return true;
 }

@@ -68,7 +68,11 @@ void BlockWriter::begin(const ProgramInfo& program) {
         std::ranges::any_of(shifts, [&](FormId id) { return tables_.forms[id].remembers; });
     for (Standing& s : modal_.shift) s = {!is_kept, 0};
     modal_.origin = modal_.shift;
-    number_ = tables_.block_numbers.start;
+    const BlockNumbers& numbers = tables_.block_numbers;
+    const std::int64_t above =
+        numbers.step > 0 ? (program.greatest_number / numbers.step + 1) * numbers.step : 0;
+    number_ = program.greatest_number > 0 && above <= numbers.most ? std::max(numbers.start, above)
+                                                                   : numbers.start;
     has_ended_ = false;
 }
 
@@ -865,6 +869,8 @@ void BlockWriter::number_fault(const Block& block, NumberFault fault, double val
             sink_.report(diag::ValueTooLarge, word_place(block, name)).arg(value).arg(name);
             break;
         case NumberFault::Negative:
+            sink_.report(diag::ValueNegative, word_place(block, name)).arg(name).arg(value);
+            break;
         case NumberFault::Point:
         case NumberFault::NotReadBack:
             sink_.report(diag::ValueNotReadBack, word_place(block, name)).arg(value).arg(name);

@@ -577,7 +577,7 @@ void BlockWriter::open_line(int skip, bool is_numbered, std::string& out) {
             n = number_;
             number_ += numbers.step;
         } else {
-            number_ = (n / numbers.step + 1) * numbers.step;
+            number_ = std::max(number_, (n / numbers.step + 1) * numbers.step);
         }
         if (number_ > numbers.most) number_ = numbers.start;
     }

@@ -300,7 +300,7 @@ TEST(Writer, NumbersOfTheProgramStayWithTheirBlocks) {
     }
     EXPECT_EQ(text,
               "%_N_PART_MPF\nN10 G17 G71 G40 G64 G90 G94\nN20 G0 X1\nN100 X2\nN110 X3\n"
-              "N105 TRANS X1\nN110 X4\n");
+              "N105 TRANS X1\nN120 X4\n");
 }
 
 TEST(Writer, WhatAnOperatorMaySkipIsNotKnown) {
@@ -495,6 +495,8 @@ TEST(Writer, Comments) {
     expect_text("fanuc", {
                              {"// bracket 120 x 80 (rough)", "(BRACKET 120 X 80 [ROUGH])\n"},
                              {"// фланец Ø80, чистовая", "(FLANETS O80, CHISTOVAIA)\n"},
+                             {"// część ±0.1, Zażółć gęślą jaźń, Çà ñ Œ Ω",
+                              "(CZESC +-0.1, ZAZOLC GESLA JAZN, CA N OE OHM)\n"},
                          });
     expect_text("sinumerik", {{"// фланец (чистовая)", "; фланец (чистовая)\n"}});
     Block block = testing::source_block(shipped("iso"), "G0 X1");
@@ -560,7 +562,7 @@ TEST(Writer, WhatCannotBeSaidIsAnError) {
              {"fanuc-lathe", "G91\nG53 X5", "K4201"},
              {"fanuc", "mirror()", "K4201"},  // no axis
              {"sinumerik", "reference_point()", "K4201"},
-             {"fanuc", "scale(factor: -2)", "K4206"},  // P takes no sign
+             {"fanuc", "scale(factor: -2)", "K4218"},  // P takes no sign
              {"sinumerik", "scale(factor: -2)", ""},
              {"sinumerik", "G43 H3", "K4201"},
              {"sinumerik", "message(\"say \"hi\"\")", ""},  // with apostrophes
