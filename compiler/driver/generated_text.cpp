@@ -140,11 +140,18 @@ SourceRange GeneratedText::last_statement() const {
     return is_known ? statements[last_source_.index] : SourceRange{};
 }
 
+static bool ends_program(const nc::Block& block) {
+    return block.find(nc::Function::End) != nullptr ||
+           block.find(nc::Function::EndRewind) != nullptr;
+}
+
 void GeneratedText::write_batch() {
     const std::size_t count = expander_.pull(batch_);
     if (count > 0) last_source_ = batch_[count - 1].source;
     std::optional<std::size_t> sound;  // length of the text before the first block with an error
     for (std::size_t i = 0; i < count; ++i, ++blocks_) {
+        // Behind an error the rest is looked at for errors only, and the end is written below.
+        if (writer_.failed() && ends_program(batch_[i])) continue;
         const std::uint32_t before = writer_.lines();
         const std::size_t length = text_.size();
         const std::uint32_t first = writer_.write(batch_[i], text_);

@@ -46,6 +46,7 @@ constexpr bool is_quiet_group(Group group) {
 BlockWriter::BlockWriter(const Dialect& dialect, const WriteOptions& options, DiagnosticSink& sink)
     : dialect_(dialect), tables_(dialect.tables()), options_(options), sink_(sink) {
     counts_feed_along_arc_ = dialect.has_rule("helix_feed_along_arc");
+    scale_replaces_ = dialect.has_rule("scale_replaces");
     begin({});
     prepare_fast();
 }
@@ -428,14 +429,7 @@ void BlockWriter::leave_cycle(const Block& block, std::string& out) {
     const FormId id = chosen_[static_cast<std::size_t>(cycle - block.functions.data())];
     if (id == kNoForm) return;
     const Form& form = tables_.forms[id];
-    bool says_feed = false;
-    for (const std::vector<FormWord>* words : {&form.lead, &form.words}) {
-        for (const FormWord& word : *words) {
-            if (word.kind != FormWord::Kind::Value) continue;
-            const int slot = tables_.addresses[word.address].slot;
-            says_feed |= slot == static_cast<int>(Slot::Feed);
-        }
-    }
+    const bool says_feed = has_feed_word(block, *cycle);
     Block back;
     back.source = block.source;
     back.skip = block.skip;
@@ -490,6 +484,12 @@ void BlockWriter::write_comment(const Block& block, std::string& out) {
 void BlockWriter::write_raw(const Block& block, std::string& out) {
     // The author's text stands under the dimensions that he has said, not under those that a block
     // before it needed.
+    if (modal_.feed_is_other && modal_.has_meant_feed) {
+        Block feed;
+        feed.source = block.source;
+        feed.set(Slot::Feed, modal_.meant_feed);
+        write_block(feed, out);
+    }
     Items items;
     const Function dimensions = modal_.meant_of(Group::Distance);
     if (dimensions != Function::None && modal_.text_of(Group::Distance) != dimensions &&

@@ -342,6 +342,13 @@ TEST(Writer, FeedOfAHelixByItsArc) {
     // Where the way does not differ from the arc by an increment of F, nothing is said.
     expect_text("fanuc", {{"F100\nG0 X0 Y0 Z0\nG3 X0 Y0 I5 J0 Z-0.01\nG1 Z0",
                            "F100.\nX0. Y0. Z0.\nG03 X0. Y0. Z-0.01 I5. J0.\nG01 Z0.\n"}});
+    // The mode said again, unequal factors, text of the author's own behind it.
+    expect_text("fanuc", {{"F100\nG0 X0 Y0 Z0\nG94\nG3 X0 Y0 I5 J0 Z-20\nraw G01 X5.",
+                           "F100.\nX0. Y0. Z0.\nG03 X0. Y0. Z-20. I5. J0. F84.356\nF100.\n"
+                           "G01 X5.\n"},
+                          {"F100\nscale(fx: 2, fy: 2, fz: 0.5)\nG0 X0 Y0 Z0\nG3 X0 Y0 I5 J0 Z-20",
+                           "F100.\nG51 X0. Y0. Z0. I2000 J2000 K500\nX0. Y0. Z0.\n"
+                           "G03 X0. Y0. Z-20. I5. J0. F98.757\n"}});
     expect_text("sinumerik", {{"F100\nG0 X0 Y0 Z0\nG3 X0 Y0 I5 J0 Z-20\nG1 Z0",
                                "F100\nG0 X0 Y0 Z0\nG3 X0 Y0 Z-20 I5 J0\nG1 Z0\n"}});
 }
