@@ -720,17 +720,15 @@ bool Expander::State::change_frame(const Instruction& instruction, const sema::S
     return !has_failed;
 }
 
-/// Where a control has no words for coordinates and distances beside each other, its writer needs
-/// to know where the tool is in the new frame; so does one that says another F for a helix.
+/// The writer needs to know where the tool is in the new frame: for arcs, for F of helices, and
+/// where the control has no words for coordinates and distances beside each other.
 void Expander::State::say_place(const sema::Plan& plan, const Instruction& instruction,
                                 std::uint32_t at) {
     const nc::SlotMask known = modal.known & nc::kTargetSlots;
     const bool moves = plan.given != 0 || !plan.fillings.empty();
     if (!moves || !recordings.empty()) return;
     modal.is_place_due = false;
-    const bool counts_by_arc = (plan.customs & sema::custom::kFeedOfArc) != 0;
-    const bool counts_alike = counts_by_arc == target.has_rule("helix_feed_along_arc");
-    if (known == 0 || (target.has_distance_words() && counts_alike)) return;
+    if (known == 0) return;
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     Block& block = next_block(source);
     block.kind = Block::Kind::Position;

@@ -428,7 +428,14 @@ void Expander::State::name_places(Block& block) {
         }
     }
     if (!is_modal) return;
-    block.add(Function::Absolute);
+    // `G91` of the block itself waits, too.
+    bool is_said = false;
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        if (block.functions[i].function != Function::Incremental) continue;
+        block.functions[i].function = Function::Absolute;
+        is_said = true;
+    }
+    if (!is_said) block.add(Function::Absolute);
     modal.owes_incremental = true;
 }
 

@@ -54,8 +54,9 @@ void ModalState::set_frame(const ProgramFrame& next, SourceId source) {
     }
     if ((lost & sema::kFrameBit) != 0) known &= static_cast<AxisMask>(~kLinearXYZ);
     is_place_due = true;
-    if (next.angle_deg != frame.angle_deg)
-        unplaced |= (next.angle_deg != 0 ? next : frame).plane_mask();
+    // A control that has its rotation innermost says it again behind every other change.
+    const bool turns = next.angle_deg != 0 || frame.angle_deg != 0;
+    if (turns && next != frame) unplaced |= (next.angle_deg != 0 ? next : frame).plane_mask();
     frame = next;
     is_stretched = next.scale[0] != next.scale[1] || next.scale[1] != next.scale[2];
     frame_by = source;

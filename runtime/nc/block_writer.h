@@ -149,6 +149,7 @@ class BlockWriter {
                             const Invocation& invocation) const;
     bool says_speed(const Block& block, const Invocation& invocation) const;
     Function acting_around(const Form& form) const;
+    Activity is_shifted() const;
     void defer_length(const Block& block, const Invocation& invocation);
     void write_waiting_edge(const Block& block, std::string& out);
     void add_edge(const Block& block, Items& items);

@@ -185,7 +185,8 @@ std::string BlockWriter::misfit_words(std::span<const Parameter> parameters, con
 /// The frame function that acts and that the form must not stand inside of; None: there is none.
 Function BlockWriter::acting_around(const Form& form) const {
     for (const Function around : form.outside) {
-        const Activity activity = around == Function::Rotate                     ? modal_.rotation
+        const Activity activity = around == Function::Shift                      ? is_shifted()
+                                  : around == Function::Rotate                   ? modal_.rotation
                                   : around == Function::Scale                    ? modal_.scale
                                   : around == Function::Mirror                   ? modal_.mirror
                                   : modal_.text_of(info(around).group) == around ? Activity::Yes
@@ -196,6 +197,13 @@ Function BlockWriter::acting_around(const Form& form) const {
         if (activity == Activity::Unknown && is_frame(form.function)) return around;
     }
     return Function::None;
+}
+
+/// Where nobody knows, it is taken for none: a program does not begin in somebody's shift.
+Activity BlockWriter::is_shifted() const {
+    const bool is_one = std::ranges::any_of(
+        modal_.origin, [](const Standing& shift) { return shift.is_known && shift.value != 0; });
+    return is_one ? Activity::Yes : Activity::No;
 }
 
 }  // namespace kadr::nc

@@ -283,6 +283,14 @@ void BlockWriter::place_center(const Block& block, const WrittenPosition& start,
     const std::array<std::size_t, 3> axes = plane_axes();
     const SlotMask in_plane = bit(center_slot(axes[0])) | bit(center_slot(axes[1]));
     const bool has_plane = modal_.meant_of(Group::Plane) != Function::None;
+    if (const Slot across = center_slot(axes[2]);
+        has_plane && (block.given & kCenterSlots & ~in_plane) != 0 && has_address(across)) {
+        if (!is_new_message(block, "a centre outside of the plane")) return;
+        sink_.report(diag::ArcWordOutsidePlane, word_place(block, address_of(across).name))
+            .arg(address_of(across).name)
+            .arg(std::string(kAxisNames[axes[0]]) + std::string(kAxisNames[axes[1]]));
+        return;
+    }
     // A coordinate and a distance cannot be compared without the position.
     const bool is_comparable = std::ranges::all_of(std::span(axes).first<2>(), [&](auto axis) {
         return (start.known >> axis & 1u) != 0 ||
