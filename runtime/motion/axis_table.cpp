@@ -84,11 +84,12 @@ double acceleration_left(const SplineBend& bend, Eigen::Index axis, double speed
 
 AxisTable::AxisTable(const machine::Machine& machine) {
     slots_.fill(machine.axes.size());
+    const bool has_pulses = machine.laser && machine.laser->pulse > 0;
     for (const machine::MachineAxis& axis : machine.axes) {
         slots_[index(axis.axis)] = axes_.size();
         // A machine that no file describes may leave the jerk open; and the pulses of a laser are
         // timed with trapezoids.
-        const bool is_limited = axis.jerk > 0 && !machine.laser;
+        const bool is_limited = axis.jerk > 0 && !has_pulses;
         const double jerk = is_limited ? axis.jerk : kInfinity;
         axes_.push_back({index(axis.axis), axis.velocity, axis.acceleration, jerk});
         limits_jerk_ = limits_jerk_ || std::isfinite(jerk);

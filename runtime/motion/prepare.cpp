@@ -347,7 +347,8 @@ Segment Preparer::State::part_of(const Segment& whole, double from, double to) c
 std::vector<double> Preparer::State::cells_in(const Command& command, const Segment& whole,
                                               double length) {
     // The pulses of a laser time whole blocks.
-    if (axes.limits_jerk() || machine.laser || command.op == Op::Thread) return {};
+    if (axes.limits_jerk() || command.op == Op::Thread) return {};
+    if (machine.laser && machine.laser->pulse > 0) return {};
     if (command.feed_mode != path::FeedMode::PerMinute) return {};
     const auto feed = path_feed(command, whole, length, spindle);
     if (!feed) return {};
