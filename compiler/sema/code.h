@@ -95,7 +95,7 @@ enum class Math : std::uint8_t {
 };
 
 /// What `state.…` reads.
-enum class StateValue : std::uint8_t { Feed, Speed, Tool, Spindle, Mirrored, Turned };
+enum class StateValue : std::uint8_t { Feed, Speed, Tool, Spindle, Mirrored, Turned, Diameter };
 
 /// Registers of a contour's element, in the order of its members.
 enum class ElementSlot : std::uint8_t {

@@ -155,18 +155,35 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::ToolEdge: return tool_.source == Tool::Source::Edge ? 1 : 0;
         case Quantity::ToolPart:
             if (first < 1 || first > 3) return std::nullopt;
-            return first == 1 && tool_.source != Tool::Source::None
-                       ? tool_offsets_.length(tool_.length_number())
-                       : 0;
+            return tool_.source == Tool::Source::None
+                       ? 0
+                       : tool_offsets_.length(static_cast<std::size_t>(first),
+                                              tool_.length_number());
         case Quantity::Timer: return timer(first);
         case Quantity::ToolRadius: return tool_offsets_.radius(tool_.current);
         case Quantity::LengthGeometry:
         case Quantity::LengthWear:
         case Quantity::RadiusGeometry:
         case Quantity::RadiusWear:
+        case Quantity::CrossGeometry:
+        case Quantity::CrossWear:
+        case Quantity::FirstLength:
+        case Quantity::FirstWear:
+        case Quantity::SecondLength:
+        case Quantity::SecondWear:
+        case Quantity::ThirdLength:
+        case Quantity::ThirdWear:
+        case Quantity::ToolTip:
+        case Quantity::ToolType: {
             // Of a tool the first cutting edge is known.
             if (first < 1 || first > rules_.tool_offsets || second > 1) return std::nullopt;
-            return tool_offsets_.value(*ToolOffsets::column_of(quantity), first);
+            const bool is_cross =
+                quantity == Quantity::CrossGeometry || quantity == Quantity::CrossWear;
+            return tool_offsets_.value(*tool_offsets_.column_of(quantity, first), first) /
+                   (is_cross ? word_scale_[index(Axis::X)] : 1);
+        }
+        case Quantity::EdgeCount: return tool_offsets_.is_known(first) ? 1 : 0;
+        case Quantity::RadiusAllowance: return comp_.allowance;
         case Quantity::ProbePosition: {
             const auto axis = axis_of(first);
             if (!axis) return std::nullopt;
@@ -185,6 +202,7 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::BaseFrame:
         case Quantity::ProgrammableFrame:
         case Quantity::TotalFrame:
+        case Quantity::ProgramLevel:
         case Quantity::None:
         case Quantity::ModalCode:
         case Quantity::ModalNumber:

@@ -1,5 +1,6 @@
 // compensating.cpp — what switches the cutter radius compensation, and what passes through it.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/diagnostics/iso.h"
@@ -15,6 +16,13 @@ using nc::Invocation;
 namespace {
 
 constexpr std::size_t kCheckedBlocks = 3;  // MD20240 CUTCOM_MAXNUM_CHECK_BLOCKS
+
+/// Where the tip lies, seen from the centre of the nose, in Z and X.
+path::Vec2 tip_direction(int tip) {
+    static constexpr std::array<double, 10> kZ = {0, 1, -1, -1, 1, 1, 0, -1, 0, 0};
+    static constexpr std::array<double, 10> kX = {0, 1, 1, -1, -1, 0, 1, 0, -1, 0};
+    return {kZ[static_cast<std::size_t>(tip)], kX[static_cast<std::size_t>(tip)]};
+}
 
 }  // namespace
 
@@ -61,13 +69,7 @@ void Executor::act_on_comp(const Block& block, const Actions& actions) {
         return;
     }
     if (comp_.side == Function::RadiusCompOff) return;
-    send_comp({CompChange::Kind::Set,
-               comp_settings(),
-               modal_.plane,
-               comp_distance(block, comp_offset().value_or(0)),
-               position_.base,
-               {},
-               {}});
+    send_comp(comp_change(block, CompChange::Kind::Set));
 }
 
 /// A direction of the programmed system as one in the plane of the base system; none: it has no
@@ -130,30 +132,35 @@ void Executor::change_comp(const CompChange& change) {
         case CompChange::Kind::Set:
             compensation_.set_settings(change.settings);
             compensation_.set_distance(change.distance);
+            compensation_.set_aside(change.aside);
             break;
         case CompChange::Kind::Begin:
             // From one side to the other: the contour so far ends on its normal.
             if (compensation_.is_on()) flush_comp();
             if (ended_) return;
             compensation_.begin(change.settings, change.plane, change.distance, change.here);
+            compensation_.set_aside(change.aside);
             break;
     }
 }
 
 void Executor::begin_comp(const Block& block, Function side) {
-    if (machine_.is_lathe) {
-        report(diag::RadiusCompUnsupported, block, side);
-        return;
-    }
     comp_.side = side;
-    const std::optional<std::int64_t> offset = comp_offset();
-    if (!offset) {
+    if (!comp_offset()) {
         report(diag::CompWithoutTool, block, comp_.side);
         return;
     }
-    const double distance = comp_distance(block, *offset);
-    send_comp(
-        {CompChange::Kind::Begin, comp_settings(), modal_.plane, distance, position_.base, {}, {}});
+    send_comp(comp_change(block, CompChange::Kind::Begin));
+}
+
+CompChange Executor::comp_change(const Block& block, CompChange::Kind kind) {
+    CompChange change;
+    change.kind = kind;
+    change.settings = comp_settings();
+    change.plane = modal_.plane;
+    change.here = position_.base;
+    take_comp_tool(block, comp_offset().value_or(0), change);
+    return change;
 }
 
 CompSettings Executor::comp_settings() const {
@@ -190,19 +197,24 @@ std::optional<std::int64_t> Executor::comp_offset() const {
     return tool_.current;
 }
 
-/// Of the cutter's centre from the contour, mm, positive to the left. A frame that mirrors the
-/// plane changes the side.
-double Executor::comp_distance(const Block& block, std::int64_t number) {
+/// How far beside the contour the cutter's centre goes, positive to the left: a frame that mirrors
+/// the plane changes the side. A lathe's tool is programmed by its tip.
+void Executor::take_comp_tool(const Block& block, std::int64_t number, CompChange& change) {
     const double radius = tool_offsets_.radius(number);
+    const int tip = tool_offsets_.tip(number);
+    const bool is_turned = tool_offsets_.is_turning(number) && modal_.plane == path::Plane::Zx;
+    const bool has_no_tip = is_turned && radius != 0 && tip == 0;
     const bool is_known_gap =
         std::find(unknown_radii_.begin(), unknown_radii_.end(), number) != unknown_radii_.end();
-    if (radius == 0 && number != 0 && !is_known_gap) {
+    if ((radius == 0 || has_no_tip) && number != 0 && !is_known_gap) {
         unknown_radii_.push_back(number);
-        report(diag::CompRadiusUnknown, block, comp_.side).arg(number);
+        report(has_no_tip ? diag::CompTipUnknown : diag::CompRadiusUnknown, block, comp_.side)
+            .arg(number);
     }
     const bool is_left =
         (comp_.side == Function::RadiusCompLeft) != frames_.is_mirrored(modal_.plane);
-    return (radius + comp_.allowance) * (is_left ? 1 : -1);
+    change.distance = (radius + comp_.allowance) * (is_left ? 1 : -1);
+    if (is_turned) change.aside = radius * tip_direction(tip);
 }
 
 /// What a block has put goes through the compensation; what is settled of it goes out.

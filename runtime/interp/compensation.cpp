@@ -62,6 +62,12 @@ void Compensation::begin(const CompSettings& settings, path::Plane plane, double
     state_ = State::Starting;
 }
 
+/// The contour goes on from the same place of the part.
+void Compensation::set_aside(const Vec2& aside) {
+    if (is_on_contour()) set_in_plane(here_, in_plane(here_) + aside - aside_);
+    aside_ = aside;
+}
+
 void Compensation::set_settings(const CompSettings& settings) {
     settings_ = settings;
     corners_.set_rules(settings.corners);
@@ -79,6 +85,7 @@ std::optional<CompAlarm> Compensation::stop() {
 }
 
 void Compensation::begin_soft_approach(Command motion) {
+    lead(motion);
     begin_approach(motion);
     goes_straight_ = true;
 }
@@ -119,7 +126,7 @@ Compensation::Fault Compensation::finish(const std::optional<Vec2>& direction) {
     for (; !held_.empty(); held_.pop_front()) {
         // An approach to no contour at all goes where it is programmed.
         if (held_.front().index != 0) {
-            emit_line(held_.front(), in_plane(held_.front().command.to), false);
+            emit_line(held_.front(), in_plane(held_.front().command.to) - aside_, false);
         } else {
             emit_empty();
         }
@@ -134,7 +141,7 @@ Compensation::Fault Compensation::finish(const std::optional<Vec2>& direction) {
 std::optional<CompAlarm> Compensation::end_block(const AxisValues& here, const nc::Block& block) {
     bool has_moved = false;
     for (Command& command : fresh_) {
-        has_moved = has_moved || (path::is_motion(command.op) && moves_in_plane(command));
+        has_moved = has_moved || (path::is_motion(command.op) && moves_on(command));
         const Command place = command;
         if (const Fault fault = take(command, here)) {
             fresh_.clear();
@@ -143,6 +150,7 @@ std::optional<CompAlarm> Compensation::end_block(const AxisValues& here, const n
     }
     fresh_.clear();
     here_ = here;
+    if (is_on_contour()) lead(here_);
     keeps_vector_ = false;
     if (has_moved || !has_last_) {
         empty_blocks_ = 0;
@@ -182,7 +190,13 @@ Compensation::Fault Compensation::take(Command& command, const AxisValues& behin
         settled_.push_back(std::move(command));
         return nullptr;
     }
-    if (path::is_motion(command.op) && moves_in_plane(command)) return take_motion(command);
+    if (path::is_motion(command.op)) {
+        const bool moves = moves_on(command);
+        // The way to the contour ends on it; the way from it ends where it is programmed.
+        const bool is_led = moves ? state_ != State::Leaving : is_on_contour();
+        if (is_led) lead(command);
+        if (moves) return take_motion(command);
+    }
     if (path::is_motion(command.op) && !is_straight(command.op) && state_ != State::Starting)
         return &diag::CompMotion;
     if (path::is_motion(command.op)) here_ = command.to;
@@ -435,6 +449,21 @@ Command Compensation::as_far_beside(Command command) const {
 bool Compensation::moves_in_plane(const Command& command) const {
     return command.op == Op::Arc ||
            (in_plane(command.to) - in_plane(here_)).norm() > path::kSamePoint;
+}
+
+/// The same of a command as it is programmed.
+bool Compensation::moves_on(const Command& command) const {
+    Command led = command;
+    if (is_on_contour()) lead(led);
+    return moves_in_plane(led);
+}
+
+void Compensation::lead(AxisValues& place) const { set_in_plane(place, in_plane(place) + aside_); }
+
+void Compensation::lead(Command& command) const {
+    lead(command.to);
+    command.center[static_cast<Eigen::Index>(index(axes_.first))] += aside_.x();
+    command.center[static_cast<Eigen::Index>(index(axes_.second))] += aside_.y();
 }
 
 Element Compensation::element_of(const Command& command) const {

@@ -47,6 +47,10 @@ class Compensation {
     void begin(const CompSettings& settings, path::Plane plane, double distance,
                const AxisValues& here);
     void set_distance(double distance) { distance_ = distance; }
+    /// Of a lathe's tool: from the centre of its nose to the tip, which is what is programmed, in
+    /// the plane, mm. The contour is led so far aside that beside it the tip goes, and not the
+    /// centre.
+    void set_aside(const path::Vec2& aside);
     void set_settings(const CompSettings& settings);
     double distance() const { return distance_; }
     /// The next motion in the plane leaves the contour; if a direction is given, from where the
@@ -106,6 +110,10 @@ class Compensation {
     Fault follow_kept(path::Command& command);
     Fault finish(const std::optional<path::Vec2>& direction = std::nullopt);
     bool moves_in_plane(const path::Command& command) const;
+    bool is_on_contour() const { return state_ == State::On || state_ == State::Leaving; }
+    bool moves_on(const path::Command& command) const;
+    void lead(AxisValues& place) const;
+    void lead(path::Command& command) const;
     path::Element element_of(const path::Command& command) const;
     Fault way_in(const path::Element& first, std::optional<path::Element>& way) const;
     Fault way_out(const path::Vec2& to, std::optional<path::Element>& way) const;
@@ -132,6 +140,7 @@ class Compensation {
     path::PlaneAxes axes_;
     path::Plane plane_ = path::Plane::Xy;
     double distance_ = 0;
+    path::Vec2 aside_ = path::Vec2::Zero();
     AxisValues here_{};   // programmed
     AxisValues shown_{};  // end of the last command that was let go …
     AxisValues meant_{};  // … and as it was programmed

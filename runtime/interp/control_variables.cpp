@@ -36,10 +36,19 @@ bool is_of_tool_data(Quantity quantity) {
     switch (quantity) {
         case Quantity::ToolRadius:
         case Quantity::ToolPart:
+        case Quantity::RadiusAllowance:
         case Quantity::LengthGeometry:
         case Quantity::LengthWear:
         case Quantity::RadiusGeometry:
-        case Quantity::RadiusWear: return true;
+        case Quantity::RadiusWear:
+        case Quantity::CrossGeometry:
+        case Quantity::CrossWear:
+        case Quantity::FirstLength:
+        case Quantity::FirstWear:
+        case Quantity::SecondLength:
+        case Quantity::SecondWear:
+        case Quantity::ThirdLength:
+        case Quantity::ThirdWear: return true;
         default: return false;
     }
 }
@@ -190,6 +199,10 @@ Variables::Answer ControlVariables::system(Quantity quantity, std::int64_t first
             out = static_cast<double>(number_of(reader_.text().program).value_or(0));
             return Answer::Value;
         default: break;
+    }
+    if (quantity == Quantity::ProgramLevel) {
+        out = static_cast<double>(program_level_);
+        return Answer::Value;
     }
     if (state_ == nullptr) return Answer::Unsupported;
     if (!in_step_) return Answer::Later;

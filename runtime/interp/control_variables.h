@@ -31,6 +31,7 @@ class ControlVariables final : public Variables {
     /// Who knows which modal call acts, and says its code.
     void ask_modal_call(std::function<double()> ask) { modal_call_ = std::move(ask); }
     void set_block_number(std::int64_t number) { block_number_ = number; }
+    void set_program_level(std::size_t level) { program_level_ = level; }
 
     Answer family(std::uint32_t form, std::int64_t number, Value& out) override;
     Answer system(nc::Quantity quantity, std::int64_t first, std::int64_t second,
@@ -117,6 +118,7 @@ class ControlVariables final : public Variables {
     Level* level_ = &main_;
     std::int64_t block_number_ = 0;
     std::function<double()> modal_call_;
+    std::size_t program_level_ = 0;
     bool in_step_ = true;
     std::vector<VariableChange>* changes_ = nullptr;
 };

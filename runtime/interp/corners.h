@@ -59,6 +59,7 @@ struct CompChange {
     AxisValues here{};                         // where the tool is, Begin
     std::optional<path::Vec2> direction = {};  // Leave, RoundCorner
     path::Command motion = {};                 // RoundCorner
+    path::Vec2 aside = path::Vec2::Zero();     // Begin, Set: see Compensation::set_aside
 };
 
 class Corners {

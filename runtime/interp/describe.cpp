@@ -74,7 +74,14 @@ std::vector<StateItem> Executor::state() const {
     add("spindle", std::move(spindle));
     add("coolant", std::string(coolant_name(coolant_)));
     add("tool", tool_.current == 0 ? "none" : std::to_string(tool_.current));
-    add("tool length", number(tool_.length) + " mm");
+    std::string lengths =
+        number(tool_.lengths[static_cast<Eigen::Index>(index(tool_.axis))]) + " mm";
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double length = tool_.lengths[static_cast<Eigen::Index>(i)];
+        if (i == index(tool_.axis) || length == 0) continue;
+        lengths += ", along " + std::string(kAxisNames[i]) + " " + number(length) + " mm";
+    }
+    add("tool length", std::move(lengths));
     std::string frame;
     const AxisValues origin = frames_.to_base(AxisValues{});
     for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {

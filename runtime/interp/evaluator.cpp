@@ -446,6 +446,7 @@ bool Evaluator::function(Operation operation, Value* a, int decimals) {
         case Operation::Arctangent:
         case Operation::ArctangentOfTwo: return arc_function(operation, a);
         case Operation::SquareRoot: return x < 0 ? out_of_range() : real(*a, std::sqrt(x));
+        case Operation::LengthOfTwo: return real(*a, std::hypot(x, a[1].number));
         case Operation::Square: return real(*a, x * x);
         case Operation::Absolute:
             *a =

@@ -352,11 +352,12 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::ContinuousPath:
         case Function::ArcThrough:
         case Function::ArcTangent:
-            if (nc::info(invocation.function).group == Group::Plane)
+            if (nc::info(invocation.function).group == Group::Plane) {
                 change_plane(invocation.function);
+                // Where a tool's lengths act may depend on the plane.
+                tool_.has_changed |= wanted_lengths() != tool_.lengths;
+            }
             set_modal(modal_, invocation.function);
-            // A tool length acts along the normal of the plane.
-            tool_.has_changed |= wanted_length_axis() != tool_.axis;
             break;
 
         case Function::FeedPerMinute: select_feed_mode(FeedMode::PerMinute); break;
@@ -398,6 +399,10 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
                 report(diag::SoftTwice, block, invocation.function);
                 return;
             }
+            if (machine_.is_lathe) {
+                report(diag::IsoNotSupported, block).arg("a soft approach on a lathe");
+                return;
+            }
             actions.soft = &invocation;
             break;
         case Function::SoftRadius:  // beside the approach, in soft_moves.cpp
@@ -436,7 +441,8 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             tool_.selected = tool_number(block, invocation);
             actions.tool_change |= selects_at_once();
             if ((invocation.given & 2u) != 0) {
-                tool_.offset = std::llround(block.argument(invocation, 1));
+                // The offset of a turret's station has length, radius and tip.
+                tool_.offset = tool_.radius_offset = std::llround(block.argument(invocation, 1));
                 set_length_source(tool_.offset == 0 ? Tool::Source::None : Tool::Source::Offset,
                                   actions);
             }
@@ -491,6 +497,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             break;
         case Function::WorkOffset: select_work_offset(block, count_of(block, invocation)); break;
         case Function::WorkOffsetData:
+        case Function::LatheOffsetData:
         case Function::ToolOffsetData: actions.data = &invocation; break;
         case Function::Shift:
         case Function::ShiftAdd:

@@ -153,6 +153,9 @@ class Executor {
     void write_data(const nc::Block& block, const nc::Invocation& invocation);
     void write_work_offset(const nc::Block& block, const nc::Invocation& invocation);
     void write_tool_offset(const nc::Block& block, const nc::Invocation& invocation);
+    void write_lathe_offset(const nc::Block& block, const nc::Invocation& invocation);
+    void put_tool_offset(const nc::Block& block, const nc::Invocation& invocation,
+                         ToolOffsets::Column column, double value);
     ControlFrame work_offset_frame(std::int64_t number) const;
     ControlFrame& work_offset_at(std::int64_t number);
     void work_offset_changed(std::int64_t number, bool acts_at_once);
@@ -223,7 +226,8 @@ class Executor {
     void thread(const nc::Block& block, const Target& target, const Actions& actions);
     std::optional<double> thread_pitch(const nc::Block& block, const path::Vec3& way);
     Axis wanted_length_axis() const;
-    double wanted_length(const nc::Block& block);
+    path::Vec3 wanted_lengths() const;
+    void check_length_known(const nc::Block& block);
     void activate_length(const nc::Block& block, AxisMask moved);
     void move_length_alone(const nc::Block& block);
     void arc(const nc::Block& block, const Target& target, bool exact_stop);
@@ -289,7 +293,8 @@ class Executor {
     std::optional<path::Vec2> leave_direction(const nc::Block& block) const;
     CompSettings comp_settings() const;
     std::optional<std::int64_t> comp_offset() const;
-    double comp_distance(const nc::Block& block, std::int64_t number);
+    CompChange comp_change(const nc::Block& block, CompChange::Kind kind);
+    void take_comp_tool(const nc::Block& block, std::int64_t number, CompChange& change);
     void report_comp(const CompAlarm& alarm);
 
     // soft_moves.cpp

@@ -1,6 +1,7 @@
 #include "interp/listing.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <span>
@@ -249,6 +250,11 @@ void Listing::append(const Command& command, std::string_view source, std::strin
         case Op::ToolLength:
             append_field(out, "tool", static_cast<double>(command.tool));
             append_field(out, "length", command.length);
+            for (std::size_t i = 0; i < 3; ++i) {
+                static constexpr std::array kNames = {"length_x", "length_y", "length_z"};
+                const double aside = command.aside[static_cast<Eigen::Index>(i)];
+                if (aside != 0) append_field(out, kNames[i], aside);
+            }
             break;
         case Op::Coolant: append_word(out, "mode", coolant_name(command.coolant)); break;
         case Op::Message: append_text(out, "text", command.text); break;

@@ -493,56 +493,96 @@ std::optional<double> Executor::thread_pitch(const Block& block, const Vec3& way
 
 // ------------------------------------------------------------------------------ tool length
 
+/// The axis along which the chief length of the tool lies.
 Axis Executor::wanted_length_axis() const {
-    return rules_.length_axis == LengthAxis::Z ? Axis::Z : path::axes_of(modal_.plane).normal;
+    const bool is_turned =
+        tool_.source != Tool::Source::None && tool_offsets_.is_turning(tool_.length_number());
+    if (is_turned || rules_.length_axis == LengthAxis::Z) return Axis::Z;
+    return path::axes_of(modal_.plane).normal;
 }
 
-double Executor::wanted_length(const Block& block) {
-    if (tool_.source == Tool::Source::None) return 0;
-    const std::int64_t number = tool_.length_number();
-    if (number == 0) return 0;
-    const bool is_taken_off = tool_.source == Tool::Source::Offset && tool_.is_taken_off;
-    if (tool_offsets_.is_known(number))
-        return is_taken_off ? -tool_offsets_.length(number) : tool_offsets_.length(number);
-    // A machine without a tool table has no lengths; a table with a gap is likely a mistake.
-    const bool is_known_gap =
-        std::find(unknown_tools_.begin(), unknown_tools_.end(), number) != unknown_tools_.end();
-    if (!machine_.tools.empty() && !is_known_gap) {
-        unknown_tools_.push_back(number);
-        report(diag::ToolUnknown, block).arg(number);
+/// What should be added to X, Y, Z; S 5.1.
+Vec3 Executor::wanted_lengths() const {
+    Vec3 lengths = Vec3::Zero();
+    const std::int64_t number = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
+    if (number == 0) return lengths;
+    const auto put = [&](Axis axis, std::size_t part) {
+        if ((axes_ & bit(axis)) != 0)
+            lengths[static_cast<Eigen::Index>(index(axis))] = tool_offsets_.length(part, number);
+    };
+    const bool goes_by_plane = rules_.length_axis == LengthAxis::Plane;
+    if (tool_offsets_.is_turning(number)) {
+        // Lengths of a machine's tool are told by their axes.
+        const bool is_typed = tool_offsets_.type(number) != 0;
+        const auto axes = path::axes_of(goes_by_plane && is_typed ? modal_.plane : path::Plane::Zx);
+        put(axes.second, 1);
+        put(axes.first, 2);
+        put(axes.normal, 3);
+    } else if (goes_by_plane) {
+        const auto axes = path::axes_of(modal_.plane);
+        put(axes.normal, 1);
+        put(axes.second, 2);
+        put(axes.first, 3);
+    } else {
+        put(Axis::Z, 1);
     }
-    return 0;
+    const bool is_taken_off = tool_.source == Tool::Source::Offset && tool_.is_taken_off;
+    return is_taken_off ? Vec3(-lengths) : lengths;
 }
 
-/// A length that was selected acts with the first motion of the tool axis: the motion side is told
-/// just before it, and only if the length is another one than before.
+/// A machine without a tool table has no lengths; a table with a gap is likely a mistake.
+void Executor::check_length_known(const Block& block) {
+    const std::int64_t number = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
+    if (number == 0 || machine_.tools.empty() || tool_offsets_.is_known(number)) return;
+    if (std::find(unknown_tools_.begin(), unknown_tools_.end(), number) != unknown_tools_.end())
+        return;
+    unknown_tools_.push_back(number);
+    report(diag::ToolUnknown, block).arg(number);
+}
+
+/// A length that was selected acts along an axis with the first motion of that axis: the motion
+/// side is told just before it, and only if the length is another one than before.
 void Executor::activate_length(const Block& block, AxisMask moved) {
     const Axis axis = wanted_length_axis();
-    if ((moved & (bit(axis) | bit(tool_.axis))) == 0) return;
-    tool_.has_changed = false;
-    const double length = wanted_length(block);
-    if (length == tool_.length && (axis == tool_.axis || length == 0)) {
-        tool_.axis = axis;
-        return;
+    if ((moved & bit(axis)) != 0) check_length_known(block);
+    const Vec3 wanted = wanted_lengths();
+    Vec3 lengths = tool_.lengths;
+    AxisMask changed = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto at = static_cast<Eigen::Index>(i);
+        if ((moved >> i & 1u) == 0 || lengths[at] == wanted[at]) continue;
+        lengths[at] = wanted[at];
+        changed = static_cast<AxisMask>(changed | 1u << i);
     }
-    tool_.length = length;
+    tool_.has_changed = lengths != wanted;
+    if (changed == 0) return;
+    tool_.lengths = lengths;
     tool_.axis = axis;
-    length_shift_ = {};
-    length_shift_[index(axis)] = length;
+    for (std::size_t i = 0; i < 3; ++i) length_shift_[i] = lengths[static_cast<Eigen::Index>(i)];
     Command& command = put(Op::ToolLength, block);
     command.plane = plane_with_normal(axis);
     command.tool = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
-    command.length = length;
-    command.moved = bit(axis);
+    command.length = length_shift_[index(axis)];
+    command.aside = lengths;
+    command.aside[static_cast<Eigen::Index>(index(axis))] = 0;
+    command.moved = changed;
 }
 
 /// `G43 H1` in a block without axis words: the programmed position stays, so the machine axis moves
 /// by the change of the length, in the active kind of motion.
 void Executor::move_length_alone(const Block& block) {
     if (!rules_.length_moves_alone) return;
-    const Axis axis = wanted_length_axis();
-    if (wanted_length(block) == tool_.length && axis == tool_.axis) return;
-    line(block, {position_.here, position_.base, bit(axis)},
+    const Vec3 wanted = wanted_lengths();
+    AxisMask changed = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto at = static_cast<Eigen::Index>(i);
+        if (wanted[at] != tool_.lengths[at]) changed = static_cast<AxisMask>(changed | 1u << i);
+    }
+    if (changed == 0) {
+        check_length_known(block);
+        return;
+    }
+    line(block, {position_.here, position_.base, changed},
          modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, modal_.has_exact_stop);
 }
 

@@ -1,4 +1,5 @@
 // What a program writes: work offsets and tool offsets.
+#include <array>
 #include <cmath>
 
 #include "base/diagnostics/iso.h"
@@ -46,8 +47,20 @@ Write Executor::set_quantity(Quantity quantity, std::int64_t first, std::int64_t
         case Quantity::LengthWear:
         case Quantity::RadiusGeometry:
         case Quantity::RadiusWear:
+        case Quantity::ToolTip:
+        case Quantity::ToolType:
+        case Quantity::FirstLength:
+        case Quantity::FirstWear:
+        case Quantity::SecondLength:
+        case Quantity::SecondWear:
+        case Quantity::ThirdLength:
+        case Quantity::ThirdWear:
             if (second > 1) return Write::NoPlace;
-            return set_tool_offset(*ToolOffsets::column_of(quantity), first, value);
+            return set_tool_offset(*tool_offsets_.column_of(quantity, first), first, value);
+        case Quantity::CrossGeometry:
+        case Quantity::CrossWear:
+            return set_tool_offset(*tool_offsets_.column_of(quantity, first), first,
+                                   value * word_scale_[index(Axis::X)]);
         case Quantity::Timer: set_timer(first, value); return Write::Done;
         case Quantity::Milliseconds:
             milliseconds_from_ = value - run_time() * 1000;
@@ -90,16 +103,19 @@ Write Executor::set_tool_offset(ToolOffsets::Column column, std::int64_t number,
     if (rules_.most_tool_offset > 0 &&
         std::abs(value) > rules_.most_tool_offset * mm_per_unit + kRounding)
         return Write::TooLarge;
+    constexpr double kMostTip = 9;
+    const bool is_tip = value >= 0 && value <= kMostTip && value == std::floor(value);
+    if (column == ToolOffsets::Column::Tip && !is_tip) return Write::TooLarge;
     tool_offsets_.set(column, number, value);
     if (rules_.tool_offsets_act_at_once) tool_.has_changed = true;
     return Write::Done;
 }
 
 void Executor::write_data(const Block& block, const Invocation& invocation) {
-    if (invocation.function == Function::WorkOffsetData) {
-        write_work_offset(block, invocation);
-    } else {
-        write_tool_offset(block, invocation);
+    switch (invocation.function) {
+        case Function::WorkOffsetData: write_work_offset(block, invocation); break;
+        case Function::LatheOffsetData: write_lathe_offset(block, invocation); break;
+        default: write_tool_offset(block, invocation);
     }
 }
 
@@ -124,11 +140,49 @@ void Executor::write_work_offset(const Block& block, const Invocation& invocatio
 }
 
 void Executor::write_tool_offset(const Block& block, const Invocation& invocation) {
-    const auto column =
-        static_cast<ToolOffsets::Column>(std::llround(block.argument(invocation, 0)));
     const std::int64_t number = std::llround(block.argument(invocation, 1));
+    const ToolOffsets::Column column =
+        tool_offsets_.column_at(std::llround(block.argument(invocation, 0)), number);
     double value = block.argument(invocation, 2);
     if (modal_.is_incremental) value += tool_offsets_.value(column, number);
+    put_tool_offset(block, invocation, column, value);
+}
+
+/// Columns of the offset in the order of the function's parameters. The place of the tip is no
+/// wear.
+void Executor::write_lathe_offset(const Block& block, const Invocation& invocation) {
+    struct Word {
+        std::size_t parameter;
+        Quantity geometry;
+        Quantity wear;
+        bool is_added = false;
+    };
+    static constexpr std::array kWords = {
+        Word{2, Quantity::CrossGeometry, Quantity::CrossWear},
+        Word{3, Quantity::LengthGeometry, Quantity::LengthWear},
+        Word{4, Quantity::RadiusGeometry, Quantity::RadiusWear},
+        Word{5, Quantity::ToolTip, Quantity::ToolTip},
+        Word{6, Quantity::CrossGeometry, Quantity::CrossWear, true},
+        Word{7, Quantity::LengthGeometry, Quantity::LengthWear, true},
+        Word{8, Quantity::RadiusGeometry, Quantity::RadiusWear, true},
+    };
+    const bool is_geometry = block.argument(invocation, 0) != 0;
+    const std::int64_t number = std::llround(block.argument(invocation, 1));
+    for (const Word& word : kWords) {
+        if ((invocation.given >> word.parameter & 1u) == 0) continue;
+        const auto column =
+            *tool_offsets_.column_of(is_geometry ? word.geometry : word.wear, number);
+        double value = block.argument(invocation, word.parameter);
+        if (word.geometry == Quantity::CrossGeometry) value *= word_scale_[index(Axis::X)];
+        if (word.is_added) value += tool_offsets_.value(column, number);
+        put_tool_offset(block, invocation, column, value);
+        if (ended_) return;
+    }
+}
+
+void Executor::put_tool_offset(const Block& block, const Invocation& invocation,
+                               ToolOffsets::Column column, double value) {
+    const std::int64_t number = std::llround(block.argument(invocation, 1));
     switch (set_tool_offset(column, number, value)) {
         case Write::NoPlace:
             report(diag::OffsetDataNumber, block, invocation.function).arg(number);

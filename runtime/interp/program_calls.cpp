@@ -370,6 +370,7 @@ void Program::State::resume_frame(Frame& next) {
     frame = &next;
     variables.enter(*next.level);
     evaluator.enter(*next.level);
+    variables.set_program_level(frames.size() - 1);
     lines.enter(next.text);
 }
 

@@ -134,6 +134,7 @@ struct Program::State {
     std::uint64_t most_line = 0;
     bool is_waiting = false;        // the line in `scratch` is to be run again
     bool is_only_checking = false;  // the program has ended; lines behind are read for mistakes
+    bool has_begun = false;
     bool has_ended = false;
     bool is_printer_open = false;
     std::set<std::pair<const ProgramUnit*, std::uint64_t>> said_synchronous;  // unit, place of line
@@ -152,6 +153,7 @@ struct Program::State {
     Done step(nc::Block& out);
     bool runs_flat();
     void take_flat(std::span<nc::Block> out);
+    void begin_main();
     bool may_go_on();
     bool shows(std::string_view text);
     Done first_time(nc::Block& out);

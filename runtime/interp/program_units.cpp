@@ -29,6 +29,43 @@ ProgramUnits::ProgramUnits(const nc::Dialect& dialect, nc::TextSource& main, std
     main_ = std::make_unique<ProgramUnit>(tables_, *texts_[0], LinePosition{}, std::string());
 }
 
+void ProgramUnits::settle_main() {
+    const LinePosition begin = main_begin();
+    if (begin.offset != 0)
+        main_ = std::make_unique<ProgramUnit>(tables_, *texts_[0], begin, std::string());
+}
+
+/// Where subprograms stand first, behind them: at the first head of another kind, if there is one.
+LinePosition ProgramUnits::main_begin() const {
+    const nc::CallLanguage& calls = tables_.language.calls;
+    const bool has_kinds = std::ranges::any_of(calls.headers, &nc::ProgramPattern::is_subprogram);
+    ProgramText& text = *texts_[0];
+    if (!has_kinds) return {};
+    LinePosition here;
+    LinePosition begin;
+    std::string_view line;
+    bool is_too_long = false;
+    bool is_behind_subprogram = false;
+    while (text.source.next(line, is_too_long)) {
+        const bool is_blank = line.find_first_not_of(" \t\r") == std::string_view::npos;
+        const nc::ProgramPattern* const head =
+            nc::header_of(calls, line, tables_.rules.ignores_case);
+        if (head != nullptr && !head->is_subprogram) {
+            if (is_behind_subprogram) begin = here;
+            break;
+        }
+        // A text that does not begin with the head of a subprogram begins with its main program.
+        if (head == nullptr && !is_behind_subprogram && !is_blank) break;
+        if (head != nullptr && !is_behind_subprogram) {
+            is_behind_subprogram = true;
+            if (text.is_kept && !text.kept_text.keep_all()) break;
+        }
+        here = {text.source.offset(), here.line + 1};
+    }
+    text.source.seek(0);
+    return begin;
+}
+
 ProgramUnit* ProgramUnits::find(const std::string& name, ProgramText& near) {
     if (const auto known = units_.find(name); known != units_.end()) return known->second.get();
     ProgramText* text = &near;

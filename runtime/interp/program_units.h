@@ -79,6 +79,8 @@ class ProgramUnits {
                  std::size_t kept, ProgramFiles* files);
 
     ProgramUnit& main() { return *main_; }
+    /// Looks where the main program begins; before anything is read.
+    void settle_main();
     /// The program with this name, looked for in `near` first; nullptr: there is none.
     ProgramUnit* find(const std::string& name, ProgramText& near);
     /// What a line is called in a block: one number for all texts, the line's own in the main one.
@@ -91,6 +93,7 @@ class ProgramUnits {
 
   private:
     std::optional<LinePosition> find_in(ProgramText& text, const std::string& name) const;
+    LinePosition main_begin() const;
     void look_for_head(ProgramUnit& unit) const;
 
     const nc::Dialect& dialect_;

@@ -20,7 +20,7 @@ Snapshot Executor::snapshot() const {
     now.selected_tool = tool_.selected;
     now.length_offset = tool_.source == Tool::Source::Offset ? tool_.offset : 0;
     now.radius_offset = tool_.radius_offset;
-    now.tool_length = tool_.length;
+    now.tool_length = tool_.lengths[static_cast<Eigen::Index>(index(tool_.axis))];
     now.work_offset = work_offset_;
     now.coolant = coolant_;
     if (modal_cycle_.is_active) now.cycle = dialect_.cycles()[modal_cycle_.cycle].name;

@@ -158,13 +158,7 @@ void Executor::approach_softly(const Block& block, const Actions& actions) {
     if (compensation_.is_on() && comp_.side == Function::RadiusCompOff) {
         stop_comp();
     } else if (compensation_.is_on() && !is_new) {
-        send_comp({CompChange::Kind::Begin,
-                   comp_settings(),
-                   modal_.plane,
-                   comp_distance(block, comp_offset().value_or(0)),
-                   position_.base,
-                   {},
-                   {}});
+        send_comp(comp_change(block, CompChange::Kind::Begin));
     }
     if (ended_) return;
     has_moved_ = true;
@@ -331,13 +325,7 @@ void Executor::retract_softly(const Block& block, const Actions& actions) {
     arrive({frames_.from_base(here), here,
             static_cast<AxisMask>(target.moved | bit(axes.first) | bit(axes.second))});
     if (comp_.side != Function::RadiusCompOff && was_on)
-        send_comp({CompChange::Kind::Begin,
-                   comp_settings(),
-                   modal_.plane,
-                   comp_distance(block, comp_offset().value_or(0)),
-                   position_.base,
-                   {},
-                   {}});
+        send_comp(comp_change(block, CompChange::Kind::Begin));
 }
 
 }  // namespace kadr::interp

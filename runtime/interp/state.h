@@ -59,8 +59,8 @@ struct Tool {
     bool has_changed = false;        // the length that should act has to be looked up
     std::int64_t radius_offset = 0;  // number of the radius offset for compensation
 
-    double length = 0;    // in force, mm
-    Axis axis = Axis::Z;  // along which it is in force
+    path::Vec3 lengths = path::Vec3::Zero();  // in force along X, Y, Z, mm
+    Axis axis = Axis::Z;                      // along which the chief one of them lies
 
     /// Number of the tool or offset whose length should act.
     std::int64_t length_number() const { return source == Source::Edge ? current : offset; }

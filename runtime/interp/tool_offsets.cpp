@@ -4,23 +4,55 @@ namespace kadr::interp {
 
 namespace {
 
-std::size_t place_of(ToolOffsets::Column column) { return static_cast<std::size_t>(column) - 1; }
+using Column = ToolOffsets::Column;
+
+std::size_t place_of(Column column) { return static_cast<std::size_t>(column); }
 
 }  // namespace
 
-ToolOffsets::ToolOffsets(const machine::Machine& machine) {
-    for (const machine::ToolData& tool : machine.tools)
-        offsets_.try_emplace(tool.number, std::array<double, 4>{tool.length, 0, tool.radius, 0});
+ToolOffsets::ToolOffsets(const machine::Machine& machine) : is_lathe_(machine.is_lathe) {
+    for (const machine::ToolData& tool : machine.tools) {
+        auto& offset = offsets_[tool.number];
+        offset[place_of(is_lathe_ ? Column::Second : Column::First)] = tool.length;
+        if (is_lathe_) offset[place_of(Column::First)] = tool.length_x;
+        offset[place_of(Column::Radius)] = tool.radius;
+        offset[place_of(Column::Tip)] = tool.tip;
+    }
 }
 
-std::optional<ToolOffsets::Column> ToolOffsets::column_of(nc::Quantity quantity) {
+bool ToolOffsets::is_turning(std::int64_t number) const {
+    constexpr int kTurning = 5;  // types 500 to 599; S 5.1
+    const int kind = type(number);
+    return kind == 0 ? is_lathe_ : kind / 100 == kTurning;
+}
+
+std::optional<Column> ToolOffsets::column_of(nc::Quantity quantity, std::int64_t number) const {
+    using nc::Quantity;
+    const bool is_turned = is_turning(number);
     switch (quantity) {
-        case nc::Quantity::LengthGeometry: return Column::Length;
-        case nc::Quantity::LengthWear: return Column::LengthWear;
-        case nc::Quantity::RadiusGeometry: return Column::Radius;
-        case nc::Quantity::RadiusWear: return Column::RadiusWear;
+        case Quantity::LengthGeometry: return is_turned ? Column::Second : Column::First;
+        case Quantity::LengthWear: return is_turned ? Column::SecondWear : Column::FirstWear;
+        case Quantity::CrossGeometry:
+        case Quantity::FirstLength: return Column::First;
+        case Quantity::CrossWear:
+        case Quantity::FirstWear: return Column::FirstWear;
+        case Quantity::SecondLength: return Column::Second;
+        case Quantity::SecondWear: return Column::SecondWear;
+        case Quantity::ThirdLength: return Column::Third;
+        case Quantity::ThirdWear: return Column::ThirdWear;
+        case Quantity::RadiusGeometry: return Column::Radius;
+        case Quantity::RadiusWear: return Column::RadiusWear;
+        case Quantity::ToolTip: return Column::Tip;
+        case Quantity::ToolType: return Column::Type;
         default: return std::nullopt;
     }
+}
+
+Column ToolOffsets::column_at(std::int64_t place, std::int64_t number) const {
+    using nc::Quantity;
+    static constexpr std::array kPlaces = {Quantity::LengthGeometry, Quantity::LengthWear,
+                                           Quantity::RadiusGeometry, Quantity::RadiusWear};
+    return *column_of(kPlaces.at(static_cast<std::size_t>(place) - 1), number);
 }
 
 double ToolOffsets::value(Column column, std::int64_t number) const {
@@ -32,12 +64,18 @@ void ToolOffsets::set(Column column, std::int64_t number, double value) {
     offsets_[number][place_of(column)] = value;
 }
 
-double ToolOffsets::length(std::int64_t number) const {
-    return value(Column::Length, number) + value(Column::LengthWear, number);
+double ToolOffsets::length(std::size_t part, std::int64_t number) const {
+    static constexpr std::array kLengths = {Column::First, Column::Second, Column::Third};
+    static constexpr std::array kWears = {Column::FirstWear, Column::SecondWear, Column::ThirdWear};
+    return value(kLengths[part - 1], number) + value(kWears[part - 1], number);
 }
 
 double ToolOffsets::radius(std::int64_t number) const {
     return value(Column::Radius, number) + value(Column::RadiusWear, number);
+}
+
+int ToolOffsets::whole(Column column, std::int64_t number) const {
+    return static_cast<int>(value(column, number));
 }
 
 }  // namespace kadr::interp

@@ -14,23 +14,46 @@ namespace kadr::interp {
 
 class ToolOffsets {
   public:
-    /// What an offset consists of; the numbers are those of the vocabulary (tool_offset_data).
-    enum class Column : std::uint8_t { Length = 1, LengthWear, Radius, RadiusWear };
+    /// What an offset consists of. Lengths have the numbers of SINUMERIK: the first is that of a
+    /// mill or drill along itself, of a turning tool the one along X, and its second is along Z.
+    enum class Column : std::uint8_t {
+        First,
+        FirstWear,
+        Second,
+        SecondWear,
+        Third,
+        ThirdWear,
+        Radius,
+        RadiusWear,
+        Tip,   // 0 to 9, as in machine::ToolData
+        Type,  // 0: nobody has said it
+    };
 
     explicit ToolOffsets(const machine::Machine& machine);
 
-    static std::optional<Column> column_of(nc::Quantity quantity);
+    /// The column that a quantity is of this offset.
+    std::optional<Column> column_of(nc::Quantity quantity, std::int64_t number) const;
+    /// … and the one that has this number in the vocabulary (tool_offset_data).
+    Column column_at(std::int64_t place, std::int64_t number) const;
     /// The machine has a tool of this number, or the program has written its offset.
     bool is_known(std::int64_t number) const { return offsets_.contains(number); }
+    /// The tool has lengths along X and Z: its type says so, or the machine is a lathe.
+    bool is_turning(std::int64_t number) const;
     /// mm; 0 of an offset that nobody has set.
     double value(Column column, std::int64_t number) const;
     void set(Column column, std::int64_t number, double value);
-    /// What acts: geometry and wear, mm.
-    double length(std::int64_t number) const;
+    /// What acts, geometry and wear, mm: length 1, 2 or 3.
+    double length(std::size_t part, std::int64_t number) const;
     double radius(std::int64_t number) const;
+    int tip(std::int64_t number) const { return whole(Column::Tip, number); }
+    int type(std::int64_t number) const { return whole(Column::Type, number); }
 
   private:
-    std::map<std::int64_t, std::array<double, 4>> offsets_;
+    int whole(Column column, std::int64_t number) const;
+
+    static constexpr std::size_t kColumns = 10;
+    std::map<std::int64_t, std::array<double, kColumns>> offsets_;
+    bool is_lathe_;
 };
 
 }  // namespace kadr::interp

@@ -54,7 +54,7 @@ const XmlShape& machine_shape() {
           "home3",
           "home4"},
          {}},
-        {"tool", {{"number", Filled}, "length", "radius", "name"}, {}},
+        {"tool", {{"number", Filled}, "length", "length_x", "radius", "tip", "name"}, {}},
         {"offset", {{"number", Filled}, "x", "y", "z", "a", "b", "c", "u", "v", "w"}, {}},
         {"spindle_drive",
          {{"inertia", Filled},
@@ -220,7 +220,9 @@ class MachineBuilder {
         ToolData tool;
         tool.name = reader.text("name");
         tool.length = reader.quantity("length", Dimension::Length).value_or(0);
+        tool.length_x = reader.quantity("length_x", Dimension::Length).value_or(0);
         tool.radius = reader.magnitude("radius", Dimension::Length).value_or(0);
+        tool.tip = static_cast<int>(reader.whole("tip", 0, 9).value_or(0));
         if (!number || !is_first("tool " + std::to_string(*number), reader.place("number"))) return;
         if (!tool.name.empty() && !is_first("a tool `" + tool.name + '`', reader.place("name")))
             return;

@@ -33,8 +33,10 @@ struct MachineAxis {
 
 struct ToolData {
     std::int64_t number = 0;
-    double length = 0;  // mm
-    double radius = 0;  // mm
+    double length = 0;    // mm
+    double radius = 0;    // mm
+    double length_x = 0;  // mm, of a lathe's tool: along X, on the radius
+    int tip = 0;          // where the programmed point lies on the nose of a lathe's tool, 1 to 9
     std::string name;
 };
 

@@ -121,6 +121,11 @@ void Standing::set_tool_length(const Command& command, const AxisTable& axes) {
     const Vec3 carrier = tip_ + tool_length_ * tool_;
     tool_ = tool_axis(command.plane, axes);
     tool_length_ = command.length;
+    if (!command.aside.isZero(0)) {  // of a lathe's tool: what carries it lies aside as well
+        const Vec3 carried = command.length * tool_ + command.aside;
+        tool_length_ = carried.norm();
+        tool_ = carried / tool_length_;
+    }
     tip_ = carrier - tool_length_ * tool_;
 }
 

@@ -65,6 +65,15 @@ std::optional<std::string> match_program(const ProgramPattern& pattern, std::str
     return ignores_case ? upper_ascii(name) : std::string(name);
 }
 
+const ProgramPattern* header_of(const CallLanguage& calls, std::string_view line,
+                                bool ignores_case) {
+    while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
+    const auto found = std::ranges::find_if(calls.headers, [&](const ProgramPattern& pattern) {
+        return match_program(pattern, line, ignores_case, false).has_value();
+    });
+    return found == calls.headers.end() ? nullptr : &*found;
+}
+
 std::optional<std::string> program_of_header(const CallLanguage& calls, std::string_view line,
                                              bool ignores_case) {
     while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);

@@ -16,6 +16,7 @@ struct ProgramPattern {
     std::string before;
     std::string behind;
     bool is_number = false;
+    bool is_subprogram = false;  // of a head: never the main program of a text
 };
 
 /// Reads `form`; false: it has not one hole, {n} or {name}.
@@ -67,6 +68,9 @@ struct CallLanguage {
     std::vector<std::string> options;  // words of a procedure that change nothing here
 };
 
+/// The head that this line is; nullptr: none.
+const ProgramPattern* header_of(const CallLanguage& calls, std::string_view line,
+                                bool ignores_case);
 /// The program that begins with this line.
 std::optional<std::string> program_of_header(const CallLanguage& calls, std::string_view line,
                                              bool ignores_case);

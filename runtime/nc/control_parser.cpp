@@ -228,6 +228,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
                               static_cast<std::uint32_t>(begin + word.text.size())};
             if (take_tokens(form, word, statement)) {
                 tables_.note(&form);
+                if (form.operation) join_values(*form.operation, statement);
                 out = std::move(statement);
                 return true;
             }
@@ -238,6 +239,14 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         if (fault_) return false;
         at_ = begin;
         return false;
+    }
+
+    /// The values of a statement stand in the code side by side; together they are one.
+    void join_values(Operation operation, ControlStatement& out) {
+        emit_operation(operation, out.second.is_given() ? 2 : 1, out.value.span.begin);
+        out.value.count = static_cast<std::uint32_t>(out_.code.size()) - out.value.first;
+        if (out.second.is_given()) out.value.span.end = out.second.span.end;
+        out.second = {};
     }
 
     /// Whether a program must be named directly behind the keyword, or it is another word.

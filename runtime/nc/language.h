@@ -192,8 +192,9 @@ struct StatementForm {
     Statement statement = Statement::None;
     std::string form;
     std::vector<StatementToken> tokens;
-    std::uint32_t closes = 0;  // EndLoop: a bit for each statement that it ends
-    bool repeats = false;      // the same may follow in the block (IfDo)
+    std::uint32_t closes = 0;            // EndLoop: a bit for each statement that it ends
+    bool repeats = false;                // the same may follow in the block (IfDo)
+    std::optional<Operation> operation;  // of the values in its holes: the value that counts
     std::string doc;
 };
 

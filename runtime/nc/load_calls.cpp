@@ -34,6 +34,8 @@ class CallLoader {
         ProgramPattern pattern;
         if (!read_program_pattern(form.value, pattern))
             return attributes_.bad_value(form, "{n} or {name} is expected in it");
+        if (const auto kind = attributes_.choice(element, "kind", {"main", "subprogram"}))
+            pattern.is_subprogram = *kind == 1;
         std::erase_if(out, [&](const ProgramPattern& old) { return old.form == pattern.form; });
         out.push_back(std::move(pattern));
     }

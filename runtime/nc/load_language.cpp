@@ -258,10 +258,14 @@ class LanguageLoader {
         attributes_.read_flag(element, "repeats", form.repeats);
         Attributes::read_text(element, "doc", form.doc);
         if (const XmlAttribute* closes = element.find("closes")) read_closes(*closes, form);
+        if (const XmlAttribute* operation = element.find("operation"))
+            read_operation(*operation, form);
         if (!read_tokens(element.text, form)) {
             return attributes_.bad_word({element.text, element.text_range}, "statement",
                                         "a keyword is expected first, and known {holes}");
         }
+        if (!fits_operation(form))
+            return attributes_.bad_value(name, "its operation takes another number of values");
         std::erase_if(language_.statements,
                       [&](const StatementForm& old) { return old.form == form.form; });
         language_.statements.push_back(std::move(form));
@@ -278,6 +282,24 @@ class LanguageLoader {
                 form.closes |= 1u << (found - names.begin());
             }
         }
+    }
+
+    void read_operation(const XmlAttribute& attribute, StatementForm& form) {
+        const auto row =
+            row_named(all_operations(), attribute, "there is no such operation", attributes_);
+        if (row) form.operation = static_cast<Operation>(*row);
+    }
+
+    /// As many values stand in the pattern as the operation takes.
+    static bool fits_operation(const StatementForm& form) {
+        if (!form.operation) return true;
+        using Hole = StatementToken::Hole;
+        const auto operands = std::ranges::count_if(form.tokens, [](const StatementToken& token) {
+            return token.kind == StatementToken::Kind::Hole &&
+                   (token.hole == Hole::Value || token.hole == Hole::Last);
+        });
+        return operands >= info(*form.operation).least_arguments &&
+               operands <= info(*form.operation).most_arguments;
     }
 
     static bool read_tokens(std::string_view text, StatementForm& form) {
@@ -302,7 +324,11 @@ class LanguageLoader {
                 if (found == std::end(kHoleNames)) return false;
                 token.hole = static_cast<StatementToken::Hole>(found - std::begin(kHoleNames));
             } else if (is_name_char(c)) {
-                while (end < text.size() && is_name_char(text[end])) ++end;
+                const auto is_inside = [](char sign) {
+                    return is_name_char(sign) ||
+                           std::isdigit(static_cast<unsigned char>(sign)) != 0;
+                };
+                while (end < text.size() && is_inside(text[end])) ++end;
                 token.text = text.substr(at, end - at);
             } else if (c == '?') {  // `?` before a piece: from here on it may be left out
                 is_optional = true;
@@ -371,6 +397,15 @@ void load_language(const XmlElement& element, DialectTables& tables, Attributes&
         if (first < 128) language.variable_starts.set(first);
         if (first < 128 && tables.rules.ignores_case)
             language.variable_starts.set(static_cast<unsigned char>(std::tolower(first)));
+    }
+    // `D01`: a letter and digits, as words are.
+    for (const StatementForm& form : language.statements) {
+        const std::string& keyword = form.tokens[0].text;
+        if (keyword.size() < 2 || is_name_char(keyword[1])) continue;
+        language.variable_starts.set(static_cast<unsigned char>(keyword[0]));
+        if (tables.rules.ignores_case)
+            language.variable_starts.set(
+                static_cast<unsigned char>(std::tolower(static_cast<unsigned char>(keyword[0]))));
     }
     language.call_starts.reset();
     for (const CallForm& call : language.calls.calls) {

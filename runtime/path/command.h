@@ -65,14 +65,15 @@ struct Command {
     double turns = 0;           // additional full turns, as programmed
     SplineShape spline;         // Spline: one span, from where the tool is to `to`
 
-    double feed = 0;         // mm/min, mm/rev or 1/min, as feed_mode says; of a thread mm/rev
-    double speed = 0;        // Spindle: rpm or m/min; SpeedLimit: rpm
-    double angle_deg = 0;    // Spindle orient; Thread: angle of the spindle at its start
-    double time = 0;         // Dwell, s; 0 if revolutions
-    double revolutions = 0;  // Dwell
-    std::int64_t tool = 0;   // Tool, ToolLength: the tool or offset number
-    double length = 0;       // ToolLength: what is added along the normal of `plane`, mm
-    std::string text;        // Message
+    double feed = 0;            // mm/min, mm/rev or 1/min, as feed_mode says; of a thread mm/rev
+    double speed = 0;           // Spindle: rpm or m/min; SpeedLimit: rpm
+    double angle_deg = 0;       // Spindle orient; Thread: angle of the spindle at its start
+    double time = 0;            // Dwell, s; 0 if revolutions
+    double revolutions = 0;     // Dwell
+    std::int64_t tool = 0;      // Tool, ToolLength: the tool or offset number
+    double length = 0;          // ToolLength: what is added along the normal of `plane`, mm
+    Vec3 aside = Vec3::Zero();  // ToolLength: … and along the other axes, mm
+    std::string text;           // Message
 };
 
 }  // namespace kadr::path

@@ -315,9 +315,6 @@ TEST(Compensation, WithoutARadius) {
     const Ran ran = read("sinumerik", kSinumerik + "G42 G1 X10\nX20\nG40 Y20\nM30\n", machine);
     EXPECT_EQ(way_of(ran), "L10,0 L20,0 L20,20");
     EXPECT_EQ(ran.codes(), "K5271");
-    machine = mill();
-    machine.is_lathe = true;
-    EXPECT_EQ(read("sinumerik", kSinumerik + "G42 G1 X10\n", machine).codes(), "K5250");
 }
 
 }  // namespace

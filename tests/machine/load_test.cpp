@@ -85,6 +85,7 @@ TEST(MachineFile, ValuesAreCanonical) {
                     jerk="100 m/s3" home="1in" home2="-50 mm" home4="0.2 m"/>
               <axis name="C" velocity="60 rpm" acceleration="180 deg/s2" home="90 deg" home3="0.5 rad"/>
               <tool number="3" name="drill" length="120.5 mm" radius="4250 um"/>
+              <tool number="4" length="80 mm" length_x="-60.25 mm" radius="0.8 mm" tip="3"/>
               <offset number="2" x="-10 mm" c="45 deg"/>
             </machine>)",
         loaded);
@@ -120,7 +121,10 @@ TEST(MachineFile, ValuesAreCanonical) {
     ASSERT_NE(machine.find_tool(3), nullptr);
     EXPECT_DOUBLE_EQ(machine.find_tool(3)->length, 120.5);
     EXPECT_DOUBLE_EQ(machine.find_tool(3)->radius, 4.25);
-    EXPECT_EQ(machine.find_tool(4), nullptr);
+    EXPECT_EQ(machine.find_tool(3)->tip, 0);
+    EXPECT_DOUBLE_EQ(machine.find_tool(4)->length_x, -60.25);
+    EXPECT_EQ(machine.find_tool(4)->tip, 3);
+    EXPECT_EQ(machine.find_tool(5), nullptr);
     ASSERT_EQ(machine.work_offsets.size(), 3u);
     EXPECT_DOUBLE_EQ(machine.work_offsets[1][0], 0);
     EXPECT_DOUBLE_EQ(machine.work_offsets[2][0], -10);
@@ -287,6 +291,7 @@ TEST(MachineFile, MistakesOfValues) {
           {"long tick", long_tick.c_str(), "K6019", "100 s", ""},
           {"negative time", time.c_str(), "K6012", "-1 s", ""},
           {"negative radius", R"(<tool number="1" radius="-1 mm"/>)", "K6012", "-1 mm", ""},
+          {"no such tip", R"(<tool number="1" tip="10"/>)", "K6018", "10", ""},
           {"offset G54", R"(<offset number="G54"/>)", "K6018", "G54", ""},
           {"offset zero", R"(<offset number="0"/>)", "K6018", "0", ""},
           {"offset too large", R"(<offset number="99999999999999999999"/>)", "K6018",
