@@ -5,7 +5,8 @@
 // every corner with a speed. Then there are two ways:
 //
 // Without a limit of the jerk every piece is a stretch of its own: the look-ahead gives its ends
-// their speeds, and a trapezoid connects them.
+// their speeds, and a trapezoid connects them. Bent pieces that bring an axis near its acceleration
+// come in cells (bent_cell.h), with the limits of every axis at both ends instead of fixed shares.
 //
 // With one, stretch.h gathers pieces to stretches with one set of limits. The look-ahead gives the
 // ends of the stretches their speeds; there the acceleration vanishes. A profile of seven phases

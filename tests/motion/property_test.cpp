@@ -135,9 +135,11 @@ TickShares shares_of(const machine::Machine& machine, const std::vector<Command>
 
 RC_GTEST_PROP(MotionProperty, SampledAxesKeepTheirJerk, ()) {
     const auto machine = any_machine();
-    const double share = shares_of(machine, any_program()).jerk;
-    RC_CLASSIFY(share > 0.9, "close to the limit");
-    RC_ASSERT(share <= 1 + 1e-3);
+    const TickShares shares = shares_of(machine, any_program());
+    RC_CLASSIFY(shares.jerk > 0.9, "close to the limit");
+    RC_ASSERT(shares.velocity <= 1 + 1e-3);
+    RC_ASSERT(shares.acceleration <= 1 + 1e-3);
+    RC_ASSERT(shares.jerk <= 1 + 1e-3);
 }
 
 /// A chain without corners: lines, spans of splines and arcs that go on in one direction.
@@ -350,6 +352,40 @@ RC_GTEST_PROP(MotionProperty, CuttingALineCostsNoTime, ()) {
     const double whole = run(machine, {line_to(end, feed)}).totals.time;
     const double cut = run(machine, program).totals.time;
     RC_ASSERT(std::abs(cut - whole) <= 1e-7 * whole);
+}
+
+/// A closed contour of waves, in blocks of one length from 10 to 200 µm.
+std::vector<Command> any_short_blocks() {
+    const double step = any_number(10, 200) / 1000;
+    const double radius = any_number(3, 20);
+    const double wave = any_number(0, 1) * radius / 10;
+    const int waves = *rc::gen::inRange(2, 6);
+    const double feed = any_number(500, 6000);
+    std::vector<Command> program;
+    for (double s = 0; s < 20; s += step) {
+        const double angle = s / radius;
+        const double r = radius + wave * std::cos(waves * angle);
+        program.push_back(line_to(
+            {r * std::cos(angle) - radius - wave, r * std::sin(angle), wave * std::sin(angle)},
+            feed));
+    }
+    return program;
+}
+
+RC_GTEST_PROP(ShortBlocks, KeepTheLimitsAndNeverStop, ()) {
+    const auto machine = any_machine();
+    const auto program = any_short_blocks();
+    const Motion motion = run(machine, program);
+    for (std::size_t i = 1; i < motion.segments.size(); ++i) {
+        RC_ASSERT(motion.segments[i].profile.entry_speed > 0);
+    }
+    TickWatch watch(machine, motion.segments);
+    const auto setpoints = sample(machine, program);
+    for (const Setpoint& setpoint : setpoints) watch.add(setpoint);
+    RC_ASSERT(watch.shares().velocity <= 1 + 1e-3);
+    RC_ASSERT(watch.shares().acceleration <= 1 + 1e-3);
+    RC_ASSERT(watch.shares().jerk <= 1 + 1e-3);
+    RC_ASSERT(setpoints.back().tip == path::end(motion.segments.back().curve));
 }
 
 TEST(ShortBlocks, PassWithoutStopping) {
