@@ -211,6 +211,11 @@ class Bench:
             self.add(f"plan lines, look-ahead {depth}", f"{time:.2f} µs",
                      f"{LINUXCNC_PLAN} µs (LinuxCNC, 50 deep)", f"{LINUXCNC_PLAN / time:.1f}",
                      "1 µs, aim 0.3", judge(1 / time, 1, 1 / 0.3))
+        time = 1e6 / self.items("plan", 1024, "smooth")
+        self.add("… under a limit of the jerk, look-ahead 1024", f"{time:.2f} µs", "", "",
+                 "1 µs, aim 0.3", judge(1 / time, 1, 1 / 0.3))
+        time = 1e6 / self.items("plan", 1024, "circles")
+        self.add("plan cells of fast circles, look-ahead 1024", f"{time:.2f} µs", "", "", "", "")
         for kind in ("lines", "arcs", "helices"):
             setpoints = self.items("sample", kind)
             self.add(f"sample {kind}", rate(setpoints, "setpoints"), "", "", "5 M/s, aim 20",

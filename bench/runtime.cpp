@@ -2,7 +2,9 @@
 //
 //   bench_runtime read FILE DIALECT         text → blocks
 //   bench_runtime interpret FILE DIALECT    text → blocks → commands
-//   bench_runtime plan DEPTH                commands → segments, look-ahead DEPTH
+//   bench_runtime plan DEPTH [smooth|circles]
+//                                           commands → segments, look-ahead DEPTH; under a limit of
+//                                           the jerk; circles at the limits of the axes
 //   bench_runtime sample lines|arcs|helices segments → setpoints
 //
 // Prints `items seconds`: how many came out, and the CPU time of the process for them.
@@ -103,6 +105,11 @@ void circle(Command& command, std::uint64_t i) {
     command.moved = kadr::kLinearXYZ;
     command.feed = 6000;
 }
+/// At a feed that the axes do not reach on them: planned in cells.
+void fast_circle(Command& command, std::uint64_t i) {
+    circle(command, i);
+    command.feed = 60000;
+}
 void helix(Command& command, std::uint64_t i) {
     circle(command, i);
     command.to[2] = i % 2 == 0 ? 5.0 : 0.0;
@@ -145,8 +152,14 @@ int main(int argc, char** argv) {
     kadr::motion::PlannerOptions options;
     if (argument(1) == "plan") {
         options.lookahead = std::strtoul(argument(2).c_str(), nullptr, 10);
-        MadeCommands commands(short_line, 1'000'000);
-        kadr::motion::Planner planner(commands, *machine, options, sink);
+        kadr::machine::Machine moved = *machine;
+        if (argument(3) == "smooth") {
+            for (auto& axis : moved.axes) axis.jerk = 20 * axis.acceleration;
+        }
+        const bool is_circles = argument(3) == "circles";
+        MadeCommands commands(is_circles ? fast_circle : short_line,
+                              is_circles ? 10'000 : 1'000'000);
+        kadr::motion::Planner planner(commands, moved, options, sink);
         drain(planner);
         return verdict(sink, sources);
     }

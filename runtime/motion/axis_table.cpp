@@ -84,15 +84,32 @@ double acceleration_left(const SplineBend& bend, Eigen::Index axis, double speed
 
 AxisTable::AxisTable(const machine::Machine& machine) {
     slots_.fill(machine.axes.size());
+    const bool has_pulses = machine.laser && machine.laser->pulse > 0;
     for (const machine::MachineAxis& axis : machine.axes) {
         slots_[index(axis.axis)] = axes_.size();
         // A machine that no file describes may leave the jerk open; and the pulses of a laser are
         // timed with trapezoids.
-        const bool is_limited = axis.jerk > 0 && !machine.laser;
+        const bool is_limited = axis.jerk > 0 && !has_pulses;
         const double jerk = is_limited ? axis.jerk : kInfinity;
         axes_.push_back({index(axis.axis), axis.velocity, axis.acceleration, jerk});
         limits_jerk_ = limits_jerk_ || std::isfinite(jerk);
+        if (index(axis.axis) >= 3) continue;
+        const auto i = static_cast<Eigen::Index>(index(axis.axis));
+        linear_.velocity[i] = axis.velocity;
+        linear_.acceleration[i] = axis.acceleration;
     }
+}
+
+PathLimits AxisTable::follower_limits(const Segment& piece, double wanted) const {
+    PathLimits limits{wanted, kInfinity, kInfinity, kInfinity};
+    for (const Entry& axis : axes_) {
+        if (axis.coordinate < 3) continue;
+        const double rate = std::abs(piece.follower_rate[axis.coordinate - 3]);
+        if (rate * limits.speed > axis.velocity) limits.speed = axis.velocity / rate;
+        if (rate * limits.acceleration > axis.acceleration)
+            limits.acceleration = axis.acceleration / rate;
+    }
+    return limits;
 }
 
 AxisRates AxisTable::rates(const path::Vec3& tangent, const Segment& piece) const {
@@ -340,6 +357,23 @@ AxisTable::Peaks AxisTable::peaks(const Segment& piece, const Loads& loads) cons
         }
     }
     return peaks;
+}
+
+void AxisTable::measure_cell(const Segment& piece, const BentCell& cell, Peaks& peaks) const {
+    const Profile& profile = piece.profile;
+    const bool rests = profile.entry_speed == 0 && profile.exit_speed == 0;
+    const path::Vec3 loads =
+        rests ? greatest_load(cell, profile.acceleration, profile.peak_speed * profile.peak_speed)
+              : load_between(cell, profile.entry_speed, profile.exit_speed);
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+        if (axes_[i].coordinate >= 3) continue;
+        const auto c = static_cast<Eigen::Index>(axes_[i].coordinate);
+        const double rate =
+            std::min(1.0, std::max(std::abs(cell.entry.along[c]), std::abs(cell.exit.along[c])) *
+                              axes_[i].acceleration);
+        peaks.velocity[i] = std::min(peaks.velocity[i], rate * profile.peak_speed);
+        peaks.acceleration[i] = std::min(peaks.acceleration[i], loads[c] * axes_[i].acceleration);
+    }
 }
 
 AxisRates AxisTable::positions(const Segment& piece, double distance) const {

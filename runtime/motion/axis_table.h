@@ -12,6 +12,7 @@
 
 #include "base/axes.h"
 #include "machine/machine.h"
+#include "motion/bent_cell.h"
 #include "motion/corner.h"
 #include "motion/segment.h"
 
@@ -38,6 +39,11 @@ class AxisTable {
     double jerk(std::size_t i) const { return axes_[i].jerk; }
     /// Whether the jerk of any axis is limited.
     bool limits_jerk() const { return limits_jerk_; }
+
+    /// What X, Y and Z may do.
+    const LinearLimits& linear_limits() const { return linear_; }
+    /// The greatest speed up to `wanted` and the acceleration that the axes beside X, Y, Z allow.
+    PathLimits follower_limits(const Segment& piece, double wanted) const;
 
     /// dq/ds of every axis at the start and at the end of a piece.
     AxisRates start_rates(const Segment& piece) const;
@@ -92,6 +98,8 @@ class AxisTable {
         AxisRates jerk{};
     };
     Peaks peaks(const Segment& piece, const Loads& loads) const;
+    /// The same of the linear axes on a cell, where speeding up and turning never meet in full.
+    void measure_cell(const Segment& piece, const BentCell& cell, Peaks& peaks) const;
 
     /// Positions of the axes at a distance along the piece.
     AxisRates positions(const Segment& piece, double distance) const;
@@ -120,6 +128,7 @@ class AxisTable {
 
     std::vector<Entry> axes_;
     std::array<std::size_t, kAxes> slots_{};
+    LinearLimits linear_;
     bool limits_jerk_ = false;
 };
 

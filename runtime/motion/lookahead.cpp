@@ -26,6 +26,7 @@ void LookAhead::append(const Stretch& stretch) {
     fresh.acceleration = stretch.acceleration;
     fresh.jerk = stretch.jerk;
     fresh.pieces = stretch.pieces;
+    fresh.is_cell = false;
     fresh.gain = 2 * stretch.acceleration * stretch.length;
     fresh.speed = stretch.speed * stretch.speed;
     fresh.limit = std::min({stretch.entry_limit * stretch.entry_limit, last_speed_, fresh.speed});
@@ -33,10 +34,22 @@ void LookAhead::append(const Stretch& stretch) {
     pieces_ += stretch.pieces;
 }
 
+void LookAhead::append(const BentCell& cell, double entry_limit) {
+    append(Stretch{cell.length, cell.speed, cell.acceleration, entry_limit});
+    cells_.resize(nodes_.size());
+    cells_[(first_ + count_ - 1) & mask_] = cell;
+    node(count_ - 1).is_cell = true;
+}
+
 void LookAhead::grow() {
     std::vector<Node> larger(2 * nodes_.size());
-    for (std::size_t i = 0; i < count_; ++i) larger[i] = node(i);
+    std::vector<BentCell> cells(cells_.empty() ? 0 : larger.size());
+    for (std::size_t i = 0; i < count_; ++i) {
+        larger[i] = node(i);
+        if (node(i).is_cell) cells[i] = cells_[(first_ + i) & mask_];
+    }
     nodes_ = std::move(larger);
+    cells_ = std::move(cells);
     mask_ = nodes_.size() - 1;
     first_ = 0;
 }
@@ -47,11 +60,24 @@ double LookAhead::Node::reach(double other) const {
     return reached * reached;
 }
 
+/// The entry speed by what comes after.
+double LookAhead::entry_of(std::size_t i, double after) const {
+    const Node& current = node(i);
+    if (!current.is_cell) return std::min(current.limit, current.reach(after));
+    return entry_square(cells_[(first_ + i) & mask_], current.limit, after);
+}
+
+double LookAhead::exit_of_oldest(double limit) const {
+    const Node& oldest = node(0);
+    if (!oldest.is_cell) return std::min(limit, oldest.reach(reached_));
+    return exit_square(cells_[first_], reached_, limit);
+}
+
 void LookAhead::plan_backward() {
     double after = 0;  // the path ends at rest behind what is known
     for (std::size_t i = count_; i-- > 0;) {
         Node& current = node(i);
-        const double entry = std::min(current.limit, current.reach(after));
+        const double entry = entry_of(i, after);
         // Everything before depends on this speed alone: unchanged here, unchanged there.
         if (i < planned_ && entry == current.backward) break;
         current.backward = entry;
@@ -79,7 +105,7 @@ JunctionSpeeds LookAhead::take() {
     }
     const Node& oldest = node(0);
     const double exit_limit = count_ > 1 ? node(1).backward : 0.0;
-    const double exit = std::min(exit_limit, oldest.reach(reached_));
+    const double exit = exit_of_oldest(exit_limit);
     const JunctionSpeeds speeds{std::sqrt(reached_), std::sqrt(exit)};
     reached_ = exit;
     first_ = (first_ + 1) & mask_;

@@ -5,6 +5,7 @@
 // from rest, a forward pass from the speed reached (reference motion §2.5). Under a limit of the
 // jerk the acceleration vanishes at the junctions, and the speed that a stretch allows at its other
 // end is the monotone one of smooth_profile.h: for this too a new stretch can only raise speeds.
+// Where the path is bent and its axes are at their limits, it comes in cells (bent_cell.h).
 //
 // Streaming: stretches are appended at one end and taken at the other. The backward pass runs once
 // for a thirty-second of the window and stops at the first junction that it does not change, so a
@@ -14,6 +15,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "motion/bent_cell.h"
 #include "motion/stretch.h"
 
 namespace kadr::motion {
@@ -35,6 +37,8 @@ class LookAhead {
 
     /// Grows if the stretches that were complete at once do not fit.
     void append(const Stretch& stretch);
+    /// A cell of bent path (bent_cell.h), by itself; of its Stretch, `entry_limit` counts.
+    void append(const BentCell& cell, double entry_limit);
     /// No more stretches come; the path ends at rest after the last one.
     void finish() { is_finished_ = true; }
 
@@ -54,17 +58,21 @@ class LookAhead {
         double acceleration = 0;
         double jerk = 0;
         std::size_t pieces = 0;
+        bool is_cell = false;
 
         /// The speed allowed at one end by that at the other.
         double reach(double other) const;
     };
     Node& node(std::size_t i) { return nodes_[(first_ + i) & mask_]; }
     const Node& node(std::size_t i) const { return nodes_[(first_ + i) & mask_]; }
+    double entry_of(std::size_t i, double after) const;
+    double exit_of_oldest(double limit) const;
     void plan_backward();
     std::size_t takeable() const;
     void grow();
 
-    std::vector<Node> nodes_;  // a ring
+    std::vector<Node> nodes_;      // a ring
+    std::vector<BentCell> cells_;  // of the nodes that are cells; empty until the first one
     std::size_t mask_;
     std::size_t capacity_;
     std::size_t chunk_;  // how many pieces one backward pass serves

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "motion/axis_table.h"
+#include "motion/bent_cell.h"
 #include "motion/segment.h"
 
 namespace kadr::motion {
@@ -26,7 +27,9 @@ struct Piece {
     double jerk_share = 1;   // the same of the jerk, where the curvature jumps
     double jerk_before = 1;
     double turning_acceleration = std::numeric_limits<double>::infinity();  // see PathLimits
-    AxisRates rates{};                                                      // dq/ds at its start
+    bool is_cell = false;  // planned as `cell` instead
+    BentCell cell;
+    AxisRates rates{};  // dq/ds at its start
     AxisTable::Loads loads;
 };
 

@@ -5,7 +5,8 @@
 // every corner with a speed. Then there are two ways:
 //
 // Without a limit of the jerk every piece is a stretch of its own: the look-ahead gives its ends
-// their speeds, and a trapezoid connects them.
+// their speeds, and a trapezoid connects them. Bent pieces that bring an axis near its acceleration
+// come in cells (bent_cell.h), with the limits of every axis at both ends instead of fixed shares.
 //
 // With one, stretch.h gathers pieces to stretches with one set of limits. The look-ahead gives the
 // ends of the stretches their speeds; there the acceleration vanishes. A profile of seven phases
@@ -29,6 +30,12 @@
 #include "motion/stretch.h"
 
 namespace kadr::motion {
+
+namespace {
+
+constexpr double kStraight = 1e-9;  // as in corner.cpp
+
+}  // namespace
 
 struct Planner::State {
     State(Stream<path::Command>& commands, const machine::Machine& machine,
@@ -96,6 +103,7 @@ void Planner::State::fill() {
             before.jerk *= std::min(1.0, piece.jerk_before / before.jerk_share);
             before.acceleration =
                 std::min(before.acceleration, before.turning_acceleration * piece.jerk_before);
+            before.is_cell = before.is_cell && piece.ramp_before == 1;
             hand_on(before, piece.entry_limit);
         }
         is_waiting = true;
@@ -104,6 +112,10 @@ void Planner::State::fill() {
 
 /// `exit_limit`: of the corner behind it.
 void Planner::State::hand_on(const Piece& piece, double exit_limit) {
+    if (piece.is_cell) {
+        lookahead.append(piece.cell, piece.entry_limit);
+        return;
+    }
     if (!axes.limits_jerk()) {
         lookahead.append({piece.length, piece.speed, piece.acceleration, piece.entry_limit});
         return;
@@ -160,7 +172,9 @@ void Planner::State::plan(Piece& piece) {
     Segment& segment = piece.segment;
     segment.start_time = totals.time;
     if (!is_motion(segment.kind)) return;
-    if (std::isinf(current.jerk)) {
+    if (piece.is_cell) {
+        segment.profile = profile_over(piece.cell, speeds.entry, speeds.exit);
+    } else if (std::isinf(current.jerk)) {
         const auto profile = trapezoid(piece.length, speeds.entry, speeds.exit,
                                        {piece.speed, piece.acceleration, piece.acceleration});
         KADR_ASSERT(profile.has_value(),
@@ -187,7 +201,8 @@ void Planner::State::record(const Piece& piece) {
     const double length = path::length(segment.curve);
     totals.length += length;
     if (segment.kind == SegmentKind::Feed) totals.cutting_length += length;
-    const AxisTable::Peaks peaks = axes.peaks(segment, piece.loads);
+    AxisTable::Peaks peaks = axes.peaks(segment, piece.loads);
+    if (piece.is_cell) axes.measure_cell(segment, piece.cell, peaks);
     for (std::size_t i = 0; i < axes.size(); ++i) {
         totals.max_velocity[i] = std::max(totals.max_velocity[i], peaks.velocity[i]);
         totals.max_acceleration[i] = std::max(totals.max_acceleration[i], peaks.acceleration[i]);
@@ -205,8 +220,9 @@ void Planner::State::record_corner(const Piece& piece) {
     if (axes.limits_jerk()) record_jerk(piece, along);
     if (speed > 0) {
         for (std::size_t i = 0; i < axes.size(); ++i) {
-            const double jump = std::abs(piece.rates[i] - last_rates[i]) * speed / tick;
-            if (jump == 0) continue;
+            const double change = std::abs(piece.rates[i] - last_rates[i]);
+            if (change < kStraight) continue;
+            const double jump = change * speed / tick;
             const double reached = corner_acceleration(last_loads.at(i, speed, last_along),
                                                        piece.loads.at(i, speed, along), jump);
             totals.max_acceleration[i] = std::max(totals.max_acceleration[i], reached);

@@ -39,6 +39,14 @@ constexpr double kMostJump = 0.5;  // part of an axis' jerk that a jump of the c
 // To go on after a missing feed has been reported, mm/s; slow enough to be noticed in the time.
 constexpr double kFallbackFeed = 1;
 
+// Of an axis' acceleration, what the bend of a piece takes before it is planned in cells; below,
+// its fixed shares leave 95 % to the ramps.
+constexpr double kBendForCells = 0.3;
+// No cell of a spline is shorter, mm: it passes in a tick.
+constexpr double kShortCell = 0.02;
+// A cell may be faster than fixed shares allow, whose speed is this part of the most there is.
+constexpr double kSharedSpeed = 0.93;
+
 // Of two speeds, relative: rounding of products, far below what a pitch shows.
 constexpr double kSameSpeed = 1e-9;
 
@@ -82,7 +90,11 @@ struct Preparer::State {
     void emit_spline(const Command& command, const Segment& whole, const path::Spline& spline);
     void emit_feed_parts(const Command& command, const Segment& segment, double length);
     void emit_parts(const Command& command, const Segment& whole, double length, int parts);
-    void emit(const Command& command, const Segment& segment, double length);
+    std::vector<double> cells_in(const Command& command, const Segment& whole, double length);
+    void emit_cells(const Command& command, const Segment& whole,
+                    const std::vector<double>& bounds);
+    Segment part_of(const Segment& whole, double from, double to) const;
+    void emit(const Command& command, const Segment& segment, double length, bool as_cell = false);
     void report_thread_speed(const Command& command, double feed, double most);
     double wanted_feed(const Command& command, const Segment& segment, double length);
     double corner_speed(const Segment& segment, const AxisRates& in, double acceleration) const;
@@ -157,6 +169,7 @@ Piece& Preparer::State::fresh_piece() {
     piece.jerk = piece.entry_acceleration = piece.turning_acceleration = kInfinity;
     piece.entry_limit = 0;
     piece.ramp = piece.ramp_before = piece.jerk_share = piece.jerk_before = 1;
+    piece.is_cell = false;
     return piece;
 }
 
@@ -299,7 +312,11 @@ void Preparer::State::emit_spline(const Command& command, const Segment& whole,
 void Preparer::State::emit_feed_parts(const Command& command, const Segment& segment,
                                       double length) {
     const int parts = command.op == Op::Rapid ? 1 : feed_parts(command, segment, spindle);
-    if (parts == 1) {
+    const bool is_bent = parts == 1 && !is_straight(segment);
+    const auto bounds = is_bent ? cells_in(command, segment, length) : std::vector<double>{};
+    if (!bounds.empty()) {
+        emit_cells(command, segment, bounds);
+    } else if (parts == 1) {
         emit(command, segment, length);
     } else {
         emit_parts(command, segment, length, parts);
@@ -312,16 +329,61 @@ void Preparer::State::emit_parts(const Command& command, const Segment& whole, d
     for (int i = 0; i < parts && !has_ended; ++i) {
         const double from = length * i / parts;
         const double to = i + 1 == parts ? length : length * (i + 1) / parts;
-        Segment piece = whole;
-        piece.curve = path::part(whole.curve, from, to);
-        for (std::size_t k = 0; k < kFollowers; ++k) {
-            piece.follower_start[k] += piece.follower_rate[k] * from;
-        }
-        emit(command, piece, to - from);
+        emit(command, part_of(whole, from, to), to - from);
     }
 }
 
-void Preparer::State::emit(const Command& command, const Segment& segment, double length) {
+Segment Preparer::State::part_of(const Segment& whole, double from, double to) const {
+    Segment piece = whole;
+    piece.curve = path::part(whole.curve, from, to);
+    for (std::size_t k = 0; k < kFollowers; ++k) {
+        piece.follower_start[k] += piece.follower_rate[k] * from;
+    }
+    return piece;
+}
+
+/// Where a bent piece is cut into cells: nowhere unless its bend takes so much of an axis that
+/// fixed shares would cost time.
+std::vector<double> Preparer::State::cells_in(const Command& command, const Segment& whole,
+                                              double length) {
+    // The pulses of a laser time whole blocks.
+    if (axes.limits_jerk() || command.op == Op::Thread) return {};
+    if (machine.laser && machine.laser->pulse > 0) return {};
+    if (command.feed_mode != path::FeedMode::PerMinute) return {};
+    const auto feed = path_feed(command, whole, length, spindle);
+    if (!feed) return {};
+    const AxisRates start = axes.start_rates(whole);
+    const double wanted = *feed * options.feed_override;
+    const double speed = axes.limits(whole, start, wanted).speed;
+    const AxisTable::Loads loads = axes.loads(whole, start);
+    double gain = 0;
+    bool is_bent = false;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        is_bent = is_bent || loads.bend[i] * speed * speed > kBendForCells * axes.acceleration(i);
+        gain = std::max(gain, axes.acceleration(i) * tick);
+    }
+    if (!is_bent) return {};
+    if (std::holds_alternative<path::Spline>(whole.curve)) {
+        return cell_bounds(whole.curve, length, axes.linear_limits(), {wanted, kShortCell});
+    }
+    // A corner beside an arc wants a piece that takes two ticks.
+    const double least = 2 * tick * (speed / kSharedSpeed + gain);
+    auto bounds = cell_bounds(whole.curve, length, axes.linear_limits(), {wanted, least});
+    if (bounds.size() < 3 || bounds[1] < least) return {};
+    return bounds;
+}
+
+void Preparer::State::emit_cells(const Command& command, const Segment& whole,
+                                 const std::vector<double>& bounds) {
+    for (std::size_t i = 0; i + 1 < bounds.size() && !has_ended; ++i) {
+        const Segment part = part_of(whole, bounds[i], bounds[i + 1]);
+        emit(command, part, path::length(part.curve), true);
+    }
+}
+
+/// `as_cell`: if it is even enough, and no corner is beside it.
+void Preparer::State::emit(const Command& command, const Segment& segment, double length,
+                           bool as_cell) {
     double feed = wanted_feed(command, segment, length);
     if (has_ended) return;
     const AxisRates in = axes.start_rates(segment);
@@ -352,6 +414,13 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     piece.rates = in;
     piece.loads = axes.loads(segment, in);
     take_corner(piece);
+    if (as_cell && piece.ramp == 1) {
+        const PathLimits followers = axes.follower_limits(segment, feed);
+        const auto cell = cell_of(segment.curve, length, axes.linear_limits(), followers.speed);
+        piece.is_cell = cell.has_value();
+        if (cell) piece.cell = *cell;
+        piece.cell.acceleration = followers.acceleration;
+    }
     if (axes.limits_jerk()) {
         piece.entry_acceleration = corner_acceleration_limit(in);
         take_bend(piece);

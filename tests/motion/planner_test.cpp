@@ -158,20 +158,67 @@ TEST(Planner, BlocksWithoutWayAreNothing) {
 }
 
 TEST(Planner, ArcKeepsItsCentripetalAcceleration) {
-    // Radius 10: v² / 10 ≤ 0.866 · 5000 mm/s², so v ≤ 208.1 mm/s.
-    Command way = line_to({10, 0, 0}, 60000);
+    // Radius 10: v² / 10 ≤ 0.866 · 5000 mm/s², so v ≤ 208.1 mm/s. (Where the feed follows the
+    // spindle, arcs are not planned in cells.)
+    Command way = line_to({10, 0, 0}, 60);
     way.exact_stop = true;
-    const Motion result = run(machine_of(), {way, arc_to({10, 0, 0}, {0, 0, 0}, 20 * kPi, 60000)});
+    Command arc = arc_to({10, 0, 0}, {0, 0, 0}, 20 * kPi, 60);
+    way.feed_mode = arc.feed_mode = path::FeedMode::PerRevolution;
+    const Motion result = run(machine_of(), {spindle_on(1000), way, arc});
     const Profile& profile = result.segments[1].profile;
     EXPECT_NEAR(profile.peak_speed, std::sqrt(10 * 0.8660254037844386 * 5000), 1e-6);
     EXPECT_NEAR(profile.acceleration, 2500, 1e-6);
     EXPECT_NEAR(result.totals.max_acceleration[0], 5000, 1e-6);
     EXPECT_NEAR(result.totals.travel_min[0], -10, 1e-12);
     EXPECT_NEAR(result.totals.travel_max[1], 10, 1e-12);
+    way.feed_mode = path::FeedMode::PerMinute;
     // At a crawl almost everything is left for the way along the path.
     way.feed = 60;
     const Motion slow = run(machine_of(), {way, arc_to({10, 0, 0}, {0, 0, 0}, -2 * kPi, 60)});
     EXPECT_NEAR(slow.segments[1].profile.acceleration, 5000, 1e-3);
+}
+
+TEST(Planner, AFastArcUsesWhatBothAxesHave) {
+    // Radius 10: at 45 degrees both axes turn the path, and v² may be √2·A·r; where one axis alone
+    // does, A·r. From rest to rest that takes less time than at 208.1 mm/s with fixed shares.
+    const auto machine = machine_of();
+    const Motion result = run(machine, {arc_to({0, 0, 0}, {10, 0, 0}, 4 * kPi, 60000)});
+    ASSERT_GT(result.segments.size(), 60u);
+    for (const Segment& segment : result.segments) {
+        EXPECT_LE(segment.profile.peak_speed, std::sqrt(std::numbers::sqrt2 * 10 * 5000));
+    }
+    EXPECT_GT(result.segments[result.segments.size() / 2].profile.peak_speed, 220);
+    EXPECT_LE(result.totals.max_acceleration[0], 5000 * (1 + 1e-9));
+    EXPECT_GT(result.totals.max_acceleration[0], 4900);
+    EXPECT_LT(result.totals.time, 40 * kPi / 208.1 + 208.1 / 5000);
+    EXPECT_EQ(result.segments.back().profile.exit_speed, 0);
+    EXPECT_TRUE(result.segments.back().ends_command);
+    EXPECT_FALSE(result.segments.front().ends_command);
+}
+
+TEST(Planner, AFastArcKeepsItsLimitsAtEveryLookAhead) {
+    const std::vector<Command> program = {
+        line_to({20, 0, 0}, 60000), arc_to({20, 20, 0}, {20, 10, 0}, kPi, 60000),
+        line_to({0, 20, 0}, 60000), arc_to({-3, 17, 0}, {0, 17, 0}, kPi / 2, 60000),
+        spline_to({-3, -20, 0}, {-3, 0, 0}, {30, -20, 0}, 60000)};
+    const auto machine = machine_of();
+    for (const std::size_t depth : {1u, 2u, 5u, 30u, 1000u}) {
+        SCOPED_TRACE(depth);
+        PlannerOptions options;
+        options.lookahead = depth;
+        const Motion result = run(machine, program, options);
+        double exit = 0;
+        for (const Segment& segment : result.segments) {
+            EXPECT_NEAR(segment.profile.entry_speed, exit, 1e-12);
+            exit = segment.profile.exit_speed;
+            EXPECT_NEAR(state_at(segment.profile, segment.profile.duration()).distance,
+                        path::length(segment.curve), 1e-12);
+        }
+        EXPECT_EQ(exit, 0);
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_LE(result.totals.max_acceleration[i], machine.axes[i].acceleration * (1 + 1e-6));
+        }
+    }
 }
 
 TEST(Planner, TangentialArcHasNoCorner) {

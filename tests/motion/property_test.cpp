@@ -9,6 +9,7 @@
 #include "motion/lookahead.h"
 #include "motion/smooth_profile.h"
 #include "tests/motion/support.h"
+#include "tests/motion/tick_limits.h"
 
 namespace kadr::motion {
 namespace {
@@ -125,56 +126,23 @@ RC_GTEST_PROP(MotionProperty, JunctionsMeetAndLimitsHold, ()) {
     }
 }
 
-/// Times at which the direction of the path changes at once while it moves.
-std::vector<double> corner_times(const machine::Machine& machine, const Motion& motion) {
-    const AxisTable axes(machine);
-    std::vector<double> times;
-    for (std::size_t k = 1; k < motion.segments.size(); ++k) {
-        const Segment& segment = motion.segments[k];
-        if (segment.profile.entry_speed == 0) continue;
-        const AxisRates before = axes.end_rates(motion.segments[k - 1]);
-        const AxisRates behind = axes.start_rates(segment);
-        double change = 0;
-        for (std::size_t i = 0; i < axes.size(); ++i) {
-            change = std::max(change, std::abs(behind[i] - before[i]));
-        }
-        if (change > 1e-9) times.push_back(segment.start_time);
-    }
-    return times;
-}
-
-/// Greatest third difference of an axis, as a part of its jerk, where no corner is near; at a
-/// corner the velocity jumps, as the rule for corners allows.
-double greatest_jerk_share(const machine::Machine& machine, const std::vector<Command>& program) {
-    const Motion planned = run(machine, program);
-    const std::vector<double> corners = corner_times(machine, planned);
-    const auto setpoints = sample(machine, program);
-    const double cube = machine.tick * machine.tick * machine.tick;
-    double greatest = 0;
-    auto corner = corners.begin();
-    for (std::size_t i = 3; i < setpoints.size(); ++i) {
-        const double from = setpoints[i - 3].time - 1e-9 * machine.tick;
-        while (corner != corners.end() && *corner < from) ++corner;
-        if (corner != corners.end() && *corner <= setpoints[i].time + 1e-9 * machine.tick) continue;
-        for (std::size_t a = 0; a < 3; ++a) {
-            const double change = setpoints[i].axis[a] - 3 * setpoints[i - 1].axis[a] +
-                                  3 * setpoints[i - 2].axis[a] - setpoints[i - 3].axis[a];
-            // Positions are true to 1e-12 mm; what that makes of a third difference is not motion.
-            const double moved = std::max(0.0, std::abs(change) - 1e-11);
-            greatest = std::max(greatest, moved / cube / machine.axes[a].jerk);
-        }
-    }
-    return greatest;
+/// What the setpoints of a program show, in parts of what the axes may do.
+TickShares shares_of(const machine::Machine& machine, const std::vector<Command>& program) {
+    TickWatch watch(machine, run(machine, program).segments);
+    for (const Setpoint& setpoint : sample(machine, program)) watch.add(setpoint);
+    return watch.shares();
 }
 
 RC_GTEST_PROP(MotionProperty, SampledAxesKeepTheirJerk, ()) {
     const auto machine = any_machine();
-    const double share = greatest_jerk_share(machine, any_program());
-    RC_CLASSIFY(share > 0.9, "close to the limit");
-    RC_ASSERT(share <= 1 + 1e-3);
+    const TickShares shares = shares_of(machine, any_program());
+    RC_CLASSIFY(shares.jerk > 0.9, "close to the limit");
+    RC_ASSERT(shares.velocity <= 1 + 1e-3);
+    RC_ASSERT(shares.acceleration <= 1 + 1e-3);
+    RC_ASSERT(shares.jerk <= 1 + 1e-3);
 }
 
-/// A chain without corners: arcs and lines that go on in one direction.
+/// A chain without corners: lines, spans of splines and arcs that go on in one direction.
 std::vector<Command> any_smooth_chain() {
     std::vector<Command> program;
     Vec3 at = Vec3::Zero();
@@ -187,6 +155,17 @@ std::vector<Command> any_smooth_chain() {
         if (*rc::gen::inRange(0, 2) == 0) {
             at += size * Vec3(std::cos(direction), std::sin(direction), 0);
             program.push_back(line_to(at, feed));
+            continue;
+        }
+        if (*rc::gen::inRange(0, 3) == 0) {
+            // A span that leaves in the direction of the path and turns by up to a radian.
+            const Vec3 along(std::cos(direction), std::sin(direction), 0);
+            direction += any_number(-1, 1);
+            const Vec3 behind(std::cos(direction), std::sin(direction), 0);
+            const Vec3 to = at + size * (along + behind);
+            program.push_back(
+                spline_to(to, at + size * 2 / 3 * along, to - size * 2 / 3 * behind, feed));
+            at = to;
             continue;
         }
         const double sweep = any_number(0, 3) * *rc::gen::element(1.0, -1.0, 0.1);
@@ -203,7 +182,10 @@ std::vector<Command> any_smooth_chain() {
 RC_GTEST_PROP(MotionProperty, SmoothChainsKeepJerkAndSpeedIsContinuous, ()) {
     const auto machine = any_machine();
     const auto program = any_smooth_chain();
-    RC_ASSERT(greatest_jerk_share(machine, program) <= 1 + 1e-3);
+    const TickShares shares = shares_of(machine, program);
+    RC_ASSERT(shares.velocity <= 1 + 1e-3);
+    RC_ASSERT(shares.acceleration <= 1 + 1e-3);
+    RC_ASSERT(shares.jerk <= 1 + 1e-3);
     // Nowhere a speed that a tick cannot explain.
     const auto setpoints = sample(machine, program);
     double fastest = 0;
@@ -370,6 +352,40 @@ RC_GTEST_PROP(MotionProperty, CuttingALineCostsNoTime, ()) {
     const double whole = run(machine, {line_to(end, feed)}).totals.time;
     const double cut = run(machine, program).totals.time;
     RC_ASSERT(std::abs(cut - whole) <= 1e-7 * whole);
+}
+
+/// A closed contour of waves, in blocks of one length from 10 to 200 µm.
+std::vector<Command> any_short_blocks() {
+    const double step = any_number(10, 200) / 1000;
+    const double radius = any_number(3, 20);
+    const double wave = any_number(0, 1) * radius / 10;
+    const int waves = *rc::gen::inRange(2, 6);
+    const double feed = any_number(500, 6000);
+    std::vector<Command> program;
+    for (double s = 0; s < 20; s += step) {
+        const double angle = s / radius;
+        const double r = radius + wave * std::cos(waves * angle);
+        program.push_back(line_to(
+            {r * std::cos(angle) - radius - wave, r * std::sin(angle), wave * std::sin(angle)},
+            feed));
+    }
+    return program;
+}
+
+RC_GTEST_PROP(ShortBlocks, KeepTheLimitsAndNeverStop, ()) {
+    const auto machine = any_machine();
+    const auto program = any_short_blocks();
+    const Motion motion = run(machine, program);
+    for (std::size_t i = 1; i < motion.segments.size(); ++i) {
+        RC_ASSERT(motion.segments[i].profile.entry_speed > 0);
+    }
+    TickWatch watch(machine, motion.segments);
+    const auto setpoints = sample(machine, program);
+    for (const Setpoint& setpoint : setpoints) watch.add(setpoint);
+    RC_ASSERT(watch.shares().velocity <= 1 + 1e-3);
+    RC_ASSERT(watch.shares().acceleration <= 1 + 1e-3);
+    RC_ASSERT(watch.shares().jerk <= 1 + 1e-3);
+    RC_ASSERT(setpoints.back().tip == path::end(motion.segments.back().curve));
 }
 
 TEST(ShortBlocks, PassWithoutStopping) {

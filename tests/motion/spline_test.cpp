@@ -69,15 +69,15 @@ TEST(SplineMotion, PiecesAreTheCurve) {
 }
 
 TEST(SplineMotion, SlowsDownWhereItBends) {
-    // An arc of radius 10 by weights: v² = 0.866·A·r as on an arc, at the most 1.25 times for what
-    // samples do not see.
+    // An arc of radius 10 by weights: in its middle both axes turn it with all they have, so that
+    // v² = √2·A·r.
     const double weight = std::sqrt(0.5);
     Command quarter = line_to(Vec3(10, 10, 0), kFast);
     quarter.op = Op::Spline;
     quarter.spline = {2, {Vec3(10, 0, 0), Vec3::Zero()}, {1, weight, 1, 1}};
     const Dynamics slow{{1e6, 1e6, 1e6}, {1000, 1000, 1000}};
     const Motion result = run(machine_of(slow), {quarter});
-    const double on_arc = std::sqrt(0.8660254 * 1000 * 10);
+    const double on_arc = std::sqrt(std::numbers::sqrt2 * 1000 * 10);
     for (const Segment& segment : result.segments) {
         EXPECT_LE(segment.profile.peak_speed, on_arc * (1 + 1e-6));
     }
