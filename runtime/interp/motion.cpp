@@ -110,6 +110,11 @@ void Executor::move(const Block& block, const Actions& actions) {
     Target target = target_of(block, targets);
     if (actions.way_offset != 0 && !offset_ways(block, actions.way_offset, target)) return;
     const bool exact_stop = modal_.has_exact_stop || actions.exact_stop;
+    if (actions.at_rapid && comp_.side != Function::RadiusCompOff &&
+        (targets & plane_mask()) != 0) {
+        report(diag::CompMotion, block);
+        return;
+    }
     if (actions.at_rapid) return line(block, target, Op::Rapid, true);
     if (actions.taps) return line(block, target, Op::Line, exact_stop);
     if (actions.probes) return line(block, target, Op::Probe, true);

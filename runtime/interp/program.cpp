@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "base/diagnostics/control.h"
@@ -529,7 +530,21 @@ Program::State::Done Program::State::read_words(CompiledLine& line, Block& out) 
     }
     const bool is_kept = &line != &scratch && code.axes.empty();
     nc::MatchedLine* const known = is_kept ? &line.matched : nullptr;
-    return lines.read_words(line.text, line.line, values, out, known) ? Done::Block : Done::Nothing;
+    if (!lines.read_words(line.text, line.line, values, out, known)) return Done::Nothing;
+    const bool has_lone = std::ranges::any_of(code.axes, &nc::ComputedAxis::is_alone);
+    return has_lone ? let_axis_move_alone(line, out) : Done::Block;
+}
+
+/// An axis that moves by itself goes straight to its place and arrives before the next block; two
+/// would go ways of their own.
+Program::State::Done Program::State::let_axis_move_alone(CompiledLine& line, Block& out) {
+    const nc::SlotMask targets = out.given & nc::kTargetSlots;
+    if (std::popcount(targets) != 1 || out.motion != Function::None) {
+        return fail(line, diag::IsoNotSupported, line.line.axes[0].axis.span,
+                    {"an axis that moves by itself beside others"});
+    }
+    if (out.find(Function::RapidOnce) == nullptr) out.add(Function::RapidOnce, 0);
+    return Done::Block;
 }
 
 /// Words whose axis is a value get the address of that axis.

@@ -171,6 +171,7 @@ struct Program::State {
     void advance();
     Done read_words(CompiledLine& line, nc::Block& out);
     Done set_axes(CompiledLine& line);
+    Done let_axis_move_alone(CompiledLine& line, nc::Block& out);
 
     // statements
     Done execute(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
