@@ -212,7 +212,7 @@ class Finisher {
         std::string all = form.is_comment ? "(" : "";
         for (const std::string& word : words) all += word + ' ';
         for (const Constraint& c : form.when) {
-            append_shortest(all, c.least);
+            append_shortest(all, c.least + offset_of(form, c.parameter));
             all += ',';
         }
         // Of two forms that need different functions to be active, one at most can be meant.
@@ -221,6 +221,12 @@ class Finisher {
             all += info(needed).name;
         }
         return all;
+    }
+
+    /// `P{number+10000}` and `P{number}` have ranges of their own.
+    static double offset_of(const Form& form, int parameter) {
+        const auto word = std::ranges::find(form.words, parameter, &FormWord::parameter);
+        return word == form.words.end() ? 0 : word->offset;
     }
 
     static void add_arguments(std::string& text, const FormWord& call) {

@@ -84,8 +84,8 @@ class Lexer {
         const std::string written(line_.substr(begin, end - begin));
         const std::string known =
             tables_.unsupported_words(rules_.ignores_case ? upper_ascii(written) : written);
-        if (known.empty()) return fail(diag::IsoUnknownWord, begin, end, {written});
-        fail(diag::IsoNotSupported, begin, end, {known});
+        if (!known.empty()) return fail(diag::IsoNotSupported, begin, end, {known});
+        if (!fail_at_unsupported()) fail(diag::IsoUnknownWord, begin, end, {written});
     }
     /// `A3=`: a letter with a number of its own, behind which `=` stands.
     void fail_assigned(std::size_t begin, const char* otherwise) {
@@ -93,7 +93,20 @@ class Lexer {
             tables_.unsupported_words(upper_ascii(line_.substr(begin, at_ - begin)) + '=');
         fail(diag::IsoNotSupported, begin, at_, {known.empty() ? otherwise : known});
     }
+    /// What stands behind a word that Kadr does not know may have a form that it does not know.
+    bool fail_at_unsupported() {
+        for (const Span& span : out_.spans) {
+            const std::string written(line_.substr(span.begin, span.end - span.begin));
+            const std::string known =
+                tables_.unsupported_words(rules_.ignores_case ? upper_ascii(written) : written);
+            if (known.empty()) continue;
+            fail(diag::IsoNotSupported, span.begin, span.end, {known});
+            return true;
+        }
+        return false;
+    }
     void fail_here(const DiagnosticRow& row) {
+        if (&row == &diag::IsoSyntax && fail_at_unsupported()) return;
         std::size_t end = at_ + 1;
         // A character of several bytes is shown whole.
         while (end < line_.size() && (static_cast<unsigned char>(line_[end]) & 0xc0u) == 0x80u)

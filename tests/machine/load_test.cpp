@@ -124,7 +124,7 @@ TEST(MachineFile, ValuesAreCanonical) {
     EXPECT_EQ(machine.find_tool(3)->tip, 0);
     EXPECT_DOUBLE_EQ(machine.find_tool(4)->length_x, -60.25);
     EXPECT_EQ(machine.find_tool(4)->tip, 3);
-    EXPECT_EQ(machine.find_tool(4), nullptr);
+    EXPECT_EQ(machine.find_tool(5), nullptr);
     ASSERT_EQ(machine.work_offsets.size(), 3u);
     EXPECT_DOUBLE_EQ(machine.work_offsets[1][0], 0);
     EXPECT_DOUBLE_EQ(machine.work_offsets[2][0], -10);
@@ -288,7 +288,7 @@ TEST(MachineFile, MistakesOfValues) {
           {"long tick", long_tick.c_str(), "K6019", "100 s", ""},
           {"negative time", time.c_str(), "K6012", "-1 s", ""},
           {"negative radius", R"(<tool number="1" radius="-1 mm"/>)", "K6012", "-1 mm", ""},
-          {"no such tip", R"(<tool number="1" tip="10"/>)", "K6012", "10", ""},
+          {"no such tip", R"(<tool number="1" tip="10"/>)", "K6018", "10", ""},
           {"offset G54", R"(<offset number="G54"/>)", "K6018", "G54", ""},
           {"offset zero", R"(<offset number="0"/>)", "K6018", "0", ""},
           {"offset too large", R"(<offset number="99999999999999999999"/>)", "K6018",

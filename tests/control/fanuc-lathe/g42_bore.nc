@@ -1,7 +1,7 @@
 %
 O0001
 (rule: F 4.2 tip 2 in a bore)
-(expect: path X10Z5 x20z1.2 z-10.8 x10z-10)
+(expect: path X10Z5 x20z1.2f100 z-10.8 x10z-10)
 G10P10001R0.8Q2
 T0101
 G98S500M03
