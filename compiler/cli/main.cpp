@@ -100,8 +100,10 @@ Status perform(const cli::CommandLine& line) {
 int main(int count, char** arguments) {
     const auto parsed = cli::parse_command_line(count, arguments);
     if (const auto* answer = std::get_if<cli::Answer>(&parsed)) {
-        print(answer->status == Status::Done ? stdout : stderr, answer->text);
-        return static_cast<int>(answer->status);
+        const bool is_done = answer->status == Status::Done;
+        print(is_done ? stdout : stderr, answer->text);
+        const bool is_written = !is_done || std::fflush(stdout) == 0;
+        return static_cast<int>(is_written ? answer->status : Status::Usage);
     }
     return static_cast<int>(perform(std::get<cli::CommandLine>(parsed)));
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <sstream>
 #include <string_view>
@@ -59,6 +60,25 @@ sema::Define parse_define(const std::string& text) {
 /// The values are in the name of the option's argument already.
 CLI::Validator one_of(std::vector<std::string> values) {
     return CLI::IsMember(std::move(values)).description("");
+}
+
+CLI::Validator is_count() {
+    const auto check = [](const std::string& text) -> std::string {
+        const Decimal number = parse_decimal(text.data(), text.data() + text.size());
+        const bool is_number = number.end == text.data() + text.size() && !text.empty();
+        if (is_number && number.value >= 1) return {};
+        return '`' + text + "` is not a number of blocks: it is 1 or more";
+    };
+    return {check, ""};
+}
+
+CLI::Validator is_folder() {
+    const auto check = [](const std::string& name) -> std::string {
+        std::error_code error;
+        if (std::filesystem::is_directory(name, error)) return {};
+        return "there is no folder `" + name + "`";
+    };
+    return {check, ""};
 }
 
 /// Everything that CLI11 writes into, and what becomes of it.
@@ -134,6 +154,7 @@ void Parser::add_program(CLI::App& command) {
         ->allow_extra_args(false);
     command
         .add_option("-I,--include", line_.options.folders, "folder in which imports are looked for")
+        ->check(is_folder())
         ->type_name("DIR")
         ->allow_extra_args(false);
     command.add_option("--program", line_.options.program, "which program of the file")
@@ -144,6 +165,7 @@ void Parser::add_search(CLI::App& command) {
     command
         .add_option("--search", line_.options.search,
                     "folder with programs that ISO-7bit text calls, besides its own")
+        ->check(is_folder())
         ->type_name("DIR")
         ->allow_extra_args(false);
 }
@@ -161,7 +183,7 @@ void Parser::add_limits(CLI::App& command) {
     command
         .add_option("--max-blocks", line_.options.max_blocks,
                     "stop after so many blocks (made: 20000000 unless it is given)")
-        ->check(CLI::PositiveNumber.description(""))
+        ->check(is_count())
         ->type_name("N");
     command.add_option("--max-time", max_time_, "stop after so much time of computing")
         ->type_name("TIME");
@@ -230,6 +252,7 @@ void Parser::add_check() {
     command
         ->add_option("-I,--include", line_.options.folders,
                      "folder in which imports are looked for")
+        ->check(is_folder())
         ->type_name("DIR")
         ->allow_extra_args(false);
     add_limits(*command);
@@ -253,6 +276,7 @@ void Parser::add_test() {
     command
         ->add_option("-I,--include", line_.options.folders,
                      "folder in which imports are looked for")
+        ->check(is_folder())
         ->type_name("DIR")
         ->allow_extra_args(false);
     command->add_option("--cycles", cycles_, "the control's own cycles, or single moves")
@@ -275,6 +299,7 @@ void Parser::add_repl() {
     command
         ->add_option("-I,--include", line_.options.folders,
                      "folder in which imports are looked for")
+        ->check(is_folder())
         ->type_name("DIR")
         ->allow_extra_args(false);
 }

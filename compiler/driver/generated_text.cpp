@@ -1,7 +1,9 @@
 #include "driver/generated_text.h"
 
 #include <algorithm>
+#include <charconv>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "base/diagnostics/expand.h"
@@ -83,12 +85,26 @@ bool GeneratedText::start() {
     return start(entry);
 }
 
+/// `O1234` has the number 1234 where programs have numbers; every other name has the first one.
+static std::int64_t program_number(std::string_view name) {
+    constexpr std::size_t kMostDigits = 8;
+    constexpr std::int64_t kFirst = 1;
+    const std::string_view digits = name.substr(std::min<std::size_t>(1, name.size()));
+    std::int64_t number = 0;
+    const bool is_short = !digits.empty() && digits.size() <= kMostDigits;
+    if (!is_short || (name[0] != 'O' && name[0] != 'o')) return kFirst;
+    const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    const bool is_number = fault == std::errc() && end == digits.data() + digits.size();
+    return is_number && number > 0 ? number : kFirst;
+}
+
 bool GeneratedText::start(const Entry& entry) {
     start_ = entry.start;
     if (!entry.start(expander_)) return false;
     writer_.set_statements(program_.code->statements, &session_.sources());
     nc::ProgramInfo info;
     info.name = entry.name;
+    info.number = program_number(entry.name);
     info.is_inch = entry.is_inch;
     writer_.begin(info, text_);
     return true;
@@ -119,9 +135,12 @@ SourceRange GeneratedText::last_statement() const {
 void GeneratedText::write_batch() {
     const std::size_t count = expander_.pull(batch_);
     if (count > 0) last_source_ = batch_[count - 1].source;
+    std::optional<std::size_t> sound;  // length of the text before the first block with an error
     for (std::size_t i = 0; i < count; ++i, ++blocks_) {
         const std::uint32_t before = writer_.lines();
+        const std::size_t length = text_.size();
         const std::uint32_t first = writer_.write(batch_[i], text_);
+        if (writer_.failed() && !sound) sound = length;
         // What was modal already gets no line, and the line before belongs to another statement.
         if (writer_.lines() == before) continue;
         line_map_->add(first, writer_.lines(), batch_[i].source);
@@ -132,6 +151,8 @@ void GeneratedText::write_batch() {
     is_at_end_ = count == 0 || failed();
     if (!is_at_end_) return;
     body_lines_ = writer_.lines();
+    // Nobody executes what has its error already.
+    if (sound) text_.resize(*sound);
     writer_.end(text_);
 }
 

@@ -101,7 +101,7 @@ std::unique_ptr<Output> Output::open(const std::string& path, DiagnosticSink& si
             return output;
         }
     }
-    sink.report(diag::FileUnwritable).arg(path);
+    sink.report(diag::FileUnwritable).arg(path == "-" ? "standard output" : path);
     return nullptr;
 }
 
@@ -152,7 +152,7 @@ bool Output::move_draft() {
 bool Output::commit(DiagnosticSink& sink) {
     const bool is_done = kind_ == Kind::File ? move_draft() : !failed_ && copy_spool();
     buffer_.clear();
-    if (!is_done) sink.report(diag::FileUnwritable).arg(name_);
+    if (!is_done) sink.report(diag::FileUnwritable).arg(name_ == "-" ? "standard output" : name_);
     return is_done;
 }
 

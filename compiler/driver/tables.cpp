@@ -83,6 +83,14 @@ bool is_missing_file(Session& session, const std::string& name_or_file) {
     return true;
 }
 
+/// A name that nothing here has is wrong usage, as a missing file is.
+template <class Summaries>
+void mark_unknown(Session& session, const std::string& name, const Summaries& summaries) {
+    const auto has_name = [&](const auto& summary) { return summary.name == name; };
+    const bool is_file = name.find('/') != std::string::npos || name.ends_with(".xml");
+    if (!is_file && std::ranges::none_of(summaries, has_name)) session.mark_usage();
+}
+
 }  // namespace
 
 Reply explain_message(Session& session, std::string_view code) {
@@ -122,7 +130,10 @@ Reply check_dialect(Session& session, const std::string& name_or_file) {
     if (is_missing_file(session, name_or_file)) return {session.status(), {}};
     const nc::InspectedDialect inspected = nc::inspect_dialect(
         name_or_file, session.share().dialects, session.sources(), session.messages());
-    if (!inspected.dialect) return {session.status(), {}};
+    if (!inspected.dialect) {
+        mark_unknown(session, name_or_file, nc::list_dialects(session.share().dialects));
+        return {session.status(), {}};
+    }
     const nc::Dialect& dialect = *inspected.dialect;
     (void)interp::rules_of(dialect, session.messages());
     if (inspected.has_mistakes) {
@@ -172,7 +183,10 @@ Reply check_machine(Session& session, const std::string& name_or_file) {
     if (is_missing_file(session, name_or_file)) return {session.status(), {}};
     const auto machine = machine::load_machine(name_or_file, session.share().machines,
                                                session.sources(), session.messages());
-    if (!machine) return {session.status(), {}};
+    if (!machine) {
+        mark_unknown(session, name_or_file, machine::list(session.share().machines));
+        return {session.status(), {}};
+    }
     return {session.status(), fmt::format("{}: {}, {} axes, no mistakes\n", machine->name,
                                           machine->title, machine->axes.size())};
 }

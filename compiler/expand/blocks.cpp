@@ -183,6 +183,7 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
                      : plan.skip;
     block.cycle = plan.cycle;
     block.number = plan.number;
+    block.feed_along_arc = (plan.customs & sema::custom::kFeedOfArc) != 0;
     block.function_count = static_cast<std::uint8_t>(plan.functions.size());
     for (std::size_t i = 0; i < plan.functions.size(); ++i) block.functions[i] = plan.functions[i];
     for (const auto& [place, value] : plan.arguments) block.arguments[place] = value;
@@ -270,6 +271,7 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
         if (owes_incremental && block.find(Function::Absolute) == nullptr) [[unlikely]]
             return_to_increments(block);
     }
+    if (has_functions && !check_cutting_speed(block, at)) return false;
     if ((plan.customs & sema::custom::kReference) != 0) say_reference(block);
     if (modal.is_stretched && nc::is_arc(modal[Group::Motion]) &&
         (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0 &&
@@ -292,6 +294,26 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
         modal.take_skipped(block);
     if (options.trace) keep_trace(at, instruction.c, source);
     return true;
+}
+
+/// A constant cutting speed that is none, and a limit that lets no spindle turn.
+bool Expander::State::check_cutting_speed(const Block& block, std::uint32_t at) {
+    const nc::Invocation* limit = block.find(Function::SpeedLimit);
+    if (limit != nullptr && !(block.argument(*limit, 0) > 0)) {
+        fault(diag::SpeedLimitZero, at).arg(neat(block.argument(*limit, 0)));
+        return false;
+    }
+    const bool begins = block.find(Function::CuttingSpeedOn) != nullptr;
+    if (!begins || block.has(nc::Slot::Speed) || modal.has_speed || modal.had_cutting_speed ||
+        modal.lost != 0)
+        return true;
+    const auto alarm = target.alarm(diag::CuttingSpeedMissing);
+    if (!alarm) return true;
+    fault(diag::CuttingSpeedNotSet, at)
+        .arg(target.name())
+        .arg(alarm->number.empty() ? alarm->text : alarm->number)
+        .fix("say the cutting speed in the block: `G96 S180`");
+    return false;
 }
 
 bool Expander::State::fill(Block& block, const Filling& filling, sema::Slot value,
@@ -416,6 +438,10 @@ bool Expander::State::fill_speed(Block& block, const Filling& filling, double va
     }
     if (!is_sane(value)) {
         math_fault(sema::MathFault::Overflow, at);
+        return false;
+    }
+    if (is_cutting && value == 0) {
+        fault(diag::CuttingSpeedZero, word_of(filling, at));
         return false;
     }
     block.set(nc::Slot::Speed, neat(value));
@@ -598,6 +624,8 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
         values[i] = neat(values[i] * kMinute);
     }
     if (!target.has_native_cycle(cycle, given, {values.data(), parameters.size()})) return false;
+    // Under inverse time F belongs to a block, and a cycle is many.
+    if (modal[Group::FeedMode] == Function::FeedInverseTime) return false;
     if (modal.frame.has_scale() && spares_distances(cycle, given)) return false;
     const std::uint32_t at = frame.return_to > 0 ? frame.return_to - 1 : 0;
     if (modal.lost != 0 && !knows_for_cycle(*frame.function, given, at)) return true;

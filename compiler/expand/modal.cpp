@@ -282,6 +282,7 @@ void ModalState::take_words(const nc::Block& block) {
     if (block.has(nc::Slot::Speed)) {
         speed = block.at(nc::Slot::Speed);
         has_speed = true;
+        had_cutting_speed |= (*this)[Group::SpeedMode] == Function::CuttingSpeedOn;
         speed_by = block.source;
         lost &= ~sema::kSpeedBit;
         if (block.skip < 0) restate &= ~sema::kSpeedBit;

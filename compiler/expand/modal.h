@@ -24,6 +24,7 @@ struct ModalState {
     bool has_length_offset = false;
     bool has_feed = false;
     bool has_speed = false;
+    bool had_cutting_speed = false;     // S has been said under constant cutting speed
     bool is_feed_lost = false;          // it was given, and then the feed mode changed
     bool stops_at_tool_change = false;  // of the target: the spindle stands behind a tool change
     double feed = 0;                    // as in Block

@@ -225,6 +225,7 @@ struct Expander::State {
     std::uint32_t word_of(const sema::Filling& filling, std::uint32_t at) const;
     bool fill(nc::Block& block, const sema::Filling& filling, Slot value, std::uint32_t at);
     bool fill_feed(nc::Block& block, const sema::Filling& filling, double value, std::uint32_t at);
+    bool check_cutting_speed(const nc::Block& block, std::uint32_t at);
     bool fill_speed(nc::Block& block, const sema::Filling& filling, double value, std::uint32_t at);
     /// Whether the block may cut: a feed that belonged to another feed mode does not count.
     bool check_cut(const nc::Block& block, std::uint32_t at);

@@ -224,7 +224,8 @@ inline constexpr std::uint32_t kPlaces = 32768;       // while a cycle is modal,
 inline constexpr std::uint32_t kCoreOffsets = 65536;  // `G43 H1` and `D1` of the common core
 inline constexpr std::uint32_t kRepeats = 131072;     // `K5`: the cycle that is modal, so often
 inline constexpr std::uint32_t kFrameDiameter =
-    262144;  // X of a frame is a diameter where X is one
+    262144;                                          // X of a frame is a diameter where X is one
+inline constexpr std::uint32_t kFeedOfArc = 524288;  // F of a helix is meant along its arc
 }  // namespace custom
 
 /// A block without its values: what the words say before the program runs.

@@ -178,9 +178,9 @@ bool Complaints::is_semicolon_forgotten(const Place& place) const {
 }
 
 void Complaints::explain(const Place& place) {
-    if (explain_number(place) || explain_capitals(place) || explain_for(place) ||
-        explain_declaration(place) || explain_name(place) || explain_value(place) ||
-        explain_sign(place) || explain_closing(place)) {
+    if (explain_number(place) || explain_capitals(place) || explain_program_number(place) ||
+        explain_for(place) || explain_declaration(place) || explain_name(place) ||
+        explain_value(place) || explain_sign(place) || explain_closing(place)) {
         return;
     }
     const SourceRange range = file_.range(place.offending);
@@ -268,6 +268,22 @@ bool Complaints::explain_capitals(const Place& place) {
     file_.sink.report(diag::KeywordCase, file_.range(head))
         .arg(lower)
         .fix(file_.range(head), lower, "write it in lower case");
+    return true;
+}
+
+/// A line `O1234` of a control's text above the program: a type to the parser, and `program` a
+/// name.
+bool Complaints::explain_program_number(const Place& place) {
+    if (place.head_index + 2 != place.index) return false;
+    const Lexeme& head = stream_.lexeme(place.head_index);
+    const std::string_view spelled = file_.spelling(head);
+    const bool is_number = spelled.size() > 1 && spelled[0] == 'O' &&
+                           spelled.find_first_not_of("0123456789", 1) == std::string_view::npos;
+    if (!is_number) return false;
+    file_.sink.report(diag::StatementOutside, file_.range(head))
+        .arg(quoted(head))
+        .fix("a program that is called so has this number: `program " + std::string(spelled) +
+             "() { … }`");
     return true;
 }
 

@@ -96,6 +96,7 @@ class Complaints final : public antlr4::DefaultErrorStrategy {
     void explain(const Place& place);
     bool explain_number(const Place& place);
     bool explain_capitals(const Place& place);
+    bool explain_program_number(const Place& place);
     void fix_operator(const Place& place, DiagnosticBuilder& report) const;
     void fix_parentheses(const Place& place, DiagnosticBuilder& report) const;
     bool explain_name(const Place& place);

@@ -255,6 +255,18 @@ void Lexing::raw_text(std::uint32_t begin, Reading& reading) {
     reading.go_on_at(end);
 }
 
+/// The sign that a typeset one stands for; empty if there is none.
+static const char* sign_of_keyboard(std::string_view typeset) {
+    constexpr std::pair<std::string_view, const char*> kSigns[] = {
+        {"−", "-"}, {"–", "-"}, {"—", "-"},  {"×", "*"},  {"·", "*"},
+        {"÷", "/"}, {"∕", "/"}, {"≤", "<="}, {"≥", ">="}, {"≠", "!="},
+    };
+    for (const auto& [sign, key] : kSigns) {
+        if (sign == typeset) return key;
+    }
+    return "";
+}
+
 void Lexing::unknown(std::uint32_t begin, std::uint32_t end) {
     // A run of them is one mistake.
     const bool continues = begin == unknown_end_;
@@ -265,7 +277,10 @@ void Lexing::unknown(std::uint32_t begin, std::uint32_t end) {
     if (spelled == "#") {
         file_.sink.report(diag::HashSign, file_.range(begin, end));
     } else {
-        file_.sink.report(diag::UnknownCharacter, file_.range(begin, end)).arg(spelled);
+        auto report = file_.sink.report(diag::UnknownCharacter, file_.range(begin, end));
+        report.arg(spelled);
+        const char* meant = sign_of_keyboard(spelled);
+        if (*meant != '\0') report.fix(file_.range(begin, end), meant, "the sign of the keyboard");
     }
 }
 

@@ -56,6 +56,14 @@ std::string_view slot_word(Slot slot) {
     }
 }
 
+/// How much longer the way of a helix is than the arc that it is over.
+double length_by_arc(const path::Arc& arc) {
+    const double height = arc.normal.dot(arc.end - arc.start);
+    const Vec3 to = arc.end - arc.center - height * arc.normal;
+    const double radius = ((arc.start - arc.center).norm() + to.norm()) / 2;
+    return std::hypot(radius * arc.sweep, height) / (radius * arc.sweep);
+}
+
 }  // namespace
 
 void Executor::move(const Block& block, const Actions& actions) {
@@ -694,6 +702,9 @@ void Executor::put_base_arc(const Block& block, const path::Arc& arc, const Targ
     // F = feed/radius, and the length is radius · sweep: the time is sweep/F.
     if (modal_.feed_mode == FeedMode::InverseTime && rules_.inverse_time_arc_by_radius) {
         command.feed = modal_.feed / arc.sweep;
+    }
+    if (modal_.feed_mode != FeedMode::InverseTime && rules_.helix_feed_along_arc) {
+        command.feed *= length_by_arc(arc);
     }
     arrive(target);
     came_from_ = arc.end - arc.normal.cross(arc.end - arc.center);

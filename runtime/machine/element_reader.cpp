@@ -48,6 +48,15 @@ void ElementReader::report_quantity(const XmlAttribute& attribute, const Quantit
                 .arg(shown_value(error.text))
                 .arg(is_range ? "a range `lower..upper` with a unit" : name + " with its unit");
             return;
+        case QuantityFault::DecimalComma: {
+            std::string pointed(error.text);
+            std::ranges::replace(pointed, ',', '.');
+            sink_.report(diag::MachineNumberBad, attribute.value_range)
+                .arg(shown_value(error.text))
+                .arg(name + " with its unit")
+                .fix("write the point of a decimal: `" + pointed + '`');
+            return;
+        }
         case QuantityFault::UnitMissing:
             sink_.report(diag::MachineUnitMissing, attribute.value_range)
                 .arg(shown_value(attribute.value))

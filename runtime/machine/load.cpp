@@ -122,8 +122,8 @@ class MachineBuilder {
         machine_.is_lathe = reader.choice("kind", kKinds).value_or(0) == 1;
         machine_.tick = reader.positive("tick", Dimension::Time).value_or(machine_.tick);
         check_tick();
-        machine_.max_feed = reader.magnitude("max_feed", Dimension::Velocity).value_or(0);
-        machine_.max_speed = reader.magnitude("max_speed", Dimension::AngularVelocity).value_or(0) /
+        machine_.max_feed = reader.positive("max_feed", Dimension::Velocity).value_or(0);
+        machine_.max_speed = reader.positive("max_speed", Dimension::AngularVelocity).value_or(0) /
                              (2 * std::numbers::pi);
         machine_.orient_time = reader.magnitude("orient_time", Dimension::Time).value_or(0);
         machine_.tool_change_time =
@@ -224,6 +224,8 @@ class MachineBuilder {
         tool.radius = reader.magnitude("radius", Dimension::Length).value_or(0);
         tool.tip = static_cast<int>(reader.whole("tip", 0, 9).value_or(0));
         if (!number || !is_first("tool " + std::to_string(*number), reader.place("number"))) return;
+        if (!tool.name.empty() && !is_first("a tool `" + tool.name + '`', reader.place("name")))
+            return;
         tool.number = *number;
         machine_.tools.push_back(tool);
     }
@@ -239,6 +241,11 @@ class MachineBuilder {
             const auto value =
                 reader.quantity(kOffsetAxes[i], rotary ? Dimension::Angle : Dimension::Length);
             if (value) values[i] = rotary ? deg_from_rad(*value) : *value;
+            if (value && !has_axis(static_cast<Axis>(i))) {
+                sink_.report(diag::MachineOffsetAxis, reader.place(kOffsetAxes[i]))
+                    .arg(machine_.name)
+                    .arg(kAxisNames[i]);
+            }
         }
         if (!number || !is_first("offset " + std::to_string(*number), reader.place("number"))) {
             return;
@@ -248,6 +255,14 @@ class MachineBuilder {
             machine_.work_offsets.resize(place + 1, AxisValues{});
         }
         machine_.work_offsets[place] = values;
+    }
+
+    /// Whether an element of the file describes the axis, wherever it stands.
+    bool has_axis(Axis axis) const {
+        return std::ranges::any_of(root_.children, [&](const XmlElement& child) {
+            const XmlAttribute* name = child.name == "axis" ? child.find("name") : nullptr;
+            return name != nullptr && name->value == kAxisNames[index(axis)];
+        });
     }
 
     // Values that are wrong have been reported; 1 stands for them until the file is refused.

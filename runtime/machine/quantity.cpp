@@ -85,6 +85,12 @@ Result<double, QuantityError> unit_factor(std::string_view text, Dimension dimen
     return unit->factor;
 }
 
+/// `0,5`: a comma where the number goes on.
+bool has_decimal_comma(const char* number_end, const char* end) {
+    return end - number_end >= 2 && number_end[0] == ',' && number_end[1] >= '0' &&
+           number_end[1] <= '9';
+}
+
 }  // namespace
 
 Result<double, QuantityError> parse_quantity(std::string_view text, Dimension dimension) {
@@ -92,6 +98,7 @@ Result<double, QuantityError> parse_quantity(std::string_view text, Dimension di
     const char* const end = text.data() + text.size();
     const Decimal number = parse_decimal(text.data(), end);
     if (number.end == text.data()) return QuantityError{QuantityFault::NotANumber, text};
+    if (has_decimal_comma(number.end, end)) return QuantityError{QuantityFault::DecimalComma, text};
     const auto factor = unit_factor(
         std::string_view(number.end, static_cast<std::size_t>(end - number.end)), dimension);
     if (!factor) return factor.error();
@@ -100,11 +107,18 @@ Result<double, QuantityError> parse_quantity(std::string_view text, Dimension di
 
 Result<Range, QuantityError> parse_range(std::string_view text, Dimension dimension) {
     text = trimmed(text);
-    const std::size_t dots = text.find("..");
+    std::size_t dots = text.find("..");
     if (dots == std::string_view::npos) return QuantityError{QuantityFault::NotANumber, text};
     // The first number ends before the dots, even if it is written `300.`.
+    if (text.substr(dots).starts_with("...")) ++dots;
+    if (text.substr(dots).starts_with("...")) {
+        return QuantityError{QuantityFault::NotANumber, text};
+    }
     const std::string_view low = trimmed(text.substr(0, dots));
     const Decimal lower = parse_decimal(low.data(), low.data() + low.size());
+    if (has_decimal_comma(lower.end, low.data() + low.size())) {
+        return QuantityError{QuantityFault::DecimalComma, low};
+    }
     if (low.empty() || lower.end != low.data() + low.size()) {
         return QuantityError{QuantityFault::NotANumber, low.empty() ? text : low};
     }
@@ -114,6 +128,7 @@ Result<Range, QuantityError> parse_range(std::string_view text, Dimension dimens
     if (upper.end == rest.data()) {
         return QuantityError{QuantityFault::NotANumber, rest.empty() ? text : rest};
     }
+    if (has_decimal_comma(upper.end, end)) return QuantityError{QuantityFault::DecimalComma, rest};
     const auto factor = unit_factor(
         std::string_view(upper.end, static_cast<std::size_t>(end - upper.end)), dimension);
     if (!factor) return factor.error();

@@ -34,7 +34,7 @@ enum class Dimension : std::uint8_t {
     Share,
 };
 
-enum class QuantityFault : std::uint8_t { NotANumber, UnitMissing, UnitUnknown };
+enum class QuantityFault : std::uint8_t { NotANumber, DecimalComma, UnitMissing, UnitUnknown };
 
 struct QuantityError {
     QuantityFault fault;

@@ -16,10 +16,18 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // remains along the path.
 constexpr double kNormalShare = 0.86602540378443865;
 
+// Of an axis' jerk: what turning at constant speed may take, and what speeding up while turning
+// may. On an arc the two are across each other, so the path keeps sqrt(1 − 0.6²) − 0.4 = 0.4; on a
+// spline they may add up, and it keeps 0.3.
+constexpr double kSteadyJerk = 0.4;
+constexpr double kTurningJerk = 0.6;
+constexpr double kTurningJerkOfSpline = 0.3;
+
 /// A helix as limits see it: a circle of constant curvature and a steady rise. Spread radii differ
 /// by hundredths; of both ends the less favourable one counts.
 struct CircleView {
     double curvature;  // 1/mm
+    double third;      // |d³C/ds³|, 1/mm²
     double turning;    // share of the tangent in the plane of the circle
     double rising;     // share along the normal, ≥ 0
     double tilt_cos;   // direction of the tangent in the plane: cos·e_φ + sin·e_r
@@ -34,6 +42,8 @@ struct CircleView {
         const double in_plane = std::hypot(small, spread);
         const double rate = std::hypot(in_plane, height);
         curvature = std::hypot(small, 2 * spread) / (rate * rate);
+        // r·ω³ with ω = dφ/ds; and what the spread adds, which is a thousandth of it.
+        third = std::hypot(small, 3 * spread) / (rate * rate * rate);
         rising = std::abs(height) / rate;
         const double wide = std::hypot(std::max(first, last), spread);
         turning = wide / std::hypot(wide, height);
@@ -76,7 +86,12 @@ AxisTable::AxisTable(const machine::Machine& machine) {
     slots_.fill(machine.axes.size());
     for (const machine::MachineAxis& axis : machine.axes) {
         slots_[index(axis.axis)] = axes_.size();
-        axes_.push_back({index(axis.axis), axis.velocity, axis.acceleration});
+        // A machine that no file describes may leave the jerk open; and the pulses of a laser are
+        // timed with trapezoids.
+        const bool is_limited = axis.jerk > 0 && !machine.laser;
+        const double jerk = is_limited ? axis.jerk : kInfinity;
+        axes_.push_back({index(axis.axis), axis.velocity, axis.acceleration, jerk});
+        limits_jerk_ = limits_jerk_ || std::isfinite(jerk);
     }
 }
 
@@ -103,13 +118,33 @@ AxisRates AxisTable::end_rates(const Segment& piece) const {
     return rates(path::evaluate(piece.curve, path::length(piece.curve)).tangent, piece);
 }
 
+AxisRates AxisTable::bends(const Segment& piece, double distance) const {
+    AxisRates bends{};
+    if (std::holds_alternative<path::Line>(piece.curve)) return bends;
+    const path::Vec3 curvature = path::evaluate(piece.curve, distance).curvature;
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+        const std::size_t c = axes_[i].coordinate;
+        if (c < 3) bends[i] = curvature[static_cast<Eigen::Index>(c)];
+    }
+    return bends;
+}
+
+AxisRates AxisTable::start_bends(const Segment& piece) const { return bends(piece, 0); }
+
+AxisRates AxisTable::end_bends(const Segment& piece) const {
+    return bends(piece, path::length(piece.curve));
+}
+
 /// The bend takes its share of the acceleration first, as on an arc.
 PathLimits AxisTable::spline_limits(const path::Spline& spline, double wanted) const {
     const SplineBend bend = bend_of(spline);
-    PathLimits limits{wanted, kInfinity};
+    PathLimits limits{wanted, kInfinity, kInfinity, kInfinity};
     for (const Entry& axis : axes_) {
         if (axis.coordinate >= 3) continue;
         const auto i = static_cast<Eigen::Index>(axis.coordinate);
+        const double steady = kSteadyJerk * axis.jerk;
+        if (bend.third[i] * limits.speed * limits.speed * limits.speed > steady)
+            limits.speed = std::cbrt(steady / bend.third[i]);
         if (bend.rate[i] * limits.speed > axis.velocity)
             limits.speed = axis.velocity / bend.rate[i];
         const double most = kNormalShare * axis.acceleration;
@@ -121,6 +156,19 @@ PathLimits AxisTable::spline_limits(const path::Spline& spline, double wanted) c
         const auto i = static_cast<Eigen::Index>(axis.coordinate);
         limits.acceleration = std::min(limits.acceleration,
                                        acceleration_left(bend, i, limits.speed, axis.acceleration));
+        const double turning = 3 * bend.bend[i] * limits.speed;
+        const double share = kTurningJerkOfSpline * axis.jerk;
+        if (turning * limits.turning_acceleration > share)
+            limits.turning_acceleration = share / turning;
+    }
+    limits.acceleration = std::min(limits.acceleration, limits.turning_acceleration);
+    const double cube = limits.speed * limits.speed * limits.speed;
+    for (const Entry& axis : axes_) {
+        if (axis.coordinate >= 3 || std::isinf(axis.jerk)) continue;
+        const auto i = static_cast<Eigen::Index>(axis.coordinate);
+        const double left = axis.jerk - bend.third[i] * cube -
+                            3 * bend.bend[i] * limits.speed * limits.acceleration;
+        if (bend.rate[i] * limits.jerk > left) limits.jerk = left / bend.rate[i];
     }
     return limits;
 }
@@ -128,19 +176,52 @@ PathLimits AxisTable::spline_limits(const path::Spline& spline, double wanted) c
 PathLimits AxisTable::limits(const Segment& piece, const AxisRates& start, double wanted) const {
     if (const auto* spline = std::get_if<path::Spline>(&piece.curve))
         return spline_limits(*spline, wanted);
-    const auto* helix = std::get_if<path::Helix>(&piece.curve);
-    if (helix == nullptr) {
-        double slowness = 0;  // 1/speed
-        double weight = 0;    // 1/acceleration
-        for (std::size_t i = 0; i < axes_.size(); ++i) {
-            const double rate = std::abs(start[i]);
-            slowness = std::max(slowness, rate / axes_[i].velocity);
-            weight = std::max(weight, rate / axes_[i].acceleration);
-        }
-        return {slowness * wanted > 1 ? 1 / slowness : wanted, weight > 0 ? 1 / weight : kInfinity};
-    }
+    if (const auto* helix = std::get_if<path::Helix>(&piece.curve))
+        return helix_limits(*helix, piece, wanted);
+    return line_limits(start, wanted);
+}
 
-    const CircleView circle(*helix);
+PathLimits AxisTable::line_limits(const AxisRates& along, double wanted) const {
+    double slowness = 0;   // 1/speed
+    double weight = 0;     // 1/acceleration
+    double stiffness = 0;  // 1/jerk
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+        const double rate = std::abs(along[i]);
+        slowness = std::max(slowness, rate / axes_[i].velocity);
+        weight = std::max(weight, rate / axes_[i].acceleration);
+        if (limits_jerk_) stiffness = std::max(stiffness, rate / axes_[i].jerk);
+    }
+    return {slowness * wanted > 1 ? 1 / slowness : wanted, weight > 0 ? 1 / weight : kInfinity,
+            stiffness > 0 ? 1 / stiffness : kInfinity, kInfinity};
+}
+
+/// The jerk along the path that an axis has left on an arc at these limits.
+double AxisTable::jerk_left(const path::Helix& helix, const Segment& piece, const Entry& axis,
+                            const PathLimits& limits) {
+    if (axis.coordinate >= 3) {
+        const double rate = std::abs(piece.follower_rate[axis.coordinate - 3]);
+        return rate > 0 ? axis.jerk / rate : kInfinity;
+    }
+    if (std::isinf(axis.jerk)) return kInfinity;
+    // hypot(c·j + K, Y) + h·j ≤ J, solved for j: K what turning at the speed takes, Y what speeding
+    // up while turning takes, c and h the shares of the tangent in and across the plane.
+    const CircleView circle(helix);
+    const double m = amplitude(helix, axis.coordinate);
+    const double v = limits.speed;
+    const double steady = m * circle.third * v * v * v;
+    const double speeding = 3 * m * circle.curvature * v * limits.acceleration;
+    const double c = m * circle.turning;
+    const double h =
+        circle.rising * std::abs(helix.normal[static_cast<Eigen::Index>(axis.coordinate)]);
+    const double left = axis.jerk * axis.jerk - steady * steady - speeding * speeding;
+    const double linear = c * steady + h * axis.jerk;
+    const double root = std::sqrt(std::max(0.0, linear * linear + (c * c - h * h) * left));
+    return linear + root > 0 ? left / (linear + root) : kInfinity;
+}
+
+PathLimits AxisTable::helix_limits(const path::Helix& helix, const Segment& piece,
+                                   double wanted) const {
+    const CircleView circle(helix);
     double speed = wanted;
     for (const Entry& axis : axes_) {
         if (axis.coordinate >= 3) {
@@ -148,15 +229,20 @@ PathLimits AxisTable::limits(const Segment& piece, const AxisRates& start, doubl
             if (rate * speed > axis.velocity) speed = axis.velocity / rate;
             continue;
         }
-        const double rate = greatest_rate(*helix, circle, axis.coordinate);
+        const double rate = greatest_rate(helix, circle, axis.coordinate);
         if (rate * speed > axis.velocity) speed = axis.velocity / rate;
-        const double bend = circle.curvature * amplitude(*helix, axis.coordinate);
+        const double bend = circle.curvature * amplitude(helix, axis.coordinate);
         if (bend * speed * speed > kNormalShare * axis.acceleration) {
             speed = std::sqrt(kNormalShare * axis.acceleration / bend);
+        }
+        const double third = circle.third * amplitude(helix, axis.coordinate);
+        if (third * speed * speed * speed > kSteadyJerk * axis.jerk) {
+            speed = std::cbrt(kSteadyJerk * axis.jerk / third);
         }
     }
 
     double acceleration = kInfinity;
+    double turning_acceleration = kInfinity;
     for (const Entry& axis : axes_) {
         if (axis.coordinate >= 3) {
             const double rate = std::abs(piece.follower_rate[axis.coordinate - 3]);
@@ -165,19 +251,26 @@ PathLimits AxisTable::limits(const Segment& piece, const AxisRates& start, doubl
         }
         // m·sqrt((c·a)² + N²) + h·a ≤ A, solved for a: m share of the circle in this coordinate, N
         // the centripetal acceleration, c and h the shares of the tangent in and across the plane.
-        const double m = amplitude(*helix, axis.coordinate);
+        const double m = amplitude(helix, axis.coordinate);
         const double n = circle.curvature * speed * speed;
         const double c = circle.turning;
         const double h =
-            circle.rising * std::abs(helix->normal[static_cast<Eigen::Index>(axis.coordinate)]);
+            circle.rising * std::abs(helix.normal[static_cast<Eigen::Index>(axis.coordinate)]);
         const double a = axis.acceleration;
         const double left = a * a - m * m * n * n;
         const double root =
             std::sqrt(std::max(0.0, a * a * h * h + (m * m * c * c - h * h) * left));
         const double denominator = a * h + root;
         if (denominator > 0) acceleration = std::min(acceleration, left / denominator);
+        const double turning = 3 * m * circle.curvature * speed;
+        if (turning * turning_acceleration > kTurningJerk * axis.jerk)
+            turning_acceleration = kTurningJerk * axis.jerk / turning;
     }
-    return {speed, acceleration};
+    PathLimits limits{speed, std::min(acceleration, turning_acceleration), kInfinity,
+                      turning_acceleration};
+    for (const Entry& axis : axes_)
+        limits.jerk = std::min(limits.jerk, jerk_left(helix, piece, axis, limits));
+    return limits;
 }
 
 AxisTable::Loads AxisTable::loads(const Segment& piece, const AxisRates& start) const {
@@ -189,6 +282,7 @@ AxisTable::Loads AxisTable::loads(const Segment& piece, const AxisRates& start) 
             const auto c = static_cast<Eigen::Index>(axes_[i].coordinate);
             loads.rising[i] = bend.rate[c];
             loads.bend[i] = bend.bend[c];
+            loads.third[i] = bend.third[c];
         }
         loads.curvature = bend.curvature;
         return loads;
@@ -208,15 +302,28 @@ AxisTable::Loads AxisTable::loads(const Segment& piece, const AxisRates& start) 
         const double seen = amplitude(*helix, c);
         loads.turning[i] = seen * circle.turning;
         loads.bend[i] = seen * circle.curvature;
+        loads.third[i] = seen * circle.third;
         loads.rising[i] = circle.rising * std::abs(helix->normal[static_cast<Eigen::Index>(c)]);
     }
     return loads;
+}
+
+double AxisTable::Loads::jerk_at(std::size_t i, const PathState& state) const {
+    const double rate = turning[i] + rising[i];
+    if (std::isinf(state.jerk)) return rate > 0 ? state.jerk : 0;
+    if (bend[i] == 0) return rate * state.jerk;
+    const double v = state.speed;
+    const double steady = third[i] * v * v * v;
+    const double speeding = 3 * bend[i] * v * state.acceleration;
+    if (curvature > 0) return rate * state.jerk + steady + speeding;
+    return std::hypot(turning[i] * state.jerk + steady, speeding) + rising[i] * state.jerk;
 }
 
 AxisTable::Peaks AxisTable::peaks(const Segment& piece, const Loads& loads) const {
     Peaks peaks;
     const double speed = piece.profile.peak_speed;
     const double along = path_acceleration(piece.profile);
+    const double jerk = limits_jerk_ ? path_jerk(piece.profile) : 0;
     const auto* helix = std::get_if<path::Helix>(&piece.curve);
     for (std::size_t i = 0; i < axes_.size(); ++i) {
         const std::size_t c = axes_[i].coordinate;
@@ -225,6 +332,12 @@ AxisTable::Peaks AxisTable::peaks(const Segment& piece, const Loads& loads) cons
                                 : greatest_rate(*helix, CircleView(*helix), c);
         peaks.velocity[i] = rate * speed;
         peaks.acceleration[i] = loads.at(i, speed, along);
+        // The acceleration of a trapezoid begins and ends at once.
+        if (limits_jerk_) {
+            peaks.jerk[i] = loads.jerk_at(i, {speed, along, jerk});
+        } else if (peaks.acceleration[i] > 0) {
+            peaks.jerk[i] = kInfinity;
+        }
     }
     return peaks;
 }

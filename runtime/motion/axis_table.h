@@ -21,6 +21,10 @@ namespace kadr::motion {
 struct PathLimits {
     double speed = 0;         // infinite if nothing limits it
     double acceleration = 0;  // along the path, at this speed
+    double jerk = 0;          // along the path, at this speed and acceleration
+    /// The acceleration along the path at which the turning path takes its share of the jerk;
+    /// infinite on a straight line.
+    double turning_acceleration = 0;
 };
 
 class AxisTable {
@@ -31,26 +35,42 @@ class AxisTable {
     /// The machine's axis behind a logical one; size() if it has none.
     std::size_t slot(Axis axis) const { return slots_[index(axis)]; }
     double acceleration(std::size_t i) const { return axes_[i].acceleration; }
+    double jerk(std::size_t i) const { return axes_[i].jerk; }
+    /// Whether the jerk of any axis is limited.
+    bool limits_jerk() const { return limits_jerk_; }
 
     /// dq/ds of every axis at the start and at the end of a piece.
     AxisRates start_rates(const Segment& piece) const;
     AxisRates end_rates(const Segment& piece) const;
+    /// d²q/ds² of every axis at the start and at the end of a piece.
+    AxisRates start_bends(const Segment& piece) const;
+    AxisRates end_bends(const Segment& piece) const;
 
-    /// The greatest path speed up to `wanted`, and the acceleration that then remains. `start` are
-    /// the start_rates of the piece, here and below.
+    /// The greatest path speed up to `wanted`, the acceleration that then remains, and the jerk
+    /// that remains with both. `start` are the start_rates of the piece, here and below.
     ///
     /// On an arc the centripetal acceleration takes its share first: at most kNormalShare of what
-    /// an axis has, so that enough is left to reach the speed at all. source       reference motion
-    /// §2.1
+    /// an axis has, so that enough is left to reach the speed at all. Of the jerk, what turning at
+    /// the speed takes and what speeding up while turning takes have fixed shares at most.
+    /// source       reference motion §2.1
     PathLimits limits(const Segment& piece, const AxisRates& start, double wanted) const;
 
+    /// What a path does at one moment.
+    struct PathState {
+        double speed = 0;
+        double acceleration = 0;
+        double jerk = 0;  // may be infinite
+    };
     /// What the acceleration of each axis is made of on a piece: at the path speed v and the path
     /// acceleration a it is at most hypot(turning·a, bend·v²) + rising·a, and at most
-    /// hypot(a, curvature·v²) where a curvature is given.
+    /// hypot(a, curvature·v²) where a curvature is given. The jerk, with that of the path j, is at
+    /// most hypot(turning·j + third·v³, 3·bend·v·a) + rising·j, or the sum of all where a curvature
+    /// is given.
     struct Loads {
         AxisRates turning{};
         AxisRates bend{};
         AxisRates rising{};
+        AxisRates third{};
         double curvature = 0;
 
         double at(std::size_t i, double speed, double along) const {
@@ -60,13 +80,16 @@ class AxisTable {
             if (curvature == 0) return sum;
             return std::min(sum, std::hypot(along, curvature * speed * speed));
         }
+        double jerk_at(std::size_t i, const PathState& state) const;
     };
     Loads loads(const Segment& piece, const AxisRates& start) const;
 
-    /// Greatest axis velocities and accelerations of a piece with these loads under its profile.
+    /// Greatest axis velocities, accelerations and jerks of a piece with these loads under its
+    /// profile.
     struct Peaks {
         AxisRates velocity{};
         AxisRates acceleration{};
+        AxisRates jerk{};
     };
     Peaks peaks(const Segment& piece, const Loads& loads) const;
 
@@ -85,12 +108,19 @@ class AxisTable {
         std::size_t coordinate;  // logical index: 0…2 of the tip, 3… a follower
         double velocity;
         double acceleration;
+        double jerk;
     };
+    PathLimits line_limits(const AxisRates& along, double wanted) const;
+    PathLimits helix_limits(const path::Helix& helix, const Segment& piece, double wanted) const;
+    static double jerk_left(const path::Helix& helix, const Segment& piece, const Entry& axis,
+                            const PathLimits& limits);
     PathLimits spline_limits(const path::Spline& spline, double wanted) const;
+    AxisRates bends(const Segment& piece, double distance) const;
     AxisRates rates(const path::Vec3& tangent, const Segment& piece) const;
 
     std::vector<Entry> axes_;
     std::array<std::size_t, kAxes> slots_{};
+    bool limits_jerk_ = false;
 };
 
 }  // namespace kadr::motion

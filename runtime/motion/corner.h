@@ -39,6 +39,12 @@ double jump_share(double before, double behind, bool is_alone);
 /// before, behind, jump  accelerations, the jump divided by the tick; all in one unit
 double corner_acceleration(double before, double behind, double jump);
 
+/// A jump of the acceleration counts this much of itself, divided by the tick, as a jerk: the third
+/// difference of setpoints, divided by the tick cubed, averages the jerk with a bell of three
+/// ticks.
+inline constexpr double kJumpBell = 0.75;
+inline constexpr double kJumpBellTicks = 3;
+
 /// Speed of an arc that touches both legs and misses the corner by `deviation`.
 ///
 /// in, out       directions of travel, unit vectors

@@ -1,5 +1,21 @@
+// How commands become segments with their profiles.
+//
+// prepare.h turns every command into pieces of path, each with limits along the path that keep
+// every axis within its velocity, acceleration and jerk whatever the profile does below them, and
+// every corner with a speed. Then there are two ways:
+//
+// Without a limit of the jerk every piece is a stretch of its own: the look-ahead gives its ends
+// their speeds, and a trapezoid connects them.
+//
+// With one, stretch.h gathers pieces to stretches with one set of limits. The look-ahead gives the
+// ends of the stretches their speeds; there the acceleration vanishes. A profile of seven phases
+// connects them, and profile_cut.h shares it out among the pieces, so phases run across blocks. No
+// limit can be passed: a profile keeps those of its stretch, and these are the least of its
+// pieces'. Every speed at a junction can be braked to rest within what is known. What the gathering
+// costs against the best plan is time alone.
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <vector>
 
@@ -8,49 +24,19 @@
 #include "motion/lookahead.h"
 #include "motion/pipeline.h"
 #include "motion/prepare.h"
+#include "motion/profile_cut.h"
+#include "motion/smooth_profile.h"
+#include "motion/stretch.h"
 
 namespace kadr::motion {
-
-namespace {
-
-/// Pieces between preparation and delivery: a ring that grows to the length of the look-ahead.
-class PieceRing {
-  public:
-    Piece& push_back() {
-        if (count_ == pieces_.size()) grow();
-        return pieces_[(first_ + count_++) & (pieces_.size() - 1)];
-    }
-    void drop_back() { --count_; }
-    Piece& back(std::size_t i) { return pieces_[(first_ + count_ - 1 - i) & (pieces_.size() - 1)]; }
-    Piece& front() { return pieces_[first_]; }
-    void pop_front() {
-        first_ = (first_ + 1) & (pieces_.size() - 1);
-        --count_;
-    }
-
-  private:
-    void grow() {
-        std::vector<Piece> larger(2 * pieces_.size());
-        for (std::size_t i = 0; i < count_; ++i) {
-            larger[i] = pieces_[(first_ + i) & (pieces_.size() - 1)];
-        }
-        pieces_ = std::move(larger);
-        first_ = 0;
-    }
-
-    std::vector<Piece> pieces_ = std::vector<Piece>(64);  // a power of two
-    std::size_t first_ = 0;
-    std::size_t count_ = 0;
-};
-
-}  // namespace
 
 struct Planner::State {
     State(Stream<path::Command>& commands, const machine::Machine& machine,
           const PlannerOptions& options_in, DiagnosticSink& sink)
         : options(options_in),
           axes(machine),
-          preparer(commands, machine, axes, options, sink),
+          preparer(commands, machine, axes, options, sink, pieces),
+          gathered(std::max<std::size_t>(options.lookahead, 1)),
           lookahead(options.lookahead),
           tick(options.tick > 0 ? options.tick : machine.tick) {
         record_travel();
@@ -58,17 +44,27 @@ struct Planner::State {
 
     bool next(Segment& segment);
     void fill();
-    void hand_on(const Piece& piece);
-    void plan(Piece& piece, const JunctionSpeeds& speeds);
+    void hand_on(const Piece& piece, double exit_limit);
+    void append_complete();
+    void begin_stretch();
+    void plan(Piece& piece);
     void record(const Piece& piece);
     void record_corner(const Piece& piece);
+    void record_jerk(const Piece& piece, double along);
     void record_travel();
 
     PlannerOptions options;
     AxisTable axes;
+    PieceRing pieces;       // between preparation and delivery
+    std::size_t fresh = 0;  // so many of them are not in the look-ahead yet
     Preparer preparer;
+    StretchBuilder gathered;
     LookAhead lookahead;
-    PieceRing pieces;
+    std::deque<Stretch> stretches;  // in the look-ahead
+    Stretch current;                // its pieces are being delivered
+    JunctionSpeeds speeds;
+    ProfileCut cut;        // of its profile, if its jerk is limited
+    std::size_t left = 0;  // so many of its pieces
     double tick;
     bool has_ended = false;
     bool is_waiting = false;  // the last piece, for the corner behind it
@@ -76,56 +72,103 @@ struct Planner::State {
     Totals totals;
     AxisRates last_rates{};  // of the piece delivered last, at its end
     AxisTable::Loads last_loads;
+    AxisRates last_bends{};
     double last_along = 0;  // its acceleration along the path
+    double last_jerk = 0;   // its jerk along the path
 };
 
 void Planner::State::fill() {
     while (!has_ended && !lookahead.is_full()) {
-        Piece& piece = pieces.push_back();
-        if (!preparer.next(piece)) {
-            pieces.drop_back();
-            if (is_waiting) hand_on(pieces.back(0));
+        if (fresh == 0) fresh = preparer.next();
+        if (fresh == 0) {
+            if (is_waiting) hand_on(pieces.back(0), 0);
+            gathered.finish();
+            append_complete();
             lookahead.finish();
             has_ended = true;
             return;
         }
+        const Piece& piece = pieces.back(--fresh);
         // The corner behind a piece has its say in the piece's acceleration.
         if (is_waiting) {
-            Piece& before = pieces.back(1);
+            Piece& before = pieces.back(fresh + 1);
             before.acceleration *= std::min(1.0, piece.ramp_before / before.ramp);
-            hand_on(before);
+            before.jerk *= std::min(1.0, piece.jerk_before / before.jerk_share);
+            before.acceleration =
+                std::min(before.acceleration, before.turning_acceleration * piece.jerk_before);
+            hand_on(before, piece.entry_limit);
         }
         is_waiting = true;
     }
 }
 
-void Planner::State::hand_on(const Piece& piece) {
-    lookahead.append({piece.length, piece.speed, piece.acceleration, piece.entry_limit});
+/// `exit_limit`: of the corner behind it.
+void Planner::State::hand_on(const Piece& piece, double exit_limit) {
+    if (!axes.limits_jerk()) {
+        lookahead.append({piece.length, piece.speed, piece.acceleration, piece.entry_limit});
+        return;
+    }
+    gathered.add({piece.length, piece.speed, piece.acceleration, piece.entry_limit, piece.jerk,
+                  piece.entry_acceleration},
+                 exit_limit);
+    append_complete();
+}
+
+void Planner::State::append_complete() {
+    for (const Stretch& stretch : gathered.complete()) {
+        lookahead.append(stretch);
+        stretches.push_back(stretch);
+    }
+    gathered.clear();
+}
+
+void Planner::State::begin_stretch() {
+    speeds = lookahead.take();
+    left = 1;
+    if (!axes.limits_jerk()) return;
+    current = stretches.front();
+    stretches.pop_front();
+    left = current.pieces;
+    if (std::isinf(current.jerk)) return;
+    const auto whole =
+        seven_phases(current.length, speeds.entry, speeds.exit,
+                     {current.speed, current.acceleration, current.acceleration, current.jerk});
+    KADR_ASSERT(whole.has_value(), "the look-ahead promised a smooth ramp that does not fit");
+    cut = ProfileCut(*whole);
 }
 
 bool Planner::State::next(Segment& segment) {
-    if (!lookahead.is_ready()) fill();
-    if (!lookahead.is_ready()) {
-        totals.commands = preparer.commands();
-        record_travel();
-        return false;
+    if (left == 0) {
+        if (!lookahead.is_ready()) fill();
+        if (!lookahead.is_ready()) {
+            totals.commands = preparer.commands();
+            record_travel();
+            return false;
+        }
+        begin_stretch();
     }
+    --left;
     Piece& piece = pieces.front();
-    plan(piece, lookahead.take());
+    plan(piece);
     record(piece);
     segment = piece.segment;
     pieces.pop_front();
     return true;
 }
 
-void Planner::State::plan(Piece& piece, const JunctionSpeeds& speeds) {
+void Planner::State::plan(Piece& piece) {
     Segment& segment = piece.segment;
     segment.start_time = totals.time;
     if (!is_motion(segment.kind)) return;
-    const auto profile = trapezoid(piece.length, speeds.entry, speeds.exit,
-                                   {piece.speed, piece.acceleration, piece.acceleration});
-    KADR_ASSERT(profile.has_value(), "the look-ahead promised a change of speed that does not fit");
-    segment.profile = *profile;
+    if (std::isinf(current.jerk)) {
+        const auto profile = trapezoid(piece.length, speeds.entry, speeds.exit,
+                                       {piece.speed, piece.acceleration, piece.acceleration});
+        KADR_ASSERT(profile.has_value(),
+                    "the look-ahead promised a change of speed that does not fit");
+        segment.profile = *profile;
+    } else {
+        segment.profile = cut.next(piece.length, left == 0);
+    }
     segment.duration = segment.profile.duration();
 }
 
@@ -148,10 +191,7 @@ void Planner::State::record(const Piece& piece) {
     for (std::size_t i = 0; i < axes.size(); ++i) {
         totals.max_velocity[i] = std::max(totals.max_velocity[i], peaks.velocity[i]);
         totals.max_acceleration[i] = std::max(totals.max_acceleration[i], peaks.acceleration[i]);
-        // The acceleration of a trapezoid begins and ends at once.
-        if (peaks.acceleration[i] > 0) {
-            totals.max_jerk[i] = std::numeric_limits<double>::infinity();
-        }
+        totals.max_jerk[i] = std::max(totals.max_jerk[i], peaks.jerk[i]);
     }
     record_corner(piece);
 }
@@ -161,6 +201,8 @@ void Planner::State::record_corner(const Piece& piece) {
     const Segment& segment = piece.segment;
     const double speed = segment.profile.entry_speed;
     const double along = path_acceleration(segment.profile);
+    const bool is_straight = std::holds_alternative<path::Line>(segment.curve);
+    if (axes.limits_jerk()) record_jerk(piece, along);
     if (speed > 0) {
         for (std::size_t i = 0; i < axes.size(); ++i) {
             const double jump = std::abs(piece.rates[i] - last_rates[i]) * speed / tick;
@@ -170,10 +212,29 @@ void Planner::State::record_corner(const Piece& piece) {
             totals.max_acceleration[i] = std::max(totals.max_acceleration[i], reached);
         }
     }
-    const bool is_straight = std::holds_alternative<path::Line>(segment.curve);
     last_rates = is_straight ? piece.rates : axes.end_rates(segment);
     last_loads = piece.loads;
     last_along = along;
+}
+
+/// The same of the jerk.
+void Planner::State::record_jerk(const Piece& piece, double along) {
+    const Segment& segment = piece.segment;
+    const double speed = segment.profile.entry_speed;
+    const double jerk = path_jerk(segment.profile);
+    const bool is_straight = std::holds_alternative<path::Line>(segment.curve);
+    const AxisRates bends = is_straight ? AxisRates{} : axes.start_bends(segment);
+    for (std::size_t i = 0; speed > 0 && i < axes.size(); ++i) {
+        const double jump = std::abs(piece.rates[i] - last_rates[i]) * speed / tick;
+        const double bend = std::abs(bends[i] - last_bends[i]) * speed * speed;
+        if (jump == 0 && bend == 0) continue;
+        const double beside = std::max(last_loads.jerk_at(i, {speed, last_along, last_jerk}),
+                                       piece.loads.jerk_at(i, {speed, along, jerk}));
+        totals.max_jerk[i] =
+            std::max(totals.max_jerk[i], (jump + kJumpBell * bend) / tick + beside);
+    }
+    last_bends = is_straight ? AxisRates{} : axes.end_bends(segment);
+    last_jerk = jerk;
 }
 
 void Planner::State::record_travel() {

@@ -31,6 +31,11 @@ constexpr double kSharedRamp = 0.5;  // half and half
 constexpr double kCrowding = 1.125;
 constexpr double kStraight = 1e-9;  // as in corner.cpp
 
+// Jumps of the curvature of equal distance below the width of the bell weigh up to 1.05 times as
+// much as their mean.
+constexpr double kBellCrowding = 1.05;
+constexpr double kMostJump = 0.5;  // part of an axis' jerk that a jump of the curvature may take
+
 // To go on after a missing feed has been reported, mm/s; slow enough to be noticed in the time.
 constexpr double kFallbackFeed = 1;
 
@@ -40,22 +45,31 @@ constexpr double kSameSpeed = 1e-9;
 /// What a corner needs to know of the piece before it.
 struct CornerMemory {
     AxisRates rates{};  // dq/ds at its end
+    AxisRates bends{};  // d²q/ds² at its end
     AxisTable::Loads loads;
     double length = 0;
     double speed = 0;               // limit inside
     Vec3 direction = Vec3::Zero();  // at its end
     double acceleration = 0;
     bool turns_only = false;
+    bool is_bent = false;
     bool must_stop = true;  // the path comes to rest behind it
 };
+
+bool is_straight(const Segment& segment) {
+    return std::holds_alternative<path::Line>(segment.curve) ||
+           std::holds_alternative<path::Point>(segment.curve);
+}
 
 }  // namespace
 
 struct Preparer::State {
     State(Stream<Command>& commands_in, const machine::Machine& machine_in,
-          const AxisTable& axes_in, const PlannerOptions& options_in, DiagnosticSink& sink_in);
+          const AxisTable& axes_in, const PlannerOptions& options_in, DiagnosticSink& sink_in,
+          PieceRing& pieces_in);
 
-    bool next(Piece& piece);
+    std::size_t next();
+    Piece& fresh_piece();
     const Command* next_command();
     void execute(const Command& command);
 
@@ -76,6 +90,8 @@ struct Preparer::State {
     bool is_alone(const Piece& piece) const;
     double time_beside(const Piece& piece, double speed, double ramp) const;
     double shared_speed(const Piece& piece, bool alone, double ramp) const;
+    double corner_acceleration_limit(const AxisRates& in) const;
+    void take_bend(Piece& piece) const;
     void remember(const Piece& piece);
 
     void alarm_raised();
@@ -101,20 +117,21 @@ struct Preparer::State {
     AxisCheck check;
     CornerMemory last;
 
-    std::vector<Piece> ready;  // the pieces of one command, from ready_at on
-    std::size_t ready_at = 0;
+    PieceRing& pieces;
+    std::size_t ready = 0;  // pieces of the current command
 };
 
 Preparer::State::State(Stream<Command>& commands_in, const machine::Machine& machine_in,
                        const AxisTable& axes_in, const PlannerOptions& options_in,
-                       DiagnosticSink& sink_in)
+                       DiagnosticSink& sink_in, PieceRing& pieces_in)
     : commands(commands_in),
       machine(machine_in),
       axes(axes_in),
       options(options_in),
       sink(sink_in),
       standing(machine_in),
-      check(machine_in, axes_in, options_in, sink_in) {
+      check(machine_in, axes_in, options_in, sink_in),
+      pieces(pieces_in) {
     tick = options.tick > 0 ? options.tick : machine.tick;
     for (std::size_t i = 0; i < axes.size(); ++i) {
         jump[i] =
@@ -123,16 +140,24 @@ Preparer::State::State(Stream<Command>& commands_in, const machine::Machine& mac
     spindle.machine_limit = machine.max_speed;
 }
 
-bool Preparer::State::next(Piece& piece) {
-    while (ready_at == ready.size()) {
-        ready.clear();
-        ready_at = 0;
+std::size_t Preparer::State::next() {
+    ready = 0;
+    while (ready == 0) {
         const Command* command = next_command();
-        if (command == nullptr) return false;
+        if (command == nullptr) return 0;
         execute(*command);
     }
-    piece = ready[ready_at++];
-    return true;
+    return ready;
+}
+
+/// Appended; all but the segment, the length and the limits is as on a path without a corner.
+Piece& Preparer::State::fresh_piece() {
+    ++ready;
+    Piece& piece = pieces.push_back();
+    piece.jerk = piece.entry_acceleration = piece.turning_acceleration = kInfinity;
+    piece.entry_limit = 0;
+    piece.ramp = piece.ramp_before = piece.jerk_share = piece.jerk_before = 1;
+    return piece;
 }
 
 const Command* Preparer::State::next_command() {
@@ -212,8 +237,9 @@ void Preparer::State::dwell(const Command& command) {
 void Preparer::State::stand(const Command& command, SegmentKind kind, double duration) {
     last.must_stop = true;
     if (!(duration > 0) || has_ended) return;
-    Piece& piece = ready.emplace_back();
+    Piece& piece = fresh_piece();
     piece.segment = standing.still();
+    piece.length = 0;
     piece.segment.kind = kind;
     piece.segment.line = command.line;
     piece.segment.source = command.source;
@@ -238,7 +264,7 @@ void Preparer::State::move(const Command& command) {
         } else {
             emit_feed_parts(command, segment, length);
         }
-        if (!ready.empty()) ready.back().segment.ends_command = true;
+        if (ready > 0) pieces.back(0).segment.ends_command = true;
         if (!has_ended) check.widen_travel();
     }
     if (has_ended) return;
@@ -309,7 +335,7 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
         report_thread_speed(command, feed, limits.speed);
         if (has_ended) return;
     }
-    Piece& piece = ready.emplace_back();
+    Piece& piece = fresh_piece();
     piece.segment = segment;
     piece.segment.feed = feed;
     piece.segment.ends_command = false;
@@ -320,10 +346,16 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     piece.length = length;
     piece.speed = limits.speed;
     piece.acceleration = limits.acceleration;
+    piece.jerk = limits.jerk;
+    piece.turning_acceleration = limits.turning_acceleration;
     piece.entry_limit = corner_speed(segment, in, limits.acceleration);
     piece.rates = in;
     piece.loads = axes.loads(segment, in);
     take_corner(piece);
+    if (axes.limits_jerk()) {
+        piece.entry_acceleration = corner_acceleration_limit(in);
+        take_bend(piece);
+    }
     remember(piece);
 }
 
@@ -441,10 +473,51 @@ double Preparer::State::shared_speed(const Piece& piece, bool alone, double ramp
     return speed;
 }
 
+/// With how much acceleration along the path the corner may be passed.
+double Preparer::State::corner_acceleration_limit(const AxisRates& in) const {
+    double most = kInfinity;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        const double change = std::abs(in[i] - last.rates[i]);
+        if (change > kStraight) most = std::min(most, axes.jerk(i) * tick / change);
+    }
+    return most;
+}
+
+/// Where the curvature jumps, as between a line and an arc, the acceleration of the axes does at
+/// any speed: from tick to tick that is a jerk. The jump gets a share of what the axes have, as
+/// little as its speed needs and half at most; the pieces beside it keep the rest.
+void Preparer::State::take_bend(Piece& piece) const {
+    if (piece.entry_limit == 0) return;
+    const bool is_bent = !is_straight(piece.segment);
+    if (!is_bent && !last.is_bent) return;
+    const AxisRates bends = is_bent ? axes.start_bends(piece.segment) : AxisRates{};
+    double change = 0;  // of d²q/ds², in parts of the axis' jerk
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        change = std::max(change, std::abs(bends[i] - last.bends[i]) / axes.jerk(i));
+    }
+    const double speed = std::min({piece.entry_limit, last.speed, piece.speed});
+    const double reach = std::min(last.length, piece.length);
+    const bool is_alone = reach >= kJumpBellTicks * tick * speed;
+    const double weight = (is_alone ? 1 : kBellCrowding) * change;
+    const double bell = kJumpBell / tick;
+    const double full = weight * speed * speed * (is_alone ? bell : std::max(bell, speed / reach));
+    if (full < kStraight) return;
+    if (full > kMostJump) {
+        const double most = kMostJump / weight;
+        const double alone = std::sqrt(most / bell);
+        piece.entry_limit = is_alone ? alone : std::min(alone, std::cbrt(most * reach));
+    }
+    piece.jerk_share = piece.jerk_before = 1 - std::min(full, kMostJump);
+    piece.jerk *= piece.jerk_share;
+    piece.acceleration =
+        std::min(piece.acceleration, piece.turning_acceleration * piece.jerk_share);
+}
+
 void Preparer::State::remember(const Piece& piece) {
     const Segment& segment = piece.segment;
-    const bool is_straight = std::holds_alternative<path::Line>(segment.curve);
-    last.rates = is_straight ? piece.rates : axes.end_rates(segment);
+    last.is_bent = !is_straight(segment);
+    last.rates = last.is_bent ? axes.end_rates(segment) : piece.rates;
+    if (axes.limits_jerk()) last.bends = last.is_bent ? axes.end_bends(segment) : AxisRates{};
     if (options.corner_rule == CornerRule::JunctionDeviation) {
         last.direction = path::evaluate(segment.curve, path::length(segment.curve)).tangent;
     }
@@ -464,11 +537,12 @@ void Preparer::State::alarm_raised() {
 // ------------------------------------------------------------------------------ the door
 
 Preparer::Preparer(Stream<path::Command>& commands, const machine::Machine& machine,
-                   const AxisTable& axes, const PlannerOptions& options, DiagnosticSink& sink)
-    : state_(std::make_unique<State>(commands, machine, axes, options, sink)) {}
+                   const AxisTable& axes, const PlannerOptions& options, DiagnosticSink& sink,
+                   PieceRing& pieces)
+    : state_(std::make_unique<State>(commands, machine, axes, options, sink, pieces)) {}
 Preparer::~Preparer() = default;
 
-bool Preparer::next(Piece& piece) { return state_->next(piece); }
+std::size_t Preparer::next() { return state_->next(); }
 std::uint64_t Preparer::commands() const { return state_->commands_read; }
 bool Preparer::alarmed() const { return state_->has_alarmed; }
 const AxisTable::Travel& Preparer::travel() const { return state_->check.travel(); }

@@ -8,32 +8,21 @@
 
 #include "base/diagnostic.h"
 #include "motion/axis_table.h"
+#include "motion/piece.h"
 #include "motion/pipeline.h"
 
 namespace kadr::motion {
 
-/// A segment before it has its speeds: `segment.profile`, `start_time` and, for motion, `duration`
-/// are still open.
-struct Piece {
-    Segment segment;
-    double length = 0;        // of the path, mm (deg); 0 for a standstill
-    double speed = 0;         // limit inside the piece
-    double acceleration = 0;  // along the path
-    double entry_limit = 0;   // of the corner before it; 0: the path comes to rest there
-    double ramp = 1;          // part of its acceleration that the corner before it leaves
-    double ramp_before = 1;   // part of its acceleration that the corner leaves to the piece before
-    AxisRates rates{};        // dq/ds at its start
-    AxisTable::Loads loads;
-};
-
 class Preparer {
   public:
+    /// Pieces are appended to `pieces`. References outlive the preparer.
     Preparer(Stream<path::Command>& commands, const machine::Machine& machine,
-             const AxisTable& axes, const PlannerOptions& options, DiagnosticSink& sink);
+             const AxisTable& axes, const PlannerOptions& options, DiagnosticSink& sink,
+             PieceRing& pieces);
     ~Preparer();
 
-    /// The next piece; false at the end.
-    bool next(Piece& piece);
+    /// Appends the pieces of the next command that has any, and tells how many; 0 at the end.
+    std::size_t next();
 
     std::uint64_t commands() const;
     bool alarmed() const;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "motion/smooth_profile.h"
+
 namespace kadr::motion {
 
 double ramp_length(double from, double to, const ProfileLimits& limits) {
@@ -46,6 +48,7 @@ double ticks_of(double duration, double tick) { return std::ceil(duration / tick
 
 Result<Profile, ProfileFault> fitted_to_ticks(const Profile& profile, double tick) {
     const double duration = ticks_of(profile.duration(), tick) * tick;
+    if (profile.is_smooth) return slowed_to(profile, duration);
     const double a = profile.acceleration;
     const double d = profile.deceleration;
     const double entry = profile.entry_speed;

@@ -25,6 +25,8 @@ constexpr double kLittleTurn = 0.02;
 /// down to the second length, an increment of most controls.
 constexpr double kShort = 0.02;
 constexpr double kPoint = 1e-3;
+/// Between samples closer than this, mm, a difference of curvatures is rounding.
+constexpr double kNoWay = 1e-9;
 
 Samples sample(const Spline& spline) {
     Samples samples;
@@ -84,6 +86,8 @@ SplineBend bend_of(const Spline& spline) {
     SplineBend bend;
     Vec3 rate_step = Vec3::Zero();
     Vec3 bend_step = Vec3::Zero();
+    Vec3 slope_before = Vec3::Zero();  // d³C/ds³ as the difference of curvatures
+    Vec3 slope_step = Vec3::Zero();
     for (std::size_t i = 0; i < kSamples; ++i) {
         bend.rate = bend.rate.cwiseMax(samples[i].tangent.cwiseAbs());
         bend.bend = bend.bend.cwiseMax(samples[i].curvature.cwiseAbs());
@@ -91,8 +95,18 @@ SplineBend bend_of(const Spline& spline) {
         if (i == 0) continue;
         const CurvePoint& before = samples[i - 1];
         rate_step = rate_step.cwiseMax((samples[i].tangent - before.tangent).cwiseAbs());
-        bend_step = bend_step.cwiseMax((samples[i].curvature - before.curvature).cwiseAbs());
+        const Vec3 change = samples[i].curvature - before.curvature;
+        bend_step = bend_step.cwiseMax(change.cwiseAbs());
+        const double way = spline.reached[i - 1] - (i > 1 ? spline.reached[i - 2] : 0.0);
+        if (!(way > kNoWay)) continue;
+        const Vec3 slope = change / way;
+        bend.third = bend.third.cwiseMax(slope.cwiseAbs());
+        if (i > 1) slope_step = slope_step.cwiseMax((slope - slope_before).cwiseAbs());
+        slope_before = slope;
     }
+    // A difference is a mean: at the ends it misses half of what it changes by, and a hump rises by
+    // as much again at most.
+    bend.third += slope_step;
     // A hump between two samples rises by an eighth of what the differences change at most, and
     // these change by no more than twice the greatest.
     bend.rate = (bend.rate + rate_step / 4).cwiseMin(1.0);

@@ -12,12 +12,13 @@ namespace kadr::motion {
 /// cusp, becomes a straight piece: a corner at both its ends.
 std::vector<path::Curve> evenly_bent(const path::Spline& spline);
 
-/// What the limits of axes need to know of a piece: greatest |dq/ds| and |d²q/ds²| of X, Y, Z,
-/// from samples so close that what is between them is covered by their differences.
+/// What the limits of axes need to know of a piece: greatest |dq/ds|, |d²q/ds²| and |d³q/ds³| of X,
+/// Y, Z, from samples so close that what is between them is covered by their differences.
 struct SplineBend {
     path::Vec3 rate = path::Vec3::Zero();
-    path::Vec3 bend = path::Vec3::Zero();  // 1/mm
-    double curvature = 0;                  // greatest |d²C/ds²|, 1/mm
+    path::Vec3 bend = path::Vec3::Zero();   // 1/mm
+    path::Vec3 third = path::Vec3::Zero();  // 1/mm²
+    double curvature = 0;                   // greatest |d²C/ds²|, 1/mm
 };
 SplineBend bend_of(const path::Spline& spline);
 

@@ -99,6 +99,7 @@ struct Block {
     std::int8_t skip = -1;        // optional skip level 0…9; -1 none
     std::uint16_t skip_also = 0;  // bit n: the block is left out at level n as well
     XMeasure x_measure = XMeasure::Modal;
+    bool feed_along_arc = false;        // F of a helix is meant along its arc, not its path
     std::uint8_t rotary_ways = 0;       // of A, B, C: two bits each, a RotaryWay
     CycleId cycle = 0;                  // holds if Function::Cycle is among the functions
     std::int32_t number = -1;           // N; -1 none
@@ -119,6 +120,7 @@ struct Block {
         skip = -1;
         skip_also = 0;
         x_measure = XMeasure::Modal;
+        feed_along_arc = false;
         rotary_ways = 0;
         cycle = 0;
         number = -1;

@@ -45,6 +45,7 @@ constexpr bool is_quiet_group(Group group) {
 
 BlockWriter::BlockWriter(const Dialect& dialect, const WriteOptions& options, DiagnosticSink& sink)
     : dialect_(dialect), tables_(dialect.tables()), options_(options), sink_(sink) {
+    counts_feed_along_arc_ = dialect.has_rule("helix_feed_along_arc");
     begin({});
     prepare_fast();
 }
@@ -241,6 +242,7 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
     if (is_arc(motion)) {
         place_arc(block, start, targets);
         place_arc_feed(block, start, targets);
+        place_helix_feed(block, start, targets);
     } else if (motion == Function::None) {
         place_arc_as_given(block, start, targets);
     } else if (takes_pitch(motion)) {
@@ -340,7 +342,7 @@ bool BlockWriter::write_thread(const Block& block, std::string& out) {
     feed_is_lead_ = false;
     modal_.meant_feed = feed;
     modal_.has_meant_feed = has_feed;
-    if (is_feed) modal_.feed_is_pitch = true;
+    if (is_feed) modal_.feed_is_other = true;
     return true;
 }
 
@@ -598,6 +600,10 @@ void BlockWriter::write_functions_alone(const Block& block, std::string& out) {
         const Form& form = tables_.forms[chosen_[i]];
         const Invocation& invocation = block.functions[i];
         write_before(form, block, out);
+        if (is_shift_standing(form, block, invocation)) {
+            done_ |= 1u << i;
+            continue;
+        }
         if (!form.implied.empty()) write_initial_level(form, block, invocation, out);
         if (!form.lead.empty()) write_lead(form, block, invocation, out);
         const bool is_alone = form.owns_block || form.owns_line;
@@ -614,6 +620,18 @@ void BlockWriter::write_functions_alone(const Block& block, std::string& out) {
         write_items(alone, items, {}, out);
         done_ |= 1u << i;
     }
+}
+
+/// Whether the text has this shift already, on a control where it stays until another is said.
+bool BlockWriter::is_shift_standing(const Form& form, const Block& block,
+                                    const Invocation& invocation) const {
+    if (!form.remembers || options_.verbose_modal) return false;
+    return std::ranges::all_of(form.words, [&](const FormWord& word) {
+        if (word.parameter < 0) return true;
+        const auto parameter = static_cast<std::size_t>(word.parameter);
+        const Standing& kept = modal_.shift[parameter % modal_.shift.size()];
+        return kept.is_known && kept.value == block.argument(invocation, parameter, word.fallback);
+    });
 }
 
 /// Whether a word of the form has the address of a word that the block has by itself: `G92 X0` and

@@ -136,6 +136,10 @@ class BlockWriter {
     bool needs_distance(const Block& block, Function distance) const;
     void restore_modal(const Block& block, Items& items);
     void note_written(const Form& form);
+    bool is_shift_standing(const Form& form, const Block& block,
+                           const Invocation& invocation) const;
+    const Form* kept_shift(AddressId address, double code) const;
+    void note_start_shift(const Form& form, AddressId address, double value);
     void write_before(const Form& form, const Block& block, std::string& out);
     void write_lead(const Form& form, const Block& block, const Invocation& invocation,
                     std::string& out);
@@ -174,6 +178,8 @@ class BlockWriter {
     void place_machine_target(const Block& block, std::size_t axis, bool by_itself,
                               Targets& targets);
     void place_arc(const Block& block, const WrittenPosition& start, Targets& targets);
+    bool is_on_circle(const ArcPoints& arc, const PlanePoint& center) const;
+    std::string length_in_words(double length) const;
     void check_circle(const Block& block, const ArcPoints& arc, const PlanePoint& center);
     void place_center(const Block& block, const WrittenPosition& start, Targets& targets);
     void place_arc_as_given(const Block& block, const WrittenPosition& start, Targets& targets);
@@ -184,6 +190,7 @@ class BlockWriter {
     ArcPoints arc_points(const WrittenPosition& start) const;
     bool place_radius(const Block& block, const WrittenPosition& start, Targets& targets);
     void place_arc_feed(const Block& block, const WrittenPosition& start, Targets& targets);
+    void place_helix_feed(const Block& block, const WrittenPosition& start, Targets& targets);
     PlanePoint meant_center(const Block& block, const PlanePoint& start,
                             const PlanePoint& end) const;
     void drop_unchanged(const Block& block, const WrittenPosition& start, Targets& targets);
@@ -208,7 +215,7 @@ class BlockWriter {
     bool is_standing(Slot slot, double value, const Standing& standing) const;
 
     // Lines
-    bool repeats_feed(const Block& block) const;
+    bool repeats_feed(const Block& block, const Targets& targets) const;
     void collect_slots(const Block& block, const Targets& targets, Items& items);
     void add_deferred(const Block& block, Items& items);
     void remove_said(const Deferred& deferred, Items& items) const;
@@ -283,6 +290,7 @@ class BlockWriter {
     std::string fast_rapid_, fast_line_;            // codes, for the fast way
     std::array<FormId, kMaxInvocations> chosen_{};  // form of each function of the block
     std::uint32_t done_ = 0;                        // functions that need no word any more
+    bool counts_feed_along_arc_ = false;            // F of a helix, in the text
     bool feed_every_block_ = false;                 // F is not modal in this feed mode
     bool inverse_arc_by_radius_ = false;            // F of arcs is feed/radius in this feed mode
     double deferred_tool_ = 0;

@@ -53,6 +53,8 @@ class LineParser {
         while (skip_blanks()) {
             FormWord word;
             if (!parse_word(word)) return false;
+            if (!is_first(word, words))
+                return fail(quoted(tables_.addresses[word.address].name) + " stands twice in it");
             words.push_back(std::move(word));
         }
         return true;
@@ -92,6 +94,14 @@ class LineParser {
     bool fail(const std::string& why) {
         sink_.report(diag::DialectBadForm, range_).arg(line_).arg(why);
         return false;
+    }
+
+    /// Codes may stand beside each other, other words once in a line.
+    bool is_first(const FormWord& word, const std::vector<FormWord>& before) const {
+        if (word.address == kNoAddress) return true;
+        if (tables_.addresses[word.address].kind == Address::Kind::Code) return true;
+        return std::ranges::none_of(
+            before, [&](const FormWord& other) { return other.address == word.address; });
     }
 
     bool skip_blanks() {

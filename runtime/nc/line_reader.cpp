@@ -1,14 +1,12 @@
 #include "nc/line_reader.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "base/powers.h"
-#include "base/short_number.h"
 #include "base/text.h"
 
 namespace kadr::nc {
@@ -17,26 +15,6 @@ namespace {
 
 bool is_digit(char c) { return static_cast<unsigned char>(c - '0') <= 9; }
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
-
-/// What a byte behind the digits of a number says about it.
-enum NumberEnd : std::uint8_t { kEnds = 0, kGoesOn = 1, kIsExpression = 2, kBlank = 4 };
-constexpr std::array<std::uint8_t, 256> number_ends() {
-    std::array<std::uint8_t, 256> ends{};
-    for (const char c : std::string_view(".0123456789"))
-        ends[static_cast<unsigned char>(c)] = kGoesOn;
-    for (const char c : std::string_view("=Ee#["))
-        ends[static_cast<unsigned char>(c)] = kIsExpression;
-    for (const char c : std::string_view(" \t")) ends[static_cast<unsigned char>(c)] = kBlank;
-    return ends;
-}
-constexpr std::array<std::uint8_t, 256> kNumberEnds = number_ends();
-
-/// Whether no number of the format needs a second look.
-bool is_literal(const NumberFormat& format) {
-    return format.increment == 0 && format.inch_increment == 0 &&
-           format.revolution_increment == 0 && !format.truncates && format.max_digits == 0 &&
-           format.point == PointRule::Needed && format.allows_minus;
-}
 
 /// Whether a line is the last one of a program: it begins as the template does before what is
 /// filled in.
@@ -58,38 +36,6 @@ LineReader::LineReader(const Dialect& dialect, std::string name, DiagnosticSink&
     feed_is_pitch_ = !threads.empty() && tables_.forms[threads[0]].feed_is_pitch;
     if (feed_is_pitch_) closely_read_.set(static_cast<std::size_t>(Function::Thread));
     follow_units();
-}
-
-/// Whether a word of the address means its slot but under certain motions, which are noted.
-bool LineReader::are_of_motions(const Address& address) {
-    for (const FormId id : address.forms) {
-        const std::vector<Function>& during = tables_.forms[id].during;
-        const bool is_of_motion = during.size() == 1 && info(during[0]).group == Group::Motion;
-        if (!is_of_motion) return false;
-        closely_read_.set(static_cast<std::size_t>(during[0]));
-    }
-    return true;
-}
-void LineReader::prepare(std::size_t letter) {
-    const AddressId id = tables_.letters[letter];
-    FastLetter& fast = letters_[letter];
-    if (id != kNoAddress) {
-        const Address& address = tables_.addresses[id];
-        fast.address = id;
-        fast.format = &address.format;
-        fast.dimension = address.dimension;
-        fast.is_literal = is_literal(address.format);
-        if (address.is_block_number) {
-            fast.kind = FastLetter::Kind::Number;
-        } else if (address.kind == Address::Kind::Code) {
-            fast.kind = FastLetter::Kind::Code;
-        } else if (address.slot >= 0 && !address.is_incremental && !address.is_coordinate &&
-                   are_of_motions(address) && tables_.code_index[id].empty()) {
-            fast.kind = FastLetter::Kind::Slot;
-            fast.slot = static_cast<Slot>(address.slot);
-        }
-    }
-    if (letter >= 'A' && letter <= 'Z' && tables_.rules.ignores_case) letters_[letter + 32] = fast;
 }
 
 // ---------------------------------------------------------------- lines
@@ -325,86 +271,6 @@ void LineReader::report_too_long(std::string_view line, std::uint64_t number) {
     const auto shown = static_cast<std::uint32_t>(std::min<std::size_t>(line.size(), 1));
     report(line.substr(0, 80),
            LineFault{&diag::IsoLineTooLong, {0, shown}, {std::to_string(tables_.rules.max_line)}});
-}
-
-/// Gives up on anything that needs a second look; the slow way reads the line again from its start.
-bool LineReader::read_fast(std::string_view line, Block& block) const {
-    const char* p = line.data();
-    const char* const end = p + line.size();
-    std::uint32_t groups = 0;
-    bool has_word = false;
-    const Function motion = modal_[static_cast<std::size_t>(Group::Motion)];
-    if (closely_read_[static_cast<std::size_t>(motion)] || tables_.used != nullptr) return false;
-    while (p != end && is_blank(*p)) ++p;
-    while (p != end) {
-        const auto letter = static_cast<unsigned char>(*p);
-        if (letter >= 128) return false;
-        const FastLetter& fast = letters_[letter];
-        ++p;
-        std::uint8_t wrong_ends = kGoesOn;
-        if (fast.kind == FastLetter::Kind::Slot) {
-            if (block.has(fast.slot)) return false;
-            const ShortNumber number = fast.is_literal ? read_short_number(p, line) : ShortNumber{};
-            double meaning = number.value;
-            if (number.end != nullptr) {
-                p = number.end;
-            } else {
-                const Decimal decimal = parse_decimal(p, end);
-                if (decimal.end == p) return false;
-                const bool is_minus = *p == '-';
-                p = decimal.end;
-                meaning = read_meaning(decimal, *fast.format, fast.dimension, units_);
-                if (check_read(decimal, is_minus, meaning, *fast.format, fast.dimension, units_) !=
-                    NumberFault::None)
-                    return false;
-            }
-            const double scale = slot_scales_[static_cast<std::size_t>(fast.dimension)];
-            block.set(fast.slot, scale == 1 ? meaning : meaning / scale);
-            wrong_ends = kGoesOn | kIsExpression;
-        } else if (fast.kind == FastLetter::Kind::Code) {
-            const ShortWhole whole = read_short_whole(p, line);
-            p = whole.end;
-            if (p == nullptr || (p != end && *p == '=')) return false;
-            const std::size_t code = whole.value;
-            const std::vector<std::uint16_t>& index = tables_.code_index[fast.address];
-            if (code * 10 >= index.size() || index[code * 10] == 0) return false;
-            const Code& known = tables_.codes[index[code * 10] - 1u];
-            if (!known.is_plain) return false;
-            const Group group = info(known.function).group;
-            const std::uint32_t mask = 1u << static_cast<unsigned>(group);
-            // What changes the meaning of numbers, and groups said twice, are looked at closely.
-            if (group == Group::Units || group == Group::FeedMode || group == Group::SpeedMode)
-                return false;
-            if ((groups & mask) != 0) return false;
-            groups |= mask;
-            if (group == Group::Motion) {
-                if (closely_read_[static_cast<std::size_t>(known.function)]) return false;
-                block.motion = known.function;
-            } else if (!block.add(known.function)) {
-                return false;
-            }
-        } else if (fast.kind == FastLetter::Kind::Number && block.number < 0 && !has_word) {
-            const ShortWhole whole = read_short_whole(p, line);
-            p = whole.end;
-            if (p == nullptr) return false;
-            block.number = static_cast<std::int32_t>(whole.value);
-            if (block.number > tables_.block_numbers.most ||
-                block.number < tables_.block_numbers.least)
-                return false;
-        } else {
-            return false;
-        }
-        has_word = true;
-        if (p == end) return true;
-        // A blank may stand inside a number: a digit behind it is no letter that is known.
-        std::uint8_t behind = kNumberEnds[static_cast<unsigned char>(*p)];
-        if ((behind & wrong_ends) != 0) return false;
-        while (behind == kBlank) {
-            if (++p == end) return true;
-            behind = kNumberEnds[static_cast<unsigned char>(*p)];
-        }
-    }
-    return has_word;
 }
 
 /// A line of the control's own language that the dialect knows by its letters.
@@ -748,170 +614,6 @@ void LineReader::follow_units() {
     units_.cutting_speed = active(Group::SpeedMode) == Function::CuttingSpeedOn;
     for (std::size_t i = 0; i < slot_scales_.size(); ++i)
         slot_scales_[i] = text_scale(static_cast<Dimension>(i), units_, true);
-}
-
-// ---------------------------------------------------------------- messages
-
-namespace {
-
-/// Whether codes of the address are the machine builder's as well; the control passes them on.
-bool is_for_builder(const DialectTables& tables, AddressId address) {
-    const auto& forms = tables.forms_of[static_cast<std::size_t>(Function::MachineFunction)];
-    return !forms.empty() && tables.forms[forms[0]].words[0].address == address;
-}
-
-bool writes_data(Function function) {
-    return function == Function::WorkOffsetData || function == Function::ToolOffsetData;
-}
-
-bool is_tool_offset(Function function) {
-    return function == Function::LengthOffset || function == Function::LengthCompOn ||
-           function == Function::RadiusOffset;
-}
-
-/// The pattern as a manual writes it: `G10 L2 P_ X_`; arguments of a call keep their names.
-std::string shown_pattern(std::string_view pattern) {
-    std::string out;
-    while (!pattern.empty()) {
-        const std::size_t open = std::min(pattern.find('{'), pattern.size());
-        out += pattern.substr(0, open);
-        const std::size_t close = pattern.find('}', open);
-        if (close == std::string_view::npos) break;
-        const std::string_view hole = pattern.substr(open + 1, close - open - 1);
-        const bool is_argument = out.ends_with('(') || out.ends_with(',');
-        if (is_argument) out += hole.substr(0, hole.find_first_of("?:="));
-        if (!is_argument) out += '_';
-        pattern.remove_prefix(close + 1);
-    }
-    return out;
-}
-
-/// "`CYCLE83` with -5 as its 17th argument", "`CYCLE97` without its 3rd argument"
-std::string argument_words(const LexedLine& lexed, const MatchFault& fault,
-                           const std::string& name) {
-    const GivenWord& word = lexed.words[fault.word];
-    const auto place = static_cast<std::size_t>(fault.argument);
-    const std::size_t number = place + 1;
-    const bool is_teen = number / 10 % 10 == 1;
-    const std::string_view ending = is_teen            ? "th"
-                                    : number % 10 == 1 ? "st"
-                                    : number % 10 == 2 ? "nd"
-                                    : number % 10 == 3 ? "rd"
-                                                       : "th";
-    std::string words = '`' + name + "` ";
-    const bool is_given = place < word.argument_count;
-    const GivenArgument given =
-        is_given ? lexed.arguments[word.first_argument + place] : GivenArgument{};
-    if (given.kind == GivenArgument::Kind::Empty) {
-        words += "without its ";
-    } else if (given.kind == GivenArgument::Kind::Text) {
-        words += "with a text as its ";
-    } else {
-        words += "with ";
-        append_shortest(words, given.number);
-        words += " as its ";
-    }
-    append_shortest(words, static_cast<double>(number));
-    return words.append(ending).append(" argument");
-}
-
-}  // namespace
-
-LinePlace LineReader::place(const std::string& file, std::string_view line, std::uint64_t number,
-                            const Span& span) {
-    constexpr std::size_t kShown = 400;  // bytes of a line that a message keeps
-    LinePlace place;
-    place.file = file;
-    place.line = static_cast<std::uint32_t>(number);
-    const std::size_t begin = std::min<std::size_t>(span.begin, line.size());
-    const std::size_t end = std::clamp<std::size_t>(span.end, begin, line.size());
-    place.column = static_cast<std::uint32_t>(count_code_points(line.substr(0, begin)) + 1);
-    place.length = static_cast<std::uint32_t>(
-        std::max<std::size_t>(1, count_code_points(line.substr(begin, end - begin))));
-    place.text = line.substr(0, std::max(kShown, std::min(end, line.size())));
-    return place;
-}
-
-std::string LineReader::word_text(std::string_view line, std::size_t word) const {
-    const Span& span = lexed_->spans[word];
-    return std::string(line.substr(span.begin, span.end - span.begin));
-}
-
-void LineReader::report(std::string_view line, const LineFault& fault) {
-    note_fault();
-    DiagnosticBuilder builder = sink_.report(*fault.row, place(line, line_number_, fault.span));
-    for (const std::string& argument : fault.arguments) builder.arg(argument);
-    const std::string_view detail =
-        fault.arguments.empty() ? std::string_view() : fault.arguments[0];
-    if (const auto alarm = dialect_.alarm(*fault.row, detail))
-        builder.alarm(alarm->number, alarm->text);
-    write_notes(builder);
-}
-
-void LineReader::report(std::string_view line, const MatchFault& fault) {
-    using Kind = MatchFault::Kind;
-    LineFault out;
-    if (fault.kind == Kind::Full && lexed_->words.size() > kMaxWords) {
-        out = {&diag::IsoTooManyWords, {0, static_cast<std::uint32_t>(line.size())}, {}};
-        return report(line, out);
-    }
-    const std::string word = word_text(line, fault.word);
-    const std::string other = word_text(line, fault.other);
-    const std::string form =
-        fault.form == kNoForm ? "" : shown_pattern(first_line(tables_.forms[fault.form]));
-    out.span = lexed_->spans[fault.word];
-    switch (fault.kind) {
-        case Kind::UnknownCode:
-        case Kind::CodeComputed: {
-            const std::string known = tables_.unsupported_words(word);
-            out.row = known.empty() ? &diag::IsoUnknownCode : &diag::IsoNotSupported;
-            out.arguments = {known.empty() ? word : known};
-            if (known.empty() && is_for_builder(tables_, lexed_->words[fault.word].address)) {
-                out.row = &diag::IsoNotSupported;
-                out.arguments = {'`' + word + "` (a function of the machine's builder)"};
-            }
-            break;
-        }
-        case Kind::NoValue:
-        case Kind::NoNumber: out.row = &diag::IsoNoValue, out.arguments = {word}; break;
-        case Kind::AddressTwice:
-            out.row = &diag::IsoAddressTwice;
-            out.arguments = {tables_.addresses[lexed_->words[fault.word].address].name};
-            break;
-        case Kind::GroupTwice: out.row = &diag::IsoGroupTwice, out.arguments = {word, other}; break;
-        case Kind::Missing:
-            out.row = &diag::IsoWordsMissing, out.arguments = {word, form};
-            if (fault.form != kNoForm && writes_data(tables_.forms[fault.form].function))
-                out.row = &diag::OffsetDataFormat;
-            break;
-        case Kind::Value:
-            out.row = &diag::IsoValueWrong, out.arguments = {word, form};
-            if (fault.argument >= 0) {
-                const Address& call = tables_.addresses[lexed_->words[fault.word].address];
-                out.row = &diag::IsoNotSupported;
-                out.arguments = {argument_words(*lexed_, fault, call.name)};
-            }
-            if (fault.form != kNoForm && tables_.forms[fault.form].function == Function::WorkOffset)
-                out.row = &diag::WorkOffsetUnknown, out.arguments = {other + ' ' + word};
-            if (fault.form != kNoForm && writes_data(tables_.forms[fault.form].function))
-                out.row = &diag::OffsetDataNumber, out.arguments = {other + ' ' + word};
-            if (fault.form != kNoForm && is_tool_offset(tables_.forms[fault.form].function))
-                out.row = &diag::IsoToolOffset, out.arguments = {word};
-            break;
-        case Kind::Conflict:
-            out.row = &diag::IsoWordsConflict, out.arguments = {word, other};
-            break;
-        case Kind::Unused: out.row = &diag::IsoWordUnused, out.arguments = {word}; break;
-        case Kind::Alone: out.row = &diag::IsoAlone, out.arguments = {word}; break;
-        case Kind::Company: out.row = &diag::IsoCompany, out.arguments = {word, other}; break;
-        case Kind::NotSupported:
-            out.row = &diag::IsoNotSupported;
-            out.arguments = {'`' + word + "` (" + tables_.forms[fault.form].unsupported + ')'};
-            break;
-        case Kind::Mode: out.row = &diag::IsoModeMisplaced, out.arguments = {word}; break;
-        case Kind::Full: out.row = &diag::IsoTooManyWords; break;
-    }
-    report(line, out);
 }
 
 }  // namespace kadr::nc

@@ -18,7 +18,7 @@ void BlockWriter::collect_slots(const Block& block, const Targets& targets, Item
         if (!is_target && (block.given & mask & scalars) == 0) continue;
         const bool may_stand = !options_.verbose_modal;
         if (slot == Slot::Feed && may_stand && !modal_.units.inverse_time &&
-            is_standing(slot, block.at(slot), modal_.feed)) {
+            is_standing(slot, block.at(slot) * targets.feed_factor, modal_.feed)) {
             continue;
         }
         if (slot == Slot::Speed && may_stand && is_standing(slot, block.at(slot), modal_.speed)) {
@@ -35,21 +35,25 @@ void BlockWriter::collect_slots(const Block& block, const Targets& targets, Item
             cannot_express(block, '`' + std::string(slot_name(static_cast<Slot>(slot))) + '`');
         }
     }
-    if (repeats_feed(block)) {
+    if (repeats_feed(block, targets)) {
         items.add(Item::of_slot(address_of(Slot::Feed).order, Slot::Feed));
     }
 }
 
-/// Where F is not modal, every block at feed repeats it; where the F of a thread was its pitch, the
-/// first one behind it does.
-bool BlockWriter::repeats_feed(const Block& block) const {
-    if (!feed_every_block_ && !modal_.feed_is_pitch) return false;
+/// Where F is not modal, every block at feed repeats it; where F was the pitch of a thread or one
+/// of a helix, the first one behind it does; and so does a helix that needs an F of its own.
+bool BlockWriter::repeats_feed(const Block& block, const Targets& targets) const {
+    const bool is_own = targets.feed_factor != 1;
+    if (!feed_every_block_ && !modal_.feed_is_other && !is_own) return false;
     if (!has_address(Slot::Feed) || block.has(Slot::Feed) || !modal_.has_meant_feed) return false;
     const bool has_words = (block.given & (kTargetSlots | kCenterSlots)) != 0;
     const Function motion = effective_motion(block);
     const bool is_cut = motion == Function::Line || motion == Function::Spline || is_arc(motion);
-    if (has_words && is_cut) return true;
-    return modal_.feed_is_pitch && block.find(Function::Cycle) != nullptr;
+    if (has_words && is_cut) {
+        const double feed = modal_.meant_feed * targets.feed_factor;
+        return feed_every_block_ || !is_standing(Slot::Feed, feed, modal_.feed);
+    }
+    return modal_.feed_is_other && block.find(Function::Cycle) != nullptr;
 }
 
 /// Words that a tool change left for the block that moves the tool axis, or says a function.
@@ -497,9 +501,12 @@ void BlockWriter::append_factor(const Block& block, double number, bool in_thous
     format.allows_minus = address.allows_minus;
     format.decimals = in_thousandths ? 0 : kDecimals;
     if (in_thousandths) format.point = PointRule::Never;
-    NumberFault fault = append_number(out, number, format, Dimension::Factor, modal_.units);
-    if (in_thousandths && std::fabs(number - std::nearbyint(number)) > kNoise)
-        fault = NumberFault::NotReadBack;
+    const NumberFault fault = append_number(out, number, format, Dimension::Factor, modal_.units);
+    if (in_thousandths && std::fabs(number - std::nearbyint(number)) > kNoise) {
+        if (!is_new_message(block, name)) return;
+        sink_.report(diag::FactorTooFine, place(block)).arg(number / 1000).arg(name);
+        return;
+    }
     if (fault != NumberFault::None) number_fault(block, fault, number, name);
 }
 
@@ -535,19 +542,21 @@ void BlockWriter::append_slot(const Block& block, Slot slot, const Targets& targ
     if (fault != NumberFault::None) number_fault(block, fault, number, address.name);
     if (slot == Slot::Feed) {
         modal_.feed = {true, round_to(number, decimals(slot))};
-        modal_.feed_is_pitch = false;
+        modal_.feed_is_other = targets.feed_factor != 1;
     }
     if (slot == Slot::Speed) modal_.speed = {true, round_to(number, decimals(slot))};
 }
 
-/// A text between quotes; one that would end early is an error.
+/// A text between quotes; one that would end early is an error, what is only shown has apostrophes.
 void BlockWriter::append_text(const Block& block, std::string& out) {
-    if (block.text.find_first_of("\"\n\r") != std::string::npos) {
+    std::string text = block.text;
+    if (block.find(Function::Message) != nullptr) std::ranges::replace(text, '"', '\'');
+    if (text.find_first_of("\"\n\r") != std::string::npos) {
         failed_ = true;
         sink_.report(diag::RawTextBroken, place(block)).arg("text");
         return;
     }
-    out += block.text;
+    out += text;
 }
 
 // ---------------------------------------------------------------- lines
@@ -616,8 +625,30 @@ void BlockWriter::write_line(std::string_view line, bool is_numbered, std::strin
     close_line(out);
 }
 
+/// The form of a shift that stays, if a line with this code is one.
+const Form* BlockWriter::kept_shift(AddressId address, double code) const {
+    for (const FormId id : tables_.forms_of[static_cast<std::size_t>(Function::Shift)]) {
+        const Form& form = tables_.forms[id];
+        const FormWord& head = form.words[0];
+        const bool is_code = head.kind == FormWord::Kind::Fixed && head.address == address;
+        if (form.remembers && is_code && head.number == code) return &form;
+    }
+    return nullptr;
+}
+
+/// A word of such a line: from the beginning the axis has this shift. Only 0 is the same in every
+/// unit.
+void BlockWriter::note_start_shift(const Form& form, AddressId address, double value) {
+    for (const FormWord& word : form.words) {
+        if (word.parameter < 0 || word.address != address || value != 0) continue;
+        const auto axis = static_cast<std::size_t>(word.parameter) % modal_.shift.size();
+        modal_.shift[axis] = modal_.origin[axis] = {true, 0};
+    }
+}
+
 void BlockWriter::write_start_line(std::string_view line, std::string& out) {
     write_line(line, true, out);
+    const Form* shift = nullptr;  // that the line says
     // The codes of the safety line are what the text begins with.
     for (std::size_t at = 0; at < line.size();) {
         const std::size_t begin = line.find_first_not_of(' ', at);
@@ -630,6 +661,8 @@ void BlockWriter::write_start_line(std::string_view line, std::string& out) {
             const Code* code = tables_.find_code(address, number.value);
             if (code != nullptr && code->simple != kNoForm)
                 note_written(tables_.forms[code->simple]);
+            if (shift != nullptr) note_start_shift(*shift, address, number.value);
+            if (shift == nullptr) shift = kept_shift(address, number.value);
         }
         at = end;
     }

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/diagnostics/dialect.h"
+#include "base/numbers.h"
 #include "nc/arc_words.h"
 #include "nc/block_writer.h"
 
@@ -161,6 +162,10 @@ void BlockWriter::place_target(const Block& block, std::size_t axis, Targets& ta
 void BlockWriter::place_machine_target(const Block& block, std::size_t axis, bool by_itself,
                                        Targets& targets) {
     const bool is_way = is_distance(block, axis);
+    // FANUC ignores it under G91, SINUMERIK travels or not as SD42440 says.
+    const bool is_machine = block.find(Function::MachineCoordinates) != nullptr;
+    if (is_way && is_machine && (by_itself || tables_.rules.has_modes))
+        return cannot_express(block, "a distance in machine coordinates");
     if (by_itself && tables_.rules.has_modes) {
         (is_way ? targets.wrapped_incremental : targets.wrapped_absolute) |=
             bit(static_cast<Slot>(axis));
@@ -246,17 +251,32 @@ void BlockWriter::place_center_as_given(const Block& block, const WrittenPositio
     }
 }
 
-/// Controls refuse an arc whose end lies off the circle of its start (SINUMERIK 14040, MD21000 and
-/// MD21010; FANUC PS0020, No.3410): it is refused here already.
-void BlockWriter::check_circle(const Block& block, const ArcPoints& arc, const PlanePoint& center) {
+/// Whether the end lies on the circle of the start as well as controls want it.
+bool BlockWriter::is_on_circle(const ArcPoints& arc, const PlanePoint& center) const {
     constexpr double kMiss = 0.01;        // mm
     constexpr double kMissShare = 0.001;  // of the radius
     const double mm = to_text(static_cast<Slot>(plane_axes()[0]), 1);
-    const double begin = std::hypot(arc.start[0] - center[0], arc.start[1] - center[1]);
-    if (radius_miss(arc, center) <= std::max(kMiss * mm, kMissShare * begin)) return;
+    const double radius = std::hypot(arc.start[0] - center[0], arc.start[1] - center[1]);
+    return radius_miss(arc, center) <= std::max(kMiss * mm, kMissShare * radius);
+}
+
+/// A length of the text, in the text's unit, for a message.
+std::string BlockWriter::length_in_words(double length) const {
+    std::string words;
+    append_shortest(words, round_to(length, 4));
+    return words + (modal_.units.inch ? " in" : " mm");
+}
+
+/// Controls refuse an arc whose end lies off the circle of its start (SINUMERIK 14040, MD21000 and
+/// MD21010; FANUC PS0020, No.3410): it is refused here already.
+void BlockWriter::check_circle(const Block& block, const ArcPoints& arc, const PlanePoint& center) {
+    if (is_on_circle(arc, center)) return;
     if (!is_new_message(block, "an arc off its circle")) return;
+    const double begin = std::hypot(arc.start[0] - center[0], arc.start[1] - center[1]);
     const double end = std::hypot(arc.end[0] - center[0], arc.end[1] - center[1]);
-    sink_.report(diag::ArcOffCircle, place(block)).arg(round_to(begin, 4)).arg(round_to(end, 4));
+    sink_.report(diag::ArcOffCircle, place(block))
+        .arg(length_in_words(begin))
+        .arg(length_in_words(end));
 }
 
 void BlockWriter::place_center(const Block& block, const WrittenPosition& start, Targets& targets) {
@@ -294,7 +314,7 @@ void BlockWriter::place_center(const Block& block, const WrittenPosition& start,
     if (axes[1] == kX && !knows_diameter()) {
         const ArcPoints radii = halved(arc, 1);
         const PlanePoint other = find_center(radii);
-        if (radius_miss(radii, other) < radius_miss(arc, center)) {
+        if (is_on_circle(radii, other) && radius_miss(radii, other) < radius_miss(arc, center)) {
             arc = radii;
             center = other;
         }
@@ -303,7 +323,9 @@ void BlockWriter::place_center(const Block& block, const WrittenPosition& start,
     if (is_coordinate_center(center_slot(axes[0])))
         return place_center_as_coordinates(block, start, center, targets);
     const SlotMask coordinates = block.absolute & block.given & in_plane;
-    const bool writes_absolute = is_absolute && tables_.rules.has_modes;
+    // Where X is a diameter, controls do not agree on what a coordinate of the centre is.
+    const bool is_turned = on_part(axes[0]) != 1 || on_part(axes[1]) != 1;
+    const bool writes_absolute = is_absolute && tables_.rules.has_modes && !is_turned;
     const int places = decimals(center_slot(axes[0]));
     const PlanePoint words = center_words(arc, center, places, fixed_zero, writes_absolute);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -386,7 +408,7 @@ bool BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
     RadiusArc arc = radius_arc(arc_points(start), radius, places, is_cw);
     if (axes[1] == kX && !arc.fits && !knows_diameter()) {  // on a lathe X is a diameter
         const RadiusArc other = radius_arc(halved(arc.points, 1), radius, places, is_cw);
-        if (other.fits || !arc.exact) arc = other;
+        if (other.fits || (!arc.exact && other.exact)) arc = other;
     }
     const auto& [points, exact, reached, fits] = arc;
     const bool has_center = has_address(center_slot(axes[0])) && has_address(center_slot(axes[1]));
@@ -395,9 +417,9 @@ bool BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
     if (is_comparable && !exact && !reached) {
         if (!is_new_message(block, "an arc by its radius")) return true;
         sink_.report(diag::ArcRadiusImpossible, place(block))
-            .arg(round_to(radius, 6))
-            .arg(round_to(
-                std::hypot(points.end[0] - points.start[0], points.end[1] - points.start[1]), 6));
+            .arg(length_in_words(radius))
+            .arg(length_in_words(
+                std::hypot(points.end[0] - points.start[0], points.end[1] - points.start[1])));
         return true;
     }
     if (has_word && (fits || !exact || !has_center || !is_comparable)) {
@@ -451,6 +473,41 @@ void BlockWriter::place_arc_feed(const Block& block, const WrittenPosition& star
     }
     const bool is_clockwise = effective_motion(block) == Function::ArcCw;
     targets.feed_factor = sweep_angle(from, to, meant_center(block, from, to), is_clockwise);
+}
+
+/// The tool of a helix shall be as fast as the program means it, where program and control count F
+/// along different lengths: the way of the tool, or the arc that the helix is over.
+void BlockWriter::place_helix_feed(const Block& block, const WrittenPosition& start,
+                                   Targets& targets) {
+    if (block.feed_along_arc == counts_feed_along_arc_) return;
+    if (modal_.meant_of(Group::FeedMode) == Function::FeedInverseTime) return;
+    if (!block.has(Slot::Feed) && !modal_.has_meant_feed)
+        return;  // whoever cuts without has its message
+    const std::array<std::size_t, 3> axes = plane_axes();
+    const auto third = static_cast<Slot>(axes[2]);
+    if (!block.has(third)) return;
+    const bool is_way = is_distance(block, axes[2]);
+    if (!is_way && (start.known >> axes[2] & 1u) == 0) return position_unknown(block, "F");
+    const double height =
+        (block.at(third) - (is_way ? 0 : start.meant[axes[2]])) * on_part(axes[2]);
+    if (std::fabs(height) < kSame) return;
+    if (!is_chord_known(block, start)) return position_unknown(block, "F");
+    PlanePoint from{};
+    PlanePoint to{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        from[i] = start.meant[axes[i]] * on_part(axes[i]);
+        to[i] = modal_.position.meant[axes[i]] * on_part(axes[i]);
+    }
+    const bool is_clockwise = effective_motion(block) == Function::ArcCw;
+    const PlanePoint center = meant_center(block, from, to);
+    const double turns = block.has(Slot::Turns) ? std::nearbyint(block.at(Slot::Turns)) : 0;
+    const double sweep = sweep_angle(from, to, center, is_clockwise) + 2 * std::numbers::pi * turns;
+    const double radius = std::hypot(from[0] - center[0], from[1] - center[1]) / 2 +
+                          std::hypot(to[0] - center[0], to[1] - center[1]) / 2;
+    const double arc = radius * sweep;
+    if (arc < kSame) return;  // no arc: that has its message
+    const double path = std::hypot(arc, height);
+    targets.feed_factor = block.feed_along_arc ? path / arc : arc / path;
 }
 
 /// Whether the points of a helix are known so far that its turns can be shared out; says so if not.

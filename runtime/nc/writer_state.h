@@ -43,7 +43,7 @@ struct WriterModal {
     Standing speed;
     double meant_feed = 0;  // of the blocks; holds if has_meant_feed
     bool has_meant_feed = false;
-    bool feed_is_pitch = false;  // F in the text is the pitch of a thread, not meant_feed
+    bool feed_is_other = false;  // F in the text is not meant_feed: a pitch, a helix by its arc
     double meant_speed = 0;      // holds if has_meant_speed
     bool has_meant_speed = false;
     Standing tool;            // the last one that was called
@@ -71,7 +71,7 @@ struct WriterModal {
         };
         keep(feed, other.feed);
         keep(speed, other.speed);
-        feed_is_pitch |= other.feed_is_pitch;
+        feed_is_other |= other.feed_is_other;
         for (std::size_t i = 0; i < shift.size(); ++i) {
             keep(shift[i], other.shift[i]);
             keep(origin[i], other.origin[i]);

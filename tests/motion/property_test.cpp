@@ -7,6 +7,7 @@
 
 #include "motion/axis_table.h"
 #include "motion/lookahead.h"
+#include "motion/smooth_profile.h"
 #include "tests/motion/support.h"
 
 namespace kadr::motion {
@@ -31,6 +32,11 @@ machine::Machine any_machine() {
     for (int i = 0; i < 3; ++i) {
         dynamics.velocity[i] = any_number(20, 1500);
         dynamics.acceleration[i] = any_number(100, 20000);
+    }
+    if (*rc::gen::inRange(0, 3) > 0) {
+        // From an axis that takes half a second to its acceleration to one that takes 4 ms.
+        for (int i = 0; i < 3; ++i)
+            dynamics.jerk[i] = dynamics.acceleration[i] * any_number(2, 250);
     }
     auto machine = machine_of(dynamics);
     machine.tick = *rc::gen::element(0.0005, 0.001, 0.002, 0.008);
@@ -116,6 +122,96 @@ RC_GTEST_PROP(MotionProperty, JunctionsMeetAndLimitsHold, ()) {
         RC_ASSERT(result.totals.max_velocity[i] <= machine.axes[i].velocity * (1 + kRelative));
         RC_ASSERT(result.totals.max_acceleration[i] <=
                   machine.axes[i].acceleration * (1 + kRelative));
+    }
+}
+
+/// Times at which the direction of the path changes at once while it moves.
+std::vector<double> corner_times(const machine::Machine& machine, const Motion& motion) {
+    const AxisTable axes(machine);
+    std::vector<double> times;
+    for (std::size_t k = 1; k < motion.segments.size(); ++k) {
+        const Segment& segment = motion.segments[k];
+        if (segment.profile.entry_speed == 0) continue;
+        const AxisRates before = axes.end_rates(motion.segments[k - 1]);
+        const AxisRates behind = axes.start_rates(segment);
+        double change = 0;
+        for (std::size_t i = 0; i < axes.size(); ++i) {
+            change = std::max(change, std::abs(behind[i] - before[i]));
+        }
+        if (change > 1e-9) times.push_back(segment.start_time);
+    }
+    return times;
+}
+
+/// Greatest third difference of an axis, as a part of its jerk, where no corner is near; at a
+/// corner the velocity jumps, as the rule for corners allows.
+double greatest_jerk_share(const machine::Machine& machine, const std::vector<Command>& program) {
+    const Motion planned = run(machine, program);
+    const std::vector<double> corners = corner_times(machine, planned);
+    const auto setpoints = sample(machine, program);
+    const double cube = machine.tick * machine.tick * machine.tick;
+    double greatest = 0;
+    auto corner = corners.begin();
+    for (std::size_t i = 3; i < setpoints.size(); ++i) {
+        const double from = setpoints[i - 3].time - 1e-9 * machine.tick;
+        while (corner != corners.end() && *corner < from) ++corner;
+        if (corner != corners.end() && *corner <= setpoints[i].time + 1e-9 * machine.tick) continue;
+        for (std::size_t a = 0; a < 3; ++a) {
+            const double change = setpoints[i].axis[a] - 3 * setpoints[i - 1].axis[a] +
+                                  3 * setpoints[i - 2].axis[a] - setpoints[i - 3].axis[a];
+            // Positions are true to 1e-12 mm; what that makes of a third difference is not motion.
+            const double moved = std::max(0.0, std::abs(change) - 1e-11);
+            greatest = std::max(greatest, moved / cube / machine.axes[a].jerk);
+        }
+    }
+    return greatest;
+}
+
+RC_GTEST_PROP(MotionProperty, SampledAxesKeepTheirJerk, ()) {
+    const auto machine = any_machine();
+    const double share = greatest_jerk_share(machine, any_program());
+    RC_CLASSIFY(share > 0.9, "close to the limit");
+    RC_ASSERT(share <= 1 + 1e-3);
+}
+
+/// A chain without corners: arcs and lines that go on in one direction.
+std::vector<Command> any_smooth_chain() {
+    std::vector<Command> program;
+    Vec3 at = Vec3::Zero();
+    double direction = 0;
+    const int count = *rc::gen::inRange(1, 40);
+    const double feed = any_number(500, 30000);
+    for (int i = 0; i < count; ++i) {
+        const double size = any_number(0, 20) * *rc::gen::element(1.0, 0.1, 0.01);
+        if (size == 0) continue;
+        if (*rc::gen::inRange(0, 2) == 0) {
+            at += size * Vec3(std::cos(direction), std::sin(direction), 0);
+            program.push_back(line_to(at, feed));
+            continue;
+        }
+        const double sweep = any_number(0, 3) * *rc::gen::element(1.0, -1.0, 0.1);
+        if (sweep == 0) continue;
+        const double side = sweep > 0 ? 1 : -1;
+        const Vec3 center = at + size * side * Vec3(-std::sin(direction), std::cos(direction), 0);
+        direction += sweep;
+        at = center + size * side * Vec3(std::sin(direction), -std::cos(direction), 0);
+        program.push_back(arc_to(at, center, sweep, feed));
+    }
+    return program;
+}
+
+RC_GTEST_PROP(MotionProperty, SmoothChainsKeepJerkAndSpeedIsContinuous, ()) {
+    const auto machine = any_machine();
+    const auto program = any_smooth_chain();
+    RC_ASSERT(greatest_jerk_share(machine, program) <= 1 + 1e-3);
+    // Nowhere a speed that a tick cannot explain.
+    const auto setpoints = sample(machine, program);
+    double fastest = 0;
+    for (const auto& axis : machine.axes) fastest += axis.acceleration * axis.acceleration;
+    fastest = std::sqrt(fastest) * machine.tick;
+    for (std::size_t i = 1; i < setpoints.size(); ++i) {
+        RC_ASSERT(std::abs(setpoints[i].feed - setpoints[i - 1].feed) <=
+                  fastest * (1 + kRelative) + 1e-9);
     }
 }
 
@@ -276,6 +372,31 @@ RC_GTEST_PROP(MotionProperty, CuttingALineCostsNoTime, ()) {
     RC_ASSERT(std::abs(cut - whole) <= 1e-7 * whole);
 }
 
+TEST(ShortBlocks, PassWithoutStopping) {
+    // A closed contour of blocks of 10 to 200 µm: with a limit of the jerk they pass as fast as
+    // without one but for the start and the stop.
+    for (const double step : {0.01, 0.05, 0.2}) {
+        SCOPED_TRACE(step);
+        std::vector<Command> program;
+        for (double s = step; s < 100; s += step) {
+            const double angle = s / 20;
+            program.push_back(line_to(
+                {20 * std::sin(angle), 20 - 20 * std::cos(angle) + std::sin(2 * angle), 0}, 3000));
+        }
+        Dynamics dynamics;
+        dynamics.jerk = Vec3::Constant(100000);
+        const Motion sharp = run(machine_of(), program);
+        const Motion smooth = run(machine_of(dynamics), program);
+        for (const Segment& segment : smooth.segments) {
+            const bool is_inside =
+                segment.start_time > 0.1 && segment.end_time() < smooth.totals.time - 0.1;
+            if (!is_inside) continue;
+            EXPECT_GE(segment.profile.entry_speed, 45);
+        }
+        EXPECT_LE(smooth.totals.time, sharp.totals.time + 0.06);
+    }
+}
+
 // --- look-ahead against its definition ----------------------------------------------------------
 
 struct Chain {
@@ -287,7 +408,8 @@ Chain any_chain() {
     const int count = *rc::gen::inRange(1, 120);
     for (int i = 0; i < count; ++i) {
         chain.stretches.push_back({any_number(0, 3), any_number(1, 200), any_number(100, 2000),
-                                   *rc::gen::element(0.0, 5.0, 50.0, 1e9)});
+                                   *rc::gen::element(0.0, 5.0, 50.0, 1e9),
+                                   *rc::gen::element(kUnlimited, 5e3, 2e5)});
     }
     return chain;
 }
@@ -300,13 +422,18 @@ std::vector<double> by_definition(const std::vector<Stretch>& path, std::size_t 
         const double v = std::min({corner, before, path[k].speed});
         return v * v;
     };
-    const auto gain = [&](std::size_t k) { return 2 * path[k].acceleration * path[k].length; };
+    const auto reach = [&](double square, std::size_t k) {
+        const Stretch& s = path[k];
+        if (std::isinf(s.jerk)) return square + 2 * s.acceleration * s.length;
+        const double v = steady_reach(std::sqrt(square), s.length, {s.acceleration, s.jerk});
+        return v * v;
+    };
     std::vector<double> speeds = {0};
     for (std::size_t k = 0; k < path.size(); ++k) {
         const std::size_t known = std::min(path.size(), k + depth);
         double after = 0;
-        for (std::size_t i = known; i-- > k + 1;) after = std::min(limit(i), after + gain(i));
-        speeds.push_back(std::min(after, speeds[k] + gain(k)));
+        for (std::size_t i = known; i-- > k + 1;) after = std::min(limit(i), reach(after, i));
+        speeds.push_back(std::min(after, reach(speeds[k], k)));
     }
     return speeds;
 }

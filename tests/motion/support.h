@@ -13,25 +13,27 @@ using path::Command;
 using path::Op;
 using path::Vec3;
 
-/// Velocity and acceleration of X, Y and Z.
+inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+/// Velocity, acceleration and jerk of X, Y and Z.
 struct Dynamics {
     Vec3 velocity = {500, 500, 400};
     Vec3 acceleration = {5000, 5000, 4000};
+    Vec3 jerk = Vec3::Constant(kUnlimited);
 };
 
 inline machine::Machine machine_of(const Dynamics& dynamics = {}) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     machine::Machine machine;
     machine.name = "test";
     for (int i = 0; i < 3; ++i) {
         machine::MachineAxis axis;
         axis.name = std::string(1, "XYZ"[i]);
         axis.axis = static_cast<Axis>(i);
-        axis.lower = -kInfinity;
-        axis.upper = kInfinity;
+        axis.lower = -kUnlimited;
+        axis.upper = kUnlimited;
         axis.velocity = dynamics.velocity[i];
         axis.acceleration = dynamics.acceleration[i];
-        axis.jerk = kInfinity;
+        axis.jerk = dynamics.jerk[i];
         machine.axes.push_back(axis);
     }
     return machine;

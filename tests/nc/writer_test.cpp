@@ -329,6 +329,23 @@ TEST(Writer, RadiusThatNoLongerFitsBecomesACentre) {
     EXPECT_EQ(written.text, "X0. Y0.\nG02 X9.201 Y0. I4.6 J0.\n");
 }
 
+TEST(Writer, FeedOfAHelixByItsArc) {
+    // A circle of 5 mm and 20 mm down: the way is sqrt((10 pi)^2 + 20^2) = 37.2419, the
+    // arc 31.4159.
+    expect_text("fanuc", {{"F100\nG0 X0 Y0 Z0\nG1 X1\nX0\nG3 X0 Y0 I5 J0 Z-20\nG1 Z0",
+                           "F100.\nX0. Y0. Z0.\nG01 X1.\nX0.\nG03 X0. Y0. Z-20. I5. J0. F84.356\n"
+                           "G01 Z0. F100.\n"},
+                          // F once for all turns, and again for what follows them.
+                          {"F100\nG0 X0 Y0 Z0\nG3 X0 Y0 I5 J0 Z-60 TURN=2\nG3 X0 Y0 I5 J0",
+                           "F100.\nX0. Y0. Z0.\nG03 Z-20. I5. J0. F84.356\nZ-40. I5. J0.\n"
+                           "X0. Y0. Z-60. I5. J0.\nX0. Y0. I5. J0. F100.\n"}});
+    // Where the way does not differ from the arc by an increment of F, nothing is said.
+    expect_text("fanuc", {{"F100\nG0 X0 Y0 Z0\nG3 X0 Y0 I5 J0 Z-0.01\nG1 Z0",
+                           "F100.\nX0. Y0. Z0.\nG03 X0. Y0. Z-0.01 I5. J0.\nG01 Z0.\n"}});
+    expect_text("sinumerik", {{"F100\nG0 X0 Y0 Z0\nG3 X0 Y0 I5 J0 Z-20\nG1 Z0",
+                               "F100\nG0 X0 Y0 Z0\nG3 X0 Y0 Z-20 I5 J0\nG1 Z0\n"}});
+}
+
 TEST(Writer, HelixTurnsBecomeBlocksWhereThereIsNoWord) {
     // 2 full turns and a quarter: 8/9 of the depth in the turns.
     expect_text("fanuc",
@@ -371,13 +388,13 @@ TEST(Writer, Frames) {
     expect_text("fanuc",
                 {
                     // A shift of an earlier program may act: the first one names every axis.
-                    {"shift(x: 60, y: 40)\nshift()", "G52 X60. Y40. Z0.\nG52 X0. Y0.\n"},
+                    {"shift(x: 60, y: 40)\nshift()", "G52 X60. Y40.\nG52 X0. Y0.\n"},
                     {"shift(x: 60)\nrotate(30)\nshift(x: 10)",
-                     "G52 X60. Y0. Z0.\nG68 X0. Y0. R30.\nG69\nG52 X10.\n"},
+                     "G52 X60.\nG68 X0. Y0. R30.\nG69\nG52 X10.\n"},
                     {"mirror(x: 0)\nrotate(30)\nshift()",
-                     "G51.1 X0.\nG68 X0. Y0. R30.\nG69\nG50.1 X0. Y0. Z0.\nG52 X0. Y0. Z0.\n"},
+                     "G51.1 X0.\nG68 X0. Y0. R30.\nG69\nG50.1 X0. Y0. Z0.\n"},
                     {"G18\nrotate(30)", "G18\nG68 Z0. X0. R30.\n"},
-                    {"mirror(x: 0)\nshift()", "G51.1 X0.\nG50.1 X0. Y0. Z0.\nG52 X0. Y0. Z0.\n"},
+                    {"mirror(x: 0)\nshift()", "G51.1 X0.\nG50.1 X0. Y0. Z0.\n"},
                 });
     expect_text("sinumerik",
                 {{"shift(x: 60)\nrotate(30)\nshift()", "TRANS X60\nAROT RPL=30\nTRANS\n"}});
@@ -393,16 +410,14 @@ TEST(Writer, Frames) {
 }
 
 TEST(Writer, FramesLeaveTheOtherAxesWhereTheyAre) {
-    expect_text(
-        "fanuc",
-        {
-            // What acts before the first shift is not known, so Z is said again behind it, once.
-            {"shift(x: 60)\nG0 X1 Z50\nrotate(30)\nX2 Z50\nshift(x: 60)\nX3 Z50",
-             "G52 X60. Y0. Z0.\nX1. Z50.\nG68 X0. Y0. R30.\nX2.\nG69\nG52 X60. Y0. Z0.\nX3.\n"},
-            {"shift()\nG0 X1 Z50\nshift(z: 5)\nX2 Z50",
-             "G52 X0. Y0. Z0.\nX1. Z50.\nG52 Z5.\nX2. Z50.\n"},
-            {"G0 X1 Z50\nmirror(z: 0)\nX1 Z50", "X1. Z50.\nG51.1 Z0.\nZ50.\n"},
-        });
+    expect_text("fanuc",
+                {
+                    // From the start lines the shift is known to be 0.
+                    {"shift(x: 60)\nG0 X1 Z50\nrotate(30)\nX2 Z50\nshift(x: 60)\nX3 Z50",
+                     "G52 X60.\nX1. Z50.\nG68 X0. Y0. R30.\nX2.\nG69\nX3.\n"},
+                    {"shift()\nG0 X1 Z50\nshift(z: 5)\nX2 Z50", "X1. Z50.\nG52 Z5.\nX2. Z50.\n"},
+                    {"G0 X1 Z50\nmirror(z: 0)\nX1 Z50", "X1. Z50.\nG51.1 Z0.\nZ50.\n"},
+                });
     expect_text("sinumerik", {
                                  {"G0 X1 Z50\nshift(x: 60)\nX2 Z50", "G0 X1 Z50\nTRANS X60\nX2\n"},
                                  {"G0 X1 Z50\nATRANS X5\nX2 Z50\nTRANS\nX2 Z50",
@@ -548,7 +563,9 @@ TEST(Writer, WhatCannotBeSaidIsAnError) {
              {"fanuc", "scale(factor: -2)", "K4206"},  // P takes no sign
              {"sinumerik", "scale(factor: -2)", ""},
              {"sinumerik", "G43 H3", "K4201"},
-             {"sinumerik", "message(\"say \"hi\"\")", "K4207"},
+             {"sinumerik", "message(\"say \"hi\"\")", ""},  // with apostrophes
+             {"sinumerik", "G91\nG53 Z0", "K4201"},
+             {"sinumerik", "G0 X0\nG53 X=IC(5)", "K4201"},
          }) {
         EXPECT_EQ(write(row.dialect, row.source).codes, row.codes)
             << row.dialect << ": " << row.source;
@@ -566,9 +583,12 @@ TEST(Writer, WhatCannotBeSaidIsAnError) {
 }
 
 TEST(Writer, ADistanceIsNoMachineCoordinate) {
-    const Program program = {"G0 X10\nG53 X=IC(5)\nG91\nG53 X=AC(5)\nG53 X5",
-                             "G0 X10\nG53 X=IC(5)\nG91\nG53 X=AC(5)\nG53 X5\n"};
-    expect_text("iso", {program});
+    for (const char* dialect : {"iso", "sinumerik", "fanuc", "axioma"}) {
+        SCOPED_TRACE(dialect);
+        EXPECT_EQ(write(dialect, "G0 X10\nG53 X=IC(5)").codes, "K4201");
+        EXPECT_EQ(write(dialect, "G91 G0 X10\nG53 X5").codes, "K4201");
+    }
+    expect_text("iso", {{"G0 X10\nG91\nG53 X=AC(5)", "G0 X10\nG91\nG53 X=AC(5)\n"}});
 }
 
 TEST(Writer, DimensionsThatALineBeforeChangedAreSaidAgain) {

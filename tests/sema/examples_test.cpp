@@ -48,7 +48,8 @@ TEST(Examples, WrongOnesCauseTheMessageAndRightOnesNone) {
         RunOptions options = small_limits();
         options.expand.warns_of_cuts =
             row == &diag::FeedNeverSet || row == &diag::FeedNotSet || row == &diag::DiameterNotSaid;
-        if (row == &diag::FeedNotSet) options.target = "sinumerik";
+        if (row == &diag::FeedNotSet || row == &diag::CuttingSpeedNotSet)
+            options.target = "sinumerik";
         const Outcome wrong = without_unused(run(std::string(row->wrong), options), *row);
         EXPECT_TRUE(has_code(wrong, row->code))
             << row->wrong << "\ngives: " << wrong.all_messages();

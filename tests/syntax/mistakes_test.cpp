@@ -157,6 +157,8 @@ program a() { M30; })",
         {R"(N10 G1 X5
 N20 G1 X6)",
          "1:1 K1108 `N10` stands outside of a program, cycle or function"},
+        {"O1234\nprogram p() { G0 X5; }",
+         "1:1 K1108 `O1234` stands outside of a program, cycle or function"},
         {"(comment) G0 X5", "1:1 K1108 `(` stands outside of a program, cycle or function"},
         {"cycle a() { else M8; M9; }", "1:13 K1110 `else` has no `if`"},
         {"cycle a() { if (a) ; } else { M8; }",

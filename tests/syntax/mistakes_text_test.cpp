@@ -48,6 +48,7 @@ TEST(TextMistakes, Letters) {
         {R"(language ru;
 цикл a() { if (n > 0) M8; })",
          "2:12 K1020 `if` is `если` in the keyword language `ru`"},
+        {"cycle a() { G0 X−5; }", "1:17 K1006 the character `−` has no meaning here"},
         {"cycle a() { x = @; }", "1:17 K1006 the character `@` has no meaning here"},
         {"cycle a() { x = 5 @@ 6; y = $; }",
          "1:19 K1006 the character `@` has no meaning here\n"

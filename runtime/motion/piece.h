@@ -1,0 +1,68 @@
+// piece.h — what is known of a piece of path before it has its speeds.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "motion/axis_table.h"
+#include "motion/segment.h"
+
+namespace kadr::motion {
+
+/// A segment before it has its speeds: `segment.profile`, `start_time` and, for motion, `duration`
+/// are still open.
+struct Piece {
+    Segment segment;
+    double length = 0;        // of the path, mm (deg); 0 for a standstill
+    double speed = 0;         // limit inside the piece
+    double acceleration = 0;  // along the path
+    double jerk = std::numeric_limits<double>::infinity();  // along the path
+    double entry_limit = 0;  // of the corner before it; 0: the path comes to rest there
+    double entry_acceleration = std::numeric_limits<double>::infinity();  // as of a Stretch
+    double ramp = 1;         // part of its acceleration that the corner before it leaves
+    double ramp_before = 1;  // part of its acceleration that the corner leaves to the piece before
+    double jerk_share = 1;   // the same of the jerk, where the curvature jumps
+    double jerk_before = 1;
+    double turning_acceleration = std::numeric_limits<double>::infinity();  // see PathLimits
+    AxisRates rates{};                                                      // dq/ds at its start
+    AxisTable::Loads loads;
+};
+
+/// Pieces between preparation and delivery: a ring that grows to the length of the look-ahead.
+class PieceRing {
+  public:
+    /// Holds what it was used for before.
+    Piece& push_back() {
+        if (count_ == pieces_.size()) grow();
+        return pieces_[(first_ + count_++) & (pieces_.size() - 1)];
+    }
+    /// The i-th from the end.
+    Piece& back(std::size_t i) { return pieces_[(first_ + count_ - 1 - i) & (pieces_.size() - 1)]; }
+    const Piece& back(std::size_t i) const {
+        return pieces_[(first_ + count_ - 1 - i) & (pieces_.size() - 1)];
+    }
+    Piece& front() { return pieces_[first_]; }
+    std::size_t size() const { return count_; }
+    void pop_front() {
+        first_ = (first_ + 1) & (pieces_.size() - 1);
+        --count_;
+    }
+
+  private:
+    void grow() {
+        std::vector<Piece> larger(2 * pieces_.size());
+        for (std::size_t i = 0; i < count_; ++i) {
+            larger[i] = pieces_[(first_ + i) & (pieces_.size() - 1)];
+        }
+        pieces_ = std::move(larger);
+        first_ = 0;
+    }
+
+    std::vector<Piece> pieces_ = std::vector<Piece>(64);  // a power of two
+    std::size_t first_ = 0;
+    std::size_t count_ = 0;
+};
+
+}  // namespace kadr::motion

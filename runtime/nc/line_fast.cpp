@@ -1,0 +1,151 @@
+// The fast way: codes and numbers of one letter each, as nearly all lines are. Whatever needs a
+// second look sends the line the long way, from its start.
+#include <array>
+#include <cmath>
+
+#include "base/numbers.h"
+#include "base/powers.h"
+#include "base/short_number.h"
+#include "nc/line_reader.h"
+
+namespace kadr::nc {
+
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+/// What a byte behind the digits of a number says about it.
+enum NumberEnd : std::uint8_t { kEnds = 0, kGoesOn = 1, kIsExpression = 2, kBlank = 4 };
+constexpr std::array<std::uint8_t, 256> number_ends() {
+    std::array<std::uint8_t, 256> ends{};
+    for (const char c : std::string_view(".0123456789"))
+        ends[static_cast<unsigned char>(c)] = kGoesOn;
+    for (const char c : std::string_view("=Ee#["))
+        ends[static_cast<unsigned char>(c)] = kIsExpression;
+    for (const char c : std::string_view(" \t")) ends[static_cast<unsigned char>(c)] = kBlank;
+    return ends;
+}
+constexpr std::array<std::uint8_t, 256> kNumberEnds = number_ends();
+
+/// Whether no number of the format needs a second look.
+bool is_literal(const NumberFormat& format) {
+    return format.increment == 0 && format.inch_increment == 0 &&
+           format.revolution_increment == 0 && !format.truncates && format.max_digits == 0 &&
+           format.point == PointRule::Needed && format.allows_minus;
+}
+
+}  // namespace
+
+/// Whether a word of the address means its slot but under certain motions, which are noted.
+bool LineReader::are_of_motions(const Address& address) {
+    for (const FormId id : address.forms) {
+        const std::vector<Function>& during = tables_.forms[id].during;
+        const bool is_of_motion = during.size() == 1 && info(during[0]).group == Group::Motion;
+        if (!is_of_motion) return false;
+        closely_read_.set(static_cast<std::size_t>(during[0]));
+    }
+    return true;
+}
+void LineReader::prepare(std::size_t letter) {
+    const AddressId id = tables_.letters[letter];
+    FastLetter& fast = letters_[letter];
+    if (id != kNoAddress) {
+        const Address& address = tables_.addresses[id];
+        fast.address = id;
+        fast.format = &address.format;
+        fast.dimension = address.dimension;
+        fast.is_literal = is_literal(address.format);
+        if (address.is_block_number) {
+            fast.kind = FastLetter::Kind::Number;
+        } else if (address.kind == Address::Kind::Code) {
+            fast.kind = FastLetter::Kind::Code;
+        } else if (address.slot >= 0 && !address.is_incremental && !address.is_coordinate &&
+                   are_of_motions(address) && tables_.code_index[id].empty()) {
+            fast.kind = FastLetter::Kind::Slot;
+            fast.slot = static_cast<Slot>(address.slot);
+        }
+    }
+    if (letter >= 'A' && letter <= 'Z' && tables_.rules.ignores_case) letters_[letter + 32] = fast;
+}
+
+/// Gives up on anything that needs a second look; the slow way reads the line again from its start.
+bool LineReader::read_fast(std::string_view line, Block& block) const {
+    const char* p = line.data();
+    const char* const end = p + line.size();
+    std::uint32_t groups = 0;
+    bool has_word = false;
+    const Function motion = modal_[static_cast<std::size_t>(Group::Motion)];
+    if (closely_read_[static_cast<std::size_t>(motion)] || tables_.used != nullptr) return false;
+    while (p != end && is_blank(*p)) ++p;
+    while (p != end) {
+        const auto letter = static_cast<unsigned char>(*p);
+        if (letter >= 128) return false;
+        const FastLetter& fast = letters_[letter];
+        ++p;
+        std::uint8_t wrong_ends = kGoesOn;
+        if (fast.kind == FastLetter::Kind::Slot) {
+            if (block.has(fast.slot)) return false;
+            const ShortNumber number = fast.is_literal ? read_short_number(p, line) : ShortNumber{};
+            double meaning = number.value;
+            if (number.end != nullptr) {
+                p = number.end;
+            } else {
+                const Decimal decimal = parse_decimal(p, end);
+                if (decimal.end == p) return false;
+                const bool is_minus = *p == '-';
+                p = decimal.end;
+                meaning = read_meaning(decimal, *fast.format, fast.dimension, units_);
+                if (check_read(decimal, is_minus, meaning, *fast.format, fast.dimension, units_) !=
+                    NumberFault::None)
+                    return false;
+            }
+            const double scale = slot_scales_[static_cast<std::size_t>(fast.dimension)];
+            block.set(fast.slot, scale == 1 ? meaning : meaning / scale);
+            wrong_ends = kGoesOn | kIsExpression;
+        } else if (fast.kind == FastLetter::Kind::Code) {
+            const ShortWhole whole = read_short_whole(p, line);
+            p = whole.end;
+            if (p == nullptr || (p != end && *p == '=')) return false;
+            const std::size_t code = whole.value;
+            const std::vector<std::uint16_t>& index = tables_.code_index[fast.address];
+            if (code * 10 >= index.size() || index[code * 10] == 0) return false;
+            const Code& known = tables_.codes[index[code * 10] - 1u];
+            if (!known.is_plain) return false;
+            const Group group = info(known.function).group;
+            const std::uint32_t mask = 1u << static_cast<unsigned>(group);
+            // What changes the meaning of numbers, and groups said twice, are looked at closely.
+            if (group == Group::Units || group == Group::FeedMode || group == Group::SpeedMode)
+                return false;
+            if ((groups & mask) != 0) return false;
+            groups |= mask;
+            if (group == Group::Motion) {
+                if (closely_read_[static_cast<std::size_t>(known.function)]) return false;
+                block.motion = known.function;
+            } else if (!block.add(known.function)) {
+                return false;
+            }
+        } else if (fast.kind == FastLetter::Kind::Number && block.number < 0 && !has_word) {
+            const ShortWhole whole = read_short_whole(p, line);
+            p = whole.end;
+            if (p == nullptr) return false;
+            block.number = static_cast<std::int32_t>(whole.value);
+            if (block.number > tables_.block_numbers.most ||
+                block.number < tables_.block_numbers.least)
+                return false;
+        } else {
+            return false;
+        }
+        has_word = true;
+        if (p == end) return true;
+        // A blank may stand inside a number: a digit behind it is no letter that is known.
+        std::uint8_t behind = kNumberEnds[static_cast<unsigned char>(*p)];
+        if ((behind & wrong_ends) != 0) return false;
+        while (behind == kBlank) {
+            if (++p == end) return true;
+            behind = kNumberEnds[static_cast<unsigned char>(*p)];
+        }
+    }
+    return has_word;
+}
+
+}  // namespace kadr::nc

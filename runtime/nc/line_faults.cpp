@@ -1,0 +1,174 @@
+// What is wrong with a line of ISO-7bit text, in the control's words where it has some.
+#include <algorithm>
+#include <utility>
+
+#include "base/diagnostics/iso.h"
+#include "base/numbers.h"
+#include "base/text.h"
+#include "nc/line_reader.h"
+
+namespace kadr::nc {
+
+namespace {
+
+/// Whether codes of the address are the machine builder's as well; the control passes them on.
+bool is_for_builder(const DialectTables& tables, AddressId address) {
+    const auto& forms = tables.forms_of[static_cast<std::size_t>(Function::MachineFunction)];
+    return !forms.empty() && tables.forms[forms[0]].words[0].address == address;
+}
+
+bool writes_data(Function function) {
+    return function == Function::WorkOffsetData || function == Function::ToolOffsetData;
+}
+
+bool is_tool_offset(Function function) {
+    return function == Function::LengthOffset || function == Function::LengthCompOn ||
+           function == Function::RadiusOffset;
+}
+
+/// The pattern as a manual writes it: `G10 L2 P_ X_`; arguments of a call keep their names.
+std::string shown_pattern(std::string_view pattern) {
+    std::string out;
+    while (!pattern.empty()) {
+        const std::size_t open = std::min(pattern.find('{'), pattern.size());
+        out += pattern.substr(0, open);
+        const std::size_t close = pattern.find('}', open);
+        if (close == std::string_view::npos) break;
+        const std::string_view hole = pattern.substr(open + 1, close - open - 1);
+        const bool is_argument = out.ends_with('(') || out.ends_with(',');
+        if (is_argument) out += hole.substr(0, hole.find_first_of("?:="));
+        if (!is_argument) out += '_';
+        pattern.remove_prefix(close + 1);
+    }
+    return out;
+}
+
+/// "`CYCLE83` with -5 as its 17th argument", "`CYCLE97` without its 3rd argument"
+std::string argument_words(const LexedLine& lexed, const MatchFault& fault,
+                           const std::string& name) {
+    const GivenWord& word = lexed.words[fault.word];
+    const auto place = static_cast<std::size_t>(fault.argument);
+    const std::size_t number = place + 1;
+    const bool is_teen = number / 10 % 10 == 1;
+    const std::string_view ending = is_teen            ? "th"
+                                    : number % 10 == 1 ? "st"
+                                    : number % 10 == 2 ? "nd"
+                                    : number % 10 == 3 ? "rd"
+                                                       : "th";
+    std::string words = '`' + name + "` ";
+    const bool is_given = place < word.argument_count;
+    const GivenArgument given =
+        is_given ? lexed.arguments[word.first_argument + place] : GivenArgument{};
+    if (given.kind == GivenArgument::Kind::Empty) {
+        words += "without its ";
+    } else if (given.kind == GivenArgument::Kind::Text) {
+        words += "with a text as its ";
+    } else {
+        words += "with ";
+        append_shortest(words, given.number);
+        words += " as its ";
+    }
+    append_shortest(words, static_cast<double>(number));
+    return words.append(ending).append(" argument");
+}
+
+}  // namespace
+
+LinePlace LineReader::place(const std::string& file, std::string_view line, std::uint64_t number,
+                            const Span& span) {
+    constexpr std::size_t kShown = 400;  // bytes of a line that a message keeps
+    LinePlace place;
+    place.file = file;
+    place.line = static_cast<std::uint32_t>(number);
+    const std::size_t begin = std::min<std::size_t>(span.begin, line.size());
+    const std::size_t end = std::clamp<std::size_t>(span.end, begin, line.size());
+    place.column = static_cast<std::uint32_t>(count_code_points(line.substr(0, begin)) + 1);
+    place.length = static_cast<std::uint32_t>(
+        std::max<std::size_t>(1, count_code_points(line.substr(begin, end - begin))));
+    place.text = line.substr(0, std::max(kShown, std::min(end, line.size())));
+    return place;
+}
+
+std::string LineReader::word_text(std::string_view line, std::size_t word) const {
+    const Span& span = lexed_->spans[word];
+    return std::string(line.substr(span.begin, span.end - span.begin));
+}
+
+void LineReader::report(std::string_view line, const LineFault& fault) {
+    note_fault();
+    DiagnosticBuilder builder = sink_.report(*fault.row, place(line, line_number_, fault.span));
+    for (const std::string& argument : fault.arguments) builder.arg(argument);
+    const std::string_view detail =
+        fault.arguments.empty() ? std::string_view() : fault.arguments[0];
+    if (const auto alarm = dialect_.alarm(*fault.row, detail))
+        builder.alarm(alarm->number, alarm->text);
+    write_notes(builder);
+}
+
+void LineReader::report(std::string_view line, const MatchFault& fault) {
+    using Kind = MatchFault::Kind;
+    LineFault out;
+    if (fault.kind == Kind::Full && lexed_->words.size() > kMaxWords) {
+        out = {&diag::IsoTooManyWords, {0, static_cast<std::uint32_t>(line.size())}, {}};
+        return report(line, out);
+    }
+    const std::string word = word_text(line, fault.word);
+    const std::string other = word_text(line, fault.other);
+    const std::string form =
+        fault.form == kNoForm ? "" : shown_pattern(first_line(tables_.forms[fault.form]));
+    out.span = lexed_->spans[fault.word];
+    switch (fault.kind) {
+        case Kind::UnknownCode:
+        case Kind::CodeComputed: {
+            const std::string known = tables_.unsupported_words(word);
+            out.row = known.empty() ? &diag::IsoUnknownCode : &diag::IsoNotSupported;
+            out.arguments = {known.empty() ? word : known};
+            if (known.empty() && is_for_builder(tables_, lexed_->words[fault.word].address)) {
+                out.row = &diag::IsoNotSupported;
+                out.arguments = {'`' + word + "` (a function of the machine's builder)"};
+            }
+            break;
+        }
+        case Kind::NoValue:
+        case Kind::NoNumber: out.row = &diag::IsoNoValue, out.arguments = {word}; break;
+        case Kind::AddressTwice:
+            out.row = &diag::IsoAddressTwice;
+            out.arguments = {tables_.addresses[lexed_->words[fault.word].address].name};
+            break;
+        case Kind::GroupTwice: out.row = &diag::IsoGroupTwice, out.arguments = {word, other}; break;
+        case Kind::Missing:
+            out.row = &diag::IsoWordsMissing, out.arguments = {word, form};
+            if (fault.form != kNoForm && writes_data(tables_.forms[fault.form].function))
+                out.row = &diag::OffsetDataFormat;
+            break;
+        case Kind::Value:
+            out.row = &diag::IsoValueWrong, out.arguments = {word, form};
+            if (fault.argument >= 0) {
+                const Address& call = tables_.addresses[lexed_->words[fault.word].address];
+                out.row = &diag::IsoNotSupported;
+                out.arguments = {argument_words(*lexed_, fault, call.name)};
+            }
+            if (fault.form != kNoForm && tables_.forms[fault.form].function == Function::WorkOffset)
+                out.row = &diag::WorkOffsetUnknown, out.arguments = {other + ' ' + word};
+            if (fault.form != kNoForm && writes_data(tables_.forms[fault.form].function))
+                out.row = &diag::OffsetDataNumber, out.arguments = {other + ' ' + word};
+            if (fault.form != kNoForm && is_tool_offset(tables_.forms[fault.form].function))
+                out.row = &diag::IsoToolOffset, out.arguments = {word};
+            break;
+        case Kind::Conflict:
+            out.row = &diag::IsoWordsConflict, out.arguments = {word, other};
+            break;
+        case Kind::Unused: out.row = &diag::IsoWordUnused, out.arguments = {word}; break;
+        case Kind::Alone: out.row = &diag::IsoAlone, out.arguments = {word}; break;
+        case Kind::Company: out.row = &diag::IsoCompany, out.arguments = {word, other}; break;
+        case Kind::NotSupported:
+            out.row = &diag::IsoNotSupported;
+            out.arguments = {'`' + word + "` (" + tables_.forms[fault.form].unsupported + ')'};
+            break;
+        case Kind::Mode: out.row = &diag::IsoModeMisplaced, out.arguments = {word}; break;
+        case Kind::Full: out.row = &diag::IsoTooManyWords; break;
+    }
+    report(line, out);
+}
+
+}  // namespace kadr::nc
