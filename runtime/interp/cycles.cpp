@@ -134,7 +134,7 @@ void Executor::call_behind_motion(const Block& block) {
     call.source = block.source;
     call.given = 0;
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
-    if (names_shape(info)) {  // its contour does not follow a motion
+    if (names_shape(info) && pattern_) {  // its contour follows no motion to a place
         report(diag::CycleUnavailable, call, Function::Cycle).arg(info.name);
         return;
     }

@@ -276,7 +276,7 @@ void Executor::move_with_own_feed(const Block& places, const Actions& actions) {
     const double feed = std::exchange(modal_.feed, *actions.feed_once);
     const bool has_feed = std::exchange(modal_.has_feed, true);
     move(places, actions);
-    const auto take_back = [&](ModalState& modal) {
+    const auto take_back = [&](Modal& modal) {
         modal.feed = feed;
         modal.has_feed = has_feed;
     };

@@ -95,7 +95,8 @@ void Program::State::begin_main() {
 bool Program::State::runs_flat() {
     if (frame->here.offset != frontier().offset || source().offset() != frame->here.offset)
         return false;
-    const bool is_called = due || frame->call.to || frame->is_returning || !modal_calls.empty();
+    const bool is_called =
+        due || modal_shape || frame->call.to || frame->is_returning || !modal_calls.empty();
     const bool is_at_end = is_only_checking || has_ended || lines.has_ended();
     return !is_called && !is_at_end && !is_waiting && watch == nullptr && frame->repeats.empty();
 }
@@ -182,6 +183,7 @@ Program::State::Done Program::State::step(Block& out) {
     if (done == Done::Block) {
         deliver(out, line->text, line->place.line.line, true);
         if (out.function_count != 0) follow_shape(out, line->text, Place(line->place));
+        if (modal_shape) follow_modal_shape(out);
     }
     if (begins) perform_call();
     return done;
@@ -241,6 +243,7 @@ Program::State::Done Program::State::finish_first(Done done, std::string_view te
     if (done == Done::Block) {
         deliver(out, text, number, false);
         if (out.function_count != 0) follow_shape(out, text, {{offset, number}, next});
+        if (modal_shape) follow_modal_shape(out);
     }
     if (begins) perform_call();
     return done;
@@ -337,6 +340,8 @@ bool Program::State::is_left_out(const Block& block) const {
 /// the cycle works something out of it, it goes on behind the shape.
 void Program::State::follow_shape(const Block& block, std::string_view text, const Place& place) {
     if (is_only_checking || has_ended) return;
+    if (block.find(Function::CycleModal) != nullptr && !is_left_out(block))
+        return keep_modal_shape(block, text, place);
     const nc::Invocation* const call = block.find(Function::Cycle);
     if (call == nullptr || is_left_out(block)) return;
     const nc::CycleInfo& cycle = dialect.cycles()[block.cycle];
