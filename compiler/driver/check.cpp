@@ -38,7 +38,7 @@ void try_out(Session& session, const Program& program) {
     const nc::Dialect* target = session.chosen_dialect(kDefaultTarget);
     if (target == nullptr) return;
     GeneratedText text(session, program, *target, nullptr);
-    text.warn_of_cuts();
+    text.warn_of_cuts(session.messages());
     if (!text.start()) return;
     while (!text.next().empty()) session.tell({.blocks = text.blocks(), .setpoints = 0, .time = 0});
 }

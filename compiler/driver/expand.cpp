@@ -44,7 +44,7 @@ Status expand(Session& session, const ExpandJob& job) {
     if (!text_output || (!map_output && !job.map.empty())) return refused(session);
 
     GeneratedText text(session, *program, *target, map_output.get());
-    text.warn_of_cuts();
+    text.warn_of_cuts(messages);
     if (!text.start()) return session.status();
     for (std::string_view piece = text.next(); !piece.empty(); piece = text.next()) {
         text_output->write(piece);

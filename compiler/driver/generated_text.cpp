@@ -72,6 +72,12 @@ expand::ExpandOptions GeneratedText::expand_options(bool has_trace) const {
             .shown = options.shown};
 }
 
+void GeneratedText::warn_of_cuts(const Messages& messages) {
+    expander_.warn_of_cuts([&messages](const DiagnosticRow& row, const SourceRange& place) {
+        return messages.is_allowed(row.code, place);
+    });
+}
+
 bool GeneratedText::start() {
     const Options& options = session_.options();
     Entry entry;
@@ -106,6 +112,8 @@ bool GeneratedText::start(const Entry& entry) {
     info.name = entry.name;
     info.number = program_number(entry.name);
     info.is_inch = entry.is_inch;
+    for (const sema::Plan& plan : program_.code->plans)
+        info.greatest_number = std::max(info.greatest_number, std::int64_t{plan.number});
     writer_.begin(info, text_);
     return true;
 }
@@ -132,11 +140,18 @@ SourceRange GeneratedText::last_statement() const {
     return is_known ? statements[last_source_.index] : SourceRange{};
 }
 
+static bool ends_program(const nc::Block& block) {
+    return block.find(nc::Function::End) != nullptr ||
+           block.find(nc::Function::EndRewind) != nullptr;
+}
+
 void GeneratedText::write_batch() {
     const std::size_t count = expander_.pull(batch_);
     if (count > 0) last_source_ = batch_[count - 1].source;
     std::optional<std::size_t> sound;  // length of the text before the first block with an error
     for (std::size_t i = 0; i < count; ++i, ++blocks_) {
+        // Behind an error the rest is looked at for errors only, and the end is written below.
+        if (writer_.failed() && ends_program(batch_[i])) continue;
         const std::uint32_t before = writer_.lines();
         const std::size_t length = text_.size();
         const std::uint32_t first = writer_.write(batch_[i], text_);

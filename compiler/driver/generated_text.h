@@ -45,7 +45,8 @@ class GeneratedText final : public nc::TextSource {
     bool start(const Entry& entry);
 
     /// The text is not run: what the interpreter would warn of is looked for here.
-    void warn_of_cuts() { expander_.warn_of_cuts(); }
+    /// `messages` silences what the source allows, and outlives the text.
+    void warn_of_cuts(const Messages& messages);
 
     std::string_view next() override;
 

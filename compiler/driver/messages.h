@@ -45,11 +45,13 @@ class Messages final : public DiagnosticSink {
     /// The words of the first error or alarm, without its place; empty if none.
     const std::string& first_error() const { return first_error_; }
 
+    /// Whether a comment in the source silences warnings of this code at the place.
+    bool is_allowed(std::string_view code, const SourceRange& place) const;
+
   private:
     void count(const Diagnostic& diagnostic);
     bool is_known(const std::string& rendered);
     bool is_silenced(const Diagnostic& diagnostic) const;
-    bool is_allowed(std::string_view code, const SourceRange& place) const;
     std::string rendered(const Diagnostic& diagnostic) const;
 
     const Sources& sources_;

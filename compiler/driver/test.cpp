@@ -314,15 +314,18 @@ Status TestRun::perform() {
     const std::unique_ptr<Output> out = Output::open(job_.output, session_.messages());
     if (!out) return Status::Usage;
     for (const std::string& source : job_.sources) run_file(source);
-    if (run_ == 0 && failed_ == 0) {
+    const bool has_none = run_ == 0 && failed_ == 0;
+    if (has_none) {
         session_.messages()
             .report(diag::NoTests)
             .arg(job_.filter.empty() ? "" : ": no name contains `" + job_.filter + '`');
         ++failed_;
     }
     out->write(lines_);
-    out->write(std::to_string(run_) + (run_ == 1 ? " test, " : " tests, ") +
-               std::to_string(failed_) + " failed\n");
+    if (!has_none) {
+        out->write(std::to_string(run_) + (run_ == 1 ? " test, " : " tests, ") +
+                   std::to_string(failed_) + " failed\n");
+    }
     if (!out->commit(session_.messages())) return Status::Usage;
     if (session_.status() == Status::Usage) return Status::Usage;
     return failed_ > 0 || session_.status() != Status::Done ? Status::Failed : Status::Done;

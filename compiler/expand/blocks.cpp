@@ -140,6 +140,8 @@ bool Expander::State::emit_block(const sema::Plan& plan, const Instruction& inst
     if (fill_plan(plan, instruction, registers, at)) {
         if (plan.customs == 0) [[likely]]
             return true;
+        if ((plan.customs & sema::custom::kReference) != 0)
+            go_over_place(SourceId{static_cast<std::uint32_t>(instruction.immediate.pair.second)});
         const Block& block = batch_count > in_batch ? batch[batch_count - 1] : waiting.back();
         const bool is_empty =
             block.function_count == 0 && block.given == 0 && block.motion == Function::None;
@@ -153,17 +155,6 @@ bool Expander::State::emit_block(const sema::Plan& plan, const Instruction& inst
     // A block that could not be finished is not delivered.
     if (batch_count > in_batch) batch_count = in_batch;
     else waiting.pop_back();
-    return false;
-}
-
-/// Whether the spindle is started, stopped or taken over by the changer.
-static bool switches_spindle(const Block& block) {
-    for (std::size_t i = 0; i < block.function_count; ++i) {
-        const Function function = block.functions[i].function;
-        if (nc::info(function).group == Group::Spindle || function == Function::ToolChange ||
-            function == Function::Tool)
-            return true;
-    }
     return false;
 }
 
@@ -202,9 +193,6 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
             return false;
         const Function motion = plan.motion != Function::None ? plan.motion : modal[Group::Motion];
         modal.take_functions(block);
-        // What was said of a standing spindle is said anew when it stands again.
-        if ((warned_of_spindle || warned_of_rapid) && switches_spindle(block))
-            warned_of_spindle = warned_of_rapid = false;
         const bool says_rapid = (plan.customs & sema::custom::kMachineRapid) != 0;
         if (has_machine_rapid && !says_rapid && motion != Function::Rapid &&
             block.find(Function::MachineCoordinates) != nullptr) [[unlikely]] {
@@ -285,7 +273,8 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
         return false;
     if (modal.diameter_due != Function::None && recordings.empty()) [[unlikely]]
         say_diameter(block);
-    if (options.warns_of_cuts && !warned_of_rapid && recordings.empty()) check_rapid(block, at);
+    if (options.warns_of_cuts && !modal.warned_of_rapid && recordings.empty())
+        check_rapid(block, at);
     modal.take_words(block);
     if (recordings.empty() && is_cut_doubtful() && !check_cut(block, at)) [[unlikely]]
         return false;
@@ -489,13 +478,23 @@ void Expander::State::warn_of_cut(std::uint32_t at, bool needs_feed) {
         modal.lacks_tool = false;  // said once
         fault(diag::ToolNeverCalled, at);
     }
-    if (modal.is_spindle_turning() || warned_of_spindle) return;
-    warned_of_spindle = true;
-    DiagnosticBuilder builder = fault(diag::FeedWithSpindleStopped, at);
+    if (!modal.is_spindle_turning() && !modal.warned_of_spindle) warn_of_spindle(at);
+}
+
+void Expander::State::warn_of_spindle(std::uint32_t at) {
+    const bool is_on = modal[Group::Spindle] == Function::SpindleCw ||
+                       modal[Group::Spindle] == Function::SpindleCcw;
+    const DiagnosticRow& row = is_on && modal.lacks_speed
+                                   ? static_cast<const DiagnosticRow&>(diag::SpindleWithoutSpeed)
+                                   : diag::FeedWithSpindleStopped;
+    modal.warned_of_spindle = !is_allowed(row, at);
+    DiagnosticBuilder builder = fault(row, at);
     const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::Spindle)];
     if (modal[Group::Spindle] == Function::SpindleStop && by.is_valid() &&
         by.index < code.statements.size())
         builder.note(code.statements[by.index], "it stands from here on");
+    if (is_on && modal.lacks_speed && by.is_valid() && by.index < code.statements.size())
+        builder.note(code.statements[by.index], "it is started here, without S");
 }
 
 void Expander::State::check_rapid(const Block& block, std::uint32_t at) {
@@ -516,7 +515,7 @@ void Expander::State::check_rapid(const Block& block, std::uint32_t at) {
     const double way = block.at(nc::Slot::Z);
     const double target_z = is_way ? modal.position[kZ] + way : way;
     if (!(target_z < 0) || (is_known && target_z >= modal.position[kZ])) return;
-    warned_of_rapid = true;
+    modal.warned_of_rapid = !is_allowed(diag::RapidBelowPlane, at);
     fault(diag::RapidBelowPlane, at).arg(neat(target_z));
 }
 
@@ -722,14 +721,16 @@ bool Expander::State::change_frame(const Instruction& instruction, const sema::S
 }
 
 /// Where a control has no words for coordinates and distances beside each other, its writer needs
-/// to know where the tool is in the new frame.
+/// to know where the tool is in the new frame; so does one that says another F for a helix.
 void Expander::State::say_place(const sema::Plan& plan, const Instruction& instruction,
                                 std::uint32_t at) {
     const nc::SlotMask known = modal.known & nc::kTargetSlots;
     const bool moves = plan.given != 0 || !plan.fillings.empty();
     if (!moves || !recordings.empty()) return;
     modal.is_place_due = false;
-    if (known == 0 || target.has_distance_words()) return;
+    const bool counts_by_arc = (plan.customs & sema::custom::kFeedOfArc) != 0;
+    const bool counts_alike = counts_by_arc == target.has_rule("helix_feed_along_arc");
+    if (known == 0 || (target.has_distance_words() && counts_alike)) return;
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     Block& block = next_block(source);
     block.kind = Block::Kind::Position;

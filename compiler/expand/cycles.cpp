@@ -4,6 +4,7 @@
 // A modal cycle belongs to the running program, as on the control: a loop or a function may make
 // its places. What the control does is what interp/cycles.cpp does with its text.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/diagnostics/dialect.h"
@@ -115,6 +116,29 @@ bool Expander::State::take_place(Block& block, const sema::Plan& plan, std::uint
     if ((block.given & nc::kTargetSlots) == 0) return true;
     block.motion = Function::Rapid;
     modal.active[static_cast<std::size_t>(Group::Motion)] = Function::Rapid;
+    return true;
+}
+
+bool Expander::State::take_cycle_words(const Block& block, const nc::Invocation& invocation,
+                                       std::uint32_t at) {
+    constexpr std::array<std::string_view, 2> kParameters = {"peck", "dwell"};
+    for (std::size_t i = 0; i < kParameters.size(); ++i) {
+        if ((invocation.given >> i & 1u) == 0) continue;
+        const auto word = std::ranges::find(kHeldWords, kParameters[i], &HeldWord::parameter);
+        const bool is_place =
+            said_cycle.is_active && said_cycle.said->kind == SourceCycle::Kind::Modal;
+        if (!is_place) {
+            fault(diag::SourceCycleWord, at).arg(std::string(1, word->letter));
+            return false;
+        }
+        const double value = block.argument(invocation, i);
+        const auto parameter =
+            find_parameter(code.functions[said_cycle.said->function], kParameters[i]);
+        // A cycle without such a word keeps it for the next one.
+        if (parameter && is_given(said_cycle, parameter))
+            set_argument(said_cycle, parameter, value);
+        else said_cycle.held[static_cast<std::size_t>(word - kHeldWords.begin())] = value;
+    }
     return true;
 }
 

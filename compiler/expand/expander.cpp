@@ -32,7 +32,10 @@ std::optional<std::vector<sema::Slot>> Expander::read_values(
 
 bool Expander::start_call(const CallUnderTest& call) { return state_->start_call(call); }
 
-void Expander::warn_of_cuts() { state_->options.warns_of_cuts = true; }
+void Expander::warn_of_cuts(decltype(ExpandOptions::is_allowed) is_allowed) {
+    state_->options.warns_of_cuts = true;
+    state_->options.is_allowed = std::move(is_allowed);
+}
 
 std::size_t Expander::pull(std::span<nc::Block> out) { return state_->pull(out); }
 

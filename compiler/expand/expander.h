@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -46,9 +47,11 @@ struct Trace {
 
 struct ExpandOptions {
     Limits limits;
-    bool native_cycles = true;                // a call of a mapped cycle stays one block
-    bool trace = false;                       // keep a Trace for every block of the batch
-    bool warns_of_cuts = false;               // without feed or tool, spindle off; of dives
+    bool native_cycles = true;   // a call of a mapped cycle stays one block
+    bool trace = false;          // keep a Trace for every block of the batch
+    bool warns_of_cuts = false;  // without feed or tool, spindle off; of dives
+    /// Whether the source allows this warning at this place; empty: nothing is allowed.
+    std::function<bool(const DiagnosticRow&, const SourceRange&)> is_allowed = nullptr;
     const std::atomic<bool>* stop = nullptr;  // set from outside: the evaluation ends with an error
     std::vector<std::string>* shown = nullptr;  // gets the values that the code shows; null: nobody
 };
@@ -92,7 +95,7 @@ class Expander final : public Stream<nc::Block> {
     bool start_call(const CallUnderTest& call);
 
     /// Warns of cuts that the interpreter would warn of, for whom only makes the text.
-    void warn_of_cuts();
+    void warn_of_cuts(decltype(ExpandOptions::is_allowed) is_allowed);
 
     std::size_t pull(std::span<nc::Block> out) override;
     /// An error ended the program; of a test: something did not hold.

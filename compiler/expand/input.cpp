@@ -8,6 +8,7 @@
 #include "base/diagnostics/expand.h"
 #include "expand/plane.h"
 #include "expand/state.h"
+#include "nc/tables.h"
 
 namespace kadr::expand {
 
@@ -33,10 +34,20 @@ void become(Block& block, Invocation& invocation, Function function, double argu
     block.set_argument(invocation, 0, argument);
 }
 
+/// Whether the control has words such as `T0102`.
+bool says_offset_with_tool(const nc::DialectTables& tables) {
+    const auto& forms = tables.forms_of[static_cast<std::size_t>(Function::ToolSelect)];
+    return std::ranges::any_of(forms, [&](const nc::FormId id) {
+        return std::ranges::any_of(tables.forms[id].words, [](const nc::FormWord& word) {
+            return word.tail_parameter >= 0;
+        });
+    });
+}
+
 bool is_cycle_word(Function function) {
     const Group group = nc::info(function).group;
     return group == Group::CycleMode || group == Group::CycleReturn ||
-           function == Function::TapRigid;
+           function == Function::TapRigid || function == Function::CycleWords;
 }
 
 }  // namespace
@@ -172,8 +183,14 @@ bool Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t 
                 said_cycle.returns_low = invocation.function == Function::CycleReturnRetract;
                 break;
             case Function::TapRigid: said_cycle.taps_rigidly = true; break;
+            case Function::CycleWords:
+                is_good = is_good && take_cycle_words(block, invocation, at);
+                break;
             case Function::MachineCoordinates:
                 is_good = is_good && adapt_machine(block, plan, at);
+                break;
+            case Function::ToolSelect:
+                is_good = is_good && take_station(block, invocation, at);
                 break;
             default: break;
         }
@@ -274,11 +291,14 @@ void Expander::State::say_offset(const sema::Plan& plan, const Instruction& inst
                        std::ranges::any_of(plan.fillings, [](const sema::Filling& filling) {
                            return !filling.is_argument && filling.place < kAxes;
                        });
-    const bool is_elsewhere = std::ranges::any_of(plan.functions, [](const Invocation& invocation) {
-        return invocation.function == Function::MachineCoordinates ||
-               invocation.function == Function::ReferenceReturn ||
-               invocation.function == Function::WorkOffset;
-    });
+    // A return that the target does not have goes over its place with a block of its own.
+    const bool has_return = target.can_write(Function::ReferenceReturn);
+    const bool is_elsewhere =
+        std::ranges::any_of(plan.functions, [&](const Invocation& invocation) {
+            return invocation.function == Function::MachineCoordinates ||
+                   (has_return && invocation.function == Function::ReferenceReturn) ||
+                   invocation.function == Function::WorkOffset;
+        });
     if (!moves || is_elsewhere) return;
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     Block& block = next_block(source);
@@ -450,6 +470,60 @@ void Expander::State::say_reference(Block& block) {
     block.given &= ~named;
     block.incremental &= ~named;
     block.absolute &= ~named;
+}
+
+/// A return over another place, for a target that goes straight: at rapid to the place, then on.
+void Expander::State::go_over_place(SourceId source) {
+    if (target.can_write(Function::ReferenceReturn) || !target.can_write(Function::ReferencePoint))
+        return;
+    Block& way = waiting.empty() ? batch[batch_count - 1] : waiting.back();
+    const Invocation* found = way.find(Function::ReferenceReturn);
+    const nc::SlotMask named = way.given & nc::kTargetSlots;
+    if (found == nullptr || named == 0 || named >> 3 != 0) return;
+    const double point = way.argument(*found, 0, 1);
+    erase(way, static_cast<std::size_t>(found - way.functions.data()));
+    way.motion = Function::Rapid;
+    // The motion that the program has said is not changed by the return.
+    if (modal[Group::Motion] != Function::Rapid) modal.restate_motion = true;
+    const std::int8_t skip = way.skip;
+    const std::uint16_t skip_also = way.skip_also;
+    Block& back = next_block(source);
+    back.skip = skip;
+    back.skip_also = skip_also;
+    Invocation* reference = back.add(Function::ReferencePoint, 4);
+    back.set_argument(*reference, 0, point);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if ((named >> i & 1u) != 0) back.set_argument(*reference, 1 + i, 0);
+    }
+    if (options.trace) traces.push_back(traces.back());
+}
+
+/// `T0101`, for a target that selects tools without their offsets: the tool with its own ones.
+bool Expander::State::take_station(Block& block, Invocation& select, std::uint32_t at) {
+    constexpr std::size_t kOffset = 1;
+    if ((select.given >> kOffset & 1u) == 0 || says_offset_with_tool(target.tables())) return true;
+    const double tool = block.argument(select, 0);
+    const double offset = block.argument(select, kOffset);
+    if (offset == tool) {
+        become(block, select, Function::Tool, tool);
+        return true;
+    }
+    const bool is_off = offset == 0 && modal.has_tool_in && modal.tool_in == tool;
+    if (is_off && target.can_write(Function::ToolEdge)) {
+        become(block, select, Function::ToolEdge, 0);
+        return true;
+    }
+    if (is_off && target.can_write(Function::LengthCompOff)) {
+        select.function = Function::LengthCompOff;
+        select.given = 0;
+        return true;
+    }
+    fault(diag::SourceOffset, at)
+        .arg(target.name())
+        .arg("tool " + std::to_string(std::llround(tool)) + " with the offset")
+        .arg(std::to_string(std::llround(offset)))
+        .fix("give the offset the number of its tool, or say `tool(n)`");
+    return false;
 }
 
 /// `H3` and `D3` of tool 3 are its first edge.

@@ -243,20 +243,26 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
     if (group == Group::SpeedMode && member != invocation.function) has_speed = false;
     member = invocation.function;
     changed_by[static_cast<std::size_t>(group)] = block.source;
+    if (group == Group::Spindle) warned_of_spindle = warned_of_rapid = false;
+}
+
+void ModalState::switch_spindle(Function member, SourceId source) {
+    active[static_cast<std::size_t>(Group::Spindle)] = member;
+    changed_by[static_cast<std::size_t>(Group::Spindle)] = source;
+    warned_of_spindle = warned_of_rapid = false;
 }
 
 void ModalState::set_spindle(double code, SourceId source) {
-    active[static_cast<std::size_t>(Group::Spindle)] = code == 3   ? Function::SpindleCw
-                                                       : code == 4 ? Function::SpindleCcw
-                                                                   : Function::SpindleStop;
-    changed_by[static_cast<std::size_t>(Group::Spindle)] = source;
+    const Function member = code == 3   ? Function::SpindleCw
+                            : code == 4 ? Function::SpindleCcw
+                                        : Function::SpindleStop;
+    if (member != (*this)[Group::Spindle]) switch_spindle(member, source);
 }
 
 /// The changer takes the spindle over. A turret does not: what turns in G18 is the part.
 void ModalState::change_tool(SourceId source) {
     if (!stops_at_tool_change || (*this)[Group::Plane] == Function::PlaneZx) return;
-    active[static_cast<std::size_t>(Group::Spindle)] = Function::SpindleStop;
-    changed_by[static_cast<std::size_t>(Group::Spindle)] = source;
+    switch_spindle(Function::SpindleStop, source);
 }
 
 void ModalState::take_functions(const nc::Block& block) {
@@ -282,6 +288,7 @@ void ModalState::take_words(const nc::Block& block) {
     if (block.has(nc::Slot::Speed)) {
         speed = block.at(nc::Slot::Speed);
         has_speed = true;
+        lacks_speed = false;
         had_cutting_speed |= (*this)[Group::SpeedMode] == Function::CuttingSpeedOn;
         speed_by = block.source;
         lost &= ~sema::kSpeedBit;

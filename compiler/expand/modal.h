@@ -62,7 +62,11 @@ struct ModalState {
     Loss lost_in = Loss::RawText;
     sema::ModalMask restate = 0;    // set by a block that may be left out: the output says it again
     bool spindle_in_doubt = false;  // likewise, but the operator's choice
-    bool has_ended = false;         // behind M30
+    bool lacks_speed = true;        // no S was said, and no text of unknown meaning stood there
+    // What was said since the spindle was switched last; anew for each time that it is.
+    bool warned_of_spindle = false;
+    bool warned_of_rapid = false;
+    bool has_ended = false;  // behind M30
     SourceId ended_by;
 
     nc::Function operator[](nc::Group group) const {
@@ -80,8 +84,9 @@ struct ModalState {
         const nc::Function spindle = (*this)[nc::Group::Spindle];
         const bool is_on = spindle == nc::Function::SpindleCw ||
                            spindle == nc::Function::SpindleCcw || spindle == nc::Function::None;
-        return is_on && !(has_speed && speed == 0);
+        return is_on && !lacks_speed && !(has_speed && speed == 0);
     }
+    void switch_spindle(nc::Function member, SourceId source);
     /// Text of unknown meaning: nothing is known any more.
     void forget(SourceId source);
     /// Behind a `with` that set the first F: what held before it was none.

@@ -193,6 +193,8 @@ struct Expander::State {
     void name_places(nc::Block& block);
     void return_to_increments(nc::Block& block);
     void say_reference(nc::Block& block);
+    void go_over_place(SourceId source);
+    bool take_station(nc::Block& block, nc::Invocation& select, std::uint32_t at);
     bool take_offsets_as_edges(nc::Block& block, std::uint32_t at);
     bool take_edges_as_offsets(nc::Block& block, std::uint32_t at);
     bool take_core_offsets(nc::Block& block, std::uint32_t at);
@@ -209,6 +211,9 @@ struct Expander::State {
     /// A block of a source that has cycles, with all its words: a place, or the end of the mode.
     bool take_place(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
     bool take_levels(nc::Block& block, std::uint32_t at);
+    /// `Q2.` or `P100` beside a place: the stroke or the dwell from here on.
+    bool take_cycle_words(const nc::Block& block, const nc::Invocation& invocation,
+                          std::uint32_t at);
     bool say_cycle(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     bool take_distances(std::uint32_t said, std::uint32_t at);
     std::optional<double> initial_level(std::uint32_t at);
@@ -230,6 +235,11 @@ struct Expander::State {
     /// Whether the block may cut: a feed that belonged to another feed mode does not count.
     bool check_cut(const nc::Block& block, std::uint32_t at);
     void warn_of_cut(std::uint32_t at, bool needs_feed = true);
+    void warn_of_spindle(std::uint32_t at);
+    /// Whether a comment in the source silences the warning there: it is not said then.
+    bool is_allowed(const DiagnosticRow& row, std::uint32_t at) const {
+        return options.is_allowed && options.is_allowed(row, code.places[at]);
+    }
     bool is_cut_doubtful() const {
         return !modal.has_feed ||
                (options.warns_of_cuts && (modal.lacks_tool || !modal.is_spindle_turning()));
@@ -382,9 +392,7 @@ struct Expander::State {
     std::vector<OpenWith> promises;  // of `preserves`
     SaidCycle said_cycle;
     bool warned_of_feed = false;  // each is said once
-    bool warned_of_spindle = false;
     bool warned_of_diameter = false;
-    bool warned_of_rapid = false;
 
     /// A contour whose blocks are being kept.
     struct Recording {

@@ -233,6 +233,7 @@ void Expander::State::set_up(const CallUnderTest& call) {
     const auto deliver = [&](const Block& block) {
         modal.take_functions(block);
         modal.take_words(block);
+        if (options.trace) traces.emplace_back();  // no statement of the source makes it
     };
     double feed = option(3, kStartFeed / 60);
     double speed = option(4, kStartSpeed / 60);

@@ -52,7 +52,7 @@ void ModalState::forget(SourceId source) {
     const Function diameter = (*this)[Group::Diameter];
     active.fill(Function::None);
     has_feed = has_speed = has_tool = has_tool_in = has_length_offset = false;
-    lacks_tool = false;
+    lacks_tool = lacks_speed = false;
     lost_drift |= has_drift;
     restate_motion = false;
     has_ended = spindle_in_doubt = is_feed_lost = false;

@@ -1,6 +1,8 @@
 // blocks.cpp — NC blocks in the source: words become a plan with values to fill in.
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/sema.h"
@@ -76,6 +78,32 @@ bool Checker::has_point(const Word& word) const {
     return written.find_first_of(".eE", text(word.address).size()) != std::string_view::npos;
 }
 
+namespace {
+
+/// What a control reads, with its unit and without the noise of the factor: `0.0003 inch`.
+std::string read_as(double number, const nc::Hole* hole, bool is_inch) {
+    constexpr int kDigits = 12;  // a control has nine, and the factors are powers of ten
+    std::array<char, 40> text{};
+    // As 12345.678: a small number with an exponent would be no number of a control.
+    const int decimals = kDigits - 1 - static_cast<int>(std::floor(std::log10(std::abs(number))));
+    const auto written = std::to_chars(text.data(), text.data() + text.size(), number,
+                                       std::chars_format::fixed, std::clamp(decimals, 0, kDigits));
+    std::string out(text.data(), written.ptr);
+    if (out.find('.') != std::string::npos) {
+        out.erase(out.find_last_not_of('0') + 1);
+        if (out.ends_with('.')) out.pop_back();
+    }
+    if (hole == nullptr) return out;
+    switch (hole->dimension) {
+        case nc::Dimension::Length: return out + (is_inch ? " inch" : " mm");
+        case nc::Dimension::Angle: return out + " deg";
+        case nc::Dimension::Time: return out + " s";
+        default: return out;
+    }
+}
+
+}  // namespace
+
 bool Checker::check_points(const nc::BlockPlan& plan, std::span<const Word> words) {
     const nc::Dialect& dialect = *modules_[module_].dialect;
     bool is_good = true;
@@ -90,12 +118,12 @@ bool Checker::check_points(const nc::BlockPlan& plan, std::span<const Word> word
         const std::string_view address = text(word.address);
         const double one = nc::plain_number(dialect, address, units_ == Units::Inch).time;
         if (one == 1) continue;
-        std::string means;
-        append_shortest(means, word.number * one);
+        const auto hole = std::ranges::find(plan.holes, i, &nc::Hole::word);
         report(diag::SourceNoPoint, word.range)
             .arg(word_text(word))
             .arg(dialect.name())
-            .arg(means)
+            .arg(read_as(word.number * one, hole == plan.holes.end() ? nullptr : &*hole,
+                         units_ == Units::Inch))
             .fix(word.range, word_text(word) + '.', "write the point");
         is_good = false;
     }
@@ -160,6 +188,7 @@ std::uint32_t Checker::customs_of(const Plan& plan, std::span<const Word> words)
                 add(true, by_tool ? custom::kOffsetsByTool : custom::kEdges);
                 break;
             case Function::ReferenceReturn: add(true, custom::kReference); break;
+            case Function::ToolSelect: add((invocation.given & 2u) != 0, custom::kStation); break;
             default: break;
         }
     }
@@ -310,7 +339,7 @@ bool Checker::takes_diameter(const Value& value, const SourceRange& range, std::
     if (!is_diameter(value)) return true;
     report(diag::DiameterPlace, range)
         .arg(what)
-        .fix("half of it, the radius, is a length: `…/2`; the measure itself `1*…`");
+        .fix("half of it, the radius, is a length: `…/2`; the measure itself is `length(…)`");
     return false;
 }
 
@@ -333,7 +362,9 @@ Filling Checker::fill_computed(const Value& source, const Word& word, const nc::
     const TypeInfo info = type_info(value.type);
     const bool is_bare = !has_unit && (info.kind == Kind::Int ||
                                        (info.kind == Kind::Real && info.quantity.is_number()));
-    filling = fill_value(value, hole.dimension, word.range, what, reg);
+    // X takes it as it stands: the filling says that it goes across.
+    const Value measure = info.is_diameter ? retyped(value, types::kLengthType) : value;
+    filling = fill_value(measure, hole.dimension, word.range, what, reg);
     const double factor = is_bare ? hole.factor : 1.0;
     const double units =
         hole.dimension == nc::Dimension::Length && units_ == Units::Inch ? 25.4 : 1.0;
@@ -383,10 +414,9 @@ Filling Checker::fill_word(const Word& word, const nc::Hole& hole, Reg reg) {
         filling.form = Filling::Form::Count;
         const auto number = tool_number(*quoted);
         if (!number) {
-            report(diag::TypeMismatch, ast()[word.value].range)
-                .arg('`' + std::string(text(word.address)) + '`')
-                .arg("int")
-                .arg("string")
+            report(diag::ToolByName, ast()[word.value].range)
+                .arg(text(word.address))
+                .arg(*quoted)
                 .fix("give the number that the tool has on the machine: `T=3`");
         }
         emit_.emit_integer(Op::LoadI, reg, 0, number.value_or(0));

@@ -15,14 +15,14 @@ using syntax::ExprKind;
 
 namespace {
 
-constexpr std::array<std::string_view, 45> kNames = {
-    "abs",      "acos",    "asin",   "atan",         "atan2",         "attempt",  "begun_near",
-    "cbrt",     "ceil",    "cos",    "crossings",    "dialect",       "dialects", "diameter",
-    "distance", "execute", "exp",    "expect_error", "floor",         "follow",   "follow_start",
-    "hypot",    "image",   "inside", "int",          "intersections", "ln",       "log",
-    "log10",    "max",     "min",    "mod",          "nearest",       "offset",   "pow",
-    "real",     "reverse", "round",  "sign",         "sin",           "sqrt",     "table",
-    "tan",      "text",    "trunc",
+constexpr std::array<std::string_view, 46> kNames = {
+    "abs",      "acos",    "asin",    "atan",         "atan2",         "attempt",  "begun_near",
+    "cbrt",     "ceil",    "cos",     "crossings",    "dialect",       "dialects", "diameter",
+    "distance", "execute", "exp",     "expect_error", "floor",         "follow",   "follow_start",
+    "hypot",    "image",   "inside",  "int",          "intersections", "length",   "ln",
+    "log",      "log10",   "max",     "min",          "mod",           "nearest",  "offset",
+    "pow",      "real",    "reverse", "round",        "sign",          "sin",      "sqrt",
+    "table",    "tan",     "text",    "trunc",
 };
 
 }  // namespace
@@ -389,16 +389,22 @@ std::optional<Value> Checker::builtin(std::string_view name, const Expr& expr, R
         return error_value();
     }
     if (name == "distance") return distance_call(expr);
-    if (name == "diameter") return diameter_call(expr);
+    if (name == "diameter") return length_as(types::kDiameter, expr, name);
+    if (name == "length") return length_as(types::kLengthType, expr, name);
     return std::nullopt;
 }
 
-/// A length as a diameter: `diameter(2*r)`.
-Value Checker::diameter_call(const Expr& expr) {
-    if (!count_arguments(expr, "diameter", 1, 1)) return error_value();
+/// A length as a diameter: `diameter(2*r)`; a diameter as a length of the same measure:
+/// `length(d)`.
+Value Checker::length_as(Type type, const Expr& expr, std::string_view name) {
+    if (!count_arguments(expr, name, 1, 1)) return error_value();
     const ExprId item = ast().exprs(expr.list)[0];
-    const std::optional<Value> value = numeric_argument(item, "diameter");
-    return value ? convert(*value, types::kDiameter, ast()[item].range, "diameter") : error_value();
+    const std::optional<Value> value = numeric_argument(item, name);
+    if (!value) return error_value();
+    const bool is_length =
+        kind(value->type) == Kind::Real && type_info(value->type).quantity == kLength;
+    if (is_length) return retyped(*value, type);
+    return convert(*value, type, ast()[item].range, name);
 }
 
 /// Distance of two points in the coordinates that they have: both the same ones.

@@ -257,8 +257,9 @@ Value Checker::call_vocabulary(const nc::FunctionInfo& info, const Expr& expr) {
                 continue;
             }
             if (is_named) value = constant_number(0, types::kReal);
-            if (parameter.dimension == nc::Dimension::Length)
-                takes_diameter(value, range, parameter.name);
+            if (parameter.dimension == nc::Dimension::Length &&
+                !takes_diameter(value, range, parameter.name))
+                value = error_value();
             filling = fill_value(value, parameter.dimension, range, parameter.name, reg);
             emit_.release_to(inner);
         }

@@ -153,6 +153,11 @@ class Checker {
     Value require_given(const Value& value, const SourceRange& range, std::string_view name);
     bool is_plain_number(const Value& value) const;
     bool is_diameter(const Value& value) const;
+    bool match_diameters(Value& left, Value& right, const syntax::Expr& expr);
+    /// Whether a length stands where a diameter is needed, or a diameter where a length is:
+    /// reported.
+    bool mistakes_diameter(const Value& value, Type target, const SourceRange& range,
+                           std::string_view what);
     std::string quantity_name(Type type) const;
     static Value retyped(Value value, Type type);
     Value whole_number(const Value& value, Type target, const SourceRange& range,
@@ -275,7 +280,7 @@ class Checker {
     Value trigonometric(Op op, const syntax::Expr& expr, std::string_view name, Reg hint);
     Value distance_call(const syntax::Expr& expr);
     Value mod_call(const syntax::Expr& expr);
-    Value diameter_call(const syntax::Expr& expr);
+    Value length_as(Type type, const syntax::Expr& expr, std::string_view name);
     bool count_arguments(const syntax::Expr& expr, std::string_view name, std::size_t least,
                          std::size_t most);
     std::optional<Value> numeric_argument(syntax::ExprId argument, std::string_view name);
@@ -322,6 +327,8 @@ class Checker {
     bool is_optional_type(const syntax::Decl& decl) const {
         return decl.type.is_valid() && ast()[decl.type].is_optional;
     }
+    void warn_of_empty_body(const syntax::Stmt& stmt);  // empty_body.cpp
+    void warn_of_empty_range(const syntax::Expr& range);
     bool if_statement(const syntax::Stmt& stmt);
     bool switch_statement(const syntax::Stmt& stmt);
     bool is_own_local(syntax::ExprId id);
@@ -493,7 +500,8 @@ class Checker {
     std::vector<Unused> unused_;  // local variables
     bool is_startup_ = false;
     std::optional<nc::CycleId> current_native_;
-    Reg for_limit_ = kNoReg;  // register of the constant that ends a `for`
+    Reg for_limit_ = kNoReg;     // register of the constant that ends a `for`
+    std::string_view declared_;  // name of the variable whose value is being calculated
     bool last_unset_ = false;
     bool native_pending_ = false;  // the body's checks are still being emitted
     SourceRange ambiguous_;        // name that was told last

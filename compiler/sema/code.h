@@ -226,6 +226,7 @@ inline constexpr std::uint32_t kRepeats = 131072;     // `K5`: the cycle that is
 inline constexpr std::uint32_t kFrameDiameter =
     262144;                                          // X of a frame is a diameter where X is one
 inline constexpr std::uint32_t kFeedOfArc = 524288;  // F of a helix is meant along its arc
+inline constexpr std::uint32_t kStation = 1048576;   // `T0102` says an offset as well
 }  // namespace custom
 
 /// A block without its values: what the words say before the program runs.

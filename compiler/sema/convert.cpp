@@ -64,6 +64,7 @@ Value Checker::convert(const Value& source, Type target, const SourceRange& rang
         if (kind(target) == Kind::Int) return whole_number(value, target, range, what);
         if (types_.is_numeric(target)) return adapt_number(value, target);
     } else if (types_.is_numeric(value.type) && types_.is_numeric(target)) {
+        if (mistakes_diameter(value, target, range, what)) return error_value();
         if (const std::optional<Value> same = same_quantity(value, target)) return *same;
         report(diag::DimensionMismatch, range)
             .arg(subject(what))
@@ -83,6 +84,26 @@ Value Checker::convert(const Value& source, Type target, const SourceRange& rang
     }
     check_places(value.type, target, range, what);
     return error_value();
+}
+
+bool Checker::mistakes_diameter(const Value& value, Type target, const SourceRange& range,
+                                std::string_view what) {
+    const TypeInfo& from = type_info(value.type);
+    const TypeInfo& to = type_info(target);
+    const bool are_lengths = from.kind == Kind::Real && to.kind == Kind::Real &&
+                             from.quantity == kLength && to.quantity == kLength;
+    if (!are_lengths || from.is_diameter == to.is_diameter || value.is_constant()) return false;
+    const std::string text(sources_.text(range));
+    DiagnosticBuilder builder = report(diag::DiameterOrLength, range);
+    builder.arg(subject(what)).arg(type_name(target)).arg(type_name(value.type));
+    if (to.is_diameter) {
+        builder.fix("if it is a diameter, say so: `diameter(" + text + ")`")
+            .fix("if it is a radius: `diameter(2*" + text + ")`");
+    } else {
+        builder.fix("the radius is `" + text + "/2`")
+            .fix("where the place means the measure across: `length(" + text + ")`");
+    }
+    return true;
 }
 
 bool Checker::is_plain_number(const Value& value) const {

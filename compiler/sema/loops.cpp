@@ -1,4 +1,7 @@
 // loops.cpp — loops: the condition stands behind the body, so that a turn costs one jump.
+#include <charconv>
+#include <optional>
+
 #include "base/diagnostics/sema.h"
 #include "sema/checker.h"
 
@@ -227,6 +230,29 @@ bool Checker::is_plain_constant(ExprId id) {
     return globals_[found.name->index].symbol.storage == Symbol::Storage::Constant;
 }
 
+namespace {
+
+/// A whole number that stands in the source with its sign; of `1..n` nobody knows what n will be.
+std::optional<std::int64_t> written_number(std::string_view text) {
+    std::int64_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool is_whole = error == std::errc() && end == text.data() + text.size();
+    return is_whole ? std::optional(number) : std::nullopt;
+}
+
+}  // namespace
+
+/// `3..1` runs not at all: a range does not run backwards.
+void Checker::warn_of_empty_range(const Expr& range) {
+    const auto first = written_number(sources_.text(ast()[range.child[0]].range));
+    const auto last = written_number(sources_.text(ast()[range.child[1]].range));
+    if (!first || !last || *first <= *last) return;
+    report(diag::EmptyRange, range.range)
+        .arg(sources_.text(range.range))
+        .fix("downwards counts `for (int i = " + std::to_string(*first) +
+             "; i >= " + std::to_string(*last) + "; i--)`");
+}
+
 bool Checker::for_range(const Stmt& stmt, const Decl& decl) {
     // `for (int i : 1..6)`: both ends included.
     Symbol symbol;
@@ -244,6 +270,7 @@ bool Checker::for_range(const Stmt& stmt, const Decl& decl) {
     expression_in(range.child[0], types::kInt, hidden, "the start of the range");
     expression_in(range.child[1], types::kInt, static_cast<Reg>(hidden + 1),
                   "the end of the range");
+    warn_of_empty_range(range);
     symbol.reg = emit_.take(1);
     const Reg counter = symbol.reg;
     add_symbol(symbol);

@@ -323,6 +323,25 @@ Value Checker::vectors(Operator op, const Value& left, const Value& right, const
     return error_value();
 }
 
+/// A diameter beside a length: a constant is a diameter there; of a variable nobody knows.
+bool Checker::match_diameters(Value& left, Value& right, const Expr& expr) {
+    if (is_diameter(left) == is_diameter(right)) return true;
+    Value& other = is_diameter(left) ? right : left;
+    if (other.is_constant()) {
+        other = retyped(other, types::kDiameter);
+        return true;
+    }
+    const bool is_call = expr.kind == ExprKind::Call;
+    report(diag::MixedDimensions, expr.range)
+        .arg(is_call ? sources_.text(ast()[expr.child[0]].range) : spelling(expr.op))
+        .arg(quantity_name(left.type))
+        .arg(quantity_name(right.type))
+        .fix(
+            "`diameter(…)` makes a diameter of a length: of a radius, `diameter(2*r)`; "
+            "the radius of a diameter is `d/2`");
+    return false;
+}
+
 bool Checker::match_quantities(Value& left, Value& right, const Expr& expr) {
     const auto bare = [&](const Value& v) {
         return v.is_constant() && (kind(v.type) == Kind::Int || v.type == types::kReal);
@@ -352,7 +371,7 @@ bool Checker::match_quantities(Value& left, Value& right, const Expr& expr) {
     } else if (!is_family(left)) {
         const Quantity a = type_info(left.type).quantity;
         const Quantity b = type_info(right.type).quantity;
-        if (a == b) return true;
+        if (a == b) return match_diameters(left, right, expr);
         if (bare(right)) {
             right = adapt_number(right, left.type);
             return true;
@@ -504,20 +523,6 @@ Value Checker::arithmetic(Operator op, Value left, Value right, const Expr& expr
     if (is_sum) {
         if (!match_quantities(left, right, expr)) return error_value();
         if (is_family(left)) return families(op, left, right, expr, hint);
-        if (is_diameter(left) != is_diameter(right)) {
-            // A constant is a diameter here; of a variable nobody knows.
-            Value& other = is_diameter(left) ? right : left;
-            if (!other.is_constant()) {
-                report(diag::MixedDimensions, expr.range)
-                    .arg(spelling(op))
-                    .arg(quantity_name(left.type))
-                    .arg(quantity_name(right.type))
-                    .fix(
-                        "`diameter(…)` makes a diameter of a length: of a radius, `diameter(2*r)`");
-                return error_value();
-            }
-            other = retyped(other, types::kDiameter);
-        }
         left = to_real(left);
         right = to_real(right);
         return emit_reals(op, left, right, left.type == types::kInt ? types::kReal : left.type,

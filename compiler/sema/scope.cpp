@@ -206,6 +206,10 @@ void Checker::report_unknown(std::string_view name, const SourceRange& range) {
     if (report_unit(name, range) || report_foreign(name, range)) return;
     auto builder = report(diag::UnknownName, range);
     builder.arg(name);
+    if (name == declared_) {
+        builder.note(range, "it is used in its own value, before it has one");
+        return;
+    }
     if (const std::string word = upper_ascii(name); is_numbered_word(word)) {
         builder.fix(range, word, "words of blocks are written in upper case");
         return;

@@ -51,6 +51,7 @@ bool Checker::statement(StmtId id) {
     const Reg mark = emit_.mark();
     bool ends = true;
     bool keeps_registers = false;
+    warn_of_empty_body(stmt);
     switch (stmt.kind) {
         case StmtKind::Invalid:
         case StmtKind::Empty: break;
@@ -123,6 +124,7 @@ void Checker::variable(const Decl& decl) {
     }
     if (decl.type.is_valid() && ast()[decl.type].is_reference)
         report(diag::ReferencePlace, ast()[decl.type].range);
+    const std::string_view outer = std::exchange(declared_, text(decl.name));
     if (decl.is_const && !decl.value.is_valid())
         report(diag::ConstWithoutValue, decl.name_range).arg(symbol.name);
     if (decl.value.is_valid()) {
@@ -183,6 +185,7 @@ void Checker::variable(const Decl& decl) {
                            : k == Kind::Struct                  ? Givenness::Perhaps
                                                                 : Givenness::NotGiven;
     }
+    declared_ = outer;
     add_symbol(symbol);
 }
 

@@ -139,9 +139,10 @@ void Checker::frame_call(ExprId id) {
         }
         const SourceRange range = ast()[(*bound)[i]].range;
         const Reg mark = emit_.mark();
-        const Value value = expression((*bound)[i]);
-        if (info.parameters[i].dimension == nc::Dimension::Length)
-            takes_diameter(value, range, names[i]);
+        Value value = expression((*bound)[i]);
+        if (info.parameters[i].dimension == nc::Dimension::Length &&
+            !takes_diameter(value, range, names[i]))
+            value = error_value();
         const bool is_no =
             value.is_constant() && kind(value.type) == Kind::Bool && value.constant.integer == 0;
         if (is_no) emit_.emit_number(Op::LoadF, reg, 0, kNotGivenNumber);

@@ -110,7 +110,7 @@ struct Gap {
 /// Decides every gap in one pass from left to right.
 class Spacing {
   public:
-    explicit Spacing(std::span<const Piece> pieces) : pieces_(pieces) {}
+    explicit Spacing(std::span<const Piece> pieces) : pieces_(pieces) { find_tables(); }
     std::vector<Gap> run();
 
   private:
@@ -121,6 +121,7 @@ class Spacing {
         bool is_for = false;
     };
 
+    void find_tables();
     bool has_blank(std::size_t i);
     bool blank_behind_unary(std::size_t i) const;
     bool reads_as_unit(std::size_t slash) const;
@@ -133,6 +134,7 @@ class Spacing {
 
     std::span<const Piece> pieces_;
     std::vector<Open> open_;
+    std::vector<bool> is_table_ = std::vector<bool>(pieces_.size());  // `{` whose rows stay
     std::vector<bool> is_unary_ = std::vector<bool>(pieces_.size());
     std::vector<bool> is_type_ = std::vector<bool>(pieces_.size());     // part of a type
     std::vector<bool> is_choice_ = std::vector<bool>(pieces_.size());   // `?` or `:` of a choice
@@ -159,6 +161,22 @@ std::vector<Gap> Spacing::run() {
         }
     }
     return gaps;
+}
+
+/// The lists whose lines are their author's: those that are assigned, and those whose first row
+/// stands below the `{`. Any other list is filled as arguments are: broken inside of a call it
+/// would be read as rows the next time, and the call be laid out around them.
+void Spacing::find_tables() {
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        const Token here = token(i);
+        if (here == Token::OpenValue) {
+            const bool is_assigned = open.empty() && i > 0 && is_assignment(token(i - 1));
+            is_table_[i] = is_assigned || pieces_[i + 1].starts_line;
+        }
+        if (is_open(here)) open.push_back(i);
+        if ((is_close(here) || here == Token::CloseBrace) && !open.empty()) open.pop_back();
+    }
 }
 
 /// What the piece is, as far as its neighbours decide it.
@@ -277,6 +295,7 @@ bool Spacing::is_forced(std::size_t i) const {
     // The rows of a table stay as they are.
     if (open_.empty() || open_.back().token != Token::OpenValue) return false;
     const std::size_t open = open_.back().piece;
+    if (!is_table_[open]) return false;
     if (token(i) == Token::CloseBrace) return pieces_[open + 1].starts_line;
     return piece.starts_line && (i == open + 1 || token(i - 1) == Token::Comma);
 }
@@ -293,6 +312,7 @@ int Spacing::penalty(std::size_t i) const {
     if (is_generic_[i] || is_generic_[i - 1] || is_type_[i - 1] || is_unary_[i - 1]) return kNever;
     if (is_word_start(here) && i > 0 && !is_open(before) && before != Token::Slash) return kWord;
     if (is_choice_[i]) return kChoice;
+    if (is_assignment(before) && here == Token::OpenValue) return kNever;
     if (is_assignment(before) && (i < 2 || token(i - 2) != Token::Address)) return kAssignment;
     return operator_penalty(before);
 }

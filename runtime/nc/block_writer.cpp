@@ -46,6 +46,7 @@ constexpr bool is_quiet_group(Group group) {
 BlockWriter::BlockWriter(const Dialect& dialect, const WriteOptions& options, DiagnosticSink& sink)
     : dialect_(dialect), tables_(dialect.tables()), options_(options), sink_(sink) {
     counts_feed_along_arc_ = dialect.has_rule("helix_feed_along_arc");
+    scale_replaces_ = dialect.has_rule("scale_replaces");
     begin({});
     prepare_fast();
 }
@@ -68,7 +69,11 @@ void BlockWriter::begin(const ProgramInfo& program) {
         std::ranges::any_of(shifts, [&](FormId id) { return tables_.forms[id].remembers; });
     for (Standing& s : modal_.shift) s = {!is_kept, 0};
     modal_.origin = modal_.shift;
-    number_ = tables_.block_numbers.start;
+    const BlockNumbers& numbers = tables_.block_numbers;
+    const std::int64_t above =
+        numbers.step > 0 ? (program.greatest_number / numbers.step + 1) * numbers.step : 0;
+    number_ = program.greatest_number > 0 && above <= numbers.most ? std::max(numbers.start, above)
+                                                                   : numbers.start;
     has_ended_ = false;
 }
 
@@ -424,14 +429,7 @@ void BlockWriter::leave_cycle(const Block& block, std::string& out) {
     const FormId id = chosen_[static_cast<std::size_t>(cycle - block.functions.data())];
     if (id == kNoForm) return;
     const Form& form = tables_.forms[id];
-    bool says_feed = false;
-    for (const std::vector<FormWord>* words : {&form.lead, &form.words}) {
-        for (const FormWord& word : *words) {
-            if (word.kind != FormWord::Kind::Value) continue;
-            const int slot = tables_.addresses[word.address].slot;
-            says_feed |= slot == static_cast<int>(Slot::Feed);
-        }
-    }
+    const bool says_feed = has_feed_word(block, *cycle);
     Block back;
     back.source = block.source;
     back.skip = block.skip;
@@ -486,6 +484,12 @@ void BlockWriter::write_comment(const Block& block, std::string& out) {
 void BlockWriter::write_raw(const Block& block, std::string& out) {
     // The author's text stands under the dimensions that he has said, not under those that a block
     // before it needed.
+    if (modal_.feed_is_other && modal_.has_meant_feed) {
+        Block feed;
+        feed.source = block.source;
+        feed.set(Slot::Feed, modal_.meant_feed);
+        write_block(feed, out);
+    }
     Items items;
     const Function dimensions = modal_.meant_of(Group::Distance);
     if (dimensions != Function::None && modal_.text_of(Group::Distance) != dimensions &&
@@ -865,6 +869,8 @@ void BlockWriter::number_fault(const Block& block, NumberFault fault, double val
             sink_.report(diag::ValueTooLarge, word_place(block, name)).arg(value).arg(name);
             break;
         case NumberFault::Negative:
+            sink_.report(diag::ValueNegative, word_place(block, name)).arg(name).arg(value);
+            break;
         case NumberFault::Point:
         case NumberFault::NotReadBack:
             sink_.report(diag::ValueNotReadBack, word_place(block, name)).arg(value).arg(name);

@@ -157,8 +157,10 @@ class BlockWriter {
                              std::string& out);
     void follow_functions(const Block& block);
     void follow_function(const Block& block, const Invocation& invocation);
+    void follow_scale(const Block& block, const Invocation& invocation);
     void follow_shift(const Block& block, const Invocation& invocation);
     void turn_axes(std::size_t axis);
+    void change_length(const Block& block);
     void forget_motion();
     bool shares_address(const Form& form, const Block& block) const;
 
@@ -216,6 +218,7 @@ class BlockWriter {
 
     // Lines
     bool repeats_feed(const Block& block, const Targets& targets) const;
+    bool has_feed_word(const Block& block, const Invocation& cycle) const;
     void collect_slots(const Block& block, const Targets& targets, Items& items);
     void add_deferred(const Block& block, Items& items);
     void remove_said(const Deferred& deferred, Items& items) const;
@@ -291,6 +294,7 @@ class BlockWriter {
     std::array<FormId, kMaxInvocations> chosen_{};  // form of each function of the block
     std::uint32_t done_ = 0;                        // functions that need no word any more
     bool counts_feed_along_arc_ = false;            // F of a helix, in the text
+    bool scale_replaces_ = false;                   // a second scale ends the first
     bool feed_every_block_ = false;                 // F is not modal in this feed mode
     bool inverse_arc_by_radius_ = false;            // F of arcs is feed/radius in this feed mode
     double deferred_tool_ = 0;

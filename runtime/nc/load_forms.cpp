@@ -154,6 +154,9 @@ void FormLoader::read_form_attributes(const XmlElement& element, Form& form) {
     form.is_written &= !form.is_preset;
     attributes_.read_flag(element, "keeps_length", form.keeps_length);
     Attributes::read_text(element, "note", form.note);
+    if (const XmlAttribute* attribute = element.find("names")) {
+        for (const XmlWord& word : words_of(*attribute)) form.names.push_back(word.text);
+    }
     if (const XmlAttribute* attribute = element.find("lead")) {
         if (!parse_form_line(attribute->value, tables_.parameters(form), tables_,
                              attribute->value_range, form.lead, attributes_.sink())) {

@@ -80,7 +80,7 @@ const std::vector<XmlRule>& dialect_rules() {
          {"when",        "sets",     "needs",     "before",    "during",       "outside", "first",
           "lead",        "use",      "own_block", "remembers", "keeps_length", "implied", "drops",
           "preset",      "verbatim", "leaves",    "spindle",   "feed",         "note",    "only",
-          "unsupported", "joins",    "without",   "passed"},
+          "unsupported", "joins",    "without",   "passed",    "names"},
          {},
          Text},
         {"cycle",

@@ -230,7 +230,10 @@ class Matcher {
         const bool has_slot = is_value && tables_.addresses[first.address].slot >= 0;
         return std::ranges::all_of(form.during, [&](Function needed) {
             const bool is_cycle = needed == Function::Cycle;
-            if (is_cycle && words_of_ == WordsOf::Source) return false;
+            // Whether a cycle is active there, only the running program knows.
+            const bool is_place = words_of_ == WordsOf::Source && !has_slot && is_source_place();
+            if (is_cycle && words_of_ == WordsOf::Source) return is_place;
+            if (is_place && is_word_of_cycle(first)) return false;
             const bool calls_cycle = block_.find(Function::Cycle) != nullptr;
             if (is_cycle && calls_cycle) return true;
             const Group group = is_cycle ? Group::CycleMode : info(needed).group;
@@ -242,6 +245,21 @@ class Matcher {
             const bool is_said = group == Group::Motion && block_.motion != Function::None;
             const Function active = is_said ? block_.motion : active_of(group);
             return active == needed || (active == Function::None && !has_slot);
+        });
+    }
+
+    /// A block of a source without a motion, which may be a place of a cycle.
+    bool is_source_place() const {
+        return block_.motion == Function::None && block_.find(Function::Cycle) == nullptr &&
+               std::ranges::none_of(words_, [](const GivenWord& word) { return word.is_call; });
+    }
+
+    /// Whether a modal cycle has the word as well.
+    bool is_word_of_cycle(const FormWord& first) const {
+        if (first.address == kNoAddress) return false;
+        return std::ranges::any_of(tables_.addresses[first.address].forms, [&](const FormId id) {
+            const std::vector<Function>& during = tables_.forms[id].during;
+            return std::ranges::find(during, Function::Cycle) != during.end();
         });
     }
 

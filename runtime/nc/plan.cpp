@@ -16,6 +16,16 @@ namespace {
 void report_cycle(std::string_view name, const SourceRange& range, const DialectTables& tables,
                   CycleId cycle, DiagnosticSink& sink) {
     auto report = std::move(sink.report(diag::SourceCycle, range).arg(name));
+    const AddressId word = tables.find_address(name);
+    const bool is_call = word != kNoAddress && tables.addresses[word].kind == Address::Kind::Call;
+    if (is_call && tables.forms_of_cycle[cycle].empty()) {
+        // Its name would be that of what the interpreter runs, with levels and masks of this
+        // control.
+        report.fix(
+            "say it with the library's cycles, which every control understands: holes in a "
+            "row, a circle or a grid, pockets, slots, spigots, threads, turning");
+        return;
+    }
     const std::string advice =
         "call the library's `" + tables.cycles[cycle].name + "` at each place: ";
     if (tables.forms_of_cycle[cycle].empty())
@@ -296,6 +306,18 @@ class Planner {
 
     /// A code with a number like it means something else altogether: none is proposed.
     void report_code(const SourceWord& word) {
+        const std::string code = text_of(word);
+        const std::vector<CallForm>& calls = tables_.language.calls.calls;
+        const bool is_call = std::ranges::any_of(
+            calls, [&](const CallForm& call) { return !call.is_name && call.code == code; });
+        if (is_call) {
+            sink_.report(diag::SourceSubprogram, word.range)
+                .arg(code)
+                .fix(
+                    "make a cycle or a function of the subprogram, and call it by its name: "
+                    "`import` brings it in from another file");
+            return;
+        }
         sink_.report(diag::BlockWordCodeUnknown, word.range).arg(text_of(word)).arg(tables_.name);
     }
 
@@ -315,6 +337,25 @@ std::optional<BlockPlan> plan_block(const Dialect& dialect, std::span<const Sour
                                     DiagnosticSink& sink) {
     return Planner(dialect, words, sink).plan();
 }
+
+namespace {
+
+/// What the manual calls the arguments of a call; empty if the dialect does not say it.
+std::span<const std::string> argument_names(const DialectTables& tables, AddressId call) {
+    for (const FormId id : tables.addresses[call].forms) {
+        if (!tables.forms[id].names.empty()) return tables.forms[id].names;
+    }
+    return {};
+}
+
+/// `CYCLE84(RTP, RFP, …)`.
+std::string shown_call(std::string_view name, std::span<const std::string> arguments) {
+    std::string out(name);
+    for (std::size_t i = 0; i < arguments.size(); ++i) out += (i == 0 ? "(" : ", ") + arguments[i];
+    return out + ')';
+}
+
+}  // namespace
 
 std::optional<BlockPlan> plan_call(const Dialect& dialect, std::string_view name,
                                    const SourceRange& range,
@@ -348,8 +389,11 @@ std::optional<BlockPlan> plan_call(const Dialect& dialect, std::string_view name
         const bool is_written = fault->argument >= 0 && at < arguments.size() &&
                                 arguments[at].kind != SourceArgument::Kind::Empty;
         const SourceRange place = is_written ? arguments[at].range : range;
+        const std::span<const std::string> names = argument_names(tables, word.address);
         std::string what = is_written ? "argument " + std::to_string(at + 1) : std::string(name);
-        const std::string form = fault->form == kNoForm ? "" : shown(tables.forms[fault->form]);
+        if (is_written && at < names.size()) what = names[at];
+        std::string form = fault->form == kNoForm ? "" : shown(tables.forms[fault->form]);
+        if (!names.empty()) form = shown_call(name, names);
         sink.report(diag::BlockWordValueWrong, place).arg(what).arg(form);
         return std::nullopt;
     }

@@ -166,9 +166,10 @@ struct Form {
     bool keeps_length = false;       // the tool length acts in its block unless edge 0 is said
     std::string doc;
     std::string note;
-    std::string unsupported;  // what it is, if Kadr does not execute it
-    std::string passed;       // … and if it passes over it with a message
-    SourceRange range;        // in the file
+    std::vector<std::string> names;  // of a call's arguments, as the control's manual has them
+    std::string unsupported;         // what it is, if Kadr does not execute it
+    std::string passed;              // … and if it passes over it with a message
+    SourceRange range;               // in the file
 };
 
 /// The pattern of the form's own line: what has to stand in one block.

@@ -24,6 +24,7 @@ struct ProgramInfo {
     std::int64_t number = 1;
     std::string title;  // shown behind the name where the control has a place for it
     bool is_inch = false;
+    std::int64_t greatest_number = 0;  // that a block says itself; those that are counted lie above
 };
 
 class Writer {

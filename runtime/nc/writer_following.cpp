@@ -8,16 +8,16 @@ namespace kadr::nc {
 
 /// Modal functions act in their own block already.
 void BlockWriter::follow_functions(const Block& block) {
+    const Function feed_mode = modal_.meant_of(Group::FeedMode);
+    const Function speed_mode = modal_.meant_of(Group::SpeedMode);
     follow_modal(block, modal_.meant);
     for (std::size_t i = 0; i < block.function_count; ++i) {
         if ((done_ >> i & 1u) == 0 && chosen_[i] != kNoForm)
             note_written(tables_.forms[chosen_[i]]);
         const Function function = block.functions[i].function;
-        if (function == Function::FeedPerMinute || function == Function::FeedPerRevolution ||
-            function == Function::FeedInverseTime) {
-            modal_.has_meant_feed = false;
-        }
-        if (info(function).group == Group::SpeedMode) modal_.has_meant_speed = false;
+        const Group group = info(function).group;
+        if (group == Group::FeedMode && function != feed_mode) modal_.has_meant_feed = false;
+        if (group == Group::SpeedMode && function != speed_mode) modal_.has_meant_speed = false;
     }
     if (block.has(Slot::Speed)) {
         modal_.meant_speed = block.at(Slot::Speed);
@@ -67,11 +67,13 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
             break;
         case Function::Scale:
             modal_.scale = Activity::Yes;
+            follow_scale(block, invocation);
             modal_.turned = kTargetSlots;
             modal_.position.forget();
             break;
         case Function::ScaleOff:
             modal_.scale = Activity::No;
+            modal_.factors = {1, 1, 1};
             modal_.position.forget();
             break;
         case Function::Mirror:
@@ -120,7 +122,7 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
         case Function::ToolEdge:
             modal_.edge = {true, block.argument(invocation, 0)};
             modal_.waiting_edge = 0;
-            modal_.position.forget();
+            change_length(block);
             break;
         case Function::RadiusOffset:
             std::erase_if(pending_, [](const Pending& p) { return p.deferred->axis < 0; });
@@ -132,13 +134,13 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
             break;
         case Function::WorkOffset:
         case Function::WorkOffsetData:
-        case Function::ToolSelect:
-        case Function::LengthOffset: modal_.position.forget(); break;
+        case Function::ToolSelect: modal_.position.forget(); break;
+        case Function::LengthOffset: change_length(block); break;
         case Function::LengthCompOn:
         case Function::LengthCompOff:
             // Said by the program itself: nothing of the tool's own waits any longer.
             std::erase_if(pending_, [](const Pending& p) { return p.deferred->axis >= 0; });
-            modal_.position.forget();
+            change_length(block);
             break;
         case Function::Cycle:
         case Function::CycleOff: forget_motion(); break;
@@ -146,6 +148,17 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
         case Function::EndRewind: has_ended_ = true; break;
         default: break;  // the others move nothing and end nothing
     }
+}
+
+/// Another length along the tool: its axis is elsewhere in the program's coordinates, if the block
+/// does not say where it goes. The others stand where they stood, but are said again: some tools
+/// have lengths along them, too.
+void BlockWriter::change_length(const Block& block) {
+    if (modal_.meant_of(Group::Plane) != Function::PlaneXy) return modal_.position.forget();
+    constexpr auto kTool = static_cast<std::size_t>(Slot::Z);
+    const bool is_said = block.has(Slot::Z) && !is_distance(block, kTool);
+    if (!is_said) modal_.position.known &= ~bit(Slot::Z);
+    modal_.position.told |= modal_.position.known & ~(is_said ? bit(Slot::Z) : 0);
 }
 
 /// Which motion is modal behind a cycle or a tool change is the control's or its builder's choice,
@@ -157,6 +170,17 @@ void BlockWriter::turn_axes(std::size_t axis) {
     const SlotMask mask = bit(static_cast<Slot>(axis));
     modal_.turned |= mask;
     modal_.position.known &= ~mask;
+}
+
+/// Its factors are multiplied with those that act, where a second one does not replace the first.
+void BlockWriter::follow_scale(const Block& block, const Invocation& invocation) {
+    constexpr std::size_t kOfAll = 0;
+    constexpr std::size_t kFirstOfAxes = 4;  // behind the centre
+    for (std::size_t axis = 0; axis < modal_.factors.size(); ++axis) {
+        const double of_all = block.argument(invocation, kOfAll, 1);
+        const double factor = block.argument(invocation, kFirstOfAxes + axis, of_all);
+        modal_.factors[axis] = scale_replaces_ ? factor : modal_.factors[axis] * factor;
+    }
 }
 
 /// A shift replaces all of the programmable frame. Axes whose share in it does not change stay
@@ -172,6 +196,7 @@ void BlockWriter::follow_shift(const Block& block, const Invocation& invocation)
         origin = {true, shift};
     }
     modal_.rotation = modal_.mirror = modal_.scale = Activity::No;
+    modal_.factors = {1, 1, 1};
     modal_.turned = 0;
 }
 

@@ -53,7 +53,20 @@ bool BlockWriter::repeats_feed(const Block& block, const Targets& targets) const
         const double feed = modal_.meant_feed * targets.feed_factor;
         return feed_every_block_ || !is_standing(Slot::Feed, feed, modal_.feed);
     }
-    return modal_.feed_is_other && block.find(Function::Cycle) != nullptr;
+    const Invocation* cycle = block.find(Function::Cycle);
+    return modal_.feed_is_other && cycle != nullptr && !has_feed_word(block, *cycle);
+}
+
+/// Whether the cycle has its F in a word of its own: its pitch, mostly.
+bool BlockWriter::has_feed_word(const Block& block, const Invocation& cycle) const {
+    const FormId id = chosen_[static_cast<std::size_t>(&cycle - block.functions.data())];
+    if (id == kNoForm) return false;
+    const Form& form = tables_.forms[id];
+    const auto is_feed = [&](const FormWord& word) {
+        return word.kind == FormWord::Kind::Value &&
+               tables_.addresses[word.address].slot == static_cast<int>(Slot::Feed);
+    };
+    return std::ranges::any_of(form.words, is_feed) || std::ranges::any_of(form.lead, is_feed);
 }
 
 /// Words that a tool change left for the block that moves the tool axis, or says a function.
@@ -577,7 +590,7 @@ void BlockWriter::open_line(int skip, bool is_numbered, std::string& out) {
             n = number_;
             number_ += numbers.step;
         } else {
-            number_ = (n / numbers.step + 1) * numbers.step;
+            number_ = std::max(number_, (n / numbers.step + 1) * numbers.step);
         }
         if (number_ > numbers.most) number_ = numbers.start;
     }

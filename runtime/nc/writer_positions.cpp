@@ -488,8 +488,8 @@ void BlockWriter::place_helix_feed(const Block& block, const WrittenPosition& st
     if (!block.has(third)) return;
     const bool is_way = is_distance(block, axes[2]);
     if (!is_way && (start.known >> axes[2] & 1u) == 0) return position_unknown(block, "F");
-    const double height =
-        (block.at(third) - (is_way ? 0 : start.meant[axes[2]])) * on_part(axes[2]);
+    const double height = (block.at(third) - (is_way ? 0 : start.meant[axes[2]])) *
+                          on_part(axes[2]) * modal_.factors[axes[2]];
     if (std::fabs(height) < kSame) return;
     if (!is_chord_known(block, start)) return position_unknown(block, "F");
     PlanePoint from{};
@@ -504,7 +504,7 @@ void BlockWriter::place_helix_feed(const Block& block, const WrittenPosition& st
     const double sweep = sweep_angle(from, to, center, is_clockwise) + 2 * std::numbers::pi * turns;
     const double radius = std::hypot(from[0] - center[0], from[1] - center[1]) / 2 +
                           std::hypot(to[0] - center[0], to[1] - center[1]) / 2;
-    const double arc = radius * sweep;
+    const double arc = radius * sweep * std::fabs(modal_.factors[axes[0]]);
     if (arc < kSame) return;  // no arc: that has its message
     const double path = std::hypot(arc, height);
     targets.feed_factor = block.feed_along_arc ? path / arc : arc / path;

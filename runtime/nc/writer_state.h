@@ -53,9 +53,10 @@ struct WriterModal {
     Activity rotation = Activity::No;
     Activity mirror = Activity::No;
     Activity scale = Activity::No;
-    SlotMask turned = 0;               // axes on which a rotation or mirroring acts
-    std::array<Standing, 3> shift{};   // arguments of a function that remembers them
-    std::array<Standing, 3> origin{};  // programmable shift as the program means it, mm
+    std::array<double, 3> factors = {1, 1, 1};  // of the scale, X Y Z
+    SlotMask turned = 0;                        // axes on which a rotation or mirroring acts
+    std::array<Standing, 3> shift{};            // arguments of a function that remembers them
+    std::array<Standing, 3> origin{};           // programmable shift as the program means it, mm
 
     Function& text_of(Group group) { return text[static_cast<std::size_t>(group)]; }
     Function text_of(Group group) const { return text[static_cast<std::size_t>(group)]; }
@@ -82,6 +83,7 @@ struct WriterModal {
         if (rotation != other.rotation) rotation = Activity::Unknown;
         if (mirror != other.mirror) mirror = Activity::Unknown;
         if (scale != other.scale) scale = Activity::Unknown;
+        if (factors != other.factors) factors = {1, 1, 1};
         position.known &= other.position.known;
         for (std::size_t i = 0; i < kAxes; ++i) {
             const bool is_same = position.text[i] == other.position.text[i] &&
@@ -99,6 +101,7 @@ struct WriterModal {
         waiting_edge = 0;
         position.forget();
         rotation = mirror = scale = Activity::Unknown;
+        factors = {1, 1, 1};
         turned = kTargetSlots;
         for (Standing& s : shift) s.is_known = false;
         for (Standing& s : origin) s.is_known = false;

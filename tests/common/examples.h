@@ -1,6 +1,7 @@
 // examples.h — which examples of the table of diagnostics are programs.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace kadr::testing {
@@ -12,6 +13,19 @@ inline bool is_program(std::string_view example) {
                           example.find('{') == std::string_view::npos;
     return !is_table && !example.starts_with("kadr ") && !example.starts_with("(") &&
            example.find("…") == std::string_view::npos;
+}
+
+/// The remark in brackets behind a program, ` (for a FANUC)`; empty: there is none.
+inline std::string_view remark_of(std::string_view example) {
+    const std::size_t open = example.rfind(" (");
+    const bool is_behind = open != std::string_view::npos && open > 0 && example.ends_with(')') &&
+                           (example[open - 1] == ';' || example[open - 1] == '}');
+    return is_behind ? example.substr(open) : std::string_view();
+}
+
+/// The example without the remark.
+inline std::string text_of(std::string_view example) {
+    return std::string(example.substr(0, example.size() - remark_of(example).size()));
 }
 
 }  // namespace kadr::testing

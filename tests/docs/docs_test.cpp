@@ -152,6 +152,57 @@ TEST_F(Docs, TheNewcomersPathCanBeWalked) {
     EXPECT_TRUE(fs::exists("plate.jsonl"));
 }
 
+/// The command lines of the README, by a shell and in a tree with the examples. `part.mpf` is what
+/// the second of them writes.
+TEST_F(Docs, TheCommandsOfTheReadmeWork) {
+    fs::create_directories("build/release");
+    fs::create_symlink(KADR_BINARY, "build/release/kadr");
+    fs::create_symlink(KADR_ROOT "/examples", "examples");
+    int commands = 0;
+    for (const Fence& fence : fences("README.md")) {
+        std::istringstream in(fence.info == "sh" ? fence.text : "");
+        for (std::string line; std::getline(in, line);) {
+            if (!line.starts_with("build/release/kadr ")) continue;  // the scripts run these tests
+            ++commands;
+            // A hundred sets of values of a property are none of this test's matter.
+            if (line.find("kadr test ") != std::string::npos)
+                line = line.substr(0, line.find('#')) + "--runs 3";
+            const ProcessResult result = run_process({"/bin/sh", "-c", line});
+            EXPECT_EQ(result.status, 0) << line << '\n' << result.err;
+            EXPECT_EQ(result.err.find("error["), std::string::npos) << line << '\n' << result.err;
+            if (line.find("-d sinumerik -D") != std::string::npos) {
+                ASSERT_TRUE(kadr::write_file_whole("part.mpf", result.out));
+            }
+        }
+    }
+    EXPECT_GE(commands, 9);
+    EXPECT_TRUE(fs::exists("bracket.svg"));
+    EXPECT_TRUE(fs::exists("part.jsonl"));
+}
+
+/// Commands inside of the newcomer's text, not in lines of their own.
+TEST_F(Docs, CommandsNamedInTheNewcomersTextWork) {
+    const std::string page = kadr::read_file(KADR_ROOT "/docs/first-program.md").value_or("");
+    std::string plate;
+    for (const Fence& fence : fences("docs/first-program.md")) {
+        if (fence.info == "c") plate = fence.text;
+    }
+    ASSERT_TRUE(kadr::write_file_whole("plate.kadr", plate));
+    const ProcessResult text =
+        run_process({KADR_BINARY, "expand", "plate.kadr", "-d", "sinumerik"});
+    ASSERT_TRUE(kadr::write_file_whole("old.mpf", text.out));
+    const std::regex command("`(kadr [a-z]+ [^`]+)`");
+    int commands = 0;
+    for (std::sregex_iterator at(page.begin(), page.end(), command), end; at != end; ++at) {
+        ++commands;
+        std::vector<std::string> words = words_of((*at)[1]);
+        words[0] = KADR_BINARY;
+        const ProcessResult result = run_process(words);
+        EXPECT_EQ(result.status, 0) << (*at)[1] << '\n' << result.err;
+    }
+    EXPECT_GE(commands, 1);
+}
+
 /// A piece of the page with a file behind its kind, `xml zarya.xml`: the file; with `add` behind
 /// it, a piece that is put in at the end of the dialect that the file has.
 void write_piece(const Fence& fence) {

@@ -177,6 +177,7 @@ TEST_F(CommandLine, CutsWithoutFeedOrSpindleAreWarnedOf) {
           Row{"speed", "S0 M3; F100; G0 X0; G1 X1;", "warning[K5213]"},
           Row{"tool change", "S500 M3; F100; tool(2); G0 X0; G1 X1;", "warning[K5213]"},
           Row{"turret", "G18; S500 M3; F100; tool(2); G0 X0; G1 X1;", ""},
+          Row{"no speed", "tool(2); M3; F100; G0 X0; G1 X1; X2;", "warning[K5217]"},
           Row{"a speed behind the start", "tool(2); M3; S100; F100; G0 X0; G1 X1;", ""},
           Row{"a probe",
               "work_offset(1); tool(2); G0 X0 Y0; G0 Z50; probe_edge(z_minus, at: -3mm, ball_d: "
@@ -212,6 +213,9 @@ TEST_F(CommandLine, AStandingSpindleIsWarnedOfAnewEachTimeThatItWasStopped) {
           Row{"allowed",
               "G0 X0 F100 S100;\nM5;\nG1 X1; // kadr: allow K5213\nM3;\nG1 X2;\nM5;\nG1 X3;",
               {8}},
+          Row{"allowed at its line alone",
+              "G0 X0 F100 S100;\nM5;\nG1 X1; // kadr: allow K5213\nG1 X2;\nG1 X3;",
+              {5}},
           Row{"tool change",
               "G0 X0 F100 S100;\nG1 X1; // kadr: allow K5213\ntool(3);\nG1 X2;\nM3;\nG1 X3;",
               {5}},
@@ -230,6 +234,16 @@ TEST_F(CommandLine, AStandingSpindleIsWarnedOfAnewEachTimeThatItWasStopped) {
         }
         EXPECT_EQ(lines, row.lines) << result.err;
     }
+}
+
+TEST_F(CommandLine, CountedNumbersLieAboveThoseOfTheSource) {
+    save("own.kadr",
+         "dialect sinumerik;\nprogram p() { G0 X1; N10 G0 X2; X3; N25 X4; N7 X5; M30; }\n");
+    const ProcessResult result = kadr({"expand", file("own.kadr"), "-d", "sinumerik"});
+    EXPECT_EQ(result.err, "");
+    EXPECT_NE(result.out.find("N40 G0 X1\nN10 X2\nN50 X3\nN25 X4\nN7 X5\nN60 M30\n"),
+              std::string::npos)
+        << result.out;
 }
 
 TEST_F(CommandLine, AHeaderTellsControlsOfOneSuffixApart) {

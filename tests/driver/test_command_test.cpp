@@ -367,6 +367,17 @@ TEST_F(TestCommand, EveryMessageIsShownByItsExamples) {
     }
 }
 
+TEST_F(TestCommand, WhatAControlCannotWriteIsToldWithItsCalls) {
+    // The writer's error in the first block behind those that the test sets up.
+    const Outcome outcome =
+        run("import cycles.drilling;\n"
+            "test \"t\" { auto run = execute(tap(to: -10mm, pitch: 1mm, back: 600rpm), dialect: "
+            "\"fanuc\"); }");
+    EXPECT_EQ(outcome.status, Status::Failed);
+    EXPECT_TRUE(outcome.has("fanuc cannot express the cycle `tap` with this `back`"))
+        << outcome.messages;
+}
+
 TEST_F(TestCommand, FilterChoosesAndNothingChosenIsAMistake) {
     const std::string text = "test \"one\" { expect(true); } test \"two\" { expect(1 == 2); }";
     driver::TestJob job;
@@ -375,8 +386,11 @@ TEST_F(TestCommand, FilterChoosesAndNothingChosenIsAMistake) {
     job.filter = "three";
     const Outcome none = run(text, {}, job);
     EXPECT_EQ(none.status, Status::Failed);
-    EXPECT_TRUE(none.has("K7105")) << none.messages;
-    EXPECT_TRUE(run("cycle f() { G0 X1; }").has("K7105"));
+    EXPECT_TRUE(none.has("there are no tests: no name contains `three`")) << none.messages;
+    const Outcome empty = run("cycle f() { G0 X1; }");
+    EXPECT_EQ(empty.status, Status::Failed);
+    EXPECT_TRUE(empty.has("[K7105]: there are no tests\n")) << empty.messages;
+    EXPECT_EQ(empty.lines, "");
 }
 
 // ---------------------------------------------------------------- properties

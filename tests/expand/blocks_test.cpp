@@ -30,7 +30,7 @@ TEST(Blocks, Loops) {
         {"int n = 2; for (int i = 0; i < n; i++) { X=i; if (i == 0) n = 3; }", "X0\nX1\nX2"},
         {"for (length x = 0mm; x < 5mm; x += 2mm) X=x;", "X0\nX2\nX4"},
         {"for (int i : 1..3) X=i;", "X1\nX2\nX3"},
-        {"for (int i : 3..1) X=i;", ""},
+        {"int n = 3; for (int i : n..1) X=i;", ""},
         {"int i = 0; while (i < 2) { X=i; i++; }", "X0\nX1"},
         {"int i = 5; do { X=i; i++; } while (i < 2);", "X5"},
         {"int i = 0; while (true) { i++; if (i == 2) continue; if (i > 3) break; X=i; }", "X1\nX3"},

@@ -56,6 +56,24 @@ TEST(SourceCycles, LevelsThatAPlaceChangesStay) {
               "rapid X10\ncycle#0(0=-5, 1=2, 2=50, 3=0)\ncycle#0(0=-6, 1=2, 2=50, 3=0)");
 }
 
+TEST(SourceCycles, StrokeAndDwellThatAPlaceChangesStay) {
+    EXPECT_EQ(blocks(fanuc("G83 X10. Z-12. R2. Q4.; X20. Q2.; X30.; G80;"), "fanuc"),
+              "rapid X10\ncycle#1(0=-12, 1=4, 2=2, 3=50, 4=0)\nrapid X20\n"
+              "cycle#1(0=-12, 1=2, 2=2, 3=50, 4=0)\nrapid X30\n"
+              "cycle#1(0=-12, 1=2, 2=2, 3=50, 4=0)");
+    EXPECT_EQ(blocks(fanuc("G82 X10. Z-5. R2. P500; X20. P100; G80;"), "fanuc"),
+              "rapid X10\ncycle#0(0=-5, 1=2, 2=50, 3=0.5)\nrapid X20\n"
+              "cycle#0(0=-5, 1=2, 2=50, 3=0.1)");
+    // Q waits for a cycle that has one.
+    EXPECT_EQ(blocks(fanuc("G81 X10. Z-5. R2.; X20. Q2.; G83 X30.; G80;"), "fanuc"),
+              "rapid X10\ncycle#0(0=-5, 1=2, 2=50, 3=0)\nrapid X20\n"
+              "cycle#0(0=-5, 1=2, 2=50, 3=0)\nrapid X30\n"
+              "cycle#1(0=-5, 1=2, 2=2, 3=50, 4=0)");
+    const std::string source = fanuc("X10. Q2.;");
+    EXPECT_EQ(run(source, options_of(source, "fanuc")).all_messages(),
+              "6:1 K4131 `Q` beside a place changes the modal cycle, and none is active");
+}
+
 TEST(SourceCycles, TapsWithAllThatTheControlSays) {
     const std::string angle = sinumerik("CYCLE84(50, 0, 2, -15,,, 3,, 1.5, 90, 300,);");
     EXPECT_EQ(run(angle, options_of(angle, "fanuc")).all_messages().substr(0, 22),

@@ -300,7 +300,7 @@ TEST(Writer, NumbersOfTheProgramStayWithTheirBlocks) {
     }
     EXPECT_EQ(text,
               "%_N_PART_MPF\nN10 G17 G71 G40 G64 G90 G94\nN20 G0 X1\nN100 X2\nN110 X3\n"
-              "N105 TRANS X1\nN110 X4\n");
+              "N105 TRANS X1\nN120 X4\n");
 }
 
 TEST(Writer, WhatAnOperatorMaySkipIsNotKnown) {
@@ -342,6 +342,13 @@ TEST(Writer, FeedOfAHelixByItsArc) {
     // Where the way does not differ from the arc by an increment of F, nothing is said.
     expect_text("fanuc", {{"F100\nG0 X0 Y0 Z0\nG3 X0 Y0 I5 J0 Z-0.01\nG1 Z0",
                            "F100.\nX0. Y0. Z0.\nG03 X0. Y0. Z-0.01 I5. J0.\nG01 Z0.\n"}});
+    // The mode said again, unequal factors, text of the author's own behind it.
+    expect_text("fanuc", {{"F100\nG0 X0 Y0 Z0\nG94\nG3 X0 Y0 I5 J0 Z-20\nraw G01 X5.",
+                           "F100.\nX0. Y0. Z0.\nG03 X0. Y0. Z-20. I5. J0. F84.356\nF100.\n"
+                           "G01 X5.\n"},
+                          {"F100\nscale(fx: 2, fy: 2, fz: 0.5)\nG0 X0 Y0 Z0\nG3 X0 Y0 I5 J0 Z-20",
+                           "F100.\nG51 X0. Y0. Z0. I2000 J2000 K500\nX0. Y0. Z0.\n"
+                           "G03 X0. Y0. Z-20. I5. J0. F98.757\n"}});
     expect_text("sinumerik", {{"F100\nG0 X0 Y0 Z0\nG3 X0 Y0 I5 J0 Z-20\nG1 Z0",
                                "F100\nG0 X0 Y0 Z0\nG3 X0 Y0 Z-20 I5 J0\nG1 Z0\n"}});
 }
@@ -495,6 +502,8 @@ TEST(Writer, Comments) {
     expect_text("fanuc", {
                              {"// bracket 120 x 80 (rough)", "(BRACKET 120 X 80 [ROUGH])\n"},
                              {"// фланец Ø80, чистовая", "(FLANETS O80, CHISTOVAIA)\n"},
+                             {"// część ±0.1, Zażółć gęślą jaźń, Çà ñ Œ Ω",
+                              "(CZESC +-0.1, ZAZOLC GESLA JAZN, CA N OE OHM)\n"},
                          });
     expect_text("sinumerik", {{"// фланец (чистовая)", "; фланец (чистовая)\n"}});
     Block block = testing::source_block(shipped("iso"), "G0 X1");
@@ -560,7 +569,7 @@ TEST(Writer, WhatCannotBeSaidIsAnError) {
              {"fanuc-lathe", "G91\nG53 X5", "K4201"},
              {"fanuc", "mirror()", "K4201"},  // no axis
              {"sinumerik", "reference_point()", "K4201"},
-             {"fanuc", "scale(factor: -2)", "K4206"},  // P takes no sign
+             {"fanuc", "scale(factor: -2)", "K4218"},  // P takes no sign
              {"sinumerik", "scale(factor: -2)", ""},
              {"sinumerik", "G43 H3", "K4201"},
              {"sinumerik", "message(\"say \"hi\"\")", ""},  // with apostrophes

@@ -126,6 +126,60 @@ TEST_F(TerminalTest, CompletionAndSeveralLines) {
     terminal.expect("X5\r\nX6\r\n");
 }
 
+TEST_F(TerminalTest, AHeadWaitsAndWhatWasTypedBecomesAProgram) {
+    const std::string file = (state_ / "typed.kadr").string();
+    {
+        Terminal terminal(state_);
+        terminal.expect("kadr> ");
+        terminal.type("for (int i : 7..8)\n");
+        terminal.expect("... ");
+        terminal.type("G0 X=i;\n");
+        terminal.expect("X7\r\nX8\r\n");
+        terminal.expect("kadr> ");
+        terminal.type("G0 Y=nothing\n");  // a mistake ends nothing, and is not kept
+        terminal.expect("error[K2001]");
+        terminal.expect("kadr> ");
+        terminal.type("import cycles.drilling\n");
+        terminal.expect("kadr> ");
+        terminal.type("bore_st\t");
+        terminal.expect("op");
+        terminal.type("\x03");
+        terminal.expect("kadr> ");
+        terminal.type(":save " + file + "\n");
+        terminal.expect("typed.kadr");
+        terminal.expect("kadr> ");
+        terminal.type("\x04");
+        EXPECT_EQ(terminal.status(), 0);
+    }
+    const auto run = run_process({KADR_BINARY, "expand", file, "-d", "iso"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(run.out.find("X7\nX8\n"), std::string::npos) << run.out;
+}
+
+TEST_F(TerminalTest, StepsFromBlockToBlock) {
+    Terminal terminal(state_);
+    terminal.expect("kadr> ");
+    terminal.type(":step\n");
+    terminal.expect("block by block");
+    terminal.type("{ G0 X3 Y4; G0 X5; }\n");
+    // Each line with what it does; Enter for the next one, q ends it.
+    terminal.expect("G17");
+    terminal.expect("q end");
+    terminal.type("\n");
+    for (const char* done : {"rapid to X3.000 Y4.000", "rapid to X5.000"}) {
+        terminal.expect(done);
+        terminal.expect("q end");
+        terminal.type("\n");
+    }
+    terminal.expect("kadr> ");
+    terminal.type("{ G0 X6; G0 X7; }\n");
+    terminal.expect("rapid to X6.000");
+    terminal.expect("q end");
+    terminal.type("q\n");
+    const std::string rest = terminal.expect("kadr> ");
+    EXPECT_EQ(rest.find("rapid to X7"), std::string::npos) << rest;
+}
+
 TEST_F(TerminalTest, CtrlCEndsALineAndALoop) {
     Terminal terminal(state_);
     terminal.expect("kadr> ");

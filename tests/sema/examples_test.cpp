@@ -35,6 +35,13 @@ Outcome without_unused(Outcome outcome, const DiagnosticRow& row) {
     return outcome;
 }
 
+/// `dialect fanuc;` in front.
+std::string dialect_of(std::string_view example) {
+    const std::string_view head = "dialect ";
+    if (!example.starts_with(head)) return "iso";
+    return std::string(example.substr(head.size(), example.find(';') - head.size()));
+}
+
 bool has_code(const Outcome& outcome, std::string_view code) {
     return std::any_of(outcome.messages.begin(), outcome.messages.end(),
                        [&](const std::string& message) { return message.ends_with(code); });
@@ -50,13 +57,14 @@ TEST(Examples, WrongOnesCauseTheMessageAndRightOnesNone) {
             row == &diag::FeedNeverSet || row == &diag::FeedNotSet || row == &diag::DiameterNotSaid;
         if (row == &diag::FeedNotSet || row == &diag::CuttingSpeedNotSet)
             options.target = "sinumerik";
-        const Outcome wrong = without_unused(run(std::string(row->wrong), options), *row);
+        options.source = dialect_of(row->right);
+        const Outcome wrong = without_unused(run(text_of(row->wrong), options), *row);
         EXPECT_TRUE(has_code(wrong, row->code))
             << row->wrong << "\ngives: " << wrong.all_messages();
         // One mistake, one message.
         EXPECT_EQ(wrong.messages.size(), 1u) << row->wrong << "\ngives: " << wrong.all_messages();
         if (!is_program(row->right)) continue;
-        const Outcome right = without_unused(run(std::string(row->right), options), *row);
+        const Outcome right = without_unused(run(text_of(row->right), options), *row);
         EXPECT_EQ(right.all_messages(), "") << row->right;
     }
 }

@@ -37,9 +37,32 @@ TEST(Mistakes, Names) {
          "1:21 K2005 `n` hides a variable of the same name\n1:12 K2014 the parameter `n` is never "
          "used"},
     });
+    const Checked own = check_program("program p() { length k2 = k2; X=k2; }");
+    EXPECT_TRUE(own.messages->all().at(0).fixes.empty());
+    EXPECT_EQ(own.messages->all().at(0).notes.at(0).text,
+              "it is used in its own value, before it has one");
     // The nearest name is proposed.
     const Checked checked = check_program("program p() { length radius = 5mm; X=radios; }");
     EXPECT_EQ(checked.messages->all().at(0).fixes.at(0).replacement, "radius");
+}
+
+TEST(Mistakes, HeadsAroundNothing) {
+    expect_rows({
+        {"program p(bool b = true) { if (b); G0 X1; }",
+         "1:34 K2503 this `if` does nothing: its body is the `;`"},
+        {"program p(bool b = true) { if (b) X1; else; G0 X1; }",
+         "1:43 K2503 this `else` does nothing: its body is the `;`"},
+        {"program p(bool b = true) { while (b); G0 X1; }",
+         "1:37 K2503 this `while` does nothing: its body is the `;`"},
+        {"program p() { for (int i = 0; i < 3; i++); G0 X1; }",
+         "1:42 K2503 this `for` does nothing: its body is the `;`"},
+        {"program p() { for (int i : 1..3); G0 X1; }",
+         "1:33 K2503 this `for` does nothing: its body is the `;`"},
+        {"program p() { while (sin(30deg) > 1); G0 X1; }",
+         "1:37 K2503 this `while` does nothing: its body is the `;`"},
+        {"bool more() { X1; return false; }\nprogram p() { while (more()); if (more()) {} }", ""},
+        {"bool more() { X1; return false; }\nprogram p() { for (; more(););  ; }", ""},
+    });
 }
 
 TEST(Mistakes, NamesThatAreSomethingElse) {
@@ -89,6 +112,20 @@ TEST(Mistakes, DiametersAndLengths) {
          "1:34 K2131 `x` takes a length, and this is a diameter"},
         {"program p(diameter d) { with shift(z: d) { G0 X1; } }",
          "1:39 K2131 `z` takes a length, and this is a diameter"},
+        {"program p(diameter d) { length l = d; G0 X=l; }",
+         "1:36 K2132 `l` must be length, and this is a diameter"},
+        {"program p(length r) { diameter d = r; G0 X=d; }",
+         "1:36 K2132 `d` must be diameter, and this is a length"},
+        {"void f(diameter d) { X=d; }\nprogram p(length r) { f(r); f(20mm); f(d: diameter(r)); }",
+         "2:25 K2132 `d` must be diameter, and this is a length"},
+        {"void f(length? l) { X=l ?? 1mm; }\nprogram p(diameter d) { f(d); f(d/2); f(length(d)); }",
+         "2:27 K2132 `l` must be length, and this is a diameter"},
+        {"program p(length r, diameter d) { diameter[] a = {r, d}; X=a[0]; }",
+         "1:51 K2132 the element must be diameter, and this is a length"},
+        {"program p(length r, diameter d) { if (d > r) X1; if (d > 5mm) X2; }",
+         "1:39 K2103 `>` between diameter and length"},
+        {"program p(length r, diameter d) { X=min(d, r); X=max(d, 5mm); }",
+         "1:37 K2103 `min` between diameter and length"},
         {"program p(diameter d) { time t = d; dwell(t); }",
          "1:34 K2102 `t` must be time, not diameter"},
     });

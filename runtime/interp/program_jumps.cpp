@@ -1,0 +1,293 @@
+// Where a control program goes on: jumps, sections that are repeated, structures.
+#include <array>
+#include <cmath>
+
+#include "base/diagnostics/control.h"
+#include "interp/program_state.h"
+#include "nc/control_words.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::ControlStatement;
+using nc::JumpTarget;
+using nc::Span;
+using nc::Statement;
+
+namespace {
+
+constexpr double kMostPasses = 9999;  // of a section that is repeated; S 8.7
+
+}  // namespace
+
+/// False: `done` says why.
+bool Program::State::resolve(CompiledLine& line, const JumpTarget& target, LineTarget& out,
+                             Done& done) {
+    done = Done::Nothing;
+    out = {target.label, target.number};
+    if (target.kind == JumpTarget::Kind::Number) out.label.clear();
+    if (target.kind != JumpTarget::Kind::Computed) return true;
+    Value value;
+    done = evaluate(line, target.value, value);
+    if (done == Done::Wait || lines.failed()) return false;
+    if (value.is_text()) {
+        const nc::ControlWords words(tables, line.text);
+        out.label = words.normal(evaluator.text(value));
+        out.number = words.block_number(out.label);
+        if (out.number >= 0) out.label.clear();
+        return true;
+    }
+    const double number = value.number;
+    if (number != std::floor(number) || number < 1 ||
+        number > static_cast<double>(tables.block_numbers.most)) {
+        done = fail(line, diag::JumpTargetInvalid, target.span, {evaluator.written(value)});
+        return false;
+    }
+    out.label.clear();
+    out.number = static_cast<std::int64_t>(number);
+    return true;
+}
+
+Program::State::Done Program::State::jump(CompiledLine& line, const ControlStatement& statement) {
+    LineTarget target;
+    Done done = Done::Nothing;
+    if (!resolve(line, statement.target, target, done)) return done;
+    const Direction direction = statement.kind == Statement::JumpForward    ? Direction::Forward
+                                : statement.kind == Statement::JumpBackward ? Direction::Backward
+                                                                            : Direction::Both;
+    Place found;
+    const ProgramMap::Fault fault = map().find(target, direction, line.place, found);
+    if (fault == ProgramMap::Fault::Missing && statement.kind == Statement::JumpIfThere)
+        return Done::Nothing;
+    if (fault != ProgramMap::Fault::None) {
+        const std::string what =
+            target.label.empty() ? "N" + std::to_string(target.number) : target.label;
+        return fail(line, fault, diag::JumpTargetMissing, statement.target.span, '`' + what + '`');
+    }
+    return go(line, found, statement.span);
+}
+
+Program::State::Done Program::State::go(CompiledLine& line, const Place& target, const Span& span) {
+    const std::uint64_t to = target.line.offset;
+    leave_open(target.line);
+    frame->goes_on = target.line;
+    if (to <= line.place.line.offset && ++turns > options.max_turns)
+        return fail(line, diag::EndlessLoop, span, {std::to_string(options.max_turns)});
+    return Done::Nothing;
+}
+
+/// A jump leaves structures and sections that the target does not stand in.
+void Program::State::leave_open(const LinePosition& target) {
+    const std::uint64_t to = target.offset;
+    while (!frame->structures.empty() && (to <= frame->structures.back().head.line.offset ||
+                                          to > frame->structures.back().end.line.offset))
+        frame->structures.pop_back();
+    // A section that is repeated is left for good by a jump out of it.
+    while (!frame->repeats.empty() &&
+           (to < frame->repeats.back().begin.offset || to >= frame->repeats.back().end.offset))
+        frame->repeats.pop_back();
+}
+
+Program::State::Done Program::State::choose(CompiledLine& line, const ControlStatement& statement,
+                                            Block& out) {
+    bool is_true = false;
+    const Done done = truth(line, statement.value, is_true);
+    if (done == Done::Wait || lines.failed() || !is_true) return done;
+    return execute(line, statement.inner[0], out);
+}
+
+Program::State::Done Program::State::choose_case(CompiledLine& line,
+                                                 const ControlStatement& statement) {
+    Value value;
+    Done done = evaluate(line, statement.value, value);
+    if (done == Done::Wait || lines.failed()) return done;
+    for (std::size_t i = 0; i < statement.inner.size(); ++i) {
+        if (i < statement.list.size()) {
+            Value wanted;
+            done = evaluate(line, statement.list[i], wanted);
+            if (done == Done::Wait || lines.failed()) return done;
+            if (wanted.number != value.number) continue;
+        }
+        return jump(line, statement.inner[i]);
+    }
+    return Done::Nothing;
+}
+
+// ------------------------------------------------------------------------------ structures
+
+Program::State::Done Program::State::enter(CompiledLine& line, const ControlStatement& statement) {
+    const bool is_known = !frame->structures.empty() &&
+                          frame->structures.back().head.line == line.place.line &&
+                          statement.kind == Statement::While;
+    bool is_true = true;
+    if (statement.kind == Statement::If || statement.kind == Statement::While) {
+        const Done done = truth(line, statement.value, is_true);
+        if (done == Done::Wait || lines.failed()) return done;
+    }
+    if (!is_known) {
+        nc::LineFront front;
+        front.statement = statement.kind;
+        front.loop = statement.loop;
+        const Structure* found = nullptr;
+        const auto fault = map().find_end(line.place, front, found);
+        if (fault != ProgramMap::Fault::None) {
+            return fail(line, fault, diag::StructureEndMissing, statement.span,
+                        std::to_string(statement.loop));
+        }
+        if (static_cast<int>(frame->structures.size()) >= language.rules.most_levels) {
+            return fail(line, diag::StructuresTooDeep, statement.span,
+                        {std::to_string(language.rules.most_levels)});
+        }
+        frame->structures.push_back(
+            {statement.kind, statement.loop, line.place, found->end, found->otherwise, 0, nullptr});
+        if (statement.kind == Statement::For)
+            frame->structures.back().counts = std::make_unique<nc::ControlLine>(line.line);
+    }
+    OpenStructure& open = frame->structures.back();
+    if (statement.kind == Statement::For) {
+        Value first;
+        Value last;
+        Done done = evaluate(line, statement.value, first);
+        if (done != Done::Wait && !lines.failed()) done = evaluate(line, statement.second, last);
+        if (done != Done::Wait && !lines.failed()) {
+            first.number = std::round(first.number);
+            done = store(line, statement.variable, first);
+        }
+        if (done == Done::Wait) frame->structures.pop_back();
+        if (done == Done::Wait || lines.failed()) return done;
+        open.last = last.number;
+        is_true = first.number <= last.number;
+    }
+    if (is_true) return Done::Nothing;
+    if (statement.kind == Statement::If && open.otherwise) {
+        frame->goes_on = open.otherwise->next;
+        return Done::Nothing;
+    }
+    frame->goes_on = open.end.next;
+    frame->structures.pop_back();
+    return Done::Nothing;
+}
+
+/// The end of a structure, or of one pass.
+Program::State::Done Program::State::leave(CompiledLine& line, const ControlStatement& statement) {
+    const auto is_own = [&](const OpenStructure& open) { return open.end.line == line.place.line; };
+    while (!frame->structures.empty() && !is_own(frame->structures.back()))
+        frame->structures.pop_back();
+    if (frame->structures.empty()) return fail(line, diag::StructureBeginMissing, statement.span);
+    OpenStructure& open = frame->structures.back();
+    bool once_more = false;
+    switch (open.kind) {
+        case Statement::While: frame->goes_on = open.head.line; break;
+        case Statement::Loop: frame->goes_on = open.head.next; break;
+        case Statement::For: {
+            const Done done = count_on(line, open, once_more);
+            if (done == Done::Wait || lines.failed()) return done;
+            break;
+        }
+        case Statement::Repeat: {
+            const Done done = truth(line, statement.value, once_more);
+            if (done == Done::Wait || lines.failed()) return done;
+            once_more = !once_more;
+            break;
+        }
+        default: frame->structures.pop_back(); return Done::Nothing;
+    }
+    if (open.kind == Statement::For || open.kind == Statement::Repeat) {
+        if (!once_more) {
+            frame->structures.pop_back();
+            return Done::Nothing;
+        }
+        frame->goes_on = open.head.next;
+    }
+    if (++turns > options.max_turns)
+        return fail(line, diag::EndlessLoop, statement.span, {std::to_string(options.max_turns)});
+    return Done::Nothing;
+}
+
+/// The counter of a For takes its next value.
+Program::State::Done Program::State::count_on(CompiledLine& line, OpenStructure& loop,
+                                              bool& goes_on_looping) {
+    const nc::ControlLine& code = *loop.counts;
+    const nc::Reference& counter = code.statements[0].variable;
+    std::array<std::int64_t, 4> indices{};
+    if (counter.indices.is_given() &&
+        evaluator.indices(code, counter, indices) != Evaluator::Outcome::Done)
+        return fail(line, evaluator.fault());
+    Value value;
+    if (!variables.load(counter.load, indices, value))
+        return fail(line, diag::VariableNumber, counter.span, {"of the counter"});
+    value = Value::of(std::round(value.number) + 1, counter.load.type);
+    goes_on_looping = value.number <= loop.last;
+    const auto fault = variables.store(counter.load, indices, value, {});
+    if (fault.row != nullptr) return fail(line, *fault.row, counter.span, fault.arguments);
+    return Done::Nothing;
+}
+
+Program::State::Done Program::State::otherwise(CompiledLine& line,
+                                               const ControlStatement& statement) {
+    const auto is_own = [&](const OpenStructure& open) {
+        return open.otherwise && open.otherwise->line == line.place.line;
+    };
+    while (!frame->structures.empty() && !is_own(frame->structures.back()))
+        frame->structures.pop_back();
+    if (frame->structures.empty()) return fail(line, diag::StructureBeginMissing, statement.span);
+    frame->goes_on = frame->structures.back().end.next;
+    frame->structures.pop_back();
+    return Done::Nothing;
+}
+
+Program::State::Done Program::State::repeat_section(CompiledLine& line,
+                                                    const ControlStatement& statement) {
+    std::int64_t passes = 1;
+    if (statement.count.is_given()) {
+        Value count;
+        const Done done = evaluate(line, statement.count, count);
+        if (done == Done::Wait || lines.failed()) return done;
+        const double wanted = std::round(count.number);
+        if (!(wanted >= 0 && wanted <= kMostPasses))
+            return fail(line, diag::RepeatCount, statement.count.span, {evaluator.written(count)});
+        passes = static_cast<std::int64_t>(wanted);
+    }
+    LineTarget target;
+    Done done = Done::Nothing;
+    if (!resolve(line, statement.from, target, done)) return done;
+    const auto missing = [&](ProgramMap::Fault fault, const JumpTarget& which) {
+        return fail(line, fault, diag::RepeatLabelMissing, which.span, '`' + which.label + '`');
+    };
+    Place begin;
+    // Toward the head first, then forward.
+    ProgramMap::Fault fault = map().find(target, Direction::Backward, line.place, begin);
+    if (fault == ProgramMap::Fault::Missing)
+        fault = map().find(target, Direction::Forward, line.place, begin);
+    if (fault != ProgramMap::Fault::None) return missing(fault, statement.from);
+    OpenRepeat repeat{begin.line, line.place.line, line.place.next, passes};
+    const bool is_behind = begin.line.offset > line.place.line.offset;
+    if (statement.kind == Statement::RepeatBlock) {
+        repeat.end = begin.next;
+    } else if (statement.to.kind != JumpTarget::Kind::None) {
+        LineTarget last;
+        if (!resolve(line, statement.to, last, done)) return done;
+        Place end;
+        fault = map().find(last, Direction::Forward, begin, end);
+        const bool is_before_end = fault == ProgramMap::Fault::None &&
+                                   (is_behind || end.line.offset < line.place.line.offset);
+        if (is_before_end) repeat.end = end.next;
+        if (fault != ProgramMap::Fault::None && is_behind) return missing(fault, statement.to);
+    } else if (!language.end_label.empty()) {
+        Place end;
+        const LinePosition limit = is_behind ? LinePosition{~std::uint64_t{0}, 0} : line.place.line;
+        fault = map().find_label_between(language.end_label, begin.line, limit, end);
+        if (fault == ProgramMap::Fault::None) repeat.end = end.next;
+        if (fault != ProgramMap::Fault::None && is_behind) return missing(fault, statement.from);
+    }
+    if (passes == 0) return Done::Nothing;
+    // Behind the frontier nothing was executed yet: those lines run for the first time here, and
+    // once more later.
+    if (++turns > options.max_turns)
+        return fail(line, diag::EndlessLoop, statement.span, {std::to_string(options.max_turns)});
+    frame->repeats.push_back(repeat);
+    frame->goes_on = begin.line;
+    return Done::Nothing;
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,244 @@
+// Statements of a control's own language: values, messages, what is said and goes on.
+#include <array>
+
+#include "base/diagnostics/control.h"
+#include "interp/program_state.h"
+#include "nc/control_words.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::ControlStatement;
+using nc::Function;
+using nc::Span;
+using nc::Statement;
+
+Program::State::Done Program::State::execute(CompiledLine& line, const ControlStatement& statement,
+                                             Block& out) {
+    switch (statement.kind) {
+        case Statement::None:
+        case Statement::JumpToStart:
+        case Statement::EndIf:
+            if (statement.kind == Statement::EndIf) return leave(line, statement);
+            return Done::Nothing;
+        case Statement::Assign: return assign(line, statement, out);
+        case Statement::Jump:
+        case Statement::JumpForward:
+        case Statement::JumpBackward:
+        case Statement::JumpIfThere: return jump(line, statement);
+        case Statement::IfDo: return choose(line, statement, out);
+        case Statement::Case: return choose_case(line, statement);
+        case Statement::If:
+        case Statement::While:
+        case Statement::Loop:
+        case Statement::For:
+        case Statement::Repeat: return enter(line, statement);
+        case Statement::Else: return otherwise(line, statement);
+        case Statement::EndLoop:
+        case Statement::Until: return leave(line, statement);
+        case Statement::RepeatSection:
+        case Statement::RepeatBlock: return repeat_section(line, statement);
+        case Statement::Declare: return declare(line, statement);
+        case Statement::Synchronous: return pass_synchronous(line, statement);
+        case Statement::Print:
+        case Statement::PrintOpen:
+        case Statement::PrintClose: return print(line, statement);
+        case Statement::Call:
+        case Statement::CallModal:
+        case Statement::CallByText:
+        case Statement::EndModal:
+        case Statement::Return:
+        case Statement::Procedure:
+        case Statement::External: return execute_call(line, statement, out);
+        case Statement::Alarm: {
+            Value number;
+            Value text;
+            Done done = evaluate(line, statement.value, number);
+            if (done == Done::Wait || lines.failed()) return done;
+            if (statement.second.is_given()) done = evaluate(line, statement.second, text);
+            if (done == Done::Wait || lines.failed()) return done;
+            return raise(line, statement.span, number.number, std::string(evaluator.text(text)));
+        }
+    }
+    return Done::Nothing;
+}
+
+Program::State::Done Program::State::assign(CompiledLine& line, const ControlStatement& statement,
+                                            Block& out) {
+    if (!statement.list.empty()) return assign_list(line, statement);
+    Value value;
+    Done done = evaluate(line, statement.value, value);
+    if (done == Done::Wait || lines.failed()) return done;
+    // Writing some variables acts: an alarm, a stop.
+    const nc::Instruction& load = statement.variable.load;
+    nc::Quantity quantity = nc::Quantity::None;
+    if (load.kind == nc::Instruction::Kind::System)
+        quantity = static_cast<nc::Quantity>(load.index);
+    if (load.kind == nc::Instruction::Kind::Family) {
+        std::array<std::int64_t, 2> number{};
+        if (evaluator.indices(line.line, statement.variable, number) == Evaluator::Outcome::Done)
+            quantity = variables.quantity_of(load.index, number[0]);
+        // The value of the assignment lives in the texts of the evaluator, not on its stack.
+    }
+    const std::string& comment = line.line.words.comment;
+    if (quantity == nc::Quantity::Alarm) return raise(line, statement.span, value.number, comment);
+    if (quantity == nc::Quantity::MessageStop) return stop_with_message(comment, out);
+    return store(line, statement.variable, value);
+}
+
+Program::State::Done Program::State::store(CompiledLine& line, const nc::Reference& reference,
+                                           const Value& value) {
+    std::array<std::int64_t, 4> indices{};
+    if (reference.indices.is_given()) {
+        switch (evaluator.indices(line.line, reference, indices)) {
+            case Evaluator::Outcome::Done: break;
+            case Evaluator::Outcome::Later: return Done::Wait;
+            case Evaluator::Outcome::Fault: return fail(line, evaluator.fault());
+        }
+    }
+    if (variables.must_wait(reference.load, indices)) return Done::Wait;
+    const ControlVariables::Fault fault =
+        variables.store(reference.load, indices, value, evaluator.content(value));
+    if (fault.row == nullptr) return Done::Nothing;
+    return fail(line, *fault.row, reference.span, fault.arguments);
+}
+
+Program::State::Done Program::State::assign_list(CompiledLine& line,
+                                                 const ControlStatement& statement) {
+    const nc::Instruction& load = statement.variable.load;
+    if (load.kind != nc::Instruction::Kind::Element)
+        return fail(line, diag::IndexWrong, statement.variable.span, {"this variable"});
+    std::array<std::int64_t, 4> indices{};
+    switch (evaluator.indices(line.line, statement.variable, indices)) {
+        case Evaluator::Outcome::Done: break;
+        case Evaluator::Outcome::Later: return Done::Wait;
+        case Evaluator::Outcome::Fault: return fail(line, evaluator.fault());
+    }
+    const nc::Symbol& symbol = variables.level().symbols.at(load.index);
+    const auto first = Evaluator::element(symbol, indices);
+    if (!first) return fail(line, diag::IndexWrong, statement.variable.span, {symbol.name});
+    const std::uint32_t end = symbol.slot + symbol.count();
+    if (!statement.fills && *first + statement.list.size() > end)
+        return fail(line, diag::TooManyInitialValues, statement.span, {symbol.name});
+    const std::size_t count = statement.fills ? end - *first : statement.list.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const nc::Expression& expression = statement.list[statement.fills ? 0 : i];
+        if (!expression.is_given()) continue;
+        Value value;
+        const Done done = evaluate(line, expression, value);
+        if (done == Done::Wait || lines.failed()) return done;
+        const auto fault = variables.store_element(symbol, *first + static_cast<std::uint32_t>(i),
+                                                   value, evaluator.content(value));
+        if (fault.row != nullptr) return fail(line, *fault.row, expression.span, fault.arguments);
+    }
+    return Done::Nothing;
+}
+
+Program::State::Done Program::State::declare(CompiledLine& line,
+                                             const ControlStatement& statement) {
+    if (frame->has_executed) return fail(line, diag::DeclarationMisplaced, statement.span);
+    // Behind a mistake names are declared for the sake of the lines that are only read.
+    const bool had_failed = lines.failed();
+    std::uint32_t characters = 0;
+    Done done = text_size(line, statement.type_size, characters);
+    for (const nc::Declaration& declaration : statement.declarations) {
+        if (done == Done::Wait || (lines.failed() && !had_failed)) return done;
+        done = declare_one(line, declaration, statement.type, characters);
+    }
+    return done;
+}
+
+/// Characters of a text variable.
+Program::State::Done Program::State::text_size(CompiledLine& line, const nc::Expression& expression,
+                                               std::uint32_t& out) {
+    if (!expression.is_given()) return Done::Nothing;
+    Value size;
+    const Done done = evaluate(line, expression, size);
+    if (done == Done::Wait || lines.failed()) return done;
+    if (size.number < 1 || size.number > language.rules.most_text)
+        return fail(line, diag::SizeWrong, expression.span, {evaluator.written(size)});
+    out = static_cast<std::uint32_t>(size.number);
+    return Done::Nothing;
+}
+
+Program::State::Done Program::State::declare_one(CompiledLine& line,
+                                                 const nc::Declaration& declaration,
+                                                 nc::ValueType type, std::uint32_t characters) {
+    nc::Symbol symbol;
+    symbol.name = declaration.name;
+    symbol.type = type;
+    symbol.text_size = characters;
+    symbol.dimensions = declaration.dimensions;
+    double count = 1;
+    const bool had_failed = lines.failed();
+    for (std::size_t i = 0; i < declaration.dimensions; ++i) {
+        Value length = Value::real(1);  // of a parameter whose size the caller's array says
+        Done done = Done::Nothing;
+        if (declaration.sizes[i].is_given()) done = evaluate(line, declaration.sizes[i], length);
+        if (done == Done::Wait || (lines.failed() && !had_failed)) return done;
+        count *= length.number;
+        if (!(length.number >= 1) || count > 1e6) {
+            return fail(line, diag::SizeWrong, declaration.sizes[i].span,
+                        {evaluator.written(length)});
+        }
+        symbol.sizes[i] = static_cast<std::uint32_t>(length.number);
+    }
+    if (variables.level().symbols.find(symbol.name) != nullptr)
+        return fail(line, diag::NameTwice, declaration.span, {symbol.name});
+    const nc::Symbol& added = variables.declare(std::move(symbol));
+    if (declaration.values.size() > added.count())
+        return fail(line, diag::TooManyInitialValues, declaration.span, {added.name});
+    const std::size_t filled = declaration.fills ? added.count() : declaration.values.size();
+    for (std::size_t i = 0; i < filled; ++i) {
+        const nc::Expression& expression = declaration.values[declaration.fills ? 0 : i];
+        if (!expression.is_given()) continue;
+        Value value;
+        const Done done = evaluate(line, expression, value);
+        if (done == Done::Wait || lines.failed()) return done;
+        const auto fault = variables.store_element(
+            added, added.slot + static_cast<std::uint32_t>(i), value, evaluator.content(value));
+        if (fault.row != nullptr) return fail(line, *fault.row, expression.span, fault.arguments);
+    }
+    return Done::Nothing;
+}
+
+/// The program's own alarm.
+Program::State::Done Program::State::raise(CompiledLine& line, const Span& span, double number,
+                                           const std::string& text) {
+    const nc::LanguageRules& rules = language.rules;
+    const double rounded = std::round(number);
+    if (!(rounded >= rules.least_alarm && rounded <= rules.most_alarm))
+        return fail(line, diag::AlarmNumber, span, {evaluator.written(Value::real(number))});
+    if (given > 0) return Done::Wait;
+    const std::string shown = std::to_string(std::llround(rounded) + rules.alarm_base);
+    const LinePlace place = lines.place(line.text, line.place.line.line, span);
+    const auto own = dialect.alarm(diag::ProgramAlarm);
+    DiagnosticBuilder message = sink.report(diag::ProgramAlarm, place);
+    message.arg(text.empty() ? shown : text)
+        .alarm((own ? own->number : std::string()) + shown, text);
+    lines.write_notes(message);
+    lines.note_fault();
+    return Done::Nothing;
+}
+
+/// What happens beside the motion is not executed; each such action is said once.
+Program::State::Done Program::State::pass_synchronous(CompiledLine& line,
+                                                      const ControlStatement& statement) {
+    if (!said_synchronous.insert({frame->unit, line.place.line.offset}).second)
+        return Done::Nothing;
+    const Span whole{statement.span.begin, static_cast<std::uint32_t>(line.text.size())};
+    DiagnosticBuilder message =
+        sink.report(diag::SynchronousPassed, lines.place(line.text, line.place.line.line, whole));
+    message.arg(statement.name);
+    lines.write_notes(message);
+    return Done::Nothing;
+}
+
+Program::State::Done Program::State::stop_with_message(std::string_view text, Block& out) {
+    if (!text.empty()) out.add(Function::Message, 1);
+    out.add(Function::Stop);
+    out.text = text;
+    return Done::Block;
+}
+
+}  // namespace kadr::interp
