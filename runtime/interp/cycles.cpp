@@ -120,6 +120,8 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
         keep_words(actions.cycle_words);
         warn_levels(block);
     }
+    // A pattern leaves the modal cycle as it is, which is called at its places.
+    if (find_parameter(info, kPatternParameter)) return start_cycle(block, call);
     modal_cycle_ = call;
     if (count_times(actions.cycle_words)) start_cycle(block, call);
 }
@@ -132,7 +134,7 @@ void Executor::call_behind_motion(const Block& block) {
     call.source = block.source;
     call.given = 0;
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
-    if (names_shape(info)) {  // its contour does not follow a motion
+    if (names_shape(info) && pattern_) {  // its contour follows no motion to a place
         report(diag::CycleUnavailable, call, Function::Cycle).arg(info.name);
         return;
     }
@@ -582,7 +584,8 @@ bool Executor::check_surroundings(const Block& block, const ModalCycle& call) {
 void Executor::complete_surroundings(ModalCycle& call) const {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     set_argument(call, find_parameter(info, "tool_d"), 2 * tool_offsets_.radius(tool_.current));
-    set_argument(call, find_parameter(info, kPatternParameter), call_behind_motions_ ? 1 : 0);
+    const bool calls = call_behind_motions_ || modal_cycle_.is_active;
+    set_argument(call, find_parameter(info, kPatternParameter), calls ? 1 : 0);
     const path::Plane plane = cycle_plane();
     set_argument(call, find_parameter(info, "plane"),
                  plane == path::Plane::Xy   ? 17

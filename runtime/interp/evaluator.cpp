@@ -314,6 +314,7 @@ bool Evaluator::operate(const Instruction& instruction, int decimals) {
         case Operation::FrameFine:
         case Operation::FrameRotation:
         case Operation::FrameSolid:
+        case Operation::FrameInPlane:
         case Operation::FrameScale:
         case Operation::FrameMirror:
         case Operation::FrameInverse:
@@ -579,6 +580,7 @@ bool Evaluator::frame_function(Operation operation, Value* a, int count) {
         *a = keep_frame(mirror_frame(axes));
         return true;
     }
+    if (operation == Operation::FrameInPlane) return plane_rotation(a);
     std::vector<AxisAndValue> given;
     if (!pairs(operation, a, count, given)) return false;
     switch (operation) {
@@ -596,6 +598,31 @@ bool Evaluator::frame_function(Operation operation, Value* a, int count) {
     for (const AxisAndValue& one : given)
         if (one.value == 0) return fail(diag::ScaleInvalid, {"0"});
     *a = keep_frame(scale_frame(given));
+    return true;
+}
+
+/// Its first operand is the axis across the plane, or the number of the plane.
+bool Evaluator::plane_rotation(Value* a) {
+    std::optional<Axis> across = a[0].axis();
+    if (!across) {
+        if (!a[0].is_number()) return fail(diag::AxisExpected, {std::string(kind_name(a[0]))});
+        static constexpr std::array kAcross = {Axis::Z, Axis::Y, Axis::X};
+        const double plane = a[0].number;
+        if (plane == 0) {
+            double axis = 0;
+            if (!answer(variables_.system(nc::Quantity::NormalAxis, 0, 0, axis))) return false;
+            across = Value::of(axis, nc::ValueType::Axis).axis();
+        } else if (plane == 1 || plane == 2 || plane == 3) {
+            across = kAcross[static_cast<std::size_t>(plane) - 1];
+        }
+    }
+    if (!across) return fail(diag::ArgumentRange, {std::string(name_), shown(a[0].number)});
+    if (!a[1].is_number())
+        return fail(diag::TypesDiffer, {"a component of a frame", std::string(kind_name(a[1]))});
+    if (index(*across) >= 3)
+        return fail(diag::IsoNotSupported, {"a rotation or a scale of an axis besides X, Y and Z"});
+    const AxisAndValue angle{*across, a[1].number};
+    *a = keep_frame(rotation_frame({&angle, 1}));
     return true;
 }
 

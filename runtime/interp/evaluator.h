@@ -105,6 +105,7 @@ class Evaluator {
     bool text_function(nc::Operation operation, Value* a, int count);
     bool arc_function(nc::Operation operation, Value* a);
     bool axis_function(nc::Operation operation, Value* a);
+    bool plane_rotation(Value* a);
     bool frame_function(nc::Operation operation, Value* a, int count);
     bool pairs(nc::Operation operation, const Value* a, int count, std::vector<AxisAndValue>& out);
     bool fail(const DiagnosticRow& row, std::vector<std::string> arguments = {});

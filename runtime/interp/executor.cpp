@@ -267,14 +267,22 @@ void Executor::run_functions(const Block& said) {
     }
 }
 
-/// A feed that the block alone has acts in its motion; behind it the modal one does again.
+/// A feed that the block alone has acts in its motion, or in those of its cycle; behind it the
+/// modal one does again.
 void Executor::move_with_own_feed(const Block& places, const Actions& actions) {
     if (!actions.feed_once) return move(places, actions);
+    const bool was_in_cycle = cycle_blocks_.has_value();
+    const bool was_in_shape = shape_.has_value();
     const double feed = std::exchange(modal_.feed, *actions.feed_once);
     const bool has_feed = std::exchange(modal_.has_feed, true);
     move(places, actions);
-    modal_.feed = feed;
-    modal_.has_feed = has_feed;
+    const auto take_back = [&](Modal& modal) {
+        modal.feed = feed;
+        modal.has_feed = has_feed;
+    };
+    if (cycle_blocks_ && !was_in_cycle) return take_back(modal_before_cycle_);
+    if (shape_ && !was_in_shape) take_back(shape_->modal);
+    take_back(modal_);
 }
 
 // ------------------------------------------------------------------------------ functions
@@ -324,7 +332,30 @@ bool Executor::is_too_late(Function function) const {
     }
 }
 
+/// Whether cutter radius compensation must have ended before the function.
+bool Executor::needs_comp_off(const Block& block, Function function) const {
+    const bool acts =
+        comp_.side != Function::RadiusCompOff && block.find(Function::RadiusCompOff) == nullptr;
+    if (!rules_.comp_is_innermost || !acts || cycle_blocks_) return false;
+    switch (function) {
+        case Function::Rotate:
+        case Function::Shift:
+        case Function::ShiftAdd:
+        case Function::PositionReset:
+        case Function::SetPosition:
+        case Function::ReferencePoint:
+        case Function::ReferenceReturn:
+        case Function::ReferenceCheck:
+        case Function::ReferenceLeave: return true;
+        default: return false;
+    }
+}
+
 void Executor::apply_function(const Block& block, const Invocation& invocation, Actions& actions) {
+    if (needs_comp_off(block, invocation.function)) {
+        report(diag::CompFrame, block, invocation.function).arg(nc::info(invocation.function).name);
+        return;
+    }
     if (is_too_late(invocation.function)) {
         report(diag::FrameInsideRotation, block, invocation.function)
             .arg(nc::info(invocation.function).name);
@@ -679,13 +710,24 @@ void Executor::update_spindle(const Block& block) {
 }
 
 void Executor::orient_spindle(const Block& block, const Invocation& invocation) {
+    constexpr std::size_t kBy = 1;
+    double angle = block.argument(invocation, 0);
+    if ((invocation.given >> kBy & 1u) != 0) {
+        if (spindle_.mode != SpindleMode::Orient) {
+            report(diag::SpindleAngleUnknown, block, invocation.function);
+            return;
+        }
+        angle = std::fmod(spindle_.angle_deg + block.argument(invocation, kBy), 360);
+        if (angle < 0) angle += 360;
+    }
+    spindle_.angle_deg = angle;
     spindle_.mode = SpindleMode::Orient;
     spindle_.told = {SpindleMode::Orient, 0, false};
     Command& command = put(Op::Spindle, block);
     command.spindle = SpindleMode::Orient;
     command.speed = 0;
     command.cutting_speed = false;
-    command.angle_deg = block.argument(invocation, 0);
+    command.angle_deg = angle;
 }
 
 void Executor::set_coolant(const Block& block, path::CoolantMode mode) {

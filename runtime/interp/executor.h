@@ -192,6 +192,7 @@ class Executor {
     void change_tool(const nc::Block& block);
     void select_work_offset(const nc::Block& block, std::int64_t number);
     void change_plane(nc::Function plane);
+    bool needs_comp_off(const nc::Block& block, nc::Function function) const;
     bool is_too_late(nc::Function function) const;
     void apply_frame(const nc::Block& block, const nc::Invocation& invocation);
     FrameWords center_of(const nc::Block& block, const nc::Invocation& invocation) const;
@@ -235,6 +236,7 @@ class Executor {
                  bool exact_stop);
     void put_base_arc(const nc::Block& block, const path::Arc& arc, const Target& target,
                       bool exact_stop);
+    void stretched_arc_about_center(const nc::Block& block, const Target& target, bool exact_stop);
     void stretched_arc(const nc::Block& block, const Target& target, bool exact_stop);
     std::optional<path::Arc> resolve_arc(const nc::Block& block, const Target& target);
     std::optional<int> turns_of(const nc::Block& block);

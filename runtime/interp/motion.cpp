@@ -118,6 +118,11 @@ void Executor::move(const Block& block, const Actions& actions) {
     Target target = target_of(block, targets);
     if (actions.way_offset != 0 && !offset_ways(block, actions.way_offset, target)) return;
     const bool exact_stop = modal_.has_exact_stop || actions.exact_stop;
+    if (actions.at_rapid && comp_.side != Function::RadiusCompOff &&
+        (targets & plane_mask()) != 0) {
+        report(diag::CompMotion, block);
+        return;
+    }
     if (actions.at_rapid) return line(block, target, Op::Rapid, true);
     if (actions.taps) return line(block, target, Op::Line, exact_stop);
     if (actions.probes) return line(block, target, Op::Probe, true);
@@ -628,11 +633,13 @@ void Executor::put_arc(const Block& block, const path::Arc& programmed, const Ta
 /// Under unequal factors: an arc by its radius between the scaled ends, where the control makes
 /// one.
 void Executor::stretched_arc(const Block& block, const Target& target, bool exact_stop) {
-    const bool by_radius = rules_.arc_radius_scaled_by_larger && block.has(Slot::Radius);
-    if (!by_radius || frames_.is_tilted(modal_.plane)) {
+    const SlotMask thirds = bit(nc::slot_of(path::axes_of(modal_.plane).normal));
+    const bool is_helix = !block.has(Slot::Radius) && (block.given & thirds) != 0;
+    if (!rules_.arc_radius_scaled_by_larger || frames_.is_tilted(modal_.plane) || is_helix) {
         report(diag::ArcStretched, block, modal_.motion);
         return;
     }
+    if (!block.has(Slot::Radius)) return stretched_arc_about_center(block, target, exact_stop);
     const std::optional<int> turns = turns_of(block);
     if (!turns) return;
     if (tool_.has_changed) activate_length(block, target.moved);
@@ -643,6 +650,37 @@ void Executor::stretched_arc(const Block& block, const Target& target, bool exac
                             {modal_.plane, is_cw, *turns});
     if (!arc) return report_radius_arc(block, arc.error(), ends);
     put_base_arc(block, *arc, target, exact_stop);
+}
+
+/// Centre and end are scaled each by its axis; the arc goes about the centre to the direction of
+/// the end, and a line to the end itself.
+void Executor::stretched_arc_about_center(const Block& block, const Target& target,
+                                          bool exact_stop) {
+    const std::optional<Vec3> programmed = center_of_arc(block, linear(position_.here));
+    if (!programmed) return;
+    const Vec3 third = path::unit(path::axes_of(modal_.plane).normal);
+    const Vec3 start = linear(position_.base);
+    Vec3 center = frames_.total()(*programmed);
+    center += (start - center).dot(third) * third;
+    const Vec3 out = start - center;
+    const Vec3 to_end = linear(target.base) - center;
+    const bool has_radius = out.norm() > path::kSamePoint && to_end.norm() > path::kSamePoint;
+    if (!has_radius) {
+        report(diag::ArcCenterMissing, block, modal_.motion);
+        return;
+    }
+    if (tool_.has_changed) activate_length(block, target.moved);
+    const bool is_cw = (modal_.motion == Function::ArcCw) != frames_.is_mirrored(modal_.plane);
+    const Vec3 normal = is_cw ? Vec3(-third) : third;
+    double sweep = std::atan2(normal.dot(out.cross(to_end)), out.dot(to_end));
+    if (sweep <= 0) sweep += 2 * std::numbers::pi;
+    const path::Arc arc{start, center + to_end.normalized() * out.norm(), center, normal, sweep};
+    Target turned = target;
+    for (std::size_t i = 0; i < 3; ++i) turned.base[i] = arc.end[static_cast<Eigen::Index>(i)];
+    turned.here = frames_.from_base(turned.base);
+    const bool is_on_arc = (arc.end - linear(target.base)).norm() < path::kSamePoint;
+    put_base_arc(block, arc, turned, exact_stop && is_on_arc);
+    if (!is_on_arc && !ended_) line(block, target, Op::Line, exact_stop);
 }
 
 /// An arc of the base system as a command.

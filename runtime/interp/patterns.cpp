@@ -1,7 +1,7 @@
 // patterns.cpp — places at which the control calls a cycle: a row, a circle, a grid of holes.
 //
 // The blocks of such a cycle are motions to places. Each is executed as if it stood in the program,
-// so that the cycle which is called behind motions is called there.
+// so that the cycle which is called behind motions, or is modal, is called there.
 #include "base/diagnostics/iso.h"
 #include "interp/executor.h"
 
@@ -31,6 +31,8 @@ void Executor::go_to_next_place() {
     if (place == nullptr) return finish_pattern();
     place_ = in_plane_of_cycle(*place);
     place_.line = pattern_->caller.line;
+    // A modal cycle is repeated by places; a motion code would end it.
+    if (modal_cycle_.is_active) place_.motion = Function::None;
     execute(place_);
 }
 

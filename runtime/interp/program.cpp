@@ -1,6 +1,7 @@
 #include "interp/program.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "base/diagnostics/control.h"
@@ -91,7 +92,8 @@ void Program::State::begin_main() {
 bool Program::State::runs_flat() {
     if (frame->here.offset != frontier().offset || source().offset() != frame->here.offset)
         return false;
-    const bool is_called = due || frame->call.to || frame->is_returning || !modal_calls.empty();
+    const bool is_called =
+        due || modal_shape || frame->call.to || frame->is_returning || !modal_calls.empty();
     const bool is_at_end = is_only_checking || has_ended || lines.has_ended();
     return !is_called && !is_at_end && !is_waiting && watch == nullptr && frame->repeats.empty();
 }
@@ -178,6 +180,7 @@ Program::State::Done Program::State::step(Block& out) {
     if (done == Done::Block) {
         deliver(out, line->text, line->place.line.line, true);
         if (out.function_count != 0) follow_shape(out, line->text, Place(line->place));
+        if (modal_shape) follow_modal_shape(out);
     }
     if (begins) perform_call();
     return done;
@@ -237,6 +240,7 @@ Program::State::Done Program::State::finish_first(Done done, std::string_view te
     if (done == Done::Block) {
         deliver(out, text, number, false);
         if (out.function_count != 0) follow_shape(out, text, {{offset, number}, next});
+        if (modal_shape) follow_modal_shape(out);
     }
     if (begins) perform_call();
     return done;
@@ -333,6 +337,8 @@ bool Program::State::is_left_out(const Block& block) const {
 /// the cycle works something out of it, it goes on behind the shape.
 void Program::State::follow_shape(const Block& block, std::string_view text, const Place& place) {
     if (is_only_checking || has_ended) return;
+    if (block.find(Function::CycleModal) != nullptr && !is_left_out(block))
+        return keep_modal_shape(block, text, place);
     const nc::Invocation* const call = block.find(Function::Cycle);
     if (call == nullptr || is_left_out(block)) return;
     const nc::CycleInfo& cycle = dialect.cycles()[block.cycle];
@@ -526,7 +532,21 @@ Program::State::Done Program::State::read_words(CompiledLine& line, Block& out) 
     }
     const bool is_kept = &line != &scratch && code.axes.empty();
     nc::MatchedLine* const known = is_kept ? &line.matched : nullptr;
-    return lines.read_words(line.text, line.line, values, out, known) ? Done::Block : Done::Nothing;
+    if (!lines.read_words(line.text, line.line, values, out, known)) return Done::Nothing;
+    const bool has_lone = std::ranges::any_of(code.axes, &nc::ComputedAxis::is_alone);
+    return has_lone ? let_axis_move_alone(line, out) : Done::Block;
+}
+
+/// An axis that moves by itself goes straight to its place and arrives before the next block; two
+/// would go ways of their own.
+Program::State::Done Program::State::let_axis_move_alone(CompiledLine& line, Block& out) {
+    const nc::SlotMask targets = out.given & nc::kTargetSlots;
+    if (std::popcount(targets) != 1 || out.motion != Function::None) {
+        return fail(line, diag::IsoNotSupported, line.line.axes[0].axis.span,
+                    {"an axis that moves by itself beside others"});
+    }
+    if (out.find(Function::RapidOnce) == nullptr) out.add(Function::RapidOnce, 0);
+    return Done::Block;
 }
 
 /// Words whose axis is a value get the address of that axis.

@@ -4,6 +4,7 @@
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
+#include "interp/named_shape.h"
 #include "interp/program_state.h"
 #include "nc/control_words.h"
 #include "nc/number_text.h"
@@ -619,11 +620,30 @@ Program::State::Done Program::State::call_with_block(CompiledLine& line) {
 
 // ------------------------------------------------------------------------------ shapes
 
+/// MCALL in front of such a cycle, or alone, which ends it.
+void Program::State::keep_modal_shape(const Block& block, std::string_view text_of_line,
+                                      const Place& place) {
+    modal_shape.reset();
+    const bool has_shape =
+        block.find(Function::Cycle) != nullptr && names_shape(dialect.cycles()[block.cycle]);
+    if (has_shape) modal_shape.emplace(ModalShape{block, std::string(text_of_line), place});
+}
+
+/// The interpreter calls the cycle behind every block that moves an axis.
+void Program::State::follow_modal_shape(const Block& block) {
+    constexpr nc::SlotMask kPlaces = nc::kTargetSlots | nc::kPolarSlots;
+    const bool is_in_shape = std::ranges::any_of(
+        frames, [](const std::unique_ptr<Frame>& each) { return each->call.is_shape; });
+    if (is_only_checking || has_ended || is_in_shape || due) return;
+    if ((block.given & kPlaces) == 0 || is_left_out(block)) return;
+    const ModalShape shape = *modal_shape;
+    follow_named_shape(shape.block, shape.text, shape.place);
+}
+
 /// The blocks of a shape that a cycle names: those of a program, or those between two labels of the
 /// program that runs (`"BEGIN:END"`). They come next; behind them the cycle is called.
 void Program::State::follow_named_shape(const Block& block, std::string_view text_of_line,
                                         const Place& place) {
-    if (block.find(Function::CycleModal) != nullptr) return;  // the interpreter refuses it
     const nc::Span whole{0, static_cast<std::uint32_t>(text_of_line.size())};
     const auto missing = [&](const DiagnosticRow& row, std::string what) {
         lines.report_fault(text_of_line, nc::LineFault{&row, whole, {std::move(what)}});

@@ -125,6 +125,13 @@ struct Program::State {
     std::unique_ptr<Frame> begins;               // called by the line that is executed
     std::optional<PreparedCall> due;             // behind the block that was given last
     std::vector<std::shared_ptr<PreparedCall>> modal_calls;
+    /// A cycle that is called behind motions and names the program of its shape.
+    struct ModalShape {
+        nc::Block block;
+        std::string text;
+        Place place;
+    };
+    std::optional<ModalShape> modal_shape;
     bool keeps_modal_calls = false;  // the block that begins one ends those of cycles
     CompiledLine scratch;
     std::vector<nc::WordValue> values;
@@ -166,11 +173,14 @@ struct Program::State {
     void end_after(nc::Block& block);
     bool is_left_out(const nc::Block& block) const;
     void follow_shape(const nc::Block& block, std::string_view text, const Place& place);
+    void keep_modal_shape(const nc::Block& block, std::string_view text, const Place& place);
+    void follow_modal_shape(const nc::Block& block);
     void follow_named_shape(const nc::Block& block, std::string_view text, const Place& place);
     Done end_of_text();
     void advance();
     Done read_words(CompiledLine& line, nc::Block& out);
     Done set_axes(CompiledLine& line);
+    Done let_axis_move_alone(CompiledLine& line, nc::Block& out);
 
     // statements
     Done execute(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);

@@ -36,6 +36,7 @@ struct Spindle {
     double cutting_speed = 0;        // m/min; 0: never programmed
     double limit = 0;                // rpm under constant cutting speed; 0: none
     bool has_cutting_speed = false;  // constant cutting speed is on
+    double angle_deg = 0;            // where it stands, if it is oriented
 
     /// What the motion side was told last.
     struct Told {

@@ -162,6 +162,7 @@ struct ComputedValue {
 /// A word whose axis is worked out: `AX[AXA]=10`.
 struct ComputedAxis {
     std::uint16_t word = 0;
+    bool is_alone = false;  // the axis moves by itself: `POS[X]=10`
     Expression axis;
 };
 

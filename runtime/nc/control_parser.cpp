@@ -66,12 +66,14 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         begin(at);
         const Word name = words_.word_at(at_);
         const std::size_t next = words_.skip_blanks(at_ + name.text.size());
-        if (!words_.is_same(name.text, language_.axis_word) || next >= line_.size() ||
+        const bool is_alone = is_lone_axis_word(name.text);
+        if (!(is_alone || words_.is_same(name.text, language_.axis_word)) || next >= line_.size() ||
             line_[next] != language_.index_open)
             return {};
         at_ = next;
         ComputedAxis axis;
         axis.word = word;
+        axis.is_alone = is_alone;
         was_taken = take_open(language_.index_open) &&
                     take_as_expression(axis.axis, [this](bool&) { return take_axis_index(); }) &&
                     take_close(language_.index_close);
@@ -101,6 +103,12 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
     }
 
   private:
+    bool is_lone_axis_word(std::string_view name) const {
+        return std::ranges::any_of(language_.lone_axis_words, [&](const std::string& word) {
+            return words_.is_same(name, word);
+        });
+    }
+
     /// Whether a code of a call may begin here, or a word that belongs to one.
     bool begins_call_word(std::size_t at) const {
         if (context_.is_argument || !out_.calls.empty()) return true;
@@ -526,7 +534,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
     bool is_taken(const std::string& name, const Word& word) const {
         if (symbols_.find(name) != nullptr || tables_.find_address(name) != kNoAddress) return true;
         const auto same = [&](const auto& form) { return words_.is_same(word.text, form.name); };
-        return words_.is_same(word.text, language_.axis_word) ||
+        return words_.is_same(word.text, language_.axis_word) || is_lone_axis_word(word.text) ||
                std::ranges::any_of(language_.functions, same) ||
                std::ranges::any_of(language_.variables, same) ||
                std::ranges::any_of(language_.types, same) ||

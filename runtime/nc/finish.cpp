@@ -204,6 +204,7 @@ class Finisher {
                 append_shortest(text, word.tail_value);
             }
             if (word.is_absolute) text += '!';
+            if (word.is_incremental) text += '~';
             if (word.kind == FormWord::Kind::Quoted) text += '"';
             if (word.kind == FormWord::Kind::Text) text += word.text;
             words.push_back(std::move(text));

@@ -351,6 +351,10 @@ class LineParser {
             word.is_absolute = true;
             return true;
         }
+        if (unit == "incremental") {
+            word.is_incremental = true;
+            return true;
+        }
         if (unit == "turned") {
             word.takes_ways = true;
             return true;
@@ -369,8 +373,8 @@ class LineParser {
             return true;
         }
         return fail("there is no unit " + quoted(unit) +
-                    "; known are s, ms, s|ms, min, deg, mm, permille, increments, lead, named and "
-                    "absolute");
+                    "; known are s, ms, s|ms, min, deg, mm, permille, increments, lead, named, "
+                    "absolute and incremental");
     }
 
     bool declared(FormWord& word, std::string_view name) {

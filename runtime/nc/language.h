@@ -226,6 +226,7 @@ struct Language {
     std::string label_sign;  // behind a label, `:`; empty: block numbers are the only targets
     std::string end_label;   // ends the section of a repeat
     std::string axis_word;   // `AX`: a word whose axis stands between brackets behind it
+    std::vector<std::string> lone_axis_words;  // `POS`: … and moves by itself
     LanguageRules rules;
     std::vector<OperatorForm> operators;
     std::vector<FunctionForm> functions;

@@ -170,8 +170,14 @@ class Lexer {
 
     /// `AX[AXA]=10`: the address of X stands for the axis that is known when the line runs.
     bool take_axis_word() {
-        const std::string& name = tables_.language.axis_word;
-        if (compiler_ == nullptr || name.empty() || upper(line_[at_]) != name[0]) return false;
+        const char first = upper(line_[at_]);
+        const auto begins = [&](const std::string& name) {
+            return !name.empty() && name[0] == first;
+        };
+        const Language& language = tables_.language;
+        if (compiler_ == nullptr ||
+            !(begins(language.axis_word) || std::ranges::any_of(language.lone_axis_words, begins)))
+            return false;
         const std::size_t begin = at_;
         bool was_taken = false;
         fault_ =

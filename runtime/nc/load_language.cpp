@@ -43,6 +43,11 @@ class LanguageLoader {
         Attributes::read_text(element, "label_sign", language_.label_sign);
         Attributes::read_text(element, "end_label", language_.end_label);
         Attributes::read_text(element, "axis_word", language_.axis_word);
+        if (const XmlAttribute* words = element.find("lone_axis_words")) {
+            language_.lone_axis_words.clear();
+            for (const XmlWord& word : words_of(*words))
+                language_.lone_axis_words.push_back(word.text);
+        }
         for (const XmlElement& child : element.children) {
             load_examples(child);
             if (child.name == "example") load_example(child, tables_);

@@ -108,7 +108,7 @@ const std::vector<XmlRule>& dialect_rules() {
         {"example", {"source", {"text", Filled}, "block", "gives", "meaning"}, {}},
         {"language",
          {"open", "close", "index_open", "index_close", "label_sign", "end_label", "reference_word",
-          "save_word", "options", "axis_word"},
+          "save_word", "options", "axis_word", "lone_axis_words"},
          {"doc", "rule", "operator", "function", "variable", "statement", "type", "component",
           "codes", "begins", "file", "call", "argument", "example"}},
         {"operator",

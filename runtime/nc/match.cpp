@@ -361,6 +361,7 @@ class Matcher {
         const bool is_way = mode == Mode::Absolute || mode == Mode::Shortest ||
                             mode == Mode::Positive || mode == Mode::Negative;
         if (wanted.takes_ways && is_way) return true;
+        if (wanted.is_incremental) return mode == Mode::Incremental;
         return mode == (wanted.is_absolute ? Mode::Absolute : Mode::Modal);
     }
 

@@ -105,6 +105,7 @@ struct FormWord {
     bool is_named_only = false;   // the word stands for itself, its number is always 0 …
     bool is_placeholder = false;  // … or, where it is read, any number, which means nothing
     bool is_absolute = false;     // said absolute by itself, `AC(…)`; in forms that are read
+    bool is_incremental = false;  // it says by itself that it is incremental: `IC(…)`
     bool takes_ways = false;  // an angle that may say the way to it: `DC(…)`, `ACP(…)`, `ACN(…)`
     bool is_lead = false;     // the lead of a thread, which counts on every turn
     bool is_any = false;      // `{}`: a number on which nothing depends; read only

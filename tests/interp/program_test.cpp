@@ -40,15 +40,17 @@ TEST(Program, OrderInABlock) {
 }
 
 TEST(Program, SpindleIsToldWhenItChanges) {
-    const Ran ran = run({Words().s(500), fn(Function::SpindleCw), fn(Function::SpindleCw).s(500),
-                         Words().s(700), fn(Function::SpindleStop), fn(Function::SpindleStop),
-                         fn(Function::SpindleOrient, {{0, 90}})},
-                        kQuiet);
+    const Ran ran =
+        run({Words().s(500), fn(Function::SpindleCw), fn(Function::SpindleCw).s(500),
+             Words().s(700), fn(Function::SpindleStop), fn(Function::SpindleStop),
+             fn(Function::SpindleOrient, {{0, 90}}), fn(Function::SpindleOrient, {{1, -135}})},
+            kQuiet);
     ASSERT_EQ(ran.listing(),
               "{\"op\":\"spindle\",\"mode\":\"cw\",\"speed\":500}\n"
               "{\"op\":\"spindle\",\"mode\":\"cw\",\"speed\":700}\n"
               "{\"op\":\"spindle\",\"mode\":\"stop\"}\n"
-              "{\"op\":\"spindle\",\"mode\":\"orient\",\"angle\":90}\n");
+              "{\"op\":\"spindle\",\"mode\":\"orient\",\"angle\":90}\n"
+              "{\"op\":\"spindle\",\"mode\":\"orient\",\"angle\":315}\n");
     EXPECT_EQ(run({fn(Function::SpindleCw)}, kQuiet).codes(), "K5217");
 }
 

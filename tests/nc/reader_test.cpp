@@ -262,8 +262,8 @@ TEST(Reader, WordsOfTheControlThatKadrLacksAreNotTheProgramsMistake) {
         const auto read = read_blocks(shipped(dialect), text);
         return testing::rendered(read.messages, {});
     };
-    EXPECT_NE(said("sinumerik", "COMPCAD")
-                  .find("`COMPCAD` (high-speed settings) is not supported by Kadr yet"),
+    EXPECT_NE(said("sinumerik", "ASPLINE")
+                  .find("`ASPLINE` (spline or polynomial) is not supported by Kadr yet"),
               std::string::npos);
     EXPECT_NE(said("sinumerik", "invcw X10 Y2").find("`INVCW` (involute)"), std::string::npos);
     EXPECT_NE(said("fanuc", "G05.4 Q1").find("`G05.4` (high-speed machining)"), std::string::npos);
