@@ -112,6 +112,8 @@ class Parser {
     std::string plot_color_ = "feed";
     std::string messages_ = "text";
     std::string tick_;
+    double feed_percent_ = 100;
+    double rapid_percent_ = 100;
     std::string max_time_;
     std::string map_;
     std::vector<std::string> defines_;
@@ -235,6 +237,12 @@ void Parser::add_run() {
         ->type_name("BLOCK|NAME")
         ->allow_extra_args(false);
     command->add_option("--tick", tick_, "time between setpoints")->type_name("TIME");
+    command->add_option("--feed-override", feed_percent_, "the switch for the feed, 1 to 200 %")
+        ->check(CLI::Range(1.0, 200.0).description(""))
+        ->type_name("PERCENT");
+    command->add_option("--rapid-override", rapid_percent_, "the switch for rapid, 1 to 100 %")
+        ->check(CLI::Range(1.0, 100.0).description(""))
+        ->type_name("PERCENT");
     command->add_option("--skip", skips_, "leave out blocks of this skip level")
         ->check(CLI::Range(0, 9).description(""))
         ->type_name("LEVEL")
@@ -341,6 +349,8 @@ CommandLine Parser::parse(int count, const char* const* arguments) {
     line_.run.summary = summary_ == "json"   ? driver::SummaryFormat::Json
                         : summary_ == "text" ? driver::SummaryFormat::Text
                                              : driver::SummaryFormat::None;
+    line_.run.feed_override = feed_percent_ / 100;
+    line_.run.rapid_override = rapid_percent_ / 100;
     line_.run.plot_color =
         plot_color_ == "line" ? driver::PlotColor::Line : driver::PlotColor::Feed;
     line_.format = is_check_ ? driver::FormatMode::Check : driver::FormatMode::Write;

@@ -83,6 +83,8 @@ struct RunJob {
     Onlooker onlooker;
     SummaryFormat summary = SummaryFormat::None;
     PlotColor plot_color = PlotColor::Feed;
+    double feed_override = 1;   // > 0; multiplies what the program asks for, never a limit
+    double rapid_override = 1;  // > 0, at most 1
 };
 
 /// Which tests are run, and how hard the properties are tried.

@@ -182,6 +182,8 @@ void Run::execute() {
     CommandTap tap(*execution_, look, debugger_ ? 1 : 0);
     motion::PlannerOptions options;
     options.tick = session_.options().tick.value_or(0);
+    options.feed_override = job_.feed_override;
+    options.rapid_override = job_.rapid_override;
     options.place_of = [this](std::uint32_t line, SourceId) { return execution_->place_of(line); };
     motion::Planner planner(tap, machine, options, execution_->sink());
 

@@ -88,6 +88,10 @@ TEST_F(CommandLine, ExitStatusSaysHowItEnded) {
              Row{"not a time", {"run", file("square.kadr"), "--tick", "1mm"}, 2},
              Row{"a number without a unit", {"run", file("square.kadr"), "--tick", "5"}, 2},
              Row{"a tick of a minute", {"run", file("square.kadr"), "--tick", "1min"}, 2},
+             Row{"no feed at all", {"run", file("square.kadr"), "--feed-override", "0"}, 2},
+             Row{"rapid above the axes",
+                 {"run", file("square.kadr"), "--rapid-override", "101"},
+                 2},
              Row{"not a definition", {"run", file("square.kadr"), "-D", "side"}, 2},
              Row{"later command", {"repl", file("square.kadr")}, 2},
              Row{"map of ISO text", {"run", file("flat.nc"), "--map", file("map")}, 2},  // K9011
@@ -400,6 +404,25 @@ TEST_F(CommandLine, RunWritesEveryOutput) {
     const nlohmann::json entry = nlohmann::json::parse(map.substr(0, map.find('\n')));
     EXPECT_EQ(entry["line"], 2);
     EXPECT_EQ(entry["file"], file("square.kadr"));
+}
+
+TEST_F(CommandLine, OverridesActOnWhatTheyAreFor) {
+    const auto times = [this](const std::vector<std::string>& switches) {
+        std::vector<std::string> arguments = {"run", file("square.kadr"), "--summary", "json"};
+        arguments.insert(arguments.end(), switches.begin(), switches.end());
+        const ProcessResult result = kadr(arguments);
+        EXPECT_EQ(result.status, 0) << result.err;
+        const nlohmann::json summary = nlohmann::json::parse(result.out);
+        return std::pair<double, double>(summary["cutting_s"], summary["rapid_s"]);
+    };
+    const auto [cutting, rapid] = times({});
+    const auto [half_cutting, same_rapid] = times({"--feed-override", "50"});
+    // Twice the time, but for ramps of some milliseconds.
+    EXPECT_NEAR(half_cutting, 2 * cutting, 0.1);
+    EXPECT_NEAR(same_rapid, rapid, 0.01);
+    const auto [same_cutting, slow_rapid] = times({"--rapid-override", "5"});
+    EXPECT_NEAR(same_cutting, cutting, 0.01);
+    EXPECT_GT(slow_rapid, 1.5 * rapid);
 }
 
 TEST_F(CommandLine, RunWithoutOutputsTellsAPerson) {
