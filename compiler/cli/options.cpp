@@ -93,6 +93,7 @@ class Parser {
     CLI::App* add(CLI::App& parent, const char* name, const char* text, Verb verb);
     void add_dialect(CLI::App& command);
     void add_program(CLI::App& command);
+    void add_include(CLI::App& command);
     void add_search(CLI::App& command);
     void add_expansion(CLI::App& command);
     void add_limits(CLI::App& command);
@@ -150,15 +151,19 @@ void Parser::add_dialect(CLI::App& command) {
         ->type_name("DIALECT");
 }
 
-void Parser::add_program(CLI::App& command) {
-    command.add_option("-D,--define", defines_, "value of a parameter of the program")
-        ->type_name("name=value")
-        ->allow_extra_args(false);
+void Parser::add_include(CLI::App& command) {
     command
         .add_option("-I,--include", line_.options.folders, "folder in which imports are looked for")
         ->check(is_folder())
         ->type_name("DIR")
         ->allow_extra_args(false);
+}
+
+void Parser::add_program(CLI::App& command) {
+    command.add_option("-D,--define", defines_, "value of a parameter of the program")
+        ->type_name("name=value")
+        ->allow_extra_args(false);
+    add_include(command);
     command.add_option("--program", line_.options.program, "which program of the file")
         ->type_name("NAME");
 }
@@ -257,12 +262,7 @@ void Parser::add_check() {
     add_search(*command);
     command->add_option("-m,--machine", line_.options.machine, "machine: a name or an XML file")
         ->type_name("MACHINE");
-    command
-        ->add_option("-I,--include", line_.options.folders,
-                     "folder in which imports are looked for")
-        ->check(is_folder())
-        ->type_name("DIR")
-        ->allow_extra_args(false);
+    add_include(*command);
     add_limits(*command);
 }
 
@@ -281,12 +281,7 @@ void Parser::add_test() {
     command->add_option("-D,--define", defines_, "value of a parameter: one run of a property")
         ->type_name("name=value")
         ->allow_extra_args(false);
-    command
-        ->add_option("-I,--include", line_.options.folders,
-                     "folder in which imports are looked for")
-        ->check(is_folder())
-        ->type_name("DIR")
-        ->allow_extra_args(false);
+    add_include(*command);
     command->add_option("--cycles", cycles_, "the control's own cycles, or single moves")
         ->check(one_of({"native", "moves"}))
         ->type_name("native|moves");
@@ -304,12 +299,7 @@ void Parser::add_repl() {
     add_dialect(*command);
     command->add_option("-m,--machine", line_.options.machine, "machine: a name or an XML file")
         ->type_name("MACHINE");
-    command
-        ->add_option("-I,--include", line_.options.folders,
-                     "folder in which imports are looked for")
-        ->check(is_folder())
-        ->type_name("DIR")
-        ->allow_extra_args(false);
+    add_include(*command);
 }
 
 void Parser::add_tables() {

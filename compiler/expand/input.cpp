@@ -394,8 +394,7 @@ bool Expander::State::adapt_increments(Block& block, const sema::Plan& plan, std
         if (is_known) become_place(block, i);
         else block.values[i] += modal.drift[i];
     }
-    if (wants_place) name_places(block);
-    return true;
+    return !wants_place || name_places(block, at);
 }
 
 bool Expander::State::is_increment(const Block& block, nc::SlotMask axis) const {
@@ -415,11 +414,19 @@ void Expander::State::become_place(Block& block, std::size_t axis) const {
 /// that it turns: what the control takes for an axis that is not named depends on a parameter.
 ///
 /// source       F 3.7 G68, G69; No.11600#5 AX1
-void Expander::State::name_places(Block& block) {
+bool Expander::State::name_places(Block& block, std::uint32_t at) {
     const bool is_modal = modal[Group::Distance] == Function::Incremental;
     for (std::size_t i = 0; i < kAxes; ++i) {
         const nc::SlotMask bit = nc::SlotMask{1} << i;
-        if ((modal.known & bit) == 0) continue;
+        if ((modal.known & bit) == 0) {
+            if ((modal.unplaced & ~block.given & bit) == 0) continue;
+            const std::string axis(kAxisNames[i]);
+            fault(diag::PlaceBehindRotation, at)
+                .arg(target.name())
+                .arg(axis)
+                .fix("name a coordinate of " + axis + " in this block");
+            return false;
+        }
         if ((block.given & bit) != 0) {
             if (is_increment(block, bit)) become_place(block, i);
         } else if ((modal.unplaced & bit) != 0) {
@@ -427,7 +434,7 @@ void Expander::State::name_places(Block& block) {
             if (is_modal) block.absolute |= bit;
         }
     }
-    if (!is_modal) return;
+    if (!is_modal) return true;
     // `G91` of the block itself waits, too.
     bool is_said = false;
     for (std::size_t i = 0; i < block.function_count; ++i) {
@@ -437,6 +444,7 @@ void Expander::State::name_places(Block& block) {
     }
     if (!is_said) block.add(Function::Absolute);
     modal.owes_incremental = true;
+    return true;
 }
 
 /// What stands under incremental dimensions for the program does so for the text again.

@@ -190,7 +190,7 @@ struct Expander::State {
     bool complete_center(nc::Block& block, nc::Invocation& invocation, std::uint32_t at);
     bool is_increment(const nc::Block& block, nc::SlotMask axis) const;
     void become_place(nc::Block& block, std::size_t axis) const;
-    void name_places(nc::Block& block);
+    bool name_places(nc::Block& block, std::uint32_t at);
     void return_to_increments(nc::Block& block);
     void say_reference(nc::Block& block);
     void go_over_place(SourceId source);
