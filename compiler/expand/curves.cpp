@@ -4,6 +4,7 @@
 
 #include "base/diagnostics/expand.h"
 #include "base/numbers.h"
+#include "expand/numbers.h"
 #include "expand/plane.h"
 #include "expand/state.h"
 
@@ -25,8 +26,6 @@ std::array<std::size_t, 3> order_of(path::Plane plane) {
     const PlaneIndices axes = indices_of(plane);
     return {axes.first, axes.second, axes.across};
 }
-
-bool is_sane(double value) { return std::fabs(value) < 1e15; }
 
 std::string number_text(double value) {
     std::string text;

@@ -447,6 +447,33 @@ bool Expander::State::name_places(Block& block, std::uint32_t at) {
     return true;
 }
 
+/// An arc all of whose words are in `plan` and that names no end.
+bool Expander::State::is_whole_circle(const sema::Plan& plan) const {
+    const Function motion = plan.motion != Function::None ? plan.motion : modal[Group::Motion];
+    nc::SlotMask given = plan.given;
+    for (const sema::Filling& filling : plan.fillings) {
+        if (!filling.is_argument) given |= nc::SlotMask{1} << filling.place;
+    }
+    return nc::is_arc(motion) && (given & nc::kCenterSlots) != 0 && (given & nc::kTargetSlots) == 0;
+}
+
+/// What names no axis as the first motion behind a rotation, a full circle or a cycle, gets a block
+/// before it that does: to where the tool stands already.
+bool Expander::State::say_places(SourceId source, std::uint32_t at, unsigned depth) {
+    if (!target.has_rule("place_behind_rotation") || !recordings.empty()) return true;
+    if (is_block_limit(at)) return false;
+    Block& block = next_block(source);
+    block.motion = Function::Rapid;
+    if (!name_places(block, at)) {
+        drop_block(block);
+        return false;
+    }
+    modal.take_words(block);
+    modal.restate_motion = true;
+    if (options.trace) keep_trace(at, depth, source);
+    return true;
+}
+
 /// What stands under incremental dimensions for the program does so for the text again.
 void Expander::State::return_to_increments(Block& block) {
     if ((block.given & (nc::kTargetSlots | nc::kCenterSlots)) == 0) return;

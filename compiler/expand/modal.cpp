@@ -297,7 +297,9 @@ void ModalState::take_words(const nc::Block& block) {
     }
     nc::SlotMask targets = block.given & nc::kTargetSlots;
     if (targets == 0) return;
-    if ((has_drift | lost_drift | unplaced) != 0) forget_drift(static_cast<AxisMask>(targets));
+    // The operator may leave the block out: then they have gone nowhere.
+    if (block.skip >= 0) lost_drift |= has_drift & static_cast<AxisMask>(targets);
+    else if ((has_drift | lost_drift | unplaced) != 0) forget_drift(static_cast<AxisMask>(targets));
     const bool modal_incremental = (*this)[Group::Distance] == Function::Incremental;
     const bool is_machine =
         block.function_count > 0 && (block.find(Function::MachineCoordinates) != nullptr ||

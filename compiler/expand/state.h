@@ -191,6 +191,8 @@ struct Expander::State {
     bool is_increment(const nc::Block& block, nc::SlotMask axis) const;
     void become_place(nc::Block& block, std::size_t axis) const;
     bool name_places(nc::Block& block, std::uint32_t at);
+    bool is_whole_circle(const sema::Plan& plan) const;
+    bool say_places(SourceId source, std::uint32_t at, unsigned depth);
     void return_to_increments(nc::Block& block);
     void say_reference(nc::Block& block);
     void go_over_place(SourceId source);
@@ -230,8 +232,15 @@ struct Expander::State {
     std::uint32_t word_of(const sema::Filling& filling, std::uint32_t at) const;
     bool fill(nc::Block& block, const sema::Filling& filling, Slot value, std::uint32_t at);
     bool fill_feed(nc::Block& block, const sema::Filling& filling, double value, std::uint32_t at);
-    bool check_cutting_speed(const nc::Block& block, std::uint32_t at);
     bool fill_speed(nc::Block& block, const sema::Filling& filling, double value, std::uint32_t at);
+    bool emit_text(const Instruction& instruction, const Slot* registers, std::uint32_t at);
+    bool is_block_limit(std::uint32_t at);
+    double state_value(sema::StateValue which) const;
+    std::int64_t spindle_code() const;  // 3, 4, 5 as in M3, M4, M5
+
+    // ---- cuts.cpp: false where an error was reported
+    bool check_cutting_speed(const nc::Block& block, std::uint32_t at);
+    bool check_tool_change(const nc::Block& block, std::uint32_t at);
     /// Whether the block may cut: a feed that belonged to another feed mode does not count.
     bool check_cut(const nc::Block& block, std::uint32_t at);
     void warn_of_cut(std::uint32_t at, bool needs_feed = true);
@@ -248,21 +257,24 @@ struct Expander::State {
     /// yet.
     void check_rapid(const nc::Block& block, std::uint32_t at);
     bool feed_lost(std::uint32_t at, std::size_t depth);
-    bool emit_text(const Instruction& instruction, const Slot* registers, std::uint32_t at);
-    /// True if the control has the cycle and a block stands for it now.
+
+    // ---- native_cycles.cpp
     bool spares_distances(nc::CycleId cycle, std::uint32_t given) const;
+    void compensated_cycle(const sema::FunctionCode& cycle);
+    /// True if the control has the cycle and a block stands for it now, or an error was reported.
     bool emit_cycle(nc::CycleId cycle, const Slot* registers);
+
+    // ---- frame_blocks.cpp
     bool change_frame(const Instruction& instruction, const Slot* registers, std::uint32_t at);
     void say_place(const sema::Plan& plan, const sema::Instruction& instruction, std::uint32_t at);
     void scale_frame_x(nc::Block& block, double factor) const;
     void write_frame(const ProgramFrame& next, SourceId source, std::uint32_t at, unsigned depth);
+
+    // ---- scopes.cpp
     bool set_back(const OpenWith& scope, SourceId source, std::uint32_t at, unsigned depth);
     bool leave_with(SourceId source, std::uint32_t at, unsigned depth);
     bool check_needs(std::uint32_t at);
     bool check_preserves(std::uint32_t at);
-    bool is_block_limit(std::uint32_t at);
-    double state_value(sema::StateValue which) const;
-    std::int64_t spindle_code() const;  // 3, 4, 5 as in M3, M4, M5
 
     // ---- unknown.cpp: false where an error was reported
     /// Checks what the block needs of the modal state, and says again what may have been left out.

@@ -6,6 +6,7 @@
 #include "base/assert.h"
 #include "base/diagnostics/expand.h"
 #include "base/diagnostics/test.h"
+#include "expand/numbers.h"
 #include "expand/state.h"
 
 namespace kadr::expand {
@@ -28,12 +29,6 @@ constexpr double kStartFeed = 100;    // mm/min
 constexpr double kStartSpeed = 1000;  // rpm
 
 constexpr std::size_t kShownText = 4000;  // characters of a text in a message
-
-/// 200mm/min is 200/60 mm/s and comes back as 200 mm/min.
-double neat(double value) {
-    const double rounded = std::nearbyint(value * 1e6) / 1e6;
-    return std::fabs(rounded - value) <= 1e-15 * std::fabs(value) ? rounded : value;
-}
 
 std::string shortened(const std::string& text) {
     if (text.size() <= kShownText) return text;

@@ -185,6 +185,7 @@ CompSettings Executor::comp_settings() const {
                                                                  : rules_.comp_start;
     settings.feed = comp_.feed ? static_cast<CompFeed>(*comp_.feed) : rules_.comp_feed;
     settings.radius_changes_in_lines = rules_.comp_keeps_tool;
+    settings.takes_inverse_time = rules_.comp_takes_inverse_time;
     settings.empty_blocks = rules_.comp_empty_blocks;
     settings.more_empty_is_fault = rules_.comp_more_empty_is_alarm;
     return settings;

@@ -209,13 +209,25 @@ Compensation::Fault Compensation::take_motion(Command& command) {
     if (!is_straight(command.op) && command.op != Op::Arc) return &diag::CompMotion;
     const double side = command.normal.dot(path::unit(axes_.normal));
     if (command.op == Op::Arc && std::abs(side) < 1 - 1e-9) return &diag::CompMotion;  // it tilts
-    if (command.feed_mode == path::FeedMode::InverseTime && command.op != Op::Rapid)
-        return &diag::CompMotion;
+    if (command.feed_mode == path::FeedMode::InverseTime && command.op != Op::Rapid) {
+        if (!settings_.takes_inverse_time) return &diag::CompInverseTime;
+        feed_along(command);
+    }
     switch (state_) {
         case State::Starting: return approach(command);
         case State::Leaving: return depart(command);
         default: return keeps_vector_ ? follow_kept(command) : follow(command);
     }
+}
+
+/// An inverse time as the speed that it is along the programmed way.
+void Compensation::feed_along(Command& command) const {
+    const Element way = element_of(command);
+    const double along =
+        way.is_arc() ? path::radius(way) * std::abs(command.sweep) : (way.to - way.from).norm();
+    const double across = command.to[index(axes_.normal)] - here_[index(axes_.normal)];
+    command.feed *= std::hypot(along, across);
+    command.feed_mode = path::FeedMode::PerMinute;
 }
 
 /// Beside the block before it ends on the normal, and this one is as far from its contour.

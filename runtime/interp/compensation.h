@@ -26,6 +26,7 @@ struct CompSettings {
     CompFeed feed = CompFeed::Contour;
     bool radius_changes_in_lines =
         false;                        // an arc under another radius is a fault; else its side steps
+    bool takes_inverse_time = false;  // F of the block as it is programmed
     int empty_blocks = 3;             // without motion in the plane that may stand in a row
     bool more_empty_is_fault = true;  // else the cutter goes to the normal before them
 };
@@ -112,6 +113,7 @@ class Compensation {
     bool moves_in_plane(const path::Command& command) const;
     bool is_on_contour() const { return state_ == State::On || state_ == State::Leaving; }
     bool moves_on(const path::Command& command) const;
+    void feed_along(path::Command& command) const;
     void lead(AxisValues& place) const;
     void lead(path::Command& command) const;
     path::Element element_of(const path::Command& command) const;

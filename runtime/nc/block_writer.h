@@ -192,6 +192,11 @@ class BlockWriter {
     void place_center_as_given(const Block& block, const WrittenPosition& start, Targets& targets);
     ArcPoints arc_points(const WrittenPosition& start) const;
     bool place_radius(const Block& block, const WrittenPosition& start, Targets& targets);
+    struct MeantArc {
+        double sweep;   // rad, above 0
+        double radius;  // mm
+    };
+    MeantArc meant_arc(const Block& block, const WrittenPosition& start) const;
     void place_arc_feed(const Block& block, const WrittenPosition& start, Targets& targets);
     void place_helix_feed(const Block& block, const WrittenPosition& start, Targets& targets);
     PlanePoint meant_center(const Block& block, const PlanePoint& start,

@@ -149,10 +149,12 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
     const std::string_view name = info(invocation.function).name;
     if (blocking != Function::None) {
         if (is_new_message(block, name)) {
-            sink_.report(diag::WriterFrameOrder, place(block))
-                .arg(tables_.name)
-                .arg(name)
-                .arg(info(blocking).name);
+            DiagnosticBuilder builder = sink_.report(diag::WriterFrameOrder, place(block));
+            builder.arg(tables_.name).arg(name).arg(info(blocking).name);
+            if (info(blocking).group == Group::RadiusComp)
+                builder.fix(is_frame(invocation.function)
+                                ? "begin and end frames outside of the compensation: `G40` first"
+                                : "end the compensation first: `G40`");
         }
         return kNoForm;
     }

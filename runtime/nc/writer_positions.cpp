@@ -466,13 +466,10 @@ PlanePoint BlockWriter::meant_center(const Block& block, const PlanePoint& start
     return center_of_radius(start, end, block.at(Slot::Radius), is_clockwise).value_or(center);
 }
 
-/// Where F of an arc under inverse time is feed/radius, it is the angle over the time: so much
-/// greater than 1/time.
-void BlockWriter::place_arc_feed(const Block& block, const WrittenPosition& start,
-                                 Targets& targets) {
-    if (!modal_.units.inverse_time || !inverse_arc_by_radius_) return;
+/// The arc of a block in its plane, as the program means it. Its chord must be known.
+BlockWriter::MeantArc BlockWriter::meant_arc(const Block& block,
+                                             const WrittenPosition& start) const {
     const std::array<std::size_t, 3> axes = plane_axes();
-    if (!is_chord_known(block, start)) return position_unknown(block, "F");
     PlanePoint from{};
     PlanePoint to{};
     for (std::size_t i = 0; i < 2; ++i) {
@@ -480,7 +477,19 @@ void BlockWriter::place_arc_feed(const Block& block, const WrittenPosition& star
         to[i] = modal_.position.meant[axes[i]] * on_part(axes[i]);
     }
     const bool is_clockwise = effective_motion(block) == Function::ArcCw;
-    targets.feed_factor = sweep_angle(from, to, meant_center(block, from, to), is_clockwise);
+    const PlanePoint center = meant_center(block, from, to);
+    return {.sweep = sweep_angle(from, to, center, is_clockwise),
+            .radius = std::hypot(from[0] - center[0], from[1] - center[1]) / 2 +
+                      std::hypot(to[0] - center[0], to[1] - center[1]) / 2};
+}
+
+/// Where F of an arc under inverse time is feed/radius, it is the angle over the time: so much
+/// greater than 1/time.
+void BlockWriter::place_arc_feed(const Block& block, const WrittenPosition& start,
+                                 Targets& targets) {
+    if (!modal_.units.inverse_time || !inverse_arc_by_radius_) return;
+    if (!is_chord_known(block, start)) return position_unknown(block, "F");
+    targets.feed_factor = meant_arc(block, start).sweep;
 }
 
 /// The tool of a helix shall be as fast as the program means it, where program and control count F
@@ -500,19 +509,10 @@ void BlockWriter::place_helix_feed(const Block& block, const WrittenPosition& st
                           on_part(axes[2]) * modal_.factors[axes[2]];
     if (std::fabs(height) < kSame) return;
     if (!is_chord_known(block, start)) return position_unknown(block, "F");
-    PlanePoint from{};
-    PlanePoint to{};
-    for (std::size_t i = 0; i < 2; ++i) {
-        from[i] = start.meant[axes[i]] * on_part(axes[i]);
-        to[i] = modal_.position.meant[axes[i]] * on_part(axes[i]);
-    }
-    const bool is_clockwise = effective_motion(block) == Function::ArcCw;
-    const PlanePoint center = meant_center(block, from, to);
+    const auto [sweep, radius] = meant_arc(block, start);
     const double turns = block.has(Slot::Turns) ? std::nearbyint(block.at(Slot::Turns)) : 0;
-    const double sweep = sweep_angle(from, to, center, is_clockwise) + 2 * std::numbers::pi * turns;
-    const double radius = std::hypot(from[0] - center[0], from[1] - center[1]) / 2 +
-                          std::hypot(to[0] - center[0], to[1] - center[1]) / 2;
-    const double arc = radius * sweep * std::fabs(modal_.factors[axes[0]]);
+    const double arc =
+        radius * (sweep + 2 * std::numbers::pi * turns) * std::fabs(modal_.factors[axes[0]]);
     if (arc < kSame) return;  // no arc: that has its message
     const double path = std::hypot(arc, height);
     targets.feed_factor = block.feed_along_arc ? path / arc : arc / path;

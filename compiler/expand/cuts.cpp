@@ -1,0 +1,136 @@
+// cuts.cpp — what a block that cuts needs: feed, speed, a spindle that turns, one tool.
+#include <cmath>
+
+#include "base/diagnostics/dialect.h"
+#include "base/diagnostics/expand.h"
+#include "base/diagnostics/iso.h"
+#include "expand/feed_words.h"
+#include "expand/numbers.h"
+#include "expand/state.h"
+#include "nc/tables.h"
+
+namespace kadr::expand {
+
+using nc::Block;
+using nc::Function;
+using nc::Group;
+
+/// A constant cutting speed that is none, and a limit that lets no spindle turn.
+bool Expander::State::check_cutting_speed(const Block& block, std::uint32_t at) {
+    const nc::Invocation* limit = block.find(Function::SpeedLimit);
+    if (limit != nullptr && !(block.argument(*limit, 0) > 0)) {
+        fault(diag::SpeedLimitZero, at).arg(neat(block.argument(*limit, 0)));
+        return false;
+    }
+    const bool begins = block.find(Function::CuttingSpeedOn) != nullptr;
+    if (!begins || block.has(nc::Slot::Speed) || modal.has_speed || modal.had_cutting_speed ||
+        modal.lost != 0)
+        return true;
+    const auto alarm = target.alarm(diag::CuttingSpeedMissing);
+    if (!alarm) return true;
+    fault(diag::CuttingSpeedNotSet, at)
+        .arg(target.name())
+        .arg(alarm->number.empty() ? alarm->text : alarm->number)
+        .fix("say the cutting speed in the block: `G96 S180`");
+    return false;
+}
+
+/// Each of the compensated blocks was worked out for the radius of one tool.
+bool Expander::State::check_tool_change(const Block& block, std::uint32_t at) {
+    const Function compensation = modal[Group::RadiusComp];
+    const bool acts =
+        compensation == Function::RadiusCompLeft || compensation == Function::RadiusCompRight;
+    if (!acts ||
+        (block.find(Function::Tool) == nullptr && block.find(Function::ToolChange) == nullptr))
+        return true;
+    auto builder = fault(diag::ToolUnderCompensation, at);
+    const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::RadiusComp)];
+    if (by.is_valid() && by.index < code.statements.size())
+        builder.note(code.statements[by.index], "the compensation began here");
+    builder.fix("end it before: `G40` with a move");
+    return false;
+}
+
+bool Expander::State::check_cut(const Block& block, std::uint32_t at) {
+    const Function motion = modal[Group::Motion];
+    const bool is_cut = motion == Function::Line || nc::is_arc(motion);
+    const bool moves = (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0;
+    if (!is_cut || !moves || block.find(Function::ReferenceReturn) != nullptr) return true;
+    if (modal.is_feed_lost) return feed_lost(at, frames.size());
+    if (options.warns_of_cuts) warn_of_cut(at);
+    return !has_failed;
+}
+
+/// A number of millimetres per minute would cut as millimetres per revolution.
+bool Expander::State::feed_lost(std::uint32_t at, std::size_t depth) {
+    const Function mode = modal[Group::FeedMode];
+    DiagnosticBuilder builder = fault_in(diag::FeedLost, at, depth);
+    builder.arg(feed_word(mode));
+    const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::FeedMode)];
+    if (by.is_valid() && by.index < code.statements.size())
+        builder.note(code.statements[by.index], "the feed mode was set here");
+    builder.fix(std::string("say F in ") + feed_unit(mode) + " behind `" + feed_code(mode) + '`');
+    return false;
+}
+
+/// What the interpreter finds when the text is run, said where only the text is made.
+void Expander::State::warn_of_cut(std::uint32_t at, bool needs_feed) {
+    if (needs_feed && !modal.has_feed && !warned_of_feed) {
+        warned_of_feed = true;
+        // Where the control alarms, no text is written that would; the common core has no alarms.
+        if (const auto alarm = target.alarm(diag::FeedMissing)) {
+            const std::string number = alarm->number.empty() ? alarm->text : alarm->number;
+            fault(diag::FeedNotSet, at)
+                .arg(target.name())
+                .arg(number)
+                .fix("give the block a feed: `F200`, or set one before it");
+            return;
+        }
+        fault(diag::FeedNeverSet, at);
+    }
+    if (modal.is_spindle_turning() && modal.lacks_tool) {
+        modal.lacks_tool = false;  // said once
+        fault(diag::ToolNeverCalled, at);
+    }
+    if (!modal.is_spindle_turning() && !modal.warned_of_spindle) warn_of_spindle(at);
+}
+
+void Expander::State::warn_of_spindle(std::uint32_t at) {
+    const bool is_on = modal[Group::Spindle] == Function::SpindleCw ||
+                       modal[Group::Spindle] == Function::SpindleCcw;
+    const DiagnosticRow& row = is_on && modal.lacks_speed
+                                   ? static_cast<const DiagnosticRow&>(diag::SpindleWithoutSpeed)
+                                   : diag::FeedWithSpindleStopped;
+    modal.warned_of_spindle = !is_allowed(row, at);
+    DiagnosticBuilder builder = fault(row, at);
+    const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::Spindle)];
+    if (modal[Group::Spindle] == Function::SpindleStop && by.is_valid() &&
+        by.index < code.statements.size())
+        builder.note(code.statements[by.index], "it stands from here on");
+    if (is_on && modal.lacks_speed && by.is_valid() && by.index < code.statements.size())
+        builder.note(code.statements[by.index], "it is started here, without S");
+}
+
+void Expander::State::check_rapid(const Block& block, std::uint32_t at) {
+    constexpr std::size_t kZ = index(Axis::Z);
+    if (!block.has(nc::Slot::Z) || modal[Group::Motion] != Function::Rapid) return;
+    // On a lathe, and in another plane, Z is not the way into the workpiece.
+    const bool is_mill = modal[Group::Plane] == Function::PlaneXy && !modal.is_diameter;
+    if (!is_mill || modal[Group::Spindle] != Function::SpindleStop || block.skip >= 0) return;
+    if (block.function_count != 0 && (block.find(Function::MachineCoordinates) != nullptr ||
+                                      block.find(Function::ReferenceReturn) != nullptr ||
+                                      block.find(Function::Probe) != nullptr))
+        return;
+    const nc::SlotMask word = bit(nc::Slot::Z);
+    const bool is_known = (modal.known >> kZ & 1u) != 0;
+    const bool is_modal = modal[Group::Distance] == Function::Incremental;
+    const bool is_way = (block.incremental & word) != 0 || (is_modal && !(block.absolute & word));
+    if (is_way && !is_known) return;
+    const double way = block.at(nc::Slot::Z);
+    const double target_z = is_way ? modal.position[kZ] + way : way;
+    if (!(target_z < 0) || (is_known && target_z >= modal.position[kZ])) return;
+    modal.warned_of_rapid = !is_allowed(diag::RapidBelowPlane, at);
+    fault(diag::RapidBelowPlane, at).arg(neat(target_z));
+}
+
+}  // namespace kadr::expand

@@ -1,0 +1,160 @@
+// frame_blocks.cpp — frames as blocks, and where the tool is in a new one.
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "base/diagnostics/expand.h"
+#include "expand/numbers.h"
+#include "expand/state.h"
+#include "nc/frame_words.h"
+#include "nc/tables.h"
+
+namespace kadr::expand {
+
+using nc::Block;
+using nc::Function;
+using nc::Group;
+
+bool Expander::State::change_frame(const Instruction& instruction, const sema::Slot* registers,
+                                   std::uint32_t at) {
+    if (!recordings.empty()) return refuse_block("a frame", at);
+    const sema::Slot* values = registers + instruction.a;
+    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    const auto change = static_cast<sema::FrameChange>(instruction.b);
+    const std::size_t count = change == sema::FrameChange::Rotate  ? 4
+                              : change == sema::FrameChange::Scale ? 7
+                                                                   : 3;
+    if (modal.lost != 0 && !knows_frame(change == sema::FrameChange::Rotate, at)) return false;
+    std::array<double, 7> numbers{};
+    std::array<bool, 7> is_given{};
+    for (std::size_t i = 0; i < count; ++i) {
+        is_given[i] = values[i].number == values[i].number;
+        numbers[i] = is_given[i] ? values[i].number : 0;
+        if (!is_sane(numbers[i])) {
+            math_fault(sema::MathFault::Overflow, at);
+            return false;
+        }
+    }
+    const auto three = [&](std::size_t first) {
+        return std::array<double, 3>{numbers[first], numbers[first + 1], numbers[first + 2]};
+    };
+    const std::array<bool, 3> given{is_given[0], is_given[1], is_given[2]};
+    ProgramFrame next = modal.frame;
+    switch (change) {
+        case sema::FrameChange::Shift: next.add_shift(three(0), given); break;
+        case sema::FrameChange::Rotate: {
+            const FrameFault why = next.add_rotation(numbers[0], modal[Group::Plane], three(1));
+            if (why == FrameFault::None) break;
+            fault(why == FrameFault::Planes ? diag::FramePlanes : diag::FrameStretched, at);
+            return false;
+        }
+        case sema::FrameChange::Scale: {
+            std::array<double, 3> factors{};
+            for (std::size_t i = 0; i < 3; ++i) {
+                factors[i] = is_given[4 + i] ? numbers[4 + i] : is_given[0] ? numbers[0] : 1;
+                if (factors[i] > 0) continue;
+                fault(diag::FrameScale, at).arg(factors[i]);
+                return false;
+            }
+            next.add_scale(factors, three(1));
+            break;
+        }
+        case sema::FrameChange::Mirror: next.add_mirror(given); break;
+    }
+    write_frame(next, source, at, instruction.c);
+    return !has_failed;
+}
+
+/// The writer needs to know where the tool is in the new frame: for arcs, for F of helices, and
+/// where the control has no words for coordinates and distances beside each other.
+void Expander::State::say_place(const sema::Plan& plan, const Instruction& instruction,
+                                std::uint32_t at) {
+    const nc::SlotMask known = modal.known & nc::kTargetSlots;
+    const bool moves = plan.given != 0 || !plan.fillings.empty();
+    if (!moves || !recordings.empty()) return;
+    modal.is_place_due = false;
+    if (known == 0) return;
+    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    Block& block = next_block(source);
+    block.kind = Block::Kind::Position;
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        const auto slot = static_cast<nc::Slot>(i);
+        if ((known & nc::bit(slot)) != 0) block.set(slot, modal.position[i]);
+    }
+    if (options.trace) keep_trace(at, instruction.c, source);
+}
+
+/// Frames have radii in the language; a control may take them as what X is.
+void Expander::State::scale_frame_x(Block& block, double factor) const {
+    if (!modal.is_diameter) return;
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        nc::Invocation& invocation = block.functions[i];
+        const std::optional<std::size_t> x = nc::frame_x(invocation.function);
+        if (!x || (invocation.given >> *x & 1u) == 0) continue;
+        block.set_argument(invocation, *x, factor * block.argument(invocation, *x));
+    }
+}
+
+/// Says the way from the present frame to another one in functions that every control has: the
+/// whole shift, which deletes all else, then mirrors, scale and rotation anew, in the order in
+/// which FANUC takes them. An unequal scale stands inside the rotation.
+void Expander::State::write_frame(const ProgramFrame& next, SourceId source, std::uint32_t at,
+                                  unsigned depth) {
+    const ProgramFrame from = modal.frame;
+    const bool is_lost = (modal.lost & sema::kFrameBit) != 0;  // whatever acts is deleted
+    if (from == next && !is_lost) return;
+    const auto add = [&](Function function, std::span<const double> values,
+                         std::span<const bool> given) {
+        if (has_failed || is_block_limit(at)) return;
+        Block& block = next_block(source);
+        nc::Invocation* invocation = block.add(function, values.size());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (given[i]) block.set_argument(*invocation, i, values[i]);
+        }
+        if (has_frame_diameter) scale_frame_x(block, 2);
+        if (options.trace) keep_trace(at, depth, source);
+    };
+    const std::array<bool, 3> none{};
+    // What is in force already need not be said anew, if nothing behind it has to go.
+    const bool keeps_shift = from.shift == next.shift && from.is_shifted == next.is_shifted;
+    const bool keeps_mirrors = !from.has_mirror() || from.is_mirrored == next.is_mirrored;
+    const bool adds_only =
+        keeps_shift && keeps_mirrors && from.angle_deg == 0 && !from.has_scale() && !is_lost;
+    if (!adds_only) {
+        std::array<bool, 3> given = next.is_shifted;
+        const bool is_zero = next.shift == std::array<double, 3>{};
+        if (is_zero) {
+            given = none;
+            // A component that was shifted before must be named to go back.
+        } else {
+            for (std::size_t i = 0; i < 3; ++i)
+                given[i] = given[i] || from.is_shifted[i] || is_lost;
+        }
+        add(Function::Shift, next.shift, given);
+    }
+    const auto add_rotation = [&] {
+        if (next.angle_deg == 0) return;
+        const std::array<double, 3> center = next.inner_center();
+        const bool has_center = next.has_center();
+        const bool is_xy = next.plane == Function::PlaneXy;
+        const bool is_zx = next.plane == Function::PlaneZx;
+        add(Function::Rotate, std::array{next.inner_angle_deg(), center[0], center[1], center[2]},
+            std::array{true, has_center && (is_xy || is_zx), has_center && !is_zx,
+                       has_center && !is_xy});
+    };
+    if (next.has_mirror() && !(adds_only && from.has_mirror()))
+        add(Function::Mirror, std::array<double, 3>{}, next.is_mirrored);
+    if (next.is_stretched(next.plane)) add_rotation();
+    if (next.has_scale()) {
+        const auto& [fx, fy, fz] = next.scale;
+        const bool is_equal = fx == fy && fy == fz;
+        add(Function::Scale, std::array<double, 7>{fx, 0, 0, 0, fx, fy, fz},
+            std::array{is_equal, false, false, false, !is_equal && fx != 1, !is_equal && fy != 1,
+                       !is_equal && fz != 1});
+    }
+    if (!next.is_stretched(next.plane)) add_rotation();
+    modal.set_frame(next, source);
+    modal.lost &= ~sema::kFrameBit;
+}
+
+}  // namespace kadr::expand

@@ -1,0 +1,134 @@
+// native_cycles.cpp — cycles of the library that the control has itself.
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "base/assert.h"
+#include "base/diagnostics/expand.h"
+#include "expand/numbers.h"
+#include "expand/state.h"
+#include "nc/tables.h"
+
+namespace kadr::expand {
+
+using nc::Block;
+using nc::Function;
+using nc::Group;
+
+/// Whether the cycle turns the spindle by itself: it taps, and not in a compensating chuck.
+static bool turns_spindle(std::span<const sema::ParameterInfo> parameters, std::uint32_t given,
+                          std::span<const double> values) {
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if (parameters[i].name == "floating") return (given >> i & 1u) == 0 || values[i] == 0;
+    }
+    return false;
+}
+
+/// Whether a cycle has its feed from this parameter: threads are cut with their pitch.
+static bool says_feed(const sema::ParameterInfo& parameter) {
+    return parameter.name == "pitch" || parameter.name == "lead" || parameter.name == "per_turn";
+}
+
+/// Strokes and shifts are scaled in the language; a control that spares them gets moves, if its own
+/// program does not say the cycle.
+bool Expander::State::spares_distances(nc::CycleId cycle, std::uint32_t given) const {
+    if (said_cycle.is_active && said_cycle.is_running) return false;
+    const nc::CycleInfo::Roles& roles = target.cycles()[cycle].roles;
+    const auto is_given = [&](int role) { return role >= 0 && (given >> role & 1u) != 0; };
+    return (is_given(roles.stroke) || is_given(roles.shift)) &&
+           target.has_rule("cycle_distances_scaled", "no");
+}
+
+void Expander::State::compensated_cycle(const sema::FunctionCode& cycle) {
+    const CallFrame& frame = frames.back();
+    const bool is_called = frames.size() > 1 && frame.return_to > 0;
+    const std::uint32_t at = is_called ? frame.return_to - 1 : 0;
+    DiagnosticBuilder builder = fault_in(diag::CycleUnderCompensation, at, frames.size() - 1);
+    builder.arg(cycle.name);
+    const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::RadiusComp)];
+    if (by.is_valid() && by.index < code.statements.size())
+        builder.note(code.statements[by.index], "the compensation began here");
+    builder.fix("end it before: `G40` with a move");
+}
+
+bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers) {
+    if (!recordings.empty()) return false;
+    const CallFrame& frame = frames.back();
+    const Function compensation = modal[Group::RadiusComp];
+    if (compensation == Function::RadiusCompLeft || compensation == Function::RadiusCompRight) {
+        compensated_cycle(*frame.function);
+        return true;
+    }
+    if (!options.native_cycles) return false;
+    if (is_between_places() && frame.return_to > 0) {
+        cycle_active("another cycle", frame.return_to - 1);
+        return true;
+    }
+    const std::vector<sema::ParameterInfo>& parameters = frame.function->parameters;
+    using Kind = sema::ParameterInfo::Kind;
+    std::uint32_t given = 0;
+    std::array<double, nc::kMaxArguments> values{};
+    KADR_ASSERT(parameters.size() <= values.size(), "a cycle has more parameters than a block");
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const sema::Slot slot = registers[parameters[i].slot];
+        const Kind kind = parameters[i].kind;
+        const bool is_number = kind == Kind::Number || kind == Kind::Feed || kind == Kind::Speed;
+        const bool is_given =
+            is_number ? slot.number == slot.number : slot.integer != sema::kNotGivenInteger;
+        if (!is_given) continue;
+        given |= 1u << i;
+        values[i] = is_number ? slot.number : static_cast<double>(slot.integer);
+        if (kind != Kind::Feed && kind != Kind::Speed) continue;
+        // Cycles of controls know feeds per minute and speeds in turns only.
+        if (sema::is_second_form(values[i])) return false;
+        values[i] = neat(values[i] * kMinute);
+    }
+    if (!target.has_native_cycle(cycle, given, {values.data(), parameters.size()})) return false;
+    // Under inverse time F belongs to a block, and a cycle is many.
+    if (modal[Group::FeedMode] == Function::FeedInverseTime) return false;
+    if (modal.frame.has_scale() && spares_distances(cycle, given)) return false;
+    const std::uint32_t at = frame.return_to > 0 ? frame.return_to - 1 : 0;
+    if (modal.lost != 0 && !knows_for_cycle(*frame.function, given, at)) return true;
+    const bool needs_feed = std::ranges::none_of(parameters, says_feed);
+    if (needs_feed && modal.is_feed_lost) return !feed_lost(at, frames.size() - 1);
+    if (options.warns_of_cuts && is_cut_doubtful() && !turns_spindle(parameters, given, values))
+        warn_of_cut(at, needs_feed);
+    if (has_failed) return true;
+    if (is_block_limit(at)) return true;
+    if (modal.has_ended) warn_after_end(at);
+    const Instruction& call = code.instructions[at];
+    const SourceId source{static_cast<std::uint32_t>(call.immediate.pair.first)};
+    if (modal.diameter_due != Function::None) say_diameter_alone(source, at, frames.size() - 1);
+    if (modal.unplaced != 0 && !say_places(source, at, static_cast<unsigned>(frames.size() - 1)))
+        return true;
+    Block& block = next_block(source);
+    nc::Invocation* invocation = block.add(Function::Cycle, parameters.size());
+    KADR_ASSERT(invocation != nullptr, "a cycle has more parameters than a block holds");
+    block.cycle = cycle;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if ((given >> i & 1u) != 0) block.set_argument(*invocation, i, values[i]);
+    }
+    // The contract of a cycle: it ends where it began, after a move at rapid.
+    modal.active[static_cast<std::size_t>(Group::Motion)] = Function::Rapid;
+    modal.changed_by[static_cast<std::size_t>(Group::Motion)] = source;
+    modal.restate_motion = true;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if ((given >> i & 1u) == 0) continue;
+        if (parameters[i].name == "initial") {
+            modal.position[2] = values[i];
+            modal.known = static_cast<AxisMask>(modal.known | bit(Axis::Z));
+        } else if (parameters[i].name == "after") {
+            modal.set_spindle(values[i], source);
+        }
+    }
+    if (options.trace) {
+        // As if the block stood at the call.
+        const CallFrame callee = frames.back();
+        frames.pop();
+        keep_trace(at, call.c, source);
+        frames.push() = callee;
+    }
+    return true;
+}
+
+}  // namespace kadr::expand

@@ -1,0 +1,132 @@
+// scopes.cpp — what `with` sets back, what a cycle needs and preserves.
+
+#include "base/diagnostics/expand.h"
+#include "expand/state.h"
+#include "nc/tables.h"
+
+namespace kadr::expand {
+
+using nc::Block;
+using nc::Function;
+using nc::Group;
+
+bool Expander::State::leave_with(SourceId source, std::uint32_t at, unsigned depth) {
+    const OpenWith scope = withs.back();
+    withs.pop_back();
+    return set_back(scope, source, at, depth);
+}
+
+bool Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint32_t at,
+                               unsigned depth) {
+    const ModalState& before = scope.before;
+    if ((scope.mask & sema::kFrameBit) != 0) {
+        write_frame(before.frame, source, at, depth);
+        if (has_failed) return false;
+    }
+    // Another feed mode forgets F, so F goes back with it.
+    sema::ModalMask mask = scope.mask;
+    if ((mask & sema::group_bit(Group::FeedMode)) != 0) mask |= sema::kFeedBit;
+    if ((mask & sema::group_bit(Group::SpeedMode)) != 0) mask |= sema::kSpeedBit;
+    const sema::ModalMask changed = difference(before, modal, mask) & ~sema::kFrameBit;
+    if (changed == 0) return true;
+    for (std::size_t i = 0; i < nc::kGroups; ++i) {
+        if ((changed >> i & 1u) == 0 || before.active[i] != Function::None) continue;
+        fault(diag::StateUnknown, at).arg(nc::group_name(static_cast<Group>(i)));
+        return false;
+    }
+    // Behind a `with` that set the first F there is none, and none there is behind this one.
+    const sema::ModalMask no_value = before.lost_in == Loss::EndOfWith ? sema::kFeedBit : 0;
+    const sema::ModalMask values =
+        changed & before.lost & ~no_value & (sema::kFeedBit | sema::kSpeedBit);
+    if (values != 0) {
+        fault(diag::StateUnknown, at).arg((values & sema::kFeedBit) != 0 ? "F" : "S");
+        return false;
+    }
+    if ((changed & sema::kFeedBit) != 0 && !before.has_feed) modal.forget_feed(source);
+    // The same number means something else in another mode, so it goes back with the mode.
+    const sema::ModalMask of_feed = sema::kFeedBit | sema::group_bit(Group::FeedMode);
+    const sema::ModalMask of_speed = sema::kSpeedBit | sema::group_bit(Group::SpeedMode);
+    const bool feed = (changed & of_feed) != 0 && before.has_feed;
+    const bool speed = (changed & of_speed) != 0 && before.has_speed;
+    const bool groups = (changed & ~(sema::kFeedBit | sema::kSpeedBit)) != 0;
+    if (!groups && !feed && !speed) return true;
+    if (is_block_limit(at)) return false;
+    Block& block = next_block(source);
+    for (std::size_t i = 0; i < nc::kGroups; ++i) {
+        if ((changed >> i & 1u) == 0) continue;
+        const Function member = before.active[i];
+        if (static_cast<Group>(i) == Group::Motion) {
+            block.motion = member;
+            continue;
+        }
+        const std::size_t parameters = nc::info(member).parameters.size();
+        nc::Invocation* invocation = block.add(member, parameters);
+        if (member == Function::WorkOffset) block.set_argument(*invocation, 0, before.work_offset);
+        if (member == Function::LengthCompOn && before.has_length_offset) {
+            block.set_argument(*invocation, 0, before.length_offset);
+        }
+    }
+    if (feed) block.set(nc::Slot::Feed, before.feed);
+    if (speed) block.set(nc::Slot::Speed, before.speed);
+    if ((changed & sema::group_bit(Group::LengthComp)) != 0 && !take_core_offsets(block, at))
+        return false;
+    modal.take_functions(block);
+    modal.take_words(block);
+    if (options.trace) keep_trace(at, depth, source);
+    return true;
+}
+
+/// What a cycle preserves it also relies on: `preserves G90` called under G91 would work with
+/// distances where its author wrote coordinates.
+bool Expander::State::check_needs(std::uint32_t at) {
+    const CallFrame& frame = frames.back();
+    for (const Function needed : frame.function->needs) {
+        const Function active = modal[nc::info(needed).group];
+        const bool is_lost = (modal.lost & sema::group_bit(nc::info(needed).group)) != 0;
+        if (active == needed || (active == Function::None && !is_lost)) continue;
+        const bool is_called = frames.size() > 1 && frame.return_to > 0;
+        if (is_lost) {
+            const std::string name(nc::info(needed).name);
+            tell_loss(is_called ? fault_in(diag::StateLost, frame.return_to - 1, frames.size() - 1)
+                                : fault(diag::StateLost, at),
+                      "whether `" + name + "` is active, as `" + frame.function->name + "` needs,",
+                      "say `" + name + "` before it");
+            return false;
+        }
+        DiagnosticBuilder builder =
+            is_called ? fault_in(diag::StateNeeded, frame.return_to - 1, frames.size() - 1)
+                      : fault(diag::StateNeeded, at);
+        builder.arg(frame.function->name).arg(nc::info(needed).name).arg(nc::info(active).name);
+        const SourceId by = modal.changed_by[static_cast<std::size_t>(nc::info(needed).group)];
+        if (by.is_valid() && by.index < code.statements.size()) {
+            builder.note(code.statements[by.index], "it was changed here last");
+        }
+        return false;
+    }
+    return true;
+}
+
+bool Expander::State::check_preserves(std::uint32_t at) {
+    const OpenWith& promise = promises.back();
+    if (modal.lost != 0 && !keep_promise(promise, at)) return false;
+    const sema::ModalMask broken = difference(promise.before, modal, promise.mask);
+    if (broken == 0) return true;
+    const auto report = [&](std::string_view what, SourceId by) {
+        DiagnosticBuilder builder = fault(diag::PromiseBroken, at);
+        builder.arg(frames.back().function->name).arg(what);
+        if (by.is_valid() && by.index < code.statements.size()) {
+            builder.note(code.statements[by.index], "it was changed here last");
+        }
+    };
+    for (std::size_t i = 0; i < nc::kGroups; ++i) {
+        if ((broken >> i & 1u) == 0) continue;
+        report(nc::group_name(static_cast<Group>(i)), modal.changed_by[i]);
+        return false;
+    }
+    if ((broken & sema::kFrameBit) != 0) report("the frames", modal.frame_by);
+    else if ((broken & sema::kFeedBit) != 0) report("F", modal.feed_by);
+    else report("S", modal.speed_by);
+    return false;
+}
+
+}  // namespace kadr::expand
