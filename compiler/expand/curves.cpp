@@ -127,6 +127,14 @@ bool Expander::State::start_curve(const Instruction& instruction, std::uint32_t 
     const std::optional<path::CurveSample> first = curve_point(instruction, where, fit.from);
     if (!first) return false;
     curve.has_coordinates = true;
+    if (fit.from == fit.to) {
+        const sema::FunctionCode& function =
+            code.functions[static_cast<std::size_t>(instruction.immediate.pair.first)];
+        fault(diag::CurveIsPoint, where)
+            .arg(function.name)
+            .arg(function.parameters.back().name)
+            .arg(number_text(fit.from));
+    }
     const bool is_flat = curve.is_given[0] && curve.is_given[1] && !curve.is_given[2];
     const bool has_arcs = target.can_write(Function::ArcCw) && target.can_write(Function::ArcCcw);
     fit.kind = is_flat && has_arcs && wants_arcs ? path::FitKind::Biarcs : path::FitKind::Lines;

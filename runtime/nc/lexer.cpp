@@ -112,6 +112,9 @@ class Lexer {
         while (end < line_.size() && (static_cast<unsigned char>(line_[end]) & 0xc0u) == 0x80u)
             ++end;
         end = std::min(end, line_.size());
+        const auto code = at_ < line_.size() ? static_cast<unsigned char>(line_[at_]) : ' ';
+        // What no screen shows is named by its code.
+        if (code < ' ') return fail(row, at_, end, {"character " + std::to_string(code)});
         fail(row, at_, end, {std::string(line_.substr(at_, end - at_))});
     }
 
@@ -603,6 +606,8 @@ class Lexer {
         }
         if (head.kind == Address::Kind::Value && peek() == '=')
             return take_assigned(address, begin);
+        skip_blanks();
+        if (peek() == '"') return fail_here(diag::IsoSyntax);  // `MSG "…"`: no bracket, no `=`
         fail(diag::IsoNoValue, begin, end, {std::string(written)});
     }
 

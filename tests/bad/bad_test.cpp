@@ -259,6 +259,8 @@ std::vector<Rubbish> rubbish() {
         {"DeepXml", "dialect check {file}", ".xml", repeated("<dialect>", 100000), 1},
         {"EmptySource", "expand {file}", ".kadr", "", 1},
         {"EmptyXml", "machine check {file}", ".xml", "", 1},
+        {"NulInText", "run -d fanuc {file}", ".nc",
+         std::string("%\nO1\nG0 X1.\0 Y2.\nM30\n%\n", 24), 3},
         {"NulInSource", "expand {file}", ".kadr", std::string("program p() { G0\0 X1; }", 23), 1},
     };
 }
