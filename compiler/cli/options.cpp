@@ -49,6 +49,21 @@ double parse_tick(const std::string& text) {
     return tick;
 }
 
+/// Seconds of `1.5s..2s`; an end may be left out.
+driver::TimeWindow parse_window(const std::string& text) {
+    const std::size_t dots = text.find("..");
+    if (dots == std::string::npos) {
+        throw CLI::ValidationError(
+            "--window", "`" + text + "` is no part of a run; write `1.5s..2s`, `1.5s..` or `..2s`");
+    }
+    driver::TimeWindow window;
+    if (dots > 0) window.from = parse_time(text.substr(0, dots), "--window");
+    if (dots + 2 < text.size()) window.to = parse_time(text.substr(dots + 2), "--window");
+    if (window.to > 0 && window.to <= window.from)
+        throw CLI::ValidationError("--window", "`" + text + "` ends before it begins");
+    return window;
+}
+
 sema::Define parse_define(const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == 0 || equals == std::string::npos) {
@@ -111,6 +126,7 @@ class Parser {
     std::string cycles_ = "native";
     std::string summary_;
     std::string plot_color_ = "feed";
+    std::string curves_window_;
     std::string messages_ = "text";
     std::string tick_;
     double feed_percent_ = 100;
@@ -218,12 +234,20 @@ void Parser::add_run() {
     add_expansion(*command);
     command->add_option("--commands", job.commands, "what is executed, JSON Lines")
         ->type_name("OUT.jsonl");
-    command->add_option("--setpoints", job.setpoints, "position of every axis at every tick, CSV")
-        ->type_name("OUT.csv");
+    command
+        ->add_option("--setpoints", job.setpoints,
+                     "position of every axis at every tick, CSV or NumPy")
+        ->type_name("OUT.csv|npy");
     command->add_option("--plot", job.plot, "the path as a drawing")->type_name("OUT.svg");
     command->add_option("--plot-color", plot_color_, "what colours of the drawing stand for")
         ->check(one_of({"feed", "line"}))
         ->type_name("feed|line");
+    command
+        ->add_option("--curves", job.curves,
+                     "position, velocity, acceleration, jerk of the axes over time; a drawing")
+        ->type_name("OUT.svg");
+    command->add_option("--window", curves_window_, "the part of the run that --curves shows")
+        ->type_name("FROM..TO");
     command->add_option("--drive", job.drive, "spindle and feed drives over time; a drawing or CSV")
         ->type_name("OUT.svg|csv");
     command->add_option("--summary", summary_, "times, lengths, travel, limits")
@@ -339,6 +363,7 @@ CommandLine Parser::parse(int count, const char* const* arguments) {
     line_.run.summary = summary_ == "json"   ? driver::SummaryFormat::Json
                         : summary_ == "text" ? driver::SummaryFormat::Text
                                              : driver::SummaryFormat::None;
+    if (!curves_window_.empty()) line_.run.curves_window = parse_window(curves_window_);
     line_.run.feed_override = feed_percent_ / 100;
     line_.run.rapid_override = rapid_percent_ / 100;
     line_.run.plot_color =

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kGridAcross = 90;  // px between labelled lines, about
 constexpr double kGridUp = 34;
+constexpr double kFlat = 1e-9;
 constexpr double kHeadroom = 0.06;  // share of the height above and below the curves
 
 /// The numbers of a chart as places on paper.
@@ -39,7 +40,8 @@ Scale scale_of(const Chart& chart) {
         }
     }
     if (!(low <= high)) low = high = 0;
-    if (low == high) high = low + 1;
+    // What is flat but for rounding has no grid of its own.
+    if (high - low < kFlat * std::max({1.0, std::abs(low), std::abs(high)})) high = low + 1;
     const double room = kHeadroom * (high - low);
     Scale scale;
     scale.frame = chart.frame;
@@ -50,7 +52,7 @@ Scale scale_of(const Chart& chart) {
     return scale;
 }
 
-std::string label(double value) { return format_shortest(round_to(value, 6)); }
+std::string label(double value) { return fmt::format("{:.10g}", round_to(value, 6)); }
 
 void draw_grid(std::string& out, const Chart& chart, const Scale& scale) {
     const Frame& f = chart.frame;
@@ -58,10 +60,22 @@ void draw_grid(std::string& out, const Chart& chart, const Scale& scale) {
         "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"#ffffff\" "
         "stroke=\"#c3c8cf\"/>\n",
         f.left, f.top, f.width, f.height);
+    for (const ChartBand& band : chart.bands) {
+        const double from = scale.x(std::max(band.from, chart.lower));
+        const double to = scale.x(std::min(band.to, chart.upper));
+        if (!(to > from)) continue;
+        put(out,
+            "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
+            "fill=\"#eff2f6\"/>\n",
+            from, f.top, to - from, f.height);
+    }
     const auto across =
         grid_values(chart.lower, chart.upper, round_step(kGridAcross / scale.per_across));
-    const auto up = grid_values(scale.lower_up, scale.lower_up + f.height / scale.per_up,
-                                round_step(kGridUp / scale.per_up));
+    const double upper_up = scale.lower_up + f.height / scale.per_up;
+    auto up = grid_values(scale.lower_up, upper_up, round_step(kGridUp / scale.per_up));
+    constexpr double kFiner = 2.5;
+    if (up.size() < 3)
+        up = grid_values(scale.lower_up, upper_up, round_step(kGridUp / scale.per_up / kFiner));
     put(out, "<path fill=\"none\" stroke=\"#e3e6ea\" d=\"");
     for (const double v : across) put(out, "M{:.1f} {:.1f}v{:.1f}", scale.x(v), f.top, f.height);
     for (const double v : up) put(out, "M{:.1f} {:.1f}h{:.1f}", f.left, scale.y(v), f.width);

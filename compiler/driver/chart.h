@@ -26,6 +26,12 @@ struct ChartMark {
     std::string name;  // empty: only the line
 };
 
+/// A part of the chart that stands out from its neighbours.
+struct ChartBand {
+    double from = 0;
+    double to = 0;
+};
+
 struct Chart {
     Frame frame;
     std::string title;   // "Radius, mm"
@@ -35,6 +41,7 @@ struct Chart {
     std::optional<double> most;  // what goes above runs out of the chart
     std::vector<ChartLine> lines;
     std::vector<ChartMark> marks;
+    std::vector<ChartBand> bands;
 };
 
 /// The number of a mark: a disc with its middle at this place.

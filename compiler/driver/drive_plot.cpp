@@ -302,11 +302,7 @@ std::string drive_svg(const DriveTrace& trace, const machine::Drives& drives,
     std::string out;
     put_start(out, facing ? second + kWide + 30 : kLeft + kWide + 30,
               facing ? below + kHigh + kBelow + 10 : below);
-    put(out,
-        "<title>{}</title>\n<style>text {{ font-family: \"Inter\", \"Segoe UI\", \"DejaVu Sans\", "
-        "\"Liberation Sans\", Arial, sans-serif; }}</style>\n"
-        "<rect width=\"100%\" height=\"100%\" fill=\"#f7f8f9\"/>\n",
-        escaped(text.title));
+    put_paper(out, text.title);
     put_title(out, text.title, text.subtitle, text.warning);
     if (!facing) {
         for (const Chart& chart : charts_of(samples, whole_of(samples), kLeft, {}))

@@ -248,7 +248,7 @@ bool Execution::open_program(FileId file, GeneratedText::Tap tap) {
     program_ = &*own_program_;
     text_name_ = generated_name(session_.sources().name(file), *dialect_);
     generated_ = std::make_unique<GeneratedText>(session_, *program_, *dialect_, aside_.map,
-                                                 aside_.watch != nullptr);
+                                                 aside_.keeps_calls || aside_.watch != nullptr);
     generated_->set_tap(std::move(tap));
     return generated_->start();
 }

@@ -43,6 +43,7 @@ struct Subject {
 /// What goes on beside an execution.
 struct Aside {
     Output* map = nullptr;               // gets the source map of a Kadr program
+    bool keeps_calls = false;            // GeneratedText::calls_behind is asked
     interp::LineWatch* watch = nullptr;  // is shown every line; then blocks are executed one by one
     std::vector<interp::VariableChange>* changes = nullptr;  // gets the variables that are set
 };

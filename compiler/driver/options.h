@@ -55,6 +55,12 @@ struct ExpandJob {
     std::string map;  // source map; empty: none
 };
 
+/// A part of a run, s.
+struct TimeWindow {
+    double from = 0;
+    double to = 0;  // 0: to the end
+};
+
 enum class SummaryFormat : std::uint8_t { None, Text, Json };
 enum class PlotColor : std::uint8_t { Feed, Line };
 
@@ -73,7 +79,9 @@ struct RunJob {
     std::string commands;
     std::string setpoints;
     std::string plot;
-    std::string drive;  // the drives over time, a drawing; rows if `.csv`
+    std::string curves;        // position, velocity, acceleration, jerk over time, a drawing
+    TimeWindow curves_window;  // … of this part of the run
+    std::string drive;         // the drives over time, a drawing; rows if `.csv`
     std::string variables;
     std::string print;  // what the program prints
     std::string map;

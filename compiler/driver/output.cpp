@@ -126,6 +126,17 @@ void Output::flush() {
     buffer_.clear();
 }
 
+void Output::overwrite(std::size_t at, std::string_view text) {
+    if (stream_ == nullptr) {  // a spool that is still in memory
+        buffer_.replace(at, text.size(), text);
+        return;
+    }
+    flush();
+    failed_ = failed_ || std::fseek(stream_, static_cast<long>(at), SEEK_SET) != 0 ||
+              std::fwrite(text.data(), 1, text.size(), stream_) != text.size() ||
+              std::fseek(stream_, 0, SEEK_END) != 0;
+}
+
 bool Output::copy_spool() {
     if (stream_ != nullptr) {
         std::rewind(stream_);

@@ -27,6 +27,8 @@ class Output {
     ~Output();
 
     void write(std::string_view text);
+    /// Replaces what was written at this byte and behind it; not more than was written.
+    void overwrite(std::size_t at, std::string_view text);
     /// Puts the result in its place. False, with a message, if that fails (a full disk); what stood
     /// there before is then untouched.
     bool commit(DiagnosticSink& sink);

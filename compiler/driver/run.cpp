@@ -17,12 +17,14 @@
 #include "driver/debugger.h"
 #include "driver/drive_plot.h"
 #include "driver/execution.h"
+#include "driver/motion_plot.h"
 #include "driver/output.h"
 #include "driver/places.h"
 #include "driver/plot_svg.h"
 #include "driver/setpoints.h"
 #include "driver/summary.h"
 #include "driver/variables.h"
+#include "driver/work_times.h"
 #include "motion/pipeline.h"
 #include "process/drive_run.h"
 #include "process/pulse_timer.h"
@@ -31,11 +33,14 @@ namespace kadr::driver {
 
 namespace {
 
+constexpr std::size_t kLongest = 20;  // statements that a summary may name
+
 /// The outputs of a run, all open before it begins; null: nobody asked.
 struct Outputs {
     std::unique_ptr<Output> commands;
     std::unique_ptr<Output> setpoints;
     std::unique_ptr<Output> plot;
+    std::unique_ptr<Output> curves;
     std::unique_ptr<Output> drive;
     std::unique_ptr<Output> variables;
     std::unique_ptr<Output> print;
@@ -43,9 +48,9 @@ struct Outputs {
     std::unique_ptr<Output> trace;
     std::unique_ptr<Output> summary;
 
-    std::array<Output*, 9> all() const {
-        return {commands.get(), setpoints.get(), plot.get(),  drive.get(),  variables.get(),
-                map.get(),      trace.get(),     print.get(), summary.get()};
+    std::array<Output*, 10> all() const {
+        return {commands.get(),  setpoints.get(), plot.get(),  curves.get(), drive.get(),
+                variables.get(), map.get(),       trace.get(), print.get(),  summary.get()};
     }
 };
 
@@ -70,8 +75,8 @@ class PrintedLines final : public interp::Printer {
 
 bool asks_for_nothing(const RunJob& job) {
     return job.summary == SummaryFormat::None && job.commands.empty() && job.setpoints.empty() &&
-           job.plot.empty() && job.drive.empty() && job.variables.empty() && job.print.empty() &&
-           job.map.empty() && job.trace.empty() && job.breaks.empty();
+           job.plot.empty() && job.curves.empty() && job.drive.empty() && job.variables.empty() &&
+           job.print.empty() && job.map.empty() && job.trace.empty() && job.breaks.empty();
 }
 
 /// Opens an output if it has a name. False: reported.
@@ -109,9 +114,11 @@ class Run {
     bool open_execution(std::unique_ptr<FileText> text);
     void execute();
     void draw(const motion::Segment& segment);
+    void sample(Stream<motion::Segment>& segments, double tick, const std::function<void()>& tell);
     RunFigures figures(const motion::Totals& totals) const;
     void finish(const RunFigures& figures);
     void write_plot(const RunFigures& figures);
+    void write_curves(const RunFigures& figures);
     bool open_drives();
     void finish_drives(const RunFigures& figures);
     std::string machine_title() const;
@@ -131,6 +138,9 @@ class Run {
     std::unique_ptr<process::DriveRun> drives_;  // null: nobody asked
     std::unique_ptr<DriveTable> drive_table_;    // null: they are drawn
     DriveTrace drive_trace_;
+    std::unique_ptr<WorkTimes> times_;      // null: nobody reads a summary
+    std::unique_ptr<MotionTrace> motion_;   // null: nobody asked
+    std::unique_ptr<SetpointTable> table_;  // likewise
     std::uint64_t setpoints_ = 0;
     std::uint64_t commands_ = 0;
 };
@@ -138,9 +148,9 @@ class Run {
 bool Run::open_outputs(bool is_kadr) {
     Messages& messages = session_.messages();
     const bool has_summary = job_.summary != SummaryFormat::None || asks_for_nothing(job_);
-    const std::array<std::string, 9> names = {
-        job_.commands, job_.setpoints, job_.plot,  job_.variables,        job_.map,
-        job_.trace,    job_.print,     job_.drive, has_summary ? "-" : ""};
+    const std::array<std::string, 10> names = {
+        job_.commands, job_.setpoints, job_.plot,  job_.variables,         job_.map,
+        job_.trace,    job_.print,     job_.drive, has_summary ? "-" : "", job_.curves};
     if (!are_outputs_apart(job_.source, names, messages)) return false;
     if (!job_.map.empty() && !is_kadr) {
         messages.report(diag::NoSourceMap).arg(job_.source);
@@ -154,7 +164,8 @@ bool Run::open_outputs(bool is_kadr) {
            open_if_named(outputs_.trace, names[5], messages) &&
            open_if_named(outputs_.print, names[6], messages) &&
            open_if_named(outputs_.drive, names[7], messages) &&
-           open_if_named(outputs_.summary, names[8], messages);
+           open_if_named(outputs_.summary, names[8], messages) &&
+           open_if_named(outputs_.curves, names[9], messages);
 }
 
 void Run::draw(const motion::Segment& segment) {
@@ -179,7 +190,12 @@ void Run::execute() {
         if (list_) list_->write(command);
     };
     // An alarm of the motion has to come before the next block is shown.
-    CommandTap tap(*execution_, look, debugger_ ? 1 : 0);
+    if (outputs_.summary) times_ = std::make_unique<WorkTimes>(*execution_, session_);
+    std::unique_ptr<WorkTap> watched;
+    if (times_) watched = std::make_unique<WorkTap>(*execution_, *times_);
+    Stream<path::Command>& commands =
+        watched ? static_cast<Stream<path::Command>&>(*watched) : *execution_;
+    CommandTap tap(commands, look, debugger_ ? 1 : 0);
     motion::PlannerOptions options;
     options.tick = session_.options().tick.value_or(0);
     options.feed_override = job_.feed_override;
@@ -195,23 +211,13 @@ void Run::execute() {
     SegmentTap segments(timed, [this](const motion::Segment& segment) {
         if (outputs_.plot) draw(segment);
         if (drives_) drives_->add(segment);
+        if (times_) times_->add(segment);
     });
     const auto tell = [&] {
         session_.tell({execution_->blocks(), setpoints_, planner.totals().time});
     };
-    if (outputs_.setpoints) {
-        SetpointTable table(machine, *outputs_.setpoints);
-        motion::Sampler sampler(segments, machine, options.tick);
-        std::vector<motion::Setpoint> batch(kBatch);
-        while (const std::size_t count = sampler.pull(batch)) {
-            for (motion::Setpoint& setpoint : std::span(batch).first(count)) {
-                if (!interp::Program::is_in_main_text(setpoint.line))
-                    setpoint.line = execution_->place_of(setpoint.line).line;
-            }
-            table.write(std::span(batch).first(count));
-            setpoints_ += count;
-            tell();
-        }
+    if (outputs_.setpoints || outputs_.curves) {
+        sample(segments, options.tick, tell);
     } else {
         std::vector<motion::Segment> batch(kBatch);
         while (segments.pull(batch) > 0) tell();
@@ -223,6 +229,29 @@ void Run::execute() {
     RunFigures all = figures(timer ? timer->totals(planner.totals()) : planner.totals());
     if (timer) all.pulses = timer->pulses();
     finish(all);
+}
+
+/// Walks the motion at the tick, for those who want to see it.
+void Run::sample(Stream<motion::Segment>& segments, double tick,
+                 const std::function<void()>& tell) {
+    const machine::Machine& machine = execution_->machine();
+    if (outputs_.setpoints) table_ = open_setpoints(machine, *outputs_.setpoints);
+    if (outputs_.curves) {
+        motion_ = std::make_unique<MotionTrace>(machine, tick > 0 ? tick : machine.tick,
+                                                job_.curves_window);
+    }
+    motion::Sampler sampler(segments, machine, tick);
+    std::vector<motion::Setpoint> batch(kBatch);
+    while (const std::size_t count = sampler.pull(batch)) {
+        for (motion::Setpoint& setpoint : std::span(batch).first(count)) {
+            if (!interp::Program::is_in_main_text(setpoint.line))
+                setpoint.line = execution_->place_of(setpoint.line).line;
+            if (motion_) motion_->add(setpoint);
+        }
+        if (table_) table_->write(std::span(batch).first(count));
+        setpoints_ += table_ ? count : 0;
+        tell();
+    }
 }
 
 RunFigures Run::figures(const motion::Totals& totals) const {
@@ -239,6 +268,10 @@ RunFigures Run::figures(const motion::Totals& totals) const {
     figures.warnings = messages.warnings();
     figures.alarm = messages.first_alarm();
     figures.totals = totals;
+    if (times_) {
+        figures.tools = times_->tools();
+        figures.longest = times_->longest(kLongest);
+    }
     return figures;
 }
 
@@ -247,10 +280,9 @@ void Run::finish(const RunFigures& figures) {
     if (debugger_) debugger_->finish(figures.alarm);
     const machine::Machine& machine = execution_->machine();
     if (list_ && !figures.alarm.empty()) list_->write_alarm(figures.alarm);
-    if (outputs_.setpoints && !figures.alarm.empty()) {
-        outputs_.setpoints->write("# not complete, ended by " + figures.alarm + '\n');
-    }
+    if (table_) table_->finish(figures.alarm);
     if (outputs_.plot) write_plot(figures);
+    if (motion_) write_curves(figures);
     if (drives_) finish_drives(figures);
     if (outputs_.variables) outputs_.variables->write(variables_json(execution_->variables()));
     if (outputs_.summary) {
@@ -258,6 +290,17 @@ void Run::finish(const RunFigures& figures) {
         outputs_.summary->write(is_json ? summary_json(figures, machine)
                                         : summary_text(figures, machine));
     }
+}
+
+void Run::write_curves(const RunFigures& figures) {
+    MotionText text;
+    text.title = figures.source + ": the axes over time";
+    text.subtitle =
+        figures.dialect + " · " + machine_title() + " · " + duration_text(figures.totals.time);
+    if (motion_->has_too_many_blocks())
+        text.subtitle += " · too many blocks to be marked, a shorter window shows them";
+    if (!figures.alarm.empty()) text.warning = "not complete, ended by " + figures.alarm;
+    outputs_.curves->write(motion_svg(*motion_, text));
 }
 
 void Run::write_plot(const RunFigures& figures) {
@@ -338,6 +381,7 @@ Status Run::commit() {
 bool Run::open_execution(std::unique_ptr<FileText> text) {
     Aside aside;
     aside.map = outputs_.map.get();
+    aside.keeps_calls = outputs_.summary != nullptr;
     if (debugger_) debugger_->look_on(aside);
     execution_ = Execution::open(session_, job_.source, std::move(text), aside);
     if (execution_ && debugger_) debugger_->follow(*execution_);

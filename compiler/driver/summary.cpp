@@ -1,7 +1,9 @@
 #include "driver/summary.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -76,6 +78,53 @@ void put_times(std::string& out, const motion::Totals& totals) {
     share("tool change", totals.tool_change_time);
 }
 
+void put_tools(std::string& out, const std::vector<ToolShare>& tools) {
+    if (tools.size() < 2) return;
+    put(out, "\n  {:<14}{:<16}{:<16}{:>10}\n", "tool", "time", "cutting", "path");
+    for (const ToolShare& tool : tools) {
+        const std::string name = tool.tool == 0 ? "none" : "T" + std::to_string(tool.tool);
+        put(out, "  {:<14}{:<16}{:<16}{:>10.1f} mm\n", name, duration_text(tool.share.time),
+            duration_text(tool.share.cutting_time), tool.share.length);
+    }
+}
+
+/// Where most of the time goes; a statement without a name of its own is known by its place.
+void put_longest(std::string& out, const std::vector<PlaceShare>& longest, double time) {
+    constexpr std::size_t kShown = 5;
+    if (longest.size() < 2 || !(time > 0)) return;
+    std::size_t width = 0;
+    for (const PlaceShare& row : std::span(longest).first(std::min(kShown, longest.size())))
+        width = std::max(width, row.place.size());
+    out += "\n  longest\n";
+    for (const PlaceShare& row : std::span(longest).first(std::min(kShown, longest.size()))) {
+        put(out, "  {:<{}}  {:>16}{:4.0f} %  {}\n", row.place, width, duration_text(row.share.time),
+            100 * row.share.time / time, row.text);
+    }
+}
+
+void put_share(std::string& out, const WorkShare& share) {
+    put_member(out, "time_s", share.time);
+    put_member(out, "cutting_s", share.cutting_time);
+    put_member(out, "length_mm", share.length);
+    out += '}';
+}
+
+void put_work(std::string& out, const RunFigures& figures) {
+    out += ",\"tools\":[";
+    for (std::size_t i = 0; i < figures.tools.size(); ++i) {
+        out += (i > 0 ? ",{\"tool\":" : "{\"tool\":") + std::to_string(figures.tools[i].tool);
+        put_share(out, figures.tools[i].share);
+    }
+    out += "],\"longest\":[";
+    for (std::size_t i = 0; i < figures.longest.size(); ++i) {
+        const PlaceShare& row = figures.longest[i];
+        out += (i > 0 ? ",{\"at\":" : "{\"at\":") + json_string(row.place);
+        if (!row.text.empty()) out += ",\"text\":" + json_string(row.text);
+        put_share(out, row.share);
+    }
+    out += ']';
+}
+
 std::string counted(std::size_t number, std::string_view noun) {
     return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
 }
@@ -126,6 +175,8 @@ std::string summary_text(const RunFigures& figures, const machine::Machine& mach
     if (figures.pulses) put_row(out, "pulses", fmt::format("{}", *figures.pulses));
     out += '\n';
     put_axis_table(out, machine, totals);
+    put_tools(out, figures.tools);
+    put_longest(out, figures.longest, totals.time);
     if (figures.warnings + figures.errors + figures.alarms > 0) {
         put(out, "\n  {}, {}, {}\n", counted(figures.warnings, "warning"),
             counted(figures.errors, "error"), counted(figures.alarms, "alarm"));
@@ -154,6 +205,7 @@ std::string summary_json(const RunFigures& figures, const machine::Machine& mach
     put_axes(out, "max_velocity", machine, totals.max_velocity);
     put_axes(out, "max_acceleration", machine, totals.max_acceleration);
     put_axes(out, "max_jerk", machine, totals.max_jerk);
+    put_work(out, figures);
     out += ",\"alarms\":" + std::to_string(figures.alarms);
     out += ",\"errors\":" + std::to_string(figures.errors);
     out += ",\"warnings\":" + std::to_string(figures.warnings);

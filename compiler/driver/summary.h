@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "driver/work_times.h"
 #include "machine/machine.h"
 #include "motion/pipeline.h"
 
@@ -22,6 +23,8 @@ struct RunFigures {
     std::size_t warnings = 0;
     std::string alarm;  // the first one; empty: none
     motion::Totals totals;
+    std::vector<ToolShare> tools;
+    std::vector<PlaceShare> longest;  // statements, the longest first
 };
 
 /// A table with units, times as hours, minutes and seconds; ends with a line end.

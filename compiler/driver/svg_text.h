@@ -38,6 +38,15 @@ inline void put_start(std::string& out, double width, double height) {
         width, height);
 }
 
+/// The document's name, its letters and its paper.
+inline void put_paper(std::string& out, std::string_view title) {
+    put(out,
+        "<title>{}</title>\n<style>text {{ font-family: \"Inter\", \"Segoe UI\", \"DejaVu Sans\", "
+        "\"Liberation Sans\", Arial, sans-serif; }}</style>\n"
+        "<rect width=\"100%\" height=\"100%\" fill=\"#f7f8f9\"/>\n",
+        escaped(title));
+}
+
 /// Title, what is below it, and in red what has to be said; empty: nothing.
 inline void put_title(std::string& out, std::string_view title, std::string_view subtitle,
                       std::string_view warning) {

@@ -1,11 +1,16 @@
 // Summaries and setpoint tables: names, units and numbers as the interface promises them.
 #include "driver/summary.h"
 
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <numbers>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -81,27 +86,92 @@ TEST(Summary, Durations) {
     }
 }
 
-TEST(Setpoints, TableHasDegreesAndMillimetresAMinute) {
+TEST(Summary, TellsWhereTheTimeGoes) {
+    RunFigures run = figures();
+    run.tools = {{1, {50, 45, 200}}, {7, {25, 15, 50.5}}};
+    run.longest = {{"part.kadr:12", "drill(to: -5mm);", {60, 60, 150}},
+                   {"part.kadr:3", "G0 X0;", {15, 0, 100}}};
+    const std::string text = summary_text(run, two_axes());
+    EXPECT_NE(text.find("  T7            25 s            15 s                  50.5 mm\n"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("  part.kadr:12        1 min 00 s  80 %  drill(to: -5mm);\n"),
+              std::string::npos)
+        << text;
+    const nlohmann::json json = nlohmann::json::parse(summary_json(run, two_axes()));
+    EXPECT_EQ(json["tools"][1]["tool"], 7);
+    EXPECT_EQ(json["tools"][1]["cutting_s"], 15);
+    EXPECT_EQ(json["longest"][0]["at"], "part.kadr:12");
+    EXPECT_EQ(json["longest"][0]["time_s"], 60);
+    // One tool and one statement are what the first lines have told already.
+    run.tools.pop_back();
+    run.longest.pop_back();
+    EXPECT_EQ(summary_text(run, two_axes()).find("longest"), std::string::npos);
+}
+
+/// What a table has written for these setpoints, in a file of this suffix.
+std::string table_of(const std::string& suffix, std::span<const motion::Setpoint> setpoints) {
     const std::string file =
         (std::filesystem::temp_directory_path() / ("kadr-setpoints-" + std::to_string(::getpid())))
-            .string();
+            .string() +
+        suffix;
     DiagnosticList sink;
     const machine::Machine machine = two_axes();
     const auto output = Output::open(file, sink);
-    ASSERT_TRUE(output);
-    SetpointTable table(machine, *output);
+    if (!output) return {};
+    const std::unique_ptr<SetpointTable> table = open_setpoints(machine, *output);
+    for (const motion::Setpoint& setpoint : setpoints) table->write(std::span(&setpoint, 1));
+    table->finish({});
+    if (!output->commit(sink)) return {};
+    std::string text = read_file(file).value();
+    std::filesystem::remove(file);
+    return text;
+}
+
+motion::Setpoint some_setpoint() {
     motion::Setpoint setpoint;
     setpoint.time = 0.001;
     setpoint.axis = {-1.25, std::numbers::pi / 4};
     setpoint.tip = {-1.25, 0, 1e-10};
     setpoint.feed = 200.0 / 60;
     setpoint.line = 7;
-    table.write(std::span(&setpoint, 1));
-    ASSERT_TRUE(output->commit(sink));
-    EXPECT_EQ(read_file(file),
+    return setpoint;
+}
+
+TEST(Setpoints, TableHasDegreesAndMillimetresAMinute) {
+    const motion::Setpoint setpoint = some_setpoint();
+    EXPECT_EQ(table_of(".csv", std::span(&setpoint, 1)),
               "t,X,A,tip_x,tip_y,tip_z,tool_i,tool_j,tool_k,feed,iso\n"
               "0.001,-1.25,45,-1.25,0,0,0,0,1,200,7\n");
-    std::filesystem::remove(file);
+}
+
+// The format of NumPy's files: magic, version, length of a dictionary, the records.
+TEST(Setpoints, ArrayIsOneOfNumPy) {
+    for (const std::size_t rows : {0u, 1u, 1000u}) {
+        std::vector<motion::Setpoint> setpoints(rows, some_setpoint());
+        const std::string text = table_of(".npy", setpoints);
+        ASSERT_GE(text.size(), 10u);
+        EXPECT_EQ(text.substr(0, 8), std::string("\x93NUMPY\1\0", 8));
+        const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
+        const std::size_t begin = 10 + byte(8) + 256u * byte(9);
+        ASSERT_LE(begin, text.size());
+        EXPECT_EQ(begin % 64, 0u);
+        EXPECT_EQ(text[begin - 1], '\n');
+        const std::string header = text.substr(10, begin - 10);
+        EXPECT_NE(header.find("'shape': (" + std::to_string(rows) + ",)"), std::string::npos);
+        EXPECT_NE(header.find("('X', '<f8'), ('A', '<f8'), ('tip_x', '<f8')"), std::string::npos);
+        EXPECT_NE(header.find("('feed', '<f8'), ('iso', '<u4')"), std::string::npos);
+        constexpr std::size_t kRecord = 10 * 8 + 4;
+        ASSERT_EQ(text.size(), begin + rows * kRecord);
+        if (rows == 0) continue;
+        std::array<double, 10> values{};
+        std::memcpy(values.data(), text.data() + text.size() - kRecord, sizeof values);
+        EXPECT_EQ(values[0], 0.001);
+        EXPECT_EQ(values[1], -1.25);
+        EXPECT_NEAR(values[2], 45, 1e-12);
+        EXPECT_NEAR(values[9], 200, 1e-12);
+        EXPECT_EQ(text[text.size() - 4], 7);
+    }
 }
 
 }  // namespace

@@ -1,0 +1,99 @@
+// work_times.h — where the time of a run goes: by tool, and by statement of the program.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "base/stream.h"
+#include "driver/execution.h"
+#include "driver/session.h"
+#include "motion/segment.h"
+#include "path/command.h"
+
+namespace kadr::driver {
+
+/// What one tool or one statement takes of a run.
+struct WorkShare {
+    double time = 0;          // s, everything
+    double cutting_time = 0;  // s at feed
+    double length = 0;        // mm, of the tip, all motion
+};
+
+struct ToolShare {
+    std::int64_t tool = 0;  // 0: before the first call, or none
+    WorkShare share;
+};
+
+struct PlaceShare {
+    std::string place;  // "flange.kadr:41"; of ISO-7bit text file and line
+    std::string text;   // the statement, its first line; empty for ISO-7bit text
+    WorkShare share;
+};
+
+/// Adds up planned motion. What the library moves counts for the statement that called it.
+///
+/// Memory is bounded: of very many statements those are forgotten that have taken least so far.
+class WorkTimes {
+  public:
+    /// Both outlive this.
+    WorkTimes(const Execution& execution, const Session& session)
+        : execution_(execution), session_(session) {}
+
+    /// A command on its way to the planner.
+    void see(const path::Command& command);
+    /// … and a piece that it became; pieces come in the order of the commands.
+    void add(const motion::Segment& segment);
+
+    /// In the order in which they were called first; a tool that is called again has one row. Empty
+    /// where a change of the tool takes no time: then nothing tells them apart.
+    std::vector<ToolShare> tools() const;
+    /// The longest first.
+    std::vector<PlaceShare> longest(std::size_t most) const;
+
+  private:
+    struct Place {
+        SourceRange statement;   // of a source; invalid: …
+        std::uint32_t line = 0;  // … of the ISO-7bit text
+        std::string called;      // file and line in a program that was called
+    };
+    struct Row {
+        Place place;
+        WorkShare share;
+    };
+
+    WorkShare& share_of(const motion::Segment& segment);
+    SourceRange users_statement(const motion::Segment& segment) const;
+    bool is_in_library(const SourceRange& range) const;
+    void take_next_tool();
+    void forget_least();
+    PlaceShare shown(const Row& row) const;
+
+    const Execution& execution_;
+    const Session& session_;
+    std::deque<std::int64_t> calls_;  // of tools, that are not planned yet
+    std::vector<ToolShare> tools_ = {{}};
+    std::size_t tool_at_ = 0;
+    std::unordered_map<std::string, Row> rows_;
+    std::string key_;
+};
+
+/// Shows every command to the times on its way.
+class WorkTap final : public Stream<path::Command> {
+  public:
+    WorkTap(Stream<path::Command>& commands, WorkTimes& times)
+        : commands_(commands), times_(times) {}
+    std::size_t pull(std::span<path::Command> out) override {
+        const std::size_t count = commands_.pull(out);
+        for (const path::Command& command : out.first(count)) times_.see(command);
+        return count;
+    }
+
+  private:
+    Stream<path::Command>& commands_;
+    WorkTimes& times_;
+};
+
+}  // namespace kadr::driver

@@ -1,0 +1,106 @@
+// Curves over time: nothing that the axes are told is lost on its way to the paper.
+#include "driver/motion_plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/driver/scratch.h"
+
+namespace {
+
+using namespace kadr;
+using namespace kadr::driver;
+
+constexpr double kTick = 0.001;
+
+machine::Machine one_axis() {
+    machine::Machine machine;
+    machine.axes.push_back({.name = "X", .axis = Axis::X, .is_rotary = false});
+    machine.axes[0].velocity = 100;
+    machine.axes[0].acceleration = 2000;
+    return machine;
+}
+
+motion::Setpoint at(std::size_t tick, double x, std::uint32_t line = 1) {
+    motion::Setpoint setpoint;
+    setpoint.time = static_cast<double>(tick) * kTick;
+    setpoint.axis[0] = x;
+    setpoint.line = line;
+    return setpoint;
+}
+
+double greatest(const MotionTrace& trace, MotionTrace::Quantity quantity) {
+    double most = 0;
+    for (const MotionTrace::Bin& bin : trace.bins())
+        most = std::max(most, bin.axes[quantity][0].greatest);
+    return most;
+}
+
+TEST(MotionTrace, DerivativesAreDifferencesOfTicks) {
+    const machine::Machine machine = one_axis();
+    MotionTrace trace(machine, kTick, {});
+    // x = t³: 3t², 6t, 6 but for what a difference lags behind.
+    for (std::size_t i = 0; i <= 1000; ++i) trace.add(at(i, std::pow(kTick * double(i), 3)));
+    const MotionTrace::Bin& last = trace.bins().back();
+    EXPECT_NEAR(last.axes[MotionTrace::Position][0].last, 1, 1e-12);
+    EXPECT_NEAR(last.axes[MotionTrace::Velocity][0].last, 3, 0.005);
+    EXPECT_NEAR(last.axes[MotionTrace::Acceleration][0].last, 6, 0.01);
+    EXPECT_NEAR(last.axes[MotionTrace::Jerk][0].last, 6, 0.01);
+}
+
+TEST(MotionTrace, KeepsThePeakOfALongRun) {
+    const machine::Machine machine = one_axis();
+    MotionTrace trace(machine, kTick, {});
+    for (std::size_t i = 0; i < 100000; ++i) trace.add(at(i, i < 77777 ? 0 : 0.05));
+    EXPECT_LE(trace.bins().size(), 8192u);
+    EXPECT_NEAR(greatest(trace, MotionTrace::Velocity), 50, 1e-9);
+    EXPECT_NEAR(trace.bins().back().axes[MotionTrace::Position][0].last, 0.05, 1e-12);
+}
+
+TEST(MotionTrace, ShowsItsWindowAndItsBlocks) {
+    const machine::Machine machine = one_axis();
+    MotionTrace trace(machine, kTick, {0.1, 0.2});
+    for (std::size_t i = 0; i < 1000; ++i)
+        trace.add(at(i, 0, static_cast<std::uint32_t>(1 + i / 60)));
+    EXPECT_NEAR(trace.bins().front().time, 0.1, 1e-9);
+    EXPECT_NEAR(trace.bins().back().time, 0.2, 1e-9);
+    ASSERT_EQ(trace.blocks().size(), 3u);
+    EXPECT_EQ(trace.blocks()[0].line, 2u);
+    EXPECT_EQ(trace.blocks()[2].line, 4u);
+    EXPECT_FALSE(trace.has_too_many_blocks());
+    const std::string svg = motion_svg(trace, {"a part", "a control", {}});
+    EXPECT_NE(svg.find("X (limit 2000)"), std::string::npos);
+    EXPECT_NE(svg.find(">3</text>"), std::string::npos) << "the block's line";
+}
+
+TEST(MotionTrace, TooManyBlocksAreNotMarked) {
+    const machine::Machine machine = one_axis();
+    MotionTrace trace(machine, kTick, {});
+    for (std::size_t i = 0; i < 5000; ++i) trace.add(at(i, 0, static_cast<std::uint32_t>(i)));
+    EXPECT_TRUE(trace.has_too_many_blocks());
+    EXPECT_LE(trace.blocks().size(), 400u);
+}
+
+class CurvesOfARun : public kadr::test::ScratchFolder {};
+
+TEST_F(CurvesOfARun, AreDrawnForAWindow) {
+    save("square.kadr",
+         "program p() { tool(1); S1000 M3; F600; G0 X0 Y0 Z5; G1 X10; Y10; X0; Y0; M30; }");
+    const auto result = kadr({"run", file("square.kadr"), "--curves", file("c.svg"), "--window",
+                              "4.5s..5.5s", "--setpoints", file("c.npy")});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const std::string svg = read_file(file("c.svg")).value();
+    EXPECT_NE(svg.find("square.kadr: the axes over time"), std::string::npos);
+    EXPECT_TRUE(read_file(file("c.npy")).value().starts_with("\x93NUMPY"));
+    for (const char* wrong : {"3", "5s..4s", "a..b"}) {
+        const auto refused =
+            kadr({"run", file("square.kadr"), "--curves", file("d.svg"), "--window", wrong});
+        EXPECT_EQ(refused.status, 2) << wrong;
+        EXPECT_NE(refused.err.find("--window"), std::string::npos) << refused.err;
+    }
+}
+
+}  // namespace
