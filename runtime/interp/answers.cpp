@@ -45,9 +45,21 @@ std::optional<double> Executor::place_of(Quantity quantity, Axis axis) const {
         case Quantity::WorkPosition: return position_.here[i];
         case Quantity::HeadPosition: return frames_.from_base(head)[i];
         case Quantity::MachinePosition: return head[i];
+        case Quantity::BasePosition: return position_.base[i];
+        case Quantity::BaseZeroPosition: return place_within(frames_.base(), axis);
+        case Quantity::SettablePosition:
+            return place_within(chain(frames_.base(), frames_.work_offset()), axis);
         case Quantity::ToolLength: return length_shift_[i];
         default: return std::nullopt;
     }
+}
+
+/// Where the tip is, seen from a frame.
+double Executor::place_within(const ControlFrame& frame, Axis axis) const {
+    const std::size_t i = index(axis);
+    if (i > 2) return position_.base[i] - frame.shift[i] - frame.fine[i];
+    const path::Vec3 at{position_.base[0], position_.base[1], position_.base[2]};
+    return inverse(frame).whole()(at)[static_cast<Eigen::Index>(i)];
 }
 
 /// A bit for each axis, in the order in which the machine has them.
@@ -99,6 +111,47 @@ std::optional<double> Executor::clock(Quantity quantity) {
     }
 }
 
+/// The day of the run, and the time of the day, running time included.
+std::optional<double> Executor::calendar(Quantity quantity) {
+    constexpr double kDay = 86400;
+    const double of_day = std::fmod(std::floor(options_.time_of_day + run_time()), kDay);
+    const auto date = static_cast<double>(options_.date);  // YYYYMMDD
+    switch (quantity) {
+        case Quantity::Year: return std::floor(date / 10000);
+        case Quantity::Month: return std::fmod(std::floor(date / 100), 100);
+        case Quantity::Day: return std::fmod(date, 100);
+        case Quantity::Hour: return std::floor(of_day / 3600);
+        case Quantity::Minute: return std::fmod(std::floor(of_day / 60), 60);
+        case Quantity::Second: return std::fmod(of_day, 60);
+        default: return std::nullopt;
+    }
+}
+
+/// As SINUMERIK counts the data of a tool; S 5.1.
+std::optional<double> Executor::tool_datum(std::int64_t number) const {
+    using Column = ToolOffsets::Column;
+    const auto of = [this](Column column) { return tool_offsets_.value(column, tool_.current); };
+    switch (number) {
+        case 1: return of(Column::Type);
+        case 2: return of(Column::Tip);
+        case 3: return of(Column::First);
+        case 4: return of(Column::Second);
+        case 5: return of(Column::Third);
+        case 6: return of(Column::Radius);
+        case 12: return of(Column::FirstWear);
+        case 13: return of(Column::SecondWear);
+        case 14: return of(Column::ThirdWear);
+        case 15: return of(Column::RadiusWear);
+        case 21: return of(Column::FirstBase);
+        case 22: return of(Column::SecondBase);
+        case 23: return of(Column::ThirdBase);
+        default: break;
+    }
+    constexpr std::int64_t kMost = 25;
+    if (number < 1 || number > kMost) return std::nullopt;
+    return tool_offsets_.datum(tool_.current, number);
+}
+
 double Executor::timer(std::int64_t number) {
     const auto found = timers_.find(number);
     if (found == timers_.end()) return 0;
@@ -122,9 +175,18 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::WorkPosition:
         case Quantity::HeadPosition:
         case Quantity::MachinePosition:
+        case Quantity::BasePosition:
+        case Quantity::BaseZeroPosition:
+        case Quantity::SettablePosition:
         case Quantity::ToolLength: {
             const auto axis = axis_of(first);
             return axis ? place_of(quantity, *axis) : std::nullopt;
+        }
+        case Quantity::LowerLimit:
+        case Quantity::UpperLimit: {
+            const auto axis = axis_of(first);
+            if (!axis) return std::nullopt;
+            return (quantity == Quantity::LowerLimit ? lower_ : upper_)[index(*axis)];
         }
         case Quantity::WorkOffset: {
             const auto axis = axis_of(second);
@@ -158,9 +220,32 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
             return tool_.source == Tool::Source::None
                        ? 0
                        : tool_offsets_.length(static_cast<std::size_t>(first),
-                                              tool_.length_number());
+                                              tool_.length_number()) +
+                             extra_.lengths[static_cast<Eigen::Index>(first) - 1];
         case Quantity::Timer: return timer(first);
-        case Quantity::ToolRadius: return tool_offsets_.radius(tool_.current);
+        case Quantity::ToolRadius: return tool_offsets_.radius(tool_.current) + extra_.radius;
+        case Quantity::ActiveToolDatum: return tool_datum(first);
+        case Quantity::ToolDatum:
+            if (first < 1 || first > rules_.tool_offsets || second % nc::kDatum > 1)
+                return std::nullopt;
+            return tool_offsets_.datum(first, second / nc::kDatum);
+        case Quantity::FirstExtraLength: return extra_.lengths[0];
+        case Quantity::ExtraLength:
+            if (first < 1 || first > 3) return std::nullopt;
+            return extra_.lengths[static_cast<Eigen::Index>(first) - 1];
+        case Quantity::ExtraAlong: {
+            const auto axis = axis_of(first);
+            if (!axis || index(*axis) > 2) return std::nullopt;
+            return extra_.along[static_cast<Eigen::Index>(index(*axis))];
+        }
+        case Quantity::ExtraRadius: return extra_.radius;
+        case Quantity::ActualSpeed: {
+            if (first > 1) return std::nullopt;
+            const bool is_ccw = spindle_.mode == path::SpindleMode::Ccw;
+            if (!is_ccw && spindle_.mode != path::SpindleMode::Cw) return 0;
+            const double speed = spindle_.has_cutting_speed ? turning_speed() : spindle_.told.speed;
+            return is_ccw ? -speed : speed;
+        }
         case Quantity::LengthGeometry:
         case Quantity::LengthWear:
         case Quantity::RadiusGeometry:
@@ -173,6 +258,9 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::SecondWear:
         case Quantity::ThirdLength:
         case Quantity::ThirdWear:
+        case Quantity::FirstBase:
+        case Quantity::SecondBase:
+        case Quantity::ThirdBase:
         case Quantity::ToolTip:
         case Quantity::ToolType: {
             // Of a tool the first cutting edge is known.
@@ -187,8 +275,17 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::ProbePosition: {
             const auto axis = axis_of(first);
             if (!axis) return std::nullopt;
-            return probed_ ? (*probed_)[index(*axis)] : 0.0;
+            return probed_ ? probed_->head[index(*axis)] : 0.0;
         }
+        case Quantity::ProbePlace:
+        case Quantity::ProbeMachine: {
+            const auto axis = axis_of(first);
+            if (!axis) return std::nullopt;
+            if (!probed_) return 0;
+            return (quantity == Quantity::ProbePlace ? probed_->tip
+                                                     : probed_->machine)[index(*axis)];
+        }
+        case Quantity::ProbeFound: return probed_ ? 1 : 0;
         case Quantity::MirroredAxes: return mirrored_axes();
         case Quantity::FirstPlaneAxis: return name_of_axis(path::axes_of(modal_.plane).first);
         case Quantity::SecondPlaneAxis: return name_of_axis(path::axes_of(modal_.plane).second);
@@ -197,12 +294,21 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::Hours:
         case Quantity::Date:
         case Quantity::TimeOfDay: return clock(quantity);
+        case Quantity::RunTime: return run_time();
+        case Quantity::Year:
+        case Quantity::Month:
+        case Quantity::Day:
+        case Quantity::Hour:
+        case Quantity::Minute:
+        case Quantity::Second: return calendar(quantity);
         case Quantity::SettableFrame:
         case Quantity::ActiveFrame:
         case Quantity::BaseFrame:
         case Quantity::ProgrammableFrame:
         case Quantity::TotalFrame:
         case Quantity::ProgramLevel:
+        case Quantity::ArgumentGiven:
+        case Quantity::ExtraBoth:
         case Quantity::None:
         case Quantity::ModalCode:
         case Quantity::ModalNumber:

@@ -126,6 +126,8 @@ void Executor::change_comp(const CompChange& change) {
     switch (change.kind) {
         case CompChange::Kind::Leave: compensation_.leave(change.direction); break;
         case CompChange::Kind::KeepVector: compensation_.keep_vector(); break;
+        case CompChange::Kind::Pause: take_comp(compensation_.pause()); break;
+        case CompChange::Kind::Resume: compensation_.resume(); break;
         case CompChange::Kind::RoundCorner:
             take_comp(compensation_.round_corner(change.motion, change.direction));
             break;
@@ -201,7 +203,7 @@ std::optional<std::int64_t> Executor::comp_offset() const {
 /// How far beside the contour the cutter's centre goes, positive to the left: a frame that mirrors
 /// the plane changes the side. A lathe's tool is programmed by its tip.
 void Executor::take_comp_tool(const Block& block, std::int64_t number, CompChange& change) {
-    const double radius = tool_offsets_.radius(number);
+    const double radius = tool_offsets_.radius(number) + extra_.radius;
     const int tip = tool_offsets_.tip(number);
     const bool is_turned = tool_offsets_.is_turning(number) && modal_.plane == path::Plane::Zx;
     const bool has_no_tip = is_turned && radius != 0 && tip == 0;

@@ -56,7 +56,7 @@ void Compensation::begin(const CompSettings& settings, path::Plane plane, double
     distance_ = distance;
     here_ = here;
     corners_ = path::RadiusComp(settings.corners);
-    has_last_ = approaches_ = keeps_vector_ = false;
+    has_last_ = approaches_ = keeps_vector_ = is_paused_ = comes_back_ = false;
     leave_direction_.reset();
     empty_blocks_ = 0;
     state_ = State::Starting;
@@ -75,7 +75,20 @@ void Compensation::set_settings(const CompSettings& settings) {
 
 void Compensation::leave(const std::optional<Vec2>& direction) {
     leave_direction_ = direction;
+    is_paused_ = comes_back_ = false;
     state_ = state_ == State::On ? State::Leaving : State::Off;
+}
+
+std::optional<CompAlarm> Compensation::pause() {
+    if (state_ != State::On || is_paused_) return std::nullopt;
+    std::optional<CompAlarm> alarm = flush();
+    is_paused_ = true;
+    return alarm;
+}
+
+void Compensation::resume() {
+    comes_back_ = is_paused_ || comes_back_;
+    is_paused_ = false;
 }
 
 std::optional<CompAlarm> Compensation::stop() {
@@ -206,6 +219,7 @@ Compensation::Fault Compensation::take(Command& command, const AxisValues& behin
 }
 
 Compensation::Fault Compensation::take_motion(Command& command) {
+    if (is_paused_ && state_ == State::On) return follow_paused(command);
     if (!is_straight(command.op) && command.op != Op::Arc) return &diag::CompMotion;
     const double side = command.normal.dot(path::unit(axes_.normal));
     if (command.op == Op::Arc && std::abs(side) < 1 - 1e-9) return &diag::CompMotion;  // it tilts
@@ -244,6 +258,24 @@ Compensation::Fault Compensation::follow_kept(Command& command) {
     return nullptr;
 }
 
+/// As it is programmed, so far beside as the contour before has ended.
+Compensation::Fault Compensation::follow_paused(Command& command) {
+    const Vec2 vector = in_plane(shown_) - in_plane(here_);
+    here_ = meant_ = command.to;
+    set_in_plane(command.to, in_plane(command.to) + vector);
+    command.center[static_cast<Eigen::Index>(index(axes_.first))] += vector.x();
+    command.center[static_cast<Eigen::Index>(index(axes_.second))] += vector.y();
+    put(std::move(command));
+    return nullptr;
+}
+
+/// Behind a pause: from where the tool is to the normal at the start of the contour's element.
+void Compensation::come_back(const Command& command, const Element& element) {
+    comes_back_ = false;
+    meant_ = here_;
+    emit_line({command, 0, 0, false}, path::RadiusComp::start_of(element, distance_), true);
+}
+
 Compensation::Fault Compensation::approach(Command& command) {
     if (!is_straight(command.op)) return &diag::CompStartOnArc;
     if (keeps_vector_) return &diag::CompNoVector;
@@ -265,6 +297,7 @@ Compensation::Fault Compensation::follow(Command& command) {
     if (approaches_) {
         if (const Fault fault = enter(element)) return fault;
     }
+    if (comes_back_) come_back(command, element);
     const double radius = element.is_arc() ? path::radius(element) : 0;
     const bool has_changed = has_last_ && std::abs(distance_ - last_distance_) > path::kSamePoint;
     if (has_changed && element.is_arc() && settings_.radius_changes_in_lines)

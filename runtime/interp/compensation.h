@@ -65,6 +65,11 @@ class Compensation {
 
     /// The motions of the block that follows leave the cutter as far beside the contour as it is.
     void keep_vector() { keeps_vector_ = true; }
+    /// The contour so far ends on its normal; from there on the tool goes as far beside what is
+    /// programmed as it is then, until `resume`. Nothing happens before the contour has begun.
+    std::optional<CompAlarm> pause();
+    /// Before the next motion in the plane a line leads to the normal at its start.
+    void resume();
     /// The cutter goes on an arc about the corner at which it is: to the normal of the next motion,
     /// or of a direction. `motion` tells feed and place of the arc.
     std::optional<CompAlarm> round_corner(const path::Command& motion,
@@ -109,6 +114,8 @@ class Compensation {
     Fault enter(const path::Element& first);
     Fault push(const path::Element& element, Held held);
     Fault follow_kept(path::Command& command);
+    Fault follow_paused(path::Command& command);
+    void come_back(const path::Command& command, const path::Element& element);
     Fault finish(const std::optional<path::Vec2>& direction = std::nullopt);
     bool moves_in_plane(const path::Command& command) const;
     bool is_on_contour() const { return state_ == State::On || state_ == State::Leaving; }
@@ -154,6 +161,8 @@ class Compensation {
     bool approaches_ = false;     // the first of `held_` waits for the first element
     bool goes_straight_ = false;  // the approach, whatever the settings say
     bool keeps_vector_ = false;
+    bool is_paused_ = false;
+    bool comes_back_ = false;  // behind a pause: by a line to the contour
     std::optional<path::Vec2> leave_direction_;
     int empty_blocks_ = 0;
     std::deque<Held> held_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bitset>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -89,6 +90,8 @@ struct Level {
     Store elements;              // of the arrays and the texts that were declared
     nc::SymbolTable symbols;     // `slot` counts in the store of the symbol
     std::vector<Store*> stores;  // of the symbols; of a parameter by reference the caller's
+    /// Which parameters the call of the program has given, as many as a procedure may have; S 8.8.
+    std::bitset<127> given;
 };
 
 }  // namespace kadr::interp

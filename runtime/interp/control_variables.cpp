@@ -25,7 +25,12 @@ bool is_of_axis(Quantity quantity) {
         case Quantity::HeadPosition:
         case Quantity::MachinePosition:
         case Quantity::ToolLength:
+        case Quantity::BasePosition:
+        case Quantity::BaseZeroPosition:
+        case Quantity::SettablePosition:
         case Quantity::ProbePosition:
+        case Quantity::ProbePlace:
+        case Quantity::ProbeMachine:
         case Quantity::WorkOffset: return true;
         default: return false;
     }
@@ -48,7 +53,15 @@ bool is_of_tool_data(Quantity quantity) {
         case Quantity::SecondLength:
         case Quantity::SecondWear:
         case Quantity::ThirdLength:
-        case Quantity::ThirdWear: return true;
+        case Quantity::ThirdWear:
+        case Quantity::FirstBase:
+        case Quantity::SecondBase:
+        case Quantity::ThirdBase:
+        case Quantity::ExtraLength:
+        case Quantity::FirstExtraLength:
+        case Quantity::ExtraAlong:
+        case Quantity::ExtraRadius:
+        case Quantity::ExtraBoth: return true;
         default: return false;
     }
 }
@@ -204,11 +217,18 @@ Variables::Answer ControlVariables::system(Quantity quantity, std::int64_t first
         out = static_cast<double>(program_level_);
         return Answer::Value;
     }
+    if (quantity == Quantity::ArgumentGiven) {
+        if (first < 1 || first > static_cast<std::int64_t>(level_->given.size()))
+            return Answer::Missing;
+        out = level_->given[static_cast<std::size_t>(first) - 1] ? 1 : 0;
+        return Answer::Value;
+    }
     if (state_ == nullptr) return Answer::Unsupported;
     if (!in_step_) return Answer::Later;
-    const bool is_of_tool = quantity == Quantity::WorkPosition ||
-                            quantity == Quantity::HeadPosition ||
-                            quantity == Quantity::MachinePosition;
+    const bool is_of_tool =
+        quantity == Quantity::WorkPosition || quantity == Quantity::HeadPosition ||
+        quantity == Quantity::MachinePosition || quantity == Quantity::BasePosition ||
+        quantity == Quantity::BaseZeroPosition || quantity == Quantity::SettablePosition;
     if (is_of_tool && state_->is_compensated()) return Answer::Compensated;
     const auto value = state_->quantity(quantity, first, second);
     if (!value) return Answer::Missing;

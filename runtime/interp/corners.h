@@ -51,7 +51,7 @@ struct CornerMessage {
 
 /// A change of the compensation, at its place among the commands.
 struct CompChange {
-    enum class Kind : std::uint8_t { Leave, Begin, Set, KeepVector, RoundCorner };
+    enum class Kind : std::uint8_t { Leave, Begin, Set, KeepVector, RoundCorner, Pause, Resume };
     Kind kind = Kind::Set;
     CompSettings settings;
     path::Plane plane = path::Plane::Xy;

@@ -448,6 +448,23 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             actions.comp_changed |= comp_.side != Function::RadiusCompOff;
             break;
         case Function::FeedOnce: actions.feed_once = block.argument(invocation, 0); break;
+        case Function::AreaLimit: set_area_limit(block, invocation); break;
+        case Function::AreaOn:
+        case Function::AreaOff: area_.switch_on(invocation.function == Function::AreaOn); break;
+        case Function::SpeedBound: set_speed_bound(block, invocation); break;
+        case Function::CompPause:
+        case Function::CompResume:
+            if (comp_.side != Function::RadiusCompOff && !keeps_shape()) {
+                send_comp({invocation.function == Function::CompPause ? CompChange::Kind::Pause
+                                                                      : CompChange::Kind::Resume,
+                           {},
+                           modal_.plane,
+                           0,
+                           position_.base,
+                           {},
+                           {}});
+            }
+            break;
         case Function::SoftSteps: soft_.in_steps = count_of(block, invocation) != 0; break;
         case Function::LengthCompOn:
         case Function::LengthCompMinus:
@@ -674,13 +691,19 @@ void Executor::program_speed(const Block& block) {
 void Executor::leave_cutting_speed() {
     if (!spindle_.has_cutting_speed) return;
     spindle_.has_cutting_speed = false;
+    const double speed = turning_speed();
+    if (std::isfinite(speed)) spindle_.speed = speed;  // in the centre without a limit: as before
+}
+
+/// Speed under constant cutting speed where the tool is, rpm; infinite in the centre without a
+/// limit.
+double Executor::turning_speed() const {
     const double diameter = 2 * std::abs(position_.here[index(Axis::X)]);
     double highest = machine_.max_speed > 0 ? rpm_from_speed(machine_.max_speed)
                                             : std::numeric_limits<double>::infinity();
-    if (spindle_.limit > 0) highest = std::min(highest, spindle_.limit);
+    if (highest_speed() > 0) highest = std::min(highest, highest_speed());
     const double mm_min = 1000 * spindle_.cutting_speed;
-    const double speed = std::min(mm_min / (std::numbers::pi * diameter), highest);
-    if (std::isfinite(speed)) spindle_.speed = speed;  // in the centre without a limit: as before
+    return std::min(mm_min / (std::numbers::pi * diameter), highest);
 }
 
 void Executor::set_speed_limit(const Block& block, const Invocation& invocation) {
@@ -689,15 +712,63 @@ void Executor::set_speed_limit(const Block& block, const Invocation& invocation)
         report(diag::SpeedLimitInvalid, block, Function::SpeedLimit).arg(limit);
         return;
     }
-    if (limit == spindle_.limit) return;
+    const double before = highest_speed();
     spindle_.limit = limit;
-    put(Op::SpeedLimit, block).speed = limit;
+    tell_speed_limit(block, before);
+}
+
+/// The limit that acts under constant cutting speed, rpm; 0: none.
+double Executor::highest_speed() const {
+    if (spindle_.limit == 0 || spindle_.most == 0) return std::max(spindle_.limit, spindle_.most);
+    return std::min(spindle_.limit, spindle_.most);
+}
+
+void Executor::tell_speed_limit(const Block& block, double before) {
+    const double now = highest_speed();
+    if (now != before) put(Op::SpeedLimit, block).speed = now;
+}
+
+void Executor::set_speed_bound(const Block& block, const Invocation& invocation) {
+    const bool is_upper = count_of(block, invocation) != 0;
+    const double bound = block.argument(invocation, 1);
+    if (bound < 0 || (is_upper && bound == 0)) {
+        report(diag::SpeedLimitInvalid, block, invocation.function).arg(bound);
+        return;
+    }
+    const double before = highest_speed();
+    (is_upper ? spindle_.most : spindle_.least) = bound;
+    tell_speed_limit(block, before);
+}
+
+/// The programmed speed within the bounds of the spindle, rpm; said once of each speed.
+double Executor::bounded_speed(const Block& block) {
+    const double wanted = spindle_.speed;
+    if (!(wanted > 0)) return wanted;
+    double speed = std::max(wanted, spindle_.least);
+    if (spindle_.most > 0) speed = std::min(speed, spindle_.most);
+    if (speed != wanted && wanted != warned_bound_) {
+        warned_bound_ = wanted;
+        report(diag::SpeedBounded, block).arg(wanted).arg(speed);
+    }
+    return speed;
+}
+
+void Executor::set_area_limit(const Block& block, const Invocation& invocation) {
+    constexpr std::size_t kFirst = 1;
+    const FrameWords words = frame_words(block, invocation, kFirst, word_scale_[index(Axis::X)]);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (words.has(i))
+            area_.set(static_cast<Axis>(i), count_of(block, invocation) != 0, words.values[i]);
+    }
 }
 
 /// Tells the motion side what has become of the spindle, if anything has.
 void Executor::update_spindle(const Block& block) {
     const bool runs = is_running(spindle_.mode);
-    const double speed = spindle_.has_cutting_speed ? spindle_.cutting_speed : spindle_.speed;
+    const bool is_bounded = runs && !spindle_.has_cutting_speed;
+    const double speed = spindle_.has_cutting_speed ? spindle_.cutting_speed
+                         : is_bounded               ? bounded_speed(block)
+                                                    : spindle_.speed;
     const Spindle::Told now{spindle_.mode, runs ? speed : 0, runs && spindle_.has_cutting_speed};
     if (now == spindle_.told) return;
     if (runs && !(speed > 0)) report(diag::SpindleWithoutSpeed, block);
@@ -779,6 +850,7 @@ void Executor::change_tool(const Block& block) {
     }
     if (tool_.selected != tool_.current) {
         tool_.current = tool_.selected;
+        extra_ = {};
         put(Op::Tool, block).tool = tool_.current;
     }
     if (rules_.tool_change_stops_spindle && !machine_.is_lathe) {

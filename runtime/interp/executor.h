@@ -29,6 +29,7 @@
 #include "interp/spline_run.h"
 #include "interp/state.h"
 #include "interp/tool_offsets.h"
+#include "interp/work_area.h"
 #include "path/arc.h"
 
 namespace kadr::interp {
@@ -143,8 +144,13 @@ class Executor {
   private:
     std::optional<Axis> axis_of(std::int64_t index) const;
     std::optional<double> place_of(nc::Quantity quantity, Axis axis) const;
+    double place_within(const ControlFrame& frame, Axis axis) const;
     double mirrored_axes() const;
     std::optional<double> clock(nc::Quantity quantity);
+    std::optional<double> calendar(nc::Quantity quantity);
+    std::optional<double> tool_datum(std::int64_t number) const;
+    ControlState::Write set_extra(nc::Quantity quantity, std::int64_t first, double value);
+    bool set_tool_datum(std::int64_t number, std::int64_t datum_and_edge, double value);
     double timer(std::int64_t number);
     void set_timer(std::int64_t number, double value);
     void count_time();
@@ -182,6 +188,12 @@ class Executor {
     void program_speed(const nc::Block& block);
     void leave_cutting_speed();
     void set_speed_limit(const nc::Block& block, const nc::Invocation& invocation);
+    void set_speed_bound(const nc::Block& block, const nc::Invocation& invocation);
+    void tell_speed_limit(const nc::Block& block, double before);
+    double highest_speed() const;
+    double bounded_speed(const nc::Block& block);
+    double turning_speed() const;
+    void set_area_limit(const nc::Block& block, const nc::Invocation& invocation);
     void update_spindle(const nc::Block& block);
     void orient_spindle(const nc::Block& block, const nc::Invocation& invocation);
     void stop_spindle_and_coolant(const nc::Block& block, const Actions& actions);
@@ -346,6 +358,8 @@ class Executor {
     void check_tool(const nc::Block& block);
     void check_units(const nc::Block& block, nc::Function units);
     bool check_limits(const nc::Block& block, const AxisValues& base, AxisMask moved);
+    bool check_machine_limits(const nc::Block& block, const AxisValues& base, AxisMask moved);
+    bool check_area(const nc::Block& block, const AxisValues& base, AxisMask moved);
     bool check_arc_limits(const nc::Block& block, const path::Arc& arc, const Target& target);
     bool check_box(const nc::Block& block, const path::Box& box);
     void report_limit(const nc::Block& block, Axis axis, double at);
@@ -430,7 +444,14 @@ class Executor {
     std::map<std::int64_t, Timer> timers_;
     double milliseconds_from_ = 0;  // what the program has set, without the time since
     double hours_from_ = 0;
-    std::optional<AxisValues> probed_;  // where the last probing ended, in the programmed system
+    /// Where the last probing ended: tool length included, and of the tip, in the programmed
+    /// system; in machine coordinates.
+    struct Probed {
+        AxisValues head{};
+        AxisValues tip{};
+        AxisValues machine{};
+    };
+    std::optional<Probed> probed_;
     std::uint64_t block_count_ = 0;
     bool ended_ = false;
     bool alarmed_ = false;
@@ -445,6 +466,8 @@ class Executor {
     std::vector<KeptFrames> kept_frames_;  // of programs that go back to them
     Spindle spindle_;
     Tool tool_;
+    ExtraTool extra_;
+    WorkArea area_;
     Polar polar_;
     path::Vec3 came_from_ = path::Vec3::Zero();  // in the base system: a place on the way to here
     bool diameter_is_absolute_ = false;          // X is a diameter as a coordinate only
@@ -459,6 +482,7 @@ class Executor {
     bool warned_spindle_stopped_ = false;
     bool warned_rapid_ = false;
     bool warned_thread_speed_ = false;
+    double warned_bound_ = 0;       // speed of which was said that it is beyond a bound
     bool has_called_tool_ = false;  // or was told that none was called
     bool has_moved_ = false;
     bool warned_units_ = false;

@@ -235,8 +235,11 @@ void Executor::line(const Block& block, const Target& target, Op op, bool exact_
     arrive(target);
     if (op != Op::Probe) return;
     probed_.emplace();
-    for (std::size_t i = 0; i < kAxes; ++i)
-        (*probed_)[i] = *place_of(nc::Quantity::HeadPosition, static_cast<Axis>(i));
+    probed_->tip = position_.here;
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        probed_->head[i] = *place_of(nc::Quantity::HeadPosition, static_cast<Axis>(i));
+        probed_->machine[i] = *place_of(nc::Quantity::MachinePosition, static_cast<Axis>(i));
+    }
 }
 
 /// Machine coordinates are coordinates of the spindle nose: neither frames nor, on most controls,
@@ -293,7 +296,7 @@ void Executor::rapid_to_machine_position(const Block& block, const AxisValues& t
     Target target{{}, to, moved};
     for (std::size_t i = 0; i < kAxes; ++i) target.base[i] -= length_shift_[i];
     target.here = frames_.from_base(target.base);
-    if (!check_limits(block, target.base, target.moved)) return;
+    if (!check_machine_limits(block, target.base, target.moved)) return;
     Command& command = put(Op::Rapid, block);
     command.to = to;
     command.moved = moved;
@@ -512,8 +515,10 @@ Vec3 Executor::wanted_lengths() const {
     const std::int64_t number = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
     if (number == 0) return lengths;
     const auto put = [&](Axis axis, std::size_t part) {
+        const double extra = extra_.lengths[static_cast<Eigen::Index>(part) - 1];
         if ((axes_ & bit(axis)) != 0)
-            lengths[static_cast<Eigen::Index>(index(axis))] = tool_offsets_.length(part, number);
+            lengths[static_cast<Eigen::Index>(index(axis))] =
+                tool_offsets_.length(part, number) + extra;
     };
     const bool goes_by_plane = rules_.length_axis == LengthAxis::Plane;
     if (tool_offsets_.is_turning(number)) {
@@ -531,6 +536,7 @@ Vec3 Executor::wanted_lengths() const {
     } else {
         put(Axis::Z, 1);
     }
+    lengths += extra_.along;
     const bool is_taken_off = tool_.source == Tool::Source::Offset && tool_.is_taken_off;
     return is_taken_off ? Vec3(-lengths) : lengths;
 }
@@ -932,6 +938,25 @@ void Executor::check_units(const Block& block, nc::Function units) {
 }
 
 bool Executor::check_limits(const Block& block, const AxisValues& base, AxisMask moved) {
+    return check_machine_limits(block, base, moved) &&
+           (!area_.acts() || check_area(block, base, moved));
+}
+
+/// Whether the tip is inside of the working area that the program has set.
+bool Executor::check_area(const Block& block, const AxisValues& base, AxisMask moved) {
+    const AxisMask axes =
+        frames_.is_shift() ? moved : static_cast<AxisMask>(moved | (axes_ & kLinearXYZ));
+    const std::optional<WorkArea::Excess> excess = area_.excess(base, axes);
+    if (!excess) return true;
+    const Slot word = nc::slot_of(excess->axis);
+    (block.has(word) ? report(diag::AreaLeft, block, word) : report(diag::AreaLeft, block))
+        .arg(kAxisNames[index(excess->axis)])
+        .arg(round_to(excess->at, 6))
+        .arg(round_to(excess->limit, 6));
+    return false;
+}
+
+bool Executor::check_machine_limits(const Block& block, const AxisValues& base, AxisMask moved) {
     const AxisMask axes =
         frames_.is_shift() ? moved : static_cast<AxisMask>(moved | (axes_ & kLinearXYZ));
     for (AxisMask rest = axes; rest != 0; rest = static_cast<AxisMask>(rest & (rest - 1))) {
@@ -950,7 +975,7 @@ bool Executor::check_arc_limits(const Block& block, const path::Arc& arc, const 
     // Far from every limit, which is nearly always, the whole circle is the quick answer.
     const path::ArcShape shape = path::shape_of(arc);
     const double reach = std::max(shape.start_radius, shape.end_radius) + std::abs(shape.height);
-    bool is_far = true;
+    bool is_far = !area_.acts();
     for (std::size_t i = 0; i < 3; ++i) {
         const double center = arc.center[static_cast<Eigen::Index>(i)] + length_shift_[i];
         is_far &= center - reach >= lower_[i] && center + reach <= upper_[i];
@@ -970,7 +995,14 @@ bool Executor::check_box(const Block& block, const path::Box& box) {
             return false;
         }
     }
-    return true;
+    if (!area_.acts()) return true;
+    const auto corner = [](const Vec3& at) {
+        AxisValues values{};
+        for (std::size_t i = 0; i < 3; ++i) values[i] = at[static_cast<Eigen::Index>(i)];
+        return values;
+    };
+    return check_area(block, corner(box.lower), kLinearXYZ) &&
+           check_area(block, corner(box.upper), kLinearXYZ);
 }
 
 void Executor::report_limit(const Block& block, Axis axis, double at) {

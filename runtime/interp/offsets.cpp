@@ -55,12 +55,22 @@ Write Executor::set_quantity(Quantity quantity, std::int64_t first, std::int64_t
         case Quantity::SecondWear:
         case Quantity::ThirdLength:
         case Quantity::ThirdWear:
+        case Quantity::FirstBase:
+        case Quantity::SecondBase:
+        case Quantity::ThirdBase:
             if (second > 1) return Write::NoPlace;
             return set_tool_offset(*tool_offsets_.column_of(quantity, first), first, value);
         case Quantity::CrossGeometry:
         case Quantity::CrossWear:
             return set_tool_offset(*tool_offsets_.column_of(quantity, first), first,
                                    value * word_scale_[index(Axis::X)]);
+        case Quantity::ToolDatum:
+            return set_tool_datum(first, second, value) ? Write::Done : Write::NoPlace;
+        case Quantity::FirstExtraLength: return set_extra(Quantity::ExtraLength, 1, value);
+        case Quantity::ExtraLength:
+        case Quantity::ExtraAlong:
+        case Quantity::ExtraRadius:
+        case Quantity::ExtraBoth: return set_extra(quantity, first, value);
         case Quantity::Timer: set_timer(first, value); return Write::Done;
         case Quantity::Milliseconds:
             milliseconds_from_ = value - run_time() * 1000;
@@ -108,6 +118,35 @@ Write Executor::set_tool_offset(ToolOffsets::Column column, std::int64_t number,
     if (column == ToolOffsets::Column::Tip && !is_tip) return Write::TooLarge;
     tool_offsets_.set(column, number, value);
     if (rules_.tool_offsets_act_at_once) tool_.has_changed = true;
+    return Write::Done;
+}
+
+/// `datum_and_edge`: the number of the datum a thousand times, and the cutting edge, of which the
+/// first is known.
+bool Executor::set_tool_datum(std::int64_t number, std::int64_t datum_and_edge, double value) {
+    if (number < 1 || number > rules_.tool_offsets || datum_and_edge % nc::kDatum > 1) return false;
+    tool_offsets_.set_datum(number, datum_and_edge / nc::kDatum, value);
+    return true;
+}
+
+/// Acts with the next motion; S 5.1. Whether the two kinds of lengths end each other is not told
+/// (unsure).
+Write Executor::set_extra(Quantity quantity, std::int64_t first, double value) {
+    if (quantity == Quantity::ExtraLength && (first < 1 || first > 3)) return Write::NoPlace;
+    if (quantity == Quantity::ExtraAlong) {
+        const auto axis = axis_of(first);
+        if (!axis || index(*axis) > 2) return Write::NoPlace;
+        extra_.lengths.setZero();
+        extra_.along[static_cast<Eigen::Index>(index(*axis))] = value;
+    } else if (quantity != Quantity::ExtraRadius) {
+        extra_.along.setZero();
+        extra_.lengths[quantity == Quantity::ExtraBoth ? 0 : first - 1] = value;
+    }
+    const bool is_of_radius = quantity == Quantity::ExtraRadius || quantity == Quantity::ExtraBoth;
+    if (is_of_radius) extra_.radius = value;
+    tool_.has_changed = true;
+    if (is_of_radius && comp_.side != Function::RadiusCompOff)
+        send_comp(comp_change({}, CompChange::Kind::Set));
     return Write::Done;
 }
 

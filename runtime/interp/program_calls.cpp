@@ -407,6 +407,7 @@ Program::State::Done Program::State::bind_parameter(CompiledLine& line, const Pr
     const nc::ProcedureParameter& parameter = head.statements[0].parameters[index];
     const GivenValue& given_value =
         index < call.arguments.size() ? call.arguments[index] : kNothing;
+    variables.level().given[index] = given_value.is_given;
     nc::Symbol symbol = symbol_of(parameter);
     const auto work_out = [&](const nc::Expression& expression, Value& out) {
         return evaluator.run(head, expression, out) == Evaluator::Outcome::Done;

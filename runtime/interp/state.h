@@ -35,6 +35,8 @@ struct Spindle {
     double speed = 0;                // rpm
     double cutting_speed = 0;        // m/min; 0: never programmed
     double limit = 0;                // rpm under constant cutting speed; 0: none
+    double least = 0;                // rpm, whatever is programmed …
+    double most = 0;                 // … 0: none
     bool has_cutting_speed = false;  // constant cutting speed is on
     double angle_deg = 0;            // where it stands, if it is oriented
 
@@ -65,6 +67,13 @@ struct Tool {
 
     /// Number of the tool or offset whose length should act.
     std::int64_t length_number() const { return source == Source::Edge ? current : offset; }
+};
+
+/// What the program adds to the data of the tool in the spindle, mm.
+struct ExtraTool {
+    path::Vec3 lengths = path::Vec3::Zero();  // of lengths 1 to 3
+    path::Vec3 along = path::Vec3::Zero();    // … or along X, Y, Z
+    double radius = 0;
 };
 
 /// What the program has chosen of the cutter radius compensation.

@@ -42,6 +42,9 @@ std::optional<Column> ToolOffsets::column_of(nc::Quantity quantity, std::int64_t
         case Quantity::ThirdWear: return Column::ThirdWear;
         case Quantity::RadiusGeometry: return Column::Radius;
         case Quantity::RadiusWear: return Column::RadiusWear;
+        case Quantity::FirstBase: return Column::FirstBase;
+        case Quantity::SecondBase: return Column::SecondBase;
+        case Quantity::ThirdBase: return Column::ThirdBase;
         case Quantity::ToolTip: return Column::Tip;
         case Quantity::ToolType: return Column::Type;
         default: return std::nullopt;
@@ -64,10 +67,21 @@ void ToolOffsets::set(Column column, std::int64_t number, double value) {
     offsets_[number][place_of(column)] = value;
 }
 
+double ToolOffsets::datum(std::int64_t number, std::int64_t datum) const {
+    const auto found = data_.find({number, datum});
+    return found == data_.end() ? 0 : found->second;
+}
+
+void ToolOffsets::set_datum(std::int64_t number, std::int64_t datum, double value) {
+    data_[{number, datum}] = value;
+}
+
 double ToolOffsets::length(std::size_t part, std::int64_t number) const {
     static constexpr std::array kLengths = {Column::First, Column::Second, Column::Third};
     static constexpr std::array kWears = {Column::FirstWear, Column::SecondWear, Column::ThirdWear};
-    return value(kLengths[part - 1], number) + value(kWears[part - 1], number);
+    static constexpr std::array kBases = {Column::FirstBase, Column::SecondBase, Column::ThirdBase};
+    return value(kLengths[part - 1], number) + value(kWears[part - 1], number) +
+           value(kBases[part - 1], number);
 }
 
 double ToolOffsets::radius(std::int64_t number) const {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "machine/machine.h"
 #include "nc/language.h"
@@ -25,6 +26,9 @@ class ToolOffsets {
         ThirdWear,
         Radius,
         RadiusWear,
+        FirstBase,  // of the adapter, added to the lengths
+        SecondBase,
+        ThirdBase,
         Tip,   // 0 to 9, as in machine::ToolData
         Type,  // 0: nobody has said it
     };
@@ -42,7 +46,10 @@ class ToolOffsets {
     /// mm; 0 of an offset that nobody has set.
     double value(Column column, std::int64_t number) const;
     void set(Column column, std::int64_t number, double value);
-    /// What acts, geometry and wear, mm: length 1, 2 or 3.
+    /// Data on which nothing depends, by their numbers; 0 if nobody has said them.
+    double datum(std::int64_t number, std::int64_t datum) const;
+    void set_datum(std::int64_t number, std::int64_t datum, double value);
+    /// What acts, geometry, wear and adapter, mm: length 1, 2 or 3.
     double length(std::size_t part, std::int64_t number) const;
     double radius(std::int64_t number) const;
     int tip(std::int64_t number) const { return whole(Column::Tip, number); }
@@ -51,8 +58,9 @@ class ToolOffsets {
   private:
     int whole(Column column, std::int64_t number) const;
 
-    static constexpr std::size_t kColumns = 10;
+    static constexpr std::size_t kColumns = 13;
     std::map<std::int64_t, std::array<double, kColumns>> offsets_;
+    std::map<std::pair<std::int64_t, std::int64_t>, double> data_;  // by tool and datum
     bool is_lathe_;
 };
 

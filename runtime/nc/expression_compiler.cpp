@@ -473,8 +473,12 @@ bool ExpressionCompiler::fail_unsupported(const VariableRange& range, std::size_
 
 /// `$P_EP[X]`, `$PI`, `TRUE`, `#_ABSIO[1]`
 bool ExpressionCompiler::take_named(const Word& word, Reference& out) {
+    const std::size_t next = words_.skip_blanks(at_ + word.text.size());
+    const bool has_index = next < line_.size() && line_[next] == language_.index_open;
     for (const VariableForm& form : language_.variables) {
         if (form.is_family || !words_.is_same(word.text, form.name)) continue;
+        // With an index it may be another variable than without: `TOFFL[2]` and `TOFFL`.
+        if (form.has_namesake && has_index == form.indices.empty()) continue;
         const std::size_t begin = at_;
         at_ += word.text.size();
         const VariableRange& range = form.ranges[0];
@@ -484,6 +488,7 @@ bool ExpressionCompiler::take_named(const Word& word, Reference& out) {
         load.count = static_cast<std::uint8_t>(std::ranges::count_if(
             form.indices, [](const IndexHole& h) { return h.kind != IndexHole::Kind::Word; }));
         const bool is_quantity = range.kind == VariableRange::Kind::System;
+        const std::size_t code = out_.code.size();
         if (!is_quantity && !take_indices(form, load)) return false;
         switch (range.kind) {
             case VariableRange::Kind::Unsupported: return fail_unsupported(range, begin);
@@ -491,11 +496,16 @@ bool ExpressionCompiler::take_named(const Word& word, Reference& out) {
             case VariableRange::Kind::Constant:
                 load.kind = range.is_vacant ? Instruction::Kind::Vacant : Instruction::Kind::Number;
                 load.number = range.value;
+                load.count = 0;  // the indices do not count
+                out_.code.resize(code);
+                out_.places.resize(code);
                 break;
             case VariableRange::Kind::System:
                 load.kind = Instruction::Kind::System;
                 load.index = static_cast<std::uint32_t>(range.quantity);
-                return take_indices(form, load);
+                if (!take_indices(form, load)) return false;
+                if (range.first != 0) add_datum(range.first, begin);
+                return true;
             case VariableRange::Kind::Global:
             case VariableRange::Kind::Local:
                 load.kind = load.count != 0                             ? Instruction::Kind::Family
@@ -509,6 +519,12 @@ bool ExpressionCompiler::take_named(const Word& word, Reference& out) {
         return true;
     }
     return false;
+}
+
+/// The edge behind the number of a datum, as Quantity::ToolDatum has them.
+void ExpressionCompiler::add_datum(std::int64_t datum, std::size_t begin) {
+    emit_number(static_cast<double>(datum * kDatum), ValueType::Int, begin);
+    emit_operation(Operation::Add, 2, begin);
 }
 
 /// A name of a numbered variable; an index in front of it is added to the number.

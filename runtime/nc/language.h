@@ -69,6 +69,8 @@ struct QuantityInfo {
 };
 const QuantityInfo& info(Quantity quantity);
 std::span<const QuantityInfo> all_quantities();
+/// What ToolDatum multiplies the number of a datum with, to add the number of the edge.
+inline constexpr std::int64_t kDatum = 1000;
 
 struct FramePartInfo {
     std::string_view name;
@@ -149,8 +151,9 @@ struct IndexHole {
 /// `#{n}`, `R{n}`, `$P_EP[{axis}]`, `#_ABSIO[{n}]`.
 struct VariableForm {
     std::string form;
-    std::string name;        // the letters before the number or the indices
-    bool is_family = false;  // a number stands behind the name, or an index in brackets
+    std::string name;           // the letters before the number or the indices
+    bool is_family = false;     // a number stands behind the name, or an index in brackets
+    bool has_namesake = false;  // of two names alike one has indices
     std::vector<IndexHole> indices;
     std::vector<VariableRange> ranges;  // of a family by number; a named variable has one
     SourceRange range;                  // in the file

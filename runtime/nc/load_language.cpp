@@ -168,6 +168,11 @@ class LanguageLoader {
         }
         std::erase_if(language_.variables,
                       [&](const VariableForm& old) { return old.form == form.form; });
+        for (VariableForm& other : language_.variables) {
+            const bool is_like = !other.is_family && !form.is_family && other.name == form.name;
+            if (!is_like || other.indices.empty() == form.indices.empty()) continue;
+            other.has_namesake = form.has_namesake = true;
+        }
         language_.variables.push_back(std::move(form));
     }
 
