@@ -1,0 +1,100 @@
+// prepare_state.h — what the preparer knows between two commands. Internal to motion.
+//
+// Its functions are told in chapters: prepare.cpp (commands, standstill, pieces of one motion),
+// prepare_corners.cpp (how fast the corner between two pieces may be passed).
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "motion/axis_check.h"
+#include "motion/prepare.h"
+#include "motion/spindle.h"
+#include "motion/standing.h"
+
+namespace kadr::motion {
+
+/// What a corner needs to know of the piece before it.
+struct CornerMemory {
+    AxisRates rates{};  // dq/ds at its end
+    AxisRates bends{};  // d²q/ds² at its end
+    AxisTable::Loads loads;
+    double length = 0;
+    double speed = 0;                           // limit inside
+    path::Vec3 direction = path::Vec3::Zero();  // at its end
+    double acceleration = 0;
+    bool turns_only = false;
+    bool is_bent = false;
+    bool must_stop = true;  // the path comes to rest behind it
+};
+
+inline bool is_straight(const Segment& segment) {
+    return std::holds_alternative<path::Line>(segment.curve) ||
+           std::holds_alternative<path::Point>(segment.curve);
+}
+
+struct Preparer::State {
+    State(Stream<path::Command>& commands_in, const machine::Machine& machine_in,
+          const AxisTable& axes_in, const PlannerOptions& options_in, DiagnosticSink& sink_in,
+          PieceRing& pieces_in);
+
+    std::size_t next();
+    Piece& fresh_piece();
+    const path::Command* next_command();
+    void execute(const path::Command& command);
+
+    void set_spindle(const path::Command& command);
+    void dwell(const path::Command& command);
+    void stand(const path::Command& command, SegmentKind kind, double duration);
+
+    void move(const path::Command& command);
+    bool is_possible(const path::Command& command, const Segment& segment, double length);
+    void emit_spline(const path::Command& command, const Segment& whole,
+                     const path::Spline& spline);
+    void emit_feed_parts(const path::Command& command, const Segment& segment, double length);
+    void emit_parts(const path::Command& command, const Segment& whole, double length, int parts);
+    std::vector<double> cells_in(const path::Command& command, const Segment& whole, double length);
+    void emit_cells(const path::Command& command, const Segment& whole,
+                    const std::vector<double>& bounds);
+    Segment part_of(const Segment& whole, double from, double to) const;
+    void emit(const path::Command& command, const Segment& segment, double length,
+              bool as_cell = false);
+    void report_thread_speed(const path::Command& command, double feed, double most);
+    double wanted_feed(const path::Command& command, const Segment& segment, double length);
+    double corner_speed(const Segment& segment, const AxisRates& in, double acceleration) const;
+    void take_corner(Piece& piece) const;
+    bool is_alone(const Piece& piece) const;
+    double time_beside(const Piece& piece, double speed, double ramp) const;
+    double shared_speed(const Piece& piece, bool alone, double ramp) const;
+    double corner_acceleration_limit(const AxisRates& in) const;
+    void take_bend(Piece& piece) const;
+    void remember(const Piece& piece);
+
+    void alarm_raised();
+
+    Stream<path::Command>& commands;
+    const machine::Machine& machine;
+    const AxisTable& axes;
+    const PlannerOptions& options;
+    DiagnosticSink& sink;
+    double tick = 0;   // s
+    AxisRates jump{};  // by how much an axis may change its velocity at a corner
+
+    std::vector<path::Command> batch = std::vector<path::Command>(kBatch);
+    std::size_t batch_size = 0;
+    std::size_t batch_at = 0;
+    std::uint64_t commands_read = 0;
+    bool has_ended = false;
+    bool has_alarmed = false;
+    bool feed_reported = false;
+
+    Standing standing;
+    Spindle spindle;
+    AxisCheck check;
+    CornerMemory last;
+
+    PieceRing& pieces;
+    std::size_t ready = 0;  // pieces of the current command
+};
+
+}  // namespace kadr::motion
