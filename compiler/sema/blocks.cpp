@@ -567,7 +567,9 @@ void Checker::emit_plan(Plan plan, Reg first, unsigned point, const SourceRange&
 /// The point behind the words. `Y=r sin(30)` has none: an operator was forgotten.
 Value Checker::target_value(ExprId point, std::span<const Word> words) {
     const SourceRange range = ast()[point].range;
+    target_ = range;
     const Value value = expression(point, types::kPoint);
+    target_ = {};
     const bool is_number = types_.is_numeric(value.type) && kind(value.type) != Kind::Error;
     const bool is_behind_value = !words.empty() && words.back().form != Word::Form::Literal &&
                                  words.back().form != Word::Form::Bare;

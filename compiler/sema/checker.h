@@ -113,6 +113,7 @@ class Checker {
     bool report_unit(std::string_view name, const SourceRange& range);
     bool report_foreign(std::string_view name, const SourceRange& range);
     bool is_numbered_word(std::string_view word) const;
+    bool report_foreign_word(std::string_view name, const SourceRange& range);
     /// Whether a mistake that is told already has taken this name away.
     bool is_lost(std::string_view name);
     std::vector<std::string_view> known_names(bool functions) const;
@@ -488,6 +489,7 @@ class Checker {
     std::vector<LoopScope> loops_;
     std::size_t with_depth_ = 0;
     int loop_depth_ = 0;
+    SourceRange target_;     // the point behind words that is being looked at
     int contour_depth_ = 0;  // bodies of contours around
     const FunctionDecl* function_ = nullptr;
     bool has_preserves_ = false;

@@ -1,11 +1,13 @@
 // scope.cpp — names: where they are looked for, what is known about a variable at each point.
 #include <algorithm>
 
+#include "base/diagnostics/dialect.h"
 #include "base/diagnostics/sema.h"
 #include "base/diagnostics/syntax.h"
 #include "base/text.h"
 #include "sema/builtins.h"
 #include "sema/checker.h"
+#include "syntax/parse.h"
 
 namespace kadr::sema {
 
@@ -191,6 +193,19 @@ bool Checker::report_foreign(std::string_view name, const SourceRange& range) {
     return true;
 }
 
+/// The word of another control where the target of a block may stand: `G1 X10 Q5`.
+bool Checker::report_foreign_word(std::string_view name, const SourceRange& range) {
+    const std::size_t digit = name.find_first_of("0123456789");
+    const bool is_like_word =
+        digit != 0 && digit != std::string_view::npos && upper_ascii(name) == name;
+    if (!is_like_word || !(range == target_)) return false;
+    report(diag::BlockWordUnknown, range)
+        .arg(name)
+        .arg(modules_[module_].dialect->name())
+        .fix(syntax::kForeignWord);
+    return true;
+}
+
 void Checker::report_unknown(std::string_view name, const SourceRange& range) {
     if (is_lost(name)) return;
     for (std::size_t i = defaults_from_; function_ != nullptr && i < function_->parameters.size();
@@ -204,6 +219,7 @@ void Checker::report_unknown(std::string_view name, const SourceRange& range) {
         return;
     }
     if (report_unit(name, range) || report_foreign(name, range)) return;
+    if (report_foreign_word(name, range)) return;
     auto builder = report(diag::UnknownName, range);
     builder.arg(name);
     if (name == declared_) {

@@ -3,10 +3,12 @@
 #include <algorithm>
 
 #include "base/assert.h"
+#include "base/diagnostics/dialect.h"
 #include "base/diagnostics/syntax.h"
 #include "base/text.h"
 #include "syntax/keyword.h"
 #include "syntax/operators.h"
+#include "syntax/parse.h"
 #include "syntax/words.h"
 
 namespace kadr::syntax {
@@ -491,6 +493,17 @@ bool Complaints::explain_closing(const Place& place) {
     return explain_assignment(place) || explain_comma(place);
 }
 
+/// `G1 X10 Q=5;`, `Q` being no address of the dialect.
+bool Complaints::is_foreign_word(const Place& place) const {
+    if (!is_word(place.head) || place.previous.token != Token::Identifier || place.index < 2)
+        return false;
+    const Token before = stream_.lexeme(place.index - 2).token;
+    const bool is_behind_value =
+        is_word(before) || before == Token::Number || before == Token::Identifier || closes(before);
+    const std::string_view name = file_.spelling(place.previous);
+    return is_behind_value && upper_ascii(name) == name;
+}
+
 /// `=` where a value is over.
 bool Complaints::explain_assignment(const Place& place) {
     if (place.offending.token != Token::Assign) return false;
@@ -500,6 +513,13 @@ bool Complaints::explain_assignment(const Place& place) {
             .arg(quoted(place.previous))
             .fix(file_.range(place.previous), lower_ascii(file_.spelling(place.previous)),
                  "write it in lower case");
+        return true;
+    }
+    if (is_foreign_word(place)) {
+        file_.sink.report(diag::BlockWordUnknown, file_.range(place.previous))
+            .arg(file_.spelling(place.previous))
+            .arg(dialect_)
+            .fix(kForeignWord);
         return true;
     }
     const auto token_before = [&](std::size_t distance) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "syntax/antlr.h"
@@ -77,10 +78,12 @@ class Complaints final : public antlr4::DefaultErrorStrategy {
   public:
     /// `lost_names` gets the names of declarations that stand where there can be none.
     Complaints(const SourceFile& file, LexemeStream& stream, const LimitedSink& limit,
-               bool has_broken_blocks, std::vector<std::string>& lost_names)
+               std::string_view dialect, bool has_broken_blocks,
+               std::vector<std::string>& lost_names)
         : file_(file),
           stream_(stream),
           limit_(limit),
+          dialect_(dialect),
           has_broken_blocks_(has_broken_blocks),
           lost_names_(lost_names) {}
 
@@ -105,6 +108,7 @@ class Complaints final : public antlr4::DefaultErrorStrategy {
     bool explain_sign(const Place& place);
     bool explain_closing(const Place& place);
     bool explain_assignment(const Place& place);
+    bool is_foreign_word(const Place& place) const;
     bool explain_comma(const Place& place);
     bool explain_declaration(const Place& place);
     void explain_address_name(const Lexeme& lexeme);
@@ -121,6 +125,7 @@ class Complaints final : public antlr4::DefaultErrorStrategy {
     const SourceFile& file_;
     LexemeStream& stream_;
     const LimitedSink& limit_;
+    std::string_view dialect_;  // whose words blocks have
     bool has_broken_blocks_;
     std::vector<std::string>& lost_names_;
     std::deque<LexemeToken> conjured_;   // tokens that were missing

@@ -12,8 +12,8 @@ namespace {
 
 /// SLL prediction first: it is the fast one and almost always enough. Only a file with an error is
 /// parsed again with full prediction, to be sure that the error is one, and to report it.
-void build_tree(const SourceFile& file, const Prepared& prepared, const LimitedSink& limit,
-                Ast& ast) {
+void build_tree(const SourceFile& file, const Prepared& prepared, const nc::Dialect& dialect,
+                const LimitedSink& limit, Ast& ast) {
     LexemeStream stream(prepared.lexemes);
     KadrParser parser(&stream);
     parser.removeErrorListeners();
@@ -28,7 +28,7 @@ void build_tree(const SourceFile& file, const Prepared& prepared, const LimitedS
         parser.reset();
         interpreter->setPredictionMode(antlr4::atn::PredictionMode::LL);
         parser.setErrorHandler(std::make_shared<Complaints>(
-            file, stream, limit, prepared.has_broken_blocks, ast.lost_names));
+            file, stream, limit, dialect.name(), prepared.has_broken_blocks, ast.lost_names));
         try {
             tree = parser.file();
         } catch (const antlr4::ParseCancellationException&) {
@@ -51,7 +51,7 @@ void parse_into(Ast& ast, std::string_view source, const KeywordTable& keywords,
     const Lines lines(*clean);
     const SourceFile file{ast.file, *clean, limit, texts, lines};
     const auto prepared = prepare(file, keywords, dialect, limit, ast.comments);
-    if (prepared && !limit.is_full()) build_tree(file, *prepared, limit, ast);
+    if (prepared && !limit.is_full()) build_tree(file, *prepared, dialect, limit, ast);
 }
 
 }  // namespace

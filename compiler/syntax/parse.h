@@ -11,6 +11,11 @@
 
 namespace kadr::syntax {
 
+/// What to do about a word that the input dialect does not have.
+constexpr const char* kForeignWord =
+    "the words of blocks are those of the input dialect: `dialect fanuc;` at the head of the file "
+    "takes those of a FANUC, `raw` passes any text";
+
 /// Lexemes of the structural elements in one keyword language: "если" is `if`.
 struct KeywordTable {
     std::string name;                                        // "en", "ru"

@@ -162,7 +162,7 @@ void BlockWriter::write_long(const Block& block, std::string& out) {
 /// Block number and skip level that the control takes.
 void BlockWriter::check_front(const Block& block) {
     if (block.number > tables_.block_numbers.most) {
-        number_fault(block, NumberFault::TooLarge, block.number, "N");
+        number_fault(block, NumberFault::TooLarge, block.number, Dimension::Count, "N");
     }
     const bool is_level =
         block.skip >= tables_.rules.default_skip && block.skip < tables_.rules.skip_levels;
@@ -200,9 +200,10 @@ void BlockWriter::check_arc_words(const Block& block) {
     if (!block.has(Slot::Turns)) return;
     const double turns = block.at(Slot::Turns);
     if (!(turns >= 0 && turns == std::nearbyint(turns))) {
-        number_fault(block, NumberFault::NotReadBack, turns, slot_name(Slot::Turns));
+        number_fault(block, NumberFault::NotReadBack, turns, Dimension::Count,
+                     slot_name(Slot::Turns));
     } else if (turns > kMostTurns) {
-        number_fault(block, NumberFault::TooLarge, turns, slot_name(Slot::Turns));
+        number_fault(block, NumberFault::TooLarge, turns, Dimension::Count, slot_name(Slot::Turns));
     }
 }
 
@@ -858,22 +859,23 @@ void BlockWriter::cannot_express(const Block& block, const std::string& what) {
 }
 
 void BlockWriter::number_fault(const Block& block, NumberFault fault, double value,
-                               std::string_view name) {
+                               Dimension dimension, std::string_view name) {
     if (!is_new_message(block, name)) return;
+    const std::string quantity = quantity_words(value, dimension, modal_.units);
     switch (fault) {
         case NumberFault::None: break;
         case NumberFault::NotFinite:
             sink_.report(diag::ValueNotFinite, word_place(block, name)).arg(name);
             break;
         case NumberFault::TooLarge:
-            sink_.report(diag::ValueTooLarge, word_place(block, name)).arg(value).arg(name);
+            sink_.report(diag::ValueTooLarge, word_place(block, name)).arg(quantity).arg(name);
             break;
         case NumberFault::Negative:
-            sink_.report(diag::ValueNegative, word_place(block, name)).arg(name).arg(value);
+            sink_.report(diag::ValueNegative, word_place(block, name)).arg(name).arg(quantity);
             break;
         case NumberFault::Point:
         case NumberFault::NotReadBack:
-            sink_.report(diag::ValueNotReadBack, word_place(block, name)).arg(value).arg(name);
+            sink_.report(diag::ValueNotReadBack, word_place(block, name)).arg(quantity).arg(name);
             break;
     }
 }

@@ -277,7 +277,9 @@ class BlockWriter {
     bool is_unsaid(const Block& block, std::string_view what);
     void take_position(const Block& block);
     void position_unknown(const Block& block, std::string_view name);
-    void number_fault(const Block& block, NumberFault fault, double value, std::string_view name);
+    /// value: in the unit of the text, before what a form makes of it.
+    void number_fault(const Block& block, NumberFault fault, double value, Dimension dimension,
+                      std::string_view name);
 
     const Dialect& dialect_;
     const DialectTables& tables_;

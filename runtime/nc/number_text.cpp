@@ -90,6 +90,30 @@ double text_scale(Dimension dimension, const TextUnits& units, bool is_slot) {
     return 1;
 }
 
+std::string quantity_words(double number, Dimension dimension, const TextUnits& units) {
+    std::string unit;
+    switch (dimension) {
+        case Dimension::Length: unit = units.inch ? " in" : " mm"; break;
+        case Dimension::Angle: unit = " deg"; break;
+        case Dimension::Time: unit = " s"; break;
+        case Dimension::Feed:
+            if (units.inverse_time) unit = " 1/min";
+            else
+                unit = (units.inch_feed ? " in" : " mm") +
+                       std::string(units.per_revolution ? "/rev" : "/min");
+            break;
+        case Dimension::Speed:
+            // The speed of a cut, or a limit of turns: the message names the word.
+            if (!units.cutting_speed) unit = " rpm";
+            break;
+        case Dimension::Number:
+        case Dimension::Count:
+        case Dimension::Factor:
+        case Dimension::Text: break;
+    }
+    return format_shortest(number) + unit;
+}
+
 double increment_size(const DialectTables& tables, Dimension dimension, const TextUnits& units) {
     const AddressId x = tables.slot_address[static_cast<std::size_t>(Slot::X)];
     const NumberFormat format = x == kNoAddress ? NumberFormat{} : tables.addresses[x].format;

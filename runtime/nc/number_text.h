@@ -24,6 +24,9 @@ struct TextUnits {
 /// parameter (a limit) is rpm always.
 double text_scale(Dimension dimension, const TextUnits& units, bool is_slot);
 
+/// A number of the text with its unit, for messages: "0.0001 s", "12.5 mm/rev".
+std::string quantity_words(double number, Dimension dimension, const TextUnits& units);
+
 /// Decimals with which the number is written.
 inline int text_decimals(const NumberFormat& format, Dimension dimension, const TextUnits& units) {
     const bool is_inch = (dimension == Dimension::Length && units.inch) ||

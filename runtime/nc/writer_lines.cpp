@@ -406,7 +406,7 @@ void BlockWriter::append_call(const Block& block, const FormWord& word,
         const bool is_given = argument.parameter >= 0 && invocation != nullptr &&
                               (invocation->given >> argument.parameter & 1u) != 0;
         if (argument.is_quantity) {
-            append_quantity(block, argument, format, "()", out);
+            append_quantity(block, argument, format, word.text, out);
         } else if (argument.kind == FormWord::Kind::Fixed) {
             out += argument.text;
         } else if (argument.kind == FormWord::Kind::Text) {
@@ -418,7 +418,7 @@ void BlockWriter::append_call(const Block& block, const FormWord& word,
         } else if (argument.adds) {
             out += '0';
         } else if (argument.kind == FormWord::Kind::Value && (is_given || argument.has_default)) {
-            append_parameter(block, argument, invocation, format, "()", out);
+            append_parameter(block, argument, invocation, format, word.text, out);
         }
         if (out.size() != before) last = out.size();
     }
@@ -435,7 +435,7 @@ void BlockWriter::append_quantity(const Block& block, const FormWord& word,
     out += word.text;
     const double number = word.number * text_scale(word.dimension, modal_.units, false);
     const NumberFault fault = append_number(out, number, format, word.dimension, modal_.units);
-    if (fault != NumberFault::None) number_fault(block, fault, number, name);
+    if (fault != NumberFault::None) number_fault(block, fault, number, word.dimension, name);
 }
 
 void BlockWriter::append_parameter(const Block& block, const FormWord& word,
@@ -454,8 +454,9 @@ void BlockWriter::append_parameter(const Block& block, const FormWord& word,
         append_whole(block, word, value, invocation, name, out);
         return;
     }
-    const double number =
-        (value * word.factor + word.offset) * text_scale(word.dimension, modal_.units, false);
+    const double scale = text_scale(word.dimension, modal_.units, false);
+    const double number = (value * word.factor + word.offset) * scale;
+    const double said = value * scale;  // in the unit that messages name
     if (word.dimension == Dimension::Factor) {
         append_factor(block, number, std::abs(word.factor) == 1000, format, name, out);
         return;
@@ -464,13 +465,13 @@ void BlockWriter::append_parameter(const Block& block, const FormWord& word,
         NumberFormat pointed = format;  // without its point the number would mean another unit
         pointed.point = PointRule::Always;
         const NumberFault fault = append_number(out, number, pointed, word.dimension, modal_.units);
-        if (fault != NumberFault::None) number_fault(block, fault, number, name);
+        if (fault != NumberFault::None) number_fault(block, fault, said, word.dimension, name);
         return;
     }
     const NumberFault fault =
         word.is_lead ? append_number(out, number, lead_format(format), word.dimension, modal_.units)
                      : append_number(out, number, format, word.dimension, modal_.units);
-    if (fault != NumberFault::None) number_fault(block, fault, number, name);
+    if (fault != NumberFault::None) number_fault(block, fault, said, word.dimension, name);
 }
 
 /// A whole number without a point: so many increments, or a number in two parts, the first of two
@@ -494,13 +495,15 @@ void BlockWriter::append_whole(const Block& block, const FormWord& word, double 
                             : invocation == nullptr ? value
                                                     : block.argument(*invocation, tail_at);
         if (!(tail >= 0 && tail < front))
-            return number_fault(block, NumberFault::TooLarge, tail, name);
+            return number_fault(block, NumberFault::TooLarge, tail, Dimension::Count, name);
         number = value * front + tail;
         format.digits = word.tail_digits + 2;
     }
     const Dimension dimension = word.in_increments ? Dimension::Number : Dimension::Count;
     const NumberFault fault = append_number(out, number, format, dimension, modal_.units);
-    if (fault != NumberFault::None) number_fault(block, fault, number, name);
+    const double said =
+        word.in_increments ? value * text_scale(word.dimension, modal_.units, false) : value;
+    if (fault != NumberFault::None) number_fault(block, fault, said, word.dimension, name);
 }
 
 /// A ratio is as exact as it is meant, whatever the decimals of its letter; in thousandths it is a
@@ -520,7 +523,8 @@ void BlockWriter::append_factor(const Block& block, double number, bool in_thous
         sink_.report(diag::FactorTooFine, place(block)).arg(number / 1000).arg(name);
         return;
     }
-    if (fault != NumberFault::None) number_fault(block, fault, number, name);
+    const double said = in_thousandths ? number / 1000 : number;
+    if (fault != NumberFault::None) number_fault(block, fault, said, Dimension::Factor, name);
 }
 
 void BlockWriter::append_slot(const Block& block, Slot slot, const Targets& targets,
@@ -552,7 +556,8 @@ void BlockWriter::append_slot(const Block& block, Slot slot, const Targets& targ
                                 modal_.units)
                 : append_number(out, number, address.format, address.dimension, modal_.units);
     if (is_absolute || is_incremental) out += ')';
-    if (fault != NumberFault::None) number_fault(block, fault, number, address.name);
+    if (fault != NumberFault::None)
+        number_fault(block, fault, number, address.dimension, address.name);
     if (slot == Slot::Feed) {
         modal_.feed = {true, round_to(number, decimals(slot))};
         modal_.feed_is_other = targets.feed_factor != 1;

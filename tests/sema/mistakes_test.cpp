@@ -22,6 +22,8 @@ void expect_rows(std::initializer_list<Row> rows) {
 TEST(Mistakes, Names) {
     expect_rows({
         {"program p() { X=radios; }", "1:17 K2001 `radios` is not declared"},
+        {"program p() { G1 X10 Q5; }", "1:22 K4101 `Q5` is no word of the dialect iso"},
+        {"program p() { G1 X=Q5; }", "1:20 K2001 `Q5` is not declared"},
         {"program p() { { int a = 1; X=a; } X=a; }", "1:37 K2001 `a` is not declared"},
         {"program p() { for (int i = 0; i < 2; i++) X=i; X=i; }", "1:50 K2001 `i` is not declared"},
         {"program p() { drll(1mm); }", "1:15 K2002 there is no function, cycle or command `drll`"},

@@ -18,7 +18,7 @@ TEST(Properties, OfTheLibraryHold) {
         if (entry.path().extension() != ".kadr") continue;
         ++files;
         const ProcessResult result =
-            run_process({KADR_BINARY, "test", entry.path().string(), "--runs", "15"});
+            run_process({KADR_BINARY, "test", entry.path().string(), "--runs", "60"});
         EXPECT_EQ(result.status, 0) << result.out << result.err;
     }
     EXPECT_GE(files, 4);

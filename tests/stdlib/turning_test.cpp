@@ -466,7 +466,7 @@ TEST(Turning, FinishAlongPoints) {
         const double chamfer = dice.coin() ? 0 : dice.length(0.2, 2);
         std::string points = "{" + mm(2 * here.h) + ", " + mm(here.t) + "}";
         for (int k = dice.number(1, 6); k >= 0; --k) {
-            const bool is_first = here.t == shape.start.t && here.h == shape.start.h;
+            const bool is_first = chamfer > 0 && here.t == shape.start.t && here.h == shape.start.h;
             // There is room for the chamfer, on a cylinder or on a taper.
             here.h = tenth(here.h + (dice.coin() ? 0 : dice.length(0, is_first ? 4 : 8)));
             here.t = tenth(here.t - (is_first ? 7 : dice.length(0, 20)));
