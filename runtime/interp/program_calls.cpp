@@ -289,6 +289,28 @@ Program::State::Done Program::State::call(CompiledLine& line, const ControlState
     return begin(line, prepared);
 }
 
+/// A section of this program by its label; with a count it is repeated instead.
+Program::State::Done Program::State::call_section(CompiledLine& line,
+                                                  const ControlStatement& statement) {
+    Value count = Value::real(0);
+    Done done = Done::Nothing;
+    if (statement.count.is_given()) done = evaluate(line, statement.count, count);
+    if (done == Done::Wait || lines.failed()) return done;
+    if (count.number != 0) return repeat_section(line, statement);
+    LineTarget target;
+    if (!resolve(line, statement.from, target, done)) return done;
+    const Place head{frame->unit->begin, frame->unit->begin};
+    PreparedCall prepared;
+    prepared.unit = frame->unit;
+    const auto fault = map().find(target, Direction::Forward, head, prepared.from.emplace());
+    if (fault != ProgramMap::Fault::None)
+        return fail(line, fault, diag::RepeatLabelMissing, statement.from.span,
+                    quoted(target.label));
+    prepared.site = std::make_shared<nc::CallSite>(
+        nc::CallSite{lines.place(line.text, line.place.line.line, statement.span), frame->site});
+    return begin(line, prepared);
+}
+
 Program::State::Done Program::State::check_depth(CompiledLine& line, const PreparedCall& call,
                                                  const nc::Span& span) {
     const nc::LanguageRules& rules = language.rules;

@@ -198,6 +198,7 @@ struct Program::State {
     Done leave(CompiledLine& line, const nc::ControlStatement& statement);
     Done otherwise(CompiledLine& line, const nc::ControlStatement& statement);
     Done repeat_section(CompiledLine& line, const nc::ControlStatement& statement);
+    Done call_section(CompiledLine& line, const nc::ControlStatement& statement);
     Done raise(CompiledLine& line, const nc::Span& span, double number, const std::string& text);
     Done print(CompiledLine& line, const nc::ControlStatement& statement);  // printing.cpp
     Done pass_synchronous(CompiledLine& line, const nc::ControlStatement& statement);

@@ -38,6 +38,15 @@ Program::State::Done Program::State::execute(CompiledLine& line, const ControlSt
         case Statement::Until: return leave(line, statement);
         case Statement::RepeatSection:
         case Statement::RepeatBlock: return repeat_section(line, statement);
+        case Statement::Label: return Done::Nothing;
+        case Statement::CallSection: return call_section(line, statement);
+        case Statement::EndSection: {
+            if (frames.size() == 1) return Done::Nothing;
+            ControlStatement end;
+            end.kind = Statement::Return;
+            end.span = statement.span;
+            return execute_call(line, end, out);
+        }
         case Statement::Declare: return declare(line, statement);
         case Statement::Synchronous: return pass_synchronous(line, statement);
         case Statement::Print:

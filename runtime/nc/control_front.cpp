@@ -61,10 +61,11 @@ class Front {
 
     void find_statement(std::size_t at) {
         const Word word = words_.word_at(at);
-        if (word.text.size() < 2) return;
+        if (word.text.size() < 2 && !language_.has_label_numbers) return;
         const StatementForm* found = nullptr;
         for (const StatementForm& form : language_.statements) {
-            if (!words_.says(word, form.tokens[0].text)) continue;
+            if (!words_.says_with_digits(word, form.tokens[0].text)) continue;
+            if (form.statement == Statement::Label && take_label_of(form, at)) return;
             if (found == nullptr || !is_likely(*found, at + word.text.size())) found = &form;
         }
         if (found == nullptr) return;
@@ -75,6 +76,22 @@ class Front {
                    token.hole == StatementToken::Hole::Loop;
         });
         if (has_loop) front_.loop = number_at_end();
+    }
+
+    /// `G98 L{from}`: the words of the pattern, then the label.
+    bool take_label_of(const StatementForm& form, std::size_t at) {
+        for (const StatementToken& token : form.tokens) {
+            at = words_.skip_blanks(at);
+            if (token.kind == StatementToken::Kind::Hole) {
+                front_.label = label_at(line_, at);
+                front_.statement = Statement::Label;
+                return !front_.label.empty();
+            }
+            const Word word = words_.word_at(at);
+            if (!words_.says_with_digits(word, token.text)) return false;
+            at += words_.length_of(word, token.text);
+        }
+        return false;
     }
 
     /// Of several statements with one keyword: a form is what stands there if its further keywords
@@ -135,6 +152,17 @@ class Front {
 };
 
 }  // namespace
+
+std::string_view label_at(std::string_view line, std::size_t at) {
+    if (at >= line.size()) return {};
+    const bool is_text = line[at] == '"';
+    const std::size_t begin = is_text ? at + 1 : at;
+    const std::size_t end =
+        is_text ? line.find('"', begin)
+                : std::min(line.find_first_not_of("0123456789", begin), line.size());
+    if (end == std::string_view::npos) return {};
+    return line.substr(begin, end - begin);
+}
 
 LineFront front_of(const DialectTables& tables, std::string_view line) {
     return Front(tables, line).look();

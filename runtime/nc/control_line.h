@@ -241,4 +241,8 @@ struct LineFront {
 };
 LineFront front_of(const DialectTables& tables, std::string_view line);
 
+/// The number or the text between quotes that stands at a place, as the statement Label has it;
+/// empty: none does.
+std::string_view label_at(std::string_view line, std::size_t at);
+
 }  // namespace kadr::nc

@@ -217,11 +217,12 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         skip();
         const std::size_t begin = at_;
         const Word word = words_.word_at(at_);
-        if (word.text.size() < 2) return false;
+        if (word.text.size() < 2 && !language_.has_label_numbers) return false;
         std::optional<LineFault> farthest;
         const std::size_t code = out_.code.size();
         for (const StatementForm& form : language_.statements) {
-            if (!words_.says(word, form.tokens[0].text) || !is_wanted(form.statement)) continue;
+            if (!words_.says_with_digits(word, form.tokens[0].text) || !is_wanted(form.statement))
+                continue;
             if (wants_call(form) && !begins_call(begin + word.text.size())) continue;
             at_ = begin;
             depth_ = 0;
@@ -237,10 +238,14 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
             if (take_tokens(form, word, statement)) {
                 tables_.note(&form);
                 if (form.operation) join_values(*form.operation, statement);
+                if (form.operation && statement.kind == Statement::Jump)
+                    make_conditional(statement);
                 out = std::move(statement);
                 return true;
             }
-            if (!farthest || (fault_ && fault_->span.begin > farthest->span.begin))
+            // One letter begins words of other kinds as well.
+            if (form.tokens[0].text.size() == 1) fault_.reset();
+            else if (!farthest || (fault_ && fault_->span.begin > farthest->span.begin))
                 farthest = fault_;
         }
         fault_ = std::move(farthest);
@@ -257,6 +262,17 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         out.second = {};
     }
 
+    /// `D09 P01 {value} P02 {last} P03 {target}`: a jump that depends on what its values say.
+    static void make_conditional(ControlStatement& jump) {
+        ControlStatement outer;
+        outer.kind = Statement::IfDo;
+        outer.span = jump.span;
+        outer.value = jump.value;
+        jump.value = {};
+        outer.inner.push_back(std::move(jump));
+        jump = std::move(outer);
+    }
+
     /// Whether a program must be named directly behind the keyword, or it is another word.
     static bool wants_call(const StatementForm& form) {
         return form.tokens.size() > 1 && form.tokens[1].kind == StatementToken::Kind::Hole &&
@@ -271,7 +287,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
             switch (token.kind) {
                 case StatementToken::Kind::Word: {
                     const Word word = words_.word_at(at_);
-                    if (!words_.says(word, token.text)) {
+                    if (!words_.says_with_digits(word, token.text)) {
                         if (token.is_optional) return is_finished();
                         return fail_here(diag::StatementSyntax);
                     }
@@ -439,6 +455,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         skip();
         const std::size_t begin = at_;
         const Word word = words_.word_at(at_);
+        if (language_.has_label_numbers) return take_label_number(out);
         const bool has_labels = !language_.label_sign.empty();
         if (has_labels && line_.substr(at_).starts_with(language_.label_sign)) ++at_;
         if (has_labels && !word.text.empty() && !begins_reference(at_)) {
@@ -457,6 +474,18 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         const bool is_fine = has_labels ? take_expression(out.value) : take_operand(out.value);
         out.span = out.value.span;
         return is_fine;
+    }
+
+    /// `5`, `"CONTOUR"`: what the statement Label says of a target.
+    bool take_label_number(JumpTarget& out) {
+        const std::size_t begin = at_;
+        const std::string_view label = label_at(line_, at_);
+        if (label.empty()) return fail_here(diag::StatementSyntax);
+        at_ = begin + label.size() + (line_[begin] == '"' ? 2 : 0);
+        out.kind = JumpTarget::Kind::Label;
+        out.label = words_.normal(label);
+        out.span = span_from(begin);
+        return true;
     }
 
     // ------------------------------------------------------------ declarations

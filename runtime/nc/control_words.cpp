@@ -80,6 +80,12 @@ bool ControlWords::says(const Word& word, std::string_view keyword) const {
            is_same(keyword.substr(0, word.text.size()), word.text);
 }
 
+bool ControlWords::says_with_digits(const Word& word, std::string_view keyword) const {
+    if (keyword.size() != 1) return says(word, keyword);
+    const std::string_view behind = word.text.substr(std::min<std::size_t>(1, word.text.size()));
+    return is_same(word.text.substr(0, 1), keyword) && std::ranges::all_of(behind, is_digit);
+}
+
 std::size_t ControlWords::length_of(const Word& word, std::string_view keyword) const {
     return std::min(word.text.size(), keyword.size());
 }

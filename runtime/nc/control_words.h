@@ -36,6 +36,8 @@ class ControlWords {
     /// Whether the word is this keyword, a short form of it, or begins with it where blanks do not
     /// count.
     bool says(const Word& word, std::string_view keyword) const;
+    /// The same; a keyword of one letter has digits behind it, `L5` for `L{from}`.
+    bool says_with_digits(const Word& word, std::string_view keyword) const;
     /// The same for operators, which have no short forms.
     bool says_operator(const Word& word, std::string_view text) const;
     /// How much of the word the keyword is.

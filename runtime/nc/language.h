@@ -240,7 +240,8 @@ struct Language {
     std::vector<CodeList> code_lists;
     CallLanguage calls;
     // Made when it is loaded.
-    bool has_axes = false;  // values may be axes
+    bool has_axes = false;           // values may be axes
+    bool has_label_numbers = false;  // targets are what the statement Label says
     std::uint32_t global_slots = 0;
     std::uint32_t local_slots = 0;
     int lowest_level = 0;              // of the operators: the number of the weakest

@@ -408,10 +408,13 @@ void load_language(const XmlElement& element, DialectTables& tables, Attributes&
         if (first < 128 && tables.rules.ignores_case)
             language.variable_starts.set(static_cast<unsigned char>(std::tolower(first)));
     }
-    // `D01`: a letter and digits, as words are.
+    language.has_label_numbers = false;
+    for (const StatementForm& form : language.statements)
+        language.has_label_numbers |= form.statement == Statement::Label;
+    // `D01`, `L{from}`: a letter and digits, as words are.
     for (const StatementForm& form : language.statements) {
         const std::string& keyword = form.tokens[0].text;
-        if (keyword.size() < 2 || is_name_char(keyword[1])) continue;
+        if (keyword.size() > 1 && is_name_char(keyword[1])) continue;
         language.variable_starts.set(static_cast<unsigned char>(keyword[0]));
         if (tables.rules.ignores_case)
             language.variable_starts.set(

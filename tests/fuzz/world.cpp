@@ -1,8 +1,10 @@
 #include "tests/fuzz/world.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 #include "base/diagnostics/driver.h"
@@ -42,12 +44,29 @@ class Pieces final : public nc::TextSource {
     std::string_view rest_;
 };
 
+/// By their numbers in front of a text. Inputs that were kept count on them: new ones come last.
+constexpr const char* kControls[] = {"iso",           "sinumerik",   "fanuc",
+                                     "axioma",        "fanuc-lathe", "fanuc-lathe-b",
+                                     "fanuc-lathe-c", "haas",        "heidenhain-iso"};
+
+/// Every dialect file of the house has a number.
+void check_controls(const fs::path& folder) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        if (entry.path().extension() != ".xml") continue;
+        const std::string name = entry.path().stem().string();
+        if (std::find(std::begin(kControls), std::end(kControls), name) == std::end(kControls))
+            broken("every dialect of the house has a number", name);
+    }
+}
+
 }  // namespace
 
 World::World() {
     DiagnosticList messages;
-    for (const char* name : {"iso", "sinumerik", "fanuc", "axioma"}) {
-        auto loaded = nc::load_dialect(name, {kRoot + "/dialects"}, sources, messages);
+    const std::vector<std::string> folders = {kRoot + "/dialects", kRoot + "/examples/dialects"};
+    for (const std::string& folder : folders) check_controls(folder);
+    for (const char* name : kControls) {
+        auto loaded = nc::load_dialect(name, folders, sources, messages);
         if (!loaded) broken("the dialects of the house load", name);
         controls.push_back(&dialects.emplace(name, std::move(*loaded)).first->second);
     }
@@ -57,9 +76,12 @@ World::World() {
         if (!loaded) broken("the languages of the house load", name);
         languages.emplace(name, std::move(*loaded));
     }
-    auto machine = machine::load_machine("mill", {kRoot + "/runtime/machines"}, sources, messages);
-    if (!machine) broken("the machines of the house load", "mill");
-    mill = std::move(*machine);
+    for (machine::Machine* const machine : {&mill, &lathe}) {
+        const char* const name = machine == &mill ? "mill" : "lathe";
+        auto loaded = machine::load_machine(name, {kRoot + "/runtime/machines"}, sources, messages);
+        if (!loaded) broken("the machines of the house load", name);
+        *machine = std::move(*loaded);
+    }
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kRoot + "/stdlib")) {
         if (entry.path().extension() != ".kadr") continue;
         const FileId file = *sources.read(entry.path().string());
@@ -79,6 +101,11 @@ const nc::Dialect& World::dialect_for(std::string_view source) const {
 const syntax::KeywordTable& World::keywords_for(std::string_view source) const {
     const auto found = languages.find(syntax::scan_header(source).language);
     return found == languages.end() ? languages.at("en") : found->second;
+}
+
+const machine::Machine& World::machine_for(const nc::Dialect& dialect) const {
+    const bool is_lathe = dialect.power_on(nc::Group::Diameter) == nc::Function::DiameterOn;
+    return is_lathe ? lathe : mill;
 }
 
 const World& world() {
@@ -127,11 +154,12 @@ void execute(const nc::Dialect& dialect, std::string_view text) {
     interp::Program program(dialect, pieces, "fuzz", program_options, messages);
     interp::InterpreterOptions options;
     options.max_blocks = kExecutedBlocks;
-    interp::Interpreter interpreter(dialect, world().mill, program, &program, nullptr, options,
+    const machine::Machine& machine = world().machine_for(dialect);
+    interp::Interpreter interpreter(dialect, machine, program, &program, nullptr, options,
                                     messages);
     program.follow(interpreter);
-    motion::Planner planner(interpreter, world().mill, {}, messages);
-    motion::Sampler sampler(planner, world().mill, 0.01);
+    motion::Planner planner(interpreter, machine, {}, messages);
+    motion::Sampler sampler(planner, machine, 0.01);
     std::vector<motion::Setpoint> setpoints(256);
     for (int i = 0; i < kSampledBatches && sampler.pull(setpoints) != 0; ++i) {
     }

@@ -19,9 +19,11 @@ namespace kadr::fuzz {
 struct World {
     Sources sources;  // the standard library
     std::map<std::string, nc::Dialect, std::less<>> dialects;
-    std::vector<const nc::Dialect*> controls;  // the same, to choose by number
+    std::vector<const nc::Dialect*>
+        controls;  // the same, to choose by number; scripts/fuzz counts so
     std::map<std::string, syntax::KeywordTable, std::less<>> languages;
     machine::Machine mill;
+    machine::Machine lathe;
     std::map<std::string, syntax::Ast, std::less<>> library;  // by module: "cycles.drilling"
 
     World();
@@ -31,6 +33,8 @@ struct World {
     /// The dialect and the keywords that a source asks for; unknown names: ISO, English.
     const nc::Dialect& dialect_for(std::string_view source) const;
     const syntax::KeywordTable& keywords_for(std::string_view source) const;
+    /// A lathe for the controls of lathes.
+    const machine::Machine& machine_for(const nc::Dialect& dialect) const;
 };
 
 /// Loaded by the first call.
