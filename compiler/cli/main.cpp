@@ -11,6 +11,7 @@
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "driver/check.h"
+#include "driver/compare.h"
 #include "driver/expand.h"
 #include "driver/format.h"
 #include "driver/run.h"
@@ -60,6 +61,7 @@ Status perform(driver::Session& session, const cli::CommandLine& line,
     switch (line.verb) {
         case cli::Verb::Expand: return driver::expand(session, line.expand);
         case cli::Verb::Run: return run(session, line, progress);
+        case cli::Verb::Compare: return driver::compare(session, line.compare);
         case cli::Verb::Check: return driver::check(session, line.sources);
         case cli::Verb::Test: return driver::test(session, line.test);
         case cli::Verb::Format: return driver::format(session, line.sources, line.format);

@@ -41,6 +41,18 @@ double parse_time(const std::string& text, const char* option) {
     return number.value * factor;
 }
 
+/// Millimetres of `5um`, `0.003mm`, `0.0001in`.
+double parse_length(const std::string& text, const char* option) {
+    const Decimal number = parse_decimal(text.data(), text.data() + text.size());
+    const std::string_view unit(number.end, text.data() + text.size());
+    const double factor = unit == "mm" ? 1.0 : unit == "um" ? 1e-3 : unit == "in" ? 25.4 : 0.0;
+    if (number.end == text.data() || factor == 0 || number.value <= 0) {
+        throw CLI::ValidationError(option,
+                                   "`" + text + "` is not a length; write `5um` or `0.005mm`");
+    }
+    return number.value * factor;
+}
+
 /// As for the tick of a machine: the path between two setpoints says nothing beyond a second.
 double parse_tick(const std::string& text) {
     const double tick = parse_time(text, "--tick");
@@ -103,6 +115,7 @@ class Parser {
     CommandLine parse(int count, const char* const* arguments);
     std::string message(const CLI::ParseError& error, int& status) const;
     std::string commands_message() const;
+    void take_compared();
 
   private:
     CLI::App* add(CLI::App& parent, const char* name, const char* text, Verb verb);
@@ -114,6 +127,7 @@ class Parser {
     void add_limits(CLI::App& command);
     void add_expand();
     void add_run();
+    void add_compare();
     void add_check();
     void add_test();
     void add_format();
@@ -135,6 +149,9 @@ class Parser {
     std::string map_;
     std::vector<std::string> defines_;
     std::vector<int> skips_;
+    std::vector<std::string> compared_;  // sources
+    std::vector<std::string> controls_;  // of them
+    std::string tolerance_;
     bool is_check_ = false;
 };
 
@@ -145,6 +162,7 @@ Parser::Parser() {
     app_.footer(kEpilogue);
     add_expand();
     add_run();
+    add_compare();
     add_check();
     add_test();
     add_format();
@@ -279,6 +297,30 @@ void Parser::add_run() {
     command->add_flag("--optional-stop", options.optional_stop, "M1 stops");
 }
 
+void Parser::add_compare() {
+    CLI::App* command =
+        add(app_, "compare", "whether two programs move the same way", Verb::Compare);
+    command->add_option("SRC", compared_, "one source for two controls, or two sources")
+        ->required()
+        ->expected(1, 2);
+    command->add_option("-d,--dialect", controls_, "control of the first, and of the second source")
+        ->type_name("DIALECT")
+        ->allow_extra_args(false);
+    command->add_option("-m,--machine", line_.options.machine, "machine: a name or an XML file")
+        ->type_name("MACHINE");
+    command->add_option("--tolerance", tolerance_, "how far the ways may be apart")
+        ->type_name("LENGTH");
+    add_search(*command);
+    add_program(*command);
+    command->add_option("--cycles", cycles_, "the control's own cycles, or single moves")
+        ->check(one_of({"native", "moves"}))
+        ->type_name("native|moves");
+    add_limits(*command);
+    command->add_option("--summary", summary_, "for a person or for a program")
+        ->check(one_of({"text", "json"}))
+        ->type_name("text|json");
+}
+
 void Parser::add_check() {
     CLI::App* command = add(app_, "check", "find mistakes, write nothing", Verb::Check);
     command->add_option("SRC", line_.sources, "Kadr programs or ISO-7bit texts")->required();
@@ -368,10 +410,23 @@ CommandLine Parser::parse(int count, const char* const* arguments) {
     line_.run.rapid_override = rapid_percent_ / 100;
     line_.run.plot_color =
         plot_color_ == "line" ? driver::PlotColor::Line : driver::PlotColor::Feed;
+    if (line_.verb == Verb::Compare) take_compared();
     line_.format = is_check_ ? driver::FormatMode::Check : driver::FormatMode::Write;
     line_.messages =
         messages_ == "json" ? driver::MessageFormat::Json : driver::MessageFormat::Text;
     return line_;
+}
+
+/// One source has two controls; of two sources each may have its own.
+void Parser::take_compared() {
+    driver::CompareJob& job = line_.compare;
+    if (controls_.size() > 2) throw CLI::ValidationError("-d", "two controls at most");
+    if (compared_.size() == 1 && controls_.size() < 2)
+        throw CLI::ValidationError("-d", "one source is compared for two controls: say `-d` twice");
+    job.sources = {compared_.front(), compared_.back()};
+    if (!controls_.empty()) job.dialects = {controls_.front(), controls_.back()};
+    if (!tolerance_.empty()) job.tolerance = parse_length(tolerance_, "--tolerance");
+    if (summary_ == "json") job.summary = driver::SummaryFormat::Json;
 }
 
 std::string Parser::commands_message() const {

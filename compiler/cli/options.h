@@ -15,6 +15,7 @@ namespace kadr::cli {
 enum class Verb : std::uint8_t {
     Expand,
     Run,
+    Compare,
     Check,
     Test,
     Format,
@@ -32,6 +33,7 @@ struct CommandLine {
     driver::Options options;
     driver::ExpandJob expand;
     driver::RunJob run;
+    driver::CompareJob compare;
     driver::TestJob test;
     std::vector<std::string> sources;  // check, fmt
     driver::FormatMode format = driver::FormatMode::Write;

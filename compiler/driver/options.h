@@ -4,6 +4,7 @@
 // is theirs, meaning is here.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -93,6 +94,14 @@ struct RunJob {
     PlotColor plot_color = PlotColor::Feed;
     double feed_override = 1;   // > 0; multiplies what the program asks for, never a limit
     double rapid_override = 1;  // > 0, at most 1
+};
+
+/// Two programs whose motion is compared, or one for two controls.
+struct CompareJob {
+    std::array<std::string, 2> sources;
+    std::array<std::string, 2> dialects;  // names or files; empty: as the source suggests
+    double tolerance = 0.003;             // mm; half an increment of each text, and rounded arcs
+    SummaryFormat summary = SummaryFormat::Text;
 };
 
 /// Which tests are run, and how hard the properties are tried.

@@ -1,0 +1,188 @@
+#include "driver/compare.h"
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "base/numbers.h"
+#include "base/render.h"
+#include "base/units.h"
+#include "driver/execution.h"
+#include "driver/output.h"
+#include "driver/summary.h"
+#include "driver/svg_text.h"
+#include "motion/comparison.h"
+#include "motion/pipeline.h"
+
+namespace kadr::driver {
+
+namespace {
+
+using motion::ComparedPlace;
+using motion::Comparison;
+using motion::Parting;
+
+/// One of the two: a session of its own, for it may be for another control.
+class Side {
+  public:
+    Side(Session& session, const std::string& source, const std::string& dialect)
+        : session_(options_for(session, dialect), session.share(), session.sources(),
+                   session.messages()),
+          source_(source) {}
+
+    /// False: reported.
+    bool open() {
+        auto text = open_source(session_, source_);
+        if (!text) return false;
+        execution_ = Execution::open(session_, source_, std::move(text));
+        if (!execution_) return false;
+        motion::PlannerOptions options;
+        options.tick = session_.options().tick.value_or(0);
+        options.place_of = [this](std::uint32_t line, SourceId) {
+            return execution_->place_of(line);
+        };
+        planner_ = std::make_unique<motion::Planner>(*execution_, execution_->machine(), options,
+                                                     execution_->sink());
+        return true;
+    }
+
+    Status status() const { return session_.status(); }
+    motion::Planner& planner() { return *planner_; }
+    const motion::Totals& totals() const { return planner_->totals(); }
+    /// Plans what is left, for its time.
+    void finish() {
+        std::vector<motion::Segment> batch(kBatch);
+        while (planner_->pull(batch) > 0) continue;
+    }
+    std::string_view control() const { return execution_->dialect().title(); }
+    std::string text_name() const {
+        return std::filesystem::path(execution_->text_name()).filename().string();
+    }
+    std::string place(std::uint32_t line) const {
+        if (interp::Program::is_in_main_text(line)) return text_name() + ':' + std::to_string(line);
+        const LinePlace called = execution_->place_of(line);
+        return std::filesystem::path(called.file).filename().string() + ':' +
+               std::to_string(called.line);
+    }
+
+  private:
+    static Options options_for(const Session& session, const std::string& dialect) {
+        Options options = session.options();
+        options.dialect = dialect;
+        return options;
+    }
+
+    Session session_;
+    std::string source_;
+    std::unique_ptr<Execution> execution_;
+    std::unique_ptr<motion::Planner> planner_;
+};
+
+const char* words_of(Parting parting) {
+    switch (parting) {
+        case Parting::Way: return "the ways part";
+        case Parting::Kind: return "one cuts or stands where the other does not";
+        case Parting::Length: return "one stops before the other";
+        case Parting::Followers: return "an axis beside X, Y, Z is elsewhere";
+        case Parting::Standing: return "they stand for different times";
+        case Parting::End: return "one ends before the other";
+    }
+    return "";
+}
+
+const char* name_of(Parting parting) {
+    constexpr std::array<const char*, 6> kNames = {"way",       "kind",     "length",
+                                                   "followers", "standing", "end"};
+    return kNames[static_cast<std::size_t>(parting)];
+}
+
+std::string point_text(const path::Vec3& point) {
+    return fmt::format("X{} Y{} Z{}", format_shortest(round_to(point.x(), 4)),
+                       format_shortest(round_to(point.y(), 4)),
+                       format_shortest(round_to(point.z(), 4)));
+}
+
+std::string comparison_text(const Comparison& result, const std::array<Side*, 2>& sides,
+                            double tolerance) {
+    std::string out;
+    for (const Side* side : sides) {
+        put(out, "  {:<20}{:<34}{:>12}{:>12.1f} mm\n", side->text_name(), side->control(),
+            duration_text(side->totals().time), side->totals().length);
+    }
+    const auto tell = [&](const ComparedPlace& place) {
+        put(out, "    {:<24}{}\n    {:<24}{}\n", sides[0]->place(place.first_line),
+            point_text(place.first), sides[1]->place(place.second_line), point_text(place.second));
+    };
+    if (result.parting) {
+        put(out, "\n  not the same motion: {}, after {} stretches alike\n",
+            words_of(*result.parting), result.stretches > 0 ? result.stretches - 1 : 0);
+        tell(result.parted);
+        return out;
+    }
+    put(out, "\n  the same motion within {} mm: {} stretches, {:.1f} um apart at most\n",
+        format_shortest(tolerance), result.stretches, 1000 * result.greatest_distance);
+    if (result.greatest_distance > 0) tell(result.widest);
+    if (result.greatest_feed_share > 0) {
+        put(out, "  feeds within {:.3g} %\n", 100 * result.greatest_feed_share);
+        tell(result.fastest);
+    }
+    return out;
+}
+
+void put_place(std::string& out, const char* name, const ComparedPlace& place,
+               const std::array<Side*, 2>& sides) {
+    const std::array<std::uint32_t, 2> lines = {place.first_line, place.second_line};
+    const std::array<path::Vec3, 2> points = {place.first, place.second};
+    put(out, ",\"{}\":[", name);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        put(out, "{}{{\"at\":{},\"x\":{},\"y\":{},\"z\":{}}}", i > 0 ? "," : "",
+            json_string(sides[i]->place(lines[i])), format_shortest(round_to(points[i].x(), 9)),
+            format_shortest(round_to(points[i].y(), 9)),
+            format_shortest(round_to(points[i].z(), 9)));
+    }
+    out += ']';
+}
+
+std::string comparison_json(const Comparison& result, const std::array<Side*, 2>& sides) {
+    std::string out = "{\"same\":";
+    out += result.parting ? "false" : "true";
+    if (result.parting) put(out, ",\"parting\":\"{}\"", name_of(*result.parting));
+    put(out, ",\"stretches\":{},\"distance_mm\":{},\"feed_share\":{}", result.stretches,
+        format_shortest(round_to(result.greatest_distance, 9)),
+        format_shortest(round_to(result.greatest_feed_share, 9)));
+    put(out, ",\"time_s\":[{},{}],\"length_mm\":[{},{}]",
+        format_shortest(round_to(sides[0]->totals().time, 9)),
+        format_shortest(round_to(sides[1]->totals().time, 9)),
+        format_shortest(round_to(sides[0]->totals().length, 9)),
+        format_shortest(round_to(sides[1]->totals().length, 9)));
+    if (result.parting) put_place(out, "parted", result.parted, sides);
+    else put_place(out, "widest", result.widest, sides);
+    return out + "}\n";
+}
+
+}  // namespace
+
+Status compare(Session& session, const CompareJob& job) {
+    Side first(session, job.sources[0], job.dialects[0]);
+    Side second(session, job.sources[1], job.dialects[1]);
+    const std::array<Side*, 2> sides = {&first, &second};
+    for (Side* side : sides) {
+        if (!side->open()) return side->status() == Status::Done ? Status::Failed : side->status();
+    }
+    const Comparison result = motion::compare(first.planner(), second.planner(), job.tolerance);
+    for (Side* side : sides) side->finish();
+    const Status status = session.status();
+    if (status != Status::Done) return status;
+    auto output = Output::open("-", session.messages());
+    if (!output) return Status::Usage;
+    output->write(job.summary == SummaryFormat::Json
+                      ? comparison_json(result, sides)
+                      : comparison_text(result, sides, job.tolerance));
+    if (!output->commit(session.messages())) return Status::Usage;
+    return result.parting ? Status::Failed : Status::Done;
+}
+
+}  // namespace kadr::driver

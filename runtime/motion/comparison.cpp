@@ -1,0 +1,194 @@
+#include "motion/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "path/curve.h"
+
+namespace kadr::motion {
+
+namespace {
+
+using path::Vec3;
+
+constexpr std::size_t kBatch = 32;
+constexpr double kStep = 0.1;        // mm along the way between two looks
+constexpr double kParts = 4;         // looks at every piece, however short
+constexpr double kNothing = 1e-9;    // mm: rounding of lengths
+constexpr double kSameTime = 1e-6;   // s
+constexpr double kSameAngle = 1e-4;  // rad, 0.006 deg; mm of a parallel axis
+
+/// A motion, and how far along it the walk has come.
+class Walker {
+  public:
+    explicit Walker(Stream<Segment>& segments) : segments_(segments) { settle(); }
+
+    bool is_over() const { return at_ == size_; }
+    const Segment& segment() const { return batch_[at_]; }
+    double rest() const { return length_ - along_; }
+    double length() const { return length_; }
+    path::CurvePoint here() const { return path::evaluate(segment().curve, along_); }
+    double follower(std::size_t i) const {
+        return segment().follower_start[i] + segment().follower_rate[i] * along_;
+    }
+    /// Whether it goes on with the same kind of motion.
+    bool goes_on(SegmentKind kind) const { return !is_over() && segment().kind == kind; }
+    std::uint32_t line() const { return is_over() ? line_ : segment().line; }
+    const Vec3& end() const { return end_; }
+
+    /// Goes on by this way, not farther than the end of the piece. True: the piece is through.
+    bool advance(double way) {
+        along_ = std::min(along_ + way, length_);
+        if (length_ - along_ > kNothing) return false;
+        next();
+        return true;
+    }
+    void next() {
+        end_ = path::end(segment().curve);
+        line_ = segment().line;
+        ++at_;
+        settle();
+    }
+
+  private:
+    /// Makes batch_[at_] the piece that comes, one that moves the tip or takes time.
+    void settle() {
+        for (;;) {
+            if (at_ == size_) {
+                size_ = segments_.pull(batch_);
+                at_ = 0;
+                if (size_ == 0) return;
+            }
+            along_ = 0;
+            length_ = is_motion(segment().kind) ? segment().profile.length : 0;
+            if (!is_motion(segment().kind) || length_ > kNothing) return;
+            ++at_;
+        }
+    }
+
+    Stream<Segment>& segments_;
+    std::vector<Segment> batch_ = std::vector<Segment>(kBatch);
+    std::size_t at_ = 0;
+    std::size_t size_ = 0;
+    double along_ = 0;
+    double length_ = 0;
+    Vec3 end_ = Vec3::Zero();
+    std::uint32_t line_ = 0;
+};
+
+class Walk {
+  public:
+    Walk(Stream<Segment>& first, Stream<Segment>& second, double tolerance)
+        : first_(first), second_(second), tolerance_(tolerance) {}
+
+    Comparison go() {
+        while (!first_.is_over() && !second_.is_over() && !result_.parting) {
+            const Segment& a = first_.segment();
+            const Segment& b = second_.segment();
+            if (a.kind != b.kind) part(Parting::Kind);
+            else if (is_motion(a.kind)) walk_stretch(a.kind);
+            else stand(a, b);
+        }
+        if (!result_.parting && first_.is_over() != second_.is_over()) part(Parting::End);
+        return result_;
+    }
+
+  private:
+    ComparedPlace place() const {
+        const auto at = [](const Walker& walker) {
+            return walker.is_over() ? walker.end() : walker.here().position;
+        };
+        return {at(first_), at(second_), first_.line(), second_.line()};
+    }
+
+    void part(Parting why) {
+        result_.parting = why;
+        result_.parted = place();
+    }
+
+    void stand(const Segment& a, const Segment& b) {
+        if (std::abs(a.duration - b.duration) > kSameTime) return part(Parting::Standing);
+        first_.next();
+        second_.next();
+    }
+
+    /// Side by side until one comes to an end; rounded ways are not equally long, so the second is
+    /// led to where it is beside the first.
+    void walk_stretch(SegmentKind kind) {
+        ++result_.stretches;
+        while (first_.goes_on(kind) && second_.goes_on(kind)) {
+            const double ahead = look();
+            if (result_.parting) return;
+            const double step = std::min({kStep, first_.rest(), second_.rest(),
+                                          first_.length() / kParts, second_.length() / kParts});
+            // A step leads both to an end of a piece if there is one; what lies behind it is seen
+            // at the next look.
+            first_.advance(step);
+            second_.advance(std::max(0.0, step - ahead));
+        }
+        finish(first_, second_, kind);
+        finish(second_, first_, kind);
+    }
+
+    /// What is left of the stretch of one when the other is through.
+    void finish(Walker& walker, const Walker& other, SegmentKind kind) {
+        double left = 0;
+        const bool moves = !other.is_over() && is_motion(other.segment().kind);
+        while (walker.goes_on(kind) && !result_.parting) {
+            left += walker.rest();
+            if (left > tolerance_) return part(moves ? Parting::Kind : Parting::Length);
+            walker.advance(walker.rest());
+        }
+    }
+
+    /// By how much the second is ahead of the first along the way, mm.
+    double look() {
+        const path::CurvePoint a = first_.here();
+        const path::CurvePoint b = second_.here();
+        const Vec3 apart = b.position - a.position;
+        const double ahead = first_.segment().turns_only ? 0 : apart.dot(a.tangent);
+        const bool leads = std::abs(ahead) <= tolerance_;
+        const double distance = leads ? (apart - ahead * a.tangent).norm() : apart.norm();
+        if (distance > result_.greatest_distance) {
+            result_.greatest_distance = distance;
+            result_.widest = place();
+        }
+        if (distance > tolerance_) part(Parting::Way);
+        else if (!do_followers_agree()) part(Parting::Followers);
+        compare_feeds();
+        return leads ? ahead : 0;
+    }
+
+    bool do_followers_agree() const {
+        for (std::size_t i = 0; i < kFollowers; ++i) {
+            if (std::abs(first_.follower(i) - second_.follower(i)) > kSameAngle + tolerance_)
+                return false;
+        }
+        return true;
+    }
+
+    void compare_feeds() {
+        if (first_.segment().kind != SegmentKind::Feed) return;
+        const double a = first_.segment().feed;
+        const double b = second_.segment().feed;
+        const double greater = std::max(a, b);
+        const double share = greater > 0 ? std::abs(a - b) / greater : 0;
+        if (share <= result_.greatest_feed_share) return;
+        result_.greatest_feed_share = share;
+        result_.fastest = place();
+    }
+
+    Walker first_;
+    Walker second_;
+    double tolerance_;
+    Comparison result_;
+};
+
+}  // namespace
+
+Comparison compare(Stream<Segment>& first, Stream<Segment>& second, double tolerance) {
+    return Walk(first, second, tolerance).go();
+}
+
+}  // namespace kadr::motion

@@ -1,0 +1,49 @@
+// comparison.h — how far two planned motions are from being the same.
+//
+// Both are walked together: what counts is where the tool goes, how fast it shall go and when it
+// stands, not in how many pieces a control says it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "base/stream.h"
+#include "motion/segment.h"
+#include "path/vec3.h"
+
+namespace kadr::motion {
+
+/// A place in both motions at the same time.
+struct ComparedPlace {
+    path::Vec3 first = path::Vec3::Zero();  // of the tool tip, mm
+    path::Vec3 second = path::Vec3::Zero();
+    std::uint32_t first_line = 0;  // of the texts
+    std::uint32_t second_line = 0;
+};
+
+/// What the motions do that is not the same at all.
+enum class Parting : std::uint8_t {
+    Way,        // they are farther apart than the tolerance
+    Kind,       // one positions where the other cuts, or one stands where the other moves
+    Length,     // one comes to its stop earlier
+    Followers,  // an axis beside X, Y, Z is somewhere else
+    Standing,   // they stand for different times, or for different reasons
+    End,        // one is over
+};
+
+struct Comparison {
+    std::uint64_t stretches = 0;     // of motion without a stop or a change of its kind
+    double greatest_distance = 0;    // mm, of one tip from the way of the other
+    ComparedPlace widest;            // … there
+    double greatest_feed_share = 0;  // of the difference of the feeds, of the greater one
+    ComparedPlace fastest;           // … there
+    std::optional<Parting> parting;  // they go different ways from here on
+    ComparedPlace parted;
+};
+
+/// Walks both to the end, or to where they part.
+///
+/// tolerance  mm; tips farther apart than this part the motions
+Comparison compare(Stream<Segment>& first, Stream<Segment>& second, double tolerance);
+
+}  // namespace kadr::motion

@@ -1,0 +1,54 @@
+// `kadr compare`: one source for two controls, two programs, and what it says when they differ.
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/driver/scratch.h"
+
+namespace {
+
+using nlohmann::json;
+
+class Compare : public kadr::test::ScratchFolder {};
+
+const std::string kFlange = std::string(KADR_ROOT) + "/examples/flange.kadr";
+
+TEST_F(Compare, OneSourceMovesAlikeOnTwoControls) {
+    const auto result =
+        kadr({"compare", kFlange, "-d", "sinumerik", "-d", "fanuc", "--summary", "json"});
+    ASSERT_EQ(result.status, 0) << result.out << result.err;
+    const json said = json::parse(result.out);
+    EXPECT_EQ(said["same"], true);
+    EXPECT_GT(said["stretches"], 20);
+    EXPECT_LT(said["distance_mm"], 0.003);
+    const auto text = kadr({"compare", kFlange, "-d", "sinumerik", "-d", "fanuc"});
+    EXPECT_NE(text.out.find("the same motion within 0.003 mm"), std::string::npos) << text.out;
+}
+
+TEST_F(Compare, SaysWhereProgramsPart) {
+    save("a.mpf", "S1000 M3 F200\nG0 X0 Y0\nG1 X10\nY10\nM30\n");
+    save("b.nc", "%\nO1\nS1000M3F200.\nG0X0.Y0.\nG1X10.\nY10.02\nM30\n%\n");
+    const auto result = kadr({"compare", file("a.mpf"), file("b.nc"), "-d", "sinumerik", "-d",
+                              "fanuc", "--summary", "json"});
+    ASSERT_EQ(result.status, 1) << result.err;
+    const json said = json::parse(result.out);
+    EXPECT_EQ(said["parting"], "length");
+    EXPECT_EQ(said["parted"][1]["at"], "b.nc:6");
+    const auto wide = kadr({"compare", file("a.mpf"), file("b.nc"), "-d", "sinumerik", "-d",
+                            "fanuc", "--tolerance", "50um"});
+    EXPECT_EQ(wide.status, 0) << wide.out;
+}
+
+TEST_F(Compare, RefusesWhatItCannotCompare) {
+    EXPECT_EQ(kadr({"compare", kFlange}).status, 2);
+    EXPECT_EQ(kadr({"compare", kFlange, "-d", "fanuc"}).status, 2);
+    EXPECT_EQ(kadr({"compare", kFlange, file("none.nc"), "-d", "fanuc"}).status, 2);
+    EXPECT_EQ(kadr({"compare", kFlange, "-d", "fanuc", "-d", "iso", "--tolerance", "3"}).status, 2);
+    save("wrong.kadr", "program p() { G1 X=y; }");
+    const auto result = kadr({"compare", file("wrong.kadr"), "-d", "fanuc", "-d", "sinumerik"});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_EQ(result.out, "");
+}
+
+}  // namespace

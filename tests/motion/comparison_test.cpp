@@ -1,0 +1,116 @@
+// Two motions beside each other: how they are cut into pieces does not count, where they go does.
+#include "motion/comparison.h"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/motion/support.h"
+
+namespace kadr::motion::test {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kTolerance = 0.003;
+constexpr double kFeed = 600;
+
+Comparison compared(const std::vector<Command>& first, const std::vector<Command>& second) {
+    const machine::Machine machine = machine_of();
+    DiagnosticList sink;
+    CommandList first_commands(first);
+    CommandList second_commands(second);
+    Planner first_planner(first_commands, machine, {}, sink);
+    Planner second_planner(second_commands, machine, {}, sink);
+    return compare(first_planner, second_planner, kTolerance);
+}
+
+std::vector<Command> with_spindle(std::vector<Command> commands) {
+    commands.insert(commands.begin(), spindle_on(1000));
+    return commands;
+}
+
+/// A quarter of a circle of 10 mm about the origin, to (0, 10).
+std::vector<Command> quarter(double radius_error = 0) {
+    const double r = 10 + radius_error;
+    return with_spindle({rapid_to({r, 0, 0}), arc_to({0, r, 0}, {0, 0, 0}, pi / 2, kFeed)});
+}
+
+TEST(Comparison, AMotionIsItself) {
+    const Comparison result = compared(quarter(), quarter());
+    EXPECT_FALSE(result.parting);
+    EXPECT_EQ(result.stretches, 2u);
+    EXPECT_EQ(result.greatest_distance, 0);
+    EXPECT_EQ(result.greatest_feed_share, 0);
+}
+
+TEST(Comparison, PiecesDoNotCount) {
+    std::vector<Command> halves = with_spindle({rapid_to({10, 0, 0})});
+    const double s = 10 / std::sqrt(2);
+    halves.push_back(arc_to({s, s, 0}, {0, 0, 0}, pi / 4, kFeed));
+    halves.push_back(arc_to({0, 10, 0}, {0, 0, 0}, pi / 4, kFeed));
+    const Comparison result = compared(quarter(), halves);
+    EXPECT_FALSE(result.parting);
+    EXPECT_LT(result.greatest_distance, 1e-9);
+}
+
+// Chords of an arc are as far from it as their sagitta.
+TEST(Comparison, FindsTheSagittaOfChords) {
+    constexpr int kChords = 45;
+    std::vector<Command> chords = with_spindle({rapid_to({10, 0, 0})});
+    for (int i = 1; i <= kChords; ++i) {
+        const double angle = pi / 2 * i / kChords;
+        chords.push_back(line_to({10 * std::cos(angle), 10 * std::sin(angle), 0}, kFeed));
+    }
+    const Comparison result = compared(quarter(), chords);
+    ASSERT_FALSE(result.parting);
+    const double sagitta = 10 * (1 - std::cos(pi / 4 / kChords));
+    EXPECT_NEAR(result.greatest_distance, sagitta, 0.05 * sagitta);
+}
+
+TEST(Comparison, PartsWhereTheWaysPart) {
+    const std::vector<Command> square =
+        with_spindle({line_to({10, 0, 0}, kFeed), line_to({10, 10, 0}, kFeed)});
+    std::vector<Command> other = square;
+    other.back() = line_to({10, -10, 0}, kFeed);
+    const Comparison turned = compared(square, other);
+    ASSERT_EQ(turned.parting, Parting::Way);
+    EXPECT_NEAR(turned.parted.first.x(), 10, 0.01);
+    EXPECT_NEAR(turned.parted.first.y(), 0, 0.2);
+}
+
+TEST(Comparison, TellsWhyTheyPart) {
+    const std::vector<Command> base =
+        with_spindle({line_to({10, 0, 0}, kFeed), line_to({20, 0, 0}, kFeed)});
+    std::vector<Command> other = base;
+    other[2] = rapid_to({20, 0, 0});
+    EXPECT_EQ(compared(base, other).parting, Parting::Kind);
+    other = base;
+    other.pop_back();
+    EXPECT_EQ(compared(base, other).parting, Parting::Length);
+    other = base;
+    other.push_back(rapid_to({30, 0, 0}));
+    EXPECT_EQ(compared(base, other).parting, Parting::End);
+    std::vector<Command> waits = base;
+    Command dwell;
+    dwell.op = Op::Dwell;
+    dwell.time = 1;
+    waits.push_back(dwell);
+    EXPECT_EQ(compared(base, waits).parting, Parting::End);
+    other = waits;
+    other.back().time = 2;
+    EXPECT_EQ(compared(waits, other).parting, Parting::Standing);
+}
+
+TEST(Comparison, FeedsAreToldAndDoNotPart) {
+    std::vector<Command> slower = quarter();
+    slower.back().feed = 0.9 * kFeed;
+    const Comparison result = compared(quarter(), slower);
+    EXPECT_FALSE(result.parting);
+    EXPECT_NEAR(result.greatest_feed_share, 0.1, 1e-9);
+}
+
+}  // namespace
+}  // namespace kadr::motion::test
