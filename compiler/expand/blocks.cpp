@@ -166,6 +166,8 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
         }
         if (plan.customs != 0 && !adapt(block, plan, at)) [[unlikely]]
             return false;
+        if (!check_mirror(block, plan, at)) return false;
+        if (options.warns_of_cuts) warn_of_plane(block, at);
         const Function motion = plan.motion != Function::None ? plan.motion : modal[Group::Motion];
         modal.take_functions(block);
         const bool says_rapid = (plan.customs & sema::custom::kMachineRapid) != 0;

@@ -51,6 +51,37 @@ bool Expander::State::check_tool_change(const Block& block, std::uint32_t at) {
     return false;
 }
 
+/// A further mirror of an axis, where the control has one state of each.
+bool Expander::State::check_mirror(const Block& block, const sema::Plan& plan, std::uint32_t at) {
+    const nc::Invocation* mirror = block.find(Function::Mirror);
+    const bool replaces = (plan.customs & sema::custom::kFrameOrder) != 0;  // in the source, too
+    if (mirror == nullptr || replaces || !target.has_rule("mirror_replaces")) return true;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if ((mirror->given >> i & 1u) == 0 || !modal.frame.is_mirrored[i]) continue;
+        fault(diag::MirrorAgain, at)
+            .arg(target.name())
+            .arg(kAxisNames[i])
+            .fix("use `with mirror(…) { … }`");
+        return false;
+    }
+    return true;
+}
+
+/// The tool's length goes over to another axis of a mill with the plane.
+void Expander::State::warn_of_plane(const Block& block, std::uint32_t at) {
+    const bool is_zx = block.find(Function::PlaneZx) != nullptr;
+    if (!is_zx && block.find(Function::PlaneYz) == nullptr) return;
+    const bool is_turned = modal[Group::Diameter] != Function::None;
+    const bool is_mill = modal[Group::Plane] == Function::PlaneXy && !is_turned;
+    if (!is_mill || !modal.has_tool_in || warned_of_plane || target.has_rule("length_axis", "z"))
+        return;
+    warned_of_plane = !is_allowed(diag::LengthTurns, at);
+    fault(diag::LengthTurns, at)
+        .arg(target.name())
+        .arg(is_zx ? "G18" : "G19")
+        .arg(is_zx ? "Y" : "X");
+}
+
 bool Expander::State::check_cut(const Block& block, std::uint32_t at) {
     const Function motion = modal[Group::Motion];
     const bool is_cut = motion == Function::Line || nc::is_arc(motion);

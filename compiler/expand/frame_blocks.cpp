@@ -132,8 +132,12 @@ void Expander::State::write_frame(const ProgramFrame& next, SourceId source, std
         }
         add(Function::Shift, next.shift, given);
     }
+    // A rotation is of the plane that acts where it stands.
+    const Function plane = modal[Group::Plane];
+    const bool is_in_other = plane != Function::None && plane != next.plane;
     const auto add_rotation = [&] {
         if (next.angle_deg == 0) return;
+        if (is_in_other) add(next.plane, {}, {});
         const std::array<double, 3> center = next.inner_center();
         const bool has_center = next.has_center();
         const bool is_xy = next.plane == Function::PlaneXy;
@@ -141,6 +145,7 @@ void Expander::State::write_frame(const ProgramFrame& next, SourceId source, std
         add(Function::Rotate, std::array{next.inner_angle_deg(), center[0], center[1], center[2]},
             std::array{true, has_center && (is_xy || is_zx), has_center && !is_zx,
                        has_center && !is_xy});
+        if (is_in_other) add(plane, {}, {});
     };
     if (next.has_mirror() && !(adds_only && from.has_mirror()))
         add(Function::Mirror, std::array<double, 3>{}, next.is_mirrored);

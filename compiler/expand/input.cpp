@@ -419,6 +419,9 @@ bool Expander::State::name_places(Block& block, std::uint32_t at) {
     for (std::size_t i = 0; i < kAxes; ++i) {
         const nc::SlotMask bit = nc::SlotMask{1} << i;
         if ((modal.known & bit) == 0) {
+            // The block stands under absolute dimensions then: what stays a way says so itself.
+            if (is_modal && (block.given & bit) != 0 && is_increment(block, bit))
+                block.incremental |= bit;
             if ((modal.unplaced & ~block.given & bit) == 0) continue;
             const std::string axis(kAxisNames[i]);
             fault(diag::PlaceBehindRotation, at)

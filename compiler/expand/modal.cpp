@@ -72,7 +72,6 @@ void ModalState::note_drift(std::size_t axis, bool is_known, double by) {
     has_drift = static_cast<AxisMask>(drift[axis] != 0 ? has_drift | bit : has_drift & ~bit);
 }
 
-/// The axes have gone where a word of theirs says.
 void ModalState::forget_drift(AxisMask axes) {
     for (std::size_t i = 0; i < kAxes; ++i) {
         if ((axes >> i & 1u) != 0) drift[i] = 0;

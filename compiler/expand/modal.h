@@ -94,6 +94,8 @@ struct ModalState {
     /// The block may be left out: what it changes, besides what the writer says again by itself.
     void take_skipped(const nc::Block& block);
     void set_frame(const ProgramFrame& frame, SourceId source);
+    /// Coordinates of these axes were named: increments count from there.
+    void forget_drift(AxisMask axes);
     /// 3, 4, 5 as in M3, M4, M5.
     void set_spindle(double code, SourceId source);
     /// Whether it is known what is left of the frame without its scale.
@@ -106,7 +108,6 @@ struct ModalState {
     void set_diameter(bool is_on);
     void lose_corrected(double axis);
     void note_drift(std::size_t axis, bool is_known, double by);
-    void forget_drift(AxisMask axes);
 };
 
 /// Groups of the mask whose state differs, F and S and frames included.

@@ -112,6 +112,12 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
     modal.active[static_cast<std::size_t>(Group::Motion)] = Function::Rapid;
     modal.changed_by[static_cast<std::size_t>(Group::Motion)] = source;
     modal.restate_motion = true;
+    // The cycle names coordinates of its own; which ones only one that drills in Z tells.
+    const bool drills_in_z = std::ranges::any_of(parameters, [&](const sema::ParameterInfo& p) {
+        return p.name == "initial" && (given >> (&p - parameters.data()) & 1u) != 0;
+    });
+    if (drills_in_z) modal.forget_drift(bit(Axis::Z));
+    else modal.lost_drift |= modal.has_drift;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         if ((given >> i & 1u) == 0) continue;
         if (parameters[i].name == "initial") {

@@ -240,6 +240,8 @@ struct Expander::State {
 
     // ---- cuts.cpp: false where an error was reported
     bool check_cutting_speed(const nc::Block& block, std::uint32_t at);
+    bool check_mirror(const nc::Block& block, const sema::Plan& plan, std::uint32_t at);
+    void warn_of_plane(const nc::Block& block, std::uint32_t at);
     bool check_tool_change(const nc::Block& block, std::uint32_t at);
     /// Whether the block may cut: a feed that belonged to another feed mode does not count.
     bool check_cut(const nc::Block& block, std::uint32_t at);
@@ -405,6 +407,7 @@ struct Expander::State {
     SaidCycle said_cycle;
     bool warned_of_feed = false;  // each is said once
     bool warned_of_diameter = false;
+    bool warned_of_plane = false;
 
     /// A contour whose blocks are being kept.
     struct Recording {

@@ -521,6 +521,11 @@ bool is_stop(nc::Function function) {
     return function == nc::Function::SpindleStop || function == nc::Function::CoolantOff;
 }
 
+bool ends_program(nc::Function function) {
+    return function == nc::Function::Stop || function == nc::Function::OptionalStop ||
+           function == nc::Function::End || function == nc::Function::EndRewind;
+}
+
 /// `ROT`, `SCALE` and `MIRROR` of some controls delete the frame before they make their own: that
 /// is a block by itself.
 bool deletes_frame(const Plan& plan, const nc::Invocation& invocation) {
@@ -647,6 +652,13 @@ bool Checker::emit_words(std::span<const Word> words, ExprId point, const Source
     const nc::Dialect& dialect = *modules_[module_].dialect;
     const bool is_before = !dialect.is_core() && !dialect.has_rule("stops_after_motion");
     const bool has_stops = !stops.functions.empty();
+    if (has_stops && !is_before) {
+        // Behind what the program stops or ends with nothing acts: it comes last.
+        const Plan ends = take_functions(plan, [](const nc::Invocation& invocation) {
+            return ends_program(invocation.function);
+        });
+        stops.functions.insert(stops.functions.end(), ends.functions.begin(), ends.functions.end());
+    }
     if (has_stops && is_before) emit_plan(stops, first, 0, range);
     const std::size_t own_values = plan.fillings.size();
     emit_plan(std::move(plan), first, point_register, range);

@@ -77,15 +77,14 @@ double sweep_angle(const PlanePoint& start, const PlanePoint& end, const PlanePo
 }
 
 std::optional<PlanePoint> center_of_radius(const PlanePoint& start, const PlanePoint& end,
-                                           double radius, bool is_clockwise) {
+                                           double radius, bool is_clockwise, double slack) {
     const double dx = end[0] - start[0];
     const double dy = end[1] - start[1];
     const double chord = std::hypot(dx, dy);
     if (chord == 0) return std::nullopt;
-    // Half a turn is often programmed with a radius that misses the half chord by a last bit.
-    double square = radius * radius - chord * chord / 4;
-    if (square < -1e-9 * radius * radius) return std::nullopt;
-    square = square < 0 ? 0 : square;
+    // Half a turn is often programmed with a radius that misses the half chord by a last digit.
+    if (chord - 2 * std::fabs(radius) > slack) return std::nullopt;
+    const double square = std::fmax(0.0, radius * radius - chord * chord / 4);
     const double height = std::sqrt(square) / chord;
     // The centre lies left of the chord for a short counter-clockwise arc.
     const double side = (is_clockwise ? -1.0 : 1.0) * (radius < 0 ? -1.0 : 1.0);

@@ -28,10 +28,18 @@ struct ArcPoints {
 PlanePoint center_words(const ArcPoints& arc, const PlanePoint& center, int decimals,
                         const std::array<bool, 2>& fixed_zero, bool is_absolute);
 
+/// By how much a chord may be longer than the diameter and makes half a turn, mm.
+///
+/// source       S 4.2, F 3.5
+inline constexpr double kHalfTurnSlack = 1e-3;
+
 /// Centre of the arc by radius (negative: more than half a turn); nothing if the radius does not
 /// span the chord or there is no chord.
+///
+/// slack  as kHalfTurnSlack, in the unit of the points
 std::optional<PlanePoint> center_of_radius(const PlanePoint& start, const PlanePoint& end,
-                                           double radius, bool is_clockwise);
+                                           double radius, bool is_clockwise,
+                                           double slack = kHalfTurnSlack);
 
 /// Angle that the arc turns about its centre, rad, in (0, 2π]: start = end is a full circle.
 double sweep_angle(const PlanePoint& start, const PlanePoint& end, const PlanePoint& center,

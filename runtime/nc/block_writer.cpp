@@ -46,6 +46,7 @@ constexpr bool is_quiet_group(Group group) {
 BlockWriter::BlockWriter(const Dialect& dialect, const WriteOptions& options, DiagnosticSink& sink)
     : dialect_(dialect), tables_(dialect.tables()), options_(options), sink_(sink) {
     counts_feed_along_arc_ = dialect.has_rule("helix_feed_along_arc");
+    shifts_center_ = dialect.has_rule("arc_error", "shift_center");
     scale_replaces_ = dialect.has_rule("scale_replaces");
     begin({});
     prepare_fast();
@@ -221,7 +222,8 @@ bool BlockWriter::write_other_arc(const Block& block, std::string& out) {
     if (!is_arc(effective_motion(block))) return split_turns(block, out);
     const ModalFunctions meant = modal_.meant;
     follow_modal(block, modal_.meant);
-    if (split_turns(block, out) || straighten(block, out)) return true;
+    if (split_turns(block, out) || straighten(block, out) || (!is_halved_ && halve(block, out)))
+        return true;
     modal_.meant = meant;
     return false;
 }
@@ -229,6 +231,8 @@ bool BlockWriter::write_other_arc(const Block& block, std::string& out) {
 void BlockWriter::write_block(const Block& block, std::string& out) {
     if (write_other_arc(block, out) || write_thread(block, out)) return;
     if (modal_.waiting_edge != 0) write_waiting_edge(block, out);
+    if (modal_.is_length_due) check_length_due(block);
+    const Function diameter = modal_.text_of(Group::Diameter);
     done_ = 0;
     choose_forms(block);
     if (needs_incremental(block)) drop_function(block, Function::Absolute);
@@ -238,6 +242,7 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
     Items items;
     restore_modal(block, items);
     collect_functions(block, items);
+    if (modal_.text_of(Group::Diameter) != diameter) change_diameter(diameter);
     Targets targets;
     const WrittenPosition start = modal_.position;
     const Function motion = effective_motion(block);
@@ -369,6 +374,21 @@ void BlockWriter::write_waiting_edge(const Block& block, std::string& out) {
     const WrittenPosition position = modal_.position;
     write_block(edge, out);
     modal_.position = position;
+    modal_.is_length_due = true;
+}
+
+/// The length comes with the first motion along it: a way there would be travelled less the length.
+void BlockWriter::check_length_due(const Block& block) {
+    const std::size_t along = plane_axes()[2];
+    const bool is_other = block.function_count != 0 &&
+                          (block.find(Function::MachineCoordinates) != nullptr ||
+                           block.find(Function::ReferencePoint) != nullptr ||
+                           block.find(Function::ReferenceReturn) != nullptr);
+    if (is_other || !block.has(static_cast<Slot>(along))) return;
+    modal_.is_length_due = false;
+    if (!is_distance(block, along)) return;
+    cannot_express(block, "a distance along " + std::string(kAxisNames[along]) +
+                              " behind a move without the tool's length");
 }
 
 /// Where the tool length would act in machine coordinates, edge 0 stands beside them.

@@ -152,6 +152,7 @@ class BlockWriter {
     Activity is_shifted() const;
     void defer_length(const Block& block, const Invocation& invocation);
     void write_waiting_edge(const Block& block, std::string& out);
+    void check_length_due(const Block& block);
     void add_edge(const Block& block, Items& items);
     void append_edge(const Block& block, int edge, std::string& out);
     void write_initial_level(const Form& form, const Block& block, const Invocation& invocation,
@@ -162,6 +163,7 @@ class BlockWriter {
     void follow_shift(const Block& block, const Invocation& invocation);
     void turn_axes(std::size_t axis);
     void change_length(const Block& block);
+    void change_diameter(Function before);
     void forget_motion();
     bool shares_address(const Form& form, const Block& block) const;
 
@@ -207,6 +209,10 @@ class BlockWriter {
     bool split_turns(const Block& block, std::string& out);
     bool is_distance(const Block& block, std::size_t axis) const;
     bool is_chord_known(const Block& block, const WrittenPosition& start) const;
+    double center_drift(const Block& block, const ArcPoints& arc, const PlanePoint& center) const;
+    bool halve(const Block& block, std::string& out);
+    void write_halves(const Block& block, const PlanePoint& center, const ArcPoints& arc,
+                      double sweep, std::string& out);
     bool straighten(const Block& block, std::string& out);
     bool vanishes(const Block& block) const;
     bool is_known(std::size_t axis) const { return (modal_.position.known >> axis & 1u) != 0; }
@@ -229,6 +235,11 @@ class BlockWriter {
     void add_deferred(const Block& block, Items& items);
     void remove_said(const Deferred& deferred, Items& items) const;
     double own_offset(const Pending& pending, const Block& block) const;
+    enum class Place : std::uint8_t { Here, Before, Behind };  // the line of the block
+    using Places = std::array<Place, Items::kMost>;
+    bool find_places(const Block& block, const Items& items, Places& places);
+    void write_apart(const Block& block, const Items& items, const Places& places, bool is_behind,
+                     std::string& out);
     void write_items(const Block& block, Items& items, const Targets& targets, std::string& out);
     void append_item(const Block& block, const Item& item, const Targets& targets,
                      std::string& out);
@@ -302,6 +313,8 @@ class BlockWriter {
     std::array<FormId, kMaxInvocations> chosen_{};  // form of each function of the block
     std::uint32_t done_ = 0;                        // functions that need no word any more
     bool counts_feed_along_arc_ = false;            // F of a helix, in the text
+    bool shifts_center_ = false;                    // the control, of an arc that does not close
+    bool is_halved_ = false;                        // the blocks are halves of an arc
     bool scale_replaces_ = false;                   // a second scale ends the first
     bool feed_every_block_ = false;                 // F is not modal in this feed mode
     bool inverse_arc_by_radius_ = false;            // F of arcs is feed/radius in this feed mode

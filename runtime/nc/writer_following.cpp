@@ -110,6 +110,7 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
             modal_.tool = {true, block.argument(invocation, 0)};
             modal_.edge = {true, 1};
             modal_.waiting_edge = 0;
+            modal_.is_length_due = false;
             modal_.position.forget();
             break;
         case Function::ToolChange:
@@ -117,11 +118,13 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
             modal_.tool.is_known = false;
             modal_.edge = {true, 1};
             modal_.waiting_edge = 0;
+            modal_.is_length_due = false;
             modal_.position.forget();
             break;
         case Function::ToolEdge:
             modal_.edge = {true, block.argument(invocation, 0)};
             modal_.waiting_edge = 0;
+            modal_.is_length_due = false;
             change_length(block);
             break;
         case Function::RadiusOffset:
@@ -148,6 +151,19 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
         case Function::EndRewind: has_ended_ = true; break;
         default: break;  // the others move nothing and end nothing
     }
+}
+
+/// X means something else from here on: where the tool stands has another number.
+void BlockWriter::change_diameter(Function before) {
+    constexpr auto kX = static_cast<std::size_t>(Slot::X);
+    const Function now = modal_.text_of(Group::Diameter);
+    if (before == Function::None || now == Function::None) {
+        modal_.position.known &= ~bit(Slot::X);
+        return;
+    }
+    const auto factor = [](Function member) { return member == Function::DiameterOff ? 1.0 : 2.0; };
+    modal_.position.meant[kX] *= factor(now) / factor(before);
+    modal_.position.text[kX] *= factor(now) / factor(before);
 }
 
 /// Another length along the tool: its axis is elsewhere in the program's coordinates, if the block

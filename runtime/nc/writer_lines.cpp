@@ -10,6 +10,15 @@
 
 namespace kadr::nc {
 
+namespace {
+
+bool stops_program(Function function) {
+    return function == Function::Stop || function == Function::OptionalStop ||
+           function == Function::End || function == Function::EndRewind;
+}
+
+}  // namespace
+
 void BlockWriter::collect_slots(const Block& block, const Targets& targets, Items& items) {
     const SlotMask scalars = bit(Slot::Turns) | bit(Slot::Feed) | bit(Slot::Speed) | kReadSlots;
     for (const Slot slot : tables_.slot_order) {
@@ -145,28 +154,20 @@ void BlockWriter::write_items(const Block& block, Items& items, const Targets& t
     });
     const bool fits = !is_verbatim && (most == 0 || count_code_points(block.comment) <= most);
     if (!fits && !block.comment.empty()) write_comment(block, out);
-    Items later;
-    LineRoom room;
-    open_line(block.skip, true, out);
     check_takers(block, items);
-    for (const Item& item : items.all()) {
-        if (words_of(item) == nullptr) {
-            ++room.words[tables_.slot_address[static_cast<std::size_t>(item.slot)] %
-                         room.words.size()];
-        }
-    }
-    for (const Item& item : items.all()) {
-        if (has_room(block, item, room)) {
-            append_item(block, item, targets, out);
-        } else {
-            later.add(item);
-        }
+    Places places{};
+    const bool has_all = find_places(block, items, places);
+    if (!has_all) write_apart(block, items, places, false, out);
+    open_line(block.skip, true, out);
+    for (std::size_t i = 0; i < items.count; ++i) {
+        if (places[i] == Place::Here) append_item(block, items.list[i], targets, out);
     }
     end_block(out);
     if (!block.comment.empty() && fits) append_comment(block.comment, out);
     close_line(out);
-    for (const Item& item : items.all()) {
-        if (item.form == kNoForm) continue;
+    for (std::size_t i = 0; i < items.count; ++i) {
+        const Item& item = items.list[i];
+        if (item.form == kNoForm || places[i] != Place::Here) continue;
         for (const std::vector<FormWord>& line : tables_.forms[item.form].extra) {
             open_line(block.skip, true, out);
             append_words(block, line, item.invocation, false, out);
@@ -175,13 +176,52 @@ void BlockWriter::write_items(const Block& block, Items& items, const Targets& t
             note_line(line);
         }
     }
-    if (later.count == 0) return;
+    if (!has_all) write_apart(block, items, places, true, out);
+}
+
+/// Where the words of a block stand: what its line has no room for stands in lines of its own, a
+/// stop or an end behind it, anything else in front of a motion, since it acts before that. True:
+/// the line has room for all.
+///
+/// source       F 1.3, S 1.5
+bool BlockWriter::find_places(const Block& block, const Items& items, Places& places) {
+    LineRoom room;
+    for (const Item& item : items.all()) {
+        if (words_of(item) != nullptr) continue;
+        ++room.words[tables_.slot_address[static_cast<std::size_t>(item.slot)] % room.words.size()];
+    }
+    const auto stops = [&](const Item& item) {
+        return item.form != kNoForm && stops_program(tables_.forms[item.form].function);
+    };
+    const bool moves = (block.given & (kTargetSlots | kCenterSlots)) != 0 ||
+                       (block.function_count != 0 && block.find(Function::Cycle) != nullptr);
+    bool has_all = true;
+    for (const bool is_stop : {false, true}) {
+        for (std::size_t i = 0; i < items.count; ++i) {
+            const Item& item = items.list[i];
+            if (stops(item) != is_stop) continue;
+            const bool has_place = has_room(block, item, room);
+            places[i] = has_place ? Place::Here : moves && !is_stop ? Place::Before : Place::Behind;
+            has_all &= has_place;
+        }
+    }
+    return has_all;
+}
+
+/// The words that stand in lines before the block's, or behind it.
+void BlockWriter::write_apart(const Block& block, const Items& items, const Places& places,
+                              bool is_behind, std::string& out) {
+    Items apart;
+    for (std::size_t i = 0; i < items.count; ++i) {
+        if (places[i] == (is_behind ? Place::Behind : Place::Before)) apart.add(items.list[i]);
+    }
+    if (apart.count == 0) return;
     Block rest;
     rest.skip = block.skip;
     rest.source = block.source;
     rest.text = block.text;
     rest.arguments = block.arguments;
-    write_items(rest, later, {}, out);
+    write_items(rest, apart, {}, out);
 }
 
 /// Whether the line takes the item beside those that it has; counts its words if so. A control that

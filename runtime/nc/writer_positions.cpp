@@ -42,11 +42,15 @@ struct RadiusArc {
     bool fits = false;  // the rounding leaves the centre where it is
 };
 
-RadiusArc radius_arc(const ArcPoints& points, double radius, int places, bool is_clockwise) {
+/// scale  units of the text in a millimetre
+RadiusArc radius_arc(const ArcPoints& points, double radius, int places, bool is_clockwise,
+                     double scale) {
+    const double slack = kHalfTurnSlack * scale;
     RadiusArc arc{points, {}, {}};
     const double rounded = round_to(radius, places);
-    arc.exact = center_of_radius(points.start, points.end, radius, is_clockwise);
-    arc.reached = center_of_radius(points.text_start, points.text_end, rounded, is_clockwise);
+    arc.exact = center_of_radius(points.start, points.end, radius, is_clockwise, slack);
+    arc.reached =
+        center_of_radius(points.text_start, points.text_end, rounded, is_clockwise, slack);
     if (!arc.exact || !arc.reached) return arc;
     const auto apart = [](const PlanePoint& a, const PlanePoint& b) {
         return std::hypot(a[0] - b[0], a[1] - b[1]);
@@ -413,9 +417,17 @@ bool BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
     const bool has_word = has_address(Slot::Radius);
     const int places = decimals(has_word ? Slot::Radius : center_slot(axes[0]));
     const bool is_cw = effective_motion(block) == Function::ArcCw;
-    RadiusArc arc = radius_arc(arc_points(start), radius, places, is_cw);
+    RadiusArc arc = radius_arc(arc_points(start), radius, places, is_cw, scale);
     if (axes[1] == kX && !arc.fits && !knows_diameter()) {  // on a lathe X is a diameter
-        const RadiusArc other = radius_arc(halved(arc.points, 1), radius, places, is_cw);
+        const RadiusArc other = radius_arc(halved(arc.points, 1), radius, places, is_cw, scale);
+        if (arc.exact && other.exact && is_chord_known(block, start)) {
+            // Almost half a turn by the one reading: only its centre says it, and that of the other
+            // is elsewhere.
+            cannot_express(block,
+                           "an arc of almost half a turn by its radius, while nothing says "
+                           "whether X is a diameter (`DIAMON`, `DIAMOF`),");
+            return true;
+        }
         if (other.fits || (!arc.exact && other.exact)) arc = other;
     }
     const auto& [points, exact, reached, fits] = arc;
@@ -443,7 +455,8 @@ bool BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
         place_center_as_coordinates(block, start, *exact, targets);
         return true;
     }
-    const PlanePoint words = center_words(points, *exact, places, {false, false}, false);
+    const int finest = decimals(center_slot(axes[0]));
+    const PlanePoint words = center_words(points, *exact, finest, {false, false}, false);
     for (std::size_t i = 0; i < 2; ++i) {
         targets.written |= bit(center_slot(axes[i]));
         targets.number[static_cast<std::size_t>(center_slot(axes[i]))] = words[i];
@@ -569,7 +582,11 @@ bool BlockWriter::vanishes(const Block& block) const {
         to[i] *= on_part(axes[i]);
     }
     const double chord = std::hypot(to[0] - from[0], to[1] - from[1]);
-    if (chord < kSame) return false;  // a full circle is meant, or nothing
+    if (chord < kSame) {  // a full circle is meant, or nothing
+        const PlanePoint center = meant_center(block, from, to);
+        const double radius = std::hypot(from[0] - center[0], from[1] - center[1]);
+        return !block.has(Slot::Radius) && radius > kSame && radius < increment / 2;
+    }
     const bool is_cw = motion == Function::ArcCw;
     if (block.has(Slot::Radius) && !center_of_radius(from, to, block.at(Slot::Radius), is_cw)) {
         return false;
@@ -582,6 +599,118 @@ bool BlockWriter::vanishes(const Block& block) const {
     if (!is_same) return false;
     const double sweep = sweep_angle(from, to, center, is_cw);
     return sweep < std::numbers::pi;
+}
+
+/// By how much the control's centre lies beside the one that is meant, where it moves it onto the
+/// bisector of the rounded ends at the radius of the start, in the text's units: close to half a
+/// turn the rounding of a word moves it by many times as much.
+///
+/// source       S 4.2
+double BlockWriter::center_drift(const Block& block, const ArcPoints& arc,
+                                 const PlanePoint& center) const {
+    const int places = decimals(center_slot(plane_axes()[0]));
+    const PlanePoint words = center_words(arc, center, places, {false, false}, false);
+    const PlanePoint reached = {arc.text_start[0] + words[0], arc.text_start[1] + words[1]};
+    const double radius = std::hypot(words[0], words[1]);
+    const PlanePoint half = {(arc.text_end[0] - arc.text_start[0]) / 2,
+                             (arc.text_end[1] - arc.text_start[1]) / 2};
+    const double half_chord = std::hypot(half[0], half[1]);
+    const double told = std::hypot(reached[0] - arc.text_start[0] - half[0],
+                                   reached[1] - arc.text_start[1] - half[1]);
+    const double height = std::sqrt(std::fmax(0.0, radius * radius - half_chord * half_chord));
+    return block.has(Slot::Turns) ? 0 : std::fabs(height - told);
+}
+
+/// Almost half a turn, where rounding moves the control's centre, is written as two arcs. True: it
+/// was one.
+bool BlockWriter::halve(const Block& block, std::string& out) {
+    const Function motion = effective_motion(block);
+    const std::array<std::size_t, 3> axes = plane_axes();
+    const WrittenPosition& start = modal_.position;
+    const bool is_said = block.has(Slot::Radius) || (block.given & kCenterSlots) != 0;
+    const bool has_centers = has_address(center_slot(axes[0])) && has_address(center_slot(axes[1]));
+    if (!shifts_center_ || !is_arc(motion) || !is_said || !has_centers ||
+        modal_.meant_of(Group::Plane) == Function::None || !is_known(axes[0]) || !is_known(axes[1]))
+        return false;
+    const auto end_of = [&](std::size_t axis) {
+        const auto slot = static_cast<Slot>(axis);
+        if (!block.has(slot)) return start.meant[axis];
+        return is_distance(block, axis) ? start.meant[axis] + block.at(slot) : block.at(slot);
+    };
+    ArcPoints arc{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double part = on_part(axes[i]);
+        const auto slot = static_cast<Slot>(axes[i]);
+        arc.start[i] = start.meant[axes[i]] * part;
+        arc.end[i] = end_of(axes[i]) * part;
+        const double scale = to_text(slot, 1);
+        arc.text_start[i] = start.text[axes[i]] * part;
+        arc.text_end[i] = round_to(end_of(axes[i]) * scale, decimals(slot)) / scale * part;
+    }
+    const double chord = std::hypot(arc.end[0] - arc.start[0], arc.end[1] - arc.start[1]);
+    const bool is_cw = motion == Function::ArcCw;
+    const bool has_radius = block.has(Slot::Radius);
+    if (chord < kSame ||
+        (has_radius && !center_of_radius(arc.start, arc.end, block.at(Slot::Radius), is_cw)))
+        return false;
+    if (has_radius && has_address(Slot::Radius) &&
+        radius_arc(arc, block.at(Slot::Radius), decimals(Slot::Radius), is_cw, 1).fits)
+        return false;
+    const PlanePoint center = meant_center(block, arc.start, arc.end);
+    constexpr double kDrift = 0.005;  // mm
+    if (radius_miss(arc, center) > kDrift || center_drift(block, arc, center) <= kDrift)
+        return false;
+    const double sweep = sweep_angle(arc.start, arc.end, center, is_cw) * (is_cw ? -1 : 1);
+    write_halves(block, center, arc, sweep, out);
+    return true;
+}
+
+void BlockWriter::write_halves(const Block& block, const PlanePoint& center, const ArcPoints& arc,
+                               double sweep, std::string& out) {
+    const std::array<std::size_t, 3> axes = plane_axes();
+    const WrittenPosition begin = modal_.position;
+    const double c = std::cos(sweep / 2);
+    const double s = std::sin(sweep / 2);
+    const PlanePoint out_of = {arc.start[0] - center[0], arc.start[1] - center[1]};
+    const PlanePoint middle = {center[0] + c * out_of[0] - s * out_of[1],
+                               center[1] + s * out_of[0] + c * out_of[1]};
+    Block first = block;
+    first.given &= ~(kCenterSlots | bit(Slot::Radius));
+    Block second;
+    second.source = block.source;
+    second.skip = block.skip;
+    second.motion = block.motion;
+    second.feed_along_arc = block.feed_along_arc;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto slot = static_cast<Slot>(axes[i]);
+        const double part = on_part(axes[i]);
+        const bool is_way = is_distance(block, axes[i]);
+        first.set(slot, (middle[i] - (is_way ? arc.start[i] : 0)) / part);
+        second.set(slot, (arc.end[i] - (is_way ? middle[i] : 0)) / part);
+        first.set(center_slot(axes[i]), center[i] - arc.start[i]);
+        second.set(center_slot(axes[i]), center[i] - middle[i]);
+    }
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        const auto slot = static_cast<Slot>(axis);
+        if (axis == axes[0] || axis == axes[1] || !block.has(slot)) continue;
+        const bool is_way = is_distance(block, axis);
+        const double way = block.at(slot) - (is_way ? 0 : begin.meant[axis]);
+        first.set(slot, is_way ? way / 2 : begin.meant[axis] + way / 2);
+        second.set(slot, is_way ? way / 2 : block.at(slot));
+    }
+    const SlotMask said = block.given & kTargetSlots;
+    first.incremental = block.incremental & said;
+    first.absolute = block.absolute & said;
+    second.incremental = first.incremental;
+    second.absolute = first.absolute;
+    if (modal_.units.inverse_time && block.has(Slot::Feed)) {
+        first.set(Slot::Feed, 2 * block.at(Slot::Feed));
+        second.set(Slot::Feed, 2 * block.at(Slot::Feed));
+    }
+    is_halved_ = true;
+    write_block(first, out);
+    write_block(second, out);
+    is_halved_ = false;
 }
 
 /// An arc that the control cannot tell from its chord is written as that. True: it was one.

@@ -48,6 +48,7 @@ struct WriterModal {
     bool has_meant_speed = false;
     Standing tool;            // the last one that was called
     Standing edge;            // the cutting edge that the text has selected
+    bool is_length_due = false;  // it acts again; its axis has not moved since
     double waiting_edge = 0;  // the one that a block without tool length has put aside; 0: none
     WrittenPosition position;
     Activity rotation = Activity::No;

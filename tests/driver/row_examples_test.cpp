@@ -15,11 +15,11 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "base/diagnostic.h"
 #include "base/text.h"
 #include "tests/common/examples.h"
+#include "tests/common/messages.h"
 #include "tests/common/process.h"
 #include "tests/common/scratch.h"
 
@@ -27,6 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using kadr::DiagnosticRow;
+using kadr::testing::Message;
 
 const std::vector<std::string> kControls = {"iso", "sinumerik", "fanuc", "axioma"};
 
@@ -94,26 +95,12 @@ class RowExamples : public testing::Test {
         ASSERT_TRUE(kadr::write_file_whole((folder_ / name).string(), text));
     }
 
-    struct Message {
-        std::string code;
-        bool is_warning = false;
-        std::string words;
-    };
-
     std::vector<Message> messages(const std::string& source, const std::string& control) {
         save("example.kadr", source);
         const ProcessResult result =
             run_process({KADR_BINARY, "check", (folder_ / "example.kadr").string(), "-d", control,
                          "--diagnostics", "json"});
-        std::vector<Message> all;
-        std::istringstream lines(result.err);
-        for (std::string line; std::getline(lines, line);) {
-            const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
-            if (!json.is_object()) continue;
-            all.push_back({json.value("code", ""), json.value("severity", "") == "warning",
-                           json.value("message", "")});
-        }
-        return all;
+        return kadr::testing::messages_of(result.err);
     }
 
     fs::path folder_;
@@ -155,6 +142,32 @@ TEST_F(RowExamples, WrongOnesCauseTheirMessage) {
         EXPECT_TRUE(is_caused) << row->code << ": " << wrong->text << "\nsays\n" << said;
     }
     EXPECT_GT(count, 80);
+}
+
+/// Rows about tests: the wrong example fails with the row's message, the right one holds.
+TEST_F(RowExamples, OfTestsFailAndHoldAsTheySay) {
+    int count = 0;
+    for (const DiagnosticRow* row : kadr::all_diagnostics()) {
+        if (!row->code.starts_with("K7") || row->wrong.starts_with("kadr ")) continue;
+        ++count;
+        const auto said = [&](std::string_view example) {
+            save("example.kadr", std::string(example));
+            const ProcessResult result =
+                run_process({KADR_BINARY, "test", (folder_ / "example.kadr").string(), "-d",
+                             "sinumerik", "--diagnostics", "json"});
+            return kadr::testing::messages_of(result.err);
+        };
+        SCOPED_TRACE(row->code);
+        const std::vector<Message> wrong = said(row->wrong);
+        EXPECT_TRUE(std::ranges::any_of(wrong, [&](const Message& message) {
+            return message.code == row->code;
+        })) << row->wrong;
+        for (const Message& message : said(row->right)) {
+            EXPECT_TRUE(message.is_warning)
+                << row->right << "\nsays " << message.code << ": " << message.words;
+        }
+    }
+    EXPECT_GE(count, 10);
 }
 
 }  // namespace

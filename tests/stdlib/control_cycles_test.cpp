@@ -210,6 +210,78 @@ TEST(ControlCycles, FaceAndSpigot) {
     }
 }
 
+TEST(ControlCycles, RectangularSpigot) {
+    Dice dice(16);
+    for (int i = 0; i < kSets; ++i) {
+        const double tool_d = dice.length(6, 16), l = dice.length(10, 35), w = dice.length(10, 35);
+        const double corner = dice.coin() ? 0 : dice.length(0.5, std::min(l, w) / 2);
+        const double depth = dice.length(0.5, 8), step = dice.length(0.5, 4);
+        const double allowance = dice.coin() ? 0 : 0.3, on_floor = dice.coin() ? 0 : 0.2;
+        const double turned = dice.number(0, 1) * 90;
+        const auto around = [&](double kind, double way) {
+            return call("CYCLE76", {40,     0,   2,   -depth, kNone,      l,         w,
+                                    corner, 0,   0,   turned, step,       allowance, on_floor,
+                                    500,    100, way, kind,   l + tool_d, w + tool_d});
+        };
+        const std::string rough = around(1, dice.number(0, 3));
+        SCOPED_TRACE(rough);
+        const bool is_across = turned > 0;
+        const auto seen = [&](double more) {
+            return is_across ? rectangle(w + 2 * more, l + 2 * more, corner + more)
+                             : rectangle(l + 2 * more, w + 2 * more, corner + more);
+        };
+        Stock bar(40, kCell, 0, seen(tool_d / 2));
+        bar.cut(commands_of_calls(rough, tool_d), tool_d);
+        EXPECT_LE(bar.deepest_cut(), step + 1e-3);
+        EXPECT_EQ(bar.spigot_difference(seen(allowance), -depth + on_floor, kMargin, kEdge), "");
+        bar.cut(commands_of_calls(around(2, 0), tool_d), tool_d);
+        expect_no_rapid_cut(bar);
+        EXPECT_EQ(bar.spigot_difference(seen(0), -depth, kMargin, kEdge), "");
+        EXPECT_NEAR(bar.lowest(), -depth, 1e-6);
+    }
+}
+
+TEST(ControlCycles, MilledThread) {
+    Dice dice(17);
+    for (int i = 0; i < kSets; ++i) {
+        const double d = dice.length(10, 40), pitch = dice.length(0.5, 3);
+        const double core = d - 1.2 * pitch, depth = dice.length(3, 15);
+        const bool is_outside = dice.coin();
+        const double tool_d = is_outside ? dice.length(4, 16) : dice.length(0.4 * core, 0.8 * core);
+        const std::string thread =
+            call("CYCLE90", {40, 0, 2, -depth, kNone, d, core, pitch, 500,
+                             static_cast<double>(dice.number(2, 3)), is_outside ? 1.0 : 0.0, 0, 0});
+        SCOPED_TRACE(thread);
+        // A spigot, or a plate with the hole of the core.
+        const Shape before = disc(is_outside ? d : core);
+        Stock stock(40, kCell, 0,
+                    [&](double x, double y) { return is_outside ? before(x, y) : -before(x, y); });
+        const std::vector<json> commands = commands_of_calls(thread, tool_d);
+        stock.cut(commands, tool_d);
+        expect_no_rapid_cut(stock);
+        EXPECT_NEAR(stock.lowest(), -depth, 1e-6);
+        // The core stays, or what lies outside the thread; the flank is cut to there.
+        const double edge = (is_outside ? core : d) / 2, side = is_outside ? 1 : -1;
+        for (double way = kCell; way < 2; way += kCell) {
+            EXPECT_EQ(stock.height_at(edge - side * (way + 0.2), 0.1), 0) << way;
+        }
+        EXPECT_LT(stock.height_at(edge + side * 0.3, 0.1), 0);
+        // Whole turns with the pitch, between the way on and the way off.
+        int turns = 0;
+        double z = 0;
+        for (const json& command : commands) {
+            if (!command.contains("to")) continue;
+            const double to = command["to"]["Z"];
+            if (command["op"] == "arc" && to != z) {
+                EXPECT_NEAR(z - to, pitch, 2e-6);
+                ++turns;
+            }
+            z = to;
+        }
+        EXPECT_EQ(turns, static_cast<int>(std::ceil(depth / pitch - 0.001)));
+    }
+}
+
 // Around a rectangle whose contour stands in a program of its own, from the middle of its right
 // side.
 TEST(ControlCycles, AlongAContour) {

@@ -132,6 +132,34 @@ TEST(Probing, AnEdgeIsFoundFromItsFront) {
     }
 }
 
+TEST(Probing, EdgesAreFoundWhereverTheyAre) {
+    struct Row {
+        const char* way;
+        std::size_t axis;
+        double sign;
+    };
+    std::mt19937 random(32);
+    const auto real = [&](double least, double most) {
+        const double value = std::uniform_real_distribution<double>(least, most)(random);
+        return std::round(value * 1000) / 1000;
+    };
+    for (int i = 0; i < 2; ++i) {
+        for (const Row& row : {Row{"x_plus", 0, 1}, Row{"x_minus", 0, -1}, Row{"y_plus", 1, 1},
+                               Row{"y_minus", 1, -1}, Row{"z_minus", 2, -1}}) {
+            const double ball = real(1, 8), range = real(0.5, 6), at = real(15, 90);
+            const std::string call = std::string("probe_edge(") + row.way +
+                                     ", at: " + mm(row.sign * at) + ", ball_d: " + mm(ball) +
+                                     ", offset: 1, range: " + mm(range) +
+                                     ", fast: 400mm/min, slow: 40mm/min)";
+            SCOPED_TRACE(call);
+            const auto outcome = outcome_of(program_of(call, "G0 X0 Y0;\nG0 Z0;"), "iso", "mill");
+            ASSERT_EQ(outcome.status, 0) << outcome.messages;
+            const double place = row.sign * (row.axis == 2 ? at : at - ball / 2);
+            expect_touched(touches_of(outcome.commands), row.axis, place, row.sign, range);
+        }
+    }
+}
+
 /// The F that none has set before is none again, and what is not corrected stays known.
 TEST(Probing, OneCycleBehindTheOther) {
     for (const char* dialect : {"iso", "fanuc", "sinumerik"}) {
