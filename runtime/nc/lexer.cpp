@@ -112,7 +112,9 @@ class Lexer {
         while (end < line_.size() && (static_cast<unsigned char>(line_[end]) & 0xc0u) == 0x80u)
             ++end;
         end = std::min(end, line_.size());
-        fail(row, at_, end, {std::string(line_.substr(at_, end - at_))});
+        const bool is_end = at_ >= line_.size();
+        fail(row, at_, end,
+             {is_end ? "the end of the line" : std::string(line_.substr(at_, end - at_))});
     }
 
     // ------------------------------------------------------------ the front of a block
