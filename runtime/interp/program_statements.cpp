@@ -235,10 +235,14 @@ Program::State::Done Program::State::pass_synchronous(CompiledLine& line,
                                                       const ControlStatement& statement) {
     if (!said_synchronous.insert({frame->unit, line.place.line.offset}).second)
         return Done::Nothing;
-    const Span whole{statement.span.begin, static_cast<std::uint32_t>(line.text.size())};
+    const nc::ControlWords words(tables, line.text);
+    std::size_t end = statement.span.begin;
+    while (end < line.text.size() && !words.is_comment(end)) ++end;
+    const Span whole{statement.span.begin,
+                     static_cast<std::uint32_t>(words.trim(statement.span.begin, end))};
     DiagnosticBuilder message =
         sink.report(diag::SynchronousPassed, lines.place(line.text, line.place.line.line, whole));
-    message.arg(statement.name);
+    message.arg(line.text.substr(whole.begin, whole.end - whole.begin));
     lines.write_notes(message);
     return Done::Nothing;
 }

@@ -196,6 +196,7 @@ bool CallCompiler::take_letter_argument(Call& call, bool is_block) {
 }
 
 bool CallCompiler::take_line_as_arguments() {
+    if (is_at_end()) return false;  // a comment that is not closed is none
     ControlStatement statement;
     statement.kind = Statement::Call;
     statement.call = static_cast<std::uint32_t>(out_.calls.size());

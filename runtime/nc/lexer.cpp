@@ -112,7 +112,8 @@ class Lexer {
         while (end < line_.size() && (static_cast<unsigned char>(line_[end]) & 0xc0u) == 0x80u)
             ++end;
         end = std::min(end, line_.size());
-        const auto code = at_ < line_.size() ? static_cast<unsigned char>(line_[at_]) : ' ';
+        if (at_ >= line_.size()) return fail(row, at_, end, {"the end of the line"});
+        const auto code = static_cast<unsigned char>(line_[at_]);
         // What no screen shows is named by its code.
         if (code < ' ') return fail(row, at_, end, {"character " + std::to_string(code)});
         fail(row, at_, end, {std::string(line_.substr(at_, end - at_))});

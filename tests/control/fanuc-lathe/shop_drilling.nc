@@ -1,0 +1,20 @@
+%
+O0108(DRILL TAP FACE)
+(rule: F 5.4 G83, G84: R counts from the start; G32 on a taper, three kinds of dwell)
+(expect: path Z5 Z2 z-4f0.1 Z2 Z-3 z-10 Z2 Z-9 z-16 Z2 Z-15 z-22 Z2 Z-21 z-28 Z2 Z-27 z-30 Z5 Z2 z-15f1.25 z2 Z5)
+(expect: path X50Z50 t2.0454:x20z-20 t2.0396:x22z-25)
+T0404
+G97S600M03
+G00X0Z5.
+G83Z-30.R-3.Q6000F0.1
+G80
+G84Z-15.R-3.F1.25
+G80
+G00X50.Z50.
+G32X20.Z-20.F2.
+G32X22.W-5.
+G04X1.5
+G04U0.5
+G04P800
+M30
+%

@@ -1,0 +1,25 @@
+%
+O0105(MACRO TURN)
+(rule: F 6.7: roughing by a WHILE with U and W)
+(expect: path X52Z2 X47 z-40f0.2 x49z-39 Z2 X44 z-40 x46z-39 Z2 X41 z-40 x43z-39 Z2 X38 z-40 x40z-39 Z2 X35 z-40)
+(expect: path x37z-39 Z2 X32 z-40 x34z-39 Z2 X30 z-40 x32z-39 Z2 X100Z100)
+T0101
+G50S3000
+G96S200M04
+#1=50.
+#2=30.
+#3=1.5
+G00X[#1+2.]Z2.
+WHILE[#1GT#2]DO1
+#1=#1-2*#3
+IF[#1LT#2]THEN#1=#2
+G00X#1
+G01Z-40.F0.2
+U2.W1.
+G00Z2.
+END1
+G97S500
+G00X100.Z100.
+M05
+M30
+%

@@ -1,0 +1,21 @@
+%
+O5000(G41 WITH ARCS)
+(rule: F 4.3: G41 along lines and arcs, outside corners by intersection)
+(expect: path X-20Y-20Z10 Z-5 x-5y0f300 y40 cw:x10y55 x50 ccw:x55y60 y85 x85 y-5 x0 x-20y-20 Z50)
+G90G54G17G00X-20.Y-20.Z10.
+G10L12P1R5.
+M03S1500
+Z-5.
+G41G01X0Y0D1F300.
+Y40.
+G02X10.Y50.R10.
+G01X50.
+G03X60.Y60.R10.
+G01Y80.
+X80.
+Y0
+X0
+G40X-20.Y-20.
+G00Z50.
+M30
+%

@@ -1,0 +1,19 @@
+%
+O1010(ELLIPSE)
+(rule: F 6.4: computed words without =)
+(expect: path X40 Z2 z-1f100 f300 x0y20 x-40y0 x0y-20 x40y0 Z50)
+G90G54G17G40
+S2000M03
+#1=40.
+#2=20.
+#3=0
+G00X#1Y0
+Z2.
+G01Z-1.F100
+WHILE[#3LE360]DO1
+G01X[#1*COS[#3]]Y[#2*SIN[#3]]F300
+#3=#3+90
+END1
+G00Z50.
+M30
+%
