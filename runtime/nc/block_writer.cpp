@@ -31,7 +31,8 @@ constexpr bool is_quiet_group(Group group) {
         case Group::CompStart:
         case Group::CompCorner:
         case Group::CompCheck:
-        case Group::Diameter: return true;
+        case Group::Diameter:
+        case Group::Compressor: return true;
         case Group::Once:
         case Group::LengthComp:
         case Group::WorkOffsets:
