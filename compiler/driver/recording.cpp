@@ -57,6 +57,7 @@ std::optional<path::Curve> part_below(const path::Curve& curve, double height) {
     const auto* helix = std::get_if<path::Helix>(&curve);
     if (helix != nullptr && !is_vertical(helix->normal)) return curve;
     if (std::holds_alternative<path::Spline>(curve)) return curve;
+    if (std::holds_alternative<path::Glide>(curve)) return curve;
     const double from = path::start(curve).z();
     const double to = path::end(curve).z();
     if (from == to) return curve;
@@ -99,6 +100,7 @@ bool Recording::Move::is_known() const {
 bool Recording::Move::is_in_plane() const {
     if (std::holds_alternative<path::Helix>(curve)) return true;
     if (std::holds_alternative<path::Spline>(curve)) return true;
+    if (std::holds_alternative<path::Glide>(curve)) return true;
     const Vec3 way = end() - start();
     return std::hypot(way.x(), way.y()) > kBeyond;
 }
@@ -143,7 +145,7 @@ void Recording::finish() {
         const bool is_rapid = segment.kind == motion::SegmentKind::Rapid;
         (is_rapid ? rapid_time_ : cutting_time_) += segment.duration;
         if (segment.turns_only) continue;
-        (is_rapid ? rapid_length_ : cutting_length_) += path::length(segment.curve);
+        (is_rapid ? rapid_length_ : cutting_length_) += path::arc_length(segment.curve);
         const Knowledge known = knowledge_at(segment.line);
         moves_.push_back({segment.curve, is_rapid, known.before, known.after, segment.source});
     }

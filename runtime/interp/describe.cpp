@@ -52,6 +52,17 @@ std::string feed_text(const Modal& modal) {
     return "";
 }
 
+std::string corners_text(const Modal& modal, const path::Blending& blending) {
+    if (modal.has_exact_stop) return "exact stop";
+    const std::string size = number(blending.size) + " mm";
+    switch (blending.kind) {
+        case path::BlendKind::None: return "continuous";
+        case path::BlendKind::Distance: return "rounded from " + size;
+        case path::BlendKind::Tolerance: return "rounded within " + size;
+    }
+    return "";
+}
+
 }  // namespace
 
 std::vector<StateItem> Executor::state() const {
@@ -63,7 +74,7 @@ std::vector<StateItem> Executor::state() const {
     add("plane", std::string(plane_name(modal_.plane)));
     add("distances", modal_.is_incremental ? "incremental" : "absolute");
     add("feed", feed_text(modal_));
-    add("corners", modal_.has_exact_stop ? "exact stop" : "continuous");
+    add("corners", corners_text(modal_, blending(path::Op::Line)));
     std::string spindle(spindle_name(spindle_.mode));
     if (spindle_.has_cutting_speed) {
         spindle += ", " + number(spindle_.cutting_speed) + " m/min";

@@ -49,8 +49,17 @@ bool set_modal(Modal& modal, Function function) {
         case Function::FeedPerMinute: modal.feed_mode = FeedMode::PerMinute; return true;
         case Function::FeedPerRevolution: modal.feed_mode = FeedMode::PerRevolution; return true;
         case Function::FeedInverseTime: modal.feed_mode = FeedMode::InverseTime; return true;
-        case Function::ExactStop: modal.has_exact_stop = true; return true;
-        case Function::ContinuousPath: modal.has_exact_stop = false; return true;
+        case Function::ExactStop:
+        case Function::ContinuousPath:
+            modal.has_exact_stop = function == Function::ExactStop;
+            modal.blend = Function::None;
+            return true;
+        case Function::BlendDistance:
+        case Function::BlendTolerance:
+        case Function::BlendSmooth:
+            modal.has_exact_stop = false;
+            modal.blend = function;
+            return true;
         default: return false;  // not modal, or the state of something else than the block
     }
 }
@@ -381,6 +390,9 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::Incremental:
         case Function::ExactStop:
         case Function::ContinuousPath:
+        case Function::BlendDistance:
+        case Function::BlendTolerance:
+        case Function::BlendSmooth:
         case Function::ArcThrough:
         case Function::ArcTangent:
             if (nc::info(invocation.function).group == Group::Plane) {
@@ -508,6 +520,11 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::SplineKnot: break;
 
         case Function::ExactStopOnce: actions.exact_stop = true; break;
+        case Function::BlendFeedDistance:
+        case Function::BlendRapidDistance:
+        case Function::PathTolerance:
+        case Function::CompressOn:
+        case Function::CompressOff: choose_smoothing(block, invocation); break;
         case Function::MachineCoordinates: actions.machine_coordinates = true; break;
         case Function::ReferencePoint:
         case Function::ReferenceReturn:
@@ -989,6 +1006,8 @@ Command& Executor::put(Op op, const Block& block) {
     command.feed_mode = modal_.feed_mode;
     command.plane = modal_.plane;
     command.exact_stop = false;
+    command.blending = blending(op);
+    command.compress = compressing(op);
     command.machine_coordinates = false;
     command.is_unshifted = false;
     command.moved = 0;

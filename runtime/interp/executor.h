@@ -4,8 +4,9 @@
 // functions), plain_moves.cpp (what nearly every block is), motion.cpp (targets, lines, arcs, tool
 // length, limits), circles.cpp, polar.cpp and angles.cpp (what controls work out of other words),
 // cornering.cpp and compensating.cpp (what the commands pass through), soft_moves.cpp (soft
-// approaches and retracts), cycles.cpp (machining cycles), patterns.cpp (places at which a cycle is
-// called), shapes.cpp (cycles along a shape that stands in the program).
+// approaches and retracts), smoothing.cpp (rounded corners, compressed lines), cycles.cpp
+// (machining cycles), patterns.cpp (places at which a cycle is called), shapes.cpp (cycles along a
+// shape that stands in the program).
 #pragma once
 
 #include <array>
@@ -407,6 +408,9 @@ class Executor {
 
     path::Command& behind_corners();
     path::Command& put(path::Op op, const nc::Block& block);
+    path::Blending blending(path::Op op) const;  // smoothing.cpp
+    double compressing(path::Op op) const;
+    void choose_smoothing(const nc::Block& block, const nc::Invocation& invocation);
     void frame_changed();
     AxisMask plane_mask() const;
     /// A message at the block, or at the word that set the slot or said the function. Inside a
@@ -476,6 +480,7 @@ class Executor {
     Corners corners_{corner_settings(rules_)};
     RadiusCompState comp_;
     SoftState soft_;
+    Smoothing smoothing_;
     SoftApproach soft_approach_;
     Compensation compensation_;
     path::CoolantMode coolant_ = path::CoolantMode::Off;

@@ -193,6 +193,17 @@ void append_feed(std::string& out, const Command& command) {
     if (command.feed_mode == FeedMode::InverseTime) append_word(out, "feed_mode", "inverse_time");
 }
 
+/// How the corner behind it is rounded, and within what it may be joined to its neighbours, in mm.
+void append_smoothing(std::string& out, const Command& command) {
+    const path::Blending& blending = command.blending;
+    if (blending.kind != path::BlendKind::None && !command.exact_stop) {
+        const bool by_distance = blending.kind == path::BlendKind::Distance;
+        append_field(out, by_distance ? "blend_distance" : "blend_tolerance", blending.size);
+        if (blending.with_tangents) out += ",\"blend_tangents\":true";
+    }
+    if (command.compress > 0) append_field(out, "compress", command.compress);
+}
+
 void append_spindle(std::string& out, const Command& command) {
     append_word(out, "mode", spindle_name(command.spindle));
     switch (command.spindle) {
@@ -263,6 +274,7 @@ void Listing::append(const Command& command, std::string_view source, std::strin
         case Op::End: break;
     }
     if (command.exact_stop) out += ",\"exact_stop\":true";
+    if (path::is_motion(command.op)) append_smoothing(out, command);
     if (command.line != 0) append_field(out, "iso", command.line);
     if (!source.empty()) append_text(out, "src", source);
     out += "}\n";

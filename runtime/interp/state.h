@@ -19,6 +19,7 @@ struct Modal {
     path::FeedMode feed_mode = path::FeedMode::PerMinute;
     bool is_incremental = false;
     bool has_exact_stop = false;
+    nc::Function blend = nc::Function::None;  // how corners are rounded
     bool has_feed = false;
     double feed = 0;  // unit of the feed mode
 };
@@ -92,6 +93,14 @@ struct SoftState {
     enum class Side : std::uint8_t { OfCutter, Left, Right, OfTool };
     Side side = Side::OfCutter;
     bool in_steps = false;
+};
+
+/// What the program has said of rounded corners and compressed lines, mm.
+struct Smoothing {
+    double feed_distance = 0;
+    double rapid_distance = 0;
+    std::optional<double> tolerance;  // nothing: as the machine has it
+    bool compresses = false;
 };
 
 /// Polar coordinates, in the working plane of the programmed system.

@@ -41,7 +41,9 @@ const XmlShape& machine_shape() {
           "max_feed",
           "max_speed",
           "orient_time",
-          "tool_change_time"},
+          "tool_change_time",
+          "corner_tolerance",
+          "compressor_tolerance"},
          {"axis", "tool", "offset", "spindle_drive", "feed_drive", "cutting", "laser"}},
         {"axis",
          {{"name", Filled},
@@ -128,6 +130,10 @@ class MachineBuilder {
         machine_.orient_time = reader.magnitude("orient_time", Dimension::Time).value_or(0);
         machine_.tool_change_time =
             reader.magnitude("tool_change_time", Dimension::Time).value_or(0);
+        machine_.corner_tolerance = reader.magnitude("corner_tolerance", Dimension::Length)
+                                        .value_or(machine_.corner_tolerance);
+        machine_.compressor_tolerance = reader.magnitude("compressor_tolerance", Dimension::Length)
+                                            .value_or(machine_.compressor_tolerance);
     }
 
     void check_tick() {

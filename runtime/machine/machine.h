@@ -46,14 +46,15 @@ inline constexpr double kLongestTick = 1;
 struct Machine {
     std::string name;
     std::string title;
-    double tick = 0.001;            // s, interpolation period, up to kLongestTick
-    double corner_tolerance = 0;    // reserved for blending, mm; 0: corners stay sharp
-    double max_feed = 0;            // mm/s, path; 0: no limit of its own
-    double max_speed = 0;           // rev/s of the spindle; 0: no limit
-    double orient_time = 0;         // s
-    double tool_change_time = 0;    // s
-    bool is_lathe = false;          // X is programmed as a diameter; axis X is the radius
-    std::vector<MachineAxis> axes;  // in the order of setpoint columns
+    double tick = 0.001;                 // s, interpolation period, up to kLongestTick
+    double corner_tolerance = 0.05;      // mm, of rounded corners if the program says none
+    double compressor_tolerance = 0.01;  // mm, of compressed lines if the program says none
+    double max_feed = 0;                 // mm/s, path; 0: no limit of its own
+    double max_speed = 0;                // rev/s of the spindle; 0: no limit
+    double orient_time = 0;              // s
+    double tool_change_time = 0;         // s
+    bool is_lathe = false;               // X is programmed as a diameter; axis X is the radius
+    std::vector<MachineAxis> axes;       // in the order of setpoint columns
     std::vector<ToolData> tools;
     std::vector<AxisValues> work_offsets;  // [0] none, [1] G54 …; mm, deg
     std::optional<Drives> drives;          // if the file describes both drives

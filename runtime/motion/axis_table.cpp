@@ -22,6 +22,10 @@ constexpr double kNormalShare = 0.86602540378443865;
 constexpr double kSteadyJerk = 0.4;
 constexpr double kTurningJerk = 0.6;
 constexpr double kTurningJerkOfSpline = 0.3;
+// On the curve around a corner the speed is to stay as it is: the corner is turned with nearly all
+// that the axes have, and little is left to speed up meanwhile.
+constexpr double kSteadyJerkOfGlide = 0.7;
+constexpr double kTurningJerkOfGlide = 0.1;
 
 /// A helix as limits see it: a circle of constant curvature and a steady rise. Spread radii differ
 /// by hundredths; of both ends the less favourable one counts.
@@ -190,11 +194,72 @@ PathLimits AxisTable::spline_limits(const path::Spline& spline, double wanted) c
     return limits;
 }
 
+namespace {
+
+struct GlideBend : SplineBend {
+    double tool = 0;  // greatest |dC/ds|
+};
+
+/// By the control points of the derivatives, of which the second are the ends of the line that it
+/// is.
+GlideBend bend_of(const path::Glide& glide) {
+    GlideBend bend;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const path::Vec3 rate = 3 * (glide.cubic[i + 1] - glide.cubic[i]) / glide.length;
+        bend.rate = bend.rate.cwiseMax(rate.cwiseAbs());
+        bend.tool = std::max(bend.tool, rate.norm());
+    }
+    bend.bend = path::evaluate(glide, 0).curvature.cwiseAbs().cwiseMax(
+        path::evaluate(glide, glide.length).curvature.cwiseAbs());
+    bend.third = path::third_derivative(glide).cwiseAbs();
+    // Along and across are not told apart: the derivatives add up.
+    bend.curvature = kInfinity;
+    return bend;
+}
+
+}  // namespace
+
+PathLimits AxisTable::glide_limits(const path::Glide& glide, double wanted) const {
+    const GlideBend bend = bend_of(glide);
+    PathLimits limits{wanted / std::max(1.0, bend.tool), kInfinity, kInfinity, kInfinity};
+    for (const Entry& axis : axes_) {
+        if (axis.coordinate >= 3) continue;
+        const auto i = static_cast<Eigen::Index>(axis.coordinate);
+        double& speed = limits.speed;
+        if (bend.rate[i] * speed > axis.velocity) speed = axis.velocity / bend.rate[i];
+        if (bend.bend[i] * speed * speed > kNormalShare * axis.acceleration)
+            speed = std::sqrt(kNormalShare * axis.acceleration / bend.bend[i]);
+        if (bend.third[i] * speed * speed * speed > kSteadyJerkOfGlide * axis.jerk)
+            speed = std::cbrt(kSteadyJerkOfGlide * axis.jerk / bend.third[i]);
+    }
+    const double v = limits.speed;
+    for (const Entry& axis : axes_) {
+        if (axis.coordinate >= 3) continue;
+        const auto i = static_cast<Eigen::Index>(axis.coordinate);
+        const double left = axis.acceleration - bend.bend[i] * v * v;
+        if (bend.rate[i] * limits.acceleration > left) limits.acceleration = left / bend.rate[i];
+        const double turning = 3 * bend.bend[i] * v;
+        if (turning * limits.turning_acceleration > kTurningJerkOfGlide * axis.jerk)
+            limits.turning_acceleration = kTurningJerkOfGlide * axis.jerk / turning;
+    }
+    limits.acceleration = std::min(limits.acceleration, limits.turning_acceleration);
+    for (const Entry& axis : axes_) {
+        if (axis.coordinate >= 3 || std::isinf(axis.jerk)) continue;
+        const auto i = static_cast<Eigen::Index>(axis.coordinate);
+        const double left =
+            axis.jerk - bend.third[i] * v * v * v - 3 * bend.bend[i] * v * limits.acceleration;
+        if (bend.rate[i] * limits.jerk > left) limits.jerk = left / bend.rate[i];
+    }
+    return limits;
+}
+
 PathLimits AxisTable::limits(const Segment& piece, const AxisRates& start, double wanted) const {
     if (const auto* spline = std::get_if<path::Spline>(&piece.curve))
         return spline_limits(*spline, wanted);
     if (const auto* helix = std::get_if<path::Helix>(&piece.curve))
         return helix_limits(*helix, piece, wanted);
+    if (const auto* glide = std::get_if<path::Glide>(&piece.curve))
+        return glide_limits(*glide, wanted);
     return line_limits(start, wanted);
 }
 
@@ -292,8 +357,10 @@ PathLimits AxisTable::helix_limits(const path::Helix& helix, const Segment& piec
 
 AxisTable::Loads AxisTable::loads(const Segment& piece, const AxisRates& start) const {
     Loads loads;
-    if (const auto* spline = std::get_if<path::Spline>(&piece.curve)) {
-        const SplineBend bend = bend_of(*spline);
+    const auto* spline = std::get_if<path::Spline>(&piece.curve);
+    const auto* glide = std::get_if<path::Glide>(&piece.curve);
+    if (spline != nullptr || glide != nullptr) {
+        const SplineBend bend = spline != nullptr ? bend_of(*spline) : bend_of(*glide);
         for (std::size_t i = 0; i < axes_.size(); ++i) {
             if (axes_[i].coordinate >= 3) continue;
             const auto c = static_cast<Eigen::Index>(axes_[i].coordinate);

@@ -123,6 +123,7 @@ class AxisTable {
     static double jerk_left(const path::Helix& helix, const Segment& piece, const Entry& axis,
                             const PathLimits& limits);
     PathLimits spline_limits(const path::Spline& spline, double wanted) const;
+    PathLimits glide_limits(const path::Glide& glide, double wanted) const;
     AxisRates bends(const Segment& piece, double distance) const;
     AxisRates rates(const path::Vec3& tangent, const Segment& piece) const;
 

@@ -198,7 +198,7 @@ void Planner::State::record(const Piece& piece) {
     }
     if (!is_motion(segment.kind)) return;
     ++totals.segments;
-    const double length = path::length(segment.curve);
+    const double length = path::arc_length(segment.curve);
     totals.length += length;
     if (segment.kind == SegmentKind::Feed) totals.cutting_length += length;
     AxisTable::Peaks peaks = axes.peaks(segment, piece.loads);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "base/diagnostics/machine.h"
@@ -61,10 +62,20 @@ std::size_t Preparer::State::next() {
     ready = 0;
     while (ready == 0) {
         const Command* command = next_command();
-        if (command == nullptr) return 0;
+        if (command == nullptr) {
+            finish();
+            break;
+        }
         execute(*command);
     }
     return ready;
+}
+
+/// No command comes any more, at the end or behind an alarm, which is about none that waits.
+void Preparer::State::finish() {
+    const bool was_ended = std::exchange(has_ended, false);
+    release();
+    has_ended = was_ended;
 }
 
 /// Appended; all but the segment, the length and the limits is as on a path without a corner.
@@ -93,6 +104,7 @@ const Command* Preparer::State::next_command() {
 }
 
 void Preparer::State::execute(const Command& command) {
+    if (!path::is_motion(command.op)) release();
     switch (command.op) {
         case Op::Rapid:
         case Op::Line:
@@ -177,17 +189,23 @@ void Preparer::State::move(const Command& command) {
     segment.source = command.source;
     const double length = standing.lay_path(command, target, segment);
     if (length > 0 && is_possible(command, segment, length)) {
-        if (const auto* spline = std::get_if<path::Spline>(&segment.curve)) {
-            emit_spline(command, segment, *spline);
-        } else {
-            emit_feed_parts(command, segment, length);
+        const double from = round_corner(command, segment, length);
+        if (!hold(command, segment, length, from)) {
+            emit_part(command, segment, length, {from, length});
+            end_command();
         }
-        if (ready > 0) pieces.back(0).segment.ends_command = true;
         if (!has_ended) check.widen_travel();
+    } else if (!has_ended && (length > 0 || command.exact_stop)) {
+        release();
     }
     if (has_ended) return;
     standing.arrive(command, target);
     if (command.exact_stop) last.must_stop = true;
+}
+
+/// No further piece of the command comes.
+void Preparer::State::end_command() {
+    if (ready > 0) pieces.back(0).segment.ends_command = true;
 }
 
 /// False if the piece has to be left out; the reason has been reported.
@@ -198,19 +216,34 @@ bool Preparer::State::is_possible(const Command& command, const Segment& segment
     return answer == AxisCheck::Answer::Beyond && !has_ended;
 }
 
+/// A motion, or what curves around its corners leave of it; `length` is that of the whole.
+void Preparer::State::emit_part(const Command& command, const Segment& whole, double length,
+                                const WayPart& part) {
+    if (part.to - part.from < kStill) return;
+    const bool is_whole = part.from == 0 && part.to == length;
+    const Segment segment = is_whole ? whole : part_of(whole, part.from, part.to);
+    if (const auto* spline = std::get_if<path::Spline>(&segment.curve)) {
+        emit_curves(command, segment, length, evenly_bent(*spline));
+    } else if (is_whole) {
+        emit_feed_parts(command, segment, length);
+    } else {
+        emit_curves(command, segment, length, {&segment.curve, 1});
+    }
+}
+
 /// The curvature of a span may change greatly; its pieces have each their own speed.
-void Preparer::State::emit_spline(const Command& command, const Segment& whole,
-                                  const path::Spline& spline) {
+void Preparer::State::emit_curves(const Command& command, const Segment& whole, double length,
+                                  std::span<const path::Curve> curves) {
     Command share = command;
-    for (const path::Curve& curve : evenly_bent(spline)) {
+    Segment piece = whole;
+    for (const path::Curve& curve : curves) {
         if (has_ended) return;
-        Segment piece = whole;
         piece.curve = curve;
-        const double length = path::length(curve);
+        const double part = path::length(curve);
         // Under inverse time the time of the block is shared out by length.
         if (command.feed_mode == path::FeedMode::InverseTime)
-            share.feed = command.feed * spline.length / length;
-        emit_feed_parts(share, piece, length);
+            share.feed = command.feed * length / part;
+        emit_feed_parts(share, piece, part);
     }
 }
 
@@ -268,7 +301,8 @@ std::vector<double> Preparer::State::cells_in(const Command& command, const Segm
         gain = std::max(gain, axes.acceleration(i) * tick);
     }
     if (!is_bent) return {};
-    if (std::holds_alternative<path::Spline>(whole.curve)) {
+    if (std::holds_alternative<path::Spline>(whole.curve) ||
+        std::holds_alternative<path::Glide>(whole.curve)) {
         return cell_bounds(whole.curve, length, axes.linear_limits(), {wanted, kShortCell});
     }
     // A corner beside an arc wants a piece that takes two ticks.

@@ -41,7 +41,7 @@ double Preparer::State::corner_speed(const Segment& segment, const AxisRates& in
         if (index(machine.axes[i].axis) < 3) continue;
         speed = std::min(speed, axis_jump_speed({&last.rates[i], 1}, {&in[i], 1}, {&jump[i], 1}));
     }
-    const Vec3 direction = path::evaluate(segment.curve, 0).tangent;
+    const Vec3 direction = path::evaluate(segment.curve, 0).tangent.normalized();
     return std::min(speed,
                     junction_deviation_speed(last.direction, direction, options.junction_deviation,
                                              std::min(acceleration, last.acceleration)));
@@ -158,7 +158,8 @@ void Preparer::State::remember(const Piece& piece) {
     last.rates = last.is_bent ? axes.end_rates(segment) : piece.rates;
     if (axes.limits_jerk()) last.bends = last.is_bent ? axes.end_bends(segment) : AxisRates{};
     if (options.corner_rule == CornerRule::JunctionDeviation) {
-        last.direction = path::evaluate(segment.curve, path::length(segment.curve)).tangent;
+        last.direction =
+            path::evaluate(segment.curve, path::length(segment.curve)).tangent.normalized();
     }
     last.loads = piece.loads;
     last.length = piece.length;

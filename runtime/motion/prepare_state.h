@@ -1,9 +1,13 @@
 // prepare_state.h — what the preparer knows between two commands. Internal to motion.
 //
 // Its functions are told in chapters: prepare.cpp (commands, standstill, pieces of one motion),
-// prepare_corners.cpp (how fast the corner between two pieces may be passed).
+// prepare_corners.cpp (how fast the corner between two pieces may be passed), prepare_rounding.cpp
+// (curves around corners).
 #pragma once
 
+#include <array>
+#include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -33,12 +37,28 @@ inline bool is_straight(const Segment& segment) {
            std::holds_alternative<path::Point>(segment.curve);
 }
 
+/// A motion that waits for the next one, because the corner between them may be rounded.
+struct HeldMotion {
+    bool is_held = false;
+    path::Command command;
+    Segment segment;    // the whole way
+    double length = 0;  // of it
+    double from = 0;    // so much of it the curve around the corner before it has taken
+};
+
+/// A part of a motion's way, between two lengths.
+struct WayPart {
+    double from = 0;
+    double to = 0;
+};
+
 struct Preparer::State {
     State(Stream<path::Command>& commands_in, const machine::Machine& machine_in,
           const AxisTable& axes_in, const PlannerOptions& options_in, DiagnosticSink& sink_in,
           PieceRing& pieces_in);
 
     std::size_t next();
+    void finish();
     Piece& fresh_piece();
     const path::Command* next_command();
     void execute(const path::Command& command);
@@ -49,8 +69,11 @@ struct Preparer::State {
 
     void move(const path::Command& command);
     bool is_possible(const path::Command& command, const Segment& segment, double length);
-    void emit_spline(const path::Command& command, const Segment& whole,
-                     const path::Spline& spline);
+    void emit_part(const path::Command& command, const Segment& whole, double length,
+                   const WayPart& part);
+    void emit_curves(const path::Command& command, const Segment& whole, double length,
+                     std::span<const path::Curve> curves);
+    void end_command();
     void emit_feed_parts(const path::Command& command, const Segment& segment, double length);
     void emit_parts(const path::Command& command, const Segment& whole, double length, int parts);
     std::vector<double> cells_in(const path::Command& command, const Segment& whole, double length);
@@ -69,6 +92,18 @@ struct Preparer::State {
     double corner_acceleration_limit(const AxisRates& in) const;
     void take_bend(Piece& piece) const;
     void remember(const Piece& piece);
+
+    std::optional<double> feed_of(const path::Command& command, const Segment& segment,
+                                  double length) const;
+    bool can_be_rounded(const path::Command& command, const Segment& segment, double length) const;
+    bool hold(const path::Command& command, const Segment& segment, double length, double from);
+    void release();
+    double round_corner(const path::Command& command, const Segment& segment, double length);
+    PathLimits limits_on(const path::Command& command, const Segment& segment, double length) const;
+    double least_speed(std::span<const path::Curve> curves, const Segment& whole,
+                       double most) const;
+    double corner_estimate(const Segment& before, const Segment& behind,
+                           const std::array<PathLimits, 2>& beside) const;
 
     void alarm_raised();
 
@@ -92,6 +127,7 @@ struct Preparer::State {
     Spindle spindle;
     AxisCheck check;
     CornerMemory last;
+    HeldMotion held;
 
     PieceRing& pieces;
     std::size_t ready = 0;  // pieces of the current command

@@ -16,6 +16,15 @@ constexpr std::size_t kSegmentBatch = 32;
 // A tick that misses the end by less is at the end (reference motion §2.7).
 constexpr double kTickRounding = 1e-9;
 
+/// Speed of the tool in parts of that at which the curve is walked.
+template <typename Kind>
+double tool_speed(const Kind&, double) {
+    return 1;
+}
+double tool_speed(const path::Glide& glide, double distance) {
+    return path::evaluate(glide, distance).tangent.norm();
+}
+
 }  // namespace
 
 struct Sampler::State {
@@ -110,7 +119,7 @@ std::size_t Sampler::State::walk(const Segment& segment, std::span<Setpoint> out
             const ProfileState state = state_at(segment.profile, time - segment.start_time);
             Setpoint& setpoint = out[written];
             setpoint.time = time;
-            setpoint.feed = state.speed;
+            setpoint.feed = state.speed * tool_speed(curve, state.distance);
             setpoint.pulses = std::exchange(pulses, 0);
             place(segment, path::position(curve, state.distance), state.distance, setpoint);
         }

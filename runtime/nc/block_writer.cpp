@@ -31,7 +31,8 @@ constexpr bool is_quiet_group(Group group) {
         case Group::CompStart:
         case Group::CompCorner:
         case Group::CompCheck:
-        case Group::Diameter: return true;
+        case Group::Diameter:
+        case Group::Compressor: return true;
         case Group::Once:
         case Group::LengthComp:
         case Group::WorkOffsets:
@@ -380,10 +381,10 @@ void BlockWriter::write_waiting_edge(const Block& block, std::string& out) {
 /// The length comes with the first motion along it: a way there would be travelled less the length.
 void BlockWriter::check_length_due(const Block& block) {
     const std::size_t along = plane_axes()[2];
-    const bool is_other = block.function_count != 0 &&
-                          (block.find(Function::MachineCoordinates) != nullptr ||
-                           block.find(Function::ReferencePoint) != nullptr ||
-                           block.find(Function::ReferenceReturn) != nullptr);
+    const bool is_other =
+        block.function_count != 0 && (block.find(Function::MachineCoordinates) != nullptr ||
+                                      block.find(Function::ReferencePoint) != nullptr ||
+                                      block.find(Function::ReferenceReturn) != nullptr);
     if (is_other || !block.has(static_cast<Slot>(along))) return;
     modal_.is_length_due = false;
     if (!is_distance(block, along)) return;

@@ -11,7 +11,7 @@ constexpr std::array<std::string_view, kGroups> kGroupNames = {
     "once",         "motion",      "plane",       "units",       "distance",
     "feed_mode",    "speed_mode",  "radius_comp", "length_comp", "path_mode",
     "work_offsets", "spindle",     "coolant",     "cycle_mode",  "cycle_return",
-    "comp_start",   "comp_corner", "comp_check",  "diameter"};
+    "comp_start",   "comp_corner", "comp_check",  "diameter",    "compressor"};
 
 constexpr std::array<std::string_view, 9> kDimensionNames = {
     "number", "count", "length", "angle", "time", "feed", "speed", "factor", "text"};

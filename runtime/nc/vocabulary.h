@@ -43,8 +43,9 @@ enum class Group : std::uint8_t {
     CompCorner,
     CompCheck,
     Diameter,
+    Compressor,
 };
-inline constexpr std::size_t kGroups = 19;
+inline constexpr std::size_t kGroups = 20;
 
 /// What a number in a block measures; decides unit, number format and conversion.
 enum class Dimension : std::uint8_t {

@@ -46,10 +46,10 @@ struct WriterModal {
     bool feed_is_other = false;  // F in the text is not meant_feed: a pitch, a helix by its arc
     double meant_speed = 0;      // holds if has_meant_speed
     bool has_meant_speed = false;
-    Standing tool;            // the last one that was called
-    Standing edge;            // the cutting edge that the text has selected
+    Standing tool;               // the last one that was called
+    Standing edge;               // the cutting edge that the text has selected
     bool is_length_due = false;  // it acts again; its axis has not moved since
-    double waiting_edge = 0;  // the one that a block without tool length has put aside; 0: none
+    double waiting_edge = 0;     // the one that a block without tool length has put aside; 0: none
     WrittenPosition position;
     Activity rotation = Activity::No;
     Activity mirror = Activity::No;

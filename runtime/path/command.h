@@ -41,6 +41,20 @@ enum class Plane : std::uint8_t { Xy, Zx, Yz };
 enum class SpindleMode : std::uint8_t { Stop, Cw, Ccw, Orient };
 enum class CoolantMode : std::uint8_t { Off, Flood, Mist };
 
+/// How the corner behind a motion is rounded, if the next motion lets it.
+enum class BlendKind : std::uint8_t {
+    None,
+    Distance,   // from `size` before the corner to as far behind it, at most
+    Tolerance,  // leaving the programmed path by `size` at most
+};
+struct Blending {
+    BlendKind kind = BlendKind::None;
+    bool with_tangents = false;  // also where only the curvature jumps
+    double size = 0;             // mm
+
+    friend bool operator==(const Blending&, const Blending&) = default;
+};
+
 struct Command {
     Op op = Op::Rapid;
     FeedMode feed_mode = FeedMode::PerMinute;
@@ -64,6 +78,9 @@ struct Command {
     bool is_clockwise = false;  // in `plane` of the base system, mirrors worked in; for listings
     double turns = 0;           // additional full turns, as programmed
     SplineShape spline;         // Spline: one span, from where the tool is to `to`
+    Blending blending;          // of the corner behind a motion; none where it ends at rest
+    double compress = 0;        // Line: it may become a part of a curve within this tolerance, mm;
+                                // 0: it stays what it is
 
     double feed = 0;            // mm/min, mm/rev or 1/min, as feed_mode says; of a thread mm/rev
     double speed = 0;           // Spindle: rpm or m/min; SpeedLimit: rpm

@@ -6,6 +6,11 @@ double length(const Curve& curve) {
     return std::visit([](const auto& kind) { return length(kind); }, curve);
 }
 
+double arc_length(const Curve& curve) {
+    if (const auto* glide = std::get_if<Glide>(&curve)) return arc_length(*glide);
+    return length(curve);
+}
+
 Vec3 start(const Curve& curve) {
     return std::visit([](const auto& kind) { return start(kind); }, curve);
 }

@@ -1,4 +1,4 @@
-// curve.h — one piece of path as geometry, walked by its arc length.
+// curve.h — one piece of path as geometry, walked by its arc length (a Glide: by its parameter).
 //
 // Geometry only: no time (motion/profile.h), no axes (motion/limits.h), no text (nc/). The set of
 // kinds is closed: a new one is a file beside line.h, helix.h and spline.h with the functions
@@ -9,6 +9,7 @@
 
 #include <variant>
 
+#include "path/glide.h"
 #include "path/helix.h"
 #include "path/line.h"
 #include "path/spline.h"
@@ -17,10 +18,12 @@
 namespace kadr::path {
 
 /// A plain value without heap: segments are copied by the million.
-using Curve = std::variant<Point, Line, Helix, Spline>;
+using Curve = std::variant<Point, Line, Helix, Spline, Glide>;
 
-/// Arc length of the whole curve, mm.
+/// Range of `s` of the whole curve, mm: its arc length but for a Glide.
 double length(const Curve& curve);
+/// How far the tool goes along the whole curve, mm.
+double arc_length(const Curve& curve);
 Vec3 start(const Curve& curve);
 /// The programmed end, exactly.
 Vec3 end(const Curve& curve);

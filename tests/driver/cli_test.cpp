@@ -491,10 +491,14 @@ TEST_F(CommandLine, WhatTheControlWouldAlarmOnIsNotWritten) {
     save("times.kadr", "program p() { dwell(0.4ms); S0.2 M3; M30; }\n");
     const ProcessResult times = kadr({"expand", file("times.kadr"), "-d", "fanuc"});
     EXPECT_EQ(times.status, 1);
-    EXPECT_NE(times.err.find("4e-04 s does not survive"), std::string::npos)
-        << times.err;
-    EXPECT_NE(times.err.find("0.2 rpm does not survive"), std::string::npos)
-        << times.err;
+    EXPECT_NE(times.err.find("0.0004 s does not survive"), std::string::npos) << times.err;
+    EXPECT_NE(times.err.find("0.2 rpm does not survive"), std::string::npos) << times.err;
+    save("plane.kadr",
+         "program p() { tool(1); S1000 M3 F100; G0 X0 Y0 Z5; G18; G2 X10 Z5 I5 K0; M30; }\n");
+    EXPECT_NE(kadr({"expand", file("plane.kadr"), "-d", "sinumerik"}).err.find("warning[K4134]"),
+              std::string::npos);
+    EXPECT_EQ(kadr({"expand", file("plane.kadr"), "-d", "fanuc"}).err.find("K4134"),
+              std::string::npos);
     save("letters.kadr", "program p() { for (int i : 1..2) raw \"(деталь)\"; M30; }\n");
     const ProcessResult letters = kadr({"expand", file("letters.kadr"), "-d", "fanuc"});
     EXPECT_EQ(letters.status, 0);

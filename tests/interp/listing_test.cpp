@@ -37,6 +37,22 @@ TEST(Listing, Line) {
               "\"feed_mode\":\"inverse_time\",\"exact_stop\":true}\n");
 }
 
+TEST(Listing, RoundedCornersAndCompressedLines) {
+    const std::string begin =
+        "{\"op\":\"line\",\"to\":{\"X\":0,\"Y\":0,\"Z\":0,\"B\":0},\"feed\":0";
+    Command line;
+    line.op = Op::Line;
+    line.blending = {path::BlendKind::Distance, false, 0.5};
+    EXPECT_EQ(line_of(line), begin + ",\"blend_distance\":0.5}\n");
+    line.blending = {path::BlendKind::Tolerance, true, 0.02};
+    line.compress = 0.01;
+    EXPECT_EQ(line_of(line),
+              begin + ",\"blend_tolerance\":0.02,\"blend_tangents\":true,\"compress\":0.01}\n");
+    line.exact_stop = true;
+    line.compress = 0;
+    EXPECT_EQ(line_of(line), begin + ",\"exact_stop\":true}\n");
+}
+
 TEST(Listing, Arc) {
     Command arc;
     arc.op = Op::Arc;

@@ -80,7 +80,8 @@ TEST(MachineFile, ValuesAreCanonical) {
     Loaded loaded;
     load(
         R"(<machine name="m" title="t &amp; t" tick="0.5 ms" max_feed="20 m/min" max_speed="6000 rpm"
-                     orient_time="300 ms" tool_change_time="4 s">
+                     orient_time="300 ms" tool_change_time="4 s"
+                     corner_tolerance="0.1 mm" compressor_tolerance="5 um">
               <axis name="X" limits="-0.5..0.25 m" velocity="30 m/min" acceleration="5 m/s2"
                     jerk="100 m/s3" home="1in" home2="-50 mm" home4="0.2 m"/>
               <axis name="C" velocity="60 rpm" acceleration="180 deg/s2" home="90 deg" home3="0.5 rad"/>
@@ -97,6 +98,8 @@ TEST(MachineFile, ValuesAreCanonical) {
     EXPECT_DOUBLE_EQ(machine.max_speed, 100);
     EXPECT_DOUBLE_EQ(machine.orient_time, 0.3);
     EXPECT_DOUBLE_EQ(machine.tool_change_time, 4);
+    EXPECT_DOUBLE_EQ(machine.corner_tolerance, 0.1);
+    EXPECT_DOUBLE_EQ(machine.compressor_tolerance, 0.005);
     ASSERT_EQ(machine.axes.size(), 2u);
     const MachineAxis& x = machine.axes[0];
     EXPECT_DOUBLE_EQ(x.lower, -500);

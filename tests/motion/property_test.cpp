@@ -65,6 +65,12 @@ Command any_spline(const Vec3& from) {
                      {1, w1, w2, 1});
 }
 
+path::Blending any_blending() {
+    const double size = any_number(0, 2) * *rc::gen::element(1.0, 0.1, 0.01);
+    return *rc::gen::arbitrary<bool>() ? by_distance(size)
+                                       : within(size, *rc::gen::arbitrary<bool>());
+}
+
 /// Lines of all lengths, arcs, splines, rapids, exact stops and dwells, mixed.
 std::vector<Command> any_program() {
     std::vector<Command> program;
@@ -90,6 +96,7 @@ std::vector<Command> any_program() {
             continue;
         }
         command.exact_stop = *rc::gen::inRange(0, 5) == 0;
+        if (*rc::gen::inRange(0, 3) == 0) command.blending = any_blending();
         at = Vec3(command.to[0], command.to[1], command.to[2]);
         program.push_back(command);
     }
@@ -209,6 +216,18 @@ double miss(const Segment& segment, const Vec3& point) {
         const double height = out.dot(helix->normal);
         return std::abs((out - height * helix->normal).norm() - helix->radius);
     }
+    if (const auto* glide = std::get_if<path::Glide>(&segment.curve)) {
+        double best = 0;
+        const auto away = [&](double s) { return (path::position(*glide, s) - point).norm(); };
+        for (int i = 0; i <= 200; ++i)
+            if (away(glide->length * i / 200) < away(best)) best = glide->length * i / 200;
+        for (int pass = 0; pass < 20; ++pass) {
+            const path::CurvePoint near = path::evaluate(*glide, best);
+            best += (point - near.position).dot(near.tangent) / near.tangent.squaredNorm();
+            best = std::clamp(best, 0.0, glide->length);
+        }
+        return away(best);
+    }
     if (const auto* spline = std::get_if<path::Spline>(&segment.curve)) {
         // The nearest of many points, then closer: the distance has one least value there.
         double best = 0;
@@ -317,6 +336,35 @@ TEST(Corners, JumpAndRampsTogetherKeepTheAcceleration) {
         }
         EXPECT_GE(told, share * (1 - 1e-3));
         EXPECT_LE(told, 1 + kRelative);
+    }
+}
+
+RC_GTEST_PROP(MotionProperty, RoundingStaysInsideItsTolerance, ()) {
+    const auto machine = any_machine();
+    auto program = any_program();
+    for (Command& command : program) command.blending = {};
+    const Motion sharp = run(machine, program);
+    RC_PRE(!sharp.segments.empty());
+    const double tolerance = any_number(1, 100) / 1000;
+    for (Command& command : program) {
+        if (path::is_motion(command.op)) command.blending = within(tolerance, true);
+    }
+    const Motion round = run(machine, program);
+    RC_CLASSIFY(round.totals.time < sharp.totals.time, "quicker");
+    RC_CLASSIFY(round.totals.time > sharp.totals.time, "slower");
+    for (const Segment& segment : round.segments) {
+        if (!is_motion(segment.kind)) continue;
+        const double length = path::length(segment.curve);
+        for (int i = 0; i <= 4; ++i) {
+            const Vec3 point = path::position(segment.curve, length * i / 4);
+            double least = kUnlimited;
+            for (const Segment& way : sharp.segments) {
+                if (is_motion(way.kind) && way.line + 1 >= segment.line &&
+                    way.line <= segment.line + 1)
+                    least = std::min(least, miss(way, point));
+            }
+            RC_ASSERT(least <= tolerance);
+        }
     }
 }
 

@@ -90,6 +90,16 @@ inline Command simple(Op op) {
     return command;
 }
 
+/// Corners behind these motions may be rounded: from a distance before them, or within a tolerance.
+inline std::vector<Command> rounded(std::vector<Command> commands, const path::Blending& wish) {
+    for (Command& command : commands) command.blending = wish;
+    return commands;
+}
+inline path::Blending by_distance(double size) { return {path::BlendKind::Distance, false, size}; }
+inline path::Blending within(double size, bool with_tangents = false) {
+    return {path::BlendKind::Tolerance, with_tangents, size};
+}
+
 /// A list of commands as a stream.
 class CommandList final : public Stream<Command> {
   public:

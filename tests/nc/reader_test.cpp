@@ -286,7 +286,7 @@ TEST(Reader, WordsWithoutEffectAreAccepted) {
         "fanuc",
         {{"G40G49G80G69G50G15",
           "radius_comp_off | length_comp_off | cycle_off | rotate_off | scale_off | polar_off"},
-         {"G05.1 Q1\nG01 X1.", "line X1"}});
+         {"G08 P1\nG01 X1.", "line X1"}});
     expect_blocks("sinumerik", {{"G1 SOFT G601 X5 CUT2D", "line X5"}, {"STOPRE", ""}});
     // A word of arcs beside a cycle is not passed over.
     EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "G81 X1. Z-5. R2. J3.").messages),

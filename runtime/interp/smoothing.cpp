@@ -1,0 +1,50 @@
+// smoothing.cpp — what a program says of rounded corners and compressed lines.
+//
+// The commands carry it; where a curve fits, and which one, is the motion side's matter.
+#include <algorithm>
+
+#include "base/diagnostics/iso.h"
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using path::BlendKind;
+using path::Op;
+
+void Executor::choose_smoothing(const Block& block, const nc::Invocation& invocation) {
+    switch (invocation.function) {
+        case Function::CompressOn: smoothing_.compresses = true; return;
+        case Function::CompressOff: smoothing_.compresses = false; return;
+        default: break;
+    }
+    const double size = block.argument(invocation, 0);
+    if (invocation.function == Function::PathTolerance) {
+        smoothing_.tolerance = size < 0 ? std::nullopt : std::optional(size);
+        return;
+    }
+    if (size < 0) report(diag::BlendDistanceNegative, block, invocation.function).arg(size);
+    const bool is_rapid = invocation.function == Function::BlendRapidDistance;
+    (is_rapid ? smoothing_.rapid_distance : smoothing_.feed_distance) = std::max(size, 0.0);
+}
+
+/// How the corner behind a motion of this block is rounded.
+path::Blending Executor::blending(Op op) const {
+    if (modal_.blend == Function::None || !path::is_motion(op)) return {};
+    if (modal_.blend == Function::BlendDistance) {
+        return {BlendKind::Distance, false,
+                op == Op::Rapid ? smoothing_.rapid_distance : smoothing_.feed_distance};
+    }
+    return {BlendKind::Tolerance, modal_.blend == Function::BlendSmooth,
+            smoothing_.tolerance.value_or(machine_.corner_tolerance)};
+}
+
+/// Within which tolerance a motion of this block may become a part of a curve; 0: not at all. The
+/// moves of cycles are what they are.
+double Executor::compressing(Op op) const {
+    if (!smoothing_.compresses || op != Op::Line || cycle_blocks_) return 0;
+    return smoothing_.tolerance.value_or(machine_.compressor_tolerance);
+}
+
+}  // namespace kadr::interp

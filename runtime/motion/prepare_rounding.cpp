@@ -1,0 +1,175 @@
+// Rounded corners: a motion behind which the program lets the control round the corner waits for
+// the next one, and the curve around the corner takes the place of the end of one and of the
+// beginning of the other, unless the corner as it is takes less time. Its first half belongs to the
+// motion before, with its feed and its line of the text, its second half to the one behind.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "motion/corner.h"
+#include "motion/feed.h"
+#include "motion/prepare_state.h"
+#include "motion/rounding.h"
+#include "motion/smooth_profile.h"
+
+namespace kadr::motion {
+
+namespace {
+
+using path::Command;
+using path::Op;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Of the jump of an axis' velocity that a corner could have, what is left beside ramps, and of the
+/// acceleration what is left to them.
+constexpr double kJumpBesideRamps = 0.42;
+constexpr double kRampBesideJump = 0.9;
+/// The same of an axis' jerk, where the curvature jumps.
+constexpr double kJerkBesideRamps = 0.5;
+/// What half of a corner costs against a path that is run at the full speed: a way at the speed of
+/// the curve or none, and the ramp from there.
+double time_lost(double speed, double way, const PathLimits& limits) {
+    const double on_way = way / speed - way / limits.speed;
+    if (std::isinf(limits.jerk)) {
+        const double less = limits.speed - speed;
+        return on_way + less * less / (2 * limits.acceleration * limits.speed);
+    }
+    const RampLimits ramp{limits.acceleration, limits.jerk};
+    return on_way + smooth_ramp_time(speed, limits.speed, ramp) -
+           smooth_ramp_length(speed, limits.speed, ramp) / limits.speed;
+}
+
+constexpr bool is_rounded(Op op) {
+    return op == Op::Rapid || op == Op::Line || op == Op::Arc || op == Op::Spline;
+}
+
+}  // namespace
+
+/// The path speed that a motion asks for; nothing if it cannot be said, which is reported when the
+/// motion becomes pieces.
+std::optional<double> Preparer::State::feed_of(const Command& command, const Segment& segment,
+                                               double length) const {
+    if (command.op == Op::Rapid) return kInfinity;
+    const auto feed = path_feed(command, segment, length, spindle);
+    if (!feed) return std::nullopt;
+    return *feed * options.feed_override;
+}
+
+/// Whether there can be a curve before or behind a motion. Axes beside X, Y, Z have no curve, and
+/// the pulses of a laser burn the programmed points.
+bool Preparer::State::can_be_rounded(const Command& command, const Segment& segment,
+                                     double length) const {
+    const bool has_pulses = machine.laser && machine.laser->pulse > 0;
+    return is_rounded(command.op) && !has_pulses && !segment.turns_only && segment.followers == 0 &&
+           feed_of(command, segment, length).has_value();
+}
+
+/// Keeps a motion until the next one is known; false if nothing is asked for behind it.
+bool Preparer::State::hold(const Command& command, const Segment& segment, double length,
+                           double from) {
+    const path::Blending& wish = command.blending;
+    if (wish.kind == path::BlendKind::None || command.exact_stop || !(wish.size > 0)) return false;
+    if (!can_be_rounded(command, segment, length)) return false;
+    held.is_held = true;
+    held.command = command;
+    held.segment = segment;
+    held.length = length;
+    held.from = from;
+    return true;
+}
+
+/// The motion that waits goes on as it is.
+void Preparer::State::release() {
+    if (!held.is_held) return;
+    held.is_held = false;
+    emit_part(held.command, held.segment, held.length, {held.from, held.length});
+    end_command();
+}
+
+/// The motion that waits goes on, and the curve around the corner behind it if there is one.
+/// Returns how much of the next motion the curve has taken.
+double Preparer::State::round_corner(const Command& command, const Segment& segment,
+                                     double length) {
+    if (!held.is_held) return 0;
+    if (!can_be_rounded(command, segment, length)) return release(), 0;
+    const auto found =
+        rounding({held.segment.curve, held.command.blending}, {segment.curve, command.blending});
+    if (!found) return release(), 0;
+    const std::array<path::Curve, 2> before{found->curve[0], found->curve[1]};
+    const std::array<path::Curve, 2> behind{found->curve[2], found->curve[3]};
+    const std::array<PathLimits, 2> beside = {limits_on(held.command, held.segment, held.length),
+                                              limits_on(command, segment, length)};
+    const double most = std::min(beside[0].speed, beside[1].speed);
+    const double on_curve =
+        std::min(least_speed(before, held.segment, most), least_speed(behind, segment, most));
+    const double at_corner = corner_estimate(held.segment, segment, beside);
+    const double half = std::min(held.length, length) / 2;
+    double saved = 0;
+    for (PathLimits limits : beside) {
+        // Ramps end in the middles of both motions.
+        const double from = std::max(on_curve, at_corner);
+        limits.speed =
+            std::min(limits.speed, std::sqrt(from * from + 2 * limits.acceleration * half));
+        saved -= time_lost(on_curve, found->way, limits);
+        if (at_corner < most) limits.acceleration *= kRampBesideJump;
+        saved += time_lost(at_corner, 0, limits);
+    }
+    if (!(saved > 0)) return release(), 0;
+    held.is_held = false;
+    emit_part(held.command, held.segment, held.length, {held.from, held.length - found->way});
+    emit_curves(held.command, held.segment, held.length, before);
+    end_command();
+    emit_curves(command, segment, length, behind);
+    return found->way;
+}
+
+/// What the axes allow on a motion, at a speed up to what it asks for.
+PathLimits Preparer::State::limits_on(const Command& command, const Segment& segment,
+                                      double length) const {
+    const double wanted = feed_of(command, segment, length).value_or(kInfinity);
+    return axes.limits(segment, axes.start_rates(segment), wanted);
+}
+
+double Preparer::State::least_speed(std::span<const path::Curve> curves, const Segment& whole,
+                                    double most) const {
+    Segment piece = whole;
+    for (const path::Curve& curve : curves) {
+        piece.curve = curve;
+        most = std::min(most, axes.limits(piece, axes.start_rates(piece), most).speed);
+    }
+    return most;
+}
+
+/// About how fast the corner would be passed as it is: the rules of prepare_corners.cpp, of which
+/// the shares depend on more than the corner.
+double Preparer::State::corner_estimate(const Segment& before, const Segment& behind,
+                                        const std::array<PathLimits, 2>& beside) const {
+    const std::size_t n = axes.size();
+    const AxisRates in = axes.end_rates(before);
+    const AxisRates out = axes.start_rates(behind);
+    double speed = std::min(beside[0].speed, beside[1].speed);
+    if (options.corner_rule == CornerRule::AxisJump) {
+        speed = std::min(speed, kJumpBesideRamps * axis_jump_speed({in.data(), n}, {out.data(), n},
+                                                                   {jump.data(), n}));
+    } else {
+        const path::Vec3 from = path::evaluate(before.curve, path::length(before.curve)).tangent;
+        const path::Vec3 to = path::evaluate(behind.curve, 0).tangent;
+        const double least = std::min(beside[0].acceleration, beside[1].acceleration);
+        speed =
+            std::min(speed, junction_deviation_speed(from, to, options.junction_deviation, least));
+    }
+    if (!axes.limits_jerk()) return speed;
+    const AxisRates bend_in = axes.end_bends(before);
+    const AxisRates bend_out = axes.start_bends(behind);
+    for (std::size_t i = 0; i < n; ++i) {
+        const double change = std::abs(bend_out[i] - bend_in[i]);
+        if (change == 0) continue;
+        speed = std::min(speed,
+                         std::sqrt(kJerkBesideRamps * axes.jerk(i) * tick / (kJumpBell * change)));
+    }
+    return speed;
+}
+
+}  // namespace kadr::motion
