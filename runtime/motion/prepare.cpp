@@ -89,13 +89,29 @@ Piece& Preparer::State::fresh_piece() {
     return piece;
 }
 
+/// Behind the compressor, through which short lines go that the program lets it have.
 const Command* Preparer::State::next_command() {
     if (has_ended) return nullptr;
+    while (true) {
+        if (const Command* ready_made = compressor.next()) return ready_made;
+        const Command* command = next_read();
+        if (command == nullptr) {
+            if (compressor.is_empty()) return nullptr;
+            compressor.finish();
+            continue;
+        }
+        const bool is_taken = Compressor::can_take(*command) && !has_pulses();
+        if (compressor.is_empty() && !is_taken) return command;
+        compressor.take(*command, standing);
+    }
+}
+
+const Command* Preparer::State::next_read() {
     if (batch_at == batch_size) {
         batch_at = 0;
-        batch_size = commands.pull(batch);
+        batch_size = is_drained ? 0 : commands.pull(batch);
         if (batch_size == 0) {
-            has_ended = true;
+            is_drained = true;
             return nullptr;
         }
     }
@@ -286,7 +302,7 @@ std::vector<double> Preparer::State::cells_in(const Command& command, const Segm
                                               double length) {
     // The pulses of a laser time whole blocks.
     if (axes.limits_jerk() || command.op == Op::Thread) return {};
-    if (machine.laser && machine.laser->pulse > 0) return {};
+    if (has_pulses()) return {};
     if (command.feed_mode != path::FeedMode::PerMinute) return {};
     const auto feed = path_feed(command, whole, length, spindle);
     if (!feed) return {};

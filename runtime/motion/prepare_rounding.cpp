@@ -61,9 +61,8 @@ std::optional<double> Preparer::State::feed_of(const Command& command, const Seg
 /// the pulses of a laser burn the programmed points.
 bool Preparer::State::can_be_rounded(const Command& command, const Segment& segment,
                                      double length) const {
-    const bool has_pulses = machine.laser && machine.laser->pulse > 0;
-    return is_rounded(command.op) && !has_pulses && !segment.turns_only && segment.followers == 0 &&
-           feed_of(command, segment, length).has_value();
+    return is_rounded(command.op) && !has_pulses() && !segment.turns_only &&
+           segment.followers == 0 && feed_of(command, segment, length).has_value();
 }
 
 /// Keeps a motion until the next one is known; false if nothing is asked for behind it.

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "motion/axis_check.h"
+#include "motion/compressor.h"
 #include "motion/prepare.h"
 #include "motion/spindle.h"
 #include "motion/standing.h"
@@ -61,6 +62,7 @@ struct Preparer::State {
     void finish();
     Piece& fresh_piece();
     const path::Command* next_command();
+    const path::Command* next_read();
     void execute(const path::Command& command);
 
     void set_spindle(const path::Command& command);
@@ -95,6 +97,7 @@ struct Preparer::State {
 
     std::optional<double> feed_of(const path::Command& command, const Segment& segment,
                                   double length) const;
+    bool has_pulses() const { return machine.laser && machine.laser->pulse > 0; }
     bool can_be_rounded(const path::Command& command, const Segment& segment, double length) const;
     bool hold(const path::Command& command, const Segment& segment, double length, double from);
     void release();
@@ -119,6 +122,7 @@ struct Preparer::State {
     std::size_t batch_size = 0;
     std::size_t batch_at = 0;
     std::uint64_t commands_read = 0;
+    bool is_drained = false;  // no command is left to read
     bool has_ended = false;
     bool has_alarmed = false;
     bool feed_reported = false;
@@ -128,6 +132,7 @@ struct Preparer::State {
     AxisCheck check;
     CornerMemory last;
     HeldMotion held;
+    Compressor compressor;
 
     PieceRing& pieces;
     std::size_t ready = 0;  // pieces of the current command

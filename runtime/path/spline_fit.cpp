@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "path/complete_spline.h"
 #include "path/cubic.h"
 
 namespace kadr::path {
@@ -237,24 +238,10 @@ class Fitter {
 
     /// Slopes with which second derivatives agree at every node between the ends.
     static void smooth_slopes(Stretch& stretch) {
-        const std::vector<Node>& nodes = stretch.nodes;
-        const std::size_t last = nodes.size() - 1;
-        stretch.slopes.assign(nodes.size(), Vec3::Zero());
-        stretch.slopes[0] = nodes[0].at.derivative;
-        stretch.slopes[last] = nodes[last].at.derivative;
-        // h1·m(i−1) + 2(h0 + h1)·m(i) + h0·m(i+1) = 3(h1·d0 + h0·d1), by Thomas' algorithm;
-        // h0, d0 width and mean slope before the node, h1, d1 behind it.
-        std::vector<double> factor(nodes.size(), 0);
-        for (std::size_t i = 1; i < last; ++i) {
-            const double h0 = nodes[i].parameter - nodes[i - 1].parameter;
-            const double h1 = nodes[i + 1].parameter - nodes[i].parameter;
-            const Vec3 d0 = (nodes[i].at.position - nodes[i - 1].at.position) / h0;
-            const Vec3 d1 = (nodes[i + 1].at.position - nodes[i].at.position) / h1;
-            const double diagonal = 2 * (h0 + h1) - h1 * factor[i - 1];
-            factor[i] = h0 / diagonal;
-            stretch.slopes[i] = (3 * (h1 * d0 + h0 * d1) - h1 * stretch.slopes[i - 1]) / diagonal;
-        }
-        for (std::size_t i = last; i-- > 1;) stretch.slopes[i] -= factor[i] * stretch.slopes[i + 1];
+        std::vector<SplineNode> nodes;
+        for (const Node& node : stretch.nodes) nodes.push_back({node.parameter, node.at.position});
+        stretch.slopes = complete_slopes(nodes, stretch.nodes.front().at.derivative,
+                                         stretch.nodes.back().at.derivative);
     }
 
     /// Adds nodes until the spline keeps the tolerance; false after a fault.

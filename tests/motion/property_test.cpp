@@ -219,8 +219,8 @@ double miss(const Segment& segment, const Vec3& point) {
     if (const auto* glide = std::get_if<path::Glide>(&segment.curve)) {
         double best = 0;
         const auto away = [&](double s) { return (path::position(*glide, s) - point).norm(); };
-        for (int i = 0; i <= 200; ++i)
-            if (away(glide->length * i / 200) < away(best)) best = glide->length * i / 200;
+        for (int i = 0; i <= 40; ++i)
+            if (away(glide->length * i / 40) < away(best)) best = glide->length * i / 40;
         for (int pass = 0; pass < 20; ++pass) {
             const path::CurvePoint near = path::evaluate(*glide, best);
             best += (point - near.position).dot(near.tangent) / near.tangent.squaredNorm();
@@ -355,8 +355,8 @@ RC_GTEST_PROP(MotionProperty, RoundingStaysInsideItsTolerance, ()) {
     for (const Segment& segment : round.segments) {
         if (!is_motion(segment.kind)) continue;
         const double length = path::length(segment.curve);
-        for (int i = 0; i <= 4; ++i) {
-            const Vec3 point = path::position(segment.curve, length * i / 4);
+        for (int i = 0; i <= 2; ++i) {
+            const Vec3 point = path::position(segment.curve, length * i / 2);
             double least = kUnlimited;
             for (const Segment& way : sharp.segments) {
                 if (is_motion(way.kind) && way.line + 1 >= segment.line &&

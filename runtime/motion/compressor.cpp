@@ -1,0 +1,136 @@
+#include "motion/compressor.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "path/polyline_fit.h"
+
+namespace kadr::motion {
+
+namespace {
+
+using path::Command;
+using path::Op;
+using path::Vec3;
+
+/// Lines that are fitted at once; the first half comes out then. What the second half would have
+/// been with more lines behind it changes its own course, and that of the first by little: every
+/// node takes it down to a quarter.
+constexpr std::size_t kWindow = 1024;
+constexpr std::size_t kHalf = kWindow / 2;
+/// Points in the second half where a span has to end, so that it has nodes at all.
+constexpr std::array<std::size_t, 4> kEnds = {kHalf, kHalf + kHalf / 4, kHalf + kHalf / 2,
+                                              kHalf + 3 * (kHalf / 4)};
+
+/// cos of the greatest turn inside a run: 30 degrees.
+constexpr double kLeastCos = 0.86602540378443865;
+/// A longer line is one that is meant, mm.
+constexpr double kLongest = 20;
+/// A span whose inner control points are this close to its chord is a line, mm.
+constexpr double kFlat = 1e-6;
+
+bool is_flat(const path::Cubic& cubic) {
+    return path::distance_to_line(cubic[1], cubic[0], cubic[3]) < kFlat &&
+           path::distance_to_line(cubic[2], cubic[0], cubic[3]) < kFlat;
+}
+
+/// Whether the command is a line that a run can begin with.
+bool is_short_line(const Command& command, double length) {
+    const bool is_plain = command.op == Op::Line && (command.moved & ~kLinearXYZ) == 0 &&
+                          !command.machine_coordinates && !command.is_unshifted;
+    const bool has_own_time = command.feed_mode == path::FeedMode::InverseTime;
+    return is_plain && !has_own_time && length > kStill && length <= kLongest;
+}
+
+}  // namespace
+
+void Compressor::take(const Command& command, const Standing& standing) {
+    ready_.clear();
+    next_ = 0;
+    const bool was_running = !lines_.empty();
+    const Vec3 to = was_running ? place_of(command) : standing.target_of(command).tip;
+    if (was_running && !joins(command, to)) end_run();
+    const Vec3 from = was_running ? points_.back() : standing.tip();
+    const bool is_taken = can_take(command) && is_short_line(command, (to - from).norm());
+    if (!is_taken) {
+        ready_.push_back(command);
+        return;
+    }
+    if (lines_.empty()) {
+        points_.assign(1, from);
+        has_slope_ = false;
+    }
+    lines_.push_back(command);
+    points_.push_back(to);
+    if (command.exact_stop) return end_run();
+    if (lines_.size() == kWindow) fit(false);
+}
+
+/// Where a line leads. An axis that is not programmed stands, whatever number it has.
+Vec3 Compressor::place_of(const Command& command) const {
+    Vec3 to = points_.back();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const bool is_moved = (command.moved & bit(static_cast<Axis>(i))) != 0;
+        if (is_moved || command.to[i] != lines_.back().to[i])
+            to[static_cast<Eigen::Index>(i)] = command.to[i];
+    }
+    return to;
+}
+
+bool Compressor::joins(const Command& command, const Vec3& to) const {
+    const Command& last = lines_.back();
+    const Vec3 way = to - points_.back();
+    const Vec3 before = points_.back() - points_[points_.size() - 2];
+    const bool is_same = command.compress == last.compress && command.feed == last.feed &&
+                         command.feed_mode == last.feed_mode && command.blending == last.blending;
+    bool others_stand = true;
+    for (std::size_t i = 3; i < kAxes; ++i) others_stand &= command.to[i] == last.to[i];
+    return is_same && others_stand && is_short_line(command, way.norm()) &&
+           way.dot(before) >= kLeastCos * way.norm() * before.norm();
+}
+
+void Compressor::finish() {
+    ready_.clear();
+    next_ = 0;
+    end_run();
+}
+
+/// What is left of the run comes out; `points_` keeps its end, where the next one may begin.
+void Compressor::end_run() {
+    if (lines_.empty()) return;
+    fit(true);
+    points_.erase(points_.begin(), points_.end() - 1);
+    has_slope_ = false;
+}
+
+/// Makes commands of the lines: of all, or of the first half of a window.
+void Compressor::fit(bool is_whole) {
+    path::PolylineFitOptions options;
+    options.tolerance = lines_.front().compress;
+    if (has_slope_) options.first_slope = slope_;
+    if (!is_whole) options.ends = kEnds;
+    std::size_t done = 0;
+    for (const path::PolylinePart& part : path::fit_polyline(points_, options)) {
+        if (!is_whole && part.from >= kHalf) break;
+        const path::SplineShape shape = {3, {part.cubic[1], part.cubic[2]}};
+        put(part.from, part.to, part.is_line || is_flat(part.cubic) ? nullptr : &shape);
+        done = part.to;
+        slope_ = part.slope;
+        has_slope_ = !part.is_line;
+    }
+    lines_.erase(lines_.begin(), lines_.begin() + static_cast<std::ptrdiff_t>(done));
+    points_.erase(points_.begin(), points_.begin() + static_cast<std::ptrdiff_t>(done));
+}
+
+/// Lines as one command, with the place in the text of the last one; a line without a shape.
+void Compressor::put(std::size_t from, std::size_t to, const path::SplineShape* shape) {
+    Command& command = ready_.emplace_back(lines_[to - 1]);
+    for (std::size_t i = from; i + 1 < to; ++i)
+        command.moved = static_cast<AxisMask>(command.moved | lines_[i].moved);
+    if (shape == nullptr) return;
+    command.op = Op::Spline;
+    command.spline = *shape;
+}
+
+}  // namespace kadr::motion
