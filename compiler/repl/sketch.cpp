@@ -93,6 +93,10 @@ std::string sketch(const driver::PlotScene& scene, std::size_t columns) {
     columns = std::clamp<std::size_t>(columns, 20, 100);
     const double width = std::max(box.upper.x() - box.lower.x(), 1e-9);
     const double height = std::max(box.upper.y() - box.lower.y(), 1e-9);
+    constexpr double kLeast = 1e-6;  // mm: less is one place, a hole seen from above
+    if (width < kLeast && height < kLeast)
+        return fmt::format("at X {:g}, Y {:g} mm from Z {:g} to {:g} mm\n", box.lower.x(),
+                           box.lower.y(), box.lower.z(), box.upper.z());
     const double scale = std::min((static_cast<double>(2 * columns) - 1) / width,
                                   (static_cast<double>(4 * kMaxRows) - 1) / height);
     const auto rows = static_cast<std::size_t>(std::ceil((height * scale + 1) / 4));

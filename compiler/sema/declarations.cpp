@@ -617,7 +617,13 @@ void Checker::check_function(std::uint32_t index) {
                           decl.range.end};
     emit_.set_place(end);
     if (falls_through) {
-        if (function.result != types::kVoid && kind(function.result) != Kind::Error) {
+        // A statement that could not be read may have been the `return`.
+        const bool is_broken =
+            std::ranges::any_of(ast().statements, [&](const syntax::Stmt& other) {
+                return other.kind == syntax::StmtKind::Invalid &&
+                       other.range.begin >= decl.range.begin && other.range.end <= decl.range.end;
+            });
+        if (!is_broken && function.result != types::kVoid && kind(function.result) != Kind::Error) {
             report(diag::MissingReturn, function.range)
                 .arg(function.name)
                 .arg(type_name(function.result))

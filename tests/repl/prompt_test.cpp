@@ -475,6 +475,14 @@ TEST(Prompt, ARunningEvaluationIsStopped) {
     EXPECT_EQ(talk.say("1"), "1\n");
 }
 
+TEST(Prompt, AHoleIsOnePlaceInPlan) {
+    Conversation talk;
+    talk.say("S1000 M3 F100");
+    talk.say("G0 X10 Y5 Z5");
+    talk.say("G1 Z-3");
+    EXPECT_EQ(talk.say(":plot"), "at X 10, Y 5 mm from Z -3 to 5 mm\n");
+}
+
 TEST(Sketch, DrawsAtLeastSomething) {
     driver::PlotScene scene;
     EXPECT_EQ(sketch(scene, 40), "nothing has moved\n");

@@ -22,6 +22,8 @@ void expect_rows(std::initializer_list<Row> rows) {
 TEST(Mistakes, Names) {
     expect_rows({
         {"program p() { X=radios; }", "1:17 K2001 `radios` is not declared"},
+        {"int f(int n) { return 2**n; }\nprogram p() { X=f(1); }",
+         "1:25 K1205 a value is missing behind `*`"},
         {"program p() { G1 X10 Q5; }", "1:22 K4101 `Q5` is no word of the dialect iso"},
         {"program p() { G1 X=Q5; }", "1:20 K2001 `Q5` is not declared"},
         {"program p() { { int a = 1; X=a; } X=a; }", "1:37 K2001 `a` is not declared"},
