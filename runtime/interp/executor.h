@@ -116,6 +116,14 @@ constexpr CornerSettings corner_settings(const Rules& rules) {
     return {rules.corner_strict, rules.corner_feed_of_next, rules.corner_empty_blocks};
 }
 
+/// Where a probing ended: tool length included, and of the tip, in the programmed system; in
+/// machine coordinates.
+struct Probed {
+    AxisValues head{};
+    AxisValues tip{};
+    AxisValues machine{};
+};
+
 class Executor {
   public:
     Executor(const nc::Dialect& dialect, const machine::Machine& machine, Stream<nc::Block>& blocks,
@@ -448,13 +456,6 @@ class Executor {
     std::map<std::int64_t, Timer> timers_;
     double milliseconds_from_ = 0;  // what the program has set, without the time since
     double hours_from_ = 0;
-    /// Where the last probing ended: tool length included, and of the tip, in the programmed
-    /// system; in machine coordinates.
-    struct Probed {
-        AxisValues head{};
-        AxisValues tip{};
-        AxisValues machine{};
-    };
     std::optional<Probed> probed_;
     std::uint64_t block_count_ = 0;
     bool ended_ = false;
