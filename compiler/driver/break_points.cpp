@@ -31,6 +31,14 @@ bool is_file(std::string_view file, std::string_view called) {
     return file.size() == called.size() || file[file.size() - called.size() - 1] == '/';
 }
 
+/// `O0012` and `O12` are one program.
+std::string without_zeros(std::string_view head) {
+    const std::size_t digits = std::min(head.find_first_of("0123456789"), head.size());
+    const auto number = whole(head.substr(digits));
+    return number ? upper_ascii(head.substr(0, digits)) + std::to_string(*number)
+                  : upper_ascii(head);
+}
+
 }  // namespace
 
 std::optional<BreakPoint> BreakPoint::parse(std::string_view text) {
@@ -48,6 +56,7 @@ std::optional<BreakPoint> BreakPoint::parse(std::string_view text) {
     if (const auto number = whole(has_letter ? text.substr(1) : text)) {
         point.kind_ = Kind::Number;
         point.number_ = *number;
+        point.has_letter_ = has_letter;
         return point;
     }
     if (!is_name(text)) return std::nullopt;
@@ -60,9 +69,18 @@ bool BreakPoint::is_line(const FileLine& line, std::string_view started) const {
     return name_.empty() ? line.file == started : is_file(line.file, name_);
 }
 
+bool BreakPoint::is_program(const Arrival& arrival) const {
+    if (arrival.program.empty()) return false;
+    if (kind_ == Kind::Number) return !has_letter_ && whole(arrival.program) == number_;
+    return upper_ascii(arrival.program) == name_ ||
+           (!arrival.program_head.empty() &&
+            without_zeros(arrival.program_head) == without_zeros(name_));
+}
+
 bool BreakPoint::is_at(const Arrival& arrival) const {
     switch (kind_) {
-        case Kind::Number: return arrival.has_number && arrival.number == number_;
+        case Kind::Number:
+            return (arrival.has_number && arrival.number == number_) || is_program(arrival);
         case Kind::Line:
             return is_line(arrival.text, arrival.started) ||
                    is_line(arrival.statement, arrival.started) ||
@@ -75,7 +93,7 @@ bool BreakPoint::is_at(const Arrival& arrival) const {
     const auto is_called = [this](std::string_view name) {
         return !name.empty() && upper_ascii(name) == name_;
     };
-    return is_called(arrival.label) || is_called(arrival.program) ||
+    return is_called(arrival.label) || is_program(arrival) ||
            std::any_of(arrival.entered.begin(), arrival.entered.end(),
                        [&](const Arrival::Entered& call) { return is_called(call.function); });
 }

@@ -4,6 +4,7 @@
 //   :34             a line of the program that was started
 //   rows.kadr:34    a line of a file: source, ISO-7bit text or subprogram
 //   AGAIN, row      a label, a subprogram, a function of a Kadr program
+//   O9010, 9010     a subprogram that has a number
 #pragma once
 
 #include <cstdint>
@@ -31,6 +32,7 @@ struct Arrival {
     bool has_number = false;
     std::string_view label;
     std::string_view program;  // that is entered with this line; empty: none
+    std::string program_head;  // as its head writes it: `O9010`
     FileLine text;             // of the ISO-7bit text
     FileLine statement;        // of the Kadr program
     std::string_view started;  // the file that was started
@@ -52,11 +54,13 @@ class BreakPoint {
   private:
     enum class Kind : std::uint8_t { Number, Line, Name };
     bool is_line(const FileLine& line, std::string_view started) const;
+    bool is_program(const Arrival& arrival) const;
 
     std::string text_;  // as it was given
     Kind kind_ = Kind::Name;
     std::uint64_t number_ = 0;  // of the block or the line
     std::string name_;          // of the file or what it is called; in upper case
+    bool has_letter_ = false;   // `N120`: a block number and nothing else
 };
 
 /// Tells which calls of a Kadr program begin with a block.

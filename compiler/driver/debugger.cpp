@@ -11,6 +11,7 @@
 #include "base/numbers.h"
 #include "base/render.h"
 #include "base/text.h"
+#include "nc/tables.h"
 
 namespace kadr::driver {
 
@@ -178,6 +179,9 @@ Arrival Debugger::arrival_at(const interp::WatchedLine& line) {
     arrival.number = arrival.has_number ? static_cast<std::uint64_t>(line.number) : 0;
     arrival.label = line.label;
     if (line.program != program_ || line.level > level_) arrival.program = line.program;
+    const nc::CallLanguage& calls_of_control = execution_->dialect().tables().language.calls;
+    if (!arrival.program.empty())
+        arrival.program_head = nc::shown_program(calls_of_control, arrival.program);
     program_ = line.program;
     level_ = line.level;
     arrival.text = {step_->file, line.line, line.line};

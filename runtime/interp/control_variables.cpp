@@ -541,6 +541,19 @@ bool ControlVariables::must_wait(const Instruction& target,
            quantity_of(target.index, indices[0]) != Quantity::None;
 }
 
+namespace {
+
+/// The variable of the level that was declared at this place among its single values; null: it is
+/// one of the language.
+const nc::Symbol* declared_at(const Level& level, std::uint32_t slot) {
+    const std::span<const nc::Symbol> all = level.symbols.all();
+    const auto found = std::ranges::find_if(
+        all, [&](const nc::Symbol& symbol) { return symbol.is_plain() && symbol.slot == slot; });
+    return found == all.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
 ControlVariables::Fault ControlVariables::store(const Instruction& target,
                                                 std::span<const std::int64_t> indices,
                                                 const Value& value, const Content& content) {
@@ -552,7 +565,10 @@ ControlVariables::Fault ControlVariables::store(const Instruction& target,
             if (Fault fault = convert(target.type, converted, text); fault.row != nullptr)
                 return fault;
             Store& store = target.kind == Instruction::Kind::Global ? globals_ : level_->locals;
-            change(store, target.index, nullptr, [&] { store.values[target.index] = converted; });
+            const nc::Symbol* symbol = &store == &globals_ || changes_ == nullptr
+                                           ? nullptr
+                                           : declared_at(*level_, target.index);
+            change(store, target.index, symbol, [&] { store.values[target.index] = converted; });
             return {};
         }
         case Instruction::Kind::Family: return store_family(target.index, indices[0], value);
@@ -758,7 +774,7 @@ void ControlVariables::list_family(const nc::VariableForm& form,
     for (const VariableRange& range : form.ranges) {
         const bool is_global = range.kind == VariableRange::Kind::Global;
         if (!is_global && range.kind != VariableRange::Kind::Local) continue;
-        const Store& store = is_global ? globals_ : main_.locals;
+        const Store& store = is_global ? globals_ : level_->locals;
         for (std::int64_t number = range.first; number <= range.last; ++number) {
             const auto slot = static_cast<std::size_t>(range.slot + (number - range.first));
             const Value& value = store.values[slot];
@@ -772,8 +788,8 @@ void ControlVariables::list_family(const nc::VariableForm& form,
 std::vector<ControlVariable> ControlVariables::list() const {
     std::vector<ControlVariable> out;
     for (const nc::VariableForm& form : language_.variables) list_family(form, out);
-    for (const nc::Symbol& symbol : main_.symbols.all()) {
-        const Store& store = *main_.stores[main_.symbols.index_of(symbol)];
+    for (const nc::Symbol& symbol : level_->symbols.all()) {
+        const Store& store = *level_->stores[level_->symbols.index_of(symbol)];
         for (std::uint32_t i = 0; i < symbol.count(); ++i) {
             if (store.values[symbol.slot + i].is_vacant()) continue;
             out.push_back(shown_in(store, symbol.slot + i, &symbol));

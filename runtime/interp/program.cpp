@@ -270,6 +270,7 @@ Program::State::Done Program::State::end_of_text() {
     const bool is_more = source().next(line, is_too_long);
     frame->text.has_content = frame->text.has_ended = false;
     frame->here = frontier() = {source().offset(), frame->here.line + 1};
+    if (!variables_at_end) variables_at_end = variables.list();
     frame->own_level = variables.new_level();
     frame->level = frame->own_level.get();
     frame->has_executed = false;
@@ -650,7 +651,9 @@ bool Program::is_behind_fault(const Block& block) const {
 }
 std::uint64_t Program::lines() const { return state_->most_line; }
 bool Program::has_fault() const { return state_->lines.failed(); }
-std::vector<ControlVariable> Program::variables() const { return state_->variables.list(); }
+std::vector<ControlVariable> Program::variables() const {
+    return state_->variables_at_end ? *state_->variables_at_end : state_->variables.list();
+}
 const std::vector<ActiveCode>& Program::codes() { return state_->codes.now(); }
 std::uint64_t Program::line() const { return state_->frame->here.line; }
 std::uint64_t Program::statements() const { return state_->executed; }

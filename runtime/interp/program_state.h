@@ -115,6 +115,8 @@ struct Program::State {
     nc::KeptLines kept;
     ProgramUnits units;
     ControlVariables variables;
+    /// As they were where the program ended, if programs behind it are read for their mistakes.
+    std::optional<std::vector<ControlVariable>> variables_at_end;
     Evaluator evaluator;
     CodeList codes;
     LineWatch* watch = nullptr;

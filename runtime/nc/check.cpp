@@ -1,11 +1,14 @@
 #include "nc/check.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <string>
 #include <utility>
 
 #include "base/diagnostics/dialect.h"
+#include "base/numbers.h"
 #include "nc/reader.h"
 #include "nc/tables.h"
 #include "nc/writer.h"
@@ -92,6 +95,28 @@ Reading read(const Dialect& dialect, std::string_view text) {
     }
     if (!messages.all().empty()) reading.fault = messages.all()[0].message();
     return reading;
+}
+
+/// Whether two descriptions say the same. A value that went through the units of the language and
+/// one that was read need not be the same to the last bit: 2000 and 2000.0000000000002.
+bool is_same_meaning(std::string_view a, std::string_view b) {
+    constexpr double kRounding = 1e-12;  // of the value; sixteen digits, and a few operations
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    while (!a.empty() && !b.empty()) {
+        if (is_digit(a.front()) && is_digit(b.front())) {
+            const Decimal one = parse_decimal(a.data(), a.data() + a.size());
+            const Decimal other = parse_decimal(b.data(), b.data() + b.size());
+            const double most = std::max(one.value, other.value);
+            if (std::abs(one.value - other.value) > kRounding * most) return false;
+            a.remove_prefix(static_cast<std::size_t>(one.end - a.data()));
+            b.remove_prefix(static_cast<std::size_t>(other.end - b.data()));
+        } else {
+            if (a.front() != b.front()) return false;
+            a.remove_prefix(1);
+            b.remove_prefix(1);
+        }
+    }
+    return a.empty() && b.empty();
 }
 
 /// A text of several lines in one.
@@ -191,7 +216,7 @@ void check_example(const Dialect& dialect, const Example& example, std::span<con
         sink.report(diag::DialectTextUnread, example.text_range)
             .arg(one_line(example.text))
             .arg(reading.fault);
-    } else if (!meant.empty() && reading.blocks != meant) {
+    } else if (!meant.empty() && !is_same_meaning(reading.blocks, meant)) {
         sink.report(diag::DialectExampleMeans,
                     example.block.empty() ? example.text_range : example.block_range)
             .arg(one_line(example.text))

@@ -21,8 +21,33 @@ void clear_forms(DialectTables& tables, Function function, CycleId cycle) {
     }
 }
 
+namespace {
+
+/// Whether the words need an address that was removed: one without a name (`load_remove`).
+bool has_removed_address(const DialectTables& tables, const std::vector<FormWord>& words) {
+    return std::ranges::any_of(words, [&](const FormWord& word) {
+        const bool is_removed =
+            word.address != kNoAddress && tables.addresses[word.address].name.empty();
+        return is_removed || has_removed_address(tables, word.arguments);
+    });
+}
+
+bool has_removed_address(const DialectTables& tables, const Form& form) {
+    return has_removed_address(tables, form.words) || has_removed_address(tables, form.lead) ||
+           std::ranges::any_of(form.extra, [&](const std::vector<FormWord>& line) {
+               return has_removed_address(tables, line);
+           });
+}
+
+}  // namespace
+
 void drop_cleared_forms(DialectTables& tables) {
-    std::erase_if(tables.forms, [](const Form& form) { return !form.is_read && !form.is_written; });
+    std::erase_if(tables.forms, [&](const Form& form) {
+        return (!form.is_read && !form.is_written) || has_removed_address(tables, form);
+    });
+    std::erase_if(tables.deferred, [&](const Deferred& deferred) {
+        return has_removed_address(tables, deferred.words);
+    });
 }
 
 std::optional<CycleId> cycle_named(const DialectTables& tables, std::string_view name) {

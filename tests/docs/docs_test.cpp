@@ -332,4 +332,36 @@ TEST_F(Docs, EveryRowOfTheLanguageIsInThePageOnDialects) {
     EXPECT_GT(rows, 100);
 }
 
+/// An attribute of the schema stands in an example, `name="…"`, or in the text; the rows of the
+/// last table are the words of the schema.
+TEST_F(Docs, EveryAttributeOfTheSchemaIsInThePageOnDialects) {
+    const std::string page = kadr::read_file(KADR_ROOT "/docs/dialects.md").value_or("");
+    const std::string schema = kadr::read_file(KADR_ROOT "/dialects/dialect.xsd").value_or("");
+    const std::regex attribute(R"re(<xs:attribute name="(\w+)")re");
+    int attributes = 0;
+    for (std::sregex_iterator at(schema.begin(), schema.end(), attribute), end; at != end; ++at) {
+        ++attributes;
+        const std::string name = (*at)[1];
+        const bool is_there = page.find(' ' + name + "=\"") != page.npos ||
+                              page.find('`' + name + "=\"") != page.npos ||
+                              page.find('`' + name + '`') != page.npos;
+        EXPECT_TRUE(is_there) << name;
+    }
+    EXPECT_GT(attributes, 150);
+    const std::size_t table = page.find("## 11. Further attributes");
+    ASSERT_NE(table, page.npos);
+    std::istringstream lines(page.substr(table));
+    const std::regex row(R"re(\| `(\w+)` \| `.*` \| (.*) \|)re");
+    int rows = 0;
+    for (std::string line; std::getline(lines, line);) {
+        std::smatch found;
+        if (!std::regex_match(line, found, row)) continue;
+        ++rows;
+        const std::string said = "<xs:documentation>" + found[2].str() + "</xs:documentation>";
+        const std::size_t place = schema.find("<xs:attribute name=\"" + found[1].str() + '"');
+        EXPECT_NE(schema.find(said, place), schema.npos) << line;
+    }
+    EXPECT_GT(rows, 30);
+}
+
 }  // namespace

@@ -283,6 +283,77 @@ TEST_F(TraceTest, StopsInFrontOfAPlace) {
     EXPECT_NE(shown.err.find("R2 = 10\n"), std::string::npos) << shown.err;
 }
 
+/// A name may mean another variable in each level of calls: shown are those of the one that runs.
+TEST_F(TraceTest, VariablesAreThoseOfTheLevel) {
+    save("macro.nc",
+         "%\nO0001\n#1=3\n#100=7\nG65 P200 A5. B6.\n#3=1\nM30\nO0200\n#4=8\nM98 P5\nM99\n"
+         "O0005\nG04 P1\nM99\n%\n");
+    save("proc.mpf",
+         "DEF REAL SIZE=1\nDEF INT TURNS=2\nRECT(10,TURNS)\nM30\n%_N_RECT_SPF\n"
+         "PROC RECT(REAL LL, VAR INT BB)\nDEF STRING[9] TEXT=\"in\"\nBB=4\nG4 F1\nRET\n");
+    struct Row {
+        const char* program;
+        const char* dialect;
+        const char* place;
+        const char* variables;  // as JSON
+    };
+    for (const Row& row : {Row{"macro.nc", "fanuc", ":5", R"({"#1":3,"#100":7})"},
+                           Row{"macro.nc", "fanuc", ":9", R"({"#1":5,"#2":6,"#100":7})"},
+                           // A subprogram has the variables of its caller.
+                           Row{"macro.nc", "fanuc", "O5", R"({"#1":5,"#2":6,"#4":8,"#100":7})"},
+                           Row{"macro.nc", "fanuc", ":6", R"({"#1":3,"#100":7})"},
+                           Row{"macro.nc", "fanuc", ":7", R"({"#1":3,"#3":1,"#100":7})"},
+                           Row{"proc.mpf", "sinumerik", ":9", R"({"LL":10,"BB":4,"TEXT":"in"})"},
+                           Row{"proc.mpf", "sinumerik", ":4", R"({"SIZE":1,"TURNS":4})"}}) {
+        SCOPED_TRACE(std::string(row.program) + ' ' + row.place);
+        const json expected = json::parse(row.variables);
+        const ProcessResult stop = kadr({"run", file(row.program), "-d", row.dialect, "--break",
+                                         row.place, "--diagnostics", "json"});
+        const std::size_t begin = stop.err.find("{\"stopped\"");
+        ASSERT_NE(begin, std::string::npos) << stop.err;
+        EXPECT_EQ(json::parse(stop.err.substr(begin))["variables"], expected);
+        const ProcessResult until = kadr({"run", file(row.program), "-d", row.dialect, "--until",
+                                          row.place, "--variables", file("level.json")});
+        EXPECT_EQ(until.status, 0) << until.err;
+        EXPECT_EQ(json::parse(read_file(file("level.json")).value()), expected);
+    }
+}
+
+/// Variables that were declared have their names when a loop counts them, too.
+TEST_F(TraceTest, CountersHaveTheirNames) {
+    save("for.mpf", "DEF INT COUNT\nDEF INT LIST[2]\nFOR COUNT=0 TO 1\nG4 F1\nENDFOR\nM30\n");
+    std::vector<std::string> changes;
+    for (const json& step : traced({file("for.mpf"), "-d", "sinumerik"})) {
+        if (step["text"] == "FOR COUNT=0 TO 1" || step["text"] == "ENDFOR")
+            changes.push_back(step["variables"].dump());
+    }
+    ASSERT_EQ(changes.size(), 3u);
+    EXPECT_EQ(changes[0], R"({"COUNT":[null,0]})");
+    EXPECT_EQ(changes[1], R"({"COUNT":[0,1]})");
+    EXPECT_EQ(changes[2], R"({"COUNT":[1,2]})");
+}
+
+/// Subprograms with numbers, as their head writes them and by the number alone.
+TEST_F(TraceTest, SubprogramsAreFoundByTheirNumbers) {
+    save("calls.nc",
+         "%\nO0001\nN5 G0 X1.\nM98 P9010\nM98 P12\nM30\nO9010\nG0 X2.\nM99\n"
+         "O0012\nG0 X3.\nM99\n%\n");
+    struct Row {
+        const char* place;
+        const char* shown;
+    };
+    for (const Row& row :
+         {Row{"O9010", "   7 | O9010"}, Row{"9010", "   7 | O9010"}, Row{"o12", "  10 | O0012"},
+          Row{"O0012", "  10 | O0012"}, Row{"N9010", "warning[K9017]"}, Row{"O5", "warning[K9017]"},
+          Row{"5", "   3 | N5 G0 X1."}}) {
+        SCOPED_TRACE(row.place);
+        const ProcessResult result =
+            kadr({"run", file("calls.nc"), "-d", "fanuc", "--break", row.place});
+        EXPECT_EQ(result.status, 0) << result.err;
+        EXPECT_NE(result.err.find(row.shown), std::string::npos) << result.err;
+    }
+}
+
 TEST_F(TraceTest, ProgramsSeeTheStopAsAnObject) {
     const ProcessResult result =
         kadr({"run", file("a.mpf"), "--break", "N30", "--diagnostics", "json"});
@@ -400,6 +471,7 @@ TEST(BreakPoints, Places) {
     at.has_number = true;
     at.label = "Again";
     at.program = "L100";
+    at.program_head = "L100";
     at.text = {"parts/a.mpf", 12, 12};
     at.statement = {"parts/a.kadr", 30, 34};
     at.started = "parts/a.kadr";

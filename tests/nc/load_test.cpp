@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "base/diagnostics/iso.h"
+#include "nc/check.h"
 #include "nc/tables.h"
 #include "tests/nc/nc_testing.h"
 
@@ -159,6 +160,44 @@ TEST(Load, WhatAFileSaysReplacesWhatItExtends) {
         if (rule.name == "arc_tolerance") tolerance += rule.value;
     }
     EXPECT_EQ(tolerance, "0.5");  // said once, whatever iso says
+}
+
+/// What is written must be read: with an address every inherited form goes that has it.
+TEST(Load, FormsOfARemovedAddressAreNotThere) {
+    Loaded loaded;
+    load(loaded, with("<remove addresses=\"RPL LIMS SPOS\"/>"));
+    ASSERT_TRUE(loaded.dialect) << testing::rendered(loaded.messages, loaded.sources);
+    const Dialect& dialect = *loaded.dialect;
+    EXPECT_FALSE(dialect.can_write(Function::Rotate));
+    EXPECT_FALSE(dialect.can_write(Function::SpeedLimit));
+    for (const Form& form : dialect.tables().forms) {
+        for (const char* word : {"RPL", "LIMS", "SPOS"})
+            EXPECT_EQ(form.pattern.find(word), std::string::npos) << form.pattern;
+    }
+    EXPECT_TRUE(dialect.can_write(Function::Shift));
+    EXPECT_TRUE(dialect.can_write(Function::Mirror));
+    // Declared anew it serves the forms of the file that does so.
+    Loaded again;
+    load(again, with("<remove addresses=\"RPL\"/>\n<address name=\"RPL\"/>\n"
+                     "<command name=\"rotate\"><form>ROT RPL={angle}</form></command>"));
+    ASSERT_TRUE(again.dialect) << testing::rendered(again.messages, again.sources);
+    EXPECT_TRUE(again.dialect->can_write(Function::Rotate));
+}
+
+/// A value that went through the units of the language differs in its last bit.
+TEST(Load, ExamplesAreHeldWithinRounding) {
+    for (const bool is_right : {true, false}) {
+        Loaded loaded;
+        load(loaded, with("<command name=\"speed_limit\"><form>G92 S{limit}</form></command>"));
+        ASSERT_TRUE(loaded.dialect) << testing::rendered(loaded.messages, loaded.sources);
+        Example example;
+        example.text = "G92 S2000";
+        example.block =
+            is_right ? "speed_limit(limit=2000.0000000000002)" : "speed_limit(limit=2000.00000001)";
+        DiagnosticList sink;
+        check_example(*loaded.dialect, example, {}, sink);
+        EXPECT_EQ(codes(sink), is_right ? "" : "K4017");
+    }
 }
 
 TEST(Load, ANativeCycleNeedsItsParameters) {

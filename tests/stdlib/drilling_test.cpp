@@ -193,9 +193,9 @@ TEST(Drilling, WhatTheMachineTurnsIsNotMirrored) {
           {"with shift(x: 10mm)", oriented, ""},
           {"with mirror(x: true)", stopped, "lifted another way"},
           {"with mirror(x: true)", back, "lifted another way"},
-          {"spindle(500rpm, ccw);", oriented, "this cycle needs M3"},
-          {"spindle(500rpm, ccw);", "bore_stop(to: -5mm)", "this cycle needs M3"},
-          {"spindle(500rpm, ccw);", back, "this cycle needs M3"},
+          {"spindle(500rpm, ccw);", oriented, "starts it again with M3"},
+          {"spindle(500rpm, ccw);", "bore_stop(to: -5mm)", "starts it again with M3"},
+          {"spindle(500rpm, ccw);", back, "starts it again with M3"},
           {"spindle(500rpm, ccw);", "drill(to: -5mm)", "only a left-hand tool cuts that way"},
           {"spindle(500rpm, ccw);", "tap(to: -5mm, pitch: 1mm)", ""}}) {
         SCOPED_TRACE(std::string(row.before) + row.call);
