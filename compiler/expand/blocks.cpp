@@ -238,6 +238,8 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
     }
     if (has_functions && !(check_cutting_speed(block, at) && check_tool_change(block, at)))
         return false;
+    if (modal.is_compensation_due() && !check_lead(block, at)) [[unlikely]]
+        return false;
     if ((plan.customs & sema::custom::kReference) != 0) say_reference(block);
     if (modal.is_stretched && nc::is_arc(modal[Group::Motion]) &&
         (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0 &&

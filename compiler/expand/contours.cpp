@@ -667,6 +667,10 @@ bool Expander::State::finish_followed(Block& block, const FollowedBlock& next,
         drop_block(block);
         return false;
     }
+    if (modal.is_compensation_due() && !check_lead(block, where)) {
+        drop_block(block);
+        return false;
+    }
     if (modal.has_ended && recordings.empty()) warn_after_end(where);
     if (modal.diameter_due != Function::None && recordings.empty()) say_diameter(block);
     modal.take_words(block);

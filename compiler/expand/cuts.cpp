@@ -37,10 +37,7 @@ bool Expander::State::check_cutting_speed(const Block& block, std::uint32_t at) 
 
 /// Each of the compensated blocks was worked out for the radius of one tool.
 bool Expander::State::check_tool_change(const Block& block, std::uint32_t at) {
-    const Function compensation = modal[Group::RadiusComp];
-    const bool acts =
-        compensation == Function::RadiusCompLeft || compensation == Function::RadiusCompRight;
-    if (!acts ||
+    if (!ModalState::compensates(modal[Group::RadiusComp]) ||
         (block.find(Function::Tool) == nullptr && block.find(Function::ToolChange) == nullptr))
         return true;
     auto builder = fault(diag::ToolUnderCompensation, at);
@@ -48,6 +45,26 @@ bool Expander::State::check_tool_change(const Block& block, std::uint32_t at) {
     if (by.is_valid() && by.index < code.statements.size())
         builder.note(code.statements[by.index], "the compensation began here");
     builder.fix("end it before: `G40` with a move");
+    return false;
+}
+
+/// Controls go to a compensated contour, and leave it, on straight lines only.
+///
+/// source       F PS0034, S 10753
+bool Expander::State::check_lead(const Block& block, std::uint32_t at) {
+    const bool is_arc = nc::is_arc(modal[Group::Motion]) &&
+                        (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0;
+    if (!is_arc || !recordings.empty()) return true;
+    const bool begins = ModalState::compensates(modal[Group::RadiusComp]);
+    auto builder = fault(diag::CompensationOnArc, at);
+    builder.arg(begins ? "begins" : "ends");
+    const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::RadiusComp)];
+    const bool is_here = by.is_valid() && by.index == block.source.index;
+    if (!is_here && by.is_valid() && by.index < code.statements.size())
+        builder.note(code.statements[by.index],
+                     begins ? "it was asked for here" : "it was ended here");
+    builder.fix(begins ? "lead in with a line: `G41 G1 X… Y…`, and then the arc"
+                       : "lead out with a line behind the arc: `G40 G1 X… Y…`");
     return false;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "expand/plane.h"
+
 namespace kadr::expand {
 
 using nc::Function;
@@ -299,6 +301,11 @@ void ModalState::take_words(const nc::Block& block) {
     // The operator may leave the block out: then they have gone nowhere.
     if (block.skip >= 0) lost_drift |= has_drift & static_cast<AxisMask>(targets);
     else if ((has_drift | lost_drift | unplaced) != 0) forget_drift(static_cast<AxisMask>(targets));
+    const PlaneIndices axes = indices_of(plane_of((*this)[Group::Plane]));
+    if (((targets >> axes.first | targets >> axes.second) & 1u) != 0) {
+        const bool is_doubtful = block.skip >= 0 && is_compensation_due();
+        moved_under = is_doubtful ? Function::None : (*this)[Group::RadiusComp];
+    }
     const bool modal_incremental = (*this)[Group::Distance] == Function::Incremental;
     const bool is_machine =
         block.function_count > 0 && (block.find(Function::MachineCoordinates) != nullptr ||

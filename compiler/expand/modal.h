@@ -54,6 +54,8 @@ struct ModalState {
     SourceId speed_by;
     bool restate_motion = false;  // after a native cycle
     int due_offset = 0;           // of the control of a source, to be said before the first move
+    // Under which cutter radius compensation the tool moved in the plane last; None: not known.
+    nc::Function moved_under = nc::Function::RadiusCompOff;
     nc::Function diameter_due = nc::Function::None;  // what X is; the text does not say it yet
     bool is_edge_off = false;      // `D0` of a source that counts edges: no tool length
     bool is_feed_deleted = false;  // by a feed mode of a source whose control does that
@@ -85,6 +87,16 @@ struct ModalState {
         const bool is_on = spindle == nc::Function::SpindleCw ||
                            spindle == nc::Function::SpindleCcw || spindle == nc::Function::None;
         return is_on && !lacks_speed && !(has_speed && speed == 0);
+    }
+    /// Whether a motion in the plane begins or ends cutter radius compensation.
+    bool is_compensation_due() const {
+        const nc::Function wanted = (*this)[nc::Group::RadiusComp];
+        return moved_under != nc::Function::None && wanted != nc::Function::None &&
+               compensates(moved_under) != compensates(wanted);
+    }
+    static bool compensates(nc::Function function) {
+        return function == nc::Function::RadiusCompLeft ||
+               function == nc::Function::RadiusCompRight;
     }
     void switch_spindle(nc::Function member, SourceId source);
     /// Text of unknown meaning: nothing is known any more.

@@ -243,6 +243,7 @@ struct Expander::State {
     bool check_mirror(const nc::Block& block, const sema::Plan& plan, std::uint32_t at);
     void warn_of_plane(const nc::Block& block, std::uint32_t at);
     bool check_tool_change(const nc::Block& block, std::uint32_t at);
+    bool check_lead(const nc::Block& block, std::uint32_t at);
     /// Whether the block may cut: a feed that belonged to another feed mode does not count.
     bool check_cut(const nc::Block& block, std::uint32_t at);
     void warn_of_cut(std::uint32_t at, bool needs_feed = true);

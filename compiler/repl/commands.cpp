@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -12,6 +13,7 @@
 #include "driver/modules.h"
 #include "driver/output.h"
 #include "driver/plot_svg.h"
+#include "driver/program.h"
 #include "driver/session.h"
 #include "driver/summary.h"
 #include "repl/prompt.h"
@@ -51,6 +53,43 @@ std::string laid_out(const driver::Options& options, const driver::Share& share,
     if (!words) return program;
     return syntax::format(sources, file, *words.keywords, *words.dialect, messages)
         .value_or(std::move(program));
+}
+
+/// The import of a file whose name is relative, as a program in another folder writes it. Other
+/// texts stay as they are, and so does a name that is not found from here.
+std::string moved_import(const std::string& text, const std::filesystem::path& folder) {
+    namespace fs = std::filesystem;
+    const std::size_t open = text.find('"');
+    const std::size_t close = text.find('"', open + 1);
+    if (open == std::string::npos || close == std::string::npos) return text;
+    const fs::path name = text.substr(open + 1, close - open - 1);
+    std::error_code error;
+    if (name.is_absolute() || !fs::is_regular_file(name, error)) return text;
+    const fs::path seen = fs::relative(name, folder, error);
+    if (error || seen.empty()) return text;
+    return text.substr(0, open + 1) + seen.generic_string() + text.substr(close);
+}
+
+/// What the prompt has been told, for a file that lies in this folder.
+Transcript moved(const Transcript& transcript, const std::filesystem::path& folder) {
+    Transcript out;
+    for (Input input : transcript.inputs()) {
+        if (input.kind == Input::Kind::Import) input.text = moved_import(input.text, folder);
+        out.add(std::move(input));
+    }
+    return out;
+}
+
+/// What is wrong with the program as a file of this name; empty if it can be run.
+std::string faults_of(const driver::Options& options, const driver::Share& share,
+                      const std::string& file, const std::string& program) {
+    std::string said;
+    Sources sources;
+    driver::Messages messages(sources, {}, [&](std::string_view text) { said += text; });
+    driver::Session session(options, share, sources, messages);
+    const bool can_run = driver::load_program(session, sources.add(file, program)).has_value();
+    messages.finish();
+    return can_run ? std::string() : said;
 }
 
 /// Names of the variables that statements declare at their outermost level.
@@ -194,10 +233,23 @@ struct Commands {
 
     void save(std::string_view file) {
         if (file.empty()) return wrong("where to? `:save part.kadr`");
-        const std::string program =
-            laid_out(prompt.options_, prompt.share_, prompt.program_of(prompt.transcript_));
-        const std::string said = write_whole(std::string(file), program);
-        prompt.write(said.empty() ? "saved in " + std::string(file) + '\n' : said);
+        const std::string path(file);
+        const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+        const std::string program = laid_out(prompt.options_, prompt.share_,
+                                             prompt.program_of(moved(prompt.transcript_, folder)));
+        const std::string faults = faults_of(prompt.options_, prompt.share_, path, program);
+        if (faults.find("[K2017]") != std::string::npos) {
+            wrong(
+                "not saved: only at the prompt one program calls another; in a file what it calls "
+                "is a cycle");
+            return prompt.write(faults);
+        }
+        if (!faults.empty()) {
+            wrong("not saved: as a file this program cannot be run");
+            return prompt.write(faults);
+        }
+        const std::string said = write_whole(path, program);
+        prompt.write(said.empty() ? "saved in " + path + '\n' : said);
     }
 
     void time(std::string_view) {

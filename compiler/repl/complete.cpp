@@ -1,5 +1,7 @@
 // What can stand at the end of a line of the prompt.
 #include <algorithm>
+#include <filesystem>
+#include <optional>
 
 #include "driver/session.h"
 #include "machine/machine.h"
@@ -9,6 +11,10 @@
 namespace kadr::repl {
 
 namespace {
+
+/// What the language tells of the modal state, docs/language.md section 5.
+constexpr std::string_view kStateMembers[] = {"feed",   "speed",    "tool",    "spindle",
+                                              "turned", "mirrored", "diameter"};
 
 bool is_name_part(char c) {
     return (c & 0x80) != 0 || c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
@@ -20,6 +26,12 @@ std::size_t last_word(std::string_view line) {
     std::size_t begin = line.size();
     while (begin > 0 && is_name_part(line[begin - 1])) --begin;
     return begin;
+}
+
+/// The name before the point that stands before `begin`.
+std::string_view owner(std::string_view line, std::size_t begin) {
+    const std::string_view before = line.substr(0, begin - 1);
+    return before.substr(last_word(before));
 }
 
 /// The function whose parentheses are open at the end of the line; empty if none are.
@@ -45,6 +57,33 @@ void add_names(std::string_view text, std::vector<std::string>& out) {
     }
 }
 
+/// The next parts of modules below a folder: `cycles.` behind `import `, `drilling` behind
+/// `import cycles.`. `before` is what stands of the name already, to its last point.
+void add_modules(const std::string& folder, std::string_view before,
+                 std::vector<std::string>& out) {
+    namespace fs = std::filesystem;
+    std::string below(before);
+    std::replace(below.begin(), below.end(), '.', '/');
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(fs::path(folder) / below, error)) {
+        const std::string name = entry.path().stem().string();
+        if (entry.is_directory(error)) out.push_back(name + '.');
+        else if (entry.path().extension() == ".kadr") out.push_back(name);
+    }
+}
+
+/// What stands of a module's name before its last part, if the line imports one.
+std::optional<std::string_view> imported(std::string_view line) {
+    constexpr std::string_view kImport = "import ";
+    const std::size_t first = line.find_first_not_of(' ');
+    if (first == std::string_view::npos || !line.substr(first).starts_with(kImport))
+        return std::nullopt;
+    const std::string_view name = line.substr(first + kImport.size());
+    if (name.find_first_of(" ;\"") != std::string_view::npos) return std::nullopt;
+    const std::size_t point = name.rfind('.');
+    return point == std::string_view::npos ? std::string_view() : name.substr(0, point + 1);
+}
+
 }  // namespace
 
 std::vector<std::string> Prompt::completions(std::string_view line) const {
@@ -65,6 +104,10 @@ std::vector<std::string> Prompt::completions(std::string_view line) const {
         for (const auto& summary : machine::list(share_.machines)) {
             candidates.push_back(summary.name);
         }
+    } else if (const auto before = imported(line)) {
+        add_modules(share_.library, *before, candidates);
+    } else if (begin > 0 && line[begin - 1] == '.' && owner(line, begin) == "state") {
+        for (const std::string_view name : kStateMembers) candidates.emplace_back(name);
     } else if (!is_command) {
         const auto parameters = now_.parameters.find(open_call(line));
         if (parameters != now_.parameters.end()) {

@@ -8,6 +8,7 @@
 #include "base/diagnostics/sema.h"
 #include "base/numbers.h"
 #include "nc/frame_words.h"
+#include "nc/lost_words.h"
 #include "nc/tables.h"
 #include "sema/checker.h"
 
@@ -27,6 +28,30 @@ std::string Checker::word_text(const Word& word) const {
     return all;
 }
 
+namespace {
+
+/// Whether no word of the file before it is the same: what is lost is said once, at its first
+/// place.
+bool is_first(const syntax::Ast& ast, const nc::LostWord& lost) {
+    const auto is_same = [&](const Word& a, const Word& b) {
+        return ast.text(a.address) == ast.text(b.address) && a.form == b.form &&
+               a.number == b.number;
+    };
+    const std::vector<Word>& words = ast.words;
+    const auto at = std::ranges::find(words, lost.range.begin,
+                                      [](const Word& word) { return word.range.begin; });
+    // `Q1` of `G05.1 Q1` tells it from `G05.1 Q0`.
+    const bool is_pair = lost.text.find(' ') != std::string::npos && std::next(at) != words.end();
+    for (auto before = words.begin(); before != at; ++before) {
+        const bool is_it =
+            is_same(*before, *at) && (!is_pair || is_same(*std::next(before), *std::next(at)));
+        if (is_it && before->range.begin < lost.range.begin) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
 std::optional<nc::BlockPlan> Checker::plan_words(std::span<const Word> words) {
     std::vector<nc::SourceWord> source;
     source.reserve(words.size());
@@ -42,7 +67,13 @@ std::optional<nc::BlockPlan> Checker::plan_words(std::span<const Word> words) {
         entry.range = word.range;
         source.push_back(entry);
     }
-    return nc::plan_block(*modules_[module_].dialect, source, sink_);
+    const nc::Dialect& dialect = *modules_[module_].dialect;
+    if (dialect.is_core()) return nc::plan_block(dialect, source, sink_);
+    for (const nc::LostWord& lost : nc::lost_words(dialect, source)) {
+        if (is_first(ast(), lost))
+            report(diag::SourceWordLost, lost.range).arg(lost.text).arg(lost.why);
+    }
+    return nc::plan_block(dialect, source, sink_);
 }
 
 void Checker::check_units_function(nc::Function function, const SourceRange& range) {
@@ -81,7 +112,7 @@ bool Checker::has_point(const Word& word) const {
 namespace {
 
 /// What a control reads, with its unit and without the noise of the factor: `0.0003 inch`.
-std::string read_as(double number, const nc::Hole* hole, bool is_inch) {
+std::string read_as(double number, const nc::Hole& hole, bool is_inch) {
     constexpr int kDigits = 12;  // a control has nine, and the factors are powers of ten
     std::array<char, 40> text{};
     // As 12345.678: a small number with an exponent would be no number of a control.
@@ -93,8 +124,7 @@ std::string read_as(double number, const nc::Hole* hole, bool is_inch) {
         out.erase(out.find_last_not_of('0') + 1);
         if (out.ends_with('.')) out.pop_back();
     }
-    if (hole == nullptr) return out;
-    switch (hole->dimension) {
+    switch (hole.dimension) {
         case nc::Dimension::Length: return out + (is_inch ? " inch" : " mm");
         case nc::Dimension::Angle: return out + " deg";
         case nc::Dimension::Time: return out + " s";
@@ -119,11 +149,11 @@ bool Checker::check_points(const nc::BlockPlan& plan, std::span<const Word> word
         const double one = nc::plain_number(dialect, address, units_ == Units::Inch).time;
         if (one == 1) continue;
         const auto hole = std::ranges::find(plan.holes, i, &nc::Hole::word);
+        if (hole == plan.holes.end()) continue;  // `Q1` of `G05.1 Q1`: part of the code
         report(diag::SourceNoPoint, word.range)
             .arg(word_text(word))
             .arg(dialect.name())
-            .arg(read_as(word.number * one, hole == plan.holes.end() ? nullptr : &*hole,
-                         units_ == Units::Inch))
+            .arg(read_as(word.number * one, *hole, units_ == Units::Inch))
             .fix(word.range, word_text(word) + '.', "write the point");
         is_good = false;
     }

@@ -24,10 +24,19 @@ void Checker::warn_equality(const Expr& expr, const Value& left, const Value& ri
         const Symbol& found = symbols_[static_cast<std::size_t>(symbol)];
         return (found.is_parameter || found.is_row) && !found.is_assigned;
     };
-    if ((left.is_constant() || is_as_given(expr.child[0])) &&
-        (right.is_constant() || is_as_given(expr.child[1]))) {
-        return;
-    }
+    // `0.1 + 0.2` is a constant that carries rounding like any other sum.
+    const auto is_calculated = [&](const Value& value, ExprId id) {
+        // Whole numbers have no rounding; a minus changes none.
+        while (ast()[id].kind == ExprKind::Unary) id = ast()[id].child[0];
+        const ExprKind form = ast()[id].kind;
+        return kind(value.type) != Kind::Int && form != ExprKind::Real && form != ExprKind::Int &&
+               form != ExprKind::Name && form != ExprKind::Member;
+    };
+    const auto is_given_here = [&](const Value& value, ExprId id) {
+        return (value.is_constant() && !is_calculated(value, id)) || is_as_given(id);
+    };
+    if (left.is_constant() && right.is_constant()) return;
+    if (is_given_here(left, expr.child[0]) && is_given_here(right, expr.child[1])) return;
     report(diag::RealEquality, expr.range)
         .arg(spelling(expr.op))
         .fix(expr.op == Operator::Equal

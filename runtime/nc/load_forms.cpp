@@ -170,6 +170,7 @@ void FormLoader::read_form_attributes(const XmlElement& element, Form& form) {
     }
     attributes_.read_flag(element, "joins", form.joins);
     Attributes::read_text(element, "passed", form.passed);
+    Attributes::read_text(element, "lost", form.lost);
     attributes_.read_flag(element, "only", form.owns_address);
     Attributes::read_text(element, "unsupported", form.unsupported);
     form.is_written &= form.unsupported.empty();

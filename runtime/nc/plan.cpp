@@ -5,6 +5,7 @@
 #include "base/diagnostics/dialect.h"
 #include "base/numbers.h"
 #include "base/text.h"
+#include "nc/lost_words.h"
 #include "nc/match.h"
 #include "nc/number_text.h"
 
@@ -83,18 +84,35 @@ class Planner {
         bool failed = false;
         for (std::size_t i = 0; i < words_.size(); ++i) failed |= !take(i);
         if (failed) return std::nullopt;
-        Match match;
         const ModalFunctions unknown{};
         const auto fault = match_words(tables_, std::span(given_.data(), count_), {}, unknown,
-                                       plan_.block, match, WordsOf::Source);
+                                       plan_.block, match_, WordsOf::Source);
         if (fault) {
             report(*fault);
             return std::nullopt;
         }
-        if (is_refused(match)) return std::nullopt;
-        for (std::size_t i = 0; i < match.claim_count; ++i) add_hole(match.claims[i]);
-        if (!check_arc_words(std::span(match.claims).first(match.claim_count))) return std::nullopt;
+        if (is_refused(match_)) return std::nullopt;
+        for (std::size_t i = 0; i < match_.claim_count; ++i) add_hole(match_.claims[i]);
+        if (!check_arc_words(std::span(match_.claims).first(match_.claim_count)))
+            return std::nullopt;
         return std::move(plan_);
+    }
+
+    /// Behind plan(): the forms of which the plan keeps nothing, or not all.
+    std::vector<LostWord> lost() const {
+        std::vector<LostWord> found;
+        for (std::size_t i = 0; i < match_.form_count; ++i) {
+            const Form& form = tables_.forms[match_.forms[i]];
+            const bool is_empty = form.function == Function::None && form.sets.empty();
+            if (form.lost == "nothing" || (form.lost.empty() && !is_empty)) continue;
+            const SourceWord& head = head_of(form);
+            const std::string pattern = first_line(form);
+            LostWord word{pattern, form.lost, head.range};
+            if (pattern.find('{') != std::string::npos) word.text = text_of(head);
+            if (word.why.empty()) word.why = "the language has no meaning for it";
+            found.push_back(std::move(word));
+        }
+        return found;
     }
 
   private:
@@ -326,6 +344,7 @@ class Planner {
     std::span<const SourceWord> words_;
     DiagnosticSink& sink_;
     BlockPlan plan_;
+    Match match_;
     std::array<GivenWord, kMaxWords> given_;
     std::array<std::size_t, kMaxWords> source_{};
     std::size_t count_ = 0;
@@ -336,6 +355,13 @@ class Planner {
 std::optional<BlockPlan> plan_block(const Dialect& dialect, std::span<const SourceWord> words,
                                     DiagnosticSink& sink) {
     return Planner(dialect, words, sink).plan();
+}
+
+std::vector<LostWord> lost_words(const Dialect& dialect, std::span<const SourceWord> words) {
+    DiagnosticList unheard;
+    Planner planner(dialect, words, unheard);
+    if (!planner.plan()) return {};
+    return planner.lost();
 }
 
 namespace {

@@ -169,6 +169,7 @@ struct Form {
     std::vector<std::string> names;  // of a call's arguments, as the control's manual has them
     std::string unsupported;         // what it is, if Kadr does not execute it
     std::string passed;              // … and if it passes over it with a message
+    std::string lost;                // what a source does not get for it; "nothing": it misses none
     SourceRange range;               // in the file
 };
 

@@ -1,6 +1,7 @@
 #include "path/contour_lead.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "path/contour_offset.h"
 
@@ -32,12 +33,34 @@ Contour way_in(const Vec2& point, const Vec2& direction, double line, double arc
 /// of the wall beside it cannot hide more than the tolerance between them.
 constexpr int kLooks = 500;
 
-/// Whether a way meets the path elsewhere than at `joint`, or the wall.
-bool cuts(const Contour& way, const Contour& path, const Vec2& joint, bool is_left,
-          const Wall& wall) {
+/// How far a straight way lies on the path itself, mm from `joint`: a closed contour that is begun
+/// on a side comes back along it. What the tool does there it does once more at the end.
+double shared_length(const Contour& way, const Element& neighbour, const Vec2& joint) {
+    if (way.empty() || way.front().is_arc() || neighbour.is_arc()) return 0;
+    const bool is_end = (neighbour.to - joint).norm() <= kSamePoint;
+    if (!is_end && (neighbour.from - joint).norm() > kSamePoint) return 0;
+    const Vec2 back = is_end ? neighbour.from : neighbour.to;
+    const Vec2 along = -start_direction(way.front());  // away from the joint
+    const Vec2 there = back - joint;
+    const double across = std::fabs(along.x() * there.y() - along.y() * there.x());
+    return across <= kSamePoint && along.dot(there) > 0 ? there.norm() : 0;
+}
+
+/// Whether the place is on the wrong side of a closed wall; on the wall itself it is not.
+bool is_behind(const Wall& wall, const Vec2& place, bool is_left) {
+    if (nearest(wall.contour, place).distance <= kSamePoint) return false;
+    const bool is_free_inside = (signed_area(wall.contour) > 0) == is_left;
+    return (turns_around(wall.contour, place) != 0) != is_free_inside;
+}
+
+/// Whether a way meets the path elsewhere than at `joint`, or the wall. `neighbour` is the element
+/// of the path that the way may lie on.
+bool cuts(const Contour& way, const Contour& path, const Element& neighbour, const Vec2& joint,
+          bool is_left, const Wall& wall) {
     const std::vector<Vec2> points = intersections(way, path);
+    const double shared = shared_length(way, neighbour, joint) + kSamePoint;
     const bool meets = std::any_of(points.begin(), points.end(),
-                                   [&](const Vec2& p) { return (p - joint).norm() > kSamePoint; });
+                                   [&](const Vec2& p) { return (p - joint).norm() > shared; });
     if (meets || !wall.has_side) return meets;
     for (const Element& element : way) {
         for (int i = 0; i <= kLooks && wall.distance > 0; ++i) {
@@ -48,9 +71,8 @@ bool cuts(const Contour& way, const Contour& path, const Vec2& joint, bool is_le
     }
     // Along the wall itself a lead that does not cross it may still lie on the wrong side.
     if (wall.distance > 0 || way.empty() || !is_closed(wall.contour)) return false;
-    const Vec2 middle = point_at(way.back(), 0.5);
-    const bool is_free_inside = (signed_area(wall.contour) > 0) == is_left;
-    return (turns_around(wall.contour, middle) != 0) != is_free_inside;
+    return is_behind(wall, point_at(way.back(), 0.5), is_left) ||
+           is_behind(wall, way.back().from, is_left);
 }
 
 }  // namespace
@@ -63,8 +85,8 @@ Result<Contour, LeadFault> with_leads(const Contour& path, const Leads& leads, c
     // Backwards, the way out is a way in, and left is right.
     const Contour out =
         way_in(last.to, -end_direction(last), leads.line_out, leads.arc_out, !leads.is_left);
-    if (cuts(in, path, first.from, leads.is_left, wall)) return LeadFault::InCuts;
-    if (cuts(out, path, last.to, leads.is_left, wall)) return LeadFault::OutCuts;
+    if (cuts(in, path, last, first.from, leads.is_left, wall)) return LeadFault::InCuts;
+    if (cuts(out, path, first, last.to, leads.is_left, wall)) return LeadFault::OutCuts;
     std::reverse(in.begin(), in.end());
     in.insert(in.end(), path.begin(), path.end());
     for (const Element& element : out) in.push_back(reversed(element));

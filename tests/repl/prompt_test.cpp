@@ -435,9 +435,48 @@ TEST(Prompt, FilesAreLoadedAndSaved) {
     EXPECT_EQ(other.say(":load " + part), "");
     EXPECT_TRUE(has(other.say("row(n: 2)"), "X1\nX2\n"));
     EXPECT_TRUE(has(other.say("G0 Z5"), "Z5\n"));
+    // … which a file cannot do: it is not saved as one that does not run.
+    const std::string refused = other.say(":save " + saved + "2");
+    EXPECT_TRUE(has(refused, "not saved: only at the prompt one program calls another")) << refused;
+    EXPECT_TRUE(has(refused, "K2017")) << refused;
+    EXPECT_FALSE(fs::exists(saved + "2"));
     EXPECT_EQ(talk.say(":plot " + (folder / "a.svg").string()), "nothing has moved\n");
     EXPECT_TRUE(fs::exists(folder / "a.svg"));
     fs::remove_all(folder);
+}
+
+TEST(Prompt, ASavedFileFindsItsImports) {
+    const fs::path folder = fs::temp_directory_path() / ("kadr-save-" + std::to_string(::getpid()));
+    fs::create_directories(folder / "parts");
+    const fs::path before = fs::current_path();
+    fs::current_path(folder);
+    ASSERT_TRUE(write_file_whole("my.kadr", "cycle hop(length to) { G0 Z=to; }\n"));
+    Conversation talk;
+    talk.say(":load my.kadr");
+    talk.say("hop(to: 7mm)");
+    EXPECT_EQ(talk.say(":save parts/saved.kadr"), "saved in parts/saved.kadr\n");
+    EXPECT_EQ(read_file("parts/saved.kadr"),
+              "import \"../my.kadr\";\n\nprogram prompt() {\n    hop(to: 7mm);\n}\n");
+    EXPECT_EQ(talk.say(":save saved.kadr"), "saved in saved.kadr\n");
+    EXPECT_TRUE(read_file("saved.kadr")->starts_with("import \"my.kadr\";"));
+    fs::current_path(before);
+    fs::remove_all(folder);
+}
+
+TEST(Prompt, CompletesModulesAndTheMembersOfTheState) {
+    Conversation talk;
+    const auto found = [&](std::string_view line) {
+        std::string all;
+        for (const std::string& name : talk.prompt().completions(line)) all += name + ' ';
+        return all;
+    };
+    EXPECT_EQ(found("import cyc"), "cycles. ");
+    EXPECT_EQ(found("import cycles.dri"), "drilling ");
+    EXPECT_EQ(found("import cycles.drilling; dri"), "");
+    EXPECT_EQ(found("F=state.f"), "feed ");
+    EXPECT_EQ(found("state.s"), "speed spindle ");
+    for (const std::string& name : talk.prompt().completions("state."))
+        EXPECT_EQ(talk.say("state." + name).find("error"), std::string::npos) << name;
 }
 
 TEST(Prompt, CompletesNamesWordsAndCommands) {
