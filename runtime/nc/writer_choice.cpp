@@ -127,6 +127,8 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
     const auto& candidates = is_cycle
                                  ? tables_.forms_of_cycle[block.cycle]
                                  : tables_.forms_of[static_cast<std::size_t>(invocation.function)];
+    // Nobody has switched on what the control does not have.
+    if (candidates.empty() && invocation.function == Function::CompressOff) return kNoForm;
     Function blocking = Function::None;  // acts where it must not
     std::optional<Misfit> nearest;
     for (const bool allow_unknown : {false, true}) {

@@ -134,7 +134,7 @@ class ControlRowExamples : public testing::Test {
         const std::string file = save("example" + control.suffix, text_of(row, example, control));
         const ProcessResult result = run_process(
             {KADR_BINARY, "run", file, "-d", control.dialect, "-m", machine_file(example, control),
-             "--diagnostics", "json", "--max-time", "2s", "--max-blocks", "2000"});
+             "--diagnostics", "json", "--max-time", "60s", "--max-blocks", "2000"});
         return kadr::testing::messages_of(result.err);
     }
 

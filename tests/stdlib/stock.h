@@ -76,7 +76,7 @@ class Stock {
     double rise_ = 0;  // of the cone per mm of its radius
     Place position_;
     bool has_position_ = false;
-    double deepest_ = 0, command_deepest_ = 0;
+    double deepest_ = 0;
     double lowest_ = 1e9;
     std::vector<double> before_;
     std::vector<Fault> faults_;

@@ -478,8 +478,9 @@ TEST(Turning, FinishAlongPoints) {
             const ProfilePoint edge = shape.start, to = shape.elements[0].to;
             const double share = chamfer / (edge.t - to.t - (to.h - edge.h));
             shape.start.h -= chamfer;
-            shape.elements.insert(shape.elements.begin(), {{edge.h + share * (to.h - edge.h),
-                                                            edge.t + share * (to.t - edge.t)}});
+            shape.elements.insert(
+                shape.elements.begin(),
+                {.to = {edge.h + share * (to.h - edge.h), edge.t + share * (to.t - edge.t)}});
         }
         const ProfilePoint start{tenth(here.h + dice.length(2, 20)), 60};
         const std::string call = "turn_finish({" + points + "}, chamfer: " + mm(chamfer) + ")";
