@@ -367,9 +367,13 @@ void BlockWriter::write_waiting_edge(const Block& block, std::string& out) {
                             block.find(Function::ReferenceReturn) != nullptr;
     const bool moves = (block.given & kTargetSlots) != 0 || block.find(Function::Cycle) != nullptr;
     if (is_machine || !moves || block.find(Function::ToolEdge) != nullptr) return;
+    say_waiting_edge(block, out);
+}
+
+/// In a line that nobody leaves out, whatever the block beside it is.
+void BlockWriter::say_waiting_edge(const Block& block, std::string& out) {
     Block edge;
     edge.source = block.source;
-    edge.skip = block.skip;
     Invocation* invocation = edge.add(Function::ToolEdge, 1);
     edge.set_argument(*invocation, 0, std::exchange(modal_.waiting_edge, 0));
     const WrittenPosition position = modal_.position;
@@ -402,7 +406,11 @@ void BlockWriter::add_edge(const Block& block, Items& items) {
         if (old.is_known && old.value == 0) return;
         const auto& edges = tables_.forms_of[static_cast<std::size_t>(Function::ToolEdge)];
         if (edges.empty()) return;
-        modal_.waiting_edge = old.is_known ? old.value : 0;
+        if (old.is_known) modal_.waiting_edge = old.value;
+        if (!old.is_known && modal_.is_edge_lost && modal_.waiting_edge == 0)
+            cannot_express(block,
+                           "a move without tool length, while nobody knows which cutting edge "
+                           "acts (say `D1` before it),");
         items.add(Item::of_edge(tables_.forms[edges[0]].order, 0));
         return;
     }
@@ -512,6 +520,7 @@ void BlockWriter::write_raw(const Block& block, std::string& out) {
         feed.set(Slot::Feed, modal_.meant_feed);
         write_block(feed, out);
     }
+    if (modal_.waiting_edge != 0) say_waiting_edge(block, out);
     Items items;
     const Function dimensions = modal_.meant_of(Group::Distance);
     if (dimensions != Function::None && modal_.text_of(Group::Distance) != dimensions &&

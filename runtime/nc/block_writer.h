@@ -152,6 +152,7 @@ class BlockWriter {
     Activity is_shifted() const;
     void defer_length(const Block& block, const Invocation& invocation);
     void write_waiting_edge(const Block& block, std::string& out);
+    void say_waiting_edge(const Block& block, std::string& out);
     void check_length_due(const Block& block);
     void add_edge(const Block& block, Items& items);
     void append_edge(const Block& block, int edge, std::string& out);

@@ -109,20 +109,25 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
             }
             modal_.tool = {true, block.argument(invocation, 0)};
             modal_.edge = {true, 1};
+            modal_.is_edge_lost = false;
+            // Behind a move without length the new one is not travelled yet, either.
+            modal_.is_length_due = modal_.is_length_due || modal_.waiting_edge != 0;
             modal_.waiting_edge = 0;
-            modal_.is_length_due = false;
             modal_.position.forget();
             break;
         case Function::ToolChange:
             forget_motion();
             modal_.tool.is_known = false;
             modal_.edge = {true, 1};
+            modal_.is_edge_lost = false;
+            // Behind a move without length the new one is not travelled yet, either.
+            modal_.is_length_due = modal_.is_length_due || modal_.waiting_edge != 0;
             modal_.waiting_edge = 0;
-            modal_.is_length_due = false;
             modal_.position.forget();
             break;
         case Function::ToolEdge:
             modal_.edge = {true, block.argument(invocation, 0)};
+            modal_.is_edge_lost = false;
             modal_.waiting_edge = 0;
             modal_.is_length_due = false;
             change_length(block);

@@ -48,6 +48,7 @@ struct WriterModal {
     bool has_meant_speed = false;
     Standing tool;               // the last one that was called
     Standing edge;               // the cutting edge that the text has selected
+    bool is_edge_lost = false;   // one acted, and nobody knows which one does now
     bool is_length_due = false;  // it acts again; its axis has not moved since
     double waiting_edge = 0;     // the one that a block without tool length has put aside; 0: none
     WrittenPosition position;
@@ -98,6 +99,7 @@ struct WriterModal {
         meant.fill(Function::None);
         text.fill(Function::None);
         feed.is_known = speed.is_known = has_meant_feed = has_meant_speed = false;
+        is_edge_lost = is_edge_lost || (edge.is_known && edge.value != 0);
         tool.is_known = edge.is_known = false;
         waiting_edge = 0;
         position.forget();
