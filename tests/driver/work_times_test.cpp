@@ -62,7 +62,8 @@ TEST_F(WorkTimes, CountTheLibraryForItsCaller) {
     const auto result =
         kadr({"run", file("part.kadr"), "-d", "iso", "--cycles", "moves", "--summary", "json"});
     ASSERT_EQ(result.status, 0) << result.err;
-    for (const json& row : json::parse(result.out)["longest"])
+    const json run = json::parse(result.out);
+    for (const json& row : run["longest"])
         EXPECT_TRUE(row["at"].get<std::string>().starts_with("part.kadr:")) << row;
 }
 
