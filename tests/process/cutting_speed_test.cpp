@@ -71,7 +71,8 @@ TEST(CuttingSpeed, WithoutALimitTheCutGrowsToTheCentre) {
 /// The planner cuts a pass into parts of one feed each; their times add up to the law's.
 TEST(CuttingSpeed, ThePlannerTakesTheTimeOfTheLaw) {
     const machine::Machine machine = motion::test::machine_of();
-    for (const json& entry : oracle("css.json")["cases"]) {
+    const json cases = oracle("css.json")["cases"];
+    for (const json& entry : cases) {
         SCOPED_TRACE(entry["id"].get<std::string>());
         const json& in = entry["input"];
         if (in["cone_angle_from_face_deg"] != 0) continue;

@@ -154,7 +154,8 @@ ProgramRun drive(const machine::Drives& drives, std::vector<path::Command> comma
 /// The pass of the paper as a program: the cut goes beyond the centre, and a rapid comes back. The
 /// cut itself has the numbers of the oracle at every radius.
 TEST(DriveRun, AProgramThatFacesHasTheCurrentsOfTheOracle) {
-    for (const json& entry : oracle("css_drive.json")["cases"]) {
+    const json cases = oracle("css_drive.json")["cases"];
+    for (const json& entry : cases) {
         SCOPED_TRACE(entry["id"].get<std::string>());
         const json& in = entry["input"];
         const FacingPass pass = pass_of(in);

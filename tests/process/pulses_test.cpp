@@ -207,7 +207,8 @@ TEST(PulseOracle, RunsTakeTheFewestIntervals) {
 
 /// The baseline of the oracle's small point sets: so many jumps, everything else 0.125 mm.
 TEST(PulseOracle, StopModelOfPointSets) {
-    for (const json& entry : oracle("laser_sync.json")["cases"]) {
+    const json cases = oracle("laser_sync.json")["cases"];
+    for (const json& entry : cases) {
         if (entry["kind"] != "synthetic_baseline") continue;
         const PulseClock clock = clock_of(entry["input"]);
         const auto intervals = [&](double d) {
@@ -237,7 +238,8 @@ TEST(PulseOracle, AFileOfTable2) {
     const double saved = 1 - times.synchronised / times.stopping;
     EXPECT_GT(saved, 0.30);
     EXPECT_LT(saved, 0.50);
-    for (const json& entry : oracle("laser_sync.json")["cases"]) {
+    const json cases = oracle("laser_sync.json")["cases"];
+    for (const json& entry : cases) {
         if (entry["kind"] != "table2_model") continue;
         const json& rows = entry["expect"]["rows"];
         ASSERT_EQ(rows.size(), bench::kTable2.size());
