@@ -83,7 +83,13 @@ bool Expander::State::check_needs(std::uint32_t at) {
     for (const Function needed : frame.function->needs) {
         const Function active = modal[nc::info(needed).group];
         const bool is_lost = (modal.lost & sema::group_bit(nc::info(needed).group)) != 0;
-        if (active == needed || (active == Function::None && !is_lost)) continue;
+        // Where the control says so by itself, X is a diameter without a word.
+        const bool is_other = needed == Function::DiameterOff && modal.is_diameter;
+        if (active == needed || (active == Function::None && !is_lost && !is_other)) continue;
+        if (needed == Function::RadiusCompOff && !is_lost) {
+            compensated_cycle(*frame.function);
+            return false;
+        }
         const bool is_called = frames.size() > 1 && frame.return_to > 0;
         if (is_lost) {
             const std::string name(nc::info(needed).name);
@@ -96,7 +102,9 @@ bool Expander::State::check_needs(std::uint32_t at) {
         DiagnosticBuilder builder =
             is_called ? fault_in(diag::StateNeeded, frame.return_to - 1, frames.size() - 1)
                       : fault(diag::StateNeeded, at);
-        builder.arg(frame.function->name).arg(nc::info(needed).name).arg(nc::info(active).name);
+        builder.arg(frame.function->name)
+            .arg(nc::info(needed).name)
+            .arg(nc::info(active == Function::None ? Function::DiameterOn : active).name);
         const SourceId by = modal.changed_by[static_cast<std::size_t>(nc::info(needed).group)];
         if (by.is_valid() && by.index < code.statements.size()) {
             builder.note(code.statements[by.index], "it was changed here last");

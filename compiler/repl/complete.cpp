@@ -13,8 +13,8 @@ namespace kadr::repl {
 namespace {
 
 /// What the language tells of the modal state, docs/language.md section 5.
-constexpr std::string_view kStateMembers[] = {"feed",   "speed",    "tool",    "spindle",
-                                              "turned", "mirrored", "diameter"};
+constexpr std::string_view kStateMembers[] = {"feed",   "speed",    "tool",   "spindle",
+                                              "turned", "mirrored", "scaled", "diameter"};
 
 bool is_name_part(char c) {
     return (c & 0x80) != 0 || c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||

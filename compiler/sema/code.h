@@ -95,7 +95,16 @@ enum class Math : std::uint8_t {
 };
 
 /// What `state.…` reads.
-enum class StateValue : std::uint8_t { Feed, Speed, Tool, Spindle, Mirrored, Turned, Diameter };
+enum class StateValue : std::uint8_t {
+    Feed,
+    Speed,
+    Tool,
+    Spindle,
+    Mirrored,
+    Turned,
+    Scaled,
+    Diameter
+};
 
 /// Registers of a contour's element, in the order of its members.
 enum class ElementSlot : std::uint8_t {

@@ -230,9 +230,10 @@ Value Checker::position_member(const Expr& expr, bool is_position) {
         emit_.emit(Op::State, reg, 0, static_cast<unsigned>(StateValue::Spindle));
         return in_registers(types_.optional(types::kInt), reg);
     }
-    if (name == "mirrored" || name == "turned" || name == "diameter") {
+    if (name == "mirrored" || name == "turned" || name == "scaled" || name == "diameter") {
         const StateValue asked = name == "turned"     ? StateValue::Turned
                                  : name == "mirrored" ? StateValue::Mirrored
+                                 : name == "scaled"   ? StateValue::Scaled
                                                       : StateValue::Diameter;
         emit_.emit(Op::State, reg, 0, static_cast<unsigned>(asked));
         return in_registers(types::kBool, reg);

@@ -474,7 +474,7 @@ TEST(Prompt, CompletesModulesAndTheMembersOfTheState) {
     EXPECT_EQ(found("import cycles.dri"), "drilling ");
     EXPECT_EQ(found("import cycles.drilling; dri"), "");
     EXPECT_EQ(found("F=state.f"), "feed ");
-    EXPECT_EQ(found("state.s"), "speed spindle ");
+    EXPECT_EQ(found("state.s"), "scaled speed spindle ");
     for (const std::string& name : talk.prompt().completions("state."))
         EXPECT_EQ(talk.say("state." + name).find("error"), std::string::npos) << name;
 }
