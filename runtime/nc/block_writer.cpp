@@ -49,6 +49,7 @@ BlockWriter::BlockWriter(const Dialect& dialect, const WriteOptions& options, Di
     counts_feed_along_arc_ = dialect.has_rule("helix_feed_along_arc");
     shifts_center_ = dialect.has_rule("arc_error", "shift_center");
     scale_replaces_ = dialect.has_rule("scale_replaces");
+    changer_moves_plane_ = dialect.has_rule("tool_change_moves_plane");
     begin({});
     prepare_fast();
 }

@@ -113,7 +113,7 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
             // Behind a move without length the new one is not travelled yet, either.
             modal_.is_length_due = modal_.is_length_due || modal_.waiting_edge != 0;
             modal_.waiting_edge = 0;
-            modal_.position.forget();
+            leave_changer();
             break;
         case Function::ToolChange:
             forget_motion();
@@ -123,7 +123,7 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
             // Behind a move without length the new one is not travelled yet, either.
             modal_.is_length_due = modal_.is_length_due || modal_.waiting_edge != 0;
             modal_.waiting_edge = 0;
-            modal_.position.forget();
+            leave_changer();
             break;
         case Function::ToolEdge:
             modal_.edge = {true, block.argument(invocation, 0)};
@@ -180,6 +180,17 @@ void BlockWriter::change_length(const Block& block) {
     const bool is_said = block.has(Slot::Z) && !is_distance(block, kTool);
     if (!is_said) modal_.position.known &= ~bit(Slot::Z);
     modal_.position.told |= modal_.position.known & ~(is_said ? bit(Slot::Z) : 0);
+}
+
+/// Where a tool change leaves the tool: elsewhere along its axis, and in the plane where it stood,
+/// if the builder of the changer does not say otherwise. A turret's tools have lengths in the
+/// plane.
+void BlockWriter::leave_changer() {
+    WrittenPosition& position = modal_.position;
+    if (changer_moves_plane_ || modal_.meant_of(Group::Plane) != Function::PlaneXy)
+        return position.forget();
+    position.known &= bit(Slot::X) | bit(Slot::Y);
+    position.told = position.known;
 }
 
 /// Which motion is modal behind a cycle or a tool change is the control's or its builder's choice,
