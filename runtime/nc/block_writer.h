@@ -167,6 +167,7 @@ class BlockWriter {
     void change_diameter(Function before);
     void forget_motion();
     void leave_changer();
+    void check_message(const Block& block);
     bool shares_address(const Form& form, const Block& block) const;
 
     // Positions
@@ -320,6 +321,7 @@ class BlockWriter {
     bool shifts_center_ = false;                    // the control, of an arc that does not close
     bool is_halved_ = false;                        // the blocks are halves of an arc
     bool scale_replaces_ = false;                   // a second scale ends the first
+    std::size_t most_message_ = 0;                  // characters of a message, 0: no limit
     bool changer_moves_plane_ = false;              // a tool change ends elsewhere in X and Y
     bool feed_every_block_ = false;                 // F is not modal in this feed mode
     bool inverse_arc_by_radius_ = false;            // F of arcs is feed/radius in this feed mode

@@ -2,6 +2,8 @@
 // words that wait for their axis.
 #include <algorithm>
 
+#include "base/diagnostics/dialect.h"
+#include "base/text.h"
 #include "nc/block_writer.h"
 
 namespace kadr::nc {
@@ -152,6 +154,7 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
             break;
         case Function::Cycle:
         case Function::CycleOff: forget_motion(); break;
+        case Function::Message: check_message(block); break;
         case Function::End:
         case Function::EndRewind: has_ended_ = true; break;
         default: break;  // the others move nothing and end nothing
@@ -180,6 +183,18 @@ void BlockWriter::change_length(const Block& block) {
     const bool is_said = block.has(Slot::Z) && !is_distance(block, kTool);
     if (!is_said) modal_.position.known &= ~bit(Slot::Z);
     modal_.position.told |= modal_.position.known & ~(is_said ? bit(Slot::Z) : 0);
+}
+
+/// A message that the control's line on the screen does not show to its end.
+void BlockWriter::check_message(const Block& block) {
+    const std::size_t length = count_code_points(block.text);
+    if (most_message_ == 0 || length <= most_message_) return;
+    if (!is_unsaid(block, "a long message")) return;
+    sink_.report(diag::MessageTooLong, place(block))
+        .arg(length)
+        .arg(tables_.name)
+        .arg(most_message_)
+        .fix("make it shorter, or put the rest into a `note`");
 }
 
 /// Where a tool change leaves the tool: elsewhere along its axis, and in the plane where it stood,
