@@ -166,7 +166,7 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
         }
         if (plan.customs != 0 && !adapt(block, plan, at)) [[unlikely]]
             return false;
-        if (!check_mirror(block, plan, at)) return false;
+        if (!check_mirror(block, plan, at) || !settle_frame(block, at)) return false;
         if (options.warns_of_cuts) warn_of_plane(block, at);
         const Function motion = plan.motion != Function::None ? plan.motion : modal[Group::Motion];
         modal.take_functions(block);

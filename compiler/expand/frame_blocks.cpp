@@ -1,6 +1,7 @@
 // frame_blocks.cpp — frames as blocks, and where the tool is in a new one.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 
 #include "base/diagnostics/expand.h"
@@ -14,6 +15,51 @@ namespace kadr::expand {
 using nc::Block;
 using nc::Function;
 using nc::Group;
+
+namespace {
+
+/// Where the factors of the axes begin among the arguments of a scale: behind one of all axes and
+/// the center.
+constexpr std::size_t kFirstFactor = 4;
+constexpr std::size_t kFactors = 7;
+
+/// Factors beyond these are a mistake on every control, and their words lose the value.
+///
+/// source       F PS0142: 0 and from 10000 on
+constexpr double kLeastFactor = 1e-5;
+constexpr double kFactorLimit = 10000;
+
+constexpr double kTurnDeg = 360;
+
+}  // namespace
+
+bool Expander::State::check_factor(double factor, std::uint32_t at) {
+    const double size = std::fabs(factor);
+    const bool is_sized = size >= kLeastFactor && size < kFactorLimit;
+    if (is_sized && factor > 0) return true;
+    auto builder = fault(is_sized || factor == 0 ? diag::FrameScale : diag::FrameScaleRange, at);
+    builder.arg(factor);
+    if (is_sized) builder.fix("use `mirror(…)` to turn a side over");
+    else if (factor == 0) builder.fix("`scale_off()` ends a scale");
+    else builder.fix("is it a percentage? 1 is the size as programmed");
+    return false;
+}
+
+/// The values of frames that a block says itself: factors that are some, and an angle of less than
+/// a turn, which is all that controls take (F 3.7 G68: ±360).
+bool Expander::State::settle_frame(Block& block, std::uint32_t at) {
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        nc::Invocation& frame = block.functions[i];
+        if (frame.function == Function::Rotate && (frame.given & 1u) != 0)
+            block.set_argument(frame, 0, std::fmod(block.argument(frame, 0), kTurnDeg));
+        if (frame.function != Function::Scale) continue;
+        for (std::size_t k = 0; k < kFactors; k = k == 0 ? kFirstFactor : k + 1) {
+            const bool is_given = (frame.given >> k & 1u) != 0;
+            if (is_given && !check_factor(block.argument(frame, k), at)) return false;
+        }
+    }
+    return true;
+}
 
 bool Expander::State::change_frame(const Instruction& instruction, const sema::Slot* registers,
                                    std::uint32_t at) {
@@ -52,9 +98,7 @@ bool Expander::State::change_frame(const Instruction& instruction, const sema::S
             std::array<double, 3> factors{};
             for (std::size_t i = 0; i < 3; ++i) {
                 factors[i] = is_given[4 + i] ? numbers[4 + i] : is_given[0] ? numbers[0] : 1;
-                if (factors[i] > 0) continue;
-                fault(diag::FrameScale, at).arg(factors[i]);
-                return false;
+                if (!check_factor(factors[i], at)) return false;
             }
             next.add_scale(factors, three(1));
             break;

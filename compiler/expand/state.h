@@ -241,6 +241,8 @@ struct Expander::State {
     // ---- cuts.cpp: false where an error was reported
     bool check_cutting_speed(const nc::Block& block, std::uint32_t at);
     bool check_mirror(const nc::Block& block, const sema::Plan& plan, std::uint32_t at);
+    bool settle_frame(nc::Block& block, std::uint32_t at);
+    bool check_factor(double factor, std::uint32_t at);
     void warn_of_plane(const nc::Block& block, std::uint32_t at);
     bool check_tool_change(const nc::Block& block, std::uint32_t at);
     bool check_lead(const nc::Block& block, std::uint32_t at);

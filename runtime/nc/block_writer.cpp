@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -49,6 +50,11 @@ BlockWriter::BlockWriter(const Dialect& dialect, const WriteOptions& options, Di
     counts_feed_along_arc_ = dialect.has_rule("helix_feed_along_arc");
     shifts_center_ = dialect.has_rule("arc_error", "shift_center");
     scale_replaces_ = dialect.has_rule("scale_replaces");
+    changer_moves_plane_ = dialect.has_rule("tool_change_moves_plane");
+    for (const RuleSetting& rule : dialect.rules()) {
+        if (rule.name != "most_message") continue;
+        std::from_chars(rule.value.data(), rule.value.data() + rule.value.size(), most_message_);
+    }
     begin({});
     prepare_fast();
 }
@@ -880,7 +886,11 @@ bool BlockWriter::is_unsaid(const Block& block, std::string_view what) {
 
 void BlockWriter::position_unknown(const Block& block, std::string_view name) {
     if (!is_new_message(block, name)) return;
-    sink_.report(diag::WriterPositionUnknown, word_place(block, name)).arg(name);
+    DiagnosticBuilder builder = sink_.report(diag::WriterPositionUnknown, word_place(block, name));
+    builder.arg(name);
+    if (name == "F" && !block.has(Slot::Feed))
+        builder.note("the feed that acts is worked out again for this block");
+    builder.fix("name the coordinates of the axes in a block before it: `G0 X… Y…`, `Z…`");
 }
 
 void BlockWriter::cannot_express(const Block& block, const std::string& what) {

@@ -166,6 +166,8 @@ class BlockWriter {
     void change_length(const Block& block);
     void change_diameter(Function before);
     void forget_motion();
+    void leave_changer();
+    void check_message(const Block& block);
     bool shares_address(const Form& form, const Block& block) const;
 
     // Positions
@@ -194,6 +196,8 @@ class BlockWriter {
                                      const PlanePoint& center, Targets& targets);
     void place_center_as_given(const Block& block, const WrittenPosition& start, Targets& targets);
     ArcPoints arc_points(const WrittenPosition& start) const;
+    bool is_exact_arc(const Block& block, double radius) const;
+    void unknown_start(const Block& block);
     bool place_radius(const Block& block, const WrittenPosition& start, Targets& targets);
     struct MeantArc {
         double sweep;   // rad, above 0
@@ -317,6 +321,8 @@ class BlockWriter {
     bool shifts_center_ = false;                    // the control, of an arc that does not close
     bool is_halved_ = false;                        // the blocks are halves of an arc
     bool scale_replaces_ = false;                   // a second scale ends the first
+    std::size_t most_message_ = 0;                  // characters of a message, 0: no limit
+    bool changer_moves_plane_ = false;              // a tool change ends elsewhere in X and Y
     bool feed_every_block_ = false;                 // F is not modal in this feed mode
     bool inverse_arc_by_radius_ = false;            // F of arcs is feed/radius in this feed mode
     double deferred_tool_ = 0;

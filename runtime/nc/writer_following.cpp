@@ -2,6 +2,8 @@
 // words that wait for their axis.
 #include <algorithm>
 
+#include "base/diagnostics/dialect.h"
+#include "base/text.h"
 #include "nc/block_writer.h"
 
 namespace kadr::nc {
@@ -113,7 +115,7 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
             // Behind a move without length the new one is not travelled yet, either.
             modal_.is_length_due = modal_.is_length_due || modal_.waiting_edge != 0;
             modal_.waiting_edge = 0;
-            modal_.position.forget();
+            leave_changer();
             break;
         case Function::ToolChange:
             forget_motion();
@@ -123,7 +125,7 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
             // Behind a move without length the new one is not travelled yet, either.
             modal_.is_length_due = modal_.is_length_due || modal_.waiting_edge != 0;
             modal_.waiting_edge = 0;
-            modal_.position.forget();
+            leave_changer();
             break;
         case Function::ToolEdge:
             modal_.edge = {true, block.argument(invocation, 0)};
@@ -152,6 +154,7 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
             break;
         case Function::Cycle:
         case Function::CycleOff: forget_motion(); break;
+        case Function::Message: check_message(block); break;
         case Function::End:
         case Function::EndRewind: has_ended_ = true; break;
         default: break;  // the others move nothing and end nothing
@@ -180,6 +183,29 @@ void BlockWriter::change_length(const Block& block) {
     const bool is_said = block.has(Slot::Z) && !is_distance(block, kTool);
     if (!is_said) modal_.position.known &= ~bit(Slot::Z);
     modal_.position.told |= modal_.position.known & ~(is_said ? bit(Slot::Z) : 0);
+}
+
+/// A message that the control's line on the screen does not show to its end.
+void BlockWriter::check_message(const Block& block) {
+    const std::size_t length = count_code_points(block.text);
+    if (most_message_ == 0 || length <= most_message_) return;
+    if (!is_unsaid(block, "a long message")) return;
+    sink_.report(diag::MessageTooLong, place(block))
+        .arg(length)
+        .arg(tables_.name)
+        .arg(most_message_)
+        .fix("make it shorter, or put the rest into a `note`");
+}
+
+/// Where a tool change leaves the tool: elsewhere along its axis, and in the plane where it stood,
+/// if the builder of the changer does not say otherwise. A turret's tools have lengths in the
+/// plane.
+void BlockWriter::leave_changer() {
+    WrittenPosition& position = modal_.position;
+    if (changer_moves_plane_ || modal_.meant_of(Group::Plane) != Function::PlaneXy)
+        return position.forget();
+    position.known &= bit(Slot::X) | bit(Slot::Y);
+    position.told = position.known;
 }
 
 /// Which motion is modal behind a cycle or a tool change is the control's or its builder's choice,

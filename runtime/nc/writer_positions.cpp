@@ -408,6 +408,28 @@ ArcPoints BlockWriter::arc_points(const WrittenPosition& start) const {
     return arc;
 }
 
+/// Whether the radius and the end of an arc lose nothing by the places that the text has.
+bool BlockWriter::is_exact_arc(const Block& block, double radius) const {
+    constexpr double kExact = 1e-9;  // of the text's unit: what a sum leaves of a decimal number
+    const auto is_exact = [](double number, int places) {
+        return std::fabs(number - round_to(number, places)) < kExact;
+    };
+    const std::array<std::size_t, 3> axes = plane_axes();
+    return is_exact(radius, decimals(Slot::Radius)) &&
+           std::ranges::all_of(std::span(axes).first<2>(), [&](std::size_t axis) {
+               const auto slot = static_cast<Slot>(axis);
+               return !block.has(slot) || is_exact(to_text(slot, block.at(slot)), decimals(slot));
+           });
+}
+
+/// The centre of an arc by its radius follows from its start, and near half a turn the rounding of
+/// a word moves it by many times as much: from a start that nobody knows it may be anywhere.
+void BlockWriter::unknown_start(const Block& block) {
+    if (!is_new_message(block, "an arc by radius from an unknown position")) return;
+    sink_.report(diag::ArcStartUnknown, place(block))
+        .fix("say the start before it, `G0 X… Y…`, or the centre by `I` and `J`");
+}
+
 /// A radius stays a radius where the control has the word and the rounded points still give the
 /// same centre; near half a turn they do not, and the centre is written instead.
 bool BlockWriter::place_radius(const Block& block, const WrittenPosition& start, Targets& targets) {
@@ -440,6 +462,10 @@ bool BlockWriter::place_radius(const Block& block, const WrittenPosition& start,
             .arg(length_in_words(radius))
             .arg(length_in_words(
                 std::hypot(points.end[0] - points.start[0], points.end[1] - points.start[1])));
+        return true;
+    }
+    if (has_word && !is_comparable && !is_exact_arc(block, radius)) {
+        unknown_start(block);
         return true;
     }
     if (has_word && (fits || !exact || !has_center || !is_comparable)) {

@@ -184,6 +184,56 @@ TEST(MadeControls, CyclesOfTheirOwnMoveAsWrittenOut) {
     }
 }
 
+// ---------------------------------------------------------------- tools that have lengths
+
+/// The moves of a part by the axes of the machine: a command tells where the tip of the tool goes,
+/// and behind a retract a length acts on one control that acts on another one with the next Z.
+std::vector<json> axis_moves_of(const Part& part, const std::string& dialect,
+                                const std::string& cycles) {
+    const ProcessResult result =
+        run_process({KADR_BINARY, "run", part.source.string(), "-d", dialect, "-m", part.machine,
+                     "--cycles", cycles, "--commands", "-"});
+    EXPECT_EQ(result.status, 0) << dialect << "\n" << result.err;
+    std::vector<json> moves;
+    std::istringstream lines(result.out);
+    double length = 0;
+    for (std::string line; std::getline(lines, line);) {
+        const json command = json::parse(line, nullptr, false);
+        if (!command.is_object()) continue;
+        if (command["op"] == "tool_length") length = command["length"].get<double>();
+        if (!command.contains("to")) continue;
+        json move;
+        for (const char* key : {"op", "to", "sweep", "feed"}) {
+            if (command.contains(key)) move[key] = command[key];
+        }
+        if (!command.contains("machine_coordinates"))
+            move["to"]["Z"] = move["to"]["Z"].get<double>() + length;
+        if (!stands_still(move, moves)) moves.push_back(std::move(move));
+    }
+    return moves;
+}
+
+class SameAxes : public testing::TestWithParam<Part> {};
+
+TEST_P(SameAxes, WithLengthsAndWorkOffsets) {
+    const Part part{GetParam().source, GetParam().source.parent_path() / "mill.xml"};
+    const std::vector<json> reference = axis_moves_of(part, "sinumerik", "moves");
+    ASSERT_GT(reference.size(), 15u);
+    // Lengths and offsets of the machine act: the first place is X, Y of the first work offset.
+    EXPECT_LT(reference[0]["to"]["X"].get<double>(), -300);
+    for (const std::string& dialect : part.dialects()) {
+        for (const char* cycles : {"native", "moves"}) {
+            expect_same(reference, axis_moves_of(part, dialect, cycles),
+                        dialect + ", cycles " + cycles);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, SameAxes,
+                         testing::ValuesIn(golden::parts_of(golden::fs::path(KADR_ROOT) /
+                                                            "tests/golden/lengths")),
+                         [](const auto& part) { return golden::name_of(part); });
+
 class SameMotion : public testing::TestWithParam<Part> {};
 
 TEST_P(SameMotion, OnEveryControl) {

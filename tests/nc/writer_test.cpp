@@ -299,7 +299,7 @@ TEST(Writer, NumbersOfTheProgramStayWithTheirBlocks) {
         }
     }
     EXPECT_EQ(text,
-              "%_N_PART_MPF\nN10 G17 G71 G40 G64 G90 G94\nN20 G0 X1\nN100 X2\nN110 X3\n"
+              "%_N_PART_MPF\nN10 G54 G17 G71 G40 G64 G90 G94\nN20 G0 X1\nN100 X2\nN110 X3\n"
               "N105 TRANS X1\nN120 X4\n");
 }
 
@@ -315,7 +315,7 @@ TEST(Writer, WhatAnOperatorMaySkipIsNotKnown) {
         writer.write(block, text);
     }
     EXPECT_EQ(text,
-              "G69 G50\nG00 G17 G21 G40 G49 G80 G90 G94 G97\nG50.1 X0. Y0. Z0.\nG52 X0. Y0. "
+              "G69 G50\nG00 G17 G21 G40 G49 G54 G80 G90 G94 G97\nG50.1 X0. Y0. Z0.\nG52 X0. Y0. "
               "Z0.\nX1. Z5.\n/2 G01 X2. F100.\nG01 X3. F100.\n");
     Block block = testing::source_block(shipped("iso"), "G0 X1");
     block.skip = 0;  // `/` is level 1 here, and there is none below
@@ -495,7 +495,7 @@ TEST(Writer, ABlockOfFramesAloneIsFollowed) {
         writer.write(block, text);
     }
     EXPECT_EQ(text,
-              "%_N_PART_MPF\nG17 G71 G40 G64 G90 G94\nG0 X10 Y0\nTRANS\nAMIRROR X0\nX10 Y5\n");
+              "%_N_PART_MPF\nG54 G17 G71 G40 G64 G90 G94\nG0 X10 Y0\nTRANS\nAMIRROR X0\nX10 Y5\n");
 }
 
 TEST(Writer, Comments) {
@@ -513,7 +513,7 @@ TEST(Writer, Comments) {
     std::string text;
     writer.begin({"part", 1, "", false}, text);
     EXPECT_EQ(writer.write(block, text), 3u);
-    EXPECT_EQ(text, "%_N_PART_MPF\nN10 G17 G71 G40 G64 G90 G94\nN20 G0 X1 ; go\n");
+    EXPECT_EQ(text, "%_N_PART_MPF\nN10 G54 G17 G71 G40 G64 G90 G94\nN20 G0 X1 ; go\n");
 }
 
 TEST(Writer, ProgramFrame) {
@@ -525,15 +525,15 @@ TEST(Writer, ProgramFrame) {
     for (const Row& row : {
              Row{"fanuc",
                  {"bracket", 12, "Flange (A)", false},
-                 "%\nO0012(BRACKET)\n(FLANGE [A])\nG69 G50\nG00 G17 G21 G40 G49 G80 G90 G94 "
+                 "%\nO0012(BRACKET)\n(FLANGE [A])\nG69 G50\nG00 G17 G21 G40 G49 G54 G80 G90 G94 "
                  "G97\nG50.1 X0. Y0. Z0.\nG52 X0. Y0. Z0.\nX1.\nM30\n%\n"},
              {"fanuc",
               {"bracket", 12, "", true},
-              "%\nO0012(BRACKET)\nG69 G50\nG00 G17 G20 G40 G49 G80 G90 G94 G97\nG50.1 X0. Y0. "
+              "%\nO0012(BRACKET)\nG69 G50\nG00 G17 G20 G40 G49 G54 G80 G90 G94 G97\nG50.1 X0. Y0. "
               "Z0.\nG52 X0. Y0. Z0.\nX0.0394\nM30\n%\n"},
              {"sinumerik",
               {"3 holes", 1, "", false},
-              "%_N_NC_3_HOLES_MPF\nN10 G17 G71 G40 G64 G90 G94\nN20 G0 X1\nN30 M30\n"},
+              "%_N_NC_3_HOLES_MPF\nN10 G54 G17 G71 G40 G64 G90 G94\nN20 G0 X1\nN30 M30\n"},
          }) {
         DiagnosticList sink;
         Writer writer(shipped(row.dialect), {}, sink);
