@@ -185,7 +185,8 @@ bool Expander::State::knows_compensation(const Block& block, std::uint32_t at) {
     const nc::SlotMask plane = nc::SlotMask{1} << axes.first | nc::SlotMask{1} << axes.second;
     const bool needs = (block.given & (plane | nc::kCenterSlots)) != 0 ||
                        block.find(Function::Tool) != nullptr ||
-                       block.find(Function::ToolChange) != nullptr;
+                       block.find(Function::ToolChange) != nullptr ||
+                       has_group(block, Group::Plane);  // an alarm beside a contour
     if (!needs || block.skip == modal.comp_choice) return true;
     compensation_chosen(fault(diag::CompensationInDoubt, at));
     return false;

@@ -145,6 +145,7 @@ TEST(Unknown, CompensationIsLeftOutWholeOrNotAtAll) {
     EXPECT_EQ(messages("/1 G41 X1; /2 X2; /1 G40 X3;"), "1:60" + doubt);
     EXPECT_EQ(messages("G41 X1; X2; /G42; X3; G40 X4;"), "1:67" + doubt);
     EXPECT_EQ(messages("G18; /G41; Y1; G40 X1;"), "");
+    EXPECT_EQ(messages("/G41 X1; G18; G40 X1;"), "1:58" + doubt);
     EXPECT_EQ(messages("G18; /G41; Z1;"), "1:60" + doubt);
 }
 
