@@ -238,6 +238,9 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
     }
     if (has_functions && !(check_cutting_speed(block, at) && check_tool_change(block, at)))
         return false;
+    if (modal.comp_choice != ModalState::kNoChoice && recordings.empty() &&
+        !knows_compensation(block, at)) [[unlikely]]
+        return false;
     if (modal.is_compensation_due() && !check_lead(block, at)) [[unlikely]]
         return false;
     if ((plan.customs & sema::custom::kReference) != 0) say_reference(block);

@@ -238,6 +238,8 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
     Function& member = active[static_cast<std::size_t>(group)];
     lost &= ~sema::group_bit(group);
     if (group == Group::Spindle) spindle_in_doubt = false;
+    if (group == Group::RadiusComp)
+        choose_compensation(invocation.function, block.skip, block.source);
     if (group == Group::FeedMode && member != invocation.function) {
         is_feed_lost |= has_feed;
         has_feed = false;
@@ -246,6 +248,20 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
     member = invocation.function;
     changed_by[static_cast<std::size_t>(group)] = block.source;
     if (group == Group::Spindle) warned_of_spindle = warned_of_rapid = false;
+}
+
+/// Follows what acts if the operator leaves out the blocks that he may, beside what acts if not.
+///
+/// skip         level of the block that says the compensation or its end; -1 none
+void ModalState::choose_compensation(Function side, int skip, SourceId source) {
+    if (skip < 0) {
+        comp_without = side;
+        comp_choice = kNoChoice;
+        return;
+    }
+    if (comp_choice != kNoChoice && comp_choice != skip) comp_choice = kSeveralLevels;
+    else comp_choice = side == comp_without ? kNoChoice : skip;
+    comp_by = source;
 }
 
 void ModalState::switch_spindle(Function member, SourceId source) {
@@ -307,15 +323,18 @@ void ModalState::take_words(const nc::Block& block) {
         moved_under = is_doubtful ? Function::None : (*this)[Group::RadiusComp];
     }
     const bool modal_incremental = (*this)[Group::Distance] == Function::Incremental;
-    const bool is_machine =
-        block.function_count > 0 && (block.find(Function::MachineCoordinates) != nullptr ||
-                                     block.find(Function::ReferenceReturn) != nullptr);
+    const bool says_machine =
+        block.function_count > 0 && block.find(Function::MachineCoordinates) != nullptr;
+    const bool is_machine = says_machine || (block.function_count > 0 &&
+                                             block.find(Function::ReferenceReturn) != nullptr);
     // Where the probe triggers, only the control knows.
     const bool probes = block.function_count > 0 && block.find(Function::Probe) != nullptr;
     for (std::size_t i = 0; targets != 0; ++i, targets >>= 1) {
         if ((targets & 1u) == 0) continue;
         const nc::SlotMask bit = nc::SlotMask{1} << i;
         if (is_machine || probes) {
+            // The control may count an increment from the number that was said there.
+            if (says_machine) lost_drift = static_cast<AxisMask>(lost_drift | bit);
             known = static_cast<AxisMask>(known & ~bit);
             continue;
         }

@@ -56,6 +56,13 @@ struct ModalState {
     int due_offset = 0;           // of the control of a source, to be said before the first move
     // Under which cutter radius compensation the tool moved in the plane last; None: not known.
     nc::Function moved_under = nc::Function::RadiusCompOff;
+    // … and whether it compensates at all is the operator's choice: the level of the blocks that he
+    // may leave out, and what acts if he does.
+    int comp_choice = kNoChoice;
+    nc::Function comp_without = nc::Function::RadiusCompOff;
+    SourceId comp_by;
+    static constexpr int kNoChoice = -1;
+    static constexpr int kSeveralLevels = -2;
     nc::Function diameter_due = nc::Function::None;  // what X is; the text does not say it yet
     bool is_edge_off = false;      // `D0` of a source that counts edges: no tool length
     bool is_feed_deleted = false;  // by a feed mode of a source whose control does that
@@ -118,6 +125,7 @@ struct ModalState {
     void set_position(const nc::Block& block, const nc::Invocation& invocation);
     void change_tool(SourceId source);
     void set_diameter(bool is_on);
+    void choose_compensation(nc::Function side, int skip, SourceId source);
     void lose_corrected(double axis);
     void note_drift(std::size_t axis, bool is_known, double by);
 };

@@ -54,6 +54,11 @@ void Expander::State::compensated_cycle(const sema::FunctionCode& cycle) {
 bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers) {
     if (!recordings.empty()) return false;
     const CallFrame& frame = frames.back();
+    if (modal.comp_choice != ModalState::kNoChoice && frame.return_to > 0) {
+        compensation_chosen(
+            fault_in(diag::CompensationInDoubt, frame.return_to - 1, frames.size() - 1));
+        return true;
+    }
     const Function compensation = modal[Group::RadiusComp];
     if (compensation == Function::RadiusCompLeft || compensation == Function::RadiusCompRight) {
         compensated_cycle(*frame.function);
@@ -101,6 +106,9 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
     if (modal.diameter_due != Function::None) say_diameter_alone(source, at, frames.size() - 1);
     if (modal.unplaced != 0 && !say_places(source, at, static_cast<unsigned>(frames.size() - 1)))
         return true;
+    if (modal.restate != 0) say_again_alone(source, at, frames.size() - 1);
+    if (modal.spindle_in_doubt && !turns_spindle(parameters, given, values))
+        warn_of_choice(fault_in(diag::SpindleInDoubt, at, frames.size() - 1));
     Block& block = next_block(source);
     nc::Invocation* invocation = block.add(Function::Cycle, parameters.size());
     KADR_ASSERT(invocation != nullptr, "a cycle has more parameters than a block holds");

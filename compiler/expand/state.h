@@ -287,12 +287,16 @@ struct Expander::State {
     bool knows_state(const nc::Block& block, std::uint32_t at);
     bool knows_for_cycle(const sema::FunctionCode& cycle, std::uint32_t given, std::uint32_t at);
     bool knows_frame(bool turns, std::uint32_t at);
+    bool knows_compensation(const nc::Block& block, std::uint32_t at);
+    void compensation_chosen(DiagnosticBuilder builder);
     bool knows_feed_mode(std::uint32_t at);
     bool knows_speed_mode(std::uint32_t at);
     /// Reports; always false.
     bool state_lost(std::string_view what, std::string_view fix, std::uint32_t at);
     void tell_loss(DiagnosticBuilder builder, std::string_view what, std::string_view fix);
     void say_again(nc::Block& block);
+    void say_again_alone(SourceId source, std::uint32_t at, std::size_t depth);
+    void warn_of_choice(DiagnosticBuilder builder);
     void say_diameter(nc::Block& block);
     void say_diameter_alone(SourceId source, std::uint32_t at, std::size_t depth);
     /// A block that turns while nothing says whether X is a diameter.

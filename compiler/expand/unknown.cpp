@@ -57,6 +57,7 @@ void ModalState::forget(SourceId source) {
     restate_motion = false;
     has_ended = spindle_in_doubt = is_feed_lost = false;
     restate = 0;
+    comp_choice = kNoChoice;
     lost = sema::kFrameBit | sema::kFeedBit | sema::kSpeedBit;
     for (std::size_t i = 0; i < nc::kGroups; ++i) lost |= group_bit(static_cast<Group>(i));
     if (diameter != Function::None) {
@@ -177,6 +178,27 @@ bool Expander::State::knows_frame(bool turns, std::uint32_t at) {
     return true;
 }
 
+/// Reports a block that needs to know whether the cutter's radius is compensated, where that is the
+/// operator's choice and the block is not part of it.
+bool Expander::State::knows_compensation(const Block& block, std::uint32_t at) {
+    const PlaneIndices axes = indices_of(plane_of(modal[Group::Plane]));
+    const nc::SlotMask plane = nc::SlotMask{1} << axes.first | nc::SlotMask{1} << axes.second;
+    const bool needs = (block.given & (plane | nc::kCenterSlots)) != 0 ||
+                       block.find(Function::Tool) != nullptr ||
+                       block.find(Function::ToolChange) != nullptr ||
+                       has_group(block, Group::Plane);  // an alarm beside a contour
+    if (!needs || block.skip == modal.comp_choice) return true;
+    compensation_chosen(fault(diag::CompensationInDoubt, at));
+    return false;
+}
+
+void Expander::State::compensation_chosen(DiagnosticBuilder builder) {
+    modal.comp_choice = ModalState::kNoChoice;  // said once
+    if (modal.comp_by.is_valid() && modal.comp_by.index < code.statements.size())
+        builder.note(code.statements[modal.comp_by.index], "this block may be left out");
+    builder.fix("leave out all of the contour: the same `/` in each of its blocks");
+}
+
 bool Expander::State::knows_feed_mode(std::uint32_t at) {
     if ((modal.lost & group_bit(Group::FeedMode)) == 0) return true;
     return state_lost("what F means", "say `G94`, `G95` or `G93`", at);
@@ -208,6 +230,14 @@ void Expander::State::say_again(Block& block) {
     if (block.skip < 0) modal.restate = 0;
 }
 
+/// … in a block of its own, before a cycle that the control has itself.
+void Expander::State::say_again_alone(SourceId source, std::uint32_t at, std::size_t depth) {
+    Block& block = next_block(source);
+    say_again(block);
+    if (block.function_count == 0 && block.given == 0) return drop_block(block);
+    if (options.trace) keep_trace(at, static_cast<unsigned>(depth), source);
+}
+
 /// What X is, with the first block that moves or that sets another state.
 void Expander::State::say_diameter(Block& block) {
     bool acts = block.motion != Function::None || (block.given & nc::kTargetSlots) != 0;
@@ -237,13 +267,14 @@ bool Expander::State::settle_unknown(Block& block, std::uint32_t at) {
     if (modal.lost != 0 && !knows_state(block, at)) return false;
     if (!recordings.empty() || !moves(block) || !is_cut(modal[Group::Motion])) return true;
     if (modal.restate != 0) say_again(block);
-    if (modal.spindle_in_doubt) {
-        modal.spindle_in_doubt = false;  // said once
-        DiagnosticBuilder builder = fault(diag::SpindleInDoubt, at);
-        if (modal.lost_by.is_valid() && modal.lost_by.index < code.statements.size())
-            builder.note(code.statements[modal.lost_by.index], "this block may be left out");
-    }
+    if (modal.spindle_in_doubt) warn_of_choice(fault(diag::SpindleInDoubt, at));
     return true;
+}
+
+void Expander::State::warn_of_choice(DiagnosticBuilder builder) {
+    modal.spindle_in_doubt = false;  // said once
+    if (modal.lost_by.is_valid() && modal.lost_by.index < code.statements.size())
+        builder.note(code.statements[modal.lost_by.index], "this block may be left out");
 }
 
 // ---------------------------------------------------------------- promises, the end, arcs

@@ -699,34 +699,6 @@ bool Checker::emit_words(std::span<const Word> words, ExprId point, const Source
     return true;
 }
 
-/// What stands behind a block that the operator may leave out must mean the same with and without
-/// it; a frame or a tool that is there or not changes all of it.
-void Checker::check_skipped(const Plan& plan, std::span<const Word> words) {
-    for (const nc::Invocation& invocation : plan.functions) {
-        switch (invocation.function) {
-            case nc::Function::Shift:
-            case nc::Function::ShiftAdd:
-            case nc::Function::Rotate:
-            case nc::Function::RotateOff:
-            case nc::Function::Mirror:
-            case nc::Function::MirrorOff:
-            case nc::Function::SetPosition:
-            case nc::Function::WorkOffset:
-            case nc::Function::Tool:
-            case nc::Function::ToolSelect:
-            case nc::Function::ToolChange:
-            case nc::Function::ToolEdge:
-            case nc::Function::LengthCompOn:
-            case nc::Function::LengthCompOff:
-            case nc::Function::LengthOffset:
-            case nc::Function::Cycle:
-                report(diag::SkipState, words[0].range).arg(nc::info(invocation.function).name);
-                return;
-            default: break;
-        }
-    }
-}
-
 void Checker::words_statement(const Stmt& stmt) {
     if (is_modal_call(ast().word_run(stmt.words))) return modal_call(stmt);
     if (const Word* times = repeats_of(ast().word_run(stmt.words)))

@@ -8,6 +8,7 @@
 
 #include "base/assert.h"
 #include "base/diagnostics/dialect.h"
+#include "base/diagnostics/iso.h"
 #include "base/text.h"
 #include "nc/comment_text.h"
 
@@ -43,6 +44,18 @@ constexpr bool is_quiet_group(Group group) {
     return false;
 }
 
+/// Number to which the files set a switch; nothing if they do not.
+std::optional<int> number_of_rule(const Dialect& dialect, std::string_view name) {
+    std::optional<int> number;
+    for (const RuleSetting& rule : dialect.rules()) {
+        if (rule.name != name) continue;
+        int value = 0;
+        std::from_chars(rule.value.data(), rule.value.data() + rule.value.size(), value);
+        number = value;
+    }
+    return number;
+}
+
 }  // namespace
 
 BlockWriter::BlockWriter(const Dialect& dialect, const WriteOptions& options, DiagnosticSink& sink)
@@ -51,10 +64,10 @@ BlockWriter::BlockWriter(const Dialect& dialect, const WriteOptions& options, Di
     shifts_center_ = dialect.has_rule("arc_error", "shift_center");
     scale_replaces_ = dialect.has_rule("scale_replaces");
     changer_moves_plane_ = dialect.has_rule("tool_change_moves_plane");
-    for (const RuleSetting& rule : dialect.rules()) {
-        if (rule.name != "most_message") continue;
-        std::from_chars(rule.value.data(), rule.value.data() + rule.value.size(), most_message_);
-    }
+    if (const auto most = number_of_rule(dialect, "most_message"); most && *most > 0)
+        most_message_ = static_cast<std::size_t>(*most);
+    if (dialect.has_rule("comp_more_empty_is_alarm"))
+        most_idle_ = number_of_rule(dialect, "comp_empty_blocks").value_or(-1);
     begin({});
     prepare_fast();
 }
@@ -108,14 +121,46 @@ std::uint32_t BlockWriter::write(const Block& block, std::string& out) {
     switch (block.kind) {
         case Block::Kind::Nc:
             if (!write_fast(block, out)) write_long(block, out);
+            if (most_idle_ >= 0) count_idle(block, before);
             break;
         case Block::Kind::Comment: write_comment(block, out); break;
-        case Block::Kind::Raw: write_raw(block, out); break;
+        case Block::Kind::Raw:
+            write_raw(block, out);
+            idle_ = {};
+            break;
         case Block::Kind::Label: cannot_express(block, "the label " + quoted(block.text)); break;
         case Block::Kind::Modal: forget_modal(); break;
         case Block::Kind::Position: take_position(block); break;
     }
     return lines_ == before ? lines_ : before + 1;
+}
+
+/// Lines in a row in which the cutter stays where it is beside a contour: the control stops with an
+/// alarm behind so many of them, once the contour has begun.
+///
+/// before       lines of the text before the block's
+/// source       S 5.2 MD20250
+void BlockWriter::count_idle(const Block& block, std::uint32_t before) {
+    constexpr int kContour = 2;  // moves: the way to the contour, and its first element
+    const Function side = modal_.text_of(Group::RadiusComp);
+    const bool acts = side == Function::RadiusCompLeft || side == Function::RadiusCompRight;
+    if (!acts) return void(idle_ = {});
+    const auto axes = plane_axes();
+    const SlotMask plane = SlotMask{1} << axes[0] | SlotMask{1} << axes[1];
+    if ((block.given & (plane | kCenterSlots)) != 0) {
+        idle_.moves = std::min(idle_.moves + 1, kContour);
+        idle_.lines = 0;
+        return;
+    }
+    idle_.lines += static_cast<int>(lines_ - before);
+    if (idle_.moves < kContour || idle_.lines <= most_idle_) return;
+    const auto alarm = dialect_.alarm(diag::CompEmptyBlocks);
+    if (!is_new_message(block, "idle")) return;
+    sink_.report(diag::TooManyIdle, place(block))
+        .arg(tables_.name)
+        .arg(alarm ? alarm->number : std::string("without a number"))
+        .arg(most_idle_)
+        .fix("end the compensation before them, or move in the plane in between");
 }
 
 /// What the program knows of the axes behind a change of its frame, of which the text says nothing.
@@ -239,6 +284,7 @@ void BlockWriter::write_block(const Block& block, std::string& out) {
     if (write_other_arc(block, out) || write_thread(block, out)) return;
     if (modal_.waiting_edge != 0) write_waiting_edge(block, out);
     if (modal_.is_length_due) check_length_due(block);
+    if (modal_.doubtful != 0) say_doubtful(block, out);
     const Function diameter = modal_.text_of(Group::Diameter);
     done_ = 0;
     choose_forms(block);
@@ -795,6 +841,32 @@ void BlockWriter::restore_modal(const Block& block, Items& items) {
     if (is_arc(effective_motion(block)) && (block.given & (kTargetSlots | kCenterSlots)) != 0)
         restore(Group::Plane);
     if (block.has(Slot::Feed)) restore(Group::FeedMode);
+    if (modal_.doubtful == 0 || (block.given & (kTargetSlots | kCenterSlots)) == 0) return;
+    for (std::size_t i = 0; i < kGroups; ++i) {
+        const auto group = static_cast<Group>(i);
+        if (is_said_again(group)) restore(group);
+    }
+}
+
+/// Whether the group is said again before something moves. A compensation that acts is not: to say
+/// it a second time is a command of its own on some controls.
+bool BlockWriter::is_said_again(Group group) const {
+    const Function meant = modal_.meant[index_of(group)];
+    if ((modal_.doubtful & bit(group)) == 0 || meant == Function::None) return false;
+    return has_code(meant) && (group != Group::RadiusComp || meant == Function::RadiusCompOff);
+}
+
+/// A cycle has no room for codes, and depends on them: they stand before it.
+void BlockWriter::say_doubtful(const Block& block, std::string& out) {
+    if (block.function_count == 0 || block.find(Function::Cycle) == nullptr) return;
+    Block again;
+    again.source = block.source;
+    again.skip = block.skip;
+    for (std::size_t i = 0; i < kGroups; ++i) {
+        const auto group = static_cast<Group>(i);
+        if (is_said_again(group)) again.add(modal_.meant[i]);
+    }
+    if (again.function_count != 0) write_block(again, out);
 }
 
 void BlockWriter::note_written(const Form& form) {
@@ -802,6 +874,7 @@ void BlockWriter::note_written(const Form& form) {
         const Group group = info(function).group;
         if (group == Group::Once) return;
         modal_.text_of(group) = function;
+        modal_.doubtful &= ~bit(group);
         if (group == Group::Units) {
             modal_.units.inch = function == Function::Inch;
             modal_.units.inch_feed = modal_.units.inch && !form.feed_stays_metric;

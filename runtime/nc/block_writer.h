@@ -135,6 +135,9 @@ class BlockWriter {
     void add_code(const Block& block, Function function, Items& items);
     bool needs_distance(const Block& block, Function distance) const;
     void restore_modal(const Block& block, Items& items);
+    bool is_said_again(Group group) const;
+    void count_idle(const Block& block, std::uint32_t before);
+    void say_doubtful(const Block& block, std::string& out);
     void note_written(const Form& form);
     bool is_shift_standing(const Form& form, const Block& block,
                            const Invocation& invocation) const;
@@ -148,7 +151,8 @@ class BlockWriter {
     Function spindle_behind(const Form& form, const Block& block,
                             const Invocation& invocation) const;
     bool says_speed(const Block& block, const Invocation& invocation) const;
-    Function acting_around(const Form& form) const;
+    static bool ends_by_itself(const Form& form, const Block& block, Function around);
+    Function acting_around(const Form& form, const Block& block) const;
     Activity is_shifted() const;
     void defer_length(const Block& block, const Invocation& invocation);
     void write_waiting_edge(const Block& block, std::string& out);
@@ -326,6 +330,12 @@ class BlockWriter {
     bool feed_every_block_ = false;                 // F is not modal in this feed mode
     bool inverse_arc_by_radius_ = false;            // F of arcs is feed/radius in this feed mode
     double deferred_tool_ = 0;
+    struct Idle {
+        int moves = 0;  // in the plane, since the compensation began
+        int lines = 0;  // in a row without one
+    };
+    Idle idle_;
+    int most_idle_ = -1;  // that the control takes; -1: any number
     bool failed_ = false;
     bool has_ended_ = false;
 };

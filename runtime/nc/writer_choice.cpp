@@ -143,7 +143,7 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
                     continue;
                 }
             }
-            const Function around = acting_around(form);
+            const Function around = acting_around(form, block);
             if (around != Function::None) blocking = around;
             else if (holds(form, block, invocation.function, allow_unknown)) return id;
         }
@@ -157,7 +157,15 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
                 builder.fix(is_frame(invocation.function)
                                 ? "begin and end frames outside of the compensation: `G40` first"
                                 : "end the compensation first: `G40`");
+            if (blocking == Function::CuttingSpeedOn)
+                builder.fix("end constant cutting speed first: `G97` with an S");
+            if (blocking == Function::FeedInverseTime)
+                builder.fix("end inverse time first: `G94` or `G95` with an F");
         }
+        // Go on as if it were said: F and S behind it are no mistakes of their own.
+        const Group group = info(invocation.function).group;
+        if (group == Group::FeedMode || group == Group::SpeedMode)
+            modal_.text_of(group) = invocation.function;
         return kNoForm;
     }
     std::string what = quoted(name);
@@ -186,9 +194,19 @@ std::string BlockWriter::misfit_words(std::span<const Parameter> parameters, con
     return words;
 }
 
-/// The frame function that acts and that the form must not stand inside of; None: there is none.
-Function BlockWriter::acting_around(const Form& form) const {
+/// Whether the block itself asks for an end of the function, which the form says with its own.
+bool BlockWriter::ends_by_itself(const Form& form, const Block& block, Function around) {
+    const Group group = info(around).group;
+    const Function own = said_of(block, group);
+    const auto is_of_group = [&](Function function) { return info(function).group == group; };
+    return group != Group::Once && own != Function::None && own != around &&
+           std::ranges::any_of(form.sets, is_of_group);
+}
+
+/// The function that acts and that the form must not stand inside of; None: there is none.
+Function BlockWriter::acting_around(const Form& form, const Block& block) const {
     for (const Function around : form.outside) {
+        if (ends_by_itself(form, block, around)) continue;
         const Activity activity = around == Function::Shift                      ? is_shifted()
                                   : around == Function::Rotate                   ? modal_.rotation
                                   : around == Function::Scale                    ? modal_.scale

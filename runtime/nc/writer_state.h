@@ -32,12 +32,25 @@ struct Standing {
     double value = 0;
 };
 
+/// A set of modal groups, a bit each.
+using GroupMask = std::uint32_t;
+constexpr GroupMask bit(Group group) { return GroupMask{1} << index_of(group); }
+
+/// Groups that are said again where nobody knows whether the operator has left out the block that
+/// says one of them. The spindle and the coolant are his choice; the motion, the dimensions and the
+/// feed mode are said wherever the text does not have them; the others cannot stand in such a
+/// block.
+inline constexpr GroupMask kSaidAgain =
+    bit(Group::Plane) | bit(Group::RadiusComp) | bit(Group::PathMode) | bit(Group::CompStart) |
+    bit(Group::CompCorner) | bit(Group::CompCheck) | bit(Group::Compressor);
+
 /// Additional turns of a helix, as the interpreter takes them.
 inline constexpr double kMostTurns = 999;
 
 struct WriterModal {
     ModalFunctions meant{};  // as the blocks say; None: not known
     ModalFunctions text{};   // as the control has it
+    GroupMask doubtful = 0;  // of kSaidAgain, where a block that may be left out says otherwise
     TextUnits units;
     Standing feed;  // in the text's units
     Standing speed;
@@ -67,8 +80,11 @@ struct WriterModal {
     /// Keeps of the control's state only what was the same in another one.
     void keep_common(const WriterModal& other) {
         for (std::size_t i = 0; i < text.size(); ++i) {
-            if (text[i] != other.text[i]) text[i] = Function::None;
+            if (text[i] == other.text[i]) continue;
+            text[i] = Function::None;
+            doubtful |= bit(static_cast<Group>(i)) & kSaidAgain;
         }
+        doubtful |= other.doubtful;
         const auto keep = [](Standing& mine, const Standing& theirs) {
             mine.is_known = mine.is_known && theirs.is_known && mine.value == theirs.value;
         };
@@ -98,6 +114,7 @@ struct WriterModal {
     void forget() {
         meant.fill(Function::None);
         text.fill(Function::None);
+        doubtful = 0;
         feed.is_known = speed.is_known = has_meant_feed = has_meant_speed = false;
         is_edge_lost = is_edge_lost || (edge.is_known && edge.value != 0);
         tool.is_known = edge.is_known = false;

@@ -129,6 +129,26 @@ TEST(Unknown, WhatASkippedBlockSetsIsSaidAgain) {
     });
 }
 
+TEST(Unknown, CompensationIsLeftOutWholeOrNotAtAll) {
+    const std::string head = "program p() { F1; tool(1); S1 M3; G0 X0 Y0; G1; ";
+    const auto messages = [&](const std::string& blocks) {
+        return run(head + blocks + " }").all_messages();
+    };
+    const std::string doubt =
+        " K3250 whether the cutter's radius is compensated here is the "
+        "operator's choice";
+    EXPECT_EQ(messages("/G41 X1; /X2; /G40 X3; X4;"), "");
+    EXPECT_EQ(messages("G41 X1; X2; /G40 X3; /G41 X4; X5; G40 X6;"), "");
+    EXPECT_EQ(messages("/G41; G40; X1;"), "");     // said before anything needs it
+    EXPECT_EQ(messages("/G41; Z1; G40 X1;"), "");  // nothing goes in the plane
+    EXPECT_EQ(messages("/G41; X1;"), "1:55" + doubt);
+    EXPECT_EQ(messages("/1 G41 X1; /2 X2; /1 G40 X3;"), "1:60" + doubt);
+    EXPECT_EQ(messages("G41 X1; X2; /G42; X3; G40 X4;"), "1:67" + doubt);
+    EXPECT_EQ(messages("G18; /G41; Y1; G40 X1;"), "");
+    EXPECT_EQ(messages("/G41 X1; G18; G40 X1;"), "1:58" + doubt);
+    EXPECT_EQ(messages("G18; /G41; Z1;"), "1:60" + doubt);
+}
+
 TEST(Unknown, NothingIsExecutedBehindTheEnd) {
     expect_rows({
         {"program p() { G0 X1; M30; G0 X2; G0 X3; }", "rapid X1\nend_rewind\nrapid X2\nrapid X3",
