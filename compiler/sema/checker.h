@@ -94,6 +94,7 @@ class Checker {
     void emit_native_cycle();
     bool is_check(syntax::StmtId id) const;
     bool only_checks(const FunctionDecl& function) const;
+    const FunctionDecl* called_function(syntax::ExprId id) const;
     void emit_unset(Type type, Reg reg);
     bool has_defaults(Type type) const;
     void emit_member(const Member& member, Reg reg);
