@@ -470,8 +470,31 @@ void Checker::add_columns(TableSchema& schema, Type type, const std::string& pre
                 break;
             default: continue;
         }
+        if (member.initial.is_valid()) add_default(column, member);
         schema.columns.push_back(std::move(column));
     }
+}
+
+/// What a table without the column has in it. A default that must be worked out in the running
+/// program is none: the column is missing then.
+void Checker::add_default(Column& column, const Member& member) {
+    const std::uint32_t here = std::exchange(module_, member.module);
+    const Units before = std::exchange(units_, modules_[member.module].units);
+    const Reg mark = emit_.mark();
+    const Value value = convert(expression(member.initial, member.type), member.type,
+                                ast()[member.initial].range, member.name);
+    if (value.is_constant()) {
+        column.initial.emplace();
+        if (column.kind == Column::Kind::Text)
+            column.initial_text = code_->texts[static_cast<std::size_t>(value.constant.integer)];
+        else if (kind(member.type) == Kind::Real || kind(member.type) == Kind::Feed ||
+                 kind(member.type) == Kind::Speed)
+            column.initial->number = value.constant.number;
+        else column.initial->integer = value.constant.integer;
+    }
+    emit_.release_to(mark);
+    module_ = here;
+    units_ = before;
 }
 
 /// Where names of files in the present file are relative to; ends in a slash or is empty.

@@ -266,6 +266,7 @@ class Checker {
     bool is_picture(Type type, PictureSource& source) const;
     std::string folder_of_file() const;
     void add_columns(TableSchema& schema, Type type, const std::string& prefix, std::uint16_t slot);
+    void add_default(Column& column, const Member& member);
     std::optional<std::vector<syntax::ExprId>> bind_arguments(
         const syntax::Expr& expr, std::string_view name, std::span<const std::string_view> names,
         const SourceRange& declared, std::uint32_t required = 0);
