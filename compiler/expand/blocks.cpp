@@ -8,6 +8,7 @@
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/expand.h"
 #include "base/diagnostics/iso.h"
+#include "base/readable.h"
 #include "expand/feed_words.h"
 #include "expand/numbers.h"
 #include "expand/state.h"
@@ -356,7 +357,11 @@ bool Expander::State::fill_feed(Block& block, const Filling& filling, double val
         return false;
     }
     if (!(value > 0)) {
-        fault(diag::FeedZero, word_of(filling, at)).arg(neat(value));
+        const std::string feed = mode == Function::FeedInverseTime ? readable(value)
+                                 : mode == Function::FeedPerRevolution
+                                     ? quantity_text(value, sema::kFeedPerTurn)
+                                     : quantity_text(value / kMinute, sema::kFeedPerTime);
+        fault(diag::FeedZero, word_of(filling, at)).arg(feed);
         return false;
     }
     block.set(nc::Slot::Feed, neat(value));

@@ -5,7 +5,6 @@
 
 #include "base/assert.h"
 #include "base/diagnostics/expand.h"
-#include "base/numbers.h"
 #include "base/units.h"
 #include "expand/plane.h"
 #include "expand/state.h"
@@ -33,12 +32,6 @@ constexpr std::size_t at(ElementSlot slot) { return static_cast<std::size_t>(slo
 constexpr std::size_t at(FollowSlot slot) { return static_cast<std::size_t>(slot); }
 
 bool is_given(Slot slot) { return slot.number == slot.number; }
-
-std::string mm_text(double value) {
-    std::string text;
-    append_shortest(text, std::nearbyint(value * 1e6) / 1e6);
-    return text + " mm";
-}
 
 std::string_view describe(path::ArcFault fault) {
     switch (fault) {
@@ -238,7 +231,7 @@ bool Expander::State::contour_value(const Instruction& instruction, Slot* regist
             const double distance = arguments[1].number;
             const auto pieces = path::offset(contour.elements, distance);
             if (!pieces) {
-                fault(diag::OffsetUnresolved, where).arg(mm_text(distance));
+                fault(diag::OffsetUnresolved, where).arg(quantity_text(distance, sema::kLength));
                 return false;
             }
             result.integer = make_contours(*pieces, contour, layout);
@@ -346,7 +339,7 @@ bool Expander::State::offset_all(const Instruction& instruction, Slot* registers
     const double distance = arguments[1].number;
     const auto pieces = path::offset(contours, distance);
     if (!pieces) {
-        fault(diag::OffsetUnresolved, where).arg(mm_text(distance));
+        fault(diag::OffsetUnresolved, where).arg(quantity_text(distance, sema::kLength));
         return false;
     }
     const auto layout = static_cast<std::uint32_t>(instruction.immediate.pair.second);
@@ -526,7 +519,7 @@ std::optional<Expander::State::PlaneContour> Expander::State::followed(const Slo
         const Slot value = arguments[at(slot)];
         if (!is_given(value)) return 0;
         if (value.number >= 0 && value.number < 1e6) return value.number;
-        fault(diag::LeadSize, where).arg(name).arg(mm_text(value.number));
+        fault(diag::LeadSize, where).arg(name).arg(quantity_text(value.number, sema::kLength));
         return std::nullopt;
     };
     const auto line_in = size_of(FollowSlot::LeadIn, "lead_in");
@@ -541,12 +534,12 @@ std::optional<Expander::State::PlaneContour> Expander::State::followed(const Slo
     if (distance != 0) {
         const auto pieces = path::offset(contour.elements, distance);
         if (!pieces) {
-            fault(diag::OffsetUnresolved, where).arg(mm_text(distance));
+            fault(diag::OffsetUnresolved, where).arg(quantity_text(distance, sema::kLength));
             return std::nullopt;
         }
         if (pieces->size() != 1) {
             fault(diag::ToolDoesNotFit, where)
-                .arg(mm_text(std::fabs(distance)))
+                .arg(quantity_text(std::fabs(distance), sema::kLength))
                 .arg(pieces->empty() ? std::string("nothing is left")
                                      : std::to_string(pieces->size()) + " pieces are left");
             return std::nullopt;

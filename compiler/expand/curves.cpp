@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "base/diagnostics/expand.h"
-#include "base/numbers.h"
 #include "expand/numbers.h"
 #include "expand/plane.h"
 #include "expand/state.h"
@@ -25,12 +24,6 @@ constexpr std::size_t at(CurveSlot slot) { return static_cast<std::size_t>(slot)
 std::array<std::size_t, 3> order_of(path::Plane plane) {
     const PlaneIndices axes = indices_of(plane);
     return {axes.first, axes.second, axes.across};
-}
-
-std::string number_text(double value) {
-    std::string text;
-    append_shortest(text, std::nearbyint(value * 1e6) / 1e6);
-    return text;
 }
 
 }  // namespace
@@ -85,7 +78,7 @@ std::optional<path::CurveSample> Expander::State::curve_point(const Instruction&
                 .arg(function.name)
                 .arg(std::string(1, "xyz"[axes[i]]))
                 .arg(function.parameters.back().name)
-                .arg(number_text(parameter));
+                .arg(quantity_text(parameter, function.parameters.back().quantity));
             return std::nullopt;
         }
         if (!is_given) continue;
@@ -106,7 +99,7 @@ bool Expander::State::start_curve(const Instruction& instruction, std::uint32_t 
     const Slot* options_of = stack.data() + frames.back().base + instruction.a;
     const double tolerance = options_of[at(CurveSlot::Tolerance)].number;
     if (!(tolerance >= kLeastTolerance) || !is_sane(tolerance)) {
-        fault(diag::CurveTolerance, where).arg(number_text(tolerance) + " mm");
+        fault(diag::CurveTolerance, where).arg(quantity_text(tolerance, sema::kLength));
         return false;
     }
     following.emplace();
@@ -133,7 +126,7 @@ bool Expander::State::start_curve(const Instruction& instruction, std::uint32_t 
         fault(diag::CurveIsPoint, where)
             .arg(function.name)
             .arg(function.parameters.back().name)
-            .arg(number_text(fit.from));
+            .arg(quantity_text(fit.from, function.parameters.back().quantity));
     }
     const bool is_flat = curve.is_given[0] && curve.is_given[1] && !curve.is_given[2];
     const bool has_arcs = target.can_write(Function::ArcCw) && target.can_write(Function::ArcCcw);
@@ -199,7 +192,7 @@ void Expander::State::jump_fault(const Instruction& instruction, std::uint32_t w
     fault(diag::CurveJump, where)
         .arg(function.name)
         .arg(function.parameters.back().name)
-        .arg(number_text(parameter));
+        .arg(quantity_text(parameter, function.parameters.back().quantity));
 }
 
 Expander::State::Progress Expander::State::follow_curve(const Instruction& instruction,

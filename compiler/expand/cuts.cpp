@@ -4,6 +4,7 @@
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/expand.h"
 #include "base/diagnostics/iso.h"
+#include "base/units.h"
 #include "expand/feed_words.h"
 #include "expand/numbers.h"
 #include "expand/state.h"
@@ -178,7 +179,9 @@ void Expander::State::check_rapid(const Block& block, std::uint32_t at) {
     const double target_z = is_way ? modal.position[kZ] + way : way;
     if (!(target_z < 0) || (is_known && target_z >= modal.position[kZ])) return;
     modal.warned_of_rapid = !is_allowed(diag::RapidBelowPlane, at);
-    fault(diag::RapidBelowPlane, at).arg(neat(target_z));
+    // As a word of the program says it.
+    const bool is_inch = modal[Group::Units] == Function::Inch;
+    fault(diag::RapidBelowPlane, at).arg(is_inch ? target_z / kMmPerInch : target_z);
 }
 
 }  // namespace kadr::expand

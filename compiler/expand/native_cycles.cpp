@@ -88,7 +88,13 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
         if (sema::is_second_form(values[i])) return false;
         values[i] = neat(values[i] * kMinute);
     }
-    if (!target.has_native_cycle(cycle, given, {values.data(), parameters.size()})) return false;
+    const std::span<const double> arguments(values.data(), parameters.size());
+    if (!target.has_native_cycle(cycle, given, arguments)) {
+        // A call in the control's own words: what it does not say, the control has by itself.
+        given &= frame.given;
+        const bool is_said = said_cycle.is_running;
+        if (!is_said || !target.has_native_cycle(cycle, given, arguments)) return false;
+    }
     // Under inverse time F belongs to a block, and a cycle is many.
     if (modal[Group::FeedMode] == Function::FeedInverseTime) return false;
     if (modal.frame.has_scale() && spares_distances(cycle, given)) return false;

@@ -375,6 +375,8 @@ struct Expander::State {
 
     // ---- text_format.cpp
     std::string format(const sema::FormatPattern& pattern, const Slot* values) const;
+    /// A value for a message, in the units of the program: `2.5 mm`, `0.1 in`.
+    std::string quantity_text(double value, sema::Quantity quantity) const;
     /// A value as the prompt shows it; `is_part`: inside of another one.
     std::string shown(std::uint32_t form, const Slot* value, bool is_part = false);
     std::string shown_list(const sema::ShownForm& form, Slot list);

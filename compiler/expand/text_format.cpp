@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/numbers.h"
+#include "base/readable.h"
 #include "base/text.h"
 #include "expand/state.h"
 
@@ -28,7 +29,8 @@ std::string shown(double value) {
 
 std::string number(double value, const FormatPiece& piece) {
     if (value != value) return "?";
-    if (piece.decimals < 0) return shown(value);
+    // With a unit it is for a person.
+    if (piece.decimals < 0) return piece.scale.unit.empty() ? shown(value) : readable(value);
     if (!(std::abs(value) < 1e300)) return shown(value);
     std::array<char, kMaxFixedLength> text{};
     return {text.data(), format_fixed(text.data(), value, piece.decimals)};
@@ -103,6 +105,13 @@ std::string Expander::State::format(const sema::FormatPattern& pattern, const Sl
         }
     }
     return out;
+}
+
+std::string Expander::State::quantity_text(double value, sema::Quantity quantity) const {
+    const bool is_inch = modal[nc::Group::Units] == nc::Function::Inch;
+    const sema::Units units = is_inch ? sema::Units::Inch : sema::Units::Metric;
+    const std::string unit = sema::unit_text(quantity, units);
+    return readable(value / sema::bare_factor(quantity, units)) + (unit.empty() ? "" : " ") + unit;
 }
 
 // ---------------------------------------------------------------- values at the prompt

@@ -8,6 +8,7 @@
 #include "sema/checker.h"
 #include "sema/csv.h"
 #include "sema/picture.h"
+#include "syntax/habits.h"
 
 namespace kadr::sema {
 
@@ -61,6 +62,10 @@ Value Checker::call(ExprId id, Reg hint) {
     }
     if (const auto module = loader_.library_module_of(name)) {
         builder.fix("it is in the library: `import " + *module + ";`");
+        return error_value();
+    }
+    if (const syntax::Habit* habit = syntax::habit_of(name)) {
+        syntax::advise(builder, *habit, callee.range);
         return error_value();
     }
     const std::vector<std::string_view> names = known_names(true);
@@ -337,7 +342,15 @@ Value Checker::array_method(const Place& array, const Expr& callee, const Expr& 
         builder.arg(type_name(array.type)).arg(name);
         static constexpr std::string_view kMethods[] = {"append", "insert", "remove",
                                                         "pop",    "clear",  "count"};
-        if (const auto near = nearest_name(name, kMethods, std::size(kMethods))) {
+        // As lists of other languages call them.
+        static constexpr std::pair<std::string_view, std::string_view> kOthers[] = {
+            {"push_back", "append"}, {"push", "append"},  {"size", "count"}, {"length", "count"},
+            {"pop_back", "pop"},     {"erase", "remove"}, {"len", "count"}};
+        const auto* const other =
+            std::ranges::find(kOthers, name, &std::pair<std::string_view, std::string_view>::first);
+        if (other != std::end(kOthers)) {
+            builder.fix("here it is " + quoted(other->second));
+        } else if (const auto near = nearest_name(name, kMethods, std::size(kMethods))) {
             builder.fix("did you mean " + quoted(*near) + "?");
         }
         return error_value();
@@ -470,8 +483,31 @@ void Checker::add_columns(TableSchema& schema, Type type, const std::string& pre
                 break;
             default: continue;
         }
+        if (member.initial.is_valid()) add_default(column, member);
         schema.columns.push_back(std::move(column));
     }
+}
+
+/// What a table without the column has in it. A default that must be worked out in the running
+/// program is none: the column is missing then.
+void Checker::add_default(Column& column, const Member& member) {
+    const std::uint32_t here = std::exchange(module_, member.module);
+    const Units before = std::exchange(units_, modules_[member.module].units);
+    const Reg mark = emit_.mark();
+    const Value value = convert(expression(member.initial, member.type), member.type,
+                                ast()[member.initial].range, member.name);
+    if (value.is_constant()) {
+        column.initial.emplace();
+        if (column.kind == Column::Kind::Text)
+            column.initial_text = code_->texts[static_cast<std::size_t>(value.constant.integer)];
+        else if (kind(member.type) == Kind::Real || kind(member.type) == Kind::Feed ||
+                 kind(member.type) == Kind::Speed)
+            column.initial->number = value.constant.number;
+        else column.initial->integer = value.constant.integer;
+    }
+    emit_.release_to(mark);
+    module_ = here;
+    units_ = before;
 }
 
 /// Where names of files in the present file are relative to; ends in a slash or is empty.

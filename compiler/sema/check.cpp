@@ -70,6 +70,12 @@ bool is_contract(const syntax::Ast& tree, syntax::StmtId id) {
         case syntax::StmtKind::WarnStmt: return true;
         case syntax::StmtKind::If:
             return !stmt.statement[1].is_valid() && is_contract(tree, stmt.statement[0]);
+        case syntax::StmtKind::For: return is_contract(tree, stmt.statement[1]);
+        case syntax::StmtKind::Block:
+            return std::ranges::all_of(tree.stmts(stmt.statements), [&](syntax::StmtId inner) {
+                return tree[inner].kind == syntax::StmtKind::Declaration ||
+                       is_contract(tree, inner);
+            });
         default: return false;
     }
 }
@@ -80,24 +86,34 @@ bool Checker::only_checks(const FunctionDecl& function) const {
     const syntax::Ast& tree = *modules_[function.module].ast;
     const syntax::Decl& decl = tree[function.decl];
     if (!decl.body.is_valid()) return false;
-    const auto statements = tree.stmts(tree[decl.body].statements);
-    return std::ranges::all_of(statements,
-                               [&](syntax::StmtId id) { return is_contract(tree, id); });
+    return is_contract(tree, decl.body);
 }
 
-/// The contract of a cycle holds for a native one too, so it is checked before.
+/// The function that an expression is a call of; null if it is none of a Kadr file.
+const FunctionDecl* Checker::called_function(syntax::ExprId id) const {
+    if (!id.is_valid()) return nullptr;
+    const syntax::Expr& expr = ast()[id];
+    const bool is_call =
+        expr.kind == syntax::ExprKind::Call && ast()[expr.child[0]].kind == syntax::ExprKind::Name;
+    if (!is_call) return nullptr;
+    const Name* found = find_global(module_, text(ast()[expr.child[0]].text));
+    if (found == nullptr || found->what != Name::What::Function) return nullptr;
+    return &functions_[found->index];
+}
+
+/// The contract of a cycle holds for a native one too, so it is checked before; so is what a
+/// function works out for the cycle, which may ask as well.
 bool Checker::is_check(syntax::StmtId id) const {
     const syntax::Stmt& stmt = ast()[id];
     switch (stmt.kind) {
         case syntax::StmtKind::Empty: return true;
         case syntax::StmtKind::Expression: {
-            const syntax::Expr& expr = ast()[stmt.expression[0]];
-            if (expr.kind != syntax::ExprKind::Call ||
-                ast()[expr.child[0]].kind != syntax::ExprKind::Name)
-                return false;
-            const Name* found = find_global(module_, text(ast()[expr.child[0]].text));
-            return found != nullptr && found->what == Name::What::Function &&
-                   only_checks(functions_[found->index]);
+            const FunctionDecl* function = called_function(stmt.expression[0]);
+            return function != nullptr && only_checks(*function);
+        }
+        case syntax::StmtKind::Declaration: {
+            const FunctionDecl* function = called_function(ast()[stmt.declaration].value);
+            return function != nullptr && function->kind == DeclKind::Function;
         }
         default: return is_contract(ast(), id);
     }

@@ -94,6 +94,7 @@ class Checker {
     void emit_native_cycle();
     bool is_check(syntax::StmtId id) const;
     bool only_checks(const FunctionDecl& function) const;
+    const FunctionDecl* called_function(syntax::ExprId id) const;
     void emit_unset(Type type, Reg reg);
     bool has_defaults(Type type) const;
     void emit_member(const Member& member, Reg reg);
@@ -265,6 +266,7 @@ class Checker {
     bool is_picture(Type type, PictureSource& source) const;
     std::string folder_of_file() const;
     void add_columns(TableSchema& schema, Type type, const std::string& prefix, std::uint16_t slot);
+    void add_default(Column& column, const Member& member);
     std::optional<std::vector<syntax::ExprId>> bind_arguments(
         const syntax::Expr& expr, std::string_view name, std::span<const std::string_view> names,
         const SourceRange& declared, std::uint32_t required = 0);

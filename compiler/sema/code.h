@@ -329,6 +329,8 @@ struct Column {
     bool is_optional = false;  // an empty cell is "not given"; the column may be missing
     std::uint32_t enumeration = 0;
     std::uint16_t slot = 0;
+    std::optional<Slot> initial;  // without a column: the member's default; of a text nothing …
+    std::string initial_text;     // … but this
 };
 struct TableSchema {
     std::string type_name;

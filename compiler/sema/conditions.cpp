@@ -140,10 +140,11 @@ std::optional<Checker::Comparison> Checker::compare(const Expr& expr, Value left
         result.right = constant_integer(1, types::kBool);
         return result;
     }
-    report(diag::OperandPair, expr.range)
-        .arg(spelling(expr.op))
-        .arg(type_name(left.type))
-        .arg(type_name(right.type));
+    auto message = report(diag::OperandPair, expr.range);
+    message.arg(spelling(expr.op)).arg(type_name(left.type)).arg(type_name(right.type));
+    // `1 < n < 3`: the first comparison is a truth value.
+    const bool is_chain = a == Kind::Bool && ast()[expr.child[0]].kind == ExprKind::Binary;
+    if (is_chain) message.fix("each comparison stands by itself: `1 < n && n < 3`");
     return std::nullopt;
 }
 
@@ -251,7 +252,10 @@ bool is_comparison(Operator op) { return op >= Operator::Less && op <= Operator:
 
 void Checker::check_condition(const Value& value, const SourceRange& range) {
     if (is_error(value) || kind(value.type) == Kind::Bool) return;
-    report(diag::ConditionType, range).arg(type_name(value.type));
+    auto message = report(diag::ConditionType, range);
+    message.arg(type_name(value.type));
+    if (kind(value.type) == Kind::Int || kind(value.type) == Kind::Real)
+        message.fix("compare it: `" + std::string(sources_.text(range)) + " != 0`");
 }
 
 void Checker::jump_if(ExprId id, bool sense, Label& label, int depth) {

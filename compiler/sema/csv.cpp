@@ -192,13 +192,16 @@ class TableReader {
         }
     }
 
+    bool has(const Column& column) const {
+        return std::any_of(columns_.begin(), columns_.end(),
+                           [&](const Bound& bound) { return bound.column == &column; });
+    }
+
     /// Members without a column. Where a column has nearly the name of one, it is that column which
     /// is wrong, and it is not said again that nobody takes it.
     void report_missing(std::vector<UnknownColumn>& unknown) {
         for (const Column& column : schema_.columns) {
-            const bool is_there = std::any_of(columns_.begin(), columns_.end(),
-                                              [&](const Bound& b) { return b.column == &column; });
-            if (is_there || column.is_optional) continue;
+            if (has(column) || column.is_optional || column.initial) continue;
             std::vector<std::string_view> names;
             names.reserve(unknown.size());
             for (const UnknownColumn& other : unknown) names.push_back(other.name);
@@ -241,7 +244,13 @@ class TableReader {
             const bool is_integer = column.kind != Column::Kind::Number &&
                                     column.kind != Column::Kind::Feed &&
                                     column.kind != Column::Kind::Speed;
-            if (is_integer) rows_.slots[first + column.slot].integer = kNotGivenInteger;
+            Slot& slot = rows_.slots[first + column.slot];
+            if (is_integer) slot.integer = kNotGivenInteger;
+            if (!column.initial || has(column)) continue;
+            slot = *column.initial;
+            if (column.kind != Column::Kind::Text) continue;
+            slot.integer = static_cast<std::int64_t>(rows_.texts.size());
+            rows_.texts.push_back(column.initial_text);
         }
         for (std::size_t i = 0; i < cells.size(); ++i) {
             if (columns_[i].column != nullptr)

@@ -6,6 +6,7 @@
 #include "base/diagnostics/sema.h"
 #include "base/text.h"
 #include "sema/checker.h"
+#include "syntax/habits.h"
 
 namespace kadr::sema {
 
@@ -230,6 +231,10 @@ Type Checker::resolve_type(syntax::TypeId id) {
         if (is_lost(name) || report_foreign(name, ref.range)) return types::kError;
         auto builder = report(diag::UnknownType, ref.range);
         builder.arg(name);
+        if (const syntax::Habit* habit = syntax::habit_of(name)) {
+            syntax::advise(builder, *habit, ref.range);
+            return types::kError;
+        }
         std::vector<std::string_view> known = {"bool",   "int",     "real",    "length", "angle",
                                                "time",   "feed",    "speed",   "string", "point",
                                                "vector", "contour", "diameter"};

@@ -424,10 +424,14 @@ Value Checker::step(ExprId id, bool is_value) {
     if (is_error(old)) return old;
     const bool is_int = kind(old.type) == Kind::Int;
     if (!is_int && old.type != types::kReal) {
-        report(diag::OperandType, range)
-            .arg(expr.op == Operator::PreIncrement || expr.op == Operator::PostIncrement ? "++"
-                                                                                         : "--")
-            .arg(type_name(old.type));
+        const bool counts_up =
+            expr.op == Operator::PreIncrement || expr.op == Operator::PostIncrement;
+        auto message = report(diag::OperandType, range);
+        message.arg(counts_up ? "++" : "--").arg(type_name(old.type));
+        if (types_.is_numeric(old.type)) {
+            message.fix("numbers count so; say by how much: `" + std::string(sources_.text(range)) +
+                        (counts_up ? " += …`" : " -= …`"));
+        }
         return error_value();
     }
     const bool up = expr.op == Operator::PreIncrement || expr.op == Operator::PostIncrement;

@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "sema/builtins.h"
 #include "sema/checker.h"
+#include "syntax/habits.h"
 #include "syntax/parse.h"
 
 namespace kadr::sema {
@@ -230,9 +231,18 @@ void Checker::report_unknown(std::string_view name, const SourceRange& range) {
         builder.fix(range, word, "words of blocks are written in upper case");
         return;
     }
+    if (const syntax::Habit* habit = syntax::habit_of(name)) {
+        syntax::advise(builder, *habit, range);
+        return;
+    }
     const std::vector<std::string_view> functions = known_names(true);
     if (std::binary_search(functions.begin(), functions.end(), name)) {
         builder.fix(range, std::string(name) + "()", "it is a function: call it");
+        return;
+    }
+    // Every letter is near to every other.
+    if (count_code_points(name) == 1) {
+        builder.fix("declare it first, with its type");
         return;
     }
     const std::vector<std::string_view> names = known_names(false);

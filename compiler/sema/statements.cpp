@@ -378,8 +378,11 @@ void Checker::return_statement(const Stmt& stmt) {
     const SourceRange range = ast()[stmt.expression[0]].range;
     if (result == types::kVoid) {
         const Value value = expression(stmt.expression[0]);
-        if (!is_error(value))
-            report(diag::ReturnWithValue, range).arg(function_ != nullptr ? function_->name : "");
+        if (!is_error(value)) {
+            report(diag::ReturnWithValue, range)
+                .arg(function_ != nullptr ? function_->name : "")
+                .fix("`return;` alone leaves it");
+        }
         return;
     }
     Value value = convert(expression(stmt.expression[0], result), result, range, "the result");

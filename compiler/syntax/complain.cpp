@@ -6,6 +6,7 @@
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/syntax.h"
 #include "base/text.h"
+#include "syntax/habits.h"
 #include "syntax/keyword.h"
 #include "syntax/operators.h"
 #include "syntax/parse.h"
@@ -75,14 +76,6 @@ bool begins_statement(Token token) {
 }
 
 bool is_keyword(Token token) { return token >= Token::If && token <= Token::Contains; }
-
-std::string lower_ascii(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + ('a' - 'A'));
-    }
-    return lower;
-}
 
 }  // namespace
 
@@ -181,8 +174,9 @@ bool Complaints::is_semicolon_forgotten(const Place& place) const {
 
 void Complaints::explain(const Place& place) {
     if (explain_number(place) || explain_capitals(place) || explain_program_number(place) ||
-        explain_for(place) || explain_declaration(place) || explain_name(place) ||
-        explain_value(place) || explain_sign(place) || explain_closing(place)) {
+        explain_habit(place) || explain_for(place) || explain_declaration(place) ||
+        explain_name(place) || explain_value(place) || explain_sign(place) ||
+        explain_closing(place)) {
         return;
     }
     const SourceRange range = file_.range(place.offending);
@@ -200,8 +194,49 @@ void Complaints::explain(const Place& place) {
         const bool is_comment =
             place.offending.token == Token::OpenParen && place.previous.token == Token::LiteralWord;
         if (is_comment) report.fix("a comment begins with `//`");
-        else fix_operator(place, report);
+        else if (!fix_sign(place, report)) fix_operator(place, report);
     }
+}
+
+/// `(int)x`.
+bool Complaints::is_cast(const Place& place) const {
+    if (place.previous.token != Token::CloseParen || place.index < 3) return false;
+    const std::string_view type = file_.spelling(stream_.lexeme(place.index - 2));
+    constexpr std::string_view kTypes[] = {"int", "real", "float", "double", "long", "bool"};
+    return stream_.lexeme(place.index - 3).token == Token::OpenParen &&
+           std::ranges::find(kTypes, type) != std::end(kTypes);
+}
+
+/// Signs as other languages have them; false: it is none of those.
+bool Complaints::fix_sign(const Place& place, DiagnosticBuilder& report) const {
+    const Token before = place.previous.token;
+    const Lexeme& offending = place.offending;
+    const Lexeme& next = stream_.lexeme(std::min(place.index + 1, stream_.size() - 1));
+    const bool is_joined = place.previous.end == offending.begin;
+    const SourceRange both = file_.range(place.previous.begin, offending.end);
+    const auto is = [&](Token first, Token second) {
+        return is_joined && before == first && offending.token == second;
+    };
+    if (is(Token::Minus, Token::Greater)) {
+        report.fix(both, ".", "a member stands behind a point");
+    } else if (is(Token::Less, Token::Greater)) {
+        report.fix(both, "!=", "unequal");
+    } else if (is(Token::Star, Token::Star)) {
+        report.fix("a power is `pow(a, n)`");
+    } else if (offending.token == Token::And && before == Token::Assign) {
+        report.fix("there are no pointers: a parameter `int& n` is the caller's own variable");
+    } else if (offending.token == Token::Colon && next.token == Token::Assign) {
+        report.fix(file_.range(offending.begin, next.end), "=", "assign");
+    } else if (offending.token == Token::Colon && place.head_index + 1 == place.index) {
+        report.fix("there are no labels and no jumps: `while` and `for` repeat");
+    } else if (offending.token == Token::Comma && is_word(place.head)) {
+        report.fix(file_.range(offending), "", "the words of a block have no commas between them");
+    } else if (is_cast(place)) {
+        report.fix("a value becomes a number of another kind by a call: `int(x)`, `round(x)`");
+    } else {
+        return false;
+    }
+    return true;
 }
 
 /// `and`, `OR`, `not`: words of other languages.
@@ -273,6 +308,30 @@ bool Complaints::explain_capitals(const Place& place) {
     return true;
 }
 
+/// A statement that begins with a word of another language: `foreach (x in list)`, `goto 5`.
+bool Complaints::explain_habit(const Place& place) {
+    const Lexeme& head = stream_.lexeme(place.head_index);
+    // `static int k = 3;`: a type to the parser, and `int` the name.
+    const bool is_type = head.token == Token::TypeName && place.index <= place.head_index + 2;
+    if (head.token != Token::Identifier && !is_type) return false;
+    if (place.head_index >= place.index) return false;
+    const Habit* habit = habit_of(file_.spelling(head));
+    if (habit == nullptr || !habit->is_statement) return false;
+    // A name of the program may be spelled so: `end = 3`, `loop.count`.
+    switch (stream_.lexeme(place.head_index + 1).token) {
+        case Token::Assign:
+        case Token::Dot:
+        case Token::OpenBracket:
+        case Token::Semicolon: return false;
+        default: break;
+    }
+    file_.sink.report(diag::Unexpected, file_.range(place.offending))
+        .arg(quoted(place.offending))
+        .arg(quoted(place.previous))
+        .fix(std::string(habit->hint));
+    return true;
+}
+
 /// A line `O1234` of a control's text above the program: a type to the parser, and `program` a
 /// name.
 bool Complaints::explain_program_number(const Place& place) {
@@ -305,8 +364,12 @@ bool Complaints::explain_for(const Place& place) {
         return true;
     }
     if (place.previous.token != Token::Identifier || !place.expects(Token::Number)) return false;
-    const char* sign = place.offending.token == Token::Identifier ? ":" : "=";
-    file_.sink.report(diag::SignMissing, gap).arg(sign).arg(quoted(place.previous));
+    const bool is_list =
+        place.offending.token == Token::Identifier || place.offending.token == Token::In;
+    auto message = file_.sink.report(diag::SignMissing, gap);
+    message.arg(is_list ? ":" : "=").arg(quoted(place.previous));
+    if (lower_ascii(file_.spelling(place.offending)) == "in")
+        message.fix(file_.range(place.offending), ":", "a loop over a list has a sign");
     return true;
 }
 
@@ -332,7 +395,10 @@ bool Complaints::explain_sign(const Place& place) {
     const bool is_for = place.rule == KadrParser::RuleForHead;
     const bool is_field = place.rule == KadrParser::RuleField;
     if (place.expects_only(Token::Semicolon) && (is_for || is_field) && !place.is_new_line) {
-        file_.sink.report(diag::SignMissing, gap).arg(";").arg(quoted(place.previous));
+        auto message = file_.sink.report(diag::SignMissing, gap);
+        message.arg(";").arg(quoted(place.previous));
+        if (is_for && place.offending.token == Token::Comma)
+            message.fix("a loop has one variable: declare the others before it");
         return true;
     }
     const bool is_name_first = place.previous.token == Token::Identifier;
@@ -351,7 +417,9 @@ void Complaints::fix_parentheses(const Place& place, DiagnosticBuilder& report) 
         const bool is_end = token == Token::OpenBrace || token == Token::OpenValue ||
                             token == Token::EndOfFile ||
                             (token == Token::Semicolon && place.previous.token != Token::For);
-        const bool is_body = begins_statement(token) || is_word(token);
+        const bool is_word_of_others =
+            token == Token::Identifier && habit_of(file_.spelling(stream_.lexeme(end))) != nullptr;
+        const bool is_body = begins_statement(token) || is_word(token) || is_word_of_others;
         if (depth == 0 && (is_end || (end > place.index && is_body))) break;
         if (opens(token)) ++depth;
         if (closes(token) && depth > 0) --depth;
@@ -452,7 +520,9 @@ bool Complaints::explain_value(const Place& place) {
                  "if a variable is meant: names of variables are not addresses");
         return true;
     }
-    file_.sink.report(diag::ValueMissing, gap).arg(quoted(place.previous));
+    auto message = file_.sink.report(diag::ValueMissing, gap);
+    message.arg(quoted(place.previous));
+    fix_sign(place, message);
     return true;
 }
 
@@ -482,7 +552,20 @@ bool Complaints::explain_closing(const Place& place) {
         return true;
     }
     if (is_variable && place.expects(Token::Semicolon) && offending.token == Token::OpenBracket) {
-        file_.sink.report(diag::ArrayBrackets, range).arg(file_.spelling(place.previous));
+        auto message = file_.sink.report(diag::ArrayBrackets, range);
+        message.arg(file_.spelling(place.previous));
+        std::size_t close = place.index;
+        while (close + 1 < stream_.size() && stream_.lexeme(close).token != Token::CloseBracket &&
+               stream_.lexeme(close).token != Token::Semicolon)
+            ++close;
+        if (place.index >= 2 && stream_.lexeme(close).token == Token::CloseBracket) {
+            const std::uint32_t type_end = stream_.lexeme(place.index - 2).end;
+            const std::uint32_t end = stream_.lexeme(close).end;
+            message.fix(file_.range(type_end, end),
+                        std::string(file_.text.substr(offending.begin, end - offending.begin)) +
+                            ' ' + std::string(file_.spelling(place.previous)),
+                        "put them behind the type");
+        }
         return true;
     }
     if (is_variable && place.expects(Token::Semicolon) && offending.token == Token::Comma) {
@@ -604,7 +687,16 @@ void Complaints::explain_start(antlr4::Parser& parser) {
     } else if (lexeme.token == Token::Case || lexeme.token == Token::Default) {
         file_.sink.report(diag::CaseOutside, range).arg(quoted(lexeme));
     } else if (begins_declaration(lexeme.token)) {
-        file_.sink.report(diag::DeclarationInside, range).arg(quoted(lexeme));
+        auto message = file_.sink.report(diag::DeclarationInside, range);
+        message.arg(quoted(lexeme));
+        // `struct hole h;` as in C.
+        const bool is_type = lexeme.token == Token::Struct || lexeme.token == Token::Enum;
+        if (is_type && index + 2 < stream_.size() &&
+            stream_.lexeme(index + 1).token == Token::Identifier &&
+            stream_.lexeme(index + 2).token == Token::Identifier) {
+            message.fix(file_.range(lexeme.begin, stream_.lexeme(index + 1).begin), "",
+                        "if a variable is meant: the name alone is the type");
+        }
         lose_names(index);
     } else {
         file_.sink.report(diag::StatementStart, range).arg(quoted(lexeme));

@@ -100,6 +100,9 @@ class Complaints final : public antlr4::DefaultErrorStrategy {
     bool explain_number(const Place& place);
     bool explain_capitals(const Place& place);
     bool explain_program_number(const Place& place);
+    bool explain_habit(const Place& place);
+    bool is_cast(const Place& place) const;
+    bool fix_sign(const Place& place, DiagnosticBuilder& report) const;
     void fix_operator(const Place& place, DiagnosticBuilder& report) const;
     void fix_parentheses(const Place& place, DiagnosticBuilder& report) const;
     bool explain_name(const Place& place);

@@ -154,7 +154,11 @@ void Formatting::simple(Pieces head, std::size_t level) {
     const bool is_words = is_block_of_words(at_);
     const Pieces own = take_head();
     head.insert(head.end(), own.begin(), own.end());
-    if (is(Token::OpenBrace)) {
+    // Behind a `;` stands a block of its own.
+    const Token last = head.back().token;
+    const bool is_over =
+        last == Token::Semicolon || last == Token::RawText || last == Token::Include;
+    if (is(Token::OpenBrace) && !is_over) {
         if (is_enum) return values_block(std::move(head), level);
         if (is_switch) {
             head.push_back(take());
@@ -412,7 +416,13 @@ void Formatting::switch_cases(std::size_t level) {
             if (questions == 0) break;
             --questions;
         }
+        if (is(Token::OpenBrace) && !here().starts_line) {
+            block(std::move(label), level);
+            continue;
+        }
         // `case 1: X5; break;` stays in one line if its author wrote it so.
+        const std::size_t behind_label = at_;
+        const std::size_t label_size = label.size();
         while (!here().starts_line && !is_end() && !here().is_comment()) {
             const auto end = simple_end(at_);
             if (!end) break;
@@ -421,6 +431,13 @@ void Formatting::switch_cases(std::size_t level) {
             if (in_lines(longer, level).size() > 1) break;
             label = std::move(longer);
             at_ = *end;
+        }
+        // All of them or none: the rest of a line would stand below what it follows.
+        const bool is_whole = here().starts_line || here().is_comment() || is_end() ||
+                              is(Token::Case) || is(Token::Default);
+        if (!is_whole) {
+            at_ = behind_label;
+            label.resize(label_size);
         }
         emit(label, level);
         trailing_comment();

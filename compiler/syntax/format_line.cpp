@@ -15,6 +15,7 @@ constexpr int kHeader = 0;
 constexpr int kComma = 10;
 constexpr int kWord = 10;
 constexpr int kChoice = 24;
+constexpr int kFirstWord = 400;
 constexpr int kAssignment = 400;
 constexpr int kLevel = 1000;
 
@@ -310,7 +311,9 @@ int Spacing::penalty(std::size_t i) const {
     if (here == Token::Preserves || here == Token::Over) return kHeader;
     if (before == Token::Comma || before == Token::Semicolon) return kComma;
     if (is_generic_[i] || is_generic_[i - 1] || is_type_[i - 1] || is_unary_[i - 1]) return kNever;
-    if (is_word_start(here) && i > 0 && !is_open(before) && before != Token::Slash) return kWord;
+    // A word code alone in a line tells nothing: a long value behind it is broken instead.
+    if (is_word_start(here) && i > 0 && !is_open(before) && before != Token::Slash)
+        return i == 1 ? kFirstWord : kWord;
     if (is_choice_[i]) return kChoice;
     if (is_assignment(before) && here == Token::OpenValue) return kNever;
     if (is_assignment(before) && (i < 2 || token(i - 2) != Token::Address)) return kAssignment;

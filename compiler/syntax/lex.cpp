@@ -102,7 +102,8 @@ class Lexing {
     void include(std::uint32_t begin, std::uint32_t end, Reading& reading);
     void text(Token token, std::uint32_t begin, std::uint32_t end, Reading& reading);
     void raw_text(std::uint32_t begin, Reading& reading);
-    void unknown(std::uint32_t begin, std::uint32_t end);
+    void unknown(std::uint32_t begin, std::uint32_t end, Reading& reading);
+    bool directive(std::uint32_t begin, std::uint32_t end, Reading& reading);
     bool is_raw(const Lexeme& lexeme) const;
     void push(Token token, std::uint32_t begin, std::uint32_t end, TextId content = {});
 
@@ -150,7 +151,7 @@ void Lexing::take_token(Token token, std::uint32_t begin, std::uint32_t end, Rea
         case Token::Text:
         case Token::TextUnclosed:
         case Token::TextWrongQuotes: return text(token, begin, end, reading);
-        case Token::Unknown: return unknown(begin, end);
+        case Token::Unknown: return unknown(begin, end, reading);
         case Token::OpenBrace:
             if (!out_.empty() && is_raw(out_.back())) return raw_text(begin, reading);
             return push(token, begin, end);
@@ -267,7 +268,25 @@ static const char* sign_of_keyboard(std::string_view typeset) {
     return "";
 }
 
-void Lexing::unknown(std::uint32_t begin, std::uint32_t end) {
+/// `#define N 3` and its like: the line is left out.
+bool Lexing::directive(std::uint32_t begin, std::uint32_t end, Reading& reading) {
+    const std::size_t line_end = std::min(file_.text.find('\n', end), file_.text.size());
+    const std::string_view line = file_.text.substr(end, line_end - end);
+    constexpr std::string_view kWords[] = {"define", "undef", "ifdef", "ifndef", "if",     "elif",
+                                           "else",   "endif", "error", "pragma", "warning"};
+    const std::size_t size =
+        std::min(line.find_first_not_of("abcdefghijklmnopqrstuvwxyz"), line.size());
+    const std::string_view word = line.substr(0, size);
+    if (std::ranges::find(kWords, word) == std::end(kWords)) return false;
+    file_.sink.report(diag::HashSign, file_.range(begin, end + static_cast<std::uint32_t>(size)))
+        .fix(word == "define"   ? "a constant is `const int n = 3;`, what has parameters a function"
+             : word == "pragma" ? "leave it out: a file is imported once"
+                                : "there is no preprocessor: `if` decides when the program runs");
+    reading.go_on_at(static_cast<std::uint32_t>(line_end));
+    return true;
+}
+
+void Lexing::unknown(std::uint32_t begin, std::uint32_t end, Reading& reading) {
     // A run of them is one mistake.
     const bool continues = begin == unknown_end_;
     unknown_end_ = end;
@@ -275,6 +294,7 @@ void Lexing::unknown(std::uint32_t begin, std::uint32_t end) {
     if (continues) return;
     const std::string_view spelled = file_.text.substr(begin, end - begin);
     if (spelled == "#") {
+        if (directive(begin, end, reading)) return;
         file_.sink.report(diag::HashSign, file_.range(begin, end));
     } else {
         auto report = file_.sink.report(diag::UnknownCharacter, file_.range(begin, end));

@@ -1,9 +1,9 @@
 #include "base/diagnostic.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <utility>
+
+#include "base/readable.h"
 
 namespace kadr {
 
@@ -77,11 +77,7 @@ DiagnosticBuilder& DiagnosticBuilder::arg(std::string_view text) {
 }
 
 DiagnosticBuilder& DiagnosticBuilder::arg(double value) {
-    std::array<char, 32> text{};
-    // Twelve digits: more than any control shows, without the noise of the last binary digit.
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
-                                   std::chars_format::general, 12);
-    return arg(std::string_view(text.data(), static_cast<std::size_t>(end.ptr - text.data())));
+    return arg(std::string_view(readable(value)));
 }
 
 DiagnosticBuilder& DiagnosticBuilder::arg(std::int64_t value) { return arg(std::to_string(value)); }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/powers.h"
+#include "base/readable.h"
 #include "base/units.h"
 
 namespace kadr::nc {
@@ -112,13 +113,7 @@ std::string quantity_words(double number, Dimension dimension, const TextUnits& 
         case Dimension::Factor:
         case Dimension::Text: break;
     }
-    // People do not write exponents, nor do the controls take them.
-    const double size = std::fabs(number);
-    if (!(size >= 1e-9 && size < 1e15)) return format_shortest(number) + unit;
-    std::array<char, 40> digits;
-    const auto end =
-        std::to_chars(digits.begin(), digits.end(), number, std::chars_format::fixed).ptr;
-    return std::string(digits.data(), end) + unit;
+    return readable(number) + unit;
 }
 
 double increment_size(const DialectTables& tables, Dimension dimension, const TextUnits& units) {

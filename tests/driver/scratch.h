@@ -15,7 +15,7 @@
 
 namespace kadr::test {
 
-class ScratchFolder : public testing::Test {
+class ScratchFolder : public ::testing::Test {
   protected:
     void SetUp() override {
         folder_ =

@@ -169,8 +169,8 @@ TEST(Unknown, MovesThatNoControlMakes) {
          "1:29 K3215 the arc has no radius: its center is its start"},
         {"program p() { F1; G3 X1 CR=0; }", "F1",
          "1:19 K3215 the arc has no radius: its center is its start"},
-        {"program p() { G1 X10 F0; }", "", "1:22 K3213 a feed of 0"},
-        {"program p(real f = -5) { G1 X10 F=f; }", "", "1:33 K3213 a feed of -5"},
+        {"program p() { G1 X10 F0; }", "", "1:22 K3213 a feed of 0 mm/min"},
+        {"program p(real f = -5) { G1 X10 F=f; }", "", "1:33 K3213 a feed of -5 mm/min"},
         {"program p() { point z; G0 z; }", "", "1:24 K3104 `the target` is not given"},
     });
 }

@@ -187,6 +187,23 @@ TEST_F(TerminalTest, CtrlCEndsALineAndALoop) {
     terminal.expect("... ");
     terminal.type("\x03");
     terminal.expect("kadr> ");
+    // A line that is half typed is dropped, and so is the block that it stands in.
+    terminal.type("100+");
+    terminal.expect("100+");
+    terminal.type("\x03");
+    terminal.expect("kadr> ");
+    terminal.type("5*5\n");
+    terminal.expect("\n25");
+    terminal.expect("kadr> ");
+    terminal.type("for (int i = 0; i < 2; i++) {\n");
+    terminal.expect("... ");
+    terminal.type("G0 X=i");
+    terminal.expect("G0 X=i");
+    terminal.type("\x03");
+    terminal.expect("kadr> ");
+    terminal.type("3*9\n");
+    terminal.expect("\n27");
+    terminal.expect("kadr> ");
     terminal.type("int i = 0; while (true) { i++; }\n");
     ::usleep(300'000);
     terminal.type("\x03");

@@ -157,6 +157,71 @@ TEST(Mistakes, CallsSayWhatTheyNeed) {
     });
 }
 
+/// What programmers of other languages write is answered with Kadr's way.
+TEST(Mistakes, HabitsOfOtherLanguages) {
+    struct HabitRow {
+        const char* statement;
+        const char* hint;         // a part of it
+        const char* replacement;  // empty: there is none
+    };
+    for (const HabitRow& row : {
+             HabitRow{"double d = 2.5;", "`real`", "real"},
+             {"unsigned k = 3;", "`int`", "int"},
+             {"unsigned int k = 3;", "`int`", ""},
+             {"long long k = 3;", "`int`", ""},
+             {"String k = 3;", "`string`", "string"},
+             {"boolean b = true;", "`bool`", "bool"},
+             {"bool b = TRUE;", "another name", "true"},
+             {"var v = 3;", "`auto`", "auto"},
+             {"static int k = 3;", "outside", ""},
+             {"printf(\"n\");", "`note", ""},
+             {"goto 5;", "no jumps", ""},
+             {"again: G1 X5;", "no labels", ""},
+             {"a = NULL;", "not given", ""},
+             {"n = M_PI;", "another name", "pi"},
+             {"n = math.sin(30);", "`sin(a)`", ""},
+             {"list->append(3mm);", "point", "."},
+             {"n = 2**3;", "`pow(a, n)`", ""},
+             {"if (n <> 3) X1;", "unequal", "!="},
+             {"n := 3;", "assign", "="},
+             {"n = (int)2.5;", "`int(x)`", ""},
+             {"G1 X=a, Y3;", "commas", ""},
+             {"for (int i in list) X1;", "sign", ":"},
+             {"for (int i = 0, j = 1; i < 3; i++) X1;", "one variable", ""},
+             {"foreach (x in list) X1;", "`for (length x : list)", ""},
+             {"int[] k; k.push_back(3);", "`append`", ""},
+             {"int k[3];", "behind the type", "[3] k"},
+             {"elseif (n > 3) X1;", "`else if", ""},
+             {"throw \"x\";", "`error(", ""},
+             {"a++;", "by how much: `a += …`", ""},
+             {"if (n) X1;", "`n != 0`", ""},
+             {"if (1 < n < 3) X1;", "`1 < n && n < 3`", ""},
+             {"#define N 3\n", "`const int n = 3;`", ""},
+             {"    struct hole h;", "the name alone", ""},
+             {"i = 3;", "declare it first", ""},
+             {"return 0;", "`return;`", ""},
+         }) {
+        SCOPED_TRACE(row.statement);
+        const Checked checked =
+            check_program("program p(int n = 3, length a = 4mm) {\nlength[] list = {1, 2};\n" +
+                          std::string(row.statement) + "\nX=a Y=list[0] Z=n;\n}");
+        std::string hints;
+        bool has_replacement = false;
+        for (const Diagnostic& message : checked.messages->all()) {
+            for (const Diagnostic::Fix& fix : message.fixes) {
+                hints += fix.text + '\n';
+                has_replacement |= fix.text.find(row.hint) != std::string::npos &&
+                                   fix.replacement == row.replacement;
+            }
+        }
+        EXPECT_TRUE(has_replacement) << hints;
+    }
+    // Where the name means something, it is a name.
+    EXPECT_EQ(check("program p(length end) { real print = 2; X=end*print; }").all_messages(), "");
+    EXPECT_EQ(check("program p(int loop) {\n    loop = 3\n    X=loop;\n}").all_messages(),
+              "2:13 K1101 `;` is missing behind this statement");
+}
+
 TEST(Mistakes, DefaultsUseWhatStandsBeforeThem) {
     expect_rows({
         {"program p(int n = k, int k = 2) { X=n Y=k; }",

@@ -44,6 +44,31 @@ TEST_F(Tables, AreReadWithUnitsAndQuotes) {
     const Outcome semicolons = read("s;d;n\nx;1,5;2\n");
     EXPECT_EQ(semicolons.all_messages(), "");
     EXPECT_EQ(semicolons.all_blocks(), "comment \"1.5 2 x 0\"");
+    // A column that is missing is the default of its member; an empty cell is none.
+    const Outcome without = read("s,d\nx,2\ny,3\n");
+    EXPECT_EQ(without.all_messages(), "");
+    EXPECT_EQ(without.all_blocks(), "comment \"2 1 x 0\"\ncomment \"3 1 y 0\"");
+}
+
+TEST_F(Tables, MissingColumnsAreTheDefaultsOfTheirMembers) {
+    std::ofstream(folder_ / "t.csv", std::ios::binary) << "at.x,d [mm]\n1,5\n";
+    RunOptions options;
+    options.file = (folder_ / "test.kadr").string();
+    const Outcome outcome = run(
+        "units inch;\n"
+        "enum kind { blind, through }\n"
+        "struct place { length x; length y = 2; }\n"
+        "struct row { place at; length d; length? c = 1mm; kind k = through; bool deep = true;\n"
+        "    string s = \"drill\"; real f = 0.5; feed v = 100mm/min; angle a = 45; }\n"
+        "program p() {\n"
+        "    for (row r : table<row>(\"t.csv\"))\n"
+        "        note \"{r.at.x} {r.at.y} {r.d:.4} {r.c ?? 9:.4} {r.k} {r.deep} {r.s} {r.f} "
+        "{r.v:.3} "
+        "{r.a}\"; }",
+        options);
+    EXPECT_EQ(outcome.all_messages(), "");
+    EXPECT_EQ(outcome.all_blocks(),
+              "comment \"1 2 0.1969 0.0394 through true drill 0.5 3.937 45\"");
 }
 
 TEST_F(Tables, MistakesHaveRowAndColumn) {
@@ -55,7 +80,7 @@ TEST_F(Tables, MistakesHaveRowAndColumn) {
         {"", "1:1 K2403"},
         {"d,n,s,x\n1,1,a,2\n", "1:7 K2404"},
         {"d,n,s,d\n1,1,a,2\n", "1:7 K2405"},
-        {"d,s\n1,a\n", "1:1 K2406"},
+        {"n,s\n1,a\n", "1:1 K2406"},
         {"dd,n,s\n1,1,a\n", "1:1 K2406"},
         {"d [deg],n,s\n1,1,a\n", "1:1 K2407"},
         {"d [foo],n,s\n1,1,a\n", "1:1 K2407"},

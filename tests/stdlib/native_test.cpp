@@ -78,6 +78,10 @@ TEST(Native, CyclesOfTheControlsMoveAsTheLibraryDoes) {
         {"sinumerik", "CYCLE86(50,2,0,-15,,0.2,3,-0.3,0,0.1,90)\nM3",
          "bore_oriented(to: -15mm, lift_x: -0.3mm, lift_z: 0.1mm, stop_at: 90deg, dwell: 0.2s);"},
         {"sinumerik", "CYCLE89(50,2,0,-15,,0)", "ream(to: -15mm);"},
+        {"sinumerik", "CYCLE85(50,2,0,-15,,0.5,100,300)",
+         "ream(to: -15mm, back: 300mm/min, dwell: 0.5s);"},
+        {"sinumerik", "CYCLE85(50,2,0,-15,,0,80,60)",
+         "ream_at_feeds(to: -15mm, into: 80mm/min, back: 60mm/min);"},
         {"axioma", "CYCLE86(50,2,0,-15,,0,3,0.2,0.2,0,45)\nM3",
          "bore_oriented(to: -15mm, lift_x: 0.2mm, lift_y: 0.2mm, stop_at: 45deg);"},
     };

@@ -60,6 +60,12 @@ TEST(Format, StatementsHaveOneLayout) {
         {"a=-r;a = - r*2; a=r- -1;", "a = -r;\na = -r*2;\na = r - -1;\n"},
         {"i ++; --i;", "i++;\n--i;\n"},
         {"a = i>0 ? r:a ;", "a = i > 0 ? r : a;\n"},
+        // a block of its own behind a statement, and behind a case
+        {"X1; {X2;}", "X1;\n{ X2; }\n"},
+        {"note \"a\"; {\nX2;\n}", "note \"a\";\n{\n    X2;\n}\n"},
+        {"switch (i) { case 1: {X1;} break; case 2: X2; {X3;} default: {} }",
+         "switch (i) {\n    case 1: { X1; }\n        break;\n    case 2:\n        X2;\n"
+         "        { X3; }\n    default: {}\n}\n"},
         {"bool b = !(i%2==0)||b;", "bool b = !(i % 2 == 0) || b;\n"},
         {"length [ ] l={1,2 , 3};", "length[] l = {1, 2, 3};\n"},
         {"length ? b ;", "length? b;\n"},

@@ -1,0 +1,174 @@
+// What `kadr explain` shows for the rows about machines and their motion (K6): the wrong example
+// gives the row's message, the right one neither that nor any error.
+//
+// An example is a piece of a machine file, a command line, or blocks. `...` in a piece stands for
+// what the element needs besides; around a piece stands a machine. Blocks are read by the common
+// core behind a tool, a spindle and a feed, unless the row is about one of those; a remark in
+// brackets says which machine is meant.
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "base/diagnostic.h"
+#include "base/text.h"
+#include "tests/common/messages.h"
+#include "tests/driver/scratch.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using kadr::DiagnosticRow;
+using kadr::testing::Message;
+
+/// Rows about what is missing at the start of a program.
+const std::set<std::string_view> kAtTheHead = {"K6103", "K6104"};
+
+/// What the interpreter says first where the blocks are a text. The planner holds commands from
+/// elsewhere to the same; tests/motion shows its own messages.
+const std::map<std::string_view, std::string_view> kSaidBefore = {{"K6101", "K5231"},
+                                                                  {"K6102", "K5230"},
+                                                                  {"K6103", "K5210"},
+                                                                  {"K6104", "K5214"},
+                                                                  {"K6105", "K5218"}};
+
+std::string replaced(const std::string& text, const char* pattern, const std::string& by) {
+    return std::regex_replace(text, std::regex(pattern), by);
+}
+
+/// An axis with the attributes that it must have, as far as it has not got them.
+std::string whole_axis(std::string axis) {
+    const std::size_t dots = axis.find(" ...");
+    if (dots == std::string::npos) return axis;
+    std::string missing;
+    const bool is_rotary = std::regex_search(axis, std::regex("name=\"[ABC]\""));
+    const auto need = [&](const std::string& name, const char* linear, const char* rotary) {
+        if (axis.find(name + '=') != std::string::npos) return;
+        missing += ' ' + name + "=\"" + (is_rotary ? rotary : linear) + '"';
+    };
+    need("limits", "-300..300 mm", "-360..360 deg");
+    need("velocity", "30 m/min", "30 rpm");
+    need("acceleration", "5 m/s2", "1000 deg/s2");
+    return axis.replace(dots, 4, missing);
+}
+
+/// The piece of a machine file that an example is, as a file.
+std::string machine_of(const std::string& example) {
+    std::string text;
+    const std::regex axis("<axis [^>]*/>");
+    std::size_t done = 0;
+    for (std::sregex_iterator it(example.begin(), example.end(), axis), end; it != end; ++it) {
+        text += example.substr(done, static_cast<std::size_t>(it->position()) - done);
+        text += whole_axis(it->str());
+        done = static_cast<std::size_t>(it->position() + it->length());
+    }
+    text += example.substr(done);
+    const bool is_whole =
+        text.starts_with("<machine") && (text.ends_with("</machine>") || text.ends_with("\"/>"));
+    const bool is_open = text.find("<machine") != std::string::npos;
+    const bool ends = text.find("</machine>") != std::string::npos ||
+                      std::regex_search(text, std::regex("^<machine [^>]*/>"));
+    if (is_whole && ends) return text;
+    if (text.find("<axis") == std::string::npos) text += whole_axis("<axis name=\"X\" .../>");
+    if (text.find("name=") > text.find('>'))
+        text = replaced(text, "<machine ", "<machine name=\"m\" ");
+    return (is_open ? text : "<machine name=\"m\">" + text) + "</machine>";
+}
+
+/// An example of blocks and the remark behind it, and the machine that the remark speaks of.
+struct Blocks {
+    std::string text, machine;
+};
+
+Blocks blocks_of(const DiagnosticRow& row, const std::string& example) {
+    const std::size_t remark_at = example.find("   (");
+    const std::string remark = remark_at == std::string::npos ? "" : example.substr(remark_at);
+    const auto says = [&](const char* words) { return remark.find(words) != std::string::npos; };
+    const bool is_lathe = says("lathe") || says("spindle drive") || says("on one with");
+    std::string machine = kadr::read_file(KADR_ROOT "/runtime/machines/" +
+                                          std::string(is_lathe ? "lathe.xml" : "mill.xml"))
+                              .value_or("");
+    std::smatch said;
+    if (std::regex_search(remark, said, std::regex("ends at ([0-9]+)")))
+        machine = replaced(machine, "-1000\\.\\.1000", "-300.." + said[1].str());
+    if (std::regex_search(remark, said, std::regex("max_current=\"[^\"]*\"")))
+        machine = replaced(machine, "max_current=\"[^\"]*\"", said[0]);
+    if (std::regex_search(remark, said, std::regex("spindle for ([0-9]+) rpm")))
+        machine =
+            replaced(machine, "max_speed=\"[^\"]*\"", "max_speed=\"" + said[1].str() + " rpm\"");
+    const std::string head = kAtTheHead.contains(row.code) ? "" : "T1\nS1000 M3\nF200\n";
+    // A cut, for what only shows when the tool is at work.
+    const std::string tail =
+        is_lathe ? "G18 G95 F0.2\nG0 X100 Z0\nG1 X90\nM30\n" : "G1 Z-1 F200\nM30\n";
+    return {head + example.substr(0, remark_at) + '\n' + tail, machine};
+}
+
+class MachineRowExamples : public kadr::test::ScratchFolder {
+  protected:
+    std::vector<Message> said_of(std::vector<std::string> arguments) {
+        for (const char* word : {"--diagnostics", "json"}) arguments.emplace_back(word);
+        const ProcessResult result = kadr(arguments);
+        EXPECT_LT(result.status, 4) << result.err;
+        return kadr::testing::messages_of(result.err);
+    }
+
+    std::vector<Message> messages(const DiagnosticRow& row, const std::string& example) {
+        if (example.starts_with("<")) {
+            save("machine.xml", machine_of(example));
+            save("example.nc", "M30\n");
+            return said_of({"run", file("example.nc"), "-d", "iso", "-m", file("machine.xml")});
+        }
+        if (example.starts_with("kadr ")) {
+            std::istringstream line(example);
+            std::vector<std::string> words;
+            for (std::string word; line >> word;) {
+                const bool is_file = word.find('.') != std::string::npos;
+                words.push_back(is_file ? file(word) : word);
+            }
+            words.erase(words.begin());
+            for (const char* name : {"part.kadr", "face.kadr"})
+                save(name, "program part() { G18; S500 M3; G0 X50 Z2; G95 F0.2; G1 Z-5; M30; }");
+            return said_of(words);
+        }
+        const Blocks blocks = blocks_of(row, example);
+        save("machine.xml", blocks.machine);
+        save("example.nc", blocks.text);
+        std::vector<std::string> words = {"run", file("example.nc"), "-d", "iso",
+                                          "-m",  file("machine.xml")};
+        if (blocks.machine.find("max_current") != std::string::npos)
+            for (const std::string& word : {std::string("--drive"), file("drive.csv")})
+                words.push_back(word);
+        return said_of(words);
+    }
+};
+
+TEST_F(MachineRowExamples, WrongOnesCauseTheirMessageAndRightOnesNone) {
+    int count = 0;
+    for (const DiagnosticRow* row : kadr::all_diagnostics()) {
+        if (!row->code.starts_with("K6")) continue;
+        ++count;
+        SCOPED_TRACE(row->code);
+        const auto before = kSaidBefore.find(row->code);
+        const std::string_view code = before == kSaidBefore.end() ? row->code : before->second;
+        const std::string wrong(row->wrong), right(row->right);
+        std::string words;
+        bool is_caused = false;
+        for (const Message& message : messages(*row, wrong)) {
+            is_caused |= message.code == code;
+            words += message.code + ' ' + message.words + '\n';
+        }
+        EXPECT_TRUE(is_caused) << wrong << "\nsays\n" << words;
+        for (const Message& message : messages(*row, right)) {
+            EXPECT_TRUE(message.is_warning && message.code != row->code)
+                << right << "\nsays " << message.code << ": " << message.words;
+        }
+    }
+    EXPECT_GE(count, 26);
+}
+
+}  // namespace
