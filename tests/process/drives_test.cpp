@@ -163,6 +163,9 @@ TEST(DriveRun, AProgramThatFacesHasTheCurrentsOfTheOracle) {
             facing(pass.spindle.cutting_speed * 60 / 1000, pass.spindle.limit * 60, pass.radius,
                    -0.2, pass.feed_per_revolution);
         commands.push_back(motion::test::rapid_to({pass.radius, 0, 0}));
+        path::Command settling = motion::test::simple(path::Op::Dwell);  // the axis swings in
+        settling.dwell = 0.5;
+        commands.push_back(settling);
         const ProgramRun run = drive(drives_of(in), commands);
         EXPECT_FALSE(run.has_stalled);
 
