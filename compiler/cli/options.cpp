@@ -223,7 +223,8 @@ void Parser::add_expansion(CLI::App& command) {
 void Parser::add_limits(CLI::App& command) {
     command
         .add_option("--max-blocks", line_.options.max_blocks,
-                    "stop after so many blocks (made: 20000000 unless it is given)")
+                    "stop after so many blocks, lines of the control's own language among them "
+                    "(made: 20000000 unless it is given)")
         ->check(is_count())
         ->type_name("N");
     command.add_option("--max-time", max_time_, "stop after so much time of computing")

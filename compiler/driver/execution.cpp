@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -269,7 +270,11 @@ void Execution::connect(DiagnosticSink& sink) {
     program_options.skip_levels = options.skip_levels;
     program_options.files = called_.get();
     if (options.max_time > 0) program_options.is_over = [this] { return deadline_.is_over(); };
-    if (options.max_blocks != 0) program_options.max_repeated = options.max_blocks;
+    if (options.max_blocks != 0) {  // it counts what the other limits count
+        constexpr auto kNone = std::numeric_limits<std::uint64_t>::max();
+        program_options.max_blocks = options.max_blocks;
+        program_options.max_repeated = program_options.max_turns = kNone;
+    }
     reader_ =
         std::make_unique<interp::Program>(*dialect_, text, text_name_, program_options, *held_);
     tagged_ =

@@ -235,6 +235,16 @@ std::string Trace::changes(const TraceStep& step, const TraceState& state) const
     return out;
 }
 
+/// Where another program goes on than in the row before: `in 9100`, `back in the main program`.
+std::string Trace::entered(const TraceStep& step) const {
+    const bool is_same = step.level == level_ && step.program == program_;
+    if (is_same || step.block == 0) return {};
+    const std::string name = step.level == 0        ? "the main program"
+                             : step.program.empty() ? "the same program"
+                                                    : step.program;
+    return (step.level < level_ ? "back in " : "in ") + name;
+}
+
 void Trace::append_row(const TraceStep& step, const TraceState& state, std::string& out) const {
     const std::string line = std::to_string(step.line);
     std::string row = fmt::format("{:>7} {:>9}", step.block,
@@ -260,7 +270,9 @@ void Trace::append_row(const TraceStep& step, const TraceState& state, std::stri
         }
         pad(row, begin, kSourceColumns + 2);
     }
-    row += "  " + changes(step, state);
+    const std::string where = entered(step);
+    const std::string what = changes(step, state);
+    row += "  " + where + (where.empty() || what.empty() ? "" : "; ") + what;
     row.erase(row.find_last_not_of(' ') + 1);
     out += row + '\n';
 }
@@ -273,6 +285,8 @@ void Trace::append(const TraceStep& step, TraceState state, std::string& out) {
     } else {
         if (!has_state_) append_head(state.now.axes, out);
         append_row(step, state, out);
+        program_ = step.program;
+        level_ = step.level;
     }
     has_state_ = true;
     before_ = std::move(state);

@@ -70,6 +70,7 @@ class Trace {
     void append_json(const TraceStep& step, const TraceState& state, std::string& out) const;
     void append_head(AxisMask axes, std::string& out) const;
     void append_row(const TraceStep& step, const TraceState& state, std::string& out) const;
+    std::string entered(const TraceStep& step) const;
     std::string changes(const TraceStep& step, const TraceState& state) const;
 
     const Session& session_;
@@ -77,6 +78,8 @@ class Trace {
     std::string main_;
     bool has_state_ = false;
     TraceState before_;
+    std::string program_;    // of the last row of the table
+    std::size_t level_ = 0;  // … and how many calls led there
 };
 
 }  // namespace kadr::driver

@@ -479,6 +479,16 @@ void ControlVariables::change(Store& store, std::size_t slot, const nc::Symbol* 
     if (was_zero) change.before.kind = change.after.kind;
 }
 
+void ControlVariables::set_argument(Level& level, std::uint32_t slot, const Value& value) {
+    change(level.locals, slot, nullptr, [&] { level.locals.values[slot] = value; });
+}
+
+void ControlVariables::note_change(std::optional<ControlVariable> before, ControlVariable after) {
+    if (changes_ == nullptr) return;
+    if (!before) before = shown(after.name, {}, {});
+    changes_->push_back({std::move(*before), std::move(after)});
+}
+
 // ---------------------------------------------------------------- write
 
 ControlVariables::Fault ControlVariables::convert(nc::ValueType type, Value& value,
@@ -541,18 +551,12 @@ bool ControlVariables::must_wait(const Instruction& target,
            quantity_of(target.index, indices[0]) != Quantity::None;
 }
 
-namespace {
-
-/// The variable of the level that was declared at this place among its single values; null: it is
-/// one of the language.
 const nc::Symbol* declared_at(const Level& level, std::uint32_t slot) {
     const std::span<const nc::Symbol> all = level.symbols.all();
     const auto found = std::ranges::find_if(
         all, [&](const nc::Symbol& symbol) { return symbol.is_plain() && symbol.slot == slot; });
     return found == all.end() ? nullptr : &*found;
 }
-
-}  // namespace
 
 ControlVariables::Fault ControlVariables::store(const Instruction& target,
                                                 std::span<const std::int64_t> indices,

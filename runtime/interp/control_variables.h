@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,10 @@
 #include "nc/line_reader.h"
 
 namespace kadr::interp {
+
+/// The variable of the level that was declared at this place among its single values; null: it is
+/// one of the language.
+const nc::Symbol* declared_at(const Level& level, std::uint32_t slot);
 
 class ControlVariables final : public Variables {
   public:
@@ -67,9 +72,7 @@ class ControlVariables final : public Variables {
     Fault store_element(const nc::Symbol& symbol, std::uint32_t slot, const Value& value,
                         const Content& content);
     /// An argument by its letter: a variable of the language at this slot of `level`.
-    static void set_local(Level& level, std::uint32_t slot, const Value& value) {
-        level.locals.values[slot] = value;
-    }
+    void set_argument(Level& level, std::uint32_t slot, const Value& value);
     /// The variable of the whole run that this name means; false: there is none.
     bool set_global(std::string_view name, double value);
     /// The counter of a loop; false: it cannot be read.
@@ -78,6 +81,12 @@ class ControlVariables final : public Variables {
     std::vector<ControlVariable> list() const;
     /// Every variable that is set from now on is noted here; null: nobody wants to know.
     void note_changes(std::vector<VariableChange>* changes) { changes_ = changes; }
+    bool notes_changes() const { return changes_ != nullptr; }
+    /// Without `before`: it had no value under this name.
+    void note_change(std::optional<ControlVariable> before, ControlVariable after);
+    ControlVariable shown_at(const VariablePlace& place) const {
+        return shown_in(*place.store, place.slot, place.symbol);
+    }
     /// The code of a group of the dialect that acts: the one said last, if what it says still acts.
     const nc::Form* active_form(std::size_t group) const;
 

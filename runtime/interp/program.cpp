@@ -92,8 +92,8 @@ void Program::State::begin_main() {
 bool Program::State::runs_flat() {
     if (frame->here.offset != frontier().offset || source().offset() != frame->here.offset)
         return false;
-    const bool is_called =
-        due || modal_shape || frame->call.to || frame->is_returning || !modal_calls.empty();
+    const bool is_called = due || modal_shape || frame->call.to || frame->is_returning ||
+                           !modal_calls.empty() || !frame->macros.is_empty();
     const bool is_at_end = is_only_checking || has_ended || lines.has_ended();
     return !is_called && !is_at_end && !is_waiting && watch == nullptr && frame->repeats.empty();
 }
@@ -204,6 +204,7 @@ Program::State::Done Program::State::first_time(Block& out) {
     std::string_view text;
     bool is_too_long = false;
     if (!source().next(text, is_too_long)) return end_of_text();
+    text = with_macros(text);
     if (watch != nullptr && !shows(text)) return Done::Nothing;
     const LinePosition next{source().offset(), frame->here.line + 1};
     frame->goes_on = next;
@@ -286,6 +287,7 @@ void Program::State::deliver(Block& block, std::string_view text_of_line, std::u
     kept.add(block.line, number, text_of_line, &in.name, frame->site);
     frame->has_executed = true;
     turns = 0;
+    if (block.kind == Block::Kind::Nc && !is_left_out(block)) ++blocks;
     if (block.number >= 0) variables.set_block_number(block.number);
     if (again && ++repeated > options.max_repeated) {
         lines.report_fault(
@@ -388,7 +390,7 @@ CompiledLine* Program::State::line_at(const LinePosition& position) {
         line = frame->unit->compiled.emplace(position.offset, std::make_unique<CompiledLine>())
                    .first->second.get();
     }
-    line->text = text;
+    line->text = with_macros(text);
     line->place = {position, {source().offset(), position.line + 1}};
     line->kind = CompiledLine::Kind::New;
     line->next = nullptr;
@@ -443,6 +445,9 @@ Program::State::Done Program::State::run(CompiledLine& line, Block& out) {
     const bool is_call = !line.line.calls.empty();
     const bool has_words = !words.words.empty() || words.comment_form != nc::kNoForm;
     if (is_call && has_words && !frame->has_given_words) {
+        const bool is_return = !statements.empty() && statements[0].kind == Statement::Return;
+        if (!language.rules.calls_beside_words_in_cycle && !is_return && is_in_cycle_mode())
+            return fail(line, diag::CallInCycleBlock, line.line.calls[0].span);
         const Done done = read_words(line, out);
         if (done != Done::Block || is_only_checking) return done;
         frame->has_given_words = true;
@@ -450,14 +455,19 @@ Program::State::Done Program::State::run(CompiledLine& line, Block& out) {
         return done;
     }
     // Names are declared for the sake of the lines that are only checked.
-    const bool is_declaration = !statements.empty() && (statements[0].kind == Statement::Declare ||
-                                                        statements[0].kind == Statement::Procedure);
+    const bool is_declaration =
+        !statements.empty() &&
+        (statements[0].kind == Statement::Declare || statements[0].kind == Statement::DefineMacro ||
+         statements[0].kind == Statement::Procedure);
     if (!statements.empty()) lines.note_content();
     if (!statements.empty() && (!is_only_checking || is_declaration)) {
         const bool is_head = is_declaration || statements[0].kind == Statement::External;
         if (!is_head) frame->has_executed = true;
         while (frame->resume < statements.size()) {
             evaluator.forget();
+            if (is_at_limit())
+                return fail(line, diag::TooManyLines, statements[frame->resume].span,
+                            {std::to_string(executed + blocks), std::to_string(executed)});
             ++executed;
             const Done done = execute(line, statements[frame->resume], out);
             if (done != Done::Nothing || has_ended) return done;
@@ -538,13 +548,21 @@ Program::State::Done Program::State::read_words(CompiledLine& line, Block& out) 
     return has_lone ? let_axis_move_alone(line, out) : Done::Block;
 }
 
-/// An axis that moves by itself goes straight to its place and arrives before the next block; two
-/// would go ways of their own.
+/// An axis that moves by itself goes straight to its place and arrives before the next block. Of
+/// several each goes as fast as it can, so they do not stay on a line; where they come to is the
+/// same.
 Program::State::Done Program::State::let_axis_move_alone(CompiledLine& line, Block& out) {
     const nc::SlotMask targets = out.given & nc::kTargetSlots;
-    if (std::popcount(targets) != 1 || out.motion != Function::None) {
+    const auto count = static_cast<std::size_t>(std::popcount(targets));
+    const auto alone = std::ranges::count_if(line.line.axes, &nc::ComputedAxis::is_alone);
+    if (count != static_cast<std::size_t>(alone) || out.motion != Function::None) {
         return fail(line, diag::IsoNotSupported, line.line.axes[0].axis.span,
                     {"an axis that moves by itself beside others"});
+    }
+    if (count > 1 && !said_separate) {
+        said_separate = true;
+        sink.report(diag::AxesSeparate,
+                    lines.place(line.text, line.place.line.line, line.line.axes[0].axis.span));
     }
     if (out.find(Function::RapidOnce) == nullptr) out.add(Function::RapidOnce, 0);
     return Done::Block;

@@ -24,6 +24,8 @@ struct ProgramOptions {
     std::uint16_t skip_levels = 0;                 // bit n: blocks with skip level n are left out
     std::uint64_t max_turns = 10'000'000;          // jumps back without a block between them
     std::uint64_t max_repeated = 20'000'000;       // blocks that lines give when they run again
+    std::uint64_t max_blocks = 0;                  // statements and blocks; asked at statements
+                                                   // alone, 0: no limit
     std::size_t kept_text = std::size_t{4} << 20;  // bytes kept of a text that cannot be read again
     std::function<bool()>
         is_over;  // asked now and then: whether the program has to end; may be empty

@@ -239,13 +239,13 @@ Program::State::Done Program::State::prepare_letters(CompiledLine& line, const n
                 number = read_meaning(argument.decimal, address.format, address.dimension,
                                       lines.units());
             }
-            ControlVariables::set_local(*out.level, argument.slot, Value::real(number));
+            variables.set_argument(*out.level, argument.slot, Value::real(number));
             continue;
         }
         Value value;
         const Done done = evaluate(line, argument.value, value);
         if (done == Done::Wait || lines.failed()) return done;
-        ControlVariables::set_local(*out.level, argument.slot, value);
+        variables.set_argument(*out.level, argument.slot, value);
     }
     return Done::Nothing;
 }
@@ -364,7 +364,9 @@ Program::State::Done Program::State::begin(CompiledLine& line, const PreparedCal
         callee->own_level = variables.new_level();
     }
     callee->level = callee->own_level ? callee->own_level.get() : frame->level;
+    references.clear();
     done = bind_parameters(line, call, *callee);
+    callee->references = std::move(references);
     if (done == Done::Wait || lines.failed()) return done;
     if (call.start >= 0) {
         Place found;
@@ -506,8 +508,35 @@ Program::State::Done Program::State::bind_reference(CompiledLine& line,
         symbol.text_size = place.symbol->text_size;
         if (given_value.is_array) symbol.sizes = place.symbol->sizes;
     }
+    note_reference(symbol, place);
     ControlVariables::bind(variables.level(), std::move(symbol), *place.store);
     return Done::Nothing;
+}
+
+/// For who looks on: the parameter has the value of the caller's variable, and what the variable
+/// was before the call is told when it returns.
+void Program::State::note_reference(const nc::Symbol& symbol,
+                                    const ControlVariables::VariablePlace& place) {
+    if (!variables.notes_changes() || symbol.dimensions > 0) return;
+    ControlVariables::VariablePlace named = place;
+    if (place.symbol == nullptr && place.store == &frame->level->locals)
+        named.symbol = declared_at(*frame->level, place.slot);
+    ControlVariable before = variables.shown_at(named);
+    ControlVariable parameter = before;
+    parameter.name = symbol.name;
+    variables.note_change({}, std::move(parameter));
+    references.push_back({named, std::move(before)});
+}
+
+/// What a program that was left has written into variables of its caller.
+void Program::State::note_returned(const Frame& left) {
+    for (const ReturnedVariable& reference : left.references) {
+        ControlVariable now = variables.shown_at(reference.place);
+        const ControlVariable& before = reference.before;
+        const bool is_same =
+            now.kind == before.kind && now.number == before.number && now.text == before.text;
+        if (!is_same) variables.note_change(before, std::move(now));
+    }
 }
 
 /// The head of a procedure that was not called: the main program, or one that is only read.
@@ -812,6 +841,7 @@ Program::State::Done Program::State::finish_return(Block& out) {
         const std::unique_ptr<Frame> left = std::move(frames.back());
         frames.pop_back();
         resume_frame(*frames.back());
+        note_returned(*left);
         if (left->saves) interpreter->restore_frames(true);
         if (left->call.is_shape) out.add(Function::CycleCall);
         if (left->saves || left->call.is_shape) lines.restore(left->modal_before, out);

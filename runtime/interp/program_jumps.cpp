@@ -64,7 +64,23 @@ Program::State::Done Program::State::jump(CompiledLine& line, const ControlState
             target.label.empty() ? "N" + std::to_string(target.number) : target.label;
         return fail(line, fault, diag::JumpTargetMissing, statement.target.span, '`' + what + '`');
     }
+    warn_of_twin(line, statement.target.span, target, found);
     return go(line, found, statement.span);
+}
+
+/// A target that stands twice is found as the control looks for it, which need not be the one that
+/// was meant. Said once a target.
+void Program::State::warn_of_twin(const CompiledLine& line, const Span& span,
+                                  const LineTarget& target, const Place& found) {
+    const auto twice = map().twice(target);
+    if (!twice || !said_twice.emplace(frame->unit, target).second) return;
+    const std::string what =
+        target.label.empty() ? "N" + std::to_string(target.number) : target.label;
+    sink.report(diag::JumpTargetTwice, lines.place(line.text, line.place.line.line, span))
+        .arg(what)
+        .arg(static_cast<std::size_t>(twice->first))
+        .arg(static_cast<std::size_t>(twice->second))
+        .arg(static_cast<std::size_t>(found.line.line));
 }
 
 Program::State::Done Program::State::go(CompiledLine& line, const Place& target, const Span& span) {

@@ -14,6 +14,9 @@ namespace {
 /// Places that are remembered; a program has fewer as a rule.
 constexpr std::size_t kMostPlaces = 100'000;
 
+/// Bytes of a program that are searched for targets that stand twice.
+constexpr std::uint64_t kSearchedForTwice = std::uint64_t{1} << 20;
+
 bool begins_structure(Statement statement) {
     switch (statement) {
         case Statement::If:
@@ -97,6 +100,31 @@ ProgramMap::Fault ProgramMap::find(const LineTarget& target, Direction direction
     out = *found;
     if (targets_.size() < kMostPlaces) targets_.emplace(key, out);
     return Fault::None;
+}
+
+std::optional<ProgramMap::Twice> ProgramMap::twice(const LineTarget& target) {
+    if (!twice_) {
+        twice_.emplace();
+        std::map<LineTarget, std::uint64_t> seen;
+        const auto note = [&](const LineTarget& each, std::uint64_t line) {
+            const auto [known, is_new] = seen.emplace(each, line);
+            if (!is_new) twice_->emplace(each, Twice{known->second, line});
+        };
+        scan(begin_, [&](std::string_view line, const Place& place) {
+            const nc::LineFront front = nc::front_of(tables_, line);
+            if (!front.label.empty())
+                note({nc::ControlWords(tables_, front.label).normal(front.label), -1},
+                     place.line.line);
+            if (front.number >= 0) note({"", front.number}, place.line.line);
+            return place.line.offset - begin_.offset < kSearchedForTwice &&
+                   seen.size() < kMostPlaces;
+        });
+    }
+    LineTarget wanted = target;
+    if (!target.label.empty())
+        wanted = {nc::ControlWords(tables_, target.label).normal(target.label), -1};
+    const auto found = twice_->find(wanted);
+    return found == twice_->end() ? std::nullopt : std::optional(found->second);
 }
 
 ProgramMap::Fault ProgramMap::find_end(const Place& head, const nc::LineFront& front,

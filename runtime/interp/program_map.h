@@ -55,6 +55,13 @@ class ProgramMap {
     /// The nearest line with the target, forward from `from` to the end of the program, then from
     /// its head; backward the nearest one before it.
     Fault find(const LineTarget& target, Direction direction, const Place& from, Place& out);
+    /// The first two lines of the program that this target stands in, if it stands there twice.
+    /// Only the first megabyte of the program is looked at, once.
+    struct Twice {
+        std::uint64_t first = 0;
+        std::uint64_t second = 0;
+    };
+    std::optional<Twice> twice(const LineTarget& target);
     /// The end of the structure whose head stands at `head`.
     Fault find_end(const Place& head, const nc::LineFront& front, const Structure*& out);
     /// The next mark of this name behind `from`.
@@ -75,6 +82,7 @@ class ProgramMap {
     LinePosition begin_;
     std::map<std::tuple<std::uint64_t, Direction, LineTarget>, Place> targets_;
     std::unordered_map<std::uint64_t, Structure> structures_;
+    std::optional<std::map<LineTarget, Twice>> twice_;  // nothing: not looked for yet
 };
 
 }  // namespace kadr::interp

@@ -16,6 +16,7 @@
 #include "interp/evaluator.h"
 #include "interp/program.h"
 #include "interp/program_units.h"
+#include "interp/text_macros.h"
 #include "nc/kept_lines.h"
 #include "nc/line_reader.h"
 
@@ -67,6 +68,12 @@ struct PreparedCall {
     bool is_macro() const { return form != nullptr && form->kind == nc::CallForm::Kind::Macro; }
 };
 
+/// A variable of the caller for which a parameter stands.
+struct ReturnedVariable {
+    ControlVariables::VariablePlace place;
+    ControlVariable before;  // the call
+};
+
 /// A program that runs: the main program, or one that was called.
 struct Frame {
     ProgramUnit* unit = nullptr;
@@ -88,6 +95,8 @@ struct Frame {
     nc::ModalFunctions modal_before{};
     bool is_in_code_call = false;  // codes that call programs mean what they are here
     bool is_external = false;
+    TextMacros macros;
+    std::vector<ReturnedVariable> references;   // noted if somebody looks on
     std::size_t modal_limit = ~std::size_t{0};  // modal calls below this one act here
     // How it ends.
     bool is_returning = false;
@@ -136,10 +145,12 @@ struct Program::State {
     std::optional<ModalShape> modal_shape;
     bool keeps_modal_calls = false;  // the block that begins one ends those of cycles
     CompiledLine scratch;
+    std::string expanded_text;  // of the line that is read, if it has words that stand for text
     std::vector<nc::WordValue> values;
-    std::size_t given = 0;       // blocks of this batch
-    std::uint64_t turns = 0;     // jumps back since the last block
-    std::uint64_t repeated = 0;  // blocks of lines that ran again
+    std::vector<ReturnedVariable> references;  // of the call that is prepared
+    std::size_t given = 0;                     // blocks of this batch
+    std::uint64_t turns = 0;                   // jumps back since the last block
+    std::uint64_t repeated = 0;                // blocks of lines that ran again
     std::uint64_t most_line = 0;
     bool is_waiting = false;        // the line in `scratch` is to be run again
     bool is_only_checking = false;  // the program has ended; lines behind are read for mistakes
@@ -147,10 +158,13 @@ struct Program::State {
     bool has_ended = false;
     bool is_printer_open = false;
     std::set<std::pair<const ProgramUnit*, std::uint64_t>> said_synchronous;  // unit, place of line
+    std::set<std::pair<const ProgramUnit*, LineTarget>> said_twice;
+    bool said_separate = false;      // that axes move each by itself
     bool has_visible_fault = false;  // that blocks of this batch stand behind
     bool was_stopped = false;        // by who looks on, or because its time is over
     std::uint32_t steps = 0;
     std::uint64_t executed = 0;  // statements
+    std::uint64_t blocks = 0;    // that were given to be executed
 
     ProgramText& text() { return *frame->unit->text; }
     nc::LineSource& source() { return frame->unit->text->source; }
@@ -164,6 +178,12 @@ struct Program::State {
     void take_flat(std::span<nc::Block> out);
     void begin_main();
     bool may_go_on();
+    bool is_in_cycle_mode() const {
+        return lines.modal()[static_cast<std::size_t>(nc::Group::CycleMode)] == nc::Function::Cycle;
+    }
+    bool is_at_limit() const {
+        return options.max_blocks != 0 && executed + blocks >= options.max_blocks;
+    }
     bool shows(std::string_view text);
     Done first_time(nc::Block& out);
     Done finish_first(Done done, std::string_view text, LinePosition next, nc::Block& out);
@@ -203,6 +223,8 @@ struct Program::State {
     Done call_section(CompiledLine& line, const nc::ControlStatement& statement);
     Done raise(CompiledLine& line, const nc::Span& span, double number, const std::string& text);
     Done print(CompiledLine& line, const nc::ControlStatement& statement);  // printing.cpp
+    Done define_macro(CompiledLine& line, const nc::ControlStatement& statement);
+    std::string_view with_macros(std::string_view text);
     Done pass_synchronous(CompiledLine& line, const nc::ControlStatement& statement);
     Done stop_with_message(std::string_view text, nc::Block& out);
 
@@ -213,6 +235,8 @@ struct Program::State {
     Done store(CompiledLine& line, const nc::Reference& reference, const Value& value);
     Done count_on(CompiledLine& line, OpenStructure& loop, bool& goes_on_looping);
     bool resolve(CompiledLine& line, const nc::JumpTarget& target, LineTarget& out, Done& done);
+    void warn_of_twin(const CompiledLine& line, const nc::Span& span, const LineTarget& target,
+                      const Place& found);
     Done go(CompiledLine& line, const Place& target, const nc::Span& span);
     void leave_open(const LinePosition& target);
     Done fail(CompiledLine& line, const nc::LineFault& fault);
@@ -243,6 +267,8 @@ struct Program::State {
     Done check_depth(CompiledLine& line, const PreparedCall& call, const nc::Span& span);
     Done bind_parameters(CompiledLine& line, const PreparedCall& call, Frame& callee);
     Done bind_parameter(CompiledLine& line, const PreparedCall& call, std::size_t index);
+    void note_reference(const nc::Symbol& symbol, const ControlVariables::VariablePlace& place);
+    void note_returned(const Frame& left);
     Done bind_reference(CompiledLine& line, const nc::ProcedureParameter& parameter,
                         const GivenValue& given, nc::Symbol symbol);
     Done begin(CompiledLine& line, const PreparedCall& call);

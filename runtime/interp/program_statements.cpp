@@ -48,6 +48,7 @@ Program::State::Done Program::State::execute(CompiledLine& line, const ControlSt
             return execute_call(line, end, out);
         }
         case Statement::Declare: return declare(line, statement);
+        case Statement::DefineMacro: return define_macro(line, statement);
         case Statement::Synchronous: return pass_synchronous(line, statement);
         case Statement::Print:
         case Statement::PrintOpen:
@@ -228,6 +229,27 @@ Program::State::Done Program::State::raise(CompiledLine& line, const Span& span,
     lines.write_notes(message);
     lines.note_fault();
     return Done::Nothing;
+}
+
+Program::State::Done Program::State::define_macro(CompiledLine& line,
+                                                  const ControlStatement& statement) {
+    switch (frame->macros.define(tables, statement.name)) {
+        case TextMacros::Fault::None: break;
+        case TextMacros::Fault::Form: return fail(line, diag::MacroForm, statement.span);
+        case TextMacros::Fault::Nested:
+            return fail(line, diag::MacroNested, statement.span, {statement.name});
+    }
+    return Done::Nothing;
+}
+
+/// A line with the words that stand for text put in; one that defines such a word stays as it is.
+std::string_view Program::State::with_macros(std::string_view text) {
+    if (frame->macros.is_empty()) return text;
+    if (nc::front_of(tables, text).statement == Statement::DefineMacro) return text;
+    auto expanded = frame->macros.expanded(tables, text);
+    if (!expanded) return text;
+    expanded_text = std::move(*expanded);
+    return expanded_text;
 }
 
 /// What happens beside the motion is not executed; each such action is said once.

@@ -27,8 +27,13 @@ struct Unit {
     std::string_view name;
     double factor;  // text = canonical · factor
 };
-constexpr std::array<Unit, 6> kUnits = {
-    {{"s", 1}, {"ms", 1000}, {"min", 1.0 / 60}, {"deg", 1}, {"mm", 1}, {"permille", 1000}}};
+constexpr std::array<Unit, 7> kUnits = {{{"s", 1},
+                                         {"cs", 100},
+                                         {"ms", 1000},
+                                         {"min", 1.0 / 60},
+                                         {"deg", 1},
+                                         {"mm", 1},
+                                         {"permille", 1000}}};
 
 /// Reads one line of a pattern.
 class LineParser {
@@ -373,7 +378,7 @@ class LineParser {
             return true;
         }
         return fail("there is no unit " + quoted(unit) +
-                    "; known are s, ms, s|ms, min, deg, mm, permille, increments, lead, named, "
+                    "; known are s, cs, ms, s|ms, min, deg, mm, permille, increments, lead, named, "
                     "absolute and incremental");
     }
 

@@ -60,6 +60,7 @@ class CommandLine : public testing::Test {
 };
 
 TEST_F(CommandLine, ExitStatusSaysHowItEnded) {
+    save("endless.nc", "O1\nN1 #1=#1+1\nGOTO1\nM30\n");
     struct Row {
         const char* name;
         std::vector<std::string> arguments;
@@ -103,7 +104,13 @@ TEST_F(CommandLine, ExitStatusSaysHowItEnded) {
                  1},  // K5263
              Row{"too many blocks to check",
                  {"check", file("flat.nc"), "-d", "iso", "--max-blocks", "2"},
-                 1},                                                   // K5262
+                 1},  // K5262
+             Row{"too many lines of the control's language",
+                 {"run", file("endless.nc"), "-d", "fanuc", "--max-blocks", "1000"},
+                 3},  // K5443
+             Row{"too many lines to check",
+                 {"check", file("endless.nc"), "-d", "fanuc", "--max-blocks", "1000"},
+                 1},                                                   // K5443
              Row{"of several controls", {"run", file("flat.nc")}, 2},  // K9015
              Row{"not a number of blocks", {"run", file("flat.nc"), "--max-blocks", "0"}, 2},
              Row{"two results to standard output",

@@ -115,6 +115,29 @@ TEST_F(TraceTest, EveryBlockSaysWhatItChanged) {
     EXPECT_EQ(steps[11]["block"], 11);
 }
 
+/// What a call hands over stands beside the call, and what comes back beside the return.
+TEST_F(TraceTest, CallsShowWhatTheyHandOver) {
+    save("args.nc", "%\nO0001\n#1=7\nG65P2A1.5X[#1+1]\nM30\nO0002\n#2=#24\nM99\n%\n");
+    std::vector<json> steps = traced({file("args.nc"), "-d", "fanuc"});
+    ASSERT_EQ(steps.size(), 6u);
+    EXPECT_EQ(steps[2]["variables"], json::parse(R"({"#1":[null,1.5],"#24":[null,8]})"));
+    EXPECT_EQ(steps[3]["variables"], json::parse(R"({"#2":[null,8]})"));
+    EXPECT_EQ(steps[4]["text"], "M99");
+    save("var.mpf",
+         "DEF REAL SUM=3, KEPT=1\nADD(SUM,KEPT,4)\nM30\n%_N_ADD_SPF\n"
+         "PROC ADD(VAR REAL TOTAL, VAR REAL SAME, REAL MORE)\nTOTAL=TOTAL+MORE\nRET\n");
+    steps = traced({file("var.mpf")});
+    ASSERT_EQ(steps.size(), 7u);
+    EXPECT_EQ(steps[2]["variables"],
+              json::parse(R"({"TOTAL":[null,3],"SAME":[null,1],"MORE":[null,4]})"));
+    EXPECT_EQ(steps[4]["variables"], json::parse(R"({"TOTAL":[3,7]})"));
+    EXPECT_EQ(steps[5]["text"], "RET");
+    EXPECT_EQ(steps[5]["variables"], json::parse(R"({"SUM":[3,7]})"));
+    const ProcessResult table = kadr({"run", file("var.mpf"), "--trace", "-"});
+    EXPECT_NE(table.out.find("  in ADD"), std::string::npos) << table.out;
+    EXPECT_NE(table.out.find("  back in the main program"), std::string::npos) << table.out;
+}
+
 /// Rows of programs that were called say which they are, wherever they stand.
 TEST_F(TraceTest, CalledProgramsAreNamed) {
     save("calls.mpf", "R1=1\nINNER\nOUTER\nR1=4\nM30\n%_N_INNER_SPF\nR1=2\nRET\n");

@@ -200,6 +200,20 @@ TEST(Load, ExamplesAreHeldWithinRounding) {
     }
 }
 
+TEST(Load, TimesInHundredthsOfASecond) {
+    Loaded loaded;
+    load(loaded, with("<command name=\"dwell\"><form>G4 P{time:cs}</form></command>"));
+    ASSERT_TRUE(loaded.dialect) << testing::rendered(loaded.messages, loaded.sources);
+    Example example;
+    example.text = "G4 P250";
+    for (const bool is_right : {true, false}) {
+        example.block = is_right ? "dwell(time=2.5)" : "dwell(time=0.25)";
+        DiagnosticList sink;
+        check_example(*loaded.dialect, example, {}, sink);
+        EXPECT_EQ(codes(sink), is_right ? "" : "K4017");
+    }
+}
+
 TEST(Load, ANativeCycleNeedsItsParameters) {
     Loaded loaded;
     load(loaded,
