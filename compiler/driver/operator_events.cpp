@@ -143,6 +143,7 @@ std::optional<OverrideCourse> override_course(std::string_view text, OperatorAct
     for (bool is_first = true; is_first || !left.empty(); is_first = false) {
         const auto head = cut_at(left, ",");
         std::string_view item = head.value_or(left);
+        if (head && left.empty()) return std::nullopt;
         if (!head) left = {};
         OperatorEvent event;
         event.act = act;
