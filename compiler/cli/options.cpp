@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "base/numbers.h"
+#include "driver/operator_events.h"
 #include "machine/machine.h"
 
 namespace kadr::cli {
@@ -116,6 +117,9 @@ class Parser {
     std::string message(const CLI::ParseError& error, int& status) const;
     std::string commands_message() const;
     void take_compared();
+    void take_operator();
+    double take_override(const std::string& text, const char* option, motion::OperatorAct act,
+                         double most);
 
   private:
     CLI::App* add(CLI::App& parent, const char* name, const char* text, Verb verb);
@@ -143,8 +147,9 @@ class Parser {
     std::string curves_window_;
     std::string messages_ = "text";
     std::string tick_;
-    double feed_percent_ = 100;
-    double rapid_percent_ = 100;
+    std::string feed_override_;
+    std::string rapid_override_;
+    std::vector<std::string> holds_;
     std::string max_time_;
     std::string map_;
     std::vector<std::string> defines_;
@@ -285,12 +290,19 @@ void Parser::add_run() {
         ->type_name("BLOCK|NAME")
         ->allow_extra_args(false);
     command->add_option("--tick", tick_, "time between setpoints")->type_name("TIME");
-    command->add_option("--feed-override", feed_percent_, "the switch for the feed, 1 to 200 %")
-        ->check(CLI::Range(1.0, 200.0).description(""))
+    command
+        ->add_option("--feed-override", feed_override_,
+                     "the switch for the feed, 1 to 200 %; 100%,5s:50% turns it at 5 s")
         ->type_name("PERCENT");
-    command->add_option("--rapid-override", rapid_percent_, "the switch for rapid, 1 to 100 %")
-        ->check(CLI::Range(1.0, 100.0).description(""))
+    command
+        ->add_option("--rapid-override", rapid_override_,
+                     "the switch for rapid, 1 to 100 %, and turned as that for the feed")
         ->type_name("PERCENT");
+    command->add_option("--hold", holds_, "feed hold at a time or block, and cycle start: 5s..7s")
+        ->type_name("FROM..TO")
+        ->allow_extra_args(false);
+    command->add_option("--events", job.events, "what the operator does meanwhile, line by line")
+        ->type_name("FILE");
     command->add_option("--skip", skips_, "leave out blocks of this skip level")
         ->check(CLI::Range(0, 9).description(""))
         ->type_name("LEVEL")
@@ -407,8 +419,7 @@ CommandLine Parser::parse(int count, const char* const* arguments) {
                         : summary_ == "text" ? driver::SummaryFormat::Text
                                              : driver::SummaryFormat::None;
     if (!curves_window_.empty()) line_.run.curves_window = parse_window(curves_window_);
-    line_.run.feed_override = feed_percent_ / 100;
-    line_.run.rapid_override = rapid_percent_ / 100;
+    take_operator();
     line_.run.plot_color =
         plot_color_ == "line" ? driver::PlotColor::Line : driver::PlotColor::Feed;
     if (line_.verb == Verb::Compare) take_compared();
@@ -416,6 +427,38 @@ CommandLine Parser::parse(int count, const char* const* arguments) {
     line_.messages =
         messages_ == "json" ? driver::MessageFormat::Json : driver::MessageFormat::Text;
     return line_;
+}
+
+/// How a switch stands at the start; how it is turned goes to the events of the run.
+double Parser::take_override(const std::string& text, const char* option, motion::OperatorAct act,
+                             double most) {
+    if (text.empty()) return 1;
+    const auto course = driver::override_course(text, act, most);
+    if (!course) {
+        throw CLI::ValidationError(option, "`" + text + "` is no course of a switch for 1 to " +
+                                               std::to_string(static_cast<int>(100 * most)) +
+                                               " %; write `80`, `80%` or `100%,5s:50%,N120:100%`");
+    }
+    std::vector<motion::OperatorEvent>& events = line_.run.operator_events;
+    events.insert(events.end(), course->events.begin(), course->events.end());
+    return course->at_start;
+}
+
+void Parser::take_operator() {
+    driver::RunJob& job = line_.run;
+    job.feed_override = take_override(feed_override_, "--feed-override",
+                                      motion::OperatorAct::FeedOverride, driver::kMostFeedOverride);
+    job.rapid_override =
+        take_override(rapid_override_, "--rapid-override", motion::OperatorAct::RapidOverride,
+                      driver::kMostRapidOverride);
+    for (const std::string& text : holds_) {
+        const auto events = driver::hold_events(text);
+        if (!events) {
+            throw CLI::ValidationError(
+                "--hold", "`" + text + "` is no hold; write `5s..7s`, or `N120..2s` for 2 s");
+        }
+        job.operator_events.insert(job.operator_events.end(), events->begin(), events->end());
+    }
 }
 
 /// One source has two controls; of two sources each may have its own.

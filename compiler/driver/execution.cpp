@@ -107,14 +107,18 @@ class Execution::HeldMessages final : public DiagnosticSink {
 /// Gives the blocks that were read the statements that had written them.
 class Execution::Tagger final : public Stream<nc::Block> {
   public:
-    Tagger(Stream<nc::Block>& blocks, HeldMessages& held, const LineMap* lines)
-        : blocks_(blocks), held_(held), lines_(lines) {}
+    using Look = std::function<void(const nc::Block&)>;
+    Tagger(Stream<nc::Block>& blocks, HeldMessages& held, const LineMap* lines, Look look)
+        : blocks_(blocks), held_(held), lines_(lines), look_(std::move(look)) {}
 
     std::size_t pull(std::span<nc::Block> out) override {
         held_.release();
         const std::size_t count = blocks_.pull(out);
         if (lines_ != nullptr) {
             for (nc::Block& block : out.first(count)) block.source = lines_->find(block.line);
+        }
+        if (look_) {
+            for (const nc::Block& block : out.first(count)) look_(block);
         }
         return count;
     }
@@ -123,6 +127,7 @@ class Execution::Tagger final : public Stream<nc::Block> {
     Stream<nc::Block>& blocks_;
     HeldMessages& held_;
     const LineMap* lines_;
+    Look look_;  // may be empty
 };
 
 /// Adds to a message about generated text the statement that wrote the line.
@@ -277,8 +282,8 @@ void Execution::connect(DiagnosticSink& sink) {
     }
     reader_ =
         std::make_unique<interp::Program>(*dialect_, text, text_name_, program_options, *held_);
-    tagged_ =
-        std::make_unique<Tagger>(*reader_, *held_, generated_ ? &generated_->lines() : nullptr);
+    tagged_ = std::make_unique<Tagger>(*reader_, *held_,
+                                       generated_ ? &generated_->lines() : nullptr, aside_.look_at);
     // A cycle that a test executes by itself runs with the tool of its caller.
     const bool is_subject = generated_ && !own_program_;
     const interp::InterpreterOptions interpreter_options{.max_blocks = options.max_blocks,

@@ -4,6 +4,7 @@
 // that what is executed is what would go to the machine.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,8 +43,9 @@ struct Subject {
 
 /// What goes on beside an execution.
 struct Aside {
-    Output* map = nullptr;               // gets the source map of a Kadr program
-    bool keeps_calls = false;            // GeneratedText::calls_behind is asked
+    Output* map = nullptr;                          // gets the source map of a Kadr program
+    bool keeps_calls = false;                       // GeneratedText::calls_behind is asked
+    std::function<void(const nc::Block&)> look_at;  // is shown every block that is read
     interp::LineWatch* watch = nullptr;  // is shown every line; then blocks are executed one by one
     std::vector<interp::VariableChange>* changes = nullptr;  // gets the variables that are set
 };

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "motion/operator_panel.h"
 #include "sema/check.h"
 
 namespace kadr::driver {
@@ -94,6 +95,8 @@ struct RunJob {
     PlotColor plot_color = PlotColor::Feed;
     double feed_override = 1;   // > 0; multiplies what the program asks for, never a limit
     double rapid_override = 1;  // > 0, at most 1
+    std::string events;         // file with what the operator does meanwhile; empty: none
+    std::vector<motion::OperatorEvent> operator_events;  // what else; then overrides may be 0
 };
 
 /// Two programs whose motion is compared, or one for two controls.

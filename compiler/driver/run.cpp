@@ -3,8 +3,10 @@
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <numbers>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -18,6 +20,7 @@
 #include "driver/drive_plot.h"
 #include "driver/execution.h"
 #include "driver/motion_plot.h"
+#include "driver/operator_events.h"
 #include "driver/output.h"
 #include "driver/places.h"
 #include "driver/plot_svg.h"
@@ -111,6 +114,7 @@ class Run {
 
   private:
     bool open_outputs(bool is_kadr);
+    std::function<void(const nc::Block&)> block_look();
     bool open_execution(std::unique_ptr<FileText> text);
     void execute();
     void draw(const motion::Segment& segment);
@@ -119,6 +123,8 @@ class Run {
     void finish(const RunFigures& figures);
     void write_plot(const RunFigures& figures);
     void write_curves(const RunFigures& figures);
+    bool open_events();
+    bool suits_machine() const;
     bool open_drives();
     void finish_drives(const RunFigures& figures);
     std::string machine_title() const;
@@ -134,6 +140,8 @@ class Run {
     std::unique_ptr<Debugger> debugger_;  // null: nobody looks on
     std::unique_ptr<Execution> execution_;
     std::unique_ptr<CommandList> list_;
+    std::vector<motion::OperatorEvent> events_;      // what the operator does
+    std::map<std::uint32_t, std::int32_t> numbers_;  // of the lines of blocks that events name
     PlotScene scene_;
     std::unique_ptr<process::DriveRun> drives_;  // null: nobody asked
     std::unique_ptr<DriveTable> drive_table_;    // null: they are drawn
@@ -200,6 +208,11 @@ void Run::execute() {
     options.tick = session_.options().tick.value_or(0);
     options.feed_override = job_.feed_override;
     options.rapid_override = job_.rapid_override;
+    options.events = events_;
+    options.number_of = [this](std::uint32_t line) {
+        const auto found = numbers_.find(line);
+        return found == numbers_.end() ? -1 : found->second;
+    };
     options.place_of = [this](std::uint32_t line, SourceId) { return execution_->place_of(line); };
     motion::Planner planner(tap, machine, options, execution_->sink());
 
@@ -225,6 +238,8 @@ void Run::execute() {
     // The command that the motion refused was read last.
     const std::uint64_t read = planner.totals().commands;
     tap.pass_until(planner.alarmed() ? read - 1 : read);
+    for (const motion::OperatorEvent& event : planner.events_ahead())
+        session_.messages().report(diag::OperatorBlockNotBegun).arg(block_name(event));
     if (printed.lost() > 0) session_.messages().report(diag::PrintLost).arg(printed.lost());
     RunFigures all = figures(timer ? timer->totals(planner.totals()) : planner.totals());
     if (timer) all.pulses = timer->pulses();
@@ -318,6 +333,25 @@ std::string Run::machine_title() const {
     return machine.title.empty() ? machine.name : machine.title;
 }
 
+/// What the operator does, from the options and from a file. False: reported.
+bool Run::open_events() {
+    events_ = job_.operator_events;
+    if (job_.events.empty()) return true;
+    const auto more = read_events(session_, job_.events);
+    if (!more) return false;
+    events_.insert(events_.end(), more->begin(), more->end());
+    return true;
+}
+
+/// False: reported.
+bool Run::suits_machine() const {
+    const machine::Machine& machine = execution_->machine();
+    const bool has_pulses = machine.laser && machine.laser->pulse > 0;
+    if (events_.empty() || !has_pulses) return true;
+    session_.messages().report(diag::OperatorAndPulses).arg(machine.name);
+    return false;
+}
+
 /// The simulation of the drives, if it was asked for. False: reported.
 bool Run::open_drives() {
     if (!outputs_.drive) return true;
@@ -378,11 +412,24 @@ Status Run::commit() {
     return status;
 }
 
+/// Keeps the lines of the blocks that events name by their numbers; empty: there are none.
+std::function<void(const nc::Block&)> Run::block_look() {
+    std::set<std::int32_t> named;
+    for (const motion::OperatorEvent& event : events_) {
+        if (event.number >= 0) named.insert(event.number);
+    }
+    if (named.empty()) return {};
+    return [this, named](const nc::Block& block) {
+        if (named.contains(block.number)) numbers_[block.line] = block.number;
+    };
+}
+
 bool Run::open_execution(std::unique_ptr<FileText> text) {
     Aside aside;
     aside.map = outputs_.map.get();
     aside.keeps_calls = outputs_.summary != nullptr;
     if (debugger_) debugger_->look_on(aside);
+    aside.look_at = block_look();
     execution_ = Execution::open(session_, job_.source, std::move(text), aside);
     if (execution_ && debugger_) debugger_->follow(*execution_);
     return execution_ != nullptr;
@@ -391,6 +438,7 @@ bool Run::open_execution(std::unique_ptr<FileText> text) {
 Status Run::perform() {
     auto text = open_source(session_, job_.source);
     if (!text) return session_.status();
+    if (!open_events()) return refused();
     if (!open_outputs(is_kadr_source(job_.source, *text))) return refused();
     const bool is_watched = outputs_.trace || !job_.breaks.empty() || !job_.until.empty();
     if (is_watched) {
@@ -398,7 +446,7 @@ Status Run::perform() {
         if (!debugger_) return refused();
     }
     if (!open_execution(std::move(text))) return session_.status();
-    if (!open_drives()) return refused();
+    if (!suits_machine() || !open_drives()) return refused();
     execute();
     return commit();
 }

@@ -76,6 +76,8 @@ void put_times(std::string& out, const motion::Totals& totals) {
     share("rapid", totals.rapid_time);
     share("dwell", totals.dwell_time);
     share("tool change", totals.tool_change_time);
+    share("held", totals.hold_time);
+    share("waiting", totals.wait_time);  // for the machine to acknowledge M functions
 }
 
 void put_tools(std::string& out, const std::vector<ToolShare>& tools) {
@@ -199,6 +201,8 @@ std::string summary_json(const RunFigures& figures, const machine::Machine& mach
     put_member(out, "rapid_s", totals.rapid_time);
     put_member(out, "dwell_s", totals.dwell_time);
     put_member(out, "tool_change_s", totals.tool_change_time);
+    put_member(out, "hold_s", totals.hold_time);
+    put_member(out, "wait_s", totals.wait_time);
     put_member(out, "length_mm", totals.length);
     put_member(out, "cutting_length_mm", totals.cutting_length);
     put_travel(out, machine, totals);

@@ -141,6 +141,7 @@ std::string command_text(const path::Command& command) {
         case Op::ToolLength: return fmt::format("tool length {:g} mm", command.length);
         case Op::Coolant:
             return command.coolant == path::CoolantMode::Off ? "coolant off" : "coolant on";
+        case Op::Function: return fmt::format("M{}", command.code);
         case Op::Stop: return "stop";
         case Op::OptionalStop: return "optional stop";
         case Op::Message: return "message";

@@ -256,6 +256,8 @@ void Executor::run_functions(const Block& said) {
     actions.motion_before = modal_.motion;
     actions.feed_before = modal_.feed;
     actions.had_feed = modal_.has_feed;
+    actions.spindle_before = spindle_.told.mode;
+    actions.coolant_before = coolant_;
     if (block.has(Slot::Feed)) set_feed(block);
     if (actions.corner != nullptr || rounding_ > 0) wish_corner(block, actions);
     if (ended_) return;
@@ -647,12 +649,14 @@ void Executor::act_before_motion(const Block& block, const Actions& actions) {
     if (actions.orient != nullptr) orient_spindle(block, *actions.orient);
     if (actions.flood) set_coolant(block, path::CoolantMode::Flood);
     if (actions.mist) set_coolant(block, path::CoolantMode::Mist);
+    issue_functions(block, actions, Side::Before);
     if (actions.message != nullptr) put(Op::Message, block).text = block.text;
     if (actions.dwell != nullptr) dwell(block, *actions.dwell);
 }
 
 void Executor::act_after_motion(const Block& block, const Actions& actions) {
     if (rules_.stops_after_motion) stop_spindle_and_coolant(block, actions);
+    issue_functions(block, actions, Side::Behind);
     if (actions.stop == Function::Stop) put(Op::Stop, block);
     if (actions.stop == Function::OptionalStop && options_.optional_stop) {
         put(Op::OptionalStop, block);
@@ -981,6 +985,7 @@ void Executor::scale(const Block& block, const Invocation& invocation) {
 
 /// What it does is known to the machine builder alone; each is said once.
 void Executor::pass_machine_function(const Block& block, std::int64_t number) {
+    if (machine_.find_function(number) != nullptr) return;  // it takes time, which is known
     if (std::ranges::find(known_machine_functions_, number) != known_machine_functions_.end())
         return;
     known_machine_functions_.push_back(number);
@@ -1010,6 +1015,7 @@ Command& Executor::put(Op op, const Block& block) {
     command.compress = compressing(op);
     command.machine_coordinates = false;
     command.is_unshifted = false;
+    command.keeps_feed = false;
     command.moved = 0;
     command.source = from.source;
     command.line = from.line;

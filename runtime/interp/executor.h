@@ -75,6 +75,9 @@ struct Actions {
     bool calls_defined = false;  // the cycle that was defined last, behind the motion
     CycleWords cycle_words;
     const nc::Invocation* reference = nullptr;  // a way to the reference point, or from there
+    // Before the block.
+    path::SpindleMode spindle_before = path::SpindleMode::Stop;
+    path::CoolantMode coolant_before = path::CoolantMode::Off;
 };
 
 /// End of a motion in the programmed system and in the base system.
@@ -220,6 +223,10 @@ class Executor {
     void scale(const nc::Block& block, const nc::Invocation& invocation);
     void rotate_in_space(const nc::Block& block, const nc::Invocation& invocation);
     bool selects_at_once() const;
+    /// M functions that take the machine time, at one side of the block's motion.
+    enum class Side : std::uint8_t { Before, Behind };
+    void issue_functions(const nc::Block& block, const Actions& actions, Side side);
+    bool has_changed(std::int64_t code, const Actions& actions) const;
     void pass_machine_function(const nc::Block& block, std::int64_t number);
 
     // plain_moves.cpp

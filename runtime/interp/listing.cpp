@@ -35,6 +35,7 @@ std::string_view op_name(Op op) {
         case Op::Tool: return "tool";
         case Op::ToolLength: return "tool_length";
         case Op::Coolant: return "coolant";
+        case Op::Function: return "function";
         case Op::Stop: return "stop";
         case Op::OptionalStop: return "optional_stop";
         case Op::Message: return "message";
@@ -58,6 +59,15 @@ std::string_view spindle_name(SpindleMode mode) {
         case SpindleMode::Cw: return "cw";
         case SpindleMode::Ccw: return "ccw";
         case SpindleMode::Orient: return "orient";
+    }
+    return "";
+}
+
+std::string_view step_name(path::FunctionStep step) {
+    switch (step) {
+        case path::FunctionStep::Issue: return "issue";
+        case path::FunctionStep::Await: return "await";
+        case path::FunctionStep::Both: return "both";
     }
     return "";
 }
@@ -268,6 +278,10 @@ void Listing::append(const Command& command, std::string_view source, std::strin
             }
             break;
         case Op::Coolant: append_word(out, "mode", coolant_name(command.coolant)); break;
+        case Op::Function:
+            append_field(out, "code", static_cast<double>(command.code));
+            append_word(out, "step", step_name(command.step));
+            break;
         case Op::Message: append_text(out, "text", command.text); break;
         case Op::Stop:
         case Op::OptionalStop:

@@ -232,6 +232,7 @@ void Executor::line(const Block& block, const Target& target, Op op, bool exact_
     command.moved = target.moved;
     command.exact_stop = exact_stop;
     command.feed = op == Op::Rapid ? 0 : modal_.feed;
+    command.keeps_feed = op == Op::Line && block.find(Function::TapFloating) != nullptr;
     arrive(target);
     if (op != Op::Probe) return;
     probed_.emplace();

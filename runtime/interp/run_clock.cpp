@@ -43,6 +43,12 @@ void RunClock::add(const path::Command& command) {
             has_cutting_speed_ = command.cutting_speed;
             if (command.spindle == path::SpindleMode::Orient) seconds_ += machine_.orient_time;
             return;
+        case Op::Function: {
+            const machine::MachineFunction* known = machine_.find_function(command.code);
+            const bool waits = command.step == path::FunctionStep::Both;
+            if (waits && known != nullptr) seconds_ += known->takes;
+            return;
+        }
         case Op::Tool: seconds_ += machine_.tool_change_time; return;
         case Op::ToolLength: {
             // The machine stays where it is: the tip of the other tool is elsewhere.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -44,7 +45,7 @@ const XmlShape& machine_shape() {
           "tool_change_time",
           "corner_tolerance",
           "compressor_tolerance"},
-         {"axis", "tool", "offset", "spindle_drive", "feed_drive", "cutting", "laser"}},
+         {"axis", "tool", "offset", "spindle_drive", "feed_drive", "cutting", "laser", "function"}},
         {"axis",
          {{"name", Filled},
           "limits",
@@ -68,6 +69,7 @@ const XmlShape& machine_shape() {
          {}},
         {"feed_drive", {{"gain", Filled}, {"time_constant", Filled}, "feed_forward"}, {}},
         {"cutting", {{"force", Filled}}, {}},
+        {"function", {{"code", Filled}, {"takes", Filled}, "acts", "waits"}, {}},
         {"laser", {"pulse", "tolerance", "mode", "power", "least_power"}, {}},
     };
     static const XmlShape shape = {"a machine file", rules};
@@ -78,6 +80,9 @@ const XmlShape& machine_shape() {
 constexpr std::array<std::string_view, kAxes> kOffsetAxes = {"x", "y", "z", "a", "b",
                                                              "c", "u", "v", "w"};
 constexpr std::string_view kKinds[] = {"mill", "lathe"};
+constexpr std::string_view kYesNo[] = {"yes", "no"};
+// In the order of FunctionTime.
+constexpr std::string_view kFunctionTimes[] = {"before", "with", "after"};
 constexpr std::string_view kPulseModes[] = {"synchronised", "stop"};
 
 /// The dimensions of an axis' attributes.
@@ -152,6 +157,7 @@ class MachineBuilder {
         if (child.name == "feed_drive") read_feed_drive(child);
         if (child.name == "cutting") read_cutting(child);
         if (child.name == "laser") read_laser(child);
+        if (child.name == "function") read_function(child);
     }
 
     /// True if `what` is new; else it has been reported.
@@ -234,6 +240,47 @@ class MachineBuilder {
             return;
         tool.number = *number;
         machine_.tools.push_back(tool);
+    }
+
+    void read_function(const XmlElement& element) {
+        const ElementReader reader(element, sink_);
+        if (!reader.has("code")) return;
+        const std::string text = reader.text("code");
+        const std::string digits = text.starts_with('M') ? text.substr(1) : "";
+        MachineFunction function;
+        const auto [end, error] =
+            std::from_chars(digits.data(), digits.data() + digits.size(), function.code);
+        const bool is_code = !digits.empty() && error == std::errc() &&
+                             end == digits.data() + digits.size() && function.code >= 0;
+        const char* other = is_code ? said_elsewhere(function.code) : "";
+        if (!is_code || other != nullptr) {
+            auto message = sink_.report(diag::MachineFunctionCode, reader.place("code"));
+            message.arg(text).arg(is_code ? other : "not an M function; write `M10`");
+            return;
+        }
+        function.takes = reader.magnitude("takes", Dimension::Time).value_or(0);
+        const bool is_off = function.code == 5 || function.code == 9;
+        function.acts = static_cast<FunctionTime>(
+            reader.choice("acts", kFunctionTimes).value_or(is_off ? 2 : 0));
+        function.waits = reader.choice("waits", kYesNo).value_or(0) == 0;
+        if (is_first("function " + text, reader.place("code")))
+            machine_.functions.push_back(function);
+    }
+
+    /// M functions that have no time of their own; null: this one may have.
+    static const char* said_elsewhere(std::int64_t code) {
+        switch (code) {
+            case 6: return "told by `tool_change_time`";
+            case 19: return "told by `orient_time`";
+            case 0:
+            case 1:
+            case 2:
+            case 17:
+            case 30: return "a stop or an end of the program, which waits for the operator";
+            case 98:
+            case 99: return "a call or a return";
+            default: return nullptr;
+        }
     }
 
     void read_offset(const XmlElement& element) {

@@ -16,4 +16,9 @@ const ToolData* Machine::find_tool(std::int64_t number) const {
     return found == tools.end() ? nullptr : &*found;
 }
 
+const MachineFunction* Machine::find_function(std::int64_t code) const {
+    const auto found = std::ranges::find(functions, code, &MachineFunction::code);
+    return found == functions.end() ? nullptr : &*found;
+}
+
 }  // namespace kadr::machine

@@ -40,6 +40,17 @@ struct ToolData {
     std::string name;
 };
 
+/// When an M function is issued, as the motion of its block sees it.
+enum class FunctionTime : std::uint8_t { BeforeMotion, WithMotion, AfterMotion };
+
+/// An M function of the machine as its PLC answers it.
+struct MachineFunction {
+    std::int64_t code = 0;  // M10: 10
+    double takes = 0;       // s, ≥ 0, from being issued to being acknowledged
+    FunctionTime acts = FunctionTime::BeforeMotion;
+    bool waits = true;  // what comes behind it waits for the acknowledgement
+};
+
 /// Longest interpolation period, s: limits hold from tick to tick.
 inline constexpr double kLongestTick = 1;
 
@@ -56,12 +67,14 @@ struct Machine {
     bool is_lathe = false;               // X is programmed as a diameter; axis X is the radius
     std::vector<MachineAxis> axes;       // in the order of setpoint columns
     std::vector<ToolData> tools;
-    std::vector<AxisValues> work_offsets;  // [0] none, [1] G54 …; mm, deg
-    std::optional<Drives> drives;          // if the file describes both drives
+    std::vector<MachineFunction> functions;  // M functions that take time
+    std::vector<AxisValues> work_offsets;    // [0] none, [1] G54 …; mm, deg
+    std::optional<Drives> drives;            // if the file describes both drives
     std::optional<Laser> laser;
 
     const MachineAxis* find(Axis axis) const;
     const ToolData* find_tool(std::int64_t number) const;
+    const MachineFunction* find_function(std::int64_t code) const;
 };
 
 using SearchPath = std::vector<std::string>;

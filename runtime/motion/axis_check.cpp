@@ -22,11 +22,15 @@ std::string shown(const machine::MachineAxis& axis, double position) {
 
 }  // namespace
 
-LinePlace place_of(const path::Command& command, const PlannerOptions& options) {
-    if (options.place_of) return options.place_of(command.line, command.source);
+LinePlace place_of(std::uint32_t line, SourceId source, const PlannerOptions& options) {
+    if (options.place_of) return options.place_of(line, source);
     LinePlace place;
-    place.line = command.line;
+    place.line = line;
     return place;
+}
+
+LinePlace place_of(const path::Command& command, const PlannerOptions& options) {
+    return place_of(command.line, command.source, options);
 }
 
 AxisCheck::AxisCheck(const machine::Machine& machine, const AxisTable& axes,

@@ -217,11 +217,18 @@ GlideBend bend_of(const path::Glide& glide) {
     return bend;
 }
 
+double speed_on(const GlideBend& bend, double wanted) { return wanted / std::max(1.0, bend.tool); }
+
 }  // namespace
+
+double AxisTable::path_speed(const Segment& piece, double wanted) {
+    const auto* glide = std::get_if<path::Glide>(&piece.curve);
+    return glide != nullptr ? speed_on(bend_of(*glide), wanted) : wanted;
+}
 
 PathLimits AxisTable::glide_limits(const path::Glide& glide, double wanted) const {
     const GlideBend bend = bend_of(glide);
-    PathLimits limits{wanted / std::max(1.0, bend.tool), kInfinity, kInfinity, kInfinity};
+    PathLimits limits{speed_on(bend, wanted), kInfinity, kInfinity, kInfinity};
     for (const Entry& axis : axes_) {
         if (axis.coordinate >= 3) continue;
         const auto i = static_cast<Eigen::Index>(axis.coordinate);

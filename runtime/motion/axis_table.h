@@ -60,6 +60,8 @@ class AxisTable {
     /// the speed takes and what speeding up while turning takes have fixed shares at most.
     /// source       reference motion §2.1
     PathLimits limits(const Segment& piece, const AxisRates& start, double wanted) const;
+    /// The speed along the path at which the tool is nowhere faster than `wanted`.
+    static double path_speed(const Segment& piece, double wanted);
 
     /// What a path does at one moment.
     struct PathState {

@@ -22,16 +22,25 @@ void LookAhead::append(const Stretch& stretch) {
     KADR_ASSERT(!is_finished_, "the look-ahead has ended");
     if (count_ == nodes_.size()) grow();
     Node& fresh = node(count_++);
+    fresh = node_of(stretch);
+    fresh.limit = std::min({fresh.corner, last_speed_, fresh.speed});
+    last_ = fresh.most;
+    last_speed_ = fresh.speed;
+    pieces_ += stretch.pieces;
+}
+
+LookAhead::Node LookAhead::node_of(const Stretch& stretch) const {
+    Node fresh;
     fresh.length = stretch.length;
     fresh.acceleration = stretch.acceleration;
     fresh.jerk = stretch.jerk;
     fresh.pieces = stretch.pieces;
-    fresh.is_cell = false;
     fresh.gain = 2 * stretch.acceleration * stretch.length;
-    fresh.speed = stretch.speed * stretch.speed;
-    fresh.limit = std::min({stretch.entry_limit * stretch.entry_limit, last_speed_, fresh.speed});
-    last_speed_ = fresh.speed;
-    pieces_ += stretch.pieces;
+    fresh.most = stretch.most();
+    const double speed = fresh.most.speed_at(overrides_);
+    fresh.speed = speed * speed;
+    fresh.corner = stretch.entry_limit * stretch.entry_limit;
+    return fresh;
 }
 
 void LookAhead::append(const BentCell& cell, double entry_limit) {
@@ -97,23 +106,65 @@ std::size_t LookAhead::takeable() const {
     return std::max<std::size_t>(taken, 1);
 }
 
-JunctionSpeeds LookAhead::take() {
+void LookAhead::plan_if_needed() {
     KADR_ASSERT(is_ready(), "the look-ahead does not know enough yet");
-    if (takeable_ == 0) {
-        plan_backward();
-        takeable_ = takeable();
-    }
-    const Node& oldest = node(0);
+    if (takeable_ > 0) return;
+    plan_backward();
+    takeable_ = takeable();
+}
+
+JunctionSpeeds LookAhead::take() {
+    plan_if_needed();
     const double exit_limit = count_ > 1 ? node(1).backward : 0.0;
     const double exit = exit_of_oldest(exit_limit);
     const JunctionSpeeds speeds{std::sqrt(reached_), std::sqrt(exit)};
     reached_ = exit;
+    drop();
+    return speeds;
+}
+
+void LookAhead::drop() {
+    pieces_ -= node(0).pieces;
     first_ = (first_ + 1) & mask_;
     --count_;
-    pieces_ -= oldest.pieces;
-    --planned_;
-    --takeable_;
-    return speeds;
+    if (planned_ > 0) --planned_;
+    if (takeable_ > 0) --takeable_;
+}
+
+// ------------------------------------------------------------------------------ overrides
+
+void LookAhead::set_overrides(const Overrides& overrides) {
+    overrides_ = overrides;
+    double before = 0;  // the entry of the oldest stretch is behind: its limit has no say
+    for (std::size_t i = 0; i < count_; ++i) {
+        Node& current = node(i);
+        const double speed = current.most.speed_at(overrides);
+        current.speed = speed * speed;
+        current.limit = std::min({current.corner, before, current.speed});
+        before = current.speed;
+    }
+    const double last = last_.speed_at(overrides);
+    last_speed_ = last * last;
+    planned_ = 0;
+    takeable_ = 0;
+}
+
+double LookAhead::exit_limit() {
+    plan_if_needed();
+    return count_ > 1 ? std::sqrt(node(1).backward) : 0;
+}
+
+void LookAhead::put_back(const Stretch& stretch, double entry) {
+    if (count_ == nodes_.size()) grow();
+    first_ = (first_ + mask_) & mask_;
+    ++count_;
+    node(0) = node_of(stretch);
+    node(0).limit = std::min(node(0).corner, node(0).speed);
+    pieces_ += stretch.pieces;
+    // What is known behind it has not changed.
+    ++planned_;
+    ++takeable_;
+    depart(entry);
 }
 
 }  // namespace kadr::motion

@@ -12,6 +12,7 @@
 // piece costs a bounded number of steps at any depth.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -47,6 +48,20 @@ class LookAhead {
     /// Speeds of the oldest stretch, which is then forgotten. Only if `is_ready`.
     JunctionSpeeds take();
 
+    /// Under other overrides the same path has other speeds. Stretches that are appended later are
+    /// under them as well; cells do not know overrides.
+    void set_overrides(const Overrides& overrides);
+    /// The speed at which the oldest stretch is entered.
+    double reached() const { return std::sqrt(reached_); }
+    /// The speed that is allowed behind the oldest stretch. Only if `is_ready`.
+    double exit_limit();
+    /// What was taken last was left at another speed than planned.
+    void depart(double speed) { reached_ = speed * speed; }
+    /// What is left of the stretch that was taken last, to be entered at this speed.
+    void put_back(const Stretch& stretch, double entry);
+    /// Forgets the oldest stretch.
+    void drop();
+
   private:
     // All speeds are squared: without a limit of the jerk the passes need no root.
     struct Node {
@@ -59,6 +74,8 @@ class LookAhead {
         double jerk = 0;
         std::size_t pieces = 0;
         bool is_cell = false;
+        double corner = 0;  // limit of the entry junction whatever the overrides
+        OverriddenSpeed most;
 
         /// The speed allowed at one end by that at the other.
         double reach(double other) const;
@@ -67,7 +84,9 @@ class LookAhead {
     const Node& node(std::size_t i) const { return nodes_[(first_ + i) & mask_]; }
     double entry_of(std::size_t i, double after) const;
     double exit_of_oldest(double limit) const;
+    Node node_of(const Stretch& stretch) const;
     void plan_backward();
+    void plan_if_needed();
     std::size_t takeable() const;
     void grow();
 
@@ -81,8 +100,10 @@ class LookAhead {
     std::size_t pieces_ = 0;    // of all nodes
     std::size_t planned_ = 0;   // nodes whose `backward` holds
     std::size_t takeable_ = 0;  // nodes that may go before the next backward pass
-    double last_speed_ = 0;     // squared, of the last stretch appended
+    OverriddenSpeed last_;      // of the last stretch appended
+    double last_speed_ = 0;     // squared, the same under the overrides
     double reached_ = 0;        // squared, entry speed of the oldest stretch
+    Overrides overrides_;
     bool is_finished_ = false;
 };
 

@@ -9,6 +9,7 @@
 #include "motion/axis_table.h"
 #include "motion/bent_cell.h"
 #include "motion/segment.h"
+#include "motion/stretch.h"
 
 namespace kadr::motion {
 
@@ -27,11 +28,19 @@ struct Piece {
     double jerk_share = 1;   // the same of the jerk, where the curvature jumps
     double jerk_before = 1;
     double turning_acceleration = std::numeric_limits<double>::infinity();  // see PathLimits
-    bool is_cell = false;  // planned as `cell` instead
+    double feed_asked = std::numeric_limits<double>::infinity();  // as of an OverriddenSpeed
+    double rapid_asked = std::numeric_limits<double>::infinity();
+    std::size_t issues = 0;  // so many M functions are issued where it begins
+    bool awaits = false;     // stands until all that was issued is acknowledged
+    double programmed = 0;   // feed at 100 %, of the tool; rapid: what the axes can
+    bool is_cell = false;    // planned as `cell` instead
     BentCell cell;
     AxisRates rates{};  // dq/ds at its start
     AxisTable::Loads loads;
 };
+
+/// A part of a piece between two lengths of its path; in itself it has no corner.
+Piece part_of(const Piece& whole, double from, double to, const AxisTable& axes);
 
 /// Pieces between preparation and delivery: a ring that grows to the length of the look-ahead.
 class PieceRing {
@@ -47,6 +56,16 @@ class PieceRing {
         return pieces_[(first_ + count_ - 1 - i) & (pieces_.size() - 1)];
     }
     Piece& front() { return pieces_[first_]; }
+    /// The i-th from the beginning.
+    Piece& at(std::size_t i) { return pieces_[(first_ + i) & (pieces_.size() - 1)]; }
+    /// In front of the i-th from the beginning, which is then the next. Those before it are moved.
+    Piece& insert(std::size_t i) {
+        if (count_ == pieces_.size()) grow();
+        first_ = (first_ + pieces_.size() - 1) & (pieces_.size() - 1);
+        ++count_;
+        for (std::size_t k = 0; k < i; ++k) at(k) = at(k + 1);
+        return at(i);
+    }
     std::size_t size() const { return count_; }
     void pop_front() {
         first_ = (first_ + 1) & (pieces_.size() - 1);

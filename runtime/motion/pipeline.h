@@ -6,6 +6,11 @@
 //     Planner planner(commands, machine, options, sink);   // Stream<Segment>
 //     Sampler sampler(planner, machine, options.tick);      // Stream<Setpoint>
 //
+// What an operator does meanwhile (PlannerOptions::events) acts from its time on: the path speed
+// goes over to what is allowed then within the limits of the axes, a held program stands on its
+// path. The path is the same. The plan has the highest override of the run in reserve, as the
+// look-ahead of a control has; lower ones lower its speeds.
+//
 // Pull the Planner for times and drawings, the Sampler for setpoints; planner.totals() is complete
 // when either has come to its end.
 #pragma once
@@ -19,6 +24,8 @@
 
 #include "base/stream.h"
 #include "machine/machine.h"
+#include "motion/operator_panel.h"
+#include "motion/plc.h"
 #include "motion/segment.h"
 #include "path/command.h"
 
@@ -46,6 +53,8 @@ struct Totals {
     double rapid_time = 0;                   // s
     double dwell_time = 0;                   // s, dwells and spindle orientation
     double tool_change_time = 0;             // s
+    double hold_time = 0;                    // s, held by the operator, or at an override of 0
+    double wait_time = 0;                    // s, for the machine to acknowledge M functions
     double length = 0;                       // mm, of the tip, all motion
     double cutting_length = 0;               // mm
     std::array<double, kAxes> travel_min{};  // per machine axis, mm or rad; start included
@@ -62,9 +71,16 @@ enum class CornerRule : std::uint8_t {
 };
 
 struct PlannerOptions {
-    double tick = 0;               // s; 0: the machine's
-    double feed_override = 1;      // > 0; multiplies the feed, never a limit
-    double rapid_override = 1;     // > 0
+    double tick = 0;            // s; 0: the machine's
+    double feed_override = 1;   // > 0; multiplies the feed, never a limit
+    double rapid_override = 1;  // > 0
+    /// What the operator does meanwhile, from these overrides on; with any of it they may be 0.
+    std::vector<OperatorEvent> events;
+    bool hold_stops_dwell = true;  // the rest of a dwell passes after cycle start
+    /// The block number of a line of the ISO-7bit text, -1 none; may be empty.
+    std::function<std::int32_t(std::uint32_t line)> number_of;
+    /// Who acknowledges M functions; null: the machine's file says when.
+    Plc* plc = nullptr;
     std::size_t lookahead = 1024;  // pieces known ahead at least, the current one included
     CornerRule corner_rule = CornerRule::AxisJump;
     double junction_deviation = 0.01;  // mm
@@ -91,6 +107,8 @@ class Planner final : public Stream<Segment> {
     /// An alarm of the motion was reported. With stop_at_alarm the stream ended before the command
     /// that caused it.
     bool alarmed() const;
+    /// What the operator would have done at blocks that were not begun.
+    const std::vector<OperatorEvent>& events_ahead() const;
 
   private:
     struct State;

@@ -16,18 +16,10 @@
 // costs against the best plan is time alone.
 #include <algorithm>
 #include <cmath>
-#include <deque>
-#include <limits>
-#include <vector>
 
 #include "base/assert.h"
-#include "motion/axis_table.h"
-#include "motion/lookahead.h"
-#include "motion/pipeline.h"
-#include "motion/prepare.h"
-#include "motion/profile_cut.h"
+#include "motion/planner_state.h"
 #include "motion/smooth_profile.h"
-#include "motion/stretch.h"
 
 namespace kadr::motion {
 
@@ -37,52 +29,15 @@ constexpr double kStraight = 1e-9;  // as in corner.cpp
 
 }  // namespace
 
-struct Planner::State {
-    State(Stream<path::Command>& commands, const machine::Machine& machine,
-          const PlannerOptions& options_in, DiagnosticSink& sink)
-        : options(options_in),
-          axes(machine),
-          preparer(commands, machine, axes, options, sink, pieces),
-          gathered(std::max<std::size_t>(options.lookahead, 1)),
-          lookahead(options.lookahead),
-          tick(options.tick > 0 ? options.tick : machine.tick) {
-        record_travel();
+PlannerOptions Planner::State::prepared_for(const PlannerOptions& options) {
+    PlannerOptions highest = options;
+    const OperatorPanel panel(options.events, {options.feed_override, options.rapid_override});
+    if (panel.is_used()) {
+        highest.feed_override = panel.highest().feed;
+        highest.rapid_override = panel.highest().rapid;
     }
-
-    bool next(Segment& segment);
-    void fill();
-    void hand_on(const Piece& piece, double exit_limit);
-    void append_complete();
-    void begin_stretch();
-    void plan(Piece& piece);
-    void record(const Piece& piece);
-    void record_corner(const Piece& piece);
-    void record_jerk(const Piece& piece, double along);
-    void record_travel();
-
-    PlannerOptions options;
-    AxisTable axes;
-    PieceRing pieces;       // between preparation and delivery
-    std::size_t fresh = 0;  // so many of them are not in the look-ahead yet
-    Preparer preparer;
-    StretchBuilder gathered;
-    LookAhead lookahead;
-    std::deque<Stretch> stretches;  // in the look-ahead
-    Stretch current;                // its pieces are being delivered
-    JunctionSpeeds speeds;
-    ProfileCut cut;        // of its profile, if its jerk is limited
-    std::size_t left = 0;  // so many of its pieces
-    double tick;
-    bool has_ended = false;
-    bool is_waiting = false;  // the last piece, for the corner behind it
-
-    Totals totals;
-    AxisRates last_rates{};  // of the piece delivered last, at its end
-    AxisTable::Loads last_loads;
-    AxisRates last_bends{};
-    double last_along = 0;  // its acceleration along the path
-    double last_jerk = 0;   // its jerk along the path
-};
+    return highest;
+}
 
 void Planner::State::fill() {
     while (!has_ended && !lookahead.is_full()) {
@@ -116,13 +71,17 @@ void Planner::State::hand_on(const Piece& piece, double exit_limit) {
         lookahead.append(piece.cell, piece.entry_limit);
         return;
     }
+    Stretch stretch{piece.length, piece.speed, piece.acceleration, piece.entry_limit};
+    stretch.feed_asked = piece.feed_asked;
+    stretch.rapid_asked = piece.rapid_asked;
     if (!axes.limits_jerk()) {
-        lookahead.append({piece.length, piece.speed, piece.acceleration, piece.entry_limit});
+        lookahead.append(stretch);
+        if (panel.is_used()) stretches.push_back(stretch);
         return;
     }
-    gathered.add({piece.length, piece.speed, piece.acceleration, piece.entry_limit, piece.jerk,
-                  piece.entry_acceleration},
-                 exit_limit);
+    stretch.jerk = piece.jerk;
+    stretch.entry_acceleration = piece.entry_acceleration;
+    gathered.add(stretch, exit_limit);
     append_complete();
 }
 
@@ -149,31 +108,56 @@ void Planner::State::begin_stretch() {
     cut = ProfileCut(*whole);
 }
 
-bool Planner::State::next(Segment& segment) {
-    if (left == 0) {
-        if (!lookahead.is_ready()) fill();
-        if (!lookahead.is_ready()) {
-            totals.commands = preparer.commands();
-            record_travel();
-            return false;
-        }
-        begin_stretch();
-    }
-    --left;
-    Piece& piece = pieces.front();
-    plan(piece);
-    record(piece);
-    segment = piece.segment;
-    pieces.pop_front();
-    return true;
+/// Nothing is left.
+bool Planner::State::end() {
+    totals.commands = preparer.commands();
+    record_travel();
+    return false;
 }
 
-void Planner::State::plan(Piece& piece) {
+bool Planner::State::next(Segment& segment) {
+    if (panel.is_used()) return next_operated(segment);
+    while (true) {
+        if (left == 0) {
+            if (!lookahead.is_ready()) fill();
+            if (!lookahead.is_ready()) return end();
+            begin_stretch();
+        }
+        --left;
+        Piece& piece = pieces.front();
+        plan(piece, left == 0);
+        const bool is_over = piece.awaits && !(piece.segment.duration > 0);
+        if (!is_over) {
+            record(piece);
+            segment = piece.segment;
+        }
+        pieces.pop_front();
+        if (!is_over) return true;
+    }
+}
+
+/// The piece begins, and with it its M functions.
+void Planner::State::issue(Piece& piece) {
+    std::deque<IssuedFunction>& issued = preparer.issued();
+    for (; piece.issues > 0; --piece.issues) {
+        IssuedFunction function = issued.front();
+        issued.pop_front();
+        function.time = totals.time;
+        acknowledged = std::max({acknowledged, totals.time, plc.acknowledged(function)});
+    }
+    if (piece.awaits) piece.segment.duration = std::max(0.0, acknowledged - totals.time);
+}
+
+/// `is_last`: of its stretch.
+void Planner::State::plan(Piece& piece, bool is_last) {
     Segment& segment = piece.segment;
     segment.start_time = totals.time;
+    if (piece.issues > 0 || piece.awaits) issue(piece);
     if (!is_motion(segment.kind)) return;
     if (piece.is_cell) {
         segment.profile = profile_over(piece.cell, speeds.entry, speeds.exit);
+    } else if (given) {
+        segment.profile = *given;
     } else if (std::isinf(current.jerk)) {
         const auto profile = trapezoid(piece.length, speeds.entry, speeds.exit,
                                        {piece.speed, piece.acceleration, piece.acceleration});
@@ -181,7 +165,7 @@ void Planner::State::plan(Piece& piece) {
                     "the look-ahead promised a change of speed that does not fit");
         segment.profile = *profile;
     } else {
-        segment.profile = cut.next(piece.length, left == 0);
+        segment.profile = cut.next(piece.length, is_last);
     }
     segment.duration = segment.profile.duration();
 }
@@ -195,6 +179,8 @@ void Planner::State::record(const Piece& piece) {
         case SegmentKind::Dwell:
         case SegmentKind::Orient: totals.dwell_time += segment.duration; break;
         case SegmentKind::ToolChange: totals.tool_change_time += segment.duration; break;
+        case SegmentKind::Hold: totals.hold_time += segment.duration; break;
+        case SegmentKind::Wait: totals.wait_time += segment.duration; break;
     }
     if (!is_motion(segment.kind)) return;
     ++totals.segments;
@@ -271,5 +257,6 @@ std::size_t Planner::pull(std::span<Segment> out) {
 
 const Totals& Planner::totals() const { return state_->totals; }
 bool Planner::alarmed() const { return state_->preparer.alarmed(); }
+const std::vector<OperatorEvent>& Planner::events_ahead() const { return state_->panel.ahead(); }
 
 }  // namespace kadr::motion

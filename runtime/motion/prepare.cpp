@@ -86,6 +86,9 @@ Piece& Preparer::State::fresh_piece() {
     piece.entry_limit = 0;
     piece.ramp = piece.ramp_before = piece.jerk_share = piece.jerk_before = 1;
     piece.is_cell = false;
+    piece.feed_asked = piece.rapid_asked = kInfinity;
+    piece.issues = std::exchange(to_issue, 0);
+    piece.awaits = false;
     return piece;
 }
 
@@ -136,6 +139,7 @@ void Preparer::State::execute(const Command& command) {
         case Op::Stop:
         case Op::OptionalStop:
         case Op::End: last.must_stop = true; return;
+        case Op::Function: issue(command); return;
         // Switched while moving: a control does not stop for them.
         case Op::Coolant:
         case Op::Message: return;
@@ -183,16 +187,33 @@ void Preparer::State::dwell(const Command& command) {
 void Preparer::State::stand(const Command& command, SegmentKind kind, double duration) {
     last.must_stop = true;
     if (!(duration > 0) || has_ended) return;
+    emit_stand(command, kind).segment.duration = duration;
+}
+
+Piece& Preparer::State::emit_stand(const Command& command, SegmentKind kind) {
     Piece& piece = fresh_piece();
     piece.segment = standing.still();
     piece.length = 0;
     piece.segment.kind = kind;
     piece.segment.line = command.line;
     piece.segment.source = command.source;
-    piece.segment.duration = duration;
+    piece.segment.duration = 0;
     piece.segment.spindle = spindle;
     // Length 0 between two stops: speed and acceleration only have to be above zero.
     piece.speed = piece.acceleration = 1;
+    return piece;
+}
+
+/// An M function goes with the piece behind it, or with the stand in which it is awaited.
+void Preparer::State::issue(const Command& command) {
+    if (has_ended) return;
+    if (command.step != path::FunctionStep::Await) {
+        issued.push_back({command.code, 0, command.line});
+        ++to_issue;
+    }
+    if (command.step == path::FunctionStep::Issue) return;
+    last.must_stop = true;
+    emit_stand(command, SegmentKind::Wait).awaits = true;
 }
 
 // ------------------------------------------------------------------------------ motion
@@ -287,15 +308,6 @@ void Preparer::State::emit_parts(const Command& command, const Segment& whole, d
     }
 }
 
-Segment Preparer::State::part_of(const Segment& whole, double from, double to) const {
-    Segment piece = whole;
-    piece.curve = path::part(whole.curve, from, to);
-    for (std::size_t k = 0; k < kFollowers; ++k) {
-        piece.follower_start[k] += piece.follower_rate[k] * from;
-    }
-    return piece;
-}
-
 /// Where a bent piece is cut into cells: nowhere unless its bend takes so much of an axis that
 /// fixed shares would cost time.
 std::vector<double> Preparer::State::cells_in(const Command& command, const Segment& whole,
@@ -303,6 +315,8 @@ std::vector<double> Preparer::State::cells_in(const Command& command, const Segm
     // The pulses of a laser time whole blocks.
     if (axes.limits_jerk() || command.op == Op::Thread) return {};
     if (has_pulses()) return {};
+    // A cell has one course of its speed, which an event would break.
+    if (!options.events.empty()) return {};
     if (command.feed_mode != path::FeedMode::PerMinute) return {};
     const auto feed = path_feed(command, whole, length, spindle);
     if (!feed) return {};
@@ -339,12 +353,14 @@ void Preparer::State::emit_cells(const Command& command, const Segment& whole,
 /// `as_cell`: if it is even enough, and no corner is beside it.
 void Preparer::State::emit(const Command& command, const Segment& segment, double length,
                            bool as_cell) {
-    double feed = wanted_feed(command, segment, length);
+    double programmed = programmed_feed(command, segment, length);
     if (has_ended) return;
+    double feed = wanted_feed(command, segment, programmed);
     const AxisRates in = axes.start_rates(segment);
     PathLimits limits = axes.limits(segment, in, feed);
     if (segment.kind == SegmentKind::Rapid) {
         // A straight line: its acceleration does not depend on the speed.
+        programmed = limits.speed;
         limits.speed *= options.rapid_override;
         feed = limits.speed;
     }
@@ -365,6 +381,7 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     piece.acceleration = limits.acceleration;
     piece.jerk = limits.jerk;
     piece.turning_acceleration = limits.turning_acceleration;
+    if (!options.events.empty()) ask(command, piece, programmed);
     piece.entry_limit = corner_speed(segment, in, limits.acceleration);
     piece.rates = in;
     piece.loads = axes.loads(segment, in);
@@ -383,6 +400,15 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     remember(piece);
 }
 
+/// What overrides act on while the piece is run: a thread follows the spindle, and so does a tap.
+void Preparer::State::ask(const Command& command, Piece& piece, double programmed) const {
+    piece.programmed = programmed;
+    if (command.op == Op::Thread || command.keeps_feed) return;
+    const bool is_rapid = piece.segment.kind == SegmentKind::Rapid;
+    (is_rapid ? piece.rapid_asked : piece.feed_asked) =
+        is_rapid ? programmed : AxisTable::path_speed(piece.segment, programmed);
+}
+
 /// The axes cannot follow the spindle: the thread would get another pitch.
 void Preparer::State::report_thread_speed(const Command& command, double feed, double most) {
     sink.report(diag::ThreadTooFast, place_of(command, options))
@@ -391,23 +417,27 @@ void Preparer::State::report_thread_speed(const Command& command, double feed, d
     alarm_raised();
 }
 
-/// The path speed that the program asks for, override included; infinite at rapid.
-double Preparer::State::wanted_feed(const Command& command, const Segment& segment, double length) {
+/// The path speed that the program asks for, without override; infinite at rapid.
+double Preparer::State::programmed_feed(const Command& command, const Segment& segment,
+                                        double length) {
     if (command.op == Op::Rapid) return kInfinity;
     const auto feed = path_feed(command, segment, length, spindle);
-    if (!feed) {
-        const bool no_feed = feed.error() == FeedFault::NoFeed;
-        if (!feed_reported) {
-            sink.report(no_feed ? diag::MotionWithoutFeed : diag::FeedWithoutSpindle,
-                        place_of(command, options));
-        }
-        feed_reported = true;
-        alarm_raised();
-        return kFallbackFeed;
+    if (feed) return *feed;
+    const bool no_feed = feed.error() == FeedFault::NoFeed;
+    if (!feed_reported) {
+        sink.report(no_feed ? diag::MotionWithoutFeed : diag::FeedWithoutSpindle,
+                    place_of(command, options));
     }
+    feed_reported = true;
+    alarm_raised();
+    return kFallbackFeed;
+}
+
+double Preparer::State::wanted_feed(const Command& command, const Segment& segment,
+                                    double programmed) const {
     // A thread follows the spindle: neither an override nor a limit of the feed acts on it.
-    if (command.op == Op::Thread) return *feed;
-    const double wanted = *feed * options.feed_override;
+    if (command.op == Op::Thread || command.op == Op::Rapid) return programmed;
+    const double wanted = programmed * (command.keeps_feed ? 1 : options.feed_override);
     return machine.max_feed > 0 && !segment.turns_only ? std::min(wanted, machine.max_feed)
                                                        : wanted;
 }
@@ -428,6 +458,7 @@ Preparer::~Preparer() = default;
 std::size_t Preparer::next() { return state_->next(); }
 std::uint64_t Preparer::commands() const { return state_->commands_read; }
 bool Preparer::alarmed() const { return state_->has_alarmed; }
+std::deque<IssuedFunction>& Preparer::issued() { return state_->issued; }
 const AxisTable::Travel& Preparer::travel() const { return state_->check.travel(); }
 
 }  // namespace kadr::motion

@@ -4,6 +4,7 @@
 // translates ahead. Knows one corner at a time; the speeds over many pieces are lookahead.h's.
 #pragma once
 
+#include <deque>
 #include <memory>
 
 #include "base/diagnostic.h"
@@ -26,6 +27,8 @@ class Preparer {
 
     std::uint64_t commands() const;
     bool alarmed() const;
+    /// M functions that pieces issue, in their order, for the planner to take; without their times.
+    std::deque<IssuedFunction>& issued();
     /// Least and greatest position of every axis so far, start included.
     const AxisTable::Travel& travel() const;
 

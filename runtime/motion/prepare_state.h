@@ -67,7 +67,9 @@ struct Preparer::State {
 
     void set_spindle(const path::Command& command);
     void dwell(const path::Command& command);
+    void issue(const path::Command& command);
     void stand(const path::Command& command, SegmentKind kind, double duration);
+    Piece& emit_stand(const path::Command& command, SegmentKind kind);
 
     void move(const path::Command& command);
     bool is_possible(const path::Command& command, const Segment& segment, double length);
@@ -81,11 +83,13 @@ struct Preparer::State {
     std::vector<double> cells_in(const path::Command& command, const Segment& whole, double length);
     void emit_cells(const path::Command& command, const Segment& whole,
                     const std::vector<double>& bounds);
-    Segment part_of(const Segment& whole, double from, double to) const;
     void emit(const path::Command& command, const Segment& segment, double length,
               bool as_cell = false);
     void report_thread_speed(const path::Command& command, double feed, double most);
-    double wanted_feed(const path::Command& command, const Segment& segment, double length);
+    double programmed_feed(const path::Command& command, const Segment& segment, double length);
+    double wanted_feed(const path::Command& command, const Segment& segment,
+                       double programmed) const;
+    void ask(const path::Command& command, Piece& piece, double programmed) const;
     double corner_speed(const Segment& segment, const AxisRates& in, double acceleration) const;
     void take_corner(Piece& piece) const;
     bool is_alone(const Piece& piece) const;
@@ -133,6 +137,9 @@ struct Preparer::State {
     CornerMemory last;
     HeldMotion held;
     Compressor compressor;
+
+    std::deque<IssuedFunction> issued;  // not taken yet by the planner
+    std::size_t to_issue = 0;           // so many of them wait for a piece
 
     PieceRing& pieces;
     std::size_t ready = 0;  // pieces of the current command

@@ -129,16 +129,19 @@ double ticks_of(double duration, double tick);
 /// source       reference motion §2.7 (b)
 Result<Profile, ProfileFault> fitted_to_ticks(const Profile& profile, double tick);
 
+/// A state a time later in a phase that has begun in it.
+inline ProfileState advanced(const ProfileState& from, const Phase& phase, double time) {
+    const double half = 0.5 * phase.jerk * time;
+    return {from.distance + (from.speed + (0.5 * phase.acceleration + half / 3) * time) * time,
+            from.speed + (phase.acceleration + half) * time, phase.acceleration + 2 * half};
+}
+
 /// `state_at` of a run of phases. At most seven are added up, so nothing accumulates over pieces.
 inline ProfileState state_in_phases(const Profile& profile, double time) {
     ProfileState at{0, profile.entry_speed, 0};
     bool is_over = true;
     for_each_phase(profile, [&](const Phase& phase) {
-        const double t = std::clamp(time, 0.0, phase.duration);
-        const double half = 0.5 * phase.jerk * t;
-        at.distance += (at.speed + (0.5 * phase.acceleration + half / 3) * t) * t;
-        at.speed += (phase.acceleration + half) * t;
-        at.acceleration = phase.acceleration + 2 * half;
+        at = advanced(at, phase, std::clamp(time, 0.0, phase.duration));
         is_over = time >= phase.duration;
         time -= phase.duration;
         return is_over;

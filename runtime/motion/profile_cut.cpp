@@ -21,6 +21,7 @@ double speed_in(const Phase& phase, double speed, double t) {
 
 ProfileCut::ProfileCut(const Profile& whole) : whole_(whole), speed_(whole.entry_speed) {
     KADR_ASSERT(whole.is_smooth, "only a run of phases is cut");
+    while (first_ < kPhases && !(whole.phases[first_] > 0)) ++first_;
     starts_[0] = {0, whole.entry_speed};
     for (std::size_t i = 0; i < kPhases; ++i) {
         const Phase phase = this->phase(i);

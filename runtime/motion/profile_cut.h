@@ -27,11 +27,12 @@ class ProfileCut {
         double speed = 0;
     };
     double time_at(double distance) const;
-    Phase phase(std::size_t i) const { return phase_of(whole_, i, false); }
+    Phase phase(std::size_t i) const { return phase_of(whole_, i, i == first_); }
     void take_phase(Profile& part, double until);
 
     Profile whole_;
     std::array<Start, kPhases + 1> starts_{};
+    std::size_t first_ = 0;  // phase that lasts
     std::size_t phase_ = 0;  // the current one
     double time_ = 0;        // in it
     double distance_ = 0;    // from the start of the whole

@@ -18,6 +18,8 @@ enum class SegmentKind : std::uint8_t {
     Dwell,  // the rest stand still for `duration`
     ToolChange,
     Orient,  // the spindle turns to an angle
+    Hold,    // the operator keeps the axes from going on
+    Wait,    // for the machine to acknowledge an M function
 };
 
 constexpr bool is_motion(SegmentKind kind) { return kind <= SegmentKind::Feed; }
@@ -53,5 +55,8 @@ struct Segment {
 
     double end_time() const { return start_time + duration; }
 };
+
+/// The part of a motion between two lengths of its path.
+Segment part_of(const Segment& whole, double from, double to);
 
 }  // namespace kadr::motion

@@ -61,6 +61,8 @@ bool StretchBuilder::joins(const Part& part) const {
     const Stretch& open = open_.limits;
     const Stretch& piece = part.limits;
     if (!(piece.entry_limit > 0)) return false;
+    // A thread goes on when what is before and behind it is held.
+    if (open.most().is_overridden() != piece.most().is_overridden()) return false;
     const double speed = std::min({open.speed, piece.speed, piece.entry_limit});
     const bool is_straight_on = std::isinf(piece.entry_acceleration);
     if (is_straight_on && piece.entry_limit >= speed && has_same_limits(open, piece)) return true;
@@ -94,6 +96,8 @@ void StretchBuilder::join(const Part& part) {
         open.acceleration =
             std::min({open.acceleration, piece.acceleration, piece.entry_acceleration});
         open.jerk = std::min(open.jerk, piece.jerk);
+        open.feed_asked = std::min(open.feed_asked, piece.feed_asked);
+        open.rapid_asked = std::min(open.rapid_asked, piece.rapid_asked);
         ++open.pieces;
         open_.time += part.time;
         if (open.speed != before.speed || open.acceleration != before.acceleration ||

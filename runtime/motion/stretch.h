@@ -17,11 +17,33 @@
 // Limits of lengths and speeds only; no geometry, no axes and no junction speeds (lookahead.h).
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
 
+#include "motion/operator_panel.h"
+
 namespace kadr::motion {
+
+/// A limit of the speed, and what of it changes with the overrides.
+struct OverriddenSpeed {
+    double speed = 0;  // at the highest overrides of the run
+    /// What the program asks for at 100 %, if an override may change it while it runs; infinite if
+    /// nothing is a feed, or nothing rapid.
+    double feed_asked = std::numeric_limits<double>::infinity();
+    double rapid_asked = std::numeric_limits<double>::infinity();
+
+    bool is_overridden() const { return std::isfinite(std::min(feed_asked, rapid_asked)); }
+    /// 0 where the motion stands.
+    double speed_at(const Overrides& overrides) const {
+        double most = speed;
+        if (std::isfinite(feed_asked)) most = std::min(most, overrides.feed * feed_asked);
+        if (std::isfinite(rapid_asked)) most = std::min(most, overrides.rapid * rapid_asked);
+        return most;
+    }
+};
 
 /// What the look-ahead knows of one piece, or of several that run under one set of limits.
 struct Stretch {
@@ -34,6 +56,9 @@ struct Stretch {
     /// acceleration of an axis changes by there is what its jerk allows in a tick. 0: none at all.
     double entry_acceleration = std::numeric_limits<double>::infinity();
     std::size_t pieces = 1;
+    OverriddenSpeed most() const { return {speed, feed_asked, rapid_asked}; }
+    double feed_asked = std::numeric_limits<double>::infinity();  // as of an OverriddenSpeed
+    double rapid_asked = std::numeric_limits<double>::infinity();
 };
 
 class StretchBuilder {

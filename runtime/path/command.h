@@ -27,6 +27,7 @@ enum class Op : std::uint8_t {
     Tool,
     ToolLength,
     Coolant,
+    Function,  // an M function that takes the machine time
     Stop,
     OptionalStop,
     Message,
@@ -40,6 +41,12 @@ enum class FeedMode : std::uint8_t { PerMinute, PerRevolution, InverseTime };
 enum class Plane : std::uint8_t { Xy, Zx, Yz };
 enum class SpindleMode : std::uint8_t { Stop, Cw, Ccw, Orient };
 enum class CoolantMode : std::uint8_t { Off, Flood, Mist };
+/// What becomes of an M function where its command stands.
+enum class FunctionStep : std::uint8_t {
+    Issue,  // the motion goes on
+    Await,  // of what was issued before: the motion waits for the acknowledgement
+    Both,
+};
 
 /// How the corner behind a motion is rounded, if the next motion lets it.
 enum class BlendKind : std::uint8_t {
@@ -61,9 +68,11 @@ struct Command {
     Plane plane = Plane::Xy;
     SpindleMode spindle = SpindleMode::Stop;
     CoolantMode coolant = CoolantMode::Off;
-    bool exact_stop = false;           // the motion ends at rest
+    FunctionStep step = FunctionStep::Both;  // of a Function
+    bool exact_stop = false;                 // the motion ends at rest
     bool machine_coordinates = false;  // `to` is in machine coordinates, tool length not counted
     bool is_unshifted = false;         // programmed in machine coordinates, whatever `to` is in
+    bool keeps_feed = false;           // Line: no override acts, as when tapping
     bool cutting_speed = false;        // Spindle: `speed` is m/min (constant cutting speed)
     AxisMask moved = 0;                // axes that the block programmed
     SourceId source;
@@ -88,6 +97,7 @@ struct Command {
     double time = 0;            // Dwell, s; 0 if revolutions
     double revolutions = 0;     // Dwell
     std::int64_t tool = 0;      // Tool, ToolLength: the tool or offset number
+    std::int64_t code = 0;      // Function: M10 is 10
     double length = 0;          // ToolLength: what is added along the normal of `plane`, mm
     Vec3 aside = Vec3::Zero();  // ToolLength: … and along the other axes, mm
     std::string text;           // Message

@@ -227,6 +227,8 @@ void PulseTimer::record(const Segment& segment) {
         case SegmentKind::Dwell:
         case SegmentKind::Orient: totals_.dwell_time += segment.duration; break;
         case SegmentKind::ToolChange: totals_.tool_change_time += segment.duration; break;
+        case SegmentKind::Hold: totals_.hold_time += segment.duration; break;
+        case SegmentKind::Wait: totals_.wait_time += segment.duration; break;
     }
     if (!motion::is_motion(segment.kind)) return;
     // In the middle of a dip the speed is least, and its ramps have the other sign.

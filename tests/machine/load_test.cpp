@@ -88,6 +88,9 @@ TEST(MachineFile, ValuesAreCanonical) {
               <tool number="3" name="drill" length="120.5 mm" radius="4250 um"/>
               <tool number="4" length="80 mm" length_x="-60.25 mm" radius="0.8 mm" tip="3"/>
               <offset number="2" x="-10 mm" c="45 deg"/>
+              <function code="M10" takes="400 ms"/>
+              <function code="M9" takes="0.1 s" waits="no"/>
+              <function code="M63" takes="2 s" acts="with"/>
             </machine>)",
         loaded);
     ASSERT_TRUE(loaded.machine);
@@ -98,6 +101,16 @@ TEST(MachineFile, ValuesAreCanonical) {
     EXPECT_DOUBLE_EQ(machine.max_speed, 100);
     EXPECT_DOUBLE_EQ(machine.orient_time, 0.3);
     EXPECT_DOUBLE_EQ(machine.tool_change_time, 4);
+    ASSERT_EQ(machine.functions.size(), 3u);
+    const MachineFunction* clamp = machine.find_function(10);
+    ASSERT_NE(clamp, nullptr);
+    EXPECT_DOUBLE_EQ(clamp->takes, 0.4);
+    EXPECT_EQ(clamp->acts, FunctionTime::BeforeMotion);
+    EXPECT_TRUE(clamp->waits);
+    EXPECT_EQ(machine.find_function(9)->acts, FunctionTime::AfterMotion);
+    EXPECT_FALSE(machine.find_function(9)->waits);
+    EXPECT_EQ(machine.find_function(63)->acts, FunctionTime::WithMotion);
+    EXPECT_EQ(machine.find_function(11), nullptr);
     EXPECT_DOUBLE_EQ(machine.corner_tolerance, 0.1);
     EXPECT_DOUBLE_EQ(machine.compressor_tolerance, 0.005);
     ASSERT_EQ(machine.axes.size(), 2u);
@@ -311,6 +324,17 @@ TEST(MachineFile, MistakesOfValues) {
            R"(<spindle_drive inertia="0 kg m2" torque_constant="2 Nm/A" time_constant="4 ms"/>)",
            "K6011", "0 kg m2", ""},
           {"pulse in rpm", R"(<laser pulse="40 rpm"/>)", "K6009", "40 rpm", "write `Hz` or `kHz`"},
+          {"time of a tool change", R"(<function code="M6" takes="4 s"/>)", "K6212", "M6", ""},
+          {"time of an end", R"(<function code="M30" takes="4 s"/>)", "K6212", "M30", ""},
+          {"no M function", R"(<function code="G10" takes="4 s"/>)", "K6212", "G10", ""},
+          {"no number", R"(<function code="Mx" takes="4 s"/>)", "K6212", "Mx", ""},
+          {"function without time", R"(<function code="M10"/>)", "K9105", "function", ""},
+          {"acts sometime", R"(<function code="M10" takes="1 s" acts="late"/>)", "K6017", "late",
+           ""},
+          {"waits perhaps", R"(<function code="M10" takes="1 s" waits="si"/>)", "K6017", "si", ""},
+          {"doubled function",
+           R"(<function code="M10" takes="1 s"/><function code="M10" takes="2 s"/>)", "K6014",
+           "M10", ""},
           {"doubled drive", R"(<cutting force="1 kN"/><cutting force="2 kN"/>)", "K6014", "cutting",
            ""}}) {
         expect_mistake(mistake);

@@ -1,0 +1,62 @@
+// M functions that take the machine time, as its file tells: where they are issued, and where the
+// program waits for them.
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+namespace {
+
+using machine::FunctionTime;
+using nc::Function;
+using path::FunctionStep;
+
+constexpr std::int64_t kNoCode = -1;
+
+/// The M function behind a function of a block. Those with a meaning of the control's own have the
+/// same number on every control.
+std::int64_t code_of(const nc::Block& block, const nc::Invocation& invocation) {
+    switch (invocation.function) {
+        case Function::MachineFunction:
+            return static_cast<std::int64_t>(block.argument(invocation, 0));
+        case Function::SpindleCw: return 3;
+        case Function::SpindleCcw: return 4;
+        case Function::SpindleStop: return 5;
+        case Function::CoolantMist: return 7;
+        case Function::CoolantFlood: return 8;
+        case Function::CoolantOff: return 9;
+        default: return kNoCode;
+    }
+}
+
+}  // namespace
+
+/// What is on already need not be switched on.
+bool Executor::has_changed(std::int64_t code, const Actions& actions) const {
+    if (code >= 3 && code <= 5) return spindle_.told.mode != actions.spindle_before;
+    if (code >= 7 && code <= 9) return coolant_ != actions.coolant_before;
+    return true;
+}
+
+void Executor::issue_functions(const nc::Block& block, const Actions& actions, Side side) {
+    if (machine_.functions.empty()) return;
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        const std::int64_t code = code_of(block, block.functions[i]);
+        const machine::MachineFunction* known = machine_.find_function(code);
+        if (known == nullptr) continue;
+        const FunctionTime behind =
+            side == Side::Before ? FunctionTime::BeforeMotion : FunctionTime::AfterMotion;
+        FunctionStep step = known->waits ? FunctionStep::Both : FunctionStep::Issue;
+        if (known->acts == FunctionTime::WithMotion) {
+            if (side == Side::Behind && !known->waits) continue;
+            step = side == Side::Before ? FunctionStep::Issue : FunctionStep::Await;
+        } else if (known->acts != behind) {
+            continue;
+        }
+        if (!has_changed(code, actions)) continue;
+        path::Command& command = put(path::Op::Function, block);
+        command.code = code;
+        command.step = step;
+    }
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,21 @@
+#include "motion/piece.h"
+
+namespace kadr::motion {
+
+Piece part_of(const Piece& whole, double from, double to, const AxisTable& axes) {
+    Piece piece = whole;
+    piece.segment = part_of(whole.segment, from, to);
+    piece.length = to - from;
+    if (from > 0) {
+        piece.entry_limit = whole.speed;
+        piece.entry_acceleration = std::numeric_limits<double>::infinity();
+        piece.rates = axes.start_rates(piece.segment);
+    }
+    if (to < whole.length) {
+        piece.segment.ends_command = false;
+        piece.segment.has_pulse = false;
+    }
+    return piece;
+}
+
+}  // namespace kadr::motion

@@ -1,0 +1,283 @@
+// Planning while an operator turns overrides, holds the feed and starts it again.
+//
+// Pieces are prepared for the highest override of the run. What is planned stays as it is until an
+// event; there the piece that is being run is cut, the rest of its stretch goes back in front of
+// the look-ahead, which gives every junction its speed under the new overrides, and the rest is
+// begun in the state that the axes are in (reaction.h). Where the motion may not go on, the axes
+// stand until an event lets them.
+//
+// What overrides do not act on, a hold does not interrupt: a thread is run to its end, a tap out of
+// its hole again; a tool change or the turning of the spindle to an angle is finished, and the hold
+// acts behind it.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/assert.h"
+#include "base/diagnostics/machine.h"
+#include "motion/axis_check.h"
+#include "motion/planner_state.h"
+#include "motion/smooth_profile.h"
+
+namespace kadr::motion {
+
+namespace {
+
+// Times that are closer, s, are the same; lengths, mm (deg), likewise: cutting off less would only
+// be rounding.
+constexpr double kSameTime = 1e-12;
+constexpr double kSamePlace = 1e-9;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+bool is_bound_to_spindle(const Piece& piece) {
+    return is_motion(piece.segment.kind) && std::isinf(piece.feed_asked) &&
+           std::isinf(piece.rapid_asked);
+}
+
+}  // namespace
+
+bool Planner::State::next_operated(Segment& segment) {
+    while (!is_stuck) {
+        if (left == 0) {
+            obey_until(totals.time);
+            if (!lookahead.is_ready()) fill();
+            if (!lookahead.is_ready()) break;
+            if (must_wait()) {
+                if (!wait(segment)) break;
+                return true;
+            }
+            begin_operated();
+            continue;
+        }
+        Piece& piece = pieces.front();
+        if (piece.segment.line != line) {
+            line = piece.segment.line;
+            const bool is_asked = options.number_of && panel.waits_for_block();
+            panel.begin_block(line, is_asked ? options.number_of(line) : -1, totals.time);
+        }
+        plan(piece, left == 1);
+        if (piece.awaits && !(piece.segment.duration > 0)) {
+            --left;
+            pieces.pop_front();
+            continue;
+        }
+        const double passed = std::max(0.0, panel.next_time() - totals.time);
+        if (passed >= piece.segment.duration - kSameTime) {
+            deliver(segment);
+            return true;
+        }
+        if (is_motion(piece.segment.kind) ? run_for(passed, segment) : stand_for(segment)) {
+            return true;
+        }
+    }
+    return end();
+}
+
+/// Does what is due, and lets the look-ahead know.
+void Planner::State::obey_until(double time) {
+    if (panel.act_until(time + kSameTime)) lookahead.set_overrides(panel.acting());
+}
+
+/// The segment of the oldest piece, as it is planned.
+void Planner::State::deliver(Segment& segment) {
+    --left;
+    const Piece& piece = pieces.front();
+    record(piece);
+    if (is_motion(piece.segment.kind)) was_thread = is_bound_to_spindle(piece);
+    segment = piece.segment;
+    if (std::isfinite(piece.feed_asked)) {
+        const double dial = panel.dials().feed;
+        const bool is_limited = max_feed > 0 && !segment.turns_only;
+        segment.feed = std::min(dial * piece.programmed, is_limited ? max_feed : kInfinity);
+        segment.feed_per_revolution *= dial / options.feed_override;
+    }
+    if (std::isfinite(piece.rapid_asked)) segment.feed = panel.dials().rapid * piece.programmed;
+    pieces.pop_front();
+}
+
+// ------------------------------------------------------------------------------ standing
+
+/// Whether the axes stand and may not go on.
+bool Planner::State::must_wait() {
+    if (lookahead.reached() > 0) return false;
+    const OverriddenSpeed most = stretches.front().most();
+    if (most.is_overridden()) return !(most.speed_at(panel.acting()) > 0);
+    return panel.is_held() && !is_in_thread();
+}
+
+/// Behind a thread and in front of another one, with no more than a dwell between.
+bool Planner::State::is_in_thread() {
+    if (!was_thread) return false;
+    const bool stands = !is_motion(pieces.front().segment.kind);
+    return is_bound_to_spindle(pieces.at(stands && pieces.size() > 1 ? 1 : 0));
+}
+
+/// Stands until the next event. False: there is none.
+bool Planner::State::wait(Segment& segment) {
+    const Segment& next = pieces.front().segment;
+    start.acceleration = 0;
+    if (std::isinf(panel.next_time())) {
+        const bool is_rapid = std::isfinite(pieces.front().rapid_asked);
+        sink.report(diag::StandsForEver, place_of(next.line, next.source, options))
+            .arg(panel.is_held() ? "feed hold"
+                 : is_rapid      ? "a rapid override of 0 %"
+                                 : "a feed override of 0 %");
+        is_stuck = true;
+        return false;
+    }
+    segment = part_of(next, 0, 0);
+    segment.curve = path::Point{path::start(next.curve)};
+    segment.kind = SegmentKind::Hold;
+    segment.followers = 0;
+    segment.follower_rate = {};
+    segment.profile = {};
+    segment.feed = segment.feed_per_revolution = 0;
+    segment.ends_command = segment.has_pulse = segment.turns_only = false;
+    segment.start_time = totals.time;
+    segment.duration = panel.next_time() - totals.time;
+    totals.time += segment.duration;
+    totals.hold_time += segment.duration;
+    return true;
+}
+
+// ------------------------------------------------------------------------------ stretches
+
+void Planner::State::begin_operated() {
+    current = stretches.front();
+    stretches.pop_front();
+    const PathMoment at{lookahead.reached(), start.acceleration};
+    start.acceleration = 0;
+    given.reset();
+    rest_follows = false;
+    Stretch now = current;
+    now.speed = current.most().speed_at(panel.acting());
+    const double exit_limit = lookahead.exit_limit();
+    const bool moves = current.length > 0;
+    const auto answer = moves ? reaction(at, now, exit_limit) : std::nullopt;
+    speeds = lookahead.take();
+    left = current.pieces;
+    if (answer) {
+        speeds.exit = answer->exit_speed;
+        lookahead.depart(speeds.exit);
+        if (answer->length < current.length) split_current(answer->length);
+    }
+    if (!moves) return;
+    const ProfileLimits limits{now.speed, now.acceleration, now.acceleration, now.jerk};
+    if (std::isinf(now.jerk)) {
+        const auto sharp = trapezoid(now.length, speeds.entry, speeds.exit, limits);
+        KADR_ASSERT(answer || sharp.has_value(),
+                    "the look-ahead promised a ramp that does not fit");
+        given = answer ? *answer : *sharp;
+        return;
+    }
+    const auto smooth = answer ? Result<Profile, ProfileFault>(*answer)
+                               : seven_phases(now.length, speeds.entry, speeds.exit, limits);
+    KADR_ASSERT(smooth.has_value(), "the look-ahead promised a smooth ramp that does not fit");
+    cut = ProfileCut(*smooth);
+}
+
+/// The current stretch ends behind this length, in a piece of its own; the rest follows.
+void Planner::State::split_current(double length) {
+    std::size_t count = 0;
+    double to = length;  // from the start of the piece `count`
+    while (count + 1 < current.pieces && to > pieces.at(count).length - kSamePlace)
+        to -= pieces.at(count++).length;
+    Stretch rest = current;
+    rest.entry_limit = current.speed;
+    rest.entry_acceleration = kInfinity;
+    rest.length -= length;
+    if (to > kSamePlace) {
+        const Piece whole = pieces.at(count);
+        pieces.insert(count) = part_of(whole, 0, to, axes);
+        pieces.at(count + 1) = part_of(whole, to, whole.length, axes);
+        ++count;
+        ++rest.pieces;
+    }
+    rest.pieces -= count;
+    stretches.push_front(rest);
+    lookahead.put_back(rest, speeds.exit);
+    current.length = length;
+    current.pieces = left = count;
+    // Where the acceleration vanishes between the two, the next event joins them again.
+    rest_follows = std::isfinite(current.jerk);
+}
+
+/// The current stretch, as far as it is not delivered, is to be begun anew, in this state.
+void Planner::State::interrupt(const PathMoment& moment) {
+    Stretch rest = current;
+    rest.entry_limit = current.speed;
+    rest.entry_acceleration = kInfinity;
+    rest.pieces = left;
+    rest.length = 0;
+    for (std::size_t i = 0; i < left; ++i) rest.length += pieces.at(i).length;
+    if (rest_follows) {
+        rest.length += stretches.front().length;
+        rest.pieces += stretches.front().pieces;
+        stretches.pop_front();
+        lookahead.drop();
+    }
+    stretches.push_front(rest);
+    lookahead.put_back(rest, moment.speed);
+    start = moment;
+    left = 0;
+}
+
+// ------------------------------------------------------------------------------ events
+
+/// An event comes while the oldest piece is run, so much later than it begins. False if there is
+/// nothing to be delivered before it.
+bool Planner::State::run_for(double passed, Segment& segment) {
+    Piece& piece = pieces.front();
+    const double time = totals.time + passed;
+    const Profile profile = piece.segment.profile;
+    const ProfileState state = state_at(profile, passed);
+    if (state.distance > piece.length - kSamePlace) {
+        deliver(segment);
+        return true;
+    }
+    const bool is_begun = state.distance > kSamePlace;
+    PathMoment moment{profile.entry_speed, profile.entry_acceleration};
+    if (is_begun) {
+        moment = {state.speed, profile.is_smooth ? state.acceleration : 0};
+        const Piece whole = piece;
+        pieces.insert(0) = part_of(whole, 0, state.distance, axes);
+        pieces.at(1) = part_of(whole, state.distance, whole.length, axes);
+        ++left;
+        Segment& head = pieces.front().segment;
+        head.profile = head_of(profile, passed);
+        head.duration = passed;
+        deliver(segment);
+    }
+    interrupt(moment);
+    obey_until(time);
+    return is_begun;
+}
+
+/// Events come while the axes stand. A hold stops a dwell, whose rest passes later; nothing else is
+/// interrupted. False if there is nothing to be delivered before it.
+bool Planner::State::stand_for(Segment& segment) {
+    const double end = totals.time + pieces.front().segment.duration;
+    const bool is_dwell = pieces.front().segment.kind == SegmentKind::Dwell;
+    while (panel.next_time() < end - kSameTime) {
+        const double passed = panel.next_time() - totals.time;
+        obey_until(panel.next_time());
+        if (!is_dwell || !options.hold_stops_dwell || !panel.is_held() || is_in_thread()) continue;
+        const bool is_begun = passed > kSameTime;
+        if (is_begun) {
+            const Piece whole = pieces.front();
+            pieces.insert(0) = whole;
+            pieces.at(0).segment.duration = passed;
+            pieces.at(0).segment.ends_command = false;
+            pieces.at(1).segment.duration -= passed;
+            ++left;
+            deliver(segment);
+        }
+        interrupt({0, 0});
+        lookahead.set_overrides(panel.acting());
+        return is_begun;
+    }
+    deliver(segment);
+    return true;
+}
+
+}  // namespace kadr::motion

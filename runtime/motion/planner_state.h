@@ -1,0 +1,102 @@
+// planner_state.h — what the planner knows between two segments. Internal to motion.
+//
+// Its functions are told in chapters: planner.cpp (the way of the pieces through the look-ahead,
+// what a run amounts to), planner_operated.cpp (an operator changes overrides meanwhile).
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "motion/axis_table.h"
+#include "motion/lookahead.h"
+#include "motion/pipeline.h"
+#include "motion/prepare.h"
+#include "motion/profile_cut.h"
+#include "motion/reaction.h"
+#include "motion/stretch.h"
+
+namespace kadr::motion {
+
+struct Planner::State {
+    State(Stream<path::Command>& commands, const machine::Machine& machine,
+          const PlannerOptions& options_in, DiagnosticSink& sink_in)
+        : options(prepared_for(options_in)),
+          axes(machine),
+          sink(sink_in),
+          max_feed(machine.max_feed),
+          panel(options_in.events, {options_in.feed_override, options_in.rapid_override}),
+          preparer(commands, machine, axes, options, sink_in, pieces),
+          gathered(std::max<std::size_t>(options.lookahead, 1)),
+          lookahead(options.lookahead),
+          tick(options.tick > 0 ? options.tick : machine.tick),
+          machine_plc(machine),
+          plc(options.plc != nullptr ? *options.plc : machine_plc) {
+        lookahead.set_overrides(panel.acting());
+        record_travel();
+    }
+    /// For the highest overrides of the run.
+    static PlannerOptions prepared_for(const PlannerOptions& options);
+
+    bool next(Segment& segment);
+    bool end();
+    void fill();
+    void hand_on(const Piece& piece, double exit_limit);
+    void append_complete();
+    void begin_stretch();
+    void issue(Piece& piece);
+    void plan(Piece& piece, bool is_last);
+    void record(const Piece& piece);
+    void record_corner(const Piece& piece);
+    void record_jerk(const Piece& piece, double along);
+    void record_travel();
+
+    // With an operator; in planner_operated.cpp.
+    bool next_operated(Segment& segment);
+    void obey_until(double time);
+    void deliver(Segment& segment);
+    bool must_wait();
+    bool is_in_thread();
+    bool wait(Segment& segment);
+    void begin_operated();
+    void split_current(double length);
+    void interrupt(const PathMoment& moment);
+    bool run_for(double passed, Segment& segment);
+    bool stand_for(Segment& segment);
+
+    PlannerOptions options;
+    AxisTable axes;
+    DiagnosticSink& sink;
+    double max_feed;
+    OperatorPanel panel;
+    PieceRing pieces;       // between preparation and delivery
+    std::size_t fresh = 0;  // so many of them are not in the look-ahead yet
+    Preparer preparer;
+    StretchBuilder gathered;
+    LookAhead lookahead;
+    std::deque<Stretch> stretches;  // in the look-ahead
+    Stretch current;                // its pieces are being delivered
+    JunctionSpeeds speeds;
+    ProfileCut cut;        // of its profile, if its jerk is limited
+    std::size_t left = 0;  // so many of its pieces
+    double tick;
+    MachinePlc machine_plc;
+    Plc& plc;
+    double acknowledged = 0;       // s, all that was issued so far
+    PathMoment start;              // in it the oldest stretch begins; its speed the look-ahead has
+    std::optional<Profile> given;  // of the current stretch, if its jerk is not limited
+    bool rest_follows = false;     // of the current stretch: it is the oldest one
+    std::uint32_t line = 0;        // of the block that was begun last
+    bool was_thread = false;       // the motion delivered last
+    bool is_stuck = false;         // nothing will let the motion go on
+    bool has_ended = false;
+    bool is_waiting = false;  // the last piece, for the corner behind it
+
+    Totals totals;
+    AxisRates last_rates{};  // of the piece delivered last, at its end
+    AxisTable::Loads last_loads;
+    AxisRates last_bends{};
+    double last_along = 0;  // its acceleration along the path
+    double last_jerk = 0;   // its jerk along the path
+};
+
+}  // namespace kadr::motion

@@ -1,0 +1,14 @@
+#include "motion/segment.h"
+
+namespace kadr::motion {
+
+Segment part_of(const Segment& whole, double from, double to) {
+    Segment piece = whole;
+    piece.curve = path::part(whole.curve, from, to);
+    for (std::size_t k = 0; k < kFollowers; ++k) {
+        piece.follower_start[k] += piece.follower_rate[k] * from;
+    }
+    return piece;
+}
+
+}  // namespace kadr::motion
