@@ -268,6 +268,8 @@ void Parser::add_run() {
         ->type_name("FROM..TO");
     command->add_option("--drive", job.drive, "spindle and feed drives over time; a drawing or CSV")
         ->type_name("OUT.svg|csv");
+    command->add_option("--scanner", job.scanner, "what the scanner is told, list by list")
+        ->type_name("OUT.txt");
     command->add_option("--summary", summary_, "times, lengths, travel, limits")
         ->check(one_of({"text", "json"}))
         ->type_name("text|json");

@@ -83,6 +83,7 @@ struct RunJob {
     std::string curves;        // position, velocity, acceleration, jerk over time, a drawing
     TimeWindow curves_window;  // … of this part of the run
     std::string drive;         // the drives over time, a drawing; rows if `.csv`
+    std::string scanner;       // the scanner's lists of commands
     std::string variables;
     std::string print;  // what the program prints
     std::string map;

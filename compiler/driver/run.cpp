@@ -21,13 +21,14 @@
 #include "driver/output.h"
 #include "driver/places.h"
 #include "driver/plot_svg.h"
+#include "driver/scanner_list.h"
 #include "driver/setpoints.h"
 #include "driver/summary.h"
 #include "driver/variables.h"
 #include "driver/work_times.h"
 #include "motion/pipeline.h"
 #include "process/drive_run.h"
-#include "process/pulse_timer.h"
+#include "process/planned_motion.h"
 
 namespace kadr::driver {
 
@@ -42,15 +43,17 @@ struct Outputs {
     std::unique_ptr<Output> plot;
     std::unique_ptr<Output> curves;
     std::unique_ptr<Output> drive;
+    std::unique_ptr<Output> scanner;
     std::unique_ptr<Output> variables;
     std::unique_ptr<Output> print;
     std::unique_ptr<Output> map;
     std::unique_ptr<Output> trace;
     std::unique_ptr<Output> summary;
 
-    std::array<Output*, 10> all() const {
-        return {commands.get(),  setpoints.get(), plot.get(),  curves.get(), drive.get(),
-                variables.get(), map.get(),       trace.get(), print.get(),  summary.get()};
+    std::array<Output*, 11> all() const {
+        return {commands.get(), setpoints.get(), plot.get(),      curves.get(),
+                drive.get(),    scanner.get(),   variables.get(), map.get(),
+                trace.get(),    print.get(),     summary.get()};
     }
 };
 
@@ -75,8 +78,9 @@ class PrintedLines final : public interp::Printer {
 
 bool asks_for_nothing(const RunJob& job) {
     return job.summary == SummaryFormat::None && job.commands.empty() && job.setpoints.empty() &&
-           job.plot.empty() && job.curves.empty() && job.drive.empty() && job.variables.empty() &&
-           job.print.empty() && job.map.empty() && job.trace.empty() && job.breaks.empty();
+           job.plot.empty() && job.curves.empty() && job.drive.empty() && job.scanner.empty() &&
+           job.variables.empty() && job.print.empty() && job.map.empty() && job.trace.empty() &&
+           job.breaks.empty();
 }
 
 /// Opens an output if it has a name. False: reported.
@@ -120,6 +124,7 @@ class Run {
     void write_plot(const RunFigures& figures);
     void write_curves(const RunFigures& figures);
     bool open_drives();
+    bool open_scanner();
     void finish_drives(const RunFigures& figures);
     std::string machine_title() const;
     Status commit();
@@ -137,6 +142,7 @@ class Run {
     PlotScene scene_;
     std::unique_ptr<process::DriveRun> drives_;  // null: nobody asked
     std::unique_ptr<DriveTable> drive_table_;    // null: they are drawn
+    std::unique_ptr<ScannerText> scanner_;       // null: nobody asked
     DriveTrace drive_trace_;
     std::unique_ptr<WorkTimes> times_;      // null: nobody reads a summary
     std::unique_ptr<MotionTrace> motion_;   // null: nobody asked
@@ -148,9 +154,10 @@ class Run {
 bool Run::open_outputs(bool is_kadr) {
     Messages& messages = session_.messages();
     const bool has_summary = job_.summary != SummaryFormat::None || asks_for_nothing(job_);
-    const std::array<std::string, 10> names = {
+    const std::array<std::string, 11> names = {
         job_.commands, job_.setpoints, job_.plot,  job_.variables,         job_.map,
-        job_.trace,    job_.print,     job_.drive, has_summary ? "-" : "", job_.curves};
+        job_.trace,    job_.print,     job_.drive, has_summary ? "-" : "", job_.curves,
+        job_.scanner};
     if (!are_outputs_apart(job_.source, names, messages)) return false;
     if (!job_.map.empty() && !is_kadr) {
         messages.report(diag::NoSourceMap).arg(job_.source);
@@ -165,7 +172,8 @@ bool Run::open_outputs(bool is_kadr) {
            open_if_named(outputs_.print, names[6], messages) &&
            open_if_named(outputs_.drive, names[7], messages) &&
            open_if_named(outputs_.summary, names[8], messages) &&
-           open_if_named(outputs_.curves, names[9], messages);
+           open_if_named(outputs_.curves, names[9], messages) &&
+           open_if_named(outputs_.scanner, names[10], messages);
 }
 
 void Run::draw(const motion::Segment& segment) {
@@ -201,20 +209,17 @@ void Run::execute() {
     options.feed_override = job_.feed_override;
     options.rapid_override = job_.rapid_override;
     options.place_of = [this](std::uint32_t line, SourceId) { return execution_->place_of(line); };
-    motion::Planner planner(tap, machine, options, execution_->sink());
-
-    std::unique_ptr<process::PulseTimer> timer;  // null: no pulsed laser
-    if (machine.laser && machine.laser->pulse > 0)
-        timer = std::make_unique<process::PulseTimer>(planner, machine);
-    Stream<motion::Segment>& timed =
-        timer ? static_cast<Stream<motion::Segment>&>(*timer) : planner;
-    SegmentTap segments(timed, [this](const motion::Segment& segment) {
+    process::PlannedMotion motion(tap, machine, options, execution_->sink(),
+                                  [this](const process::StartedList& list) {
+                                      if (scanner_) scanner_->write(list);
+                                  });
+    SegmentTap segments(motion, [this](const motion::Segment& segment) {
         if (outputs_.plot) draw(segment);
         if (drives_) drives_->add(segment);
         if (times_) times_->add(segment);
     });
     const auto tell = [&] {
-        session_.tell({execution_->blocks(), setpoints_, planner.totals().time});
+        session_.tell({execution_->blocks(), setpoints_, motion.planned_time()});
     };
     if (outputs_.setpoints || outputs_.curves) {
         sample(segments, options.tick, tell);
@@ -222,12 +227,11 @@ void Run::execute() {
         std::vector<motion::Segment> batch(kBatch);
         while (segments.pull(batch) > 0) tell();
     }
-    // The command that the motion refused was read last.
-    const std::uint64_t read = planner.totals().commands;
-    tap.pass_until(planner.alarmed() ? read - 1 : read);
+    tap.pass_until(motion.executed());
     if (printed.lost() > 0) session_.messages().report(diag::PrintLost).arg(printed.lost());
-    RunFigures all = figures(timer ? timer->totals(planner.totals()) : planner.totals());
-    if (timer) all.pulses = timer->pulses();
+    RunFigures all = figures(motion.totals());
+    all.pulses = motion.pulses();
+    if (motion.scan() != nullptr) all.scan = *motion.scan();
     finish(all);
 }
 
@@ -281,6 +285,7 @@ void Run::finish(const RunFigures& figures) {
     const machine::Machine& machine = execution_->machine();
     if (list_ && !figures.alarm.empty()) list_->write_alarm(figures.alarm);
     if (table_) table_->finish(figures.alarm);
+    if (scanner_) scanner_->finish(figures.alarm);
     if (outputs_.plot) write_plot(figures);
     if (motion_) write_curves(figures);
     if (drives_) finish_drives(figures);
@@ -341,6 +346,18 @@ bool Run::open_drives() {
     return true;
 }
 
+/// The lists of the scanner, if they were asked for. False: reported.
+bool Run::open_scanner() {
+    if (!outputs_.scanner) return true;
+    const machine::Machine& machine = execution_->machine();
+    if (!machine.scanner) {
+        session_.messages().report(diag::MachineWithoutScanner).arg(machine.name);
+        return false;
+    }
+    scanner_ = std::make_unique<ScannerText>(*machine.scanner, *outputs_.scanner);
+    return true;
+}
+
 void Run::finish_drives(const RunFigures& figures) {
     if (drives_->has_stalled()) {
         session_.messages()
@@ -398,7 +415,7 @@ Status Run::perform() {
         if (!debugger_) return refused();
     }
     if (!open_execution(std::move(text))) return session_.status();
-    if (!open_drives()) return refused();
+    if (!open_drives() || !open_scanner()) return refused();
     execute();
     return commit();
 }

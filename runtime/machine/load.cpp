@@ -13,6 +13,7 @@
 #include "base/units.h"
 #include "base/xml.h"
 #include "machine/element_reader.h"
+#include "machine/load_scanner.h"
 #include "machine/machine.h"
 #include "machine/pulse_clock.h"
 
@@ -44,7 +45,7 @@ const XmlShape& machine_shape() {
           "tool_change_time",
           "corner_tolerance",
           "compressor_tolerance"},
-         {"axis", "tool", "offset", "spindle_drive", "feed_drive", "cutting", "laser"}},
+         {"axis", "tool", "offset", "spindle_drive", "feed_drive", "cutting", "laser", "scanner"}},
         {"axis",
          {{"name", Filled},
           "limits",
@@ -69,6 +70,25 @@ const XmlShape& machine_shape() {
         {"feed_drive", {{"gain", Filled}, {"time_constant", Filled}, "feed_forward"}, {}},
         {"cutting", {{"force", Filled}}, {}},
         {"laser", {"pulse", "tolerance", "mode", "power", "least_power"}, {}},
+        {"scanner",
+         {{"on", Filled},
+          {"off", Filled},
+          {"field", Filled},
+          {"jump_speed", Filled},
+          "mark_speed",
+          "step",
+          "jump_delay",
+          "mark_delay",
+          "polygon_delay",
+          "polygon",
+          "laser_on_delay",
+          "laser_off_delay",
+          "pulse",
+          "matrix",
+          "correction",
+          "chord_tolerance",
+          "list_size"},
+         {}},
     };
     static const XmlShape shape = {"a machine file", rules};
     return shape;
@@ -102,7 +122,8 @@ std::string shown_position(const MachineAxis& axis, double position) {
 /// look at the file finds them all.
 class MachineBuilder {
   public:
-    MachineBuilder(const XmlElement& root, DiagnosticSink& sink) : root_(root), sink_(sink) {}
+    MachineBuilder(const XmlElement& root, Sources& sources, DiagnosticSink& sink)
+        : root_(root), sources_(sources), sink_(sink) {}
 
     Machine build() {
         machine_.work_offsets.resize(1, AxisValues{});
@@ -152,6 +173,8 @@ class MachineBuilder {
         if (child.name == "feed_drive") read_feed_drive(child);
         if (child.name == "cutting") read_cutting(child);
         if (child.name == "laser") read_laser(child);
+        if (child.name == "scanner" && is_first("the scanner", child.range))
+            machine_.scanner = read_scanner(child, sources_, sink_);
     }
 
     /// True if `what` is new; else it has been reported.
@@ -325,6 +348,7 @@ class MachineBuilder {
     }
 
     const XmlElement& root_;
+    Sources& sources_;
     DiagnosticSink& sink_;
     Machine machine_;
     SourceRange laser_place_;
@@ -349,13 +373,13 @@ class CountingSink final : public DiagnosticSink {
     std::size_t errors_ = 0;
 };
 
-std::optional<Machine> load_text(FileId file, const Sources& sources, DiagnosticSink& sink) {
+std::optional<Machine> load_text(FileId file, Sources& sources, DiagnosticSink& sink) {
     const auto root = parse_xml(file, sources, machine_shape(), sink);
     if (!root) return std::nullopt;
     // One look at the file finds the mistakes of its shape and those of its values.
     CountingSink counting(sink);
     (void)check_xml(*root, machine_shape(), counting);
-    Machine machine = MachineBuilder(*root, counting).build();
+    Machine machine = MachineBuilder(*root, sources, counting).build();
     if (counting.has_errors()) return std::nullopt;
     return machine;
 }

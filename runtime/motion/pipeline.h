@@ -46,6 +46,7 @@ struct Totals {
     double rapid_time = 0;                   // s
     double dwell_time = 0;                   // s, dwells and spindle orientation
     double tool_change_time = 0;             // s
+    double external_time = 0;                // s in which a module beside the axes works
     double length = 0;                       // mm, of the tip, all motion
     double cutting_length = 0;               // mm
     std::array<double, kAxes> travel_min{};  // per machine axis, mm or rad; start included

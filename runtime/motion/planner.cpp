@@ -195,6 +195,9 @@ void Planner::State::record(const Piece& piece) {
         case SegmentKind::Dwell:
         case SegmentKind::Orient: totals.dwell_time += segment.duration; break;
         case SegmentKind::ToolChange: totals.tool_change_time += segment.duration; break;
+        case SegmentKind::External:
+        case SegmentKind::Jump:
+        case SegmentKind::Mark: totals.external_time += segment.duration; break;
     }
     if (!is_motion(segment.kind)) return;
     ++totals.segments;

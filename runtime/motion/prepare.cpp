@@ -136,6 +136,10 @@ void Preparer::State::execute(const Command& command) {
         case Op::Stop:
         case Op::OptionalStop:
         case Op::End: last.must_stop = true; return;
+        case Op::External: stand(command, SegmentKind::External, command.time); return;
+        // The module that they are for takes them out; without one they say nothing.
+        case Op::ScannerOn:
+        case Op::ScannerOff:
         // Switched while moving: a control does not stop for them.
         case Op::Coolant:
         case Op::Message: return;
