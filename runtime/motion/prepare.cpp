@@ -191,6 +191,7 @@ void Preparer::State::stand(const Command& command, SegmentKind kind, double dur
     piece.segment = standing.still();
     piece.length = 0;
     piece.segment.kind = kind;
+    piece.segment.stage = standing.tip();
     piece.segment.line = command.line;
     piece.segment.source = command.source;
     piece.segment.duration = duration;

@@ -13,6 +13,8 @@ using motion::Segment;
 using motion::SegmentKind;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// A piece counts no more, however long it dwells.
+constexpr double kMostPulses = 4e9;
 // Of a step or a pulse period: less is rounding.
 constexpr double kRounding = 1e-6;
 
@@ -133,7 +135,8 @@ void ScanListBuilder::put_piece(Segment piece, double duration, double beam_off)
     const double end = std::min(list_.duration, beam_off);
     if (is_beam_on_ && scanner_.pulse > 0 && next_pulse_ < end) {
         const double period = 1 / scanner_.pulse;
-        const double count = std::ceil((end - next_pulse_) / period - kRounding);
+        const double count =
+            std::min(std::ceil((end - next_pulse_) / period - kRounding), kMostPulses);
         piece.train = {static_cast<std::uint32_t>(count), next_pulse_ - piece.start_time, period};
         next_pulse_ += count * period;
     }

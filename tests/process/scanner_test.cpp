@@ -10,6 +10,7 @@
 
 #include "process/planned_motion.h"
 #include "tests/motion/support.h"
+#include "tests/process/keep.h"
 
 namespace kadr::process {
 namespace {
@@ -55,21 +56,6 @@ struct Scanned {
     DiagnosticList diagnostics;
 };
 
-/// Keeps what passes.
-class Keep final : public Stream<Segment> {
-  public:
-    Keep(Stream<Segment>& from, std::vector<Segment>& to) : from_(from), to_(to) {}
-    std::size_t pull(std::span<Segment> out) override {
-        const std::size_t n = from_.pull(out);
-        to_.insert(to_.end(), out.begin(), out.begin() + static_cast<long>(n));
-        return n;
-    }
-
-  private:
-    Stream<Segment>& from_;
-    std::vector<Segment>& to_;
-};
-
 /// Gives so many commands a pull at most.
 class Portions final : public Stream<Command> {
   public:
@@ -91,13 +77,7 @@ void run(const machine::Machine& machine, std::vector<Command> commands, Scanned
         out.lists.push_back(started.list);
         out.starts.push_back(started.start_time);
     });
-    Keep keep(motion, out.segments);
-    motion::Sampler sampler(keep, machine);
-    std::vector<Setpoint> batch(batch_size);
-    while (const std::size_t n = sampler.pull(batch)) {
-        out.setpoints.insert(out.setpoints.end(), batch.begin(),
-                             batch.begin() + static_cast<long>(n));
-    }
+    out.setpoints = test::sampled(motion, machine, out.segments, batch_size);
     out.figures = *motion.scan();
     out.totals = motion.totals();
     out.executed = motion.executed();
