@@ -140,6 +140,7 @@ class Parser {
     std::string cycles_ = "native";
     std::string summary_;
     std::string plot_color_ = "feed";
+    std::string threads_;
     std::string curves_window_;
     std::string messages_ = "text";
     std::string tick_;
@@ -286,6 +287,9 @@ void Parser::add_run() {
         ->type_name("BLOCK|NAME")
         ->allow_extra_args(false);
     command->add_option("--tick", tick_, "time between setpoints")->type_name("TIME");
+    command->add_option("--threads", threads_, "plan, sample and write setpoints at the same time")
+        ->check(one_of({"on", "off"}))
+        ->type_name("on|off");
     command->add_option("--feed-override", feed_percent_, "the switch for the feed, 1 to 200 %")
         ->check(CLI::Range(1.0, 200.0).description(""))
         ->type_name("PERCENT");
@@ -404,6 +408,7 @@ CommandLine Parser::parse(int count, const char* const* arguments) {
     options.native_cycles = cycles_ == "native";
     line_.expand.source = line_.run.source = source_;
     line_.expand.map = line_.run.map = map_;
+    if (!threads_.empty()) line_.run.threads = threads_ == "on";
     line_.run.summary = summary_ == "json"   ? driver::SummaryFormat::Json
                         : summary_ == "text" ? driver::SummaryFormat::Text
                                              : driver::SummaryFormat::None;

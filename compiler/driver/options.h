@@ -93,8 +93,10 @@ struct RunJob {
     Onlooker onlooker;
     SummaryFormat summary = SummaryFormat::None;
     PlotColor plot_color = PlotColor::Feed;
-    double feed_override = 1;   // > 0; multiplies what the program asks for, never a limit
-    double rapid_override = 1;  // > 0, at most 1
+    std::optional<bool> threads;  // planning, sampling and writing of setpoints at the same time;
+                                  // nothing: with more than one processor
+    double feed_override = 1;     // > 0; multiplies what the program asks for, never a limit
+    double rapid_override = 1;    // > 0, at most 1
 };
 
 /// Two programs whose motion is compared, or one for two controls.

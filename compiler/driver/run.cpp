@@ -1,16 +1,19 @@
 #include "driver/run.h"
 
 #include <array>
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <numbers>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "base/diagnostics/driver.h"
 #include "base/diagnostics/machine.h"
 #include "base/numbers.h"
+#include "base/read_ahead.h"
 #include "base/units.h"
 #include "driver/command_list.h"
 #include "driver/command_tap.h"
@@ -34,7 +37,8 @@ namespace kadr::driver {
 
 namespace {
 
-constexpr std::size_t kLongest = 20;  // statements that a summary may name
+constexpr std::size_t kLongest = 20;       // statements that a summary may name
+constexpr std::size_t kPlannedBatch = 64;  // segments are half a kilobyte
 
 /// The outputs of a run, all open before it begins; null: nobody asked.
 struct Outputs {
@@ -90,22 +94,24 @@ bool open_if_named(std::unique_ptr<Output>& output, const std::string& name, Dia
     return output != nullptr;
 }
 
-/// Looks at planned motion on its way to the sampler.
+/// Looks at planned motion on its way to the sampler, at each piece and behind each batch.
 class SegmentTap final : public Stream<motion::Segment> {
   public:
-    using Look = std::function<void(const motion::Segment&)>;
-    SegmentTap(Stream<motion::Segment>& segments, Look look)
-        : segments_(segments), look_(std::move(look)) {}
+    using Look = std::function<void(motion::Segment&)>;
+    SegmentTap(Stream<motion::Segment>& segments, Look look, std::function<void()> tell)
+        : segments_(segments), look_(std::move(look)), tell_(std::move(tell)) {}
 
     std::size_t pull(std::span<motion::Segment> out) override {
         const std::size_t count = segments_.pull(out);
-        for (const motion::Segment& segment : out.first(count)) look_(segment);
+        for (motion::Segment& segment : out.first(count)) look_(segment);
+        tell_();
         return count;
     }
 
   private:
     Stream<motion::Segment>& segments_;
     Look look_;
+    std::function<void()> tell_;
 };
 
 class Run {
@@ -118,7 +124,9 @@ class Run {
     bool open_execution(std::unique_ptr<FileText> text);
     void execute();
     void draw(const motion::Segment& segment);
-    void sample(Stream<motion::Segment>& segments, double tick, const std::function<void()>& tell);
+    void sample(Stream<motion::Segment>& segments, double tick);
+    void write_setpoints(Stream<motion::Setpoint>& setpoints);
+    bool has_threads() const;
     RunFigures figures(const motion::Totals& totals) const;
     void finish(const RunFigures& figures);
     void write_plot(const RunFigures& figures);
@@ -144,10 +152,10 @@ class Run {
     std::unique_ptr<DriveTable> drive_table_;    // null: they are drawn
     std::unique_ptr<ScannerText> scanner_;       // null: nobody asked
     DriveTrace drive_trace_;
-    std::unique_ptr<WorkTimes> times_;      // null: nobody reads a summary
-    std::unique_ptr<MotionTrace> motion_;   // null: nobody asked
-    std::unique_ptr<SetpointTable> table_;  // likewise
-    std::uint64_t setpoints_ = 0;
+    std::unique_ptr<WorkTimes> times_;          // null: nobody reads a summary
+    std::unique_ptr<MotionTrace> motion_;       // null: nobody asked
+    std::unique_ptr<SetpointTable> table_;      // likewise
+    std::atomic<std::uint64_t> setpoints_ = 0;  // progress is told by another thread
     std::uint64_t commands_ = 0;
 };
 
@@ -213,19 +221,24 @@ void Run::execute() {
                                   [this](const process::StartedList& list) {
                                       if (scanner_) scanner_->write(list);
                                   });
-    SegmentTap segments(motion, [this](const motion::Segment& segment) {
-        if (outputs_.plot) draw(segment);
-        if (drives_) drives_->add(segment);
-        if (times_) times_->add(segment);
-    });
-    const auto tell = [&] {
-        session_.tell({execution_->blocks(), setpoints_, motion.planned_time()});
-    };
+    SegmentTap segments(
+        motion,
+        [this](motion::Segment& segment) {
+            if (outputs_.plot) draw(segment);
+            if (drives_) drives_->add(segment);
+            if (times_) times_->add(segment);
+            // For the setpoints, whose thread must not ask what is being executed.
+            if (!interp::Program::is_in_main_text(segment.line))
+                segment.line = execution_->place_of(segment.line).line;
+        },
+        [&] {
+            session_.tell({execution_->blocks(), setpoints_, motion.planned_time()});
+        });
     if (outputs_.setpoints || outputs_.curves) {
-        sample(segments, options.tick, tell);
+        sample(segments, options.tick);
     } else {
         std::vector<motion::Segment> batch(kBatch);
-        while (segments.pull(batch) > 0) tell();
+        while (segments.pull(batch) > 0) continue;
     }
     tap.pass_until(motion.executed());
     if (printed.lost() > 0) session_.messages().report(diag::PrintLost).arg(printed.lost());
@@ -235,26 +248,42 @@ void Run::execute() {
     finish(all);
 }
 
-/// Walks the motion at the tick, for those who want to see it.
-void Run::sample(Stream<motion::Segment>& segments, double tick,
-                 const std::function<void()>& tell) {
+/// Whoever looks on wants to see one thing after the other.
+bool Run::has_threads() const {
+    if (debugger_) return false;
+    return job_.threads.value_or(std::thread::hardware_concurrency() > 1);
+}
+
+/// Walks the motion at the tick, for those who want to see it. In threads there are three stages:
+/// everything up to planned motion, the setpoints, and what is written of them; the streams join
+/// them, so the result is the same.
+void Run::sample(Stream<motion::Segment>& segments, double tick) {
     const machine::Machine& machine = execution_->machine();
     if (outputs_.setpoints) table_ = open_setpoints(machine, *outputs_.setpoints);
     if (outputs_.curves) {
         motion_ = std::make_unique<MotionTrace>(machine, tick > 0 ? tick : machine.tick,
                                                 job_.curves_window);
     }
-    motion::Sampler sampler(segments, machine, tick);
+    if (!has_threads()) {
+        motion::Sampler sampler(segments, machine, tick);
+        write_setpoints(sampler);
+        return;
+    }
+    ReadAhead<motion::Segment> planned(segments, kPlannedBatch);
+    motion::Sampler sampler(planned, machine, tick);
+    ReadAhead<motion::Setpoint> sampled(sampler);
+    write_setpoints(sampled);
+}
+
+void Run::write_setpoints(Stream<motion::Setpoint>& setpoints) {
     std::vector<motion::Setpoint> batch(kBatch);
-    while (const std::size_t count = sampler.pull(batch)) {
-        for (motion::Setpoint& setpoint : std::span(batch).first(count)) {
-            if (!interp::Program::is_in_main_text(setpoint.line))
-                setpoint.line = execution_->place_of(setpoint.line).line;
+    while (const std::size_t count = setpoints.pull(batch)) {
+        const auto some = std::span(batch).first(count);
+        for (const motion::Setpoint& setpoint : some) {
             if (motion_) motion_->add(setpoint);
         }
-        if (table_) table_->write(std::span(batch).first(count));
+        if (table_) table_->write(some);
         setpoints_ += table_ ? count : 0;
-        tell();
     }
 }
 
