@@ -94,8 +94,7 @@ class GridBuilder {
         }
         for (std::vector<double>* values : {&grid.x, &grid.y}) {
             std::ranges::sort(*values);
-            const auto rest = std::ranges::unique(*values);
-            values->erase(rest.begin(), rest.end());
+            values->erase(std::unique(values->begin(), values->end()), values->end());
         }
         if (grid.x.size() < 2 || grid.y.size() < 2) {
             sink_.report(diag::ScannerTableGap, place).arg("two values of x and two of y at least");

@@ -42,9 +42,9 @@ std::vector<int> all_of(Stream<int>& stream, std::size_t batch) {
 TEST(ReadAhead, GivesTheSameWhateverTheBatchesAre) {
     std::vector<int> expected(1000);
     std::iota(expected.begin(), expected.end(), 0);
-    for (const std::size_t batch : {1, 2, 3, 7, 64, 999, 2000}) {
-        for (const std::size_t depth : {1, 2, 5}) {
-            for (const std::size_t out : {1, 4, 512}) {
+    for (const std::size_t batch : {1u, 2u, 3u, 7u, 64u, 999u, 2000u}) {
+        for (const std::size_t depth : {1u, 2u, 5u}) {
+            for (const std::size_t out : {1u, 4u, 512u}) {
                 Counter counter(1000);
                 ReadAhead<int> ahead(counter, batch, depth);
                 EXPECT_EQ(all_of(ahead, out), expected);

@@ -287,7 +287,7 @@ TEST(Scanner, BatchesDoNotShow) {
     }
     Scanned first;
     run(scanner_of(), commands, first);
-    for (const std::size_t size : {1, 2, 7, 64, 999}) {
+    for (const std::size_t size : {1u, 2u, 7u, 64u, 999u}) {
         Scanned other;
         run(scanner_of(), commands, other, size, size);
         ASSERT_EQ(other.setpoints.size(), first.setpoints.size());
