@@ -1,6 +1,6 @@
 #include "driver/scanner_list.h"
 
-#include "base/numbers.h"
+#include "driver/columns.h"
 
 namespace kadr::driver {
 
@@ -12,7 +12,7 @@ constexpr int kSpeedDecimals = 6;  // of mm/s and Hz
 
 void put_number(std::string& out, double value, int decimals) {
     out += ' ';
-    append_shortest(out, round_to(value, decimals));
+    append_trimmed(out, value, decimals);
 }
 
 void put_time(std::string& out, double seconds) { put_number(out, seconds * 1e6, kTimeDecimals); }

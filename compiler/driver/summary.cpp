@@ -89,7 +89,7 @@ void put_scan(std::string& out, const process::ScanFigures& scan) {
     put_row(out, "lists",
             fmt::format("{}, {} of delays and waiting", scan.lists,
                         duration_text(scan.time - scan.mark_time - scan.jump_time)));
-    if (scan.pulses > 0) put_row(out, "pulses", fmt::format("{}", scan.pulses));
+    if (scan.pulses > 0) put_row(out, "beam pulses", fmt::format("{}", scan.pulses));
 }
 
 void put_scan_members(std::string& out, const process::ScanFigures& scan) {

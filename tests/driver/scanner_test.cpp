@@ -114,6 +114,7 @@ TEST_F(Scanner, FieldsAreMarkedOneAfterTheOther) {
         texts.push_back(read_file(file("lists.txt")).value());
         Player player;
         player.play(texts.back());
+        EXPECT_EQ(texts.back().find("e+"), std::string::npos) << "numbers are decimal";
         // 6 fields of two rings, a cross and 12 ticks, and a triangle.
         EXPECT_EQ(player.lists, 7);
         EXPECT_EQ(player.marks, 6 * 16 + 3);
