@@ -144,6 +144,7 @@ class Parser {
     std::string cycles_ = "native";
     std::string summary_;
     std::string plot_color_ = "feed";
+    std::string threads_;
     std::string curves_window_;
     std::string messages_ = "text";
     std::string tick_;
@@ -274,6 +275,8 @@ void Parser::add_run() {
         ->type_name("FROM..TO");
     command->add_option("--drive", job.drive, "spindle and feed drives over time; a drawing or CSV")
         ->type_name("OUT.svg|csv");
+    command->add_option("--scanner", job.scanner, "what the scanner is told, list by list")
+        ->type_name("OUT.txt");
     command->add_option("--summary", summary_, "times, lengths, travel, limits")
         ->check(one_of({"text", "json"}))
         ->type_name("text|json");
@@ -290,6 +293,9 @@ void Parser::add_run() {
         ->type_name("BLOCK|NAME")
         ->allow_extra_args(false);
     command->add_option("--tick", tick_, "time between setpoints")->type_name("TIME");
+    command->add_option("--threads", threads_, "plan, sample and write setpoints at the same time")
+        ->check(one_of({"on", "off"}))
+        ->type_name("on|off");
     command
         ->add_option("--feed-override", feed_override_,
                      "the switch for the feed, 1 to 200 %; 100%,5s:50% turns it at 5 s")
@@ -415,6 +421,7 @@ CommandLine Parser::parse(int count, const char* const* arguments) {
     options.native_cycles = cycles_ == "native";
     line_.expand.source = line_.run.source = source_;
     line_.expand.map = line_.run.map = map_;
+    if (!threads_.empty()) line_.run.threads = threads_ == "on";
     line_.run.summary = summary_ == "json"   ? driver::SummaryFormat::Json
                         : summary_ == "text" ? driver::SummaryFormat::Text
                                              : driver::SummaryFormat::None;

@@ -15,7 +15,7 @@
 #include "driver/summary.h"
 #include "driver/svg_text.h"
 #include "motion/comparison.h"
-#include "motion/pipeline.h"
+#include "process/planned_motion.h"
 
 namespace kadr::driver {
 
@@ -44,18 +44,18 @@ class Side {
         options.place_of = [this](std::uint32_t line, SourceId) {
             return execution_->place_of(line);
         };
-        planner_ = std::make_unique<motion::Planner>(*execution_, execution_->machine(), options,
-                                                     execution_->sink());
+        motion_ = std::make_unique<process::PlannedMotion>(*execution_, execution_->machine(),
+                                                           options, execution_->sink());
         return true;
     }
 
     Status status() const { return session_.status(); }
-    motion::Planner& planner() { return *planner_; }
-    const motion::Totals& totals() const { return planner_->totals(); }
+    process::PlannedMotion& motion() { return *motion_; }
+    motion::Totals totals() const { return motion_->totals(); }
     /// Plans what is left, for its time.
     void finish() {
         std::vector<motion::Segment> batch(kBatch);
-        while (planner_->pull(batch) > 0) continue;
+        while (motion_->pull(batch) > 0) continue;
     }
     std::string_view control() const { return execution_->dialect().title(); }
     std::string text_name() const {
@@ -78,7 +78,7 @@ class Side {
     Session session_;
     std::string source_;
     std::unique_ptr<Execution> execution_;
-    std::unique_ptr<motion::Planner> planner_;
+    std::unique_ptr<process::PlannedMotion> motion_;
 };
 
 const char* words_of(Parting parting) {
@@ -172,7 +172,7 @@ Status compare(Session& session, const CompareJob& job) {
     for (Side* side : sides) {
         if (!side->open()) return side->status() == Status::Done ? Status::Failed : side->status();
     }
-    const Comparison result = motion::compare(first.planner(), second.planner(), job.tolerance);
+    const Comparison result = motion::compare(first.motion(), second.motion(), job.tolerance);
     for (Side* side : sides) side->finish();
     const Status status = session.status();
     if (status != Status::Done) return status;

@@ -84,6 +84,7 @@ struct RunJob {
     std::string curves;        // position, velocity, acceleration, jerk over time, a drawing
     TimeWindow curves_window;  // … of this part of the run
     std::string drive;         // the drives over time, a drawing; rows if `.csv`
+    std::string scanner;       // the scanner's lists of commands
     std::string variables;
     std::string print;  // what the program prints
     std::string map;
@@ -93,9 +94,11 @@ struct RunJob {
     Onlooker onlooker;
     SummaryFormat summary = SummaryFormat::None;
     PlotColor plot_color = PlotColor::Feed;
-    double feed_override = 1;   // > 0; multiplies what the program asks for, never a limit
-    double rapid_override = 1;  // > 0, at most 1
-    std::string events;         // file with what the operator does meanwhile; empty: none
+    std::optional<bool> threads;  // planning, sampling and writing of setpoints at the same time;
+                                  // nothing: with more than one processor
+    double feed_override = 1;     // > 0; multiplies what the program asks for, never a limit
+    double rapid_override = 1;    // > 0, at most 1
+    std::string events;           // file with what the operator does meanwhile; empty: none
     std::vector<motion::OperatorEvent> operator_events;  // what else; then overrides may be 0
 };
 

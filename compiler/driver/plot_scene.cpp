@@ -62,12 +62,14 @@ Vec3 point_on_arc(const PlotArc& arc, const Vec3& from, const Vec3& to, double s
 }
 
 void PlotScene::add(const motion::Segment& segment, double shade) {
-    if (!motion::is_motion(segment.kind) || path::length(segment.curve) == 0) return;
+    const bool moves = motion::is_motion(segment.kind) || motion::is_external(segment.kind);
+    if (!moves || path::length(segment.curve) == 0) return;
     PlotPiece piece;
     piece.to = path::end(segment.curve);
     piece.shade = shade;
-    piece.kind =
-        segment.kind == motion::SegmentKind::Rapid ? PlotPiece::Kind::Rapid : PlotPiece::Kind::Feed;
+    const bool is_idle =
+        segment.kind == motion::SegmentKind::Rapid || segment.kind == motion::SegmentKind::Jump;
+    piece.kind = is_idle ? PlotPiece::Kind::Rapid : PlotPiece::Kind::Feed;
     // Where a program starts from is the operator's matter: the picture starts where its first
     // rapid arrives.
     const bool is_approach = !has_begun_ && piece.kind == PlotPiece::Kind::Rapid;

@@ -1,18 +1,21 @@
 #include "driver/run.h"
 
 #include <array>
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
 #include <numbers>
 #include <set>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "base/diagnostics/driver.h"
 #include "base/diagnostics/machine.h"
 #include "base/numbers.h"
+#include "base/read_ahead.h"
 #include "base/units.h"
 #include "driver/command_list.h"
 #include "driver/command_tap.h"
@@ -24,19 +27,21 @@
 #include "driver/output.h"
 #include "driver/places.h"
 #include "driver/plot_svg.h"
+#include "driver/scanner_list.h"
 #include "driver/setpoints.h"
 #include "driver/summary.h"
 #include "driver/variables.h"
 #include "driver/work_times.h"
 #include "motion/pipeline.h"
 #include "process/drive_run.h"
-#include "process/pulse_timer.h"
+#include "process/planned_motion.h"
 
 namespace kadr::driver {
 
 namespace {
 
-constexpr std::size_t kLongest = 20;  // statements that a summary may name
+constexpr std::size_t kLongest = 20;       // statements that a summary may name
+constexpr std::size_t kPlannedBatch = 64;  // segments are half a kilobyte
 
 /// The outputs of a run, all open before it begins; null: nobody asked.
 struct Outputs {
@@ -45,15 +50,17 @@ struct Outputs {
     std::unique_ptr<Output> plot;
     std::unique_ptr<Output> curves;
     std::unique_ptr<Output> drive;
+    std::unique_ptr<Output> scanner;
     std::unique_ptr<Output> variables;
     std::unique_ptr<Output> print;
     std::unique_ptr<Output> map;
     std::unique_ptr<Output> trace;
     std::unique_ptr<Output> summary;
 
-    std::array<Output*, 10> all() const {
-        return {commands.get(),  setpoints.get(), plot.get(),  curves.get(), drive.get(),
-                variables.get(), map.get(),       trace.get(), print.get(),  summary.get()};
+    std::array<Output*, 11> all() const {
+        return {commands.get(), setpoints.get(), plot.get(),      curves.get(),
+                drive.get(),    scanner.get(),   variables.get(), map.get(),
+                trace.get(),    print.get(),     summary.get()};
     }
 };
 
@@ -78,8 +85,9 @@ class PrintedLines final : public interp::Printer {
 
 bool asks_for_nothing(const RunJob& job) {
     return job.summary == SummaryFormat::None && job.commands.empty() && job.setpoints.empty() &&
-           job.plot.empty() && job.curves.empty() && job.drive.empty() && job.variables.empty() &&
-           job.print.empty() && job.map.empty() && job.trace.empty() && job.breaks.empty();
+           job.plot.empty() && job.curves.empty() && job.drive.empty() && job.scanner.empty() &&
+           job.variables.empty() && job.print.empty() && job.map.empty() && job.trace.empty() &&
+           job.breaks.empty();
 }
 
 /// Opens an output if it has a name. False: reported.
@@ -89,22 +97,24 @@ bool open_if_named(std::unique_ptr<Output>& output, const std::string& name, Dia
     return output != nullptr;
 }
 
-/// Looks at planned motion on its way to the sampler.
+/// Looks at planned motion on its way to the sampler, at each piece and behind each batch.
 class SegmentTap final : public Stream<motion::Segment> {
   public:
-    using Look = std::function<void(const motion::Segment&)>;
-    SegmentTap(Stream<motion::Segment>& segments, Look look)
-        : segments_(segments), look_(std::move(look)) {}
+    using Look = std::function<void(motion::Segment&)>;
+    SegmentTap(Stream<motion::Segment>& segments, Look look, std::function<void()> tell)
+        : segments_(segments), look_(std::move(look)), tell_(std::move(tell)) {}
 
     std::size_t pull(std::span<motion::Segment> out) override {
         const std::size_t count = segments_.pull(out);
-        for (const motion::Segment& segment : out.first(count)) look_(segment);
+        for (motion::Segment& segment : out.first(count)) look_(segment);
+        tell_();
         return count;
     }
 
   private:
     Stream<motion::Segment>& segments_;
     Look look_;
+    std::function<void()> tell_;
 };
 
 class Run {
@@ -118,7 +128,9 @@ class Run {
     bool open_execution(std::unique_ptr<FileText> text);
     void execute();
     void draw(const motion::Segment& segment);
-    void sample(Stream<motion::Segment>& segments, double tick, const std::function<void()>& tell);
+    void sample(Stream<motion::Segment>& segments, double tick);
+    void write_setpoints(Stream<motion::Setpoint>& setpoints);
+    bool has_threads() const;
     RunFigures figures(const motion::Totals& totals) const;
     void finish(const RunFigures& figures);
     void write_plot(const RunFigures& figures);
@@ -126,6 +138,7 @@ class Run {
     bool open_events();
     bool suits_machine() const;
     bool open_drives();
+    bool open_scanner();
     void finish_drives(const RunFigures& figures);
     std::string machine_title() const;
     Status commit();
@@ -145,20 +158,22 @@ class Run {
     PlotScene scene_;
     std::unique_ptr<process::DriveRun> drives_;  // null: nobody asked
     std::unique_ptr<DriveTable> drive_table_;    // null: they are drawn
+    std::unique_ptr<ScannerText> scanner_;       // null: nobody asked
     DriveTrace drive_trace_;
-    std::unique_ptr<WorkTimes> times_;      // null: nobody reads a summary
-    std::unique_ptr<MotionTrace> motion_;   // null: nobody asked
-    std::unique_ptr<SetpointTable> table_;  // likewise
-    std::uint64_t setpoints_ = 0;
+    std::unique_ptr<WorkTimes> times_;          // null: nobody reads a summary
+    std::unique_ptr<MotionTrace> motion_;       // null: nobody asked
+    std::unique_ptr<SetpointTable> table_;      // likewise
+    std::atomic<std::uint64_t> setpoints_ = 0;  // progress is told by another thread
     std::uint64_t commands_ = 0;
 };
 
 bool Run::open_outputs(bool is_kadr) {
     Messages& messages = session_.messages();
     const bool has_summary = job_.summary != SummaryFormat::None || asks_for_nothing(job_);
-    const std::array<std::string, 10> names = {
+    const std::array<std::string, 11> names = {
         job_.commands, job_.setpoints, job_.plot,  job_.variables,         job_.map,
-        job_.trace,    job_.print,     job_.drive, has_summary ? "-" : "", job_.curves};
+        job_.trace,    job_.print,     job_.drive, has_summary ? "-" : "", job_.curves,
+        job_.scanner};
     if (!are_outputs_apart(job_.source, names, messages)) return false;
     if (!job_.map.empty() && !is_kadr) {
         messages.report(diag::NoSourceMap).arg(job_.source);
@@ -173,7 +188,8 @@ bool Run::open_outputs(bool is_kadr) {
            open_if_named(outputs_.print, names[6], messages) &&
            open_if_named(outputs_.drive, names[7], messages) &&
            open_if_named(outputs_.summary, names[8], messages) &&
-           open_if_named(outputs_.curves, names[9], messages);
+           open_if_named(outputs_.curves, names[9], messages) &&
+           open_if_named(outputs_.scanner, names[10], messages);
 }
 
 void Run::draw(const motion::Segment& segment) {
@@ -214,58 +230,75 @@ void Run::execute() {
         return found == numbers_.end() ? -1 : found->second;
     };
     options.place_of = [this](std::uint32_t line, SourceId) { return execution_->place_of(line); };
-    motion::Planner planner(tap, machine, options, execution_->sink());
-
-    std::unique_ptr<process::PulseTimer> timer;  // null: no pulsed laser
-    if (machine.laser && machine.laser->pulse > 0)
-        timer = std::make_unique<process::PulseTimer>(planner, machine);
-    Stream<motion::Segment>& timed =
-        timer ? static_cast<Stream<motion::Segment>&>(*timer) : planner;
-    SegmentTap segments(timed, [this](const motion::Segment& segment) {
-        if (outputs_.plot) draw(segment);
-        if (drives_) drives_->add(segment);
-        if (times_) times_->add(segment);
-    });
-    const auto tell = [&] {
-        session_.tell({execution_->blocks(), setpoints_, planner.totals().time});
-    };
+    process::PlannedMotion motion(tap, machine, options, execution_->sink(),
+                                  [this](const process::StartedList& list) {
+                                      if (scanner_) scanner_->write(list);
+                                  });
+    SegmentTap segments(
+        motion,
+        [this](motion::Segment& segment) {
+            if (outputs_.plot) draw(segment);
+            if (drives_) drives_->add(segment);
+            if (times_) times_->add(segment);
+            // For the setpoints, whose thread must not ask what is being executed.
+            if (!interp::Program::is_in_main_text(segment.line))
+                segment.line = execution_->place_of(segment.line).line;
+        },
+        [&] {
+            session_.tell({execution_->blocks(), setpoints_, motion.planned_time()});
+        });
     if (outputs_.setpoints || outputs_.curves) {
-        sample(segments, options.tick, tell);
+        sample(segments, options.tick);
     } else {
         std::vector<motion::Segment> batch(kBatch);
-        while (segments.pull(batch) > 0) tell();
+        while (segments.pull(batch) > 0) continue;
     }
-    // The command that the motion refused was read last.
-    const std::uint64_t read = planner.totals().commands;
-    tap.pass_until(planner.alarmed() ? read - 1 : read);
-    for (const motion::OperatorEvent& event : planner.events_ahead())
+    tap.pass_until(motion.executed());
+    for (const motion::OperatorEvent& event : motion.events_ahead())
         session_.messages().report(diag::OperatorBlockNotBegun).arg(block_name(event));
     if (printed.lost() > 0) session_.messages().report(diag::PrintLost).arg(printed.lost());
-    RunFigures all = figures(timer ? timer->totals(planner.totals()) : planner.totals());
-    if (timer) all.pulses = timer->pulses();
+    RunFigures all = figures(motion.totals());
+    all.pulses = motion.pulses();
+    if (motion.scan() != nullptr) all.scan = *motion.scan();
     finish(all);
 }
 
-/// Walks the motion at the tick, for those who want to see it.
-void Run::sample(Stream<motion::Segment>& segments, double tick,
-                 const std::function<void()>& tell) {
+/// Whoever looks on wants to see one thing after the other.
+bool Run::has_threads() const {
+    if (debugger_) return false;
+    return job_.threads.value_or(std::thread::hardware_concurrency() > 1);
+}
+
+/// Walks the motion at the tick, for those who want to see it. In threads there are three stages:
+/// everything up to planned motion, the setpoints, and what is written of them; the streams join
+/// them, so the result is the same.
+void Run::sample(Stream<motion::Segment>& segments, double tick) {
     const machine::Machine& machine = execution_->machine();
     if (outputs_.setpoints) table_ = open_setpoints(machine, *outputs_.setpoints);
     if (outputs_.curves) {
         motion_ = std::make_unique<MotionTrace>(machine, tick > 0 ? tick : machine.tick,
                                                 job_.curves_window);
     }
-    motion::Sampler sampler(segments, machine, tick);
+    if (!has_threads()) {
+        motion::Sampler sampler(segments, machine, tick);
+        write_setpoints(sampler);
+        return;
+    }
+    ReadAhead<motion::Segment> planned(segments, kPlannedBatch);
+    motion::Sampler sampler(planned, machine, tick);
+    ReadAhead<motion::Setpoint> sampled(sampler);
+    write_setpoints(sampled);
+}
+
+void Run::write_setpoints(Stream<motion::Setpoint>& setpoints) {
     std::vector<motion::Setpoint> batch(kBatch);
-    while (const std::size_t count = sampler.pull(batch)) {
-        for (motion::Setpoint& setpoint : std::span(batch).first(count)) {
-            if (!interp::Program::is_in_main_text(setpoint.line))
-                setpoint.line = execution_->place_of(setpoint.line).line;
+    while (const std::size_t count = setpoints.pull(batch)) {
+        const auto some = std::span(batch).first(count);
+        for (const motion::Setpoint& setpoint : some) {
             if (motion_) motion_->add(setpoint);
         }
-        if (table_) table_->write(std::span(batch).first(count));
+        if (table_) table_->write(some);
         setpoints_ += table_ ? count : 0;
-        tell();
     }
 }
 
@@ -296,6 +329,7 @@ void Run::finish(const RunFigures& figures) {
     const machine::Machine& machine = execution_->machine();
     if (list_ && !figures.alarm.empty()) list_->write_alarm(figures.alarm);
     if (table_) table_->finish(figures.alarm);
+    if (scanner_) scanner_->finish(figures.alarm);
     if (outputs_.plot) write_plot(figures);
     if (motion_) write_curves(figures);
     if (drives_) finish_drives(figures);
@@ -375,6 +409,18 @@ bool Run::open_drives() {
     return true;
 }
 
+/// The lists of the scanner, if they were asked for. False: reported.
+bool Run::open_scanner() {
+    if (!outputs_.scanner) return true;
+    const machine::Machine& machine = execution_->machine();
+    if (!machine.scanner) {
+        session_.messages().report(diag::MachineWithoutScanner).arg(machine.name);
+        return false;
+    }
+    scanner_ = std::make_unique<ScannerText>(*machine.scanner, *outputs_.scanner);
+    return true;
+}
+
 void Run::finish_drives(const RunFigures& figures) {
     if (drives_->has_stalled()) {
         session_.messages()
@@ -446,7 +492,7 @@ Status Run::perform() {
         if (!debugger_) return refused();
     }
     if (!open_execution(std::move(text))) return session_.status();
-    if (!suits_machine() || !open_drives()) return refused();
+    if (!suits_machine() || !open_drives() || !open_scanner()) return refused();
     execute();
     return commit();
 }

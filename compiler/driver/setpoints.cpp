@@ -22,6 +22,12 @@ double beam_power(const machine::Laser& laser, const motion::Setpoint& setpoint)
     return laser.least_power + (laser.power - laser.least_power) * share;
 }
 
+/// Whether setpoints tell of pulses: of the laser at the axes, or of the scanner's.
+bool has_pulses(const machine::Machine& machine) {
+    return (machine.laser && machine.laser->pulse > 0) ||
+           (machine.scanner && machine.scanner->pulse > 0);
+}
+
 enum class Kind : std::uint8_t { Length, Feed, Count };
 
 struct Column {
@@ -36,7 +42,7 @@ std::vector<Column> columns_of(const machine::Machine& machine) {
         columns.push_back({name});
     columns.push_back({"feed", Kind::Feed});
     columns.push_back({"iso", Kind::Count});
-    if (machine.laser && machine.laser->pulse > 0) columns.push_back({"pulse", Kind::Count});
+    if (has_pulses(machine)) columns.push_back({"pulse", Kind::Count});
     if (machine.laser && machine.laser->power > 0) columns.push_back({"power", Kind::Feed});
     return columns;
 }
@@ -54,7 +60,7 @@ void for_columns(const machine::Machine& machine, const motion::Setpoint& setpoi
     for (int i = 0; i < 3; ++i) number(setpoint.tool[i], kDecimals);
     number(mm_min_from_feed(setpoint.feed), kFeedDecimals);
     count(setpoint.line);
-    if (machine.laser && machine.laser->pulse > 0) count(setpoint.pulses);
+    if (has_pulses(machine)) count(setpoint.pulses);
     if (machine.laser && machine.laser->power > 0)
         number(beam_power(*machine.laser, setpoint), kFeedDecimals);
 }

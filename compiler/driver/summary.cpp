@@ -78,6 +78,33 @@ void put_times(std::string& out, const motion::Totals& totals) {
     share("tool change", totals.tool_change_time);
     share("held", totals.hold_time);
     share("waiting", totals.wait_time);  // for the machine to acknowledge M functions
+    share("scanner", totals.external_time);
+}
+
+void put_scan(std::string& out, const process::ScanFigures& scan) {
+    put_row(out, "marks",
+            fmt::format("{}, {:.1f} mm in {}", scan.marks, scan.mark_length,
+                        duration_text(scan.mark_time)));
+    put_row(out, "jumps",
+            fmt::format("{}, {:.1f} mm in {}", scan.jumps, scan.jump_length,
+                        duration_text(scan.jump_time)));
+    put_row(out, "lists",
+            fmt::format("{}, {} of delays and waiting", scan.lists,
+                        duration_text(scan.time - scan.mark_time - scan.jump_time)));
+    if (scan.pulses > 0) put_row(out, "beam pulses", fmt::format("{}", scan.pulses));
+}
+
+void put_scan_members(std::string& out, const process::ScanFigures& scan) {
+    out += ",\"scanner\":{\"lists\":" + std::to_string(scan.lists);
+    out += ",\"marks\":" + std::to_string(scan.marks);
+    out += ",\"jumps\":" + std::to_string(scan.jumps);
+    out += ",\"pulses\":" + std::to_string(scan.pulses);
+    put_member(out, "time_s", scan.time);
+    put_member(out, "mark_s", scan.mark_time);
+    put_member(out, "jump_s", scan.jump_time);
+    put_member(out, "mark_length_mm", scan.mark_length);
+    put_member(out, "jump_length_mm", scan.jump_length);
+    out += '}';
 }
 
 void put_tools(std::string& out, const std::vector<ToolShare>& tools) {
@@ -175,6 +202,7 @@ std::string summary_text(const RunFigures& figures, const machine::Machine& mach
         fmt::format("{:.1f} mm, {:.1f} mm of it at feed", totals.length, totals.cutting_length));
     if (figures.setpoints > 0) put_row(out, "setpoints", fmt::format("{}", figures.setpoints));
     if (figures.pulses) put_row(out, "pulses", fmt::format("{}", *figures.pulses));
+    if (figures.scan) put_scan(out, *figures.scan);
     out += '\n';
     put_axis_table(out, machine, totals);
     put_tools(out, figures.tools);
@@ -203,6 +231,7 @@ std::string summary_json(const RunFigures& figures, const machine::Machine& mach
     put_member(out, "tool_change_s", totals.tool_change_time);
     put_member(out, "hold_s", totals.hold_time);
     put_member(out, "wait_s", totals.wait_time);
+    if (figures.scan) put_scan_members(out, *figures.scan);
     put_member(out, "length_mm", totals.length);
     put_member(out, "cutting_length_mm", totals.cutting_length);
     put_travel(out, machine, totals);

@@ -8,6 +8,7 @@
 #include "driver/work_times.h"
 #include "machine/machine.h"
 #include "motion/pipeline.h"
+#include "process/scanner.h"
 
 namespace kadr::driver {
 
@@ -16,8 +17,9 @@ struct RunFigures {
     std::string dialect;  // title
     std::uint64_t blocks = 0;
     std::uint64_t commands = 0;
-    std::uint64_t setpoints = 0;          // 0: nobody asked for them
-    std::optional<std::uint64_t> pulses;  // of a pulsed laser
+    std::uint64_t setpoints = 0;               // 0: nobody asked for them
+    std::optional<std::uint64_t> pulses;       // of a pulsed laser
+    std::optional<process::ScanFigures> scan;  // of a scanner
     std::size_t errors = 0;
     std::size_t alarms = 0;
     std::size_t warnings = 0;

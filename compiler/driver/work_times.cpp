@@ -30,7 +30,9 @@ std::string without_folder(const std::string& name) {
 
 void add_to(WorkShare& share, const motion::Segment& segment, double length) {
     share.time += segment.duration;
-    if (segment.kind == motion::SegmentKind::Feed) share.cutting_time += segment.duration;
+    const bool cuts =
+        segment.kind == motion::SegmentKind::Feed || segment.kind == motion::SegmentKind::Mark;
+    if (cuts) share.cutting_time += segment.duration;
     share.length += length;
 }
 
@@ -42,7 +44,8 @@ void WorkTimes::see(const path::Command& command) {
 
 void WorkTimes::add(const motion::Segment& segment) {
     if (segment.kind == motion::SegmentKind::ToolChange) take_next_tool();
-    const bool has_way = motion::is_motion(segment.kind) && !segment.turns_only;
+    const bool moves = motion::is_motion(segment.kind) || motion::is_external(segment.kind);
+    const bool has_way = moves && !segment.turns_only;
     const double length = has_way ? path::length(segment.curve) : 0;
     add_to(tools_[tool_at_].share, segment, length);
     add_to(share_of(segment), segment, length);

@@ -9,6 +9,7 @@
 #include "driver/execution.h"
 #include "driver/session.h"
 #include "driver/summary.h"
+#include "process/planned_motion.h"
 
 namespace kadr::repl {
 
@@ -146,6 +147,9 @@ std::string command_text(const path::Command& command) {
         case Op::OptionalStop: return "optional stop";
         case Op::Message: return "message";
         case Op::End: return "end";
+        case Op::ScannerOn: return "scanner on";
+        case Op::ScannerOff: return "scanner off";
+        case Op::External: return fmt::format("external {:g} s", command.time);
     }
     return "";
 }
@@ -170,15 +174,16 @@ void execute(driver::Execution& execution, Outcome& outcome, LineKeeper& keeper,
     planner_options.place_of = [&execution](std::uint32_t line, SourceId) {
         return execution.place_of(line);
     };
-    motion::Planner planner(tap, execution.machine(), planner_options, execution.sink());
+    process::PlannedMotion motion(tap, execution.machine(), planner_options, execution.sink());
     std::vector<motion::Segment> batch(kBatch);
-    while (const std::size_t count = planner.pull(batch)) {
+    while (const std::size_t count = motion.pull(batch)) {
         for (const motion::Segment& segment : std::span(batch).first(count)) {
             outcome.scene.add(segment, mm_min_from_feed(segment.feed));
         }
     }
-    tap.pass_until(planner.totals().commands);
-    outcome.totals = planner.totals();
+    // A command that the motion refused is shown beside its alarm.
+    tap.pass_until(motion.executed() + (motion.alarmed() ? 1 : 0));
+    outcome.totals = motion.totals();
     outcome.state = execution.interpreter().state();
     outcome.position = execution.interpreter().position();
     const machine::Machine& machine = execution.machine();

@@ -983,8 +983,15 @@ void Executor::scale(const Block& block, const Invocation& invocation) {
     frames_.scale(factors, center_of(block, invocation));
 }
 
-/// What it does is known to the machine builder alone; each is said once.
+/// What it does the machine file says, or the machine builder alone knows; then each is said once.
 void Executor::pass_machine_function(const Block& block, std::int64_t number) {
+    if (const auto& scanner = machine_.scanner) {
+        if (number == scanner->on_function || number == scanner->off_function) {
+            is_scanning_ = number == scanner->on_function;
+            put(is_scanning_ ? Op::ScannerOn : Op::ScannerOff, block);
+            return;
+        }
+    }
     if (machine_.find_function(number) != nullptr) return;  // it takes time, which is known
     if (std::ranges::find(known_machine_functions_, number) != known_machine_functions_.end())
         return;

@@ -493,6 +493,7 @@ class Executor {
     Compensation compensation_;
     path::CoolantMode coolant_ = path::CoolantMode::Off;
     bool warned_spindle_stopped_ = false;
+    bool is_scanning_ = false;  // motions are a scanner's
     bool warned_rapid_ = false;
     bool warned_thread_speed_ = false;
     double warned_bound_ = 0;       // speed of which was said that it is beyond a bound

@@ -40,6 +40,9 @@ std::string_view op_name(Op op) {
         case Op::OptionalStop: return "optional_stop";
         case Op::Message: return "message";
         case Op::End: return "end";
+        case Op::ScannerOn: return "scanner_on";
+        case Op::ScannerOff: return "scanner_off";
+        case Op::External: return "external";
     }
     return "";
 }
@@ -283,8 +286,11 @@ void Listing::append(const Command& command, std::string_view source, std::strin
             append_word(out, "step", step_name(command.step));
             break;
         case Op::Message: append_text(out, "text", command.text); break;
+        case Op::External: append_field(out, "time", command.time); break;
         case Op::Stop:
         case Op::OptionalStop:
+        case Op::ScannerOn:
+        case Op::ScannerOff:
         case Op::End: break;
     }
     if (command.exact_stop) out += ",\"exact_stop\":true";

@@ -889,7 +889,8 @@ bool Executor::check_feed(const Block& block, std::string_view what) {
         report(diag::RevolutionFeedStands, block);
         return false;
     }
-    if (!warned_spindle_stopped_) {
+    // The beam of a scanner comes with its marks.
+    if (!warned_spindle_stopped_ && !is_scanning_) {
         warned_spindle_stopped_ = true;
         report(diag::FeedWithSpindleStopped, block);
     }

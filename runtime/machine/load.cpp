@@ -14,6 +14,7 @@
 #include "base/units.h"
 #include "base/xml.h"
 #include "machine/element_reader.h"
+#include "machine/load_scanner.h"
 #include "machine/machine.h"
 #include "machine/pulse_clock.h"
 
@@ -45,7 +46,7 @@ const XmlShape& machine_shape() {
           "tool_change_time",
           "corner_tolerance",
           "compressor_tolerance"},
-         {"axis", "tool", "offset", "spindle_drive", "feed_drive", "cutting", "laser", "function"}},
+         {"axis", "tool", "offset", "spindle_drive", "feed_drive", "cutting", "laser", "function", "scanner"}},
         {"axis",
          {{"name", Filled},
           "limits",
@@ -71,6 +72,25 @@ const XmlShape& machine_shape() {
         {"cutting", {{"force", Filled}}, {}},
         {"function", {{"code", Filled}, {"takes", Filled}, "acts", "waits"}, {}},
         {"laser", {"pulse", "tolerance", "mode", "power", "least_power"}, {}},
+        {"scanner",
+         {{"on", Filled},
+          {"off", Filled},
+          {"field", Filled},
+          {"jump_speed", Filled},
+          "mark_speed",
+          "step",
+          "jump_delay",
+          "mark_delay",
+          "polygon_delay",
+          "polygon",
+          "laser_on_delay",
+          "laser_off_delay",
+          "pulse",
+          "matrix",
+          "correction",
+          "chord_tolerance",
+          "list_size"},
+         {}},
     };
     static const XmlShape shape = {"a machine file", rules};
     return shape;
@@ -107,7 +127,8 @@ std::string shown_position(const MachineAxis& axis, double position) {
 /// look at the file finds them all.
 class MachineBuilder {
   public:
-    MachineBuilder(const XmlElement& root, DiagnosticSink& sink) : root_(root), sink_(sink) {}
+    MachineBuilder(const XmlElement& root, Sources& sources, DiagnosticSink& sink)
+        : root_(root), sources_(sources), sink_(sink) {}
 
     Machine build() {
         machine_.work_offsets.resize(1, AxisValues{});
@@ -158,6 +179,8 @@ class MachineBuilder {
         if (child.name == "cutting") read_cutting(child);
         if (child.name == "laser") read_laser(child);
         if (child.name == "function") read_function(child);
+        if (child.name == "scanner" && is_first("the scanner", child.range))
+            machine_.scanner = read_scanner(child, sources_, sink_);
     }
 
     /// True if `what` is new; else it has been reported.
@@ -372,6 +395,7 @@ class MachineBuilder {
     }
 
     const XmlElement& root_;
+    Sources& sources_;
     DiagnosticSink& sink_;
     Machine machine_;
     SourceRange laser_place_;
@@ -396,13 +420,13 @@ class CountingSink final : public DiagnosticSink {
     std::size_t errors_ = 0;
 };
 
-std::optional<Machine> load_text(FileId file, const Sources& sources, DiagnosticSink& sink) {
+std::optional<Machine> load_text(FileId file, Sources& sources, DiagnosticSink& sink) {
     const auto root = parse_xml(file, sources, machine_shape(), sink);
     if (!root) return std::nullopt;
     // One look at the file finds the mistakes of its shape and those of its values.
     CountingSink counting(sink);
     (void)check_xml(*root, machine_shape(), counting);
-    Machine machine = MachineBuilder(*root, counting).build();
+    Machine machine = MachineBuilder(*root, sources, counting).build();
     if (counting.has_errors()) return std::nullopt;
     return machine;
 }

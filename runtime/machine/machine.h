@@ -10,6 +10,7 @@
 #include "base/axes.h"
 #include "base/diagnostic.h"
 #include "machine/process_data.h"
+#include "machine/scanner_data.h"
 
 namespace kadr::machine {
 
@@ -71,6 +72,7 @@ struct Machine {
     std::vector<AxisValues> work_offsets;    // [0] none, [1] G54 …; mm, deg
     std::optional<Drives> drives;            // if the file describes both drives
     std::optional<Laser> laser;
+    std::optional<Scanner> scanner;
 
     const MachineAxis* find(Axis axis) const;
     const ToolData* find_tool(std::int64_t number) const;

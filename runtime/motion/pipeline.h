@@ -55,6 +55,7 @@ struct Totals {
     double tool_change_time = 0;             // s
     double hold_time = 0;                    // s, held by the operator, or at an override of 0
     double wait_time = 0;                    // s, for the machine to acknowledge M functions
+    double external_time = 0;                // s in which a module beside the axes works
     double length = 0;                       // mm, of the tip, all motion
     double cutting_length = 0;               // mm
     std::array<double, kAxes> travel_min{};  // per machine axis, mm or rad; start included

@@ -181,6 +181,9 @@ void Planner::State::record(const Piece& piece) {
         case SegmentKind::ToolChange: totals.tool_change_time += segment.duration; break;
         case SegmentKind::Hold: totals.hold_time += segment.duration; break;
         case SegmentKind::Wait: totals.wait_time += segment.duration; break;
+        case SegmentKind::External:
+        case SegmentKind::Jump:
+        case SegmentKind::Mark: totals.external_time += segment.duration; break;
     }
     if (!is_motion(segment.kind)) return;
     ++totals.segments;

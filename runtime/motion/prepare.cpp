@@ -140,6 +140,10 @@ void Preparer::State::execute(const Command& command) {
         case Op::OptionalStop:
         case Op::End: last.must_stop = true; return;
         case Op::Function: issue(command); return;
+        case Op::External: stand(command, SegmentKind::External, command.time); return;
+        // The module that they are for takes them out; without one they say nothing.
+        case Op::ScannerOn:
+        case Op::ScannerOff:
         // Switched while moving: a control does not stop for them.
         case Op::Coolant:
         case Op::Message: return;
@@ -195,6 +199,7 @@ Piece& Preparer::State::emit_stand(const Command& command, SegmentKind kind) {
     piece.segment = standing.still();
     piece.length = 0;
     piece.segment.kind = kind;
+    piece.segment.stage = standing.tip();
     piece.segment.line = command.line;
     piece.segment.source = command.source;
     piece.segment.duration = 0;

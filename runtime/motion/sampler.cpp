@@ -36,6 +36,7 @@ struct Sampler::State {
     std::size_t pull(std::span<Setpoint> out);
     bool next_segment();
     std::size_t walk(const Segment& segment, std::span<Setpoint> out);
+    void count_train(const Segment& segment, double time);
     void rest(Setpoint& out) const;
     void place(const Segment& segment, const path::Vec3& tip, double distance, Setpoint& out) const;
 
@@ -50,10 +51,11 @@ struct Sampler::State {
     std::size_t batch_at = 0;
     Segment last;  // the segment before the one at batch_at
     bool has_any = false;
-    bool has_ended = false;    // no segment is left
-    bool is_done = false;      // the setpoint at rest is out
-    std::uint64_t ticks = 0;   // of the next setpoint
-    std::uint32_t pulses = 0;  // that the next setpoint tells of
+    bool has_ended = false;     // no segment is left
+    bool is_done = false;       // the setpoint at rest is out
+    std::uint64_t ticks = 0;    // of the next setpoint
+    std::uint32_t pulses = 0;   // that the next setpoint tells of
+    std::uint32_t counted = 0;  // of the train of the segment at batch_at
 };
 
 /// Makes batch[batch_at] the segment of the next setpoint.
@@ -80,6 +82,8 @@ std::size_t Sampler::State::pull(std::span<Setpoint> out) {
         // Ticks inside are written unless `out` is full.
         if (now() >= segment.end_time() - kTickRounding * tick) {
             if (segment.has_pulse) ++pulses;
+            pulses += segment.train.count - counted;
+            counted = 0;
             ++batch_at;
         }
     }
@@ -92,7 +96,8 @@ std::size_t Sampler::State::pull(std::span<Setpoint> out) {
 
 inline void Sampler::State::place(const Segment& segment, const path::Vec3& tip, double distance,
                                   Setpoint& out) const {
-    const path::Vec3 carrier = tip + segment.tool_length * segment.tool;
+    const path::Vec3& carried = is_external(segment.kind) ? segment.stage : tip;
+    const path::Vec3 carrier = carried + segment.tool_length * segment.tool;
     out.tip = tip;
     out.tool = segment.tool;
     out.programmed_feed =
@@ -120,12 +125,25 @@ std::size_t Sampler::State::walk(const Segment& segment, std::span<Setpoint> out
             Setpoint& setpoint = out[written];
             setpoint.time = time;
             setpoint.feed = state.speed * tool_speed(curve, state.distance);
+            if (segment.train.count > 0) count_train(segment, time);
             setpoint.pulses = std::exchange(pulses, 0);
             place(segment, path::position(curve, state.distance), state.distance, setpoint);
         }
     };
     std::visit(fill, segment.curve);
     return written;
+}
+
+/// The pulses of a train up to this time; one that falls on a tick belongs to it.
+void Sampler::State::count_train(const Segment& segment, double time) {
+    const PulseTrain& train = segment.train;
+    const double since = time - segment.start_time - train.first + kTickRounding * tick;
+    if (since < 0) return;
+    const double passed =
+        std::min(std::floor(since / train.period) + 1, static_cast<double>(train.count));
+    const auto reached = std::max(counted, static_cast<std::uint32_t>(passed));
+    pulses += reached - counted;
+    counted = reached;
 }
 
 /// The last setpoint: at rest in the end of the path.

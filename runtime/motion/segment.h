@@ -20,9 +20,23 @@ enum class SegmentKind : std::uint8_t {
     Orient,  // the spindle turns to an angle
     Hold,    // the operator keeps the axes from going on
     Wait,    // for the machine to acknowledge an M function
+    // Of a module beside the axes, which stand at `stage` meanwhile:
+    External,  // nothing moves, or the module is not asked
+    Jump,      // a scanner's positioning
+    Mark,      // a scanner's way with the beam
 };
 
+/// Of the axes.
 constexpr bool is_motion(SegmentKind kind) { return kind <= SegmentKind::Feed; }
+/// Of a module beside them.
+constexpr bool is_external(SegmentKind kind) { return kind >= SegmentKind::External; }
+
+/// Pulses of a beam during a piece, evenly in time.
+struct PulseTrain {
+    std::uint32_t count = 0;
+    double first = 0;   // s from the start of the piece
+    double period = 0;  // s
+};
 
 /// Axes beside X, Y, Z: A B C (rad) and U V W (mm), in this order.
 inline constexpr std::size_t kFollowers = kAxes - 3;
@@ -49,6 +63,9 @@ struct Segment {
     double feed_per_revolution = 0;  // mm (deg), override included; 0: the feed is no such one
     Spindle spindle;                 // as it is commanded in this piece
     Profile profile;                 // of the path length; empty for a standstill
+
+    path::Vec3 stage = path::Vec3::Zero();  // is_external: where the axes hold the tip
+    PulseTrain train;                       // likewise
 
     std::array<double, kFollowers> follower_start{};  // rad or mm
     std::array<double, kFollowers> follower_rate{};   // per unit of path length

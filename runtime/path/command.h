@@ -32,6 +32,9 @@ enum class Op : std::uint8_t {
     OptionalStop,
     Message,
     End,
+    ScannerOn,   // motions from here on are the scanner's; the axes stand
+    ScannerOff,  // … and the axes' again
+    External,    // the axes stand while a module beside them works for `time`
 };
 
 /// Whether the tool moves along a path.
@@ -94,7 +97,7 @@ struct Command {
     double feed = 0;            // mm/min, mm/rev or 1/min, as feed_mode says; of a thread mm/rev
     double speed = 0;           // Spindle: rpm or m/min; SpeedLimit: rpm
     double angle_deg = 0;       // Spindle orient; Thread: angle of the spindle at its start
-    double time = 0;            // Dwell, s; 0 if revolutions
+    double time = 0;            // Dwell, s; 0 if revolutions; External, s
     double revolutions = 0;     // Dwell
     std::int64_t tool = 0;      // Tool, ToolLength: the tool or offset number
     std::int64_t code = 0;      // Function: M10 is 10

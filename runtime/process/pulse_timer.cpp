@@ -229,6 +229,9 @@ void PulseTimer::record(const Segment& segment) {
         case SegmentKind::ToolChange: totals_.tool_change_time += segment.duration; break;
         case SegmentKind::Hold: totals_.hold_time += segment.duration; break;
         case SegmentKind::Wait: totals_.wait_time += segment.duration; break;
+        case SegmentKind::External:
+        case SegmentKind::Jump:
+        case SegmentKind::Mark: totals_.external_time += segment.duration; break;
     }
     if (!motion::is_motion(segment.kind)) return;
     // In the middle of a dip the speed is least, and its ramps have the other sign.
@@ -255,6 +258,7 @@ motion::Totals PulseTimer::totals(const motion::Totals& planned) const {
     totals.rapid_time = totals_.rapid_time;
     totals.dwell_time = totals_.dwell_time;
     totals.tool_change_time = totals_.tool_change_time;
+    totals.external_time = totals_.external_time;
     totals.max_velocity = totals_.max_velocity;
     totals.max_acceleration = totals_.max_acceleration;
     return totals;

@@ -2,6 +2,7 @@
 // without, and the motion ends where the program does.
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 
 #include "base/text.h"
 #include "driver/execution.h"
+#include "process/scanner.h"
 #include "tests/motion/support.h"
 #include "tests/motion/tick_limits.h"
 
@@ -40,8 +42,16 @@ Executed execute(const std::string& source, const std::string& machine) {
         return executed;
     }
     executed.machine = execution->machine();
+    // What is a scanner's no axis moves for.
+    process::ScanLists lists;
+    std::optional<process::ScannerCommands> axes;
+    const motion::PlannerOptions planning;
+    if (executed.machine.scanner)
+        axes.emplace(*execution, executed.machine, planning, messages, lists);
+    Stream<path::Command>& commands =
+        axes ? static_cast<Stream<path::Command>&>(*axes) : *execution;
     std::vector<path::Command> batch(64);
-    while (const std::size_t n = execution->pull(batch)) {
+    while (const std::size_t n = commands.pull(batch)) {
         executed.commands.insert(executed.commands.end(), batch.begin(),
                                  batch.begin() + static_cast<std::ptrdiff_t>(n));
     }
@@ -77,7 +87,7 @@ void expect_limits(const machine::Machine& machine, const std::vector<path::Comm
 
 /// The machine that the text of an example tells to choose; else the mill.
 std::string machine_of(const std::string& text) {
-    for (const char* name : {"lathe", "laser"}) {
+    for (const char* name : {"lathe", "laser", "scanner"}) {
         if (text.find(std::string("-m ") + name) != std::string::npos) return name;
     }
     return "mill";

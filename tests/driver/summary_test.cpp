@@ -86,6 +86,30 @@ TEST(Summary, Durations) {
     }
 }
 
+TEST(Summary, TellsOfAScanner) {
+    RunFigures run = figures();
+    run.scan = process::ScanFigures{.lists = 2,
+                                    .jumps = 5,
+                                    .marks = 4,
+                                    .time = 1.5,
+                                    .mark_time = 1,
+                                    .jump_time = 0.25,
+                                    .mark_length = 400,
+                                    .jump_length = 90,
+                                    .pulses = 20000};
+    const std::string text = summary_text(run, two_axes());
+    EXPECT_NE(text.find("  marks         4, 400.0 mm in 1 s\n"
+                        "  jumps         5, 90.0 mm in 0.25 s\n"
+                        "  lists         2, 0.25 s of delays and waiting\n"
+                        "  beam pulses   20000\n"),
+              std::string::npos)
+        << text;
+    const nlohmann::json scanner = nlohmann::json::parse(summary_json(run, two_axes()))["scanner"];
+    EXPECT_EQ(scanner["mark_s"], 1);
+    EXPECT_EQ(scanner["jump_length_mm"], 90);
+    EXPECT_EQ(scanner["pulses"], 20000);
+}
+
 TEST(Summary, TellsWhereTheTimeGoes) {
     RunFigures run = figures();
     run.tools = {{1, {50, 45, 200}}, {7, {25, 15, 50.5}}};

@@ -30,7 +30,8 @@ const std::map<std::string, std::set<std::string>> kFloors = {
     {"expand", {"base", "nc", "path", "syntax", "sema"}},
     {"driver",
      {"base", "nc", "path", "machine", "interp", "motion", "process", "syntax", "sema", "expand"}},
-    {"repl", {"base", "nc", "path", "machine", "interp", "motion", "syntax", "sema", "driver"}},
+    {"repl",
+     {"base", "nc", "path", "machine", "interp", "motion", "process", "syntax", "sema", "driver"}},
     {"cli", {"base", "nc", "machine", "driver", "repl"}},
 };
 

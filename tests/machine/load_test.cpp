@@ -49,7 +49,7 @@ constexpr const char* kAxisX =
     R"(<axis name="X" limits="-300..300 mm" velocity="30 m/min" acceleration="5 m/s2"/>)";
 
 TEST(MachineFile, StockMachinesLoad) {
-    for (const char* name : {"mill", "mill-fast", "lathe", "laser"}) {
+    for (const char* name : {"mill", "mill-fast", "lathe", "laser", "scanner"}) {
         SCOPED_TRACE(name);
         Sources sources;
         DiagnosticList diagnostics;
@@ -67,7 +67,7 @@ TEST(MachineFile, StockMachinesLoad) {
 
 TEST(MachineFile, ListsByName) {
     const auto machines = list({kStock, "/no/such/folder"});
-    ASSERT_EQ(machines.size(), 4u);
+    ASSERT_EQ(machines.size(), 5u);
     EXPECT_EQ(machines[0].name, "laser");
     EXPECT_EQ(machines[1].name, "lathe");
     EXPECT_EQ(machines[1].axes, "X Z");
@@ -301,42 +301,64 @@ TEST(MachineFile, MistakesOfValues) {
     const std::string tick = R"(<machine name="m" tick="0 ms">)" + axis;
     const std::string long_tick = R"(<machine name="m" tick="100 s">)" + axis;
     const std::string time = R"(<machine name="m" tool_change_time="-1 s">)" + axis;
-    for (const Mistake& mistake :
-         {Mistake{"kind", kind.c_str(), "K6017", "lath", "lathe"},
-          {"tick", tick.c_str(), "K6011", "0 ms", ""},
-          {"long tick", long_tick.c_str(), "K6019", "100 s", ""},
-          {"negative time", time.c_str(), "K6012", "-1 s", ""},
-          {"negative radius", R"(<tool number="1" radius="-1 mm"/>)", "K6012", "-1 mm", ""},
-          {"no such tip", R"(<tool number="1" tip="10"/>)", "K6018", "10", ""},
-          {"offset G54", R"(<offset number="G54"/>)", "K6018", "G54", ""},
-          {"offset zero", R"(<offset number="0"/>)", "K6018", "0", ""},
-          {"offset too large", R"(<offset number="99999999999999999999"/>)", "K6018",
-           "99999999999999999999", ""},
-          {"share above the whole",
-           R"(<feed_drive gain="50 1/s" time_constant="5 ms" feed_forward="120 %"/>)", "K6020",
-           "120 %", ""},
-          {"negative share", R"(<laser pulse="40 Hz" tolerance="-1 %"/>)", "K6020", "-1 %", ""},
-          {"share without percent", R"(<laser pulse="40 Hz" tolerance="0.1"/>)", "K6008", "0.1",
-           "write `%` after the number"},
-          {"pulse between ticks", R"(<laser pulse="30 Hz" tolerance="0.5 %"/>)", "K6022", "30 Hz",
-           ""},
-          {"no inertia",
-           R"(<spindle_drive inertia="0 kg m2" torque_constant="2 Nm/A" time_constant="4 ms"/>)",
-           "K6011", "0 kg m2", ""},
-          {"pulse in rpm", R"(<laser pulse="40 rpm"/>)", "K6009", "40 rpm", "write `Hz` or `kHz`"},
-          {"time of a tool change", R"(<function code="M6" takes="4 s"/>)", "K6212", "M6", ""},
-          {"time of an end", R"(<function code="M30" takes="4 s"/>)", "K6212", "M30", ""},
-          {"no M function", R"(<function code="G10" takes="4 s"/>)", "K6212", "G10", ""},
-          {"no number", R"(<function code="Mx" takes="4 s"/>)", "K6212", "Mx", ""},
-          {"function without time", R"(<function code="M10"/>)", "K9105", "function", ""},
-          {"acts sometime", R"(<function code="M10" takes="1 s" acts="late"/>)", "K6017", "late",
-           ""},
-          {"waits perhaps", R"(<function code="M10" takes="1 s" waits="si"/>)", "K6017", "si", ""},
-          {"doubled function",
-           R"(<function code="M10" takes="1 s"/><function code="M10" takes="2 s"/>)", "K6014",
-           "M10", ""},
-          {"doubled drive", R"(<cutting force="1 kN"/><cutting force="2 kN"/>)", "K6014", "cutting",
-           ""}}) {
+    for (
+        const Mistake& mistake :
+        {Mistake{"kind", kind.c_str(), "K6017", "lath", "lathe"},
+         {"tick", tick.c_str(), "K6011", "0 ms", ""},
+         {"long tick", long_tick.c_str(), "K6019", "100 s", ""},
+         {"negative time", time.c_str(), "K6012", "-1 s", ""},
+         {"negative radius", R"(<tool number="1" radius="-1 mm"/>)", "K6012", "-1 mm", ""},
+         {"no such tip", R"(<tool number="1" tip="10"/>)", "K6018", "10", ""},
+         {"offset G54", R"(<offset number="G54"/>)", "K6018", "G54", ""},
+         {"offset zero", R"(<offset number="0"/>)", "K6018", "0", ""},
+         {"offset too large", R"(<offset number="99999999999999999999"/>)", "K6018",
+          "99999999999999999999", ""},
+         {"share above the whole",
+          R"(<feed_drive gain="50 1/s" time_constant="5 ms" feed_forward="120 %"/>)", "K6020",
+          "120 %", ""},
+         {"negative share", R"(<laser pulse="40 Hz" tolerance="-1 %"/>)", "K6020", "-1 %", ""},
+         {"share without percent", R"(<laser pulse="40 Hz" tolerance="0.1"/>)", "K6008", "0.1",
+          "write `%` after the number"},
+         {"pulse between ticks", R"(<laser pulse="30 Hz" tolerance="0.5 %"/>)", "K6022", "30 Hz",
+          ""},
+         {"no inertia",
+          R"(<spindle_drive inertia="0 kg m2" torque_constant="2 Nm/A" time_constant="4 ms"/>)",
+          "K6011", "0 kg m2", ""},
+         {"pulse in rpm", R"(<laser pulse="40 rpm"/>)", "K6009", "40 rpm", "write `Hz` or `kHz`"},
+         {"time of a tool change", R"(<function code="M6" takes="4 s"/>)", "K6212", "M6", ""},
+         {"time of an end", R"(<function code="M30" takes="4 s"/>)", "K6212", "M30", ""},
+         {"no M function", R"(<function code="G10" takes="4 s"/>)", "K6212", "G10", ""},
+         {"no number", R"(<function code="Mx" takes="4 s"/>)", "K6212", "Mx", ""},
+         {"function without time", R"(<function code="M10"/>)", "K9105", "function", ""},
+         {"acts sometime", R"(<function code="M10" takes="1 s" acts="late"/>)", "K6017", "late",
+          ""},
+         {"waits perhaps", R"(<function code="M10" takes="1 s" waits="si"/>)", "K6017", "si", ""},
+         {"doubled function",
+          R"(<function code="M10" takes="1 s"/><function code="M10" takes="2 s"/>)", "K6014", "M10",
+          ""},
+         {"functions", R"(<scanner on="66" off="66" field="110 mm" jump_speed="8 m/s"/>)", "K6225",
+          "66", ""},
+         {"control's function", R"(<scanner on="3" off="66" field="110 mm" jump_speed="8 m/s"/>)",
+          "K6018", "3", ""},
+         {"three numbers",
+          R"(<scanner on="66" off="67" field="110 mm" jump_speed="8 m/s" matrix="1 0 0"/>)",
+          "K6220", "1 0 0", ""},
+         {"a flat field",
+          R"(<scanner on="66" off="67" field="110 mm" jump_speed="8 m/s" matrix="1 2 2 4"/>)",
+          "K6220", "1 2 2 4", ""},
+         {"late beam",
+          R"(<scanner on="66" off="67" field="110 mm" jump_speed="8 m/s" laser_off_delay="1 us"/>)",
+          "K6221", "1 us", ""},
+         {"early beam",
+          R"(<scanner on="66" off="67" field="110 mm" jump_speed="8 m/s" laser_on_delay="-1 us"/>)",
+          "K6221", "-1 us", ""},
+         {"no field", R"(<scanner on="66" off="67" field="0 mm" jump_speed="8 m/s"/>)", "K6011",
+          "0 mm", ""},
+         {"no table",
+          R"(<scanner on="66" off="67" field="1 m" jump_speed="8 m/s" correction="no.csv"/>)",
+          "K9001", "no.csv", ""},
+         {"doubled drive", R"(<cutting force="1 kN"/><cutting force="2 kN"/>)", "K6014", "cutting",
+          ""}}) {
         expect_mistake(mistake);
     }
 }
@@ -366,7 +388,7 @@ TEST(MachineFile, UnknownName) {
     EXPECT_EQ(diagnostics.all()[0].row->code, "K6001");
     EXPECT_EQ(diagnostics.all()[0].fixes.at(0).text, "there is `mill`");
     EXPECT_EQ(diagnostics.all()[0].notes.at(0).text,
-              "known are `laser`, `lathe`, `mill`, `mill-fast`");
+              "known are `laser`, `lathe`, `mill`, `mill-fast`, `scanner`");
 }
 
 TEST(MachineFile, UnreadableFile) {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/motion/support.h"
+#include "tests/process/keep.h"
 
 namespace kadr::process {
 namespace {
@@ -40,34 +41,13 @@ struct Timed {
     std::uint64_t pulses = 0;
 };
 
-/// Keeps what passes.
-class Keep final : public Stream<Segment> {
-  public:
-    Keep(Stream<Segment>& from, std::vector<Segment>& to) : from_(from), to_(to) {}
-    std::size_t pull(std::span<Segment> out) override {
-        const std::size_t n = from_.pull(out);
-        to_.insert(to_.end(), out.begin(), out.begin() + static_cast<long>(n));
-        return n;
-    }
-
-  private:
-    Stream<Segment>& from_;
-    std::vector<Segment>& to_;
-};
-
 Timed run(const machine::Machine& machine, std::vector<Command> commands) {
     Timed timed;
     DiagnosticList diagnostics;
     motion::test::CommandList list(std::move(commands));
     motion::Planner planner(list, machine, {}, diagnostics);
     PulseTimer timer(planner, machine);
-    Keep keep(timer, timed.segments);
-    motion::Sampler sampler(keep, machine);
-    std::vector<Setpoint> batch(13);
-    while (const std::size_t n = sampler.pull(batch)) {
-        timed.setpoints.insert(timed.setpoints.end(), batch.begin(),
-                               batch.begin() + static_cast<long>(n));
-    }
+    timed.setpoints = test::sampled(timer, machine, timed.segments);
     timed.totals = timer.totals(planner.totals());
     timed.pulses = timer.pulses();
     return timed;

@@ -181,6 +181,9 @@ class Reduction {
             case Op::Stop: tell(command, "stop", {}); break;
             case Op::OptionalStop: tell(command, "optional_stop", {}); break;
             case Op::End: tell(command, "end", {}); break;
+            case Op::ScannerOn:
+            case Op::ScannerOff:
+            case Op::External: ADD_FAILURE() << "no machine here has a scanner"; break;
             case Op::Spindle:
                 spindle_ = {.op = "spindle", .words = spindle_name(command.spindle)};
                 spindle_.words += ' ';

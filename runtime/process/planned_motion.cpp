@@ -1,0 +1,64 @@
+#include "process/planned_motion.h"
+
+#include <utility>
+
+namespace kadr::process {
+
+namespace {
+
+std::optional<ScannerCommands> scanner_front(Stream<path::Command>& commands,
+                                             const machine::Machine& machine,
+                                             const motion::PlannerOptions& options,
+                                             DiagnosticSink& sink, ScanLists& lists) {
+    std::optional<ScannerCommands> front;
+    if (machine.scanner) front.emplace(commands, machine, options, sink, lists);
+    return front;
+}
+
+}  // namespace
+
+PlannedMotion::PlannedMotion(Stream<path::Command>& commands, const machine::Machine& machine,
+                             const motion::PlannerOptions& options, DiagnosticSink& sink,
+                             ScannerSegments::Look look)
+    : front_(scanner_front(commands, machine, options, sink, lists_)),
+      planner_(first(commands), machine, options, sink) {
+    if (machine.laser && machine.laser->pulse > 0) timer_.emplace(planner_, machine);
+    if (machine.scanner) behind_.emplace(timed(), lists_, std::move(look));
+}
+
+Stream<path::Command>& PlannedMotion::first(Stream<path::Command>& commands) {
+    if (front_) return *front_;
+    return commands;
+}
+
+Stream<motion::Segment>& PlannedMotion::timed() {
+    if (timer_) return *timer_;
+    return planner_;
+}
+
+Stream<motion::Segment>& PlannedMotion::last() {
+    if (behind_) return *behind_;
+    return timed();
+}
+
+motion::Totals PlannedMotion::totals() const {
+    return timer_ ? timer_->totals(planner_.totals()) : planner_.totals();
+}
+
+bool PlannedMotion::alarmed() const { return planner_.alarmed() || (front_ && front_->alarmed()); }
+
+// The command that is refused was read last.
+std::uint64_t PlannedMotion::executed() const {
+    const std::uint64_t planned = planner_.totals().commands;
+    const bool is_refused = planner_.alarmed();
+    if (!front_) return is_refused ? planned - 1 : planned;
+    if (is_refused) return front_->taken_for(planned) - 1;
+    return front_->alarmed() ? front_->taken() - 1 : front_->taken();
+}
+
+std::optional<std::uint64_t> PlannedMotion::pulses() const {
+    if (!timer_) return std::nullopt;
+    return timer_->pulses();
+}
+
+}  // namespace kadr::process

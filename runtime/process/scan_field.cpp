@@ -1,0 +1,142 @@
+#include "process/scan_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include <Eigen/LU>
+
+namespace kadr::process {
+
+namespace {
+
+// A way is never cut finer: a two-thousandth of it, or so many vectors that nobody wants them.
+constexpr double kFinest = 1.0 / 65536;
+// Places looked at between the ends of a vector that shall stand for a bent way.
+constexpr std::size_t kProbes = 7;
+constexpr std::size_t kMostProbes = 1024;
+// Rounding of frames and of the matrix, mm: no place beyond the field.
+constexpr double kRounding = 1e-6;
+
+double least_side(const std::vector<double>& values) {
+    double least = values.back() - values.front();
+    for (std::size_t i = 1; i < values.size(); ++i)
+        least = std::min(least, values[i] - values[i - 1]);
+    return least;
+}
+
+/// The cell of a value, and how far it is through it; the outermost cells go on beyond the table.
+struct CellPlace {
+    std::size_t index;
+    double share;
+};
+CellPlace cell_of(const std::vector<double>& values, double value) {
+    const auto above = std::upper_bound(values.begin() + 1, values.end() - 1, value);
+    const auto index = static_cast<std::size_t>(above - values.begin()) - 1;
+    return {index, (value - values[index]) / (values[index + 1] - values[index])};
+}
+
+double distance_to_chord(const Vec2& place, const Vec2& from, const Vec2& to) {
+    const Vec2 chord = to - from;
+    const double square = chord.squaredNorm();
+    const double share =
+        square > 0 ? std::clamp((place - from).dot(chord) / square, 0.0, 1.0) : 0.0;
+    return (place - from - share * chord).norm();
+}
+
+}  // namespace
+
+ScanField::ScanField(const machine::Scanner& scanner) : scanner_(scanner) {
+    Eigen::Matrix2d matrix;
+    matrix << scanner.matrix[0], scanner.matrix[1], scanner.matrix[2], scanner.matrix[3];
+    inverse_ = matrix.inverse();
+    const machine::FieldGrid& grid = scanner.correction;
+    if (!grid.is_empty()) cell_ = std::min(least_side(grid.x), least_side(grid.y));
+}
+
+Vec2 ScanField::field_of(const path::Vec3& place, const path::Vec3& stage) const {
+    return inverse_ * (place - stage).head<2>();
+}
+
+double ScanField::outside(const Vec2& field) const {
+    const double beyond = field.cwiseAbs().maxCoeff() - scanner_.half_field;
+    return beyond > kRounding ? beyond : 0;
+}
+
+Vec2 ScanField::corrected(const Vec2& field) const {
+    const machine::FieldGrid& grid = scanner_.correction;
+    if (grid.is_empty()) return field;
+    const CellPlace x = cell_of(grid.x, field.x());
+    const CellPlace y = cell_of(grid.y, field.y());
+    const std::size_t row = grid.x.size();
+    const std::size_t first = y.index * row + x.index;
+    const auto between = [&](const std::vector<double>& values) {
+        const double below = std::lerp(values[first], values[first + 1], x.share);
+        const double above = std::lerp(values[first + row], values[first + row + 1], x.share);
+        return std::lerp(below, above, y.share);
+    };
+    return field + Vec2(between(grid.dx), between(grid.dy));
+}
+
+FieldStep ScanField::at(const Way& way, double share) const {
+    FieldStep step;
+    step.field = field_of(path::position(way.curve, share * way.length), way.stage);
+    step.to = corrected(step.field);
+    step.share = share;
+    return step;
+}
+
+FieldStep ScanField::end_of(const path::Curve& curve, const path::Vec3& stage) const {
+    return at({curve, stage, path::length(curve)}, 1);
+}
+
+std::vector<FieldStep> ScanField::vectors(const path::Curve& curve, const path::Vec3& stage) const {
+    const Way way{curve, stage, path::length(curve)};
+    std::vector<FieldStep> steps;
+    if (std::holds_alternative<path::Line>(curve)) {
+        cut(way, 0, 1, steps);
+        return steps;
+    }
+    // A bent way may come back to where it began, or be alike on both sides of its middle.
+    constexpr int kFirst = 8;
+    for (int i = 0; i < kFirst; ++i)
+        cut(way, static_cast<double>(i) / kFirst, static_cast<double>(i + 1) / kFirst, steps);
+    return steps;
+}
+
+/// How many places show what a vector would leave out: more where it crosses many cells.
+std::size_t ScanField::probes(const Way& way, double from, double to) const {
+    if (cell_ == 0) return kProbes;
+    const double length = (field_of(path::position(way.curve, to * way.length), way.stage) -
+                           field_of(path::position(way.curve, from * way.length), way.stage))
+                              .norm();
+    const double crossed = std::min(2 * length / cell_, static_cast<double>(kMostProbes));
+    return std::clamp(static_cast<std::size_t>(std::ceil(crossed)), kProbes, kMostProbes);
+}
+
+bool ScanField::is_straight(const Way& way, double from, double to) const {
+    if (cell_ == 0 && std::holds_alternative<path::Line>(way.curve)) return true;
+    if (to - from <= kFinest) return true;
+    const Vec2 start = at(way, from).to;
+    const Vec2 end = at(way, to).to;
+    const std::size_t count = probes(way, from, to);
+    for (std::size_t i = 1; i <= count; ++i) {
+        const double share =
+            std::lerp(from, to, static_cast<double>(i) / static_cast<double>(count + 1));
+        if (distance_to_chord(at(way, share).to, start, end) > scanner_.chord_tolerance)
+            return false;
+    }
+    return true;
+}
+
+void ScanField::cut(const Way& way, double from, double to, std::vector<FieldStep>& out) const {
+    if (is_straight(way, from, to)) {
+        out.push_back(at(way, to));
+        return;
+    }
+    const double middle = (from + to) / 2;
+    cut(way, from, middle, out);
+    cut(way, middle, to, out);
+}
+
+}  // namespace kadr::process
