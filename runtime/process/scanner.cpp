@@ -180,6 +180,7 @@ void ScannerCommands::scan(const Command& command) {
         case Op::Spindle:
         case Op::SpeedLimit:
         case Op::Coolant:
+        case Op::Function:
         case Op::Stop:
         case Op::OptionalStop:
         case Op::Message:

@@ -184,6 +184,9 @@ class Reduction {
             case Op::ScannerOn:
             case Op::ScannerOff:
             case Op::External: ADD_FAILURE() << "no machine here has a scanner"; break;
+            case Op::Function:
+                ADD_FAILURE() << "no machine here has functions that take time";
+                break;
             case Op::Spindle:
                 spindle_ = {.op = "spindle", .words = spindle_name(command.spindle)};
                 spindle_.words += ' ';
