@@ -79,7 +79,10 @@ void Prompt::finish() {
 void Prompt::take_input(std::string text) {
     QuietSession quiet(options_, share_);
     Input input = classify(quiet.session(), transcript_.headers(), std::move(text));
-    if (input.kind == Input::Kind::Wrong) input.kind = Input::Kind::Statement;  // to be told why
+    // What is wrong is taken for a statement, to be told why. So is a header behind statements: it
+    // would change how they are read.
+    const bool is_late = input.kind == Input::Kind::Header && transcript_.has_statements();
+    if (input.kind == Input::Kind::Wrong || is_late) input.kind = Input::Kind::Statement;
     Transcript longer = transcript_;
     longer.add(input);
     Outcome outcome = evaluate(longer);

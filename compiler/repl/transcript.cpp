@@ -266,6 +266,13 @@ Input Transcript::undo() {
     return last;
 }
 
+bool Transcript::has_statements() const {
+    return std::ranges::any_of(inputs_, [](const Input& input) {
+        return input.kind == Input::Kind::Statement || input.kind == Input::Kind::Call ||
+               input.kind == Input::Kind::Value;
+    });
+}
+
 std::string Transcript::headers() const {
     std::string out;
     for (std::size_t i = 0; i < inputs_.size(); ++i) {

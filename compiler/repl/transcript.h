@@ -47,6 +47,8 @@ class Transcript {
     Input undo();
     void clear() { inputs_.clear(); }
     const std::vector<Input>& inputs() const { return inputs_; }
+    /// Whether the program does anything yet.
+    bool has_statements() const;
     /// The headers alone: of each kind the one that was said last.
     std::string headers() const;
 

@@ -310,13 +310,17 @@ TEST(Prompt, SpeaksTheKeywordLanguageThatIsChosen) {
     EXPECT_EQ(talk.say("длина r = 5mm"), "");
     EXPECT_EQ(talk.say("r"), "5 mm\n");
     EXPECT_TRUE(has(talk.say("если (r > 1mm) G0 X=r;"), "X5\n"));
-    EXPECT_TRUE(has(talk.say("language klingon"), "error[K1301]"));
+    EXPECT_TRUE(has(talk.say("language pl"), "error[K1109]"));  // the statements are Russian
     EXPECT_TRUE(has(talk.say(":list"), "программа prompt() {\n"));
     Conversation other;
     other.say("units inch");
     EXPECT_EQ(other.say("25.4mm"), "1 in\n");
     EXPECT_EQ(other.say("units mm"), "");  // replaces the other
     EXPECT_EQ(other.say("25.4mm"), "25.4 mm\n");
+    EXPECT_TRUE(has(other.say("language klingon"), "error[K1301]"));
+    other.say("G0 X1");
+    EXPECT_TRUE(has(other.say("units inch"), "error[K2302]"));
+    EXPECT_TRUE(has(other.say(":list"), "units mm;"));
 }
 
 /// The conversations in docs/first-program.md: what stands behind `kadr> ` and what is answered.
