@@ -209,8 +209,9 @@ TEST(Operated, WhatNothingEndsIsAnAlarm) {
 TEST(Operated, ABlockThatIsNotBegunIsKnown) {
     CommandList list(long_line());
     DiagnosticList diagnostics;
+    const machine::Machine machine = machine_of();
     const PlannerOptions options = operated({hold_at(1, 7), feed_to(0.5, 1, 1)});
-    Planner planner(list, machine_of(), options, diagnostics);
+    Planner planner(list, machine, options, diagnostics);
     std::vector<Segment> batch(10);
     while (planner.pull(batch) > 0) continue;
     ASSERT_EQ(planner.events_ahead().size(), 1u);
