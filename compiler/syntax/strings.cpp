@@ -39,7 +39,8 @@ bool is_format(std::string_view format) {
         while (i < format.size() && format[i] >= '0' && format[i] <= '9') ++i;
         return i - first;
     };
-    if (i < format.size() && format[i] == '+') ++i;
+    const bool has_sign = format.starts_with('+');
+    if (has_sign) ++i;
     std::size_t digits = skip_digits();
     if (digits > 2) return false;
     if (i < format.size() && format[i] == '.') {
@@ -50,7 +51,7 @@ bool is_format(std::string_view format) {
     }
     const bool has_unit = i < format.size() && format[i] == 'u';
     if (has_unit) ++i;
-    return (digits > 0 || has_unit) && i == format.size();
+    return (digits > 0 || has_unit || has_sign) && i == format.size();
 }
 
 class Splitter {

@@ -330,12 +330,16 @@ class BlockWriter {
     bool feed_every_block_ = false;                 // F is not modal in this feed mode
     bool inverse_arc_by_radius_ = false;            // F of arcs is feed/radius in this feed mode
     double deferred_tool_ = 0;
+    static constexpr std::size_t kSkipLevels = 10;  // 0 to 9
     struct Idle {
-        int moves = 0;  // in the plane, since the compensation began
-        int lines = 0;  // in a row without one
+        int moves = 0;   // in the plane, since the compensation began
+        int level = -1;  // of skipping, if the compensation began in an optional block
+        // In a row without a move: with all optional blocks, then without those of each level.
+        std::array<int, 1 + kSkipLevels> lines{};
     };
     Idle idle_;
-    int most_idle_ = -1;  // that the control takes; -1: any number
+    int most_idle_ = -1;          // that the control takes; -1: any number
+    bool idle_is_alarm_ = false;  // more of them; else corners are cut
     bool failed_ = false;
     bool has_ended_ = false;
 };
