@@ -112,6 +112,8 @@ class Dialect {
     std::span<const RuleSetting> rules() const;
     /// Whether the files set this switch to the value.
     bool has_rule(std::string_view name, std::string_view value = "yes") const;
+    /// The whole number to which the files set a rule; nothing if they do not.
+    std::optional<int> rule_number(std::string_view name) const;
     /// The work offset that acts where a program begins, before it says one; 0: none.
     int first_work_offset() const;
     /// The motion that is modal where a program begins, before it says one.
