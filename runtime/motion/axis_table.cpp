@@ -87,6 +87,7 @@ double acceleration_left(const SplineBend& bend, Eigen::Index axis, double speed
 }  // namespace
 
 AxisTable::AxisTable(const machine::Machine& machine) {
+    if (machine.kinematics) chain_ = &machine.kinematics->chain;
     slots_.fill(machine.axes.size());
     const bool has_pulses = machine.laser && machine.laser->pulse > 0;
     for (const machine::MachineAxis& axis : machine.axes) {
@@ -126,6 +127,7 @@ AxisRates AxisTable::rates(const path::Vec3& tangent, const Segment& piece) cons
 }
 
 AxisRates AxisTable::start_rates(const Segment& piece) const {
+    if (piece.is_transformed()) return rates_on(piece, 0);
     if (const auto* line = std::get_if<path::Line>(&piece.curve)) {
         return rates(line->direction, piece);
     }
@@ -133,6 +135,7 @@ AxisRates AxisTable::start_rates(const Segment& piece) const {
 }
 
 AxisRates AxisTable::end_rates(const Segment& piece) const {
+    if (piece.is_transformed()) return rates_on(piece, 1);
     if (const auto* line = std::get_if<path::Line>(&piece.curve)) {
         return rates(line->direction, piece);
     }
@@ -150,9 +153,12 @@ AxisRates AxisTable::bends(const Segment& piece, double distance) const {
     return bends;
 }
 
-AxisRates AxisTable::start_bends(const Segment& piece) const { return bends(piece, 0); }
+AxisRates AxisTable::start_bends(const Segment& piece) const {
+    return piece.is_transformed() ? bends_on(piece, 0) : bends(piece, 0);
+}
 
 AxisRates AxisTable::end_bends(const Segment& piece) const {
+    if (piece.is_transformed()) return bends_on(piece, 1);
     return bends(piece, path::length(piece.curve));
 }
 
@@ -261,6 +267,7 @@ PathLimits AxisTable::glide_limits(const path::Glide& glide, double wanted) cons
 }
 
 PathLimits AxisTable::limits(const Segment& piece, const AxisRates& start, double wanted) const {
+    if (piece.is_transformed()) return transformed_limits(piece, wanted);
     if (const auto* spline = std::get_if<path::Spline>(&piece.curve))
         return spline_limits(*spline, wanted);
     if (const auto* helix = std::get_if<path::Helix>(&piece.curve))
@@ -363,6 +370,7 @@ PathLimits AxisTable::helix_limits(const path::Helix& helix, const Segment& piec
 }
 
 AxisTable::Loads AxisTable::loads(const Segment& piece, const AxisRates& start) const {
+    if (piece.is_transformed()) return transformed_loads(piece);
     Loads loads;
     const auto* spline = std::get_if<path::Spline>(&piece.curve);
     const auto* glide = std::get_if<path::Glide>(&piece.curve);
@@ -415,7 +423,7 @@ AxisTable::Peaks AxisTable::peaks(const Segment& piece, const Loads& loads) cons
     const double speed = piece.profile.peak_speed;
     const double along = path_acceleration(piece.profile);
     const double jerk = limits_jerk_ ? path_jerk(piece.profile) : 0;
-    const auto* helix = std::get_if<path::Helix>(&piece.curve);
+    const auto* helix = piece.is_transformed() ? nullptr : std::get_if<path::Helix>(&piece.curve);
     for (std::size_t i = 0; i < axes_.size(); ++i) {
         const std::size_t c = axes_[i].coordinate;
         const double rate = helix == nullptr || c >= 3
@@ -451,6 +459,7 @@ void AxisTable::measure_cell(const Segment& piece, const BentCell& cell, Peaks& 
 }
 
 AxisRates AxisTable::positions(const Segment& piece, double distance) const {
+    if (piece.is_transformed()) return transformed_positions(piece, distance);
     const path::Vec3 point = path::position(piece.curve, distance) + piece.tool_length * piece.tool;
     AxisRates positions{};
     for (std::size_t i = 0; i < axes_.size(); ++i) {
@@ -462,6 +471,7 @@ AxisRates AxisTable::positions(const Segment& piece, double distance) const {
 }
 
 AxisTable::Travel AxisTable::travel(const Segment& piece, double length) const {
+    if (piece.is_transformed()) return transformed_travel(piece);
     const path::Vec3 offset = piece.tool_length * piece.tool;
     const path::Box box = path::bounds(piece.curve);
     Travel travel;

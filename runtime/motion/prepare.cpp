@@ -224,13 +224,17 @@ void Preparer::State::issue(const Command& command) {
 // ------------------------------------------------------------------------------ motion
 
 void Preparer::State::move(const Command& command) {
-    const Standing::Target target = standing.target_of(command);
+    if (standing.follow_transformation(command)) last.must_stop = true;
+    Standing::Target target = standing.target_of(command);
     Segment segment = standing.still();
     segment.kind = command.op == Op::Rapid ? SegmentKind::Rapid : SegmentKind::Feed;
     segment.line = command.line;
     segment.source = command.source;
     const double length = standing.lay_path(command, target, segment);
-    if (length > 0 && is_possible(command, segment, length)) {
+    if (segment.is_transformed() && length > 0) {
+        release();
+        emit_transformed(command, segment, target);
+    } else if (length > 0 && is_possible(command, segment, length)) {
         const double from = round_corner(command, segment, length);
         if (!hold(command, segment, length, from)) {
             emit_part(command, segment, length, {from, length});

@@ -51,6 +51,14 @@ enum class FunctionStep : std::uint8_t {
     Both,
 };
 
+/// How the tool turns while the transformation of the machine holds its tip on the path.
+enum class Turning : std::uint8_t {
+    None,  // no transformation: every axis goes as `to` says
+    Axes,  // the rotary axes go in proportion to the path
+    Cone,  // the tool goes about an axis in space, in proportion to the path; square to the axis
+           // that is a great circle
+};
+
 /// How the corner behind a motion is rounded, if the next motion lets it.
 enum class BlendKind : std::uint8_t {
     None,
@@ -93,6 +101,13 @@ struct Command {
     Blending blending;          // of the corner behind a motion; none where it ends at rest
     double compress = 0;        // Line: it may become a part of a curve within this tolerance, mm;
                                 // 0: it stays what it is
+
+    // Of a motion under a transformation: `to` is the tip in the workpiece system, and where the
+    // rotary axes stand there.
+    Turning turning = Turning::None;
+    Vec3 direction = Vec3::UnitZ();  // of the tool at the end, unit vector from tip to holder
+    Vec3 turn_axis = Vec3::Zero();   // Cone: unit vector
+    double turn_angle = 0;           // Cone: rad, by the right-hand rule
 
     double feed = 0;            // mm/min, mm/rev or 1/min, as feed_mode says; of a thread mm/rev
     double speed = 0;           // Spindle: rpm or m/min; SpeedLimit: rpm
