@@ -38,8 +38,7 @@ double Executor::word_factor(std::int64_t index) const {
 
 std::optional<double> Executor::place_of(Quantity quantity, Axis axis) const {
     const std::size_t i = index(axis);
-    AxisValues head = position_.base;
-    for (std::size_t k = 0; k < kAxes; ++k) head[k] += length_shift_[k];
+    const AxisValues head = machine_axes();
     switch (quantity) {
         case Quantity::EndPosition:
         case Quantity::WorkPosition: return position_.here[i];

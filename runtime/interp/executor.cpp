@@ -516,6 +516,20 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             set_length_source(Tool::Source::Edge, actions);
             break;
 
+        case Function::TcpOn:
+        case Function::TcpOff: switch_transformation(block, invocation); break;
+        case Function::TurnPlane:
+        case Function::TurnAxes: orienting_.turning = invocation.function; break;
+        case Function::AnglesEuler:
+        case Function::AnglesRpy:
+        case Function::AnglesXyz: orienting_.angles = invocation.function; break;
+        case Function::OrientInWork:
+        case Function::OrientInBase:
+            orienting_.is_in_base = invocation.function == Function::OrientInBase;
+            break;
+        case Function::ToolVector:
+        case Function::ToolAngle: take_orientation(block, invocation, actions); break;
+
         case Function::SplineDegree: set_spline_degree(block, invocation); break;
         case Function::SplineWeight:  // beside the pole, in splines.cpp
         case Function::SplineInterval:
@@ -1027,6 +1041,8 @@ Command& Executor::put(Op op, const Block& block) {
     command.source = from.source;
     command.line = from.line;
     command.to = position_.base;
+    command.turning = path::Turning::None;
+    if (orienting_.is_on) put_turn(command);
     command.text.clear();
     return command;
 }

@@ -3,10 +3,10 @@
 // What a block does is told in chapters: executor.cpp (the order of things in a block, its single
 // functions), plain_moves.cpp (what nearly every block is), motion.cpp (targets, lines, arcs, tool
 // length, limits), circles.cpp, polar.cpp and angles.cpp (what controls work out of other words),
-// cornering.cpp and compensating.cpp (what the commands pass through), soft_moves.cpp (soft
-// approaches and retracts), smoothing.cpp (rounded corners, compressed lines), cycles.cpp
-// (machining cycles), patterns.cpp (places at which a cycle is called), shapes.cpp (cycles along a
-// shape that stands in the program).
+// orienting.cpp (the machine's transformation), cornering.cpp and compensating.cpp (what the
+// commands pass through), soft_moves.cpp (soft approaches and retracts), smoothing.cpp (rounded
+// corners, compressed lines), cycles.cpp (machining cycles), patterns.cpp (places at which a cycle
+// is called), shapes.cpp (cycles along a shape that stands in the program).
 #pragma once
 
 #include <array>
@@ -53,8 +53,13 @@ struct Actions {
     nc::Function stop = nc::Function::None;
     nc::Function end = nc::Function::None;
     nc::Function radius_comp = nc::Function::None;
-    bool comp_changed = false;  // its radius, allowance or rules
-    bool keeps_vector = false;  // of the compensation
+    bool comp_changed = false;      // its radius, allowance or rules
+    bool keeps_vector = false;      // of the compensation
+    std::uint8_t vector_parts = 0;  // bit i: component i of the tool's direction is said …
+    std::uint8_t angle_parts = 0;   // … or its angle i
+    std::array<double, 3> tool_vector{};
+    std::array<double, 3> tool_angles{};  // deg
+    bool orients() const { return (vector_parts | angle_parts) != 0; }
     const nc::Invocation* comp_corner = nullptr;
     const nc::Invocation* soft = nullptr;             // SoftApproach or SoftRetract
     nc::Function motion_before = nc::Function::None;  // … in the block before
@@ -278,6 +283,19 @@ class Executor {
     void arc_over_point(const nc::Block& block, const Target& target, bool exact_stop);
     void arc_along(const nc::Block& block, const Target& target, bool exact_stop);
 
+    // orienting.cpp: the machine's transformation, and how the tool turns
+    void switch_transformation(const nc::Block& block, const nc::Invocation& invocation);
+    void take_orientation(const nc::Block& block, const nc::Invocation& invocation,
+                          Actions& actions);
+    bool orient(const nc::Block& block, const Actions& actions, Target& target);
+    std::optional<path::Vec3> wanted_direction(const nc::Block& block, const Actions& actions);
+    bool lay_turn(const nc::Block& block, const path::Vec3& to, Target& target);
+    bool turns_in_two_ways(const nc::Block& block, const Actions& actions);
+    void put_turn(path::Command& command);
+    path::Vec3 joints_of(const AxisValues& base) const;
+    AxisMask joint_axes() const;
+    AxisValues machine_axes() const;
+
     // polar.cpp
     void set_pole(const nc::Block& block, const nc::Invocation& invocation);
     path::Vec2 place_in_plane() const;
@@ -481,6 +499,8 @@ class Executor {
     ExtraTool extra_;
     WorkArea area_;
     Polar polar_;
+    Orienting orienting_;
+    NextTurn next_turn_;
     path::Vec3 came_from_ = path::Vec3::Zero();  // in the base system: a place on the way to here
     bool diameter_is_absolute_ = false;          // X is a diameter as a coordinate only
     double rounding_ = 0;                        // of every corner, mm; 0: none

@@ -140,6 +140,16 @@ void append_text(std::string& out, std::string_view name, std::string_view text)
     }
 }
 
+void append_numbers(std::string& out, std::span<const double> values) {
+    char separator = '[';
+    for (const double value : values) {
+        out += separator;
+        append_number(out, value);
+        separator = ',';
+    }
+    out += ']';
+}
+
 void append_target(std::string& out, const Command& command, AxisMask axes) {
     out += ",\"to\":";
     char separator = '{';
@@ -154,16 +164,9 @@ void append_target(std::string& out, const Command& command, AxisMask axes) {
     }
     out += '}';
     if (command.machine_coordinates) out += ",\"machine_coordinates\":true";
-}
-
-void append_numbers(std::string& out, std::span<const double> values) {
-    char separator = '[';
-    for (const double value : values) {
-        out += separator;
-        append_number(out, value);
-        separator = ',';
-    }
-    out += ']';
+    if (command.turning == path::Turning::None) return;
+    append_key(out, "tool");
+    append_numbers(out, {command.direction.data(), 3});
 }
 
 /// The control points between the ends; the weights of all, unless they are all one.

@@ -105,7 +105,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (modal_.motion == Function::Spline && !actions.machine_coordinates &&
         (targets != 0 || block.find(Function::SplineKnot) != nullptr))
         return spline(block);
-    if (targets == 0 && (arc_words == 0 || !is_circle(modal_.motion))) {
+    if (targets == 0 && !actions.orients() && (arc_words == 0 || !is_circle(modal_.motion))) {
         if (arc_words != 0) warn_arc_word(block, arc_words);
         if (actions.length_changed) move_length_alone(block);
         return;
@@ -116,6 +116,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (actions.machine_coordinates) return move_in_machine_coordinates(block);
 
     Target target = target_of(block, targets);
+    if (orienting_.is_on && !orient(block, actions, target)) return;
     if (actions.way_offset != 0 && !offset_ways(block, actions.way_offset, target)) return;
     const bool exact_stop = modal_.has_exact_stop || actions.exact_stop;
     if (actions.at_rapid && comp_.side != Function::RadiusCompOff &&
@@ -246,6 +247,11 @@ void Executor::line(const Block& block, const Target& target, Op op, bool exact_
 /// Machine coordinates are coordinates of the spindle nose: neither frames nor, on most controls,
 /// the tool length act.
 void Executor::move_in_machine_coordinates(const Block& block) {
+    if (orienting_.is_on) {
+        report(diag::TransformationMotion, block, Function::MachineCoordinates)
+            .arg("a place in machine coordinates");
+        return;
+    }
     if (rules_.machine_coordinates_need_absolute && modal_.is_incremental) {
         report(diag::MachineCoordinatesIgnored, block, Function::MachineCoordinates);
         return;
@@ -310,6 +316,10 @@ void Executor::rapid_to_machine_position(const Block& block, const AxisValues& t
 
 /// A way to a reference point, or from there; none of them stands among the holes of a cycle.
 void Executor::refer(const Block& block, const nc::Invocation& invocation) {
+    if (orienting_.is_on) {
+        report(diag::TransformationMotion, block, invocation.function).arg("a reference point");
+        return;
+    }
     if (modal_cycle_.is_active) {
         report(diag::ReferenceInCycle, block, invocation.function);
         return;
@@ -570,11 +580,14 @@ void Executor::activate_length(const Block& block, AxisMask moved) {
     if (changed == 0) return;
     tool_.lengths = lengths;
     tool_.axis = axis;
-    for (std::size_t i = 0; i < 3; ++i) length_shift_[i] = lengths[static_cast<Eigen::Index>(i)];
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto at = static_cast<Eigen::Index>(i);
+        length_shift_[i] = orienting_.is_on ? 0 : lengths[at];
+    }
     Command& command = put(Op::ToolLength, block);
     command.plane = plane_with_normal(axis);
     command.tool = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
-    command.length = length_shift_[index(axis)];
+    command.length = lengths[static_cast<Eigen::Index>(index(axis))];
     command.aside = lengths;
     command.aside[static_cast<Eigen::Index>(index(axis))] = 0;
     command.moved = changed;
@@ -940,6 +953,8 @@ void Executor::check_units(const Block& block, nc::Function units) {
 }
 
 bool Executor::check_limits(const Block& block, const AxisValues& base, AxisMask moved) {
+    // Where the axes go under a transformation is worked out along the way (motion/axis_check.h).
+    if (orienting_.is_on) return !area_.acts() || check_area(block, base, moved);
     return check_machine_limits(block, base, moved) &&
            (!area_.acts() || check_area(block, base, moved));
 }
@@ -976,6 +991,7 @@ bool Executor::check_arc_limits(const Block& block, const path::Arc& arc, const 
     if (!check_limits(block, target.base, target.moved)) return false;
     // Far from every limit, which is nearly always, the whole circle is the quick answer.
     const path::ArcShape shape = path::shape_of(arc);
+    if (orienting_.is_on) return true;
     const double reach = std::max(shape.start_radius, shape.end_radius) + std::abs(shape.height);
     bool is_far = !area_.acts();
     for (std::size_t i = 0; i < 3; ++i) {

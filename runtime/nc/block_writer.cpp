@@ -33,7 +33,11 @@ constexpr bool is_quiet_group(Group group) {
         case Group::CompCorner:
         case Group::CompCheck:
         case Group::Diameter:
-        case Group::Compressor: return true;
+        case Group::Compressor:
+        case Group::Transformation:
+        case Group::Turning:
+        case Group::OrientAngles:
+        case Group::OrientSystem: return true;
         case Group::Once:
         case Group::LengthComp:
         case Group::WorkOffsets:
