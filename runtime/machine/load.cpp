@@ -14,6 +14,7 @@
 #include "base/units.h"
 #include "base/xml.h"
 #include "machine/element_reader.h"
+#include "machine/load_kinematics.h"
 #include "machine/load_scanner.h"
 #include "machine/machine.h"
 #include "machine/pulse_clock.h"
@@ -47,7 +48,7 @@ const XmlShape& machine_shape() {
           "corner_tolerance",
           "compressor_tolerance"},
          {"axis", "tool", "offset", "spindle_drive", "feed_drive", "cutting", "laser", "function",
-          "scanner"}},
+          "scanner", "kinematics"}},
         {"axis",
          {{"name", Filled},
           "limits",
@@ -92,6 +93,12 @@ const XmlShape& machine_shape() {
           "chord_tolerance",
           "list_size"},
          {}},
+        {"kinematics",
+         {"tool_direction", "l1", "l2", "start", "uvw_compensation", "path_choice",
+          "pole_tolerance"},
+         {"rotary", "tool_rotation"}},
+        {"rotary", {{"axis", Filled}, {"on", Filled}, {"direction", Filled}, "point", "sign"}, {}},
+        {"tool_rotation", {{"axis", Filled}, "sign"}, {}},
     };
     static const XmlShape shape = {"a machine file", rules};
     return shape;
@@ -135,6 +142,9 @@ class MachineBuilder {
         machine_.work_offsets.resize(1, AxisValues{});
         read_machine();
         for (const XmlElement& child : root_.children) read_child(child);
+        // Behind the axes, wherever they stand in the file.
+        if (kinematics_ != nullptr)
+            machine_.kinematics = read_kinematics(*kinematics_, machine_.axes, sink_);
         check_pulses();
         if (has_spindle_drive_ && has_feed_drive_) machine_.drives = drives_;
         if (machine_.axes.empty()) {
@@ -182,6 +192,8 @@ class MachineBuilder {
         if (child.name == "function") read_function(child);
         if (child.name == "scanner" && is_first("the scanner", child.range))
             machine_.scanner = read_scanner(child, sources_, sink_);
+        if (child.name == "kinematics" && is_first("the chain of rotary axes", child.range))
+            kinematics_ = &child;
     }
 
     /// True if `what` is new; else it has been reported.
@@ -400,6 +412,7 @@ class MachineBuilder {
     DiagnosticSink& sink_;
     Machine machine_;
     SourceRange laser_place_;
+    const XmlElement* kinematics_ = nullptr;
     Drives drives_;
     bool has_spindle_drive_ = false;
     bool has_feed_drive_ = false;

@@ -108,6 +108,8 @@ class Choice {
     }
 
   private:
+    bool spins() const { return chain_.has(kPsi) && query_.fixes_spin; }
+
     /// Whether R1 may turn, or the configuration change, on the great circle.
     void look_at_the_way(const Solutions& solutions) {
         if (!chain_.orients()) return;
@@ -159,7 +161,7 @@ class Choice {
                                           CandidateFault fault) const {
         double& value = end[at(joint)];
         const double start = query_.start[at(joint)];
-        if (!chain_.has(joint)) {
+        if (!chain_.has(joint) || (joint == kPsi && !query_.fixes_spin)) {
             value = start;
             return std::nullopt;
         }
@@ -359,6 +361,7 @@ PathQuery query_for(const Chain& chain, const Vec3& direction) {
     PathQuery query;
     query.rotation =
         Eigen::Quaterniond::FromTwoVectors(chain.tool_direction, direction).toRotationMatrix();
+    query.fixes_spin = false;
     return query;
 }
 

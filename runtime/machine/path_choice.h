@@ -31,6 +31,7 @@ struct PathQuery {
     Vec3 start = Vec3::Zero();  // R1, R2, Ψ where the block begins, rad
     /// The wanted orientation at the end: without Ψ only its image of the tool's direction counts.
     Mat3 rotation = Mat3::Identity();
+    bool fixes_spin = true;  // else Ψ stays where it is, whatever the tool does about itself
     PathMode mode = PathMode::Axis;
     PathRule rule = PathRule::LongInAxisMode;
     JointLimits limits;

@@ -50,7 +50,7 @@ inline Vec3 tip_of(const json& tool) {
 
 /// A machine of kinematics.json, with or without an axis that turns the tool about itself.
 inline Chain chain_of(const std::string& name, bool with_spin = false, bool with_second = true) {
-    const json machines = oracle("kinematics.json")["machines"];
+    static const json machines = oracle("kinematics.json")["machines"];
     for (const json& machine : machines) {
         if (machine["name"] != name) continue;
         Chain chain;
