@@ -96,11 +96,6 @@ void Executor::switch_transformation(const Block& block, const nc::Invocation& i
         report(diag::NoTransformation, block, invocation.function).arg(machine_.name);
         return;
     }
-    if (is_wanted && block.argument(invocation, 0, 1) != 1) {
-        report(diag::TransformationScheme, block, invocation.function)
-            .arg(block.argument(invocation, 0, 1));
-        return;
-    }
     if (is_wanted == orienting_.is_on) return;
     if (comp_.side != Function::RadiusCompOff) {
         report(diag::TransformationComp, block, invocation.function)
@@ -145,13 +140,12 @@ bool Executor::turns_in_two_ways(const Block& block, const Actions& actions) {
     const bool has_axes = (block.given & joint_axes()) != 0;
     const bool has_vector = actions.vector_parts != 0;
     const bool has_angles = actions.angle_parts != 0;
-    const char* ways = has_vector && has_angles ? "vector and angles"
-                       : has_vector && has_axes ? "vector and rotary axes"
-                       : has_angles && has_axes ? "angles and rotary axes"
-                                                : nullptr;
-    if (ways == nullptr) return false;
-    report(diag::OrientationMixed, block, has_vector ? Function::ToolVector : Function::ToolAngle)
-        .arg(ways);
+    const DiagnosticRow* row = has_vector && has_angles ? &diag::OrientVectorAngles
+                               : has_vector && has_axes ? &diag::OrientVectorAxes
+                               : has_angles && has_axes ? &diag::OrientAnglesAxes
+                                                        : nullptr;
+    if (row == nullptr) return false;
+    report(*row, block, has_vector ? Function::ToolVector : Function::ToolAngle);
     return true;
 }
 
