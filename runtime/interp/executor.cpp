@@ -237,10 +237,8 @@ void Executor::run(const Block& block) {
     // Nothing but words: nearly every block.
     static constexpr Actions kNone{};
     if (block.has(Slot::Feed)) set_feed(block);
-    if (block.has(Slot::Speed)) {
-        program_speed(block);
-        update_spindle(block);
-    }
+    if (block.has(Slot::Speed)) program_speed(block);
+    if (block.has(Slot::Speed) || owes_speed_) update_spindle(block);
     if (rounding_ > 0) wish_corner(block, kNone);
     const bool has_others = polar_.is_on || (block.given & nc::kPolarSlots) != 0;
     const Block* places = has_others ? with_places(block) : &block;
@@ -494,6 +492,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             }
             break;
         case Function::ToolEdge:
+            warn_of_edge(block, count_of(block, invocation));
             set_length_source(
                 count_of(block, invocation) == 0 ? Tool::Source::None : Tool::Source::Edge,
                 actions);
@@ -799,6 +798,7 @@ void Executor::set_area_limit(const Block& block, const Invocation& invocation) 
 
 /// Tells the motion side what has become of the spindle, if anything has.
 void Executor::update_spindle(const Block& block) {
+    owes_speed_ = false;
     const bool runs = is_running(spindle_.mode);
     const bool is_bounded = runs && !spindle_.has_cutting_speed;
     const double speed = spindle_.has_cutting_speed ? spindle_.cutting_speed
@@ -848,6 +848,13 @@ void Executor::set_length_source(Tool::Source source, Actions& actions) {
     tool_.source = source;
     tool_.has_changed = true;
     actions.length_changed = true;
+}
+
+/// Of a tool one cutting edge is kept.
+void Executor::warn_of_edge(const Block& block, std::int64_t edge) {
+    if (edge <= 1 || warned_edge_) return;
+    warned_edge_ = true;
+    report(diag::EdgeUnknown, block, Function::ToolEdge).arg(edge);
 }
 
 std::int64_t Executor::tool_number(const Block& block, const Invocation& invocation) {

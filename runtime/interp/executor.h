@@ -153,6 +153,8 @@ class Executor {
     ControlState::Write set_frame(nc::Quantity quantity, std::int64_t number,
                                   const ControlFrame& frame, bool acts_at_once);  // offsets.cpp
     bool is_length(std::int64_t axis) const;
+    std::optional<std::string> text(nc::Quantity quantity, std::int64_t index);
+    std::optional<std::int64_t> axis_number(Axis axis) const;
     double word_factor(std::int64_t axis) const;
     bool is_compensated() const { return compensation_.is_on() || soft_approach_.is_active(); }
     void keep_frames() { kept_frames_.push_back({frames_, work_offset_}); }
@@ -182,6 +184,7 @@ class Executor {
     ControlFrame work_offset_frame(std::int64_t number) const;
     ControlFrame& work_offset_at(std::int64_t number);
     void work_offset_changed(std::int64_t number, bool acts_at_once);
+    ControlState::Write set_edge_speed(double value);
     ControlState::Write set_work_offset(std::int64_t number, Axis axis, double value,
                                         bool acts_at_once);
     ControlState::Write set_tool_offset(ToolOffsets::Column column, std::int64_t number,
@@ -218,6 +221,8 @@ class Executor {
     void set_length_source(Tool::Source source, Actions& actions);
     std::int64_t tool_number(const nc::Block& block, const nc::Invocation& invocation);
     std::int64_t unlisted_tool(const nc::Block& block);
+    void warn_of_edge(const nc::Block& block, std::int64_t edge);
+    std::string name_of_tool(std::int64_t number) const;
     void change_tool(const nc::Block& block);
     void select_work_offset(const nc::Block& block, std::int64_t number);
     void change_plane(nc::Function plane);
@@ -271,6 +276,7 @@ class Executor {
                       bool exact_stop);
     void stretched_arc_about_center(const nc::Block& block, const Target& target, bool exact_stop);
     void stretched_arc(const nc::Block& block, const Target& target, bool exact_stop);
+    double radius_of(const nc::Block& block, const path::ArcEnds& ends) const;
     std::optional<path::Arc> resolve_arc(const nc::Block& block, const Target& target);
     std::optional<int> turns_of(const nc::Block& block);
     std::optional<path::Vec3> center_of_arc(const nc::Block& block, const path::Vec3& start);
@@ -471,8 +477,9 @@ class Executor {
     BlockQueue program_;
     Output output_;
     RunClock clock_;
-    std::size_t timed_ = 0;   // commands of this batch that the clock knows
-    double latest_time_ = 0;  // that the program has been told, s
+    std::size_t timed_ = 0;    // commands of this batch that the clock knows
+    double latest_time_ = 0;   // that the program has been told, s
+    double cutting_time_ = 0;  // … of it at feed
     /// A clock of the program's own, s: what it shows, or what is added to the running time.
     struct Timer {
         double value = 0;
@@ -522,6 +529,8 @@ class Executor {
     bool warned_units_ = false;
     nc::Function units_ = nc::Function::None;  // that the program said last
     std::vector<std::int64_t> unknown_tools_;  // each is reported once
+    bool warned_edge_ = false;
+    bool owes_speed_ = false;  // the motion side was not told of a new speed of the spindle
     std::vector<std::string> unlisted_tools_;  // names of tools that the table does not have
     std::vector<std::int64_t> unknown_radii_;
     std::vector<std::int64_t> known_machine_functions_;  // so are these

@@ -759,6 +759,18 @@ const Block& Executor::with_center(const Block& block) {
     return centered_;
 }
 
+/// The programmed radius; half of the chord where the control forgives that it lacks so little.
+double Executor::radius_of(const Block& block, const path::ArcEnds& ends) const {
+    const double radius = block.at(Slot::Radius);
+    if (!rules_.arc_radius_may_fall_short) return radius;
+    const Vec3 way = ends.end - ends.start;
+    const Vec3 normal = path::unit(path::axes_of(modal_.plane).normal);
+    const double half = (way - normal * way.dot(normal)).norm() / 2;
+    const double size = std::abs(radius);
+    const double slack = std::max(rules_.arc_tolerance, rules_.arc_tolerance_factor * size);
+    return size < half && half - size <= slack ? std::copysign(half, radius) : radius;
+}
+
 /// The arc in the programmed system; nothing if it was reported, or if there is nothing to move.
 std::optional<path::Arc> Executor::resolve_arc(const Block& block, const Target& target) {
     const bool has_center = (block.given & nc::kCenterSlots) != 0;
@@ -772,7 +784,7 @@ std::optional<path::Arc> Executor::resolve_arc(const Block& block, const Target&
             return std::nullopt;
         }
         const Result<path::Arc, path::ArcFault> arc =
-            path::arc_of_radius(ends, block.at(Slot::Radius), turning);
+            path::arc_of_radius(ends, radius_of(block, ends), turning);
         if (arc) return *arc;
         report_radius_arc(block, arc.error(), ends);
         return std::nullopt;

@@ -207,7 +207,10 @@ Program::State::Done Program::State::declare_one(CompiledLine& line,
         if (done == Done::Wait || lines.failed()) return done;
         const auto fault = variables.store_element(
             added, added.slot + static_cast<std::uint32_t>(i), value, evaluator.content(value));
-        if (fault.row != nullptr) return fail(line, *fault.row, expression.span, fault.arguments);
+        if (fault.row == nullptr) continue;
+        const bool is_of_type = fault.row == &diag::TypesDiffer;
+        return fail(line, is_of_type ? diag::InitialType : *fault.row, expression.span,
+                    fault.arguments);
     }
     return Done::Nothing;
 }
@@ -236,6 +239,9 @@ Program::State::Done Program::State::define_macro(CompiledLine& line,
     switch (frame->macros.define(tables, statement.name)) {
         case TextMacros::Fault::None: break;
         case TextMacros::Fault::Form: return fail(line, diag::MacroForm, statement.span);
+        case TextMacros::Fault::Known:
+            return fail(line, diag::MacroTwice, statement.span,
+                        {statement.name.substr(0, statement.name.find(' '))});
         case TextMacros::Fault::Nested:
             return fail(line, diag::MacroNested, statement.span, {statement.name});
     }

@@ -141,6 +141,8 @@ class LineParser {
             while (digits < line_.size() && is_digit(line_[digits])) ++digits;
             if (digits > at_ && digits < line_.size() && line_[digits] == '=') behind = digits;
         }
+        if (at_ - begin >= 2 && behind < line_.size() && line_[behind] == '[')
+            return parse_bracketed_name(word, begin, behind);
         const char next = behind < line_.size() ? line_[behind] : ' ';
         const bool extends = next == '(' || next == ' ' || next == '\t' || next == '=';
         if (extends) at_ = behind;
@@ -152,6 +154,15 @@ class LineParser {
         if (at_ < line_.size() && line_[at_] == '{') return parse_value(word, name, begin);
         if (at_blank() && !has_equals) return parse_name(word, name);
         return parse_fixed(word, name, begin);
+    }
+
+    /// `DIAMONA[X]`: the bracket belongs to the name.
+    bool parse_bracketed_name(FormWord& word, std::size_t begin, std::size_t bracket) {
+        const std::size_t close = line_.find(']', bracket);
+        if (close == std::string_view::npos) return fail("a `]` is missing");
+        at_ = close + 1;
+        if (!at_blank()) return fail("words stand between blanks");
+        return parse_name(word, line_.substr(begin, at_ - begin));
     }
 
     bool parse_name(FormWord& word, std::string_view name) {

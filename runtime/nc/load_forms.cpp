@@ -157,11 +157,12 @@ void FormLoader::read_form_attributes(const XmlElement& element, Form& form) {
     }
     if (const auto feed = attributes_.choice(
             element, "feed",
-            {"scaled", "metric", "every_block", "every_block_by_radius", "pitch"})) {
+            {"scaled", "metric", "every_block", "every_block_by_radius", "pitch", "seconds"})) {
         form.feed_stays_metric = *feed == 1;
         form.feed_every_block = *feed == 2 || *feed == 3;
         form.feed_by_radius = *feed == 3;
         form.feed_is_pitch = *feed == 4;
+        form.feed_is_time = *feed == 5;
     }
     if (const auto own = attributes_.choice(element, "own_block", {"no", "yes", "axes", "line"})) {
         form.owns_block = *own == 1;

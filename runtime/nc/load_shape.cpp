@@ -105,7 +105,7 @@ const std::vector<XmlRule>& dialect_rules() {
         {"rule", {{"name", Filled}, {"value", Filled}, "doc"}, {}},
         {"remove", {"commands", "addresses", "cycles", "deferred"}, {}},
         {"unsupported", {{"words", Filled}, {"meaning", Filled}}, {}},
-        {"passed", {{"words", Filled}, {"meaning", Filled}, "warns", "rest"}, {}},
+        {"passed", {{"words", Filled}, {"meaning", Filled}, "warns", "rest", "least", "most"}, {}},
         {"example", {"source", {"text", Filled}, "block", "gives", "meaning"}, {}},
         {"language",
          {"open", "close", "index_open", "index_close", "label_sign", "end_label", "reference_word",
