@@ -183,8 +183,7 @@ void Executor::move_instead_of_cycle(const Block& block, const Actions& actions)
 /// a place.
 const Block& Executor::with_depth_apart(const Block& block) {
     const Invocation* const said = block.find(Function::Cycle);
-    if (said == nullptr || cycle_blocks_ || machine_.is_lathe || !is_modal(block.cycle))
-        return block;
+    if (said == nullptr || cycle_blocks_ || is_lathe_ || !is_modal(block.cycle)) return block;
     const int depth = dialect_.cycles()[block.cycle].roles.depth;
     const bool is_said =
         depth >= 0 && (said->given >> depth & 1u) != 0 && (said->by_form >> depth & 1u) == 0;
@@ -251,7 +250,8 @@ void Executor::keep_levels(const Block& block) {
 
 void Executor::warn_levels(const Block& block) {
     if (dialect_.cycles()[block.cycle].roles.depth < 0) return;
-    if (!cycle_data_.retract.is_given)
+    // A distance that nobody says is none: the cycle begins where the tool stands.
+    if (!cycle_data_.retract.is_given && !retract_now(0).is_distance)
         report(diag::CycleLevelMissing, block, Function::Cycle).arg("retract level");
     if (!cycle_data_.depth.is_given)
         report(diag::CycleLevelMissing, block, Function::Cycle).arg("depth");
@@ -453,8 +453,8 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
     request.source = block.source;
     // Without a shape it is the plane alone, in which turning cycles work.
     const CycleShape plane_of_lathe{{}, modal_.plane, true};
-    request.shape = shape != nullptr || !machine_.is_lathe ? shape : &plane_of_lathe;
-    request.x_is_diameter = !machine_.is_lathe || word_scale_[index(Axis::X)] != 1;
+    request.shape = shape != nullptr || !is_lathe_ ? shape : &plane_of_lathe;
+    request.x_is_diameter = !is_lathe_ || word_scale_[index(Axis::X)] != 1;
     std::unique_ptr<Stream<Block>> blocks = cycles_->expand(request);
     if (blocks == nullptr) {
         if (!was_refused(block)) ended_ = alarmed_ = true;  // the expander has said why
@@ -641,9 +641,7 @@ void Executor::return_to_level() {
 }
 
 /// The plane in which a cycle works. Lathes drill along Z whatever their plane.
-path::Plane Executor::cycle_plane() const {
-    return machine_.is_lathe ? path::Plane::Xy : modal_.plane;
-}
+path::Plane Executor::cycle_plane() const { return is_lathe_ ? path::Plane::Xy : modal_.plane; }
 
 /// The programmed position as a cycle sees it: first and second axis of the plane, tool axis. X of
 /// a lathe is the diameter that programs say.

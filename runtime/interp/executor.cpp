@@ -101,8 +101,8 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
     lower_.fill(-std::numeric_limits<double>::infinity());
     upper_.fill(std::numeric_limits<double>::infinity());
     word_scale_.fill(1);
-    if (machine.is_lathe || dialect.power_on(Group::Diameter) == Function::DiameterOn)
-        word_scale_[index(Axis::X)] = 0.5;
+    is_lathe_ = machine.is_lathe || dialect.power_on(Group::Diameter) == Function::DiameterOn;
+    if (is_lathe_) word_scale_[index(Axis::X)] = 0.5;
     for (const machine::MachineAxis& axis : machine.axes) {
         const auto degrees = [&](double value) {
             return axis.is_rotary ? deg_from_rad(value) : value;

@@ -541,6 +541,7 @@ class Executor {
     AxisMask unplaced_ = 0;      // axes that want a place behind the end of a rotation
 
     // Of the machine, by logical axis; deg for rotary axes.
+    bool is_lathe_ = false;  // the machine is one, or the control is a lathe's
     AxisMask axes_ = 0;
     AxisValues lower_{};
     AxisValues upper_{};

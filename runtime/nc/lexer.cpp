@@ -523,6 +523,7 @@ class Lexer {
         const std::string text(line_.substr(begin, end - begin));
         if (at_ == first) return fail(diag::IsoNoValue, begin, begin + 1, {text.substr(0, 1)});
         if (!is_first && rules_.number_first) return fail(diag::IsoSyntax, begin, at_, {text});
+        if (peek() == '.') return fail(diag::IsoPointNotAllowed, begin, at_ + 1, {text + '.'});
         if (number > tables_.block_numbers.most)
             return fail(diag::IsoTooManyDigits, begin, at_, {text});
         if (number < tables_.block_numbers.least)
