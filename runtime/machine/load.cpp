@@ -14,6 +14,7 @@
 #include "base/units.h"
 #include "base/xml.h"
 #include "machine/element_reader.h"
+#include "machine/load_pipeline.h"
 #include "machine/load_scanner.h"
 #include "machine/machine.h"
 #include "machine/pulse_clock.h"
@@ -47,7 +48,7 @@ const XmlShape& machine_shape() {
           "corner_tolerance",
           "compressor_tolerance"},
          {"axis", "tool", "offset", "spindle_drive", "feed_drive", "cutting", "laser", "function",
-          "scanner"}},
+          "scanner", "pipeline"}},
         {"axis",
          {{"name", Filled},
           "limits",
@@ -72,6 +73,11 @@ const XmlShape& machine_shape() {
         {"feed_drive", {{"gain", Filled}, {"time_constant", Filled}, "feed_forward"}, {}},
         {"cutting", {{"force", Filled}}, {}},
         {"function", {{"code", Filled}, {"takes", Filled}, "acts", "waits"}, {}},
+        {"pipeline", {"ahead"}, {"serve", "translate", "interpolate", "output"}},
+        {"serve", {{"command", Filled}, {"by", Filled}}, {}},
+        {"translate", {"period", "batch", "queue"}, {}},
+        {"interpolate", {"period", "queue"}, {}},
+        {"output", {"period", "file", "columns"}, {}},
         {"laser", {"pulse", "tolerance", "mode", "power", "least_power"}, {}},
         {"scanner",
          {{"on", Filled},
@@ -135,6 +141,7 @@ class MachineBuilder {
         machine_.work_offsets.resize(1, AxisValues{});
         read_machine();
         for (const XmlElement& child : root_.children) read_child(child);
+        if (pipeline_ != nullptr) machine_.pipeline = read_pipeline(*pipeline_, machine_, sink_);
         check_pulses();
         if (has_spindle_drive_ && has_feed_drive_) machine_.drives = drives_;
         if (machine_.axes.empty()) {
@@ -182,6 +189,8 @@ class MachineBuilder {
         if (child.name == "function") read_function(child);
         if (child.name == "scanner" && is_first("the scanner", child.range))
             machine_.scanner = read_scanner(child, sources_, sink_);
+        // Read behind the others, which it refers to.
+        if (child.name == "pipeline" && is_first("the pipeline", child.range)) pipeline_ = &child;
     }
 
     /// True if `what` is new; else it has been reported.
@@ -403,6 +412,7 @@ class MachineBuilder {
     Drives drives_;
     bool has_spindle_drive_ = false;
     bool has_feed_drive_ = false;
+    const XmlElement* pipeline_ = nullptr;
     std::unordered_map<std::string, SourceRange> seen_;  // what has been described, and where
 };
 
