@@ -277,6 +277,10 @@ void Parser::add_run() {
         ->type_name("OUT.svg|csv");
     command->add_option("--scanner", job.scanner, "what the scanner is told, list by list")
         ->type_name("OUT.txt");
+    command
+        ->add_option("--limits", job.limits,
+                     "what keeps the motion below its feed, and what it costs; a report or CSV")
+        ->type_name("OUT.txt|csv");
     command->add_option("--summary", summary_, "times, lengths, travel, limits")
         ->check(one_of({"text", "json"}))
         ->type_name("text|json");

@@ -10,6 +10,7 @@
 #include "base/diagnostics/driver.h"
 #include "base/text.h"
 #include "driver/examples.h"
+#include "driver/pipeline_stages.h"
 #include "interp/rules.h"
 #include "machine/machine.h"
 #include "nc/check.h"
@@ -185,6 +186,10 @@ Reply check_machine(Session& session, const std::string& name_or_file) {
                                                session.sources(), session.messages());
     if (!machine) {
         mark_unknown(session, name_or_file, machine::list(session.share().machines));
+        return {session.status(), {}};
+    }
+    if (!has_modules(*machine, session.messages())) {
+        session.mark_usage();
         return {session.status(), {}};
     }
     return {session.status(), fmt::format("{}: {}, {} axes, no mistakes\n", machine->name,

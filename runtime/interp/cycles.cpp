@@ -81,6 +81,7 @@ bool Executor::is_modal(nc::CycleId cycle) const {
 void Executor::call_cycle(const Block& block, const Actions& actions) {
     const Invocation& invocation = *actions.cycle;
     const nc::CycleInfo& info = dialect_.cycles()[block.cycle];
+    if (!info.curve.empty()) return move_along_curve(block, invocation);
     if (cycles_ == nullptr || cycle_blocks_ || shape_) {
         report(diag::CycleUnavailable, block, Function::Cycle).arg(info.name);
         return;

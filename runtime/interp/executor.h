@@ -387,6 +387,9 @@ class Executor {
     void finish_spline();
     void report_spline(const nc::Block& block, path::NurbsFault fault);
 
+    // curves.cpp
+    void move_along_curve(const nc::Block& block, const nc::Invocation& call);
+
     // motion.cpp: what is wrong or strange
     const nc::Block& with_center(const nc::Block& block);
     void warn_arc_word(const nc::Block& block, nc::SlotMask words);

@@ -15,6 +15,7 @@
 #include "base/xml.h"
 #include "machine/element_reader.h"
 #include "machine/load_kinematics.h"
+#include "machine/load_pipeline.h"
 #include "machine/load_scanner.h"
 #include "machine/machine.h"
 #include "machine/pulse_clock.h"
@@ -48,7 +49,7 @@ const XmlShape& machine_shape() {
           "corner_tolerance",
           "compressor_tolerance"},
          {"axis", "tool", "offset", "spindle_drive", "feed_drive", "cutting", "laser", "function",
-          "scanner", "kinematics"}},
+          "scanner", "kinematics", "pipeline"}},
         {"axis",
          {{"name", Filled},
           "limits",
@@ -73,6 +74,11 @@ const XmlShape& machine_shape() {
         {"feed_drive", {{"gain", Filled}, {"time_constant", Filled}, "feed_forward"}, {}},
         {"cutting", {{"force", Filled}}, {}},
         {"function", {{"code", Filled}, {"takes", Filled}, "acts", "waits"}, {}},
+        {"pipeline", {"ahead"}, {"serve", "translate", "interpolate", "output"}},
+        {"serve", {{"command", Filled}, {"by", Filled}}, {}},
+        {"translate", {"period", "batch", "queue"}, {}},
+        {"interpolate", {"period", "queue"}, {}},
+        {"output", {"period", "file", "columns"}, {}},
         {"laser", {"pulse", "tolerance", "mode", "power", "least_power"}, {}},
         {"scanner",
          {{"on", Filled},
@@ -145,6 +151,7 @@ class MachineBuilder {
         // Behind the axes, wherever they stand in the file.
         if (kinematics_ != nullptr)
             machine_.kinematics = read_kinematics(*kinematics_, machine_.axes, sink_);
+        if (pipeline_ != nullptr) machine_.pipeline = read_pipeline(*pipeline_, machine_, sink_);
         check_pulses();
         if (has_spindle_drive_ && has_feed_drive_) machine_.drives = drives_;
         if (machine_.axes.empty()) {
@@ -194,6 +201,8 @@ class MachineBuilder {
             machine_.scanner = read_scanner(child, sources_, sink_);
         if (child.name == "kinematics" && is_first("the chain of rotary axes", child.range))
             kinematics_ = &child;
+        // Read behind the others, which it refers to.
+        if (child.name == "pipeline" && is_first("the pipeline", child.range)) pipeline_ = &child;
     }
 
     /// True if `what` is new; else it has been reported.
@@ -416,6 +425,7 @@ class MachineBuilder {
     Drives drives_;
     bool has_spindle_drive_ = false;
     bool has_feed_drive_ = false;
+    const XmlElement* pipeline_ = nullptr;
     std::unordered_map<std::string, SourceRange> seen_;  // what has been described, and where
 };
 

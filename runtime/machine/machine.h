@@ -10,6 +10,7 @@
 #include "base/axes.h"
 #include "base/diagnostic.h"
 #include "machine/chain.h"
+#include "machine/pipeline_data.h"
 #include "machine/process_data.h"
 #include "machine/scanner_data.h"
 
@@ -75,6 +76,7 @@ struct Machine {
     std::optional<Drives> drives;            // if the file describes both drives
     std::optional<Laser> laser;
     std::optional<Scanner> scanner;
+    Pipeline pipeline;
 
     const MachineAxis* find(Axis axis) const;
     const ToolData* find_tool(std::int64_t number) const;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "motion/axis_shares.h"
 #include "motion/spline_pieces.h"
 
 namespace kadr::motion {
@@ -11,21 +13,6 @@ namespace kadr::motion {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// sqrt(1 − 1/4): the usual split of LinuxCNC; 87 % of the acceleration turn the path, half of it
-// remains along the path.
-constexpr double kNormalShare = 0.86602540378443865;
-
-// Of an axis' jerk: what turning at constant speed may take, and what speeding up while turning
-// may. On an arc the two are across each other, so the path keeps sqrt(1 − 0.6²) − 0.4 = 0.4; on a
-// spline they may add up, and it keeps 0.3.
-constexpr double kSteadyJerk = 0.4;
-constexpr double kTurningJerk = 0.6;
-constexpr double kTurningJerkOfSpline = 0.3;
-// On the curve around a corner the speed is to stay as it is: the corner is turned with nearly all
-// that the axes have, and little is left to speed up meanwhile.
-constexpr double kSteadyJerkOfGlide = 0.7;
-constexpr double kTurningJerkOfGlide = 0.1;
 
 /// A helix as limits see it: a circle of constant curvature and a steady rise. Spread radii differ
 /// by hundredths; of both ends the less favourable one counts.
@@ -163,8 +150,7 @@ AxisRates AxisTable::end_bends(const Segment& piece) const {
 }
 
 /// The bend takes its share of the acceleration first, as on an arc.
-PathLimits AxisTable::spline_limits(const path::Spline& spline, double wanted) const {
-    const SplineBend bend = bend_of(spline);
+PathLimits AxisTable::spline_limits(const SplineBend& bend, double wanted) const {
     PathLimits limits{wanted, kInfinity, kInfinity, kInfinity};
     for (const Entry& axis : axes_) {
         if (axis.coordinate >= 3) continue;
@@ -223,6 +209,15 @@ GlideBend bend_of(const path::Glide& glide) {
     return bend;
 }
 
+/// Of a curve without closed forms for its limits; nothing of the others.
+std::optional<SplineBend> sampled_bend(const path::Curve& curve) {
+    if (const auto* spline = std::get_if<path::Spline>(&curve)) return motion::bend_of(*spline);
+    if (const auto* parametric = std::get_if<path::Parametric>(&curve))
+        return motion::bend_of(*parametric);
+    if (const auto* glide = std::get_if<path::Glide>(&curve)) return bend_of(*glide);
+    return std::nullopt;
+}
+
 double speed_on(const GlideBend& bend, double wanted) { return wanted / std::max(1.0, bend.tool); }
 
 }  // namespace
@@ -269,7 +264,9 @@ PathLimits AxisTable::glide_limits(const path::Glide& glide, double wanted) cons
 PathLimits AxisTable::limits(const Segment& piece, const AxisRates& start, double wanted) const {
     if (piece.is_transformed()) return transformed_limits(piece, wanted);
     if (const auto* spline = std::get_if<path::Spline>(&piece.curve))
-        return spline_limits(*spline, wanted);
+        return spline_limits(bend_of(*spline), wanted);
+    if (const auto* curve = std::get_if<path::Parametric>(&piece.curve))
+        return spline_limits(bend_of(*curve), wanted);
     if (const auto* helix = std::get_if<path::Helix>(&piece.curve))
         return helix_limits(*helix, piece, wanted);
     if (const auto* glide = std::get_if<path::Glide>(&piece.curve))
@@ -372,10 +369,8 @@ PathLimits AxisTable::helix_limits(const path::Helix& helix, const Segment& piec
 AxisTable::Loads AxisTable::loads(const Segment& piece, const AxisRates& start) const {
     if (piece.is_transformed()) return transformed_loads(piece);
     Loads loads;
-    const auto* spline = std::get_if<path::Spline>(&piece.curve);
-    const auto* glide = std::get_if<path::Glide>(&piece.curve);
-    if (spline != nullptr || glide != nullptr) {
-        const SplineBend bend = spline != nullptr ? bend_of(*spline) : bend_of(*glide);
+    if (const std::optional<SplineBend> found = sampled_bend(piece.curve)) {
+        const SplineBend& bend = *found;
         for (std::size_t i = 0; i < axes_.size(); ++i) {
             if (axes_[i].coordinate >= 3) continue;
             const auto c = static_cast<Eigen::Index>(axes_[i].coordinate);

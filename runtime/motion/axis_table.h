@@ -18,6 +18,8 @@
 
 namespace kadr::motion {
 
+struct SplineBend;  // spline_pieces.h
+
 /// What the axes allow on one piece.
 struct PathLimits {
     double speed = 0;         // infinite if nothing limits it
@@ -131,7 +133,7 @@ class AxisTable {
     PathLimits helix_limits(const path::Helix& helix, const Segment& piece, double wanted) const;
     static double jerk_left(const path::Helix& helix, const Segment& piece, const Entry& axis,
                             const PathLimits& limits);
-    PathLimits spline_limits(const path::Spline& spline, double wanted) const;
+    PathLimits spline_limits(const SplineBend& bend, double wanted) const;
     PathLimits glide_limits(const path::Glide& glide, double wanted) const;
     AxisRates bends(const Segment& piece, double distance) const;
     // Of a transformed piece; u is the part of its way, 0 … 1.

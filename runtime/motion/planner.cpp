@@ -110,6 +110,7 @@ void Planner::State::begin_stretch() {
 
 /// Nothing is left.
 bool Planner::State::end() {
+    losses.finish();
     totals.commands = preparer.commands();
     record_travel();
     return false;
@@ -172,6 +173,7 @@ void Planner::State::plan(Piece& piece, bool is_last) {
 
 void Planner::State::record(const Piece& piece) {
     const Segment& segment = piece.segment;
+    losses.add(piece, panel.acting().feed);
     totals.time += segment.duration;
     switch (segment.kind) {
         case SegmentKind::Rapid: totals.rapid_time += segment.duration; break;

@@ -9,6 +9,7 @@
 
 #include "motion/axis_table.h"
 #include "motion/lookahead.h"
+#include "motion/loss_trace.h"
 #include "motion/pipeline.h"
 #include "motion/prepare.h"
 #include "motion/profile_cut.h"
@@ -30,7 +31,8 @@ struct Planner::State {
           lookahead(options.lookahead),
           tick(options.tick > 0 ? options.tick : machine.tick),
           machine_plc(machine),
-          plc(options.plc != nullptr ? *options.plc : machine_plc) {
+          plc(options.plc != nullptr ? *options.plc : machine_plc),
+          losses(machine, axes, options_in.tell_loss) {
         lookahead.set_overrides(panel.acting());
         record_travel();
     }
@@ -81,6 +83,7 @@ struct Planner::State {
     double tick;
     MachinePlc machine_plc;
     Plc& plc;
+    LossTrace losses;
     double acknowledged = 0;       // s, all that was issued so far
     PathMoment start;              // in it the oldest stretch begins; its speed the look-ahead has
     std::optional<Profile> given;  // of the current stretch, if its jerk is not limited

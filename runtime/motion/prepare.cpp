@@ -130,7 +130,8 @@ void Preparer::State::execute(const Command& command) {
         case Op::Arc:
         case Op::Thread:
         case Op::Probe:
-        case Op::Spline: move(command); return;
+        case Op::Spline:
+        case Op::Parametric: move(command); return;
         case Op::Dwell: dwell(command); return;
         case Op::Spindle: set_spindle(command); return;
         case Op::SpeedLimit: spindle.limit = speed_from_rpm(command.speed); return;
@@ -270,6 +271,8 @@ void Preparer::State::emit_part(const Command& command, const Segment& whole, do
     const Segment segment = is_whole ? whole : part_of(whole, part.from, part.to);
     if (const auto* spline = std::get_if<path::Spline>(&segment.curve)) {
         emit_curves(command, segment, length, evenly_bent(*spline));
+    } else if (const auto* curve = std::get_if<path::Parametric>(&segment.curve)) {
+        emit_curves(command, segment, length, evenly_bent(*curve));
     } else if (is_whole) {
         emit_feed_parts(command, segment, length);
     } else {
@@ -340,8 +343,7 @@ std::vector<double> Preparer::State::cells_in(const Command& command, const Segm
         gain = std::max(gain, axes.acceleration(i) * tick);
     }
     if (!is_bent) return {};
-    if (std::holds_alternative<path::Spline>(whole.curve) ||
-        std::holds_alternative<path::Glide>(whole.curve)) {
+    if (!std::holds_alternative<path::Helix>(whole.curve)) {
         return cell_bounds(whole.curve, length, axes.linear_limits(), {wanted, kShortCell});
     }
     // A corner beside an arc wants a piece that takes two ticks.
@@ -390,7 +392,8 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     piece.acceleration = limits.acceleration;
     piece.jerk = limits.jerk;
     piece.turning_acceleration = limits.turning_acceleration;
-    if (!options.events.empty()) ask(command, piece, programmed);
+    piece.programmed = programmed;
+    if (!options.events.empty()) ask(command, piece);
     piece.entry_limit = corner_speed(segment, in, limits.acceleration);
     piece.rates = in;
     piece.loads = axes.loads(segment, in);
@@ -410,12 +413,11 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
 }
 
 /// What overrides act on while the piece is run: a thread follows the spindle, and so does a tap.
-void Preparer::State::ask(const Command& command, Piece& piece, double programmed) const {
-    piece.programmed = programmed;
+void Preparer::State::ask(const Command& command, Piece& piece) const {
     if (command.op == Op::Thread || command.keeps_feed) return;
     const bool is_rapid = piece.segment.kind == SegmentKind::Rapid;
     (is_rapid ? piece.rapid_asked : piece.feed_asked) =
-        is_rapid ? programmed : AxisTable::path_speed(piece.segment, programmed);
+        is_rapid ? piece.programmed : AxisTable::path_speed(piece.segment, piece.programmed);
 }
 
 /// The axes cannot follow the spindle: the thread would get another pitch.

@@ -94,7 +94,7 @@ struct Preparer::State {
     double programmed_feed(const path::Command& command, const Segment& segment, double length);
     double wanted_feed(const path::Command& command, const Segment& segment,
                        double programmed) const;
-    void ask(const path::Command& command, Piece& piece, double programmed) const;
+    void ask(const path::Command& command, Piece& piece) const;
     double corner_speed(const Segment& segment, const AxisRates& in, double acceleration) const;
     void take_corner(Piece& piece) const;
     bool is_alone(const Piece& piece) const;

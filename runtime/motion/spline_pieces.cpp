@@ -9,6 +9,7 @@ namespace kadr::motion {
 namespace {
 
 using path::CurvePoint;
+using path::Parametric;
 using path::Spline;
 using path::Vec3;
 
@@ -28,11 +29,13 @@ constexpr double kPoint = 1e-3;
 /// Between samples closer than this, mm, a difference of curvatures is rounding.
 constexpr double kNoWay = 1e-9;
 
-Samples sample(const Spline& spline) {
+/// Of a Spline or a Parametric, as everything here.
+template <typename Bent>
+Samples sample(const Bent& curve) {
     Samples samples;
     for (std::size_t i = 0; i < kSamples; ++i) {
         const double u = static_cast<double>(i) / static_cast<double>(kSamples - 1);
-        samples[i] = path::curvature_at(spline, u);
+        samples[i] = path::curvature_at(curve, u);
     }
     return samples;
 }
@@ -54,35 +57,38 @@ bool is_evenly_bent(const Samples& samples, double length) {
     return most <= kBendRatio * least || most * length <= kLittleTurn;
 }
 
-void cut(const Spline& spline, std::vector<path::Curve>& out) {
-    const Samples samples = sample(spline);
+template <typename Bent>
+void cut(const Bent& curve, std::vector<path::Curve>& out) {
+    const Samples samples = sample(curve);
     const bool is_sharp = turns_sharply(samples);
-    const bool is_cut = is_sharp
-                            ? spline.length > kPoint
-                            : spline.length > kShort && !is_evenly_bent(samples, spline.length);
+    const bool is_cut = is_sharp ? curve.length > kPoint
+                                 : curve.length > kShort && !is_evenly_bent(samples, curve.length);
     if (is_cut) {
-        const auto [before, behind] = path::split(spline, 0.5);
+        const auto [before, behind] = path::split(curve, 0.5);
         cut(before, out);
         cut(behind, out);
         return;
     }
-    if (!is_sharp && spline.length > 0) {
-        out.emplace_back(spline);
-    } else if ((spline.end - spline.start).norm() > 0) {
-        out.emplace_back(path::make_line(spline.start, spline.end));
+    if (!is_sharp && curve.length > 0) {
+        out.emplace_back(curve);
+    } else if ((curve.end - curve.start).norm() > 0) {
+        out.emplace_back(path::make_line(curve.start, curve.end));
     }
 }
 
-}  // namespace
-
-std::vector<path::Curve> evenly_bent(const Spline& spline) {
-    std::vector<path::Curve> pieces;
-    cut(spline, pieces);
-    return pieces;
+/// Arc length between the sample before and the i-th one.
+double way_to(const Spline& spline, std::size_t i) {
+    return spline.reached[i - 1] - (i > 1 ? spline.reached[i - 2] : 0.0);
+}
+double way_to(const Parametric& curve, std::size_t i) {
+    constexpr double kWidth = 1.0 / static_cast<double>(kSamples - 1);
+    const double u = kWidth * static_cast<double>(i);
+    return path::length_to(curve, u) - path::length_to(curve, u - kWidth);
 }
 
-SplineBend bend_of(const Spline& spline) {
-    const Samples samples = sample(spline);
+template <typename Bent>
+SplineBend bend_in(const Bent& curve) {
+    const Samples samples = sample(curve);
     SplineBend bend;
     Vec3 rate_step = Vec3::Zero();
     Vec3 bend_step = Vec3::Zero();
@@ -97,7 +103,7 @@ SplineBend bend_of(const Spline& spline) {
         rate_step = rate_step.cwiseMax((samples[i].tangent - before.tangent).cwiseAbs());
         const Vec3 change = samples[i].curvature - before.curvature;
         bend_step = bend_step.cwiseMax(change.cwiseAbs());
-        const double way = spline.reached[i - 1] - (i > 1 ? spline.reached[i - 2] : 0.0);
+        const double way = way_to(curve, i);
         if (!(way > kNoWay)) continue;
         const Vec3 slope = change / way;
         bend.third = bend.third.cwiseMax(slope.cwiseAbs());
@@ -114,5 +120,22 @@ SplineBend bend_of(const Spline& spline) {
     bend.curvature += bend_step.norm() / 4;
     return bend;
 }
+
+}  // namespace
+
+std::vector<path::Curve> evenly_bent(const Spline& spline) {
+    std::vector<path::Curve> pieces;
+    cut(spline, pieces);
+    return pieces;
+}
+
+std::vector<path::Curve> evenly_bent(const Parametric& curve) {
+    std::vector<path::Curve> pieces;
+    cut(curve, pieces);
+    return pieces;
+}
+
+SplineBend bend_of(const Spline& spline) { return bend_in(spline); }
+SplineBend bend_of(const Parametric& curve) { return bend_in(curve); }
 
 }  // namespace kadr::motion

@@ -1,4 +1,4 @@
-// spline_pieces.h — spans of splines cut into pieces that one speed suits.
+// spline_pieces.h — spans of splines, and other curves, cut into pieces that one speed suits.
 #pragma once
 
 #include <vector>
@@ -11,6 +11,7 @@ namespace kadr::motion {
 /// turns by little between samples. A turn inside less than a thousandth of a millimetre, as in a
 /// cusp, becomes a straight piece: a corner at both its ends.
 std::vector<path::Curve> evenly_bent(const path::Spline& spline);
+std::vector<path::Curve> evenly_bent(const path::Parametric& curve);
 
 /// What the limits of axes need to know of a piece: greatest |dq/ds|, |d²q/ds²| and |d³q/ds³| of X,
 /// Y, Z, from samples so close that what is between them is covered by their differences.
@@ -21,5 +22,6 @@ struct SplineBend {
     double curvature = 0;                   // greatest |d²C/ds²|, 1/mm
 };
 SplineBend bend_of(const path::Spline& spline);
+SplineBend bend_of(const path::Parametric& curve);
 
 }  // namespace kadr::motion

@@ -103,6 +103,11 @@ double Standing::lay_path(const Command& command, const Target& target, Segment&
         const path::Spline spline = path::make_spline(tip_, target.tip, command.spline);
         length = spline.length;
         segment.curve = spline;
+    } else if (command.op == Op::Parametric) {
+        const path::Parametric curve =
+            path::make_parametric(tip_, target.tip, command.curve.front());
+        length = curve.length;
+        segment.curve = curve;
     } else if ((target.tip - tip_).squaredNorm() > kStill * kStill) {
         const path::Line line = path::make_line(tip_, target.tip);
         length = line.length;

@@ -89,6 +89,7 @@ const std::vector<XmlRule>& dialect_rules() {
           "parameters",
           "module",
           "file",
+          "curve",
           "meaning",
           "modal",
           "otherwise",

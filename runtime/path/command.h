@@ -7,9 +7,11 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "base/axes.h"
 #include "base/source.h"
+#include "path/parametric.h"
 #include "path/spline.h"
 
 namespace kadr::path {
@@ -19,8 +21,9 @@ enum class Op : std::uint8_t {
     Line,
     Arc,
     Spline,
-    Thread,  // a line geared to the spindle
-    Probe,   // a line that ends where the probe triggers
+    Parametric,  // a curve of a registered kind
+    Thread,      // a line geared to the spindle
+    Probe,       // a line that ends where the probe triggers
     Dwell,
     Spindle,
     SpeedLimit,
@@ -98,9 +101,10 @@ struct Command {
     bool is_clockwise = false;  // in `plane` of the base system, mirrors worked in; for listings
     double turns = 0;           // additional full turns, as programmed
     SplineShape spline;         // Spline: one span, from where the tool is to `to`
-    Blending blending;          // of the corner behind a motion; none where it ends at rest
-    double compress = 0;        // Line: it may become a part of a curve within this tolerance, mm;
-                                // 0: it stays what it is
+    std::vector<CurveShape> curve;  // Parametric: its one shape; others have none and stay small
+    Blending blending;              // of the corner behind a motion; none where it ends at rest
+    double compress = 0;  // Line: it may become a part of a curve within this tolerance, mm;
+                          // 0: it stays what it is
 
     // Of a motion under a transformation: `to` is the tip in the workpiece system, and where the
     // rotary axes stand there.

@@ -1,8 +1,9 @@
 // curve.h — one piece of path as geometry, walked by its arc length (a Glide: by its parameter).
 //
-// Geometry only: no time (motion/profile.h), no axes (motion/limits.h), no text (nc/). The set of
-// kinds is closed: a new one is a file beside line.h, helix.h and spline.h with the functions
-// below, and one entry in `Curve`; the compiler then finds what it forgot.
+// Geometry only: no time (motion/profile.h), no axes (motion/limits.h), no text (nc/). What the
+// planner has closed forms for is a kind of its own: a file beside line.h, helix.h and spline.h
+// with the functions below, and one entry in `Curve`; the compiler then finds what it forgot.
+// Everything else is Parametric, which is open: its kinds are registered (curve_registry.h).
 //
 // Every kind has `length`, `start`, `end`, `position`, `evaluate`, `part` and `bounds`.
 #pragma once
@@ -12,13 +13,14 @@
 #include "path/glide.h"
 #include "path/helix.h"
 #include "path/line.h"
+#include "path/parametric.h"
 #include "path/spline.h"
 #include "path/vec3.h"
 
 namespace kadr::path {
 
 /// A plain value without heap: segments are copied by the million.
-using Curve = std::variant<Point, Line, Helix, Spline, Glide>;
+using Curve = std::variant<Point, Line, Helix, Spline, Glide, Parametric>;
 
 /// Range of `s` of the whole curve, mm: its arc length but for a Glide.
 double length(const Curve& curve);
