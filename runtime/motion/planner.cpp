@@ -207,7 +207,8 @@ void Planner::State::record_corner(const Piece& piece) {
     const Segment& segment = piece.segment;
     const double speed = segment.profile.entry_speed;
     const double along = path_acceleration(segment.profile);
-    const bool is_straight = std::holds_alternative<path::Line>(segment.curve);
+    const bool is_straight =
+        std::holds_alternative<path::Line>(segment.curve) && !segment.is_transformed();
     if (axes.limits_jerk()) record_jerk(piece, along);
     if (speed > 0) {
         for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -229,7 +230,8 @@ void Planner::State::record_jerk(const Piece& piece, double along) {
     const Segment& segment = piece.segment;
     const double speed = segment.profile.entry_speed;
     const double jerk = path_jerk(segment.profile);
-    const bool is_straight = std::holds_alternative<path::Line>(segment.curve);
+    const bool is_straight =
+        std::holds_alternative<path::Line>(segment.curve) && !segment.is_transformed();
     const AxisRates bends = is_straight ? AxisRates{} : axes.start_bends(segment);
     for (std::size_t i = 0; speed > 0 && i < axes.size(); ++i) {
         const double jump = std::abs(piece.rates[i] - last_rates[i]) * speed / tick;

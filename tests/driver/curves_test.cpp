@@ -99,7 +99,9 @@ TEST_F(Curves, SmoothJointsAreNoStops) {
     ASSERT_EQ(result.status, 0) << result.err;
     for (const Row& row : kadr::test::rows_of(kadr::read_file(file("out.csv")).value_or(""))) {
         const bool is_on_curves = row.at("X") > 30.5 && row.at("Z") < -0.999 && row.at("Y") < 13;
-        if (is_on_curves) EXPECT_GT(row.at("feed"), 2990) << row.at("t");
+        if (is_on_curves) {
+            EXPECT_GT(row.at("feed"), 2990) << row.at("t");
+        }
     }
 }
 

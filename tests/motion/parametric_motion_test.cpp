@@ -77,7 +77,9 @@ TEST(ParametricMotion, KeepsTheLimitsOfTheAxes) {
                                 curve_from(middle + Vec3(30, 0, 0), turn, kFast)});
         EXPECT_LT(shares.velocity, 1.001) << jerk;
         EXPECT_LT(shares.acceleration, 1.001) << jerk;
-        if (jerk < kUnlimited) EXPECT_LT(shares.jerk, 1.001);
+        if (jerk < kUnlimited) {
+            EXPECT_LT(shares.jerk, 1.001);
+        }
         EXPECT_GT(shares.acceleration, 0.45) << jerk;  // in the turn its fixed share
     }
 }
