@@ -334,6 +334,12 @@ bool Executor::is_too_late(Function function) const {
         case Function::MachineCoordinates:
         case Function::PositionReset:
         case Function::SetPosition: return true;
+        default: return is_other_plane(function);
+    }
+}
+
+bool Executor::is_other_plane(Function function) const {
+    switch (function) {
         case Function::PlaneXy: return modal_.plane != Plane::Xy;
         case Function::PlaneZx: return modal_.plane != Plane::Zx;
         case Function::PlaneYz: return modal_.plane != Plane::Yz;
@@ -363,6 +369,10 @@ bool Executor::needs_comp_off(const Block& block, Function function) const {
 void Executor::apply_function(const Block& block, const Invocation& invocation, Actions& actions) {
     if (needs_comp_off(block, invocation.function)) {
         report(diag::CompFrame, block, invocation.function).arg(nc::info(invocation.function).name);
+        return;
+    }
+    if (taps_rigidly_ && !cycle_blocks_ && is_other_plane(invocation.function)) {
+        report(diag::TapPlane, block, invocation.function);
         return;
     }
     if (is_too_late(invocation.function)) {

@@ -228,6 +228,7 @@ class Executor {
     void change_plane(nc::Function plane);
     bool needs_comp_off(const nc::Block& block, nc::Function function) const;
     bool is_too_late(nc::Function function) const;
+    bool is_other_plane(nc::Function function) const;
     void apply_frame(const nc::Block& block, const nc::Invocation& invocation);
     FrameWords center_of(const nc::Block& block, const nc::Invocation& invocation) const;
     void scale(const nc::Block& block, const nc::Invocation& invocation);
@@ -566,6 +567,7 @@ class Executor {
     std::vector<ModalCycle> presets_;     // parameters that the next calls need not give
     std::optional<nc::CycleId> defined_;  // the one of them that was said last
     bool returns_to_retract_ = false;
+    bool cycle_is_across_ = false;   // on a lathe: from the side, along X in radii
     std::optional<ShapeRun> shape_;  // whose blocks are coming
     std::unique_ptr<Stream<nc::Block>> cycle_stream_;
     std::optional<BlockQueue> cycle_blocks_;

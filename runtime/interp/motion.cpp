@@ -954,6 +954,17 @@ void Executor::check_tool(const Block& block) {
 
 void Executor::check_units(const Block& block, nc::Function units) {
     const bool changes = units_ != nc::Function::None && units_ != units;
+    const std::string_view acts = comp_.side != nc::Function::RadiusCompOff
+                                      ? "cutter radius compensation"
+                                  : frames_.is_rotated() ? "a rotation"
+                                  : frames_.is_scaled()  ? "a scaling"
+                                                         : "";
+    if (changes && rules_.comp_is_innermost && !acts.empty()) {
+        report(diag::UnitsInside, block, units)
+            .arg(units == nc::Function::Inch ? "inches" : "millimetres")
+            .arg(acts);
+        return;
+    }
     if (changes && has_moved_ && !warned_units_) {
         warned_units_ = true;
         const bool to_inch = units == nc::Function::Inch;
