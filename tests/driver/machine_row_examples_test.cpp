@@ -79,6 +79,19 @@ std::string machine_of(const std::string& example) {
     if (example.find("<pipeline") != std::string::npos)
         return "<machine name=\"m\">" + whole_axis("<axis name=\"X\" .../>") +
                whole_scanner(example) + "</machine>";
+    if (example.find("<kinematics") != std::string::npos) {
+        // A piece without axes stands in a machine with all that a chain may name.
+        std::string axes = example;
+        if (example.find("<axis") == std::string::npos) {
+            for (const char* name : {"C", "B", "A", "Z", "Y", "X"})
+                axes = "<axis name=\"" + std::string(name) + "\" .../>" + axes;
+        }
+        const std::regex open_axis("<axis name=\"([A-Z])\" [.]{3}/>");
+        std::string text;
+        for (std::smatch axis; std::regex_search(axes, axis, open_axis); axes = axis.suffix())
+            text += axis.prefix().str() + whole_axis(axis.str());
+        return "<machine name=\"m\">" + text + axes + "</machine>";
+    }
     if (example.starts_with("<scanner"))
         return "<machine name=\"m\">" + whole_axis("<axis name=\"X\" .../>") +
                whole_scanner(example) + "</machine>";

@@ -74,8 +74,9 @@ ChainPosition random_position(Random& random, double turn = kPi) {
 
 TEST(ChainProperty, ForwardOfEverySolutionIsThePose) {
     Random random;
-    for (const auto& [name, chain] : chains()) {
-        SCOPED_TRACE(name);
+    for (const Named& machine : chains()) {
+        const Chain& chain = machine.chain;
+        SCOPED_TRACE(machine.name);
         for (int i = 0; i < 2000; ++i) {
             ChainPosition position = random_position(random);
             const Vec3 tip = tip_of_length(chain, random.between(0, 200)) + random.place(5);
@@ -131,9 +132,10 @@ int count_by_search(const Chain& chain, const Vec3& direction) {
 
 TEST(ChainProperty, AllSolutionsAreFound) {
     Random random;
-    for (const auto& [name, chain] : chains()) {
+    for (const Named& machine : chains()) {
+        const Chain& chain = machine.chain;
         if (!chain.orients()) continue;
-        SCOPED_TRACE(name);
+        SCOPED_TRACE(machine.name);
         const TiltReach reach = tilt_reach(chain);
         int reached = 0;
         for (int i = 0; i < 100; ++i) {
@@ -178,8 +180,9 @@ TEST(ChainProperty, DigitsAreKeptAtThePole) {
 TEST(ChainProperty, VelocitiesAreDifferences) {
     Random random;
     constexpr double h = 1e-6;
-    for (const auto& [name, chain] : chains()) {
-        SCOPED_TRACE(name);
+    for (const Named& machine : chains()) {
+        const Chain& chain = machine.chain;
+        SCOPED_TRACE(machine.name);
         for (int i = 0; i < 500; ++i) {
             const ChainPosition here = random_position(random);
             const Vec3 tip = tip_of_length(chain, 120) + random.place(5);
@@ -246,33 +249,49 @@ TEST(ChainProperty, AtThePoleOnlyTheSecondAxisTurns) {
               VelocityFault::MissingJoint);
 }
 
+/// A great circle of pole.json, and the solution on it in the configuration of its start.
+struct Circle {
+    Chain chain;
+    Vec3 start;  // rotary positions
+    Vec3 from;
+    Vec3 axis;
+    double angle;
+
+    explicit Circle(const test::json& in)
+        : chain(test::chain_of(in["machine"])),
+          start(test::rad(in["start_R1_R2"][0]), test::rad(in["start_R1_R2"][1]), 0),
+          from(tool_vector(chain, start)) {
+        const Vec3 to = test::vec(in["target_vector"]).normalized();
+        axis = from.cross(to).normalized();
+        angle = std::atan2(from.cross(to).norm(), from.dot(to));
+    }
+
+    Vec3 rotary_at(double fraction) const {
+        const auto solutions = solve(chain, Vec3(rotation_about(axis, fraction * angle) * from));
+        const int kept = configuration_of(chain, start);
+        if (solutions) {
+            for (const Solution& solution : *solutions) {
+                if (solution.configuration == kept) return solution.rotary;
+            }
+        }
+        ADD_FAILURE() << "no solution at " << fraction;
+        return start;
+    }
+};
+
 TEST(ChainProperty, FirstAxisFollowsTheGreatCircle) {
     test::for_each_case(
         "pole.json", "vector_path", 12, [](const test::json& in, const test::json& expect) {
-            const Chain chain = test::chain_of(in["machine"]);
-            const Vec3 start = {test::rad(in["start_R1_R2"][0]), test::rad(in["start_R1_R2"][1]),
-                                0};
-            const Vec3 from = tool_vector(chain, start);
-            const Vec3 to = test::vec(in["target_vector"]).normalized();
-            const double angle = std::atan2(from.cross(to).norm(), from.dot(to));
-            EXPECT_NEAR(angle, test::rad(expect["angle_deg"]), test::kAngleTolerance);
+            const Circle circle(in);
+            EXPECT_NEAR(circle.angle, test::rad(expect["angle_deg"]), test::kAngleTolerance);
             const test::json& fractions = in["fractions_of_path_length"];
             for (std::size_t i = 0; i < fractions.size(); ++i) {
-                const double f = fractions[i].get<double>();
-                const Vec3 w =
-                    (std::sin((1 - f) * angle) * from + std::sin(f * angle) * to) / std::sin(angle);
-                const auto solutions = solve(chain, Vec3(w.normalized()));
-                ASSERT_TRUE(solutions);
-                const auto* found = std::find_if(
-                    solutions->begin(), solutions->end(), [&](const Solution& solution) {
-                        return solution.configuration == configuration_of(chain, start);
-                    });
-                ASSERT_NE(found, solutions->end());
-                const double first =
-                    start[kR1] + first_along_great_circle(chain, start, found->rotary);
+                const Vec3 rotary = circle.rotary_at(fractions[i].get<double>());
+                const double first = circle.start[kR1] +
+                                     first_along_great_circle(circle.chain, circle.start, rotary);
                 const test::json& wanted = expect["R1_R2"][i];
                 EXPECT_NEAR(first, test::rad(wanted[0]), test::kAngleTolerance);
-                EXPECT_NEAR(found->rotary[kR2], test::rad(wanted[1]), test::kAngleTolerance);
+                EXPECT_NEAR(rotary[kR2], test::rad(wanted[1]), test::kAngleTolerance);
             }
         });
 }
@@ -281,27 +300,15 @@ TEST(ChainProperty, FirstAxisFollowsTheGreatCircle) {
 TEST(ChainProperty, GreatestRateOfTheFirstAxis) {
     test::for_each_case(
         "pole.json", "vector_path", 12, [](const test::json& in, const test::json& expect) {
-            const Chain chain = test::chain_of(in["machine"]);
-            const Vec3 start = {test::rad(in["start_R1_R2"][0]), test::rad(in["start_R1_R2"][1]),
-                                0};
-            const Vec3 from = tool_vector(chain, start);
-            const Vec3 to = test::vec(in["target_vector"]).normalized();
-            const Vec3 axis = from.cross(to).normalized();
-            const double angle = std::atan2(from.cross(to).norm(), from.dot(to));
+            const Circle circle(in);
             double greatest = 0;
             for (int i = 0; i <= 20000; ++i) {
-                const auto solutions =
-                    solve(chain, Vec3(rotation_about(axis, angle * i / 20000) * from));
-                ASSERT_TRUE(solutions);
-                for (const Solution& solution : *solutions) {
-                    if (solution.configuration != configuration_of(chain, start)) continue;
-                    ChainPosition position;
-                    position.rotary = solution.rotary;
-                    const auto velocity =
-                        axis_velocities(chain, position, Vec3::Zero(), {Vec3::Zero(), axis});
-                    ASSERT_TRUE(velocity);
-                    greatest = std::max(greatest, std::abs(velocity->rotary[kR1]));
-                }
+                ChainPosition position;
+                position.rotary = circle.rotary_at(i / 20000.0);
+                const auto velocity = axis_velocities(circle.chain, position, Vec3::Zero(),
+                                                      {Vec3::Zero(), circle.axis});
+                ASSERT_TRUE(velocity);
+                greatest = std::max(greatest, std::abs(velocity->rotary[kR1]));
             }
             const double wanted = expect["largest_dR1_per_degree_of_vector"].get<double>();
             EXPECT_NEAR(greatest, wanted, 1e-3 * wanted);
