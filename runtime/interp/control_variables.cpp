@@ -635,7 +635,7 @@ ControlVariables::Fault ControlVariables::store(const Instruction& target,
         case Instruction::Kind::Element: {
             const nc::Symbol& symbol = level_->symbols.at(target.index);
             const auto slot = Evaluator::element(symbol, indices);
-            if (!slot) return {&diag::IndexWrong, {'`' + symbol.name + '`'}};
+            if (!slot) return {&diag::IndexWrong, {Evaluator::wrong_index(symbol, indices)}};
             if (target.count == symbol.dimensions)
                 return store_element(symbol, *slot, value, content);
             // One character of a text; the code 0 cuts it there.
@@ -792,7 +792,7 @@ ControlVariables::Fault ControlVariables::store_part(const Instruction& target,
     }
     const nc::Symbol& symbol = level_->symbols.at(target.index);
     const auto slot = Evaluator::element(symbol, indices);
-    if (!slot) return {&diag::IndexWrong, {'`' + symbol.name + '`'}};
+    if (!slot) return {&diag::IndexWrong, {Evaluator::wrong_index(symbol, indices)}};
     Store& store = *level_->stores[target.index];
     const Value& old = store.values[*slot];
     ControlFrame whole = old.is_frame() ? store.frames[old.text] : ControlFrame();

@@ -238,6 +238,16 @@ std::optional<std::uint32_t> Evaluator::element(const nc::Symbol& symbol,
     return symbol.slot + place;
 }
 
+std::string Evaluator::wrong_index(const nc::Symbol& symbol,
+                                   std::span<const std::int64_t> indices) {
+    std::size_t place = 0;
+    while (place + 1 < symbol.dimensions && indices[place] >= 0 &&
+           indices[place] < symbol.sizes[place])
+        ++place;
+    const std::string name = '`' + symbol.name + '`';
+    return place == 0 ? name : name + " in place " + std::to_string(place + 1);
+}
+
 bool Evaluator::load_element(const Instruction& instruction) {
     const nc::Symbol& symbol = level_->symbols.at(instruction.index);
     std::array<std::int64_t, 4> indices{};
@@ -248,7 +258,7 @@ bool Evaluator::load_element(const Instruction& instruction) {
         indices[i] = index_of(stack_[size_ + i].number);
     }
     const auto slot = element(symbol, indices);
-    if (!slot) return fail(diag::IndexWrong, {'`' + symbol.name + '`'});
+    if (!slot) return fail(diag::IndexWrong, {wrong_index(symbol, indices)});
     const Store& store = *level_->stores[instruction.index];
     Value value = store.values[*slot];
     if (symbol.type == nc::ValueType::Frame) {

@@ -100,6 +100,8 @@ class Evaluator {
     /// The slot of an element of a declared variable; nothing: an index does not fit.
     static std::optional<std::uint32_t> element(const nc::Symbol& symbol,
                                                 std::span<const std::int64_t> indices);
+    /// Which index does not fit, for a message: "`MAT`", and of a further one "`MAT` in place 2".
+    static std::string wrong_index(const nc::Symbol& symbol, std::span<const std::int64_t> indices);
 
   private:
     Outcome execute(const nc::ControlLine& line, const nc::Expression& expression, int decimals);

@@ -599,6 +599,9 @@ Program::State::Done Program::State::set_codes(CompiledLine& line) {
         if (done == Done::Wait || lines.failed()) return done;
         done = evaluate(line, computed.number, number);
         if (done == Done::Wait || lines.failed()) return done;
+        if (!group.is_number())
+            return fail(line, diag::IndexType, computed.group.span,
+                        {std::string(kind_name(group))});
         const std::string of = evaluator.written(group);
         const auto list =
             std::ranges::find_if(language.code_lists, [&](const auto& l) { return l.group == of; });

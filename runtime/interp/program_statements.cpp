@@ -126,7 +126,10 @@ Program::State::Done Program::State::assign_list(CompiledLine& line,
     }
     const nc::Symbol& symbol = variables.level().symbols.at(load.index);
     const auto first = Evaluator::element(symbol, indices);
-    if (!first) return fail(line, diag::IndexWrong, statement.variable.span, {symbol.name});
+    if (!first) {
+        return fail(line, diag::IndexWrong, statement.variable.span,
+                    {Evaluator::wrong_index(symbol, indices)});
+    }
     const std::uint32_t end = symbol.slot + symbol.count();
     if (!statement.fills && *first + statement.list.size() > end)
         return fail(line, diag::TooManyInitialValues, statement.span, {symbol.name});

@@ -1,5 +1,5 @@
 // The rows of the digests of the controls' manuals, and what tests each: the list of a control is
-// tests/control/coverage/reference-NAME.txt, whose head says how it is written. Held here: that
+// tests/control/coverage/rows-NAME.txt, whose head says how it is written. Held here: that
 // each chapter has as many rows as its head says, that each row names tests or a reason, that what
 // it names is there and says what the row needs, and that no alarm of the dialect is without a row.
 #include <algorithm>
@@ -47,7 +47,7 @@ struct RowList {
 RowList read_list(const std::string& control) {
     RowList list;
     std::istringstream lines(
-        content_of(kTests / "control/coverage" / ("reference-" + control + ".txt")));
+        content_of(kTests / "control/coverage" / ("rows-" + control + ".txt")));
     for (std::string line; std::getline(lines, line);) {
         if (line.empty() || line[0] == '#') continue;
         if (line.starts_with("== ")) {
@@ -138,7 +138,7 @@ class Evidence {
     std::string variables_;
 };
 
-TEST(Reference, ChaptersAreComplete) {
+TEST(Rows, ChaptersAreComplete) {
     const RowList list = read_list("sinumerik");
     for (const Chapter& chapter : list.chapters) {
         const auto rows =
@@ -158,7 +158,7 @@ TEST(Reference, ChaptersAreComplete) {
     }
 }
 
-TEST(Reference, EachRowHasItsTests) {
+TEST(Rows, EachRowHasItsTests) {
     const Evidence evidence("sinumerik");
     for (const Row& row : read_list("sinumerik").rows) {
         SCOPED_TRACE(row.chapter + ": " + row.name);
@@ -181,7 +181,7 @@ TEST(Reference, EachRowHasItsTests) {
     }
 }
 
-TEST(Reference, NoAlarmOfTheDialectIsWithoutARow) {
+TEST(Rows, NoAlarmOfTheDialectIsWithoutARow) {
     const RowList list = read_list("sinumerik");
     std::set<std::string> listed;
     for (const Row& row : list.rows)
