@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "motion/axis_table.h"
+#include "motion/long_ramp.h"
 #include "motion/lookahead.h"
 #include "motion/loss_trace.h"
 #include "motion/pipeline.h"
@@ -45,6 +46,8 @@ struct Planner::State {
     void hand_on(const Piece& piece, double exit_limit);
     void append_complete();
     void begin_stretch();
+    PlannedStretch take_stretch();
+    bool joins_stretches() const;
     void issue(Piece& piece);
     void plan(Piece& piece, bool is_last);
     void record(const Piece& piece);
@@ -75,8 +78,9 @@ struct Planner::State {
     Preparer preparer;
     StretchBuilder gathered;
     LookAhead lookahead;
-    std::deque<Stretch> stretches;  // in the look-ahead
-    Stretch current;                // its pieces are being delivered
+    std::deque<Stretch> stretches;     // in the look-ahead
+    Stretch current;                   // its pieces are being delivered
+    std::deque<PlannedStretch> taken;  // behind it, that may be joined to one
     JunctionSpeeds speeds;
     ProfileCut cut;        // of its profile, if its jerk is limited
     std::size_t left = 0;  // so many of its pieces
