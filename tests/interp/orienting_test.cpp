@@ -119,13 +119,14 @@ TEST(Orienting, FramesTurnVectorsUnlessTheyAreOfTheBase) {
 }
 
 TEST(Orienting, AxesStandWhereTheTransformationIsSwitched) {
+    const machine::Machine machine = trunnion();
     const Ran ran = read("sinumerik",
                          "G0 X30 Y20 Z10 A=25 C=70\nTRAORI\nG91 G0 X=0\nG90 G0 Z=IC(10)\n"
                          "TRAFOOF\nG91 G0 X=0",
-                         trunnion());
+                         machine);
     const auto all = motions(ran);
     ASSERT_EQ(all.size(), 4u);
-    const machine::Chain& chain = trunnion().kinematics->chain;
+    const machine::Chain& chain = machine.kinematics->chain;
     const machine::ChainPosition position{
         {30, 20, 10}, Vec3::Zero(), {rad_from_deg(70), rad_from_deg(25), 0}};
     const Vec3 tip = machine::forward(chain, position, Vec3::Zero()).tip;
