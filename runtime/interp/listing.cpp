@@ -27,6 +27,7 @@ std::string_view op_name(Op op) {
         case Op::Line: return "line";
         case Op::Arc: return "arc";
         case Op::Spline: return "spline";
+        case Op::Involute: return "involute";
         case Op::Thread: return "thread";
         case Op::Probe: return "probe";
         case Op::Dwell: return "dwell";
@@ -249,6 +250,7 @@ void Listing::append(const Command& command, std::string_view source, std::strin
         case Op::Thread:
             append_target(out, command, axes_);
             append_feed(out, command);
+            if (command.lead_change != 0) append_field(out, "lead_change", command.lead_change);
             if (command.angle_deg != 0) append_field(out, "start", command.angle_deg);
             break;
         case Op::Arc:
@@ -259,6 +261,12 @@ void Listing::append(const Command& command, std::string_view source, std::strin
         case Op::Spline:
             append_target(out, command, axes_);
             append_spline(out, command.spline);
+            append_feed(out, command);
+            break;
+        case Op::Involute:
+            append_target(out, command, axes_);
+            append_arc(out, command);
+            append_field(out, "base_radius", command.base_radius);
             append_feed(out, command);
             break;
         case Op::Dwell:

@@ -157,8 +157,7 @@ AxisRates AxisTable::end_bends(const Segment& piece) const {
 }
 
 /// The bend takes its share of the acceleration first, as on an arc.
-PathLimits AxisTable::spline_limits(const path::Spline& spline, double wanted) const {
-    const SplineBend bend = bend_of(spline);
+PathLimits AxisTable::spline_limits(const SplineBend& bend, double wanted) const {
     PathLimits limits{wanted, kInfinity, kInfinity, kInfinity};
     for (const Entry& axis : axes_) {
         if (axis.coordinate >= 3) continue;
@@ -261,12 +260,11 @@ PathLimits AxisTable::glide_limits(const path::Glide& glide, double wanted) cons
 }
 
 PathLimits AxisTable::limits(const Segment& piece, const AxisRates& start, double wanted) const {
-    if (const auto* spline = std::get_if<path::Spline>(&piece.curve))
-        return spline_limits(*spline, wanted);
     if (const auto* helix = std::get_if<path::Helix>(&piece.curve))
         return helix_limits(*helix, piece, wanted);
     if (const auto* glide = std::get_if<path::Glide>(&piece.curve))
         return glide_limits(*glide, wanted);
+    if (path::bends_freely(piece.curve)) return spline_limits(motion::bend_of(piece.curve), wanted);
     return line_limits(start, wanted);
 }
 
@@ -364,10 +362,9 @@ PathLimits AxisTable::helix_limits(const path::Helix& helix, const Segment& piec
 
 AxisTable::Loads AxisTable::loads(const Segment& piece, const AxisRates& start) const {
     Loads loads;
-    const auto* spline = std::get_if<path::Spline>(&piece.curve);
-    const auto* glide = std::get_if<path::Glide>(&piece.curve);
-    if (spline != nullptr || glide != nullptr) {
-        const SplineBend bend = spline != nullptr ? bend_of(*spline) : bend_of(*glide);
+    if (path::bends_freely(piece.curve)) {
+        const auto* glide = std::get_if<path::Glide>(&piece.curve);
+        const SplineBend bend = glide != nullptr ? bend_of(*glide) : motion::bend_of(piece.curve);
         for (std::size_t i = 0; i < axes_.size(); ++i) {
             if (axes_[i].coordinate >= 3) continue;
             const auto c = static_cast<Eigen::Index>(axes_[i].coordinate);

@@ -15,6 +15,7 @@
 #include "motion/bent_cell.h"
 #include "motion/corner.h"
 #include "motion/segment.h"
+#include "motion/spline_pieces.h"
 
 namespace kadr::motion {
 
@@ -124,7 +125,7 @@ class AxisTable {
     PathLimits helix_limits(const path::Helix& helix, const Segment& piece, double wanted) const;
     static double jerk_left(const path::Helix& helix, const Segment& piece, const Entry& axis,
                             const PathLimits& limits);
-    PathLimits spline_limits(const path::Spline& spline, double wanted) const;
+    PathLimits spline_limits(const SplineBend& bend, double wanted) const;
     PathLimits glide_limits(const path::Glide& glide, double wanted) const;
     AxisRates bends(const Segment& piece, double distance) const;
     AxisRates rates(const path::Vec3& tangent, const Segment& piece) const;

@@ -8,12 +8,14 @@ namespace kadr::motion {
 
 namespace {
 
+using path::Bezier;
 using path::CurvePoint;
-using path::Spline;
+using path::Involute;
 using path::Vec3;
 
 constexpr std::size_t kSamples = 9;
 using Samples = std::array<CurvePoint, kSamples>;
+using Ways = std::array<double, kSamples - 1>;
 
 /// cos of the greatest turn from one sample to the next: 15 degrees.
 constexpr double kLeastCos = 0.9659258;
@@ -28,13 +30,48 @@ constexpr double kPoint = 1e-3;
 /// Between samples closer than this, mm, a difference of curvatures is rounding.
 constexpr double kNoWay = 1e-9;
 
-Samples sample(const Spline& spline) {
+template <std::size_t N>
+Samples sample(const Bezier<N>& spline) {
     Samples samples;
     for (std::size_t i = 0; i < kSamples; ++i) {
         const double u = static_cast<double>(i) / static_cast<double>(kSamples - 1);
         samples[i] = path::curvature_at(spline, u);
     }
     return samples;
+}
+
+Samples sample(const Involute& involute) {
+    Samples samples;
+    for (std::size_t i = 0; i < kSamples; ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(kSamples - 1);
+        samples[i] = path::evaluate(involute, share * involute.length);
+    }
+    return samples;
+}
+
+/// From one sample to the next, mm.
+template <std::size_t N>
+Ways ways_of(const Bezier<N>& spline) {
+    Ways ways;
+    for (std::size_t i = 0; i < ways.size(); ++i)
+        ways[i] = spline.reached[i] - (i > 0 ? spline.reached[i - 1] : 0.0);
+    return ways;
+}
+
+Ways ways_of(const Involute& involute) {
+    Ways ways;
+    ways.fill(involute.length / static_cast<double>(ways.size()));
+    return ways;
+}
+
+template <std::size_t N>
+std::pair<Bezier<N>, Bezier<N>> halves(const Bezier<N>& spline) {
+    return path::split(spline, 0.5);
+}
+
+std::pair<Involute, Involute> halves(const Involute& involute) {
+    const double middle = involute.length / 2;
+    return {path::part(involute, 0, middle), path::part(involute, middle, involute.length)};
 }
 
 bool turns_sharply(const Samples& samples) {
@@ -54,14 +91,15 @@ bool is_evenly_bent(const Samples& samples, double length) {
     return most <= kBendRatio * least || most * length <= kLittleTurn;
 }
 
-void cut(const Spline& spline, std::vector<path::Curve>& out) {
+template <typename Kind>
+void cut(const Kind& spline, std::vector<path::Curve>& out) {
     const Samples samples = sample(spline);
     const bool is_sharp = turns_sharply(samples);
     const bool is_cut = is_sharp
                             ? spline.length > kPoint
                             : spline.length > kShort && !is_evenly_bent(samples, spline.length);
     if (is_cut) {
-        const auto [before, behind] = path::split(spline, 0.5);
+        const auto [before, behind] = halves(spline);
         cut(before, out);
         cut(behind, out);
         return;
@@ -73,16 +111,10 @@ void cut(const Spline& spline, std::vector<path::Curve>& out) {
     }
 }
 
-}  // namespace
-
-std::vector<path::Curve> evenly_bent(const Spline& spline) {
-    std::vector<path::Curve> pieces;
-    cut(spline, pieces);
-    return pieces;
-}
-
-SplineBend bend_of(const Spline& spline) {
+template <typename Kind>
+SplineBend bend_between(const Kind& spline) {
     const Samples samples = sample(spline);
+    const Ways ways = ways_of(spline);
     SplineBend bend;
     Vec3 rate_step = Vec3::Zero();
     Vec3 bend_step = Vec3::Zero();
@@ -97,7 +129,7 @@ SplineBend bend_of(const Spline& spline) {
         rate_step = rate_step.cwiseMax((samples[i].tangent - before.tangent).cwiseAbs());
         const Vec3 change = samples[i].curvature - before.curvature;
         bend_step = bend_step.cwiseMax(change.cwiseAbs());
-        const double way = spline.reached[i - 1] - (i > 1 ? spline.reached[i - 2] : 0.0);
+        const double way = ways[i - 1];
         if (!(way > kNoWay)) continue;
         const Vec3 slope = change / way;
         bend.third = bend.third.cwiseMax(slope.cwiseAbs());
@@ -113,6 +145,22 @@ SplineBend bend_of(const Spline& spline) {
     bend.bend += bend_step / 4;
     bend.curvature += bend_step.norm() / 4;
     return bend;
+}
+
+}  // namespace
+
+std::vector<path::Curve> evenly_bent(const path::Curve& curve) {
+    std::vector<path::Curve> pieces;
+    if (const auto* spline = std::get_if<path::CubicSpan>(&curve)) cut(*spline, pieces);
+    if (const auto* quintic = std::get_if<path::QuinticSpan>(&curve)) cut(*quintic, pieces);
+    if (const auto* involute = std::get_if<Involute>(&curve)) cut(*involute, pieces);
+    return pieces;
+}
+
+SplineBend bend_of(const path::Curve& curve) {
+    if (const auto* spline = std::get_if<path::CubicSpan>(&curve)) return bend_between(*spline);
+    if (const auto* quintic = std::get_if<path::QuinticSpan>(&curve)) return bend_between(*quintic);
+    return bend_between(std::get<Involute>(curve));
 }
 
 }  // namespace kadr::motion

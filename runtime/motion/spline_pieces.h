@@ -1,4 +1,4 @@
-// spline_pieces.h — spans of splines cut into pieces that one speed suits.
+// spline_pieces.h — spans of splines and involutes cut into pieces that one speed suits.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace kadr::motion {
 
-/// Pieces of a span, in order, on each of which the curvature is about the same and the direction
-/// turns by little between samples. A turn inside less than a thousandth of a millimetre, as in a
-/// cusp, becomes a straight piece: a corner at both its ends.
-std::vector<path::Curve> evenly_bent(const path::Spline& spline);
+/// Pieces of a curve that bends freely, in order, on each of which the curvature is about the same
+/// and the direction turns by little between samples. A turn inside less than a thousandth of a
+/// millimetre, as in a cusp, becomes a straight piece: a corner at both its ends.
+std::vector<path::Curve> evenly_bent(const path::Curve& curve);
 
 /// What the limits of axes need to know of a piece: greatest |dq/ds|, |d²q/ds²| and |d³q/ds³| of X,
 /// Y, Z, from samples so close that what is between them is covered by their differences.
@@ -20,6 +20,6 @@ struct SplineBend {
     path::Vec3 third = path::Vec3::Zero();  // 1/mm²
     double curvature = 0;                   // greatest |d²C/ds²|, 1/mm
 };
-SplineBend bend_of(const path::Spline& spline);
+SplineBend bend_of(const path::Curve& curve);
 
 }  // namespace kadr::motion

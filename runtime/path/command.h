@@ -19,6 +19,7 @@ enum class Op : std::uint8_t {
     Line,
     Arc,
     Spline,
+    Involute,
     Thread,  // a line geared to the spindle
     Probe,   // a line that ends where the probe triggers
     Dwell,
@@ -90,11 +91,15 @@ struct Command {
     bool is_clockwise = false;  // in `plane` of the base system, mirrors worked in; for listings
     double turns = 0;           // additional full turns, as programmed
     SplineShape spline;         // Spline: one span, from where the tool is to `to`
-    Blending blending;          // of the corner behind a motion; none where it ends at rest
-    double compress = 0;        // Line: it may become a part of a curve within this tolerance, mm;
-                                // 0: it stays what it is
+    // Involute: of a circle about `center`, counter-clockwise about `normal` from where the tool is
+    // to `to`; the height along the normal grows evenly with the way.
+    double base_radius = 0;  // of the circle, mm
+    Blending blending;       // of the corner behind a motion; none where it ends at rest
+    double compress = 0;     // Line: it may become a part of a curve within this tolerance, mm;
+                             // 0: it stays what it is
 
     double feed = 0;            // mm/min, mm/rev or 1/min, as feed_mode says; of a thread mm/rev
+    double lead_change = 0;     // Thread: by how much `feed` changes in a turn, mm/rev
     double speed = 0;           // Spindle: rpm or m/min; SpeedLimit: rpm
     double angle_deg = 0;       // Spindle orient; Thread: angle of the spindle at its start
     double time = 0;            // Dwell, s; 0 if revolutions; External, s

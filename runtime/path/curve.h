@@ -11,6 +11,7 @@
 
 #include "path/glide.h"
 #include "path/helix.h"
+#include "path/involute.h"
 #include "path/line.h"
 #include "path/spline.h"
 #include "path/vec3.h"
@@ -18,7 +19,13 @@
 namespace kadr::path {
 
 /// A plain value without heap: segments are copied by the million.
-using Curve = std::variant<Point, Line, Helix, Spline, Glide>;
+using Curve = std::variant<Point, Line, Helix, CubicSpan, Glide, QuinticSpan, Involute>;
+
+/// Whether the curvature may change along it in its own way: a line and an arc have one.
+inline bool bends_freely(const Curve& curve) {
+    return std::holds_alternative<CubicSpan>(curve) || std::holds_alternative<QuinticSpan>(curve) ||
+           std::holds_alternative<Involute>(curve) || std::holds_alternative<Glide>(curve);
+}
 
 /// Range of `s` of the whole curve, mm: its arc length but for a Glide.
 double length(const Curve& curve);

@@ -169,7 +169,8 @@ void ScannerCommands::scan(const Command& command) {
         case Op::Rapid:
         case Op::Line:
         case Op::Arc:
-        case Op::Spline: scan_way(command); break;
+        case Op::Spline:
+        case Op::Involute: scan_way(command); break;
         case Op::Dwell: scan_dwell(command); break;
         case Op::Thread: refuse_busy(command, "a thread"); break;
         case Op::Probe: refuse_busy(command, "probing"); break;
