@@ -146,12 +146,21 @@ class LineParser {
         if (extends) at_ = behind;
         const std::string_view name = line_.substr(begin, at_ - begin);
         if (name.empty()) return fail("a word begins with a letter");
+        if (next == '[') return parse_indexed_call(word, begin);
         if (take('(')) return parse_call(word, name);
         const bool has_equals = take('=');
         if (take('"')) return parse_quoted(word, name);
         if (at_ < line_.size() && line_[at_] == '{') return parse_value(word, name, begin);
         if (at_blank() && !has_equals) return parse_name(word, name);
         return parse_fixed(word, name, begin);
+    }
+
+    /// `PO[X]=({end},{a2?})`: a call whose name ends with the sign.
+    bool parse_indexed_call(FormWord& word, std::size_t begin) {
+        const std::size_t sign = line_.find("]=(", at_);
+        if (sign == std::string_view::npos) return fail("behind a `[` stands `]=(`");
+        at_ = sign + 3;
+        return parse_call(word, line_.substr(begin, sign + 2 - begin));
     }
 
     bool parse_name(FormWord& word, std::string_view name) {
