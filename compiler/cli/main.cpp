@@ -14,6 +14,7 @@
 #include "driver/compare.h"
 #include "driver/expand.h"
 #include "driver/format.h"
+#include "driver/machine_solve.h"
 #include "driver/run.h"
 #include "driver/session.h"
 #include "driver/tables.h"
@@ -73,6 +74,7 @@ Status perform(driver::Session& session, const cli::CommandLine& line,
             return show(driver::explain_word(session, line.file, line.word));
         case cli::Verb::MachineList: return show(driver::list_machines(session));
         case cli::Verb::MachineCheck: return show(driver::check_machine(session, line.file));
+        case cli::Verb::MachineSolve: return show(driver::solve_machine(session, line.solve));
     }
     return Status::Usage;
 }

@@ -127,6 +127,7 @@ class Parser {
     void add_program(CLI::App& command);
     void add_include(CLI::App& command);
     void add_search(CLI::App& command);
+    void add_solve(CLI::App& machine);
     void add_expansion(CLI::App& command);
     void add_limits(CLI::App& command);
     void add_expand();
@@ -277,6 +278,10 @@ void Parser::add_run() {
         ->type_name("OUT.svg|csv");
     command->add_option("--scanner", job.scanner, "what the scanner is told, list by list")
         ->type_name("OUT.txt");
+    command
+        ->add_option("--limits", job.limits,
+                     "what keeps the motion below its feed, and what it costs; a report or CSV")
+        ->type_name("OUT.txt|csv");
     command->add_option("--summary", summary_, "times, lengths, travel, limits")
         ->check(one_of({"text", "json"}))
         ->type_name("text|json");
@@ -409,6 +414,29 @@ void Parser::add_tables() {
     add(*machine, "check", "find mistakes in a machine file", Verb::MachineCheck)
         ->add_option("FILE", line_.file, "machine file or name")
         ->required();
+    add_solve(*machine);
+}
+
+void Parser::add_solve(CLI::App& machine) {
+    CLI::App* solve = add(machine, "solve", "where the tool stands, and which axes put it there",
+                          Verb::MachineSolve);
+    driver::SolveJob& job = line_.solve;
+    solve->add_option("FILE", job.machine, "machine file or name")->required();
+    CLI::Option* axes = solve->add_option(
+        "--axes", job.axes, "where the axes stand: \"X1 Y2 Z3 A30 C45\"; tells tip and direction");
+    CLI::Option* at = solve->add_option("--at", job.at, "the tip: X0,Y0,Z100; tells the axes");
+    CLI::Option* tool = solve->add_option(
+        "--tool", job.tool, "the direction of the tool, from the tip to the holder: 0,0.5,0.866");
+    CLI::Option* euler = solve->add_option(
+        "--euler", job.euler, "the orientation by turns about Z, Y', Z'' in degrees: 30,45,0");
+    CLI::Option* from = solve->add_option(
+        "--from", job.from, "where the rotary axes come from: A0,C0; for the choice of the way");
+    CLI::Option* vector = solve->add_flag("--vector", job.follows_vector,
+                                          "the tool goes there along the great circle");
+    solve->add_option("--length", job.length, "of the tool in mm");
+    solve->add_flag("--json", job.as_json, "one JSON object");
+    for (CLI::Option* other : {at, tool, euler, from, vector}) axes->excludes(other);
+    tool->excludes(euler);
 }
 
 CommandLine Parser::parse(int count, const char* const* arguments) {

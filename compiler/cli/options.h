@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "driver/format.h"
+#include "driver/machine_solve.h"
 #include "driver/messages.h"
 #include "driver/options.h"
 
@@ -26,6 +27,7 @@ enum class Verb : std::uint8_t {
     DialectExplain,
     MachineList,
     MachineCheck,
+    MachineSolve,
 };
 
 struct CommandLine {
@@ -35,6 +37,7 @@ struct CommandLine {
     driver::RunJob run;
     driver::CompareJob compare;
     driver::TestJob test;
+    driver::SolveJob solve;
     std::vector<std::string> sources;  // check, fmt
     driver::FormatMode format = driver::FormatMode::Write;
     std::string file;  // dialect and machine: a name or a file

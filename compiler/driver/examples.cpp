@@ -14,6 +14,7 @@
 #include "driver/program_example.h"
 #include "expand/expander.h"
 #include "nc/check.h"
+#include "path/curve_registry.h"
 
 namespace kadr::driver {
 
@@ -108,6 +109,13 @@ void check_program(Session& session, const nc::Dialect& dialect, const nc::Examp
 
 void check_cycles(Session& session, const nc::Dialect& dialect) {
     for (const nc::CycleInfo& cycle : dialect.cycles()) {
+        if (!cycle.curve.empty() && path::find_curve(cycle.curve) == nullptr) {
+            session.messages()
+                .report(diag::DialectBadValue, cycle.file_range)
+                .arg(cycle.curve)
+                .arg("curve")
+                .arg("no kind of curve of this name is linked into this program");
+        }
         if (cycle.file.empty()) continue;
         const std::optional<Program> program = load_program(session, cycle.file);
         if (!program) continue;  // its mistakes have been reported

@@ -139,7 +139,10 @@ class Execution::StatementNotes final : public DiagnosticSink {
     std::size_t alarms() const { return alarms_; }
 
     void take(Diagnostic diagnostic) override {
-        if (diagnostic.severity == Severity::Alarm) ++alarms_;
+        if (diagnostic.severity == Severity::Alarm) {
+            ++alarms_;
+            name_alarm(diagnostic);
+        }
         if (execution_.generated_ && diagnostic.line &&
             diagnostic.line->file == execution_.text_name_) {
             const SourceId source = execution_.generated_->lines().find(diagnostic.line->line);
@@ -153,6 +156,15 @@ class Execution::StatementNotes final : public DiagnosticSink {
     }
 
   private:
+    /// The motion knows no control: its alarms get their numbers here.
+    void name_alarm(Diagnostic& diagnostic) const {
+        if (!diagnostic.alarm_number.empty()) return;
+        const auto own = execution_.dialect().alarm(*diagnostic.row);
+        if (!own) return;
+        diagnostic.alarm_number = own->number;
+        diagnostic.alarm_text = own->text;
+    }
+
     const Execution& execution_;
     DiagnosticSink& next_;
     std::size_t alarms_ = 0;

@@ -85,6 +85,7 @@ struct RunJob {
     TimeWindow curves_window;  // … of this part of the run
     std::string drive;         // the drives over time, a drawing; rows if `.csv`
     std::string scanner;       // the scanner's lists of commands
+    std::string limits;        // what kept each block below its feed; rows if `.csv`, else a report
     std::string variables;
     std::string print;  // what the program prints
     std::string map;

@@ -15,16 +15,17 @@
 #include "base/diagnostics/driver.h"
 #include "base/diagnostics/machine.h"
 #include "base/numbers.h"
-#include "base/read_ahead.h"
 #include "base/units.h"
 #include "driver/command_list.h"
 #include "driver/command_tap.h"
 #include "driver/debugger.h"
 #include "driver/drive_plot.h"
 #include "driver/execution.h"
+#include "driver/limit_report.h"
 #include "driver/motion_plot.h"
 #include "driver/operator_events.h"
 #include "driver/output.h"
+#include "driver/pipeline_stages.h"
 #include "driver/places.h"
 #include "driver/plot_svg.h"
 #include "driver/scanner_list.h"
@@ -40,8 +41,7 @@ namespace kadr::driver {
 
 namespace {
 
-constexpr std::size_t kLongest = 20;       // statements that a summary may name
-constexpr std::size_t kPlannedBatch = 64;  // segments are half a kilobyte
+constexpr std::size_t kLongest = 20;  // statements that a summary may name
 
 /// The outputs of a run, all open before it begins; null: nobody asked.
 struct Outputs {
@@ -55,12 +55,13 @@ struct Outputs {
     std::unique_ptr<Output> print;
     std::unique_ptr<Output> map;
     std::unique_ptr<Output> trace;
+    std::unique_ptr<Output> limits;
     std::unique_ptr<Output> summary;
 
-    std::array<Output*, 11> all() const {
+    std::array<Output*, 12> all() const {
         return {commands.get(), setpoints.get(), plot.get(),      curves.get(),
                 drive.get(),    scanner.get(),   variables.get(), map.get(),
-                trace.get(),    print.get(),     summary.get()};
+                trace.get(),    print.get(),     limits.get(),    summary.get()};
     }
 };
 
@@ -86,8 +87,8 @@ class PrintedLines final : public interp::Printer {
 bool asks_for_nothing(const RunJob& job) {
     return job.summary == SummaryFormat::None && job.commands.empty() && job.setpoints.empty() &&
            job.plot.empty() && job.curves.empty() && job.drive.empty() && job.scanner.empty() &&
-           job.variables.empty() && job.print.empty() && job.map.empty() && job.trace.empty() &&
-           job.breaks.empty();
+           job.variables.empty() && job.limits.empty() && job.print.empty() && job.map.empty() &&
+           job.trace.empty() && job.breaks.empty();
 }
 
 /// Opens an output if it has a name. False: reported.
@@ -129,7 +130,8 @@ class Run {
     void execute();
     void draw(const motion::Segment& segment);
     void sample(Stream<motion::Segment>& segments, double tick);
-    void write_setpoints(Stream<motion::Setpoint>& setpoints);
+    void write_setpoints(std::span<const motion::Setpoint> some);
+    bool open_machine_output();
     bool has_threads() const;
     RunFigures figures(const motion::Totals& totals) const;
     void finish(const RunFigures& figures);
@@ -161,6 +163,7 @@ class Run {
     std::unique_ptr<ScannerText> scanner_;       // null: nobody asked
     DriveTrace drive_trace_;
     std::unique_ptr<WorkTimes> times_;          // null: nobody reads a summary
+    std::unique_ptr<LimitReport> limits_;       // null: nobody asked
     std::unique_ptr<MotionTrace> motion_;       // null: nobody asked
     std::unique_ptr<SetpointTable> table_;      // likewise
     std::atomic<std::uint64_t> setpoints_ = 0;  // progress is told by another thread
@@ -170,10 +173,10 @@ class Run {
 bool Run::open_outputs(bool is_kadr) {
     Messages& messages = session_.messages();
     const bool has_summary = job_.summary != SummaryFormat::None || asks_for_nothing(job_);
-    const std::array<std::string, 11> names = {
+    const std::array<std::string, 12> names = {
         job_.commands, job_.setpoints, job_.plot,  job_.variables,         job_.map,
         job_.trace,    job_.print,     job_.drive, has_summary ? "-" : "", job_.curves,
-        job_.scanner};
+        job_.scanner,  job_.limits};
     if (!are_outputs_apart(job_.source, names, messages)) return false;
     if (!job_.map.empty() && !is_kadr) {
         messages.report(diag::NoSourceMap).arg(job_.source);
@@ -189,7 +192,8 @@ bool Run::open_outputs(bool is_kadr) {
            open_if_named(outputs_.drive, names[7], messages) &&
            open_if_named(outputs_.summary, names[8], messages) &&
            open_if_named(outputs_.curves, names[9], messages) &&
-           open_if_named(outputs_.scanner, names[10], messages);
+           open_if_named(outputs_.scanner, names[10], messages) &&
+           open_if_named(outputs_.limits, names[11], messages);
 }
 
 void Run::draw(const motion::Segment& segment) {
@@ -212,7 +216,10 @@ void Run::execute() {
     const auto look = [this](const path::Command& command) {
         ++commands_;
         if (list_) list_->write(command);
+        if (limits_) limits_->see(command);
     };
+    const bool has_pulses = machine.laser && machine.laser->pulse > 0;
+    if (outputs_.limits) limits_ = std::make_unique<LimitReport>(*execution_, session_, has_pulses);
     // An alarm of the motion has to come before the next block is shown.
     if (outputs_.summary) times_ = std::make_unique<WorkTimes>(*execution_, session_);
     std::unique_ptr<WorkTap> watched;
@@ -222,6 +229,7 @@ void Run::execute() {
     CommandTap tap(commands, look, debugger_ ? 1 : 0);
     motion::PlannerOptions options;
     options.tick = session_.options().tick.value_or(0);
+    options.lookahead = machine.pipeline.ahead;
     options.feed_override = job_.feed_override;
     options.rapid_override = job_.rapid_override;
     options.events = events_;
@@ -229,6 +237,7 @@ void Run::execute() {
         const auto found = numbers_.find(line);
         return found == numbers_.end() ? -1 : found->second;
     };
+    if (limits_) options.tell_loss = [this](const motion::SpeedLoss& loss) { limits_->lose(loss); };
     options.place_of = [this](std::uint32_t line, SourceId) { return execution_->place_of(line); };
     process::PlannedMotion motion(tap, machine, options, execution_->sink(),
                                   [this](const process::StartedList& list) {
@@ -240,6 +249,7 @@ void Run::execute() {
             if (outputs_.plot) draw(segment);
             if (drives_) drives_->add(segment);
             if (times_) times_->add(segment);
+            if (limits_) limits_->add(segment);
             // For the setpoints, whose thread must not ask what is being executed.
             if (!interp::Program::is_in_main_text(segment.line))
                 segment.line = execution_->place_of(segment.line).line;
@@ -269,9 +279,7 @@ bool Run::has_threads() const {
     return job_.threads.value_or(std::thread::hardware_concurrency() > 1);
 }
 
-/// Walks the motion at the tick, for those who want to see it. In threads there are three stages:
-/// everything up to planned motion, the setpoints, and what is written of them; the streams join
-/// them, so the result is the same.
+/// Walks the motion at the tick, for those who want to see it.
 void Run::sample(Stream<motion::Segment>& segments, double tick) {
     const machine::Machine& machine = execution_->machine();
     if (outputs_.setpoints) table_ = open_setpoints(machine, *outputs_.setpoints);
@@ -279,27 +287,17 @@ void Run::sample(Stream<motion::Segment>& segments, double tick) {
         motion_ = std::make_unique<MotionTrace>(machine, tick > 0 ? tick : machine.tick,
                                                 job_.curves_window);
     }
-    if (!has_threads()) {
-        motion::Sampler sampler(segments, machine, tick);
-        write_setpoints(sampler);
-        return;
-    }
-    ReadAhead<motion::Segment> planned(segments, kPlannedBatch);
-    motion::Sampler sampler(planned, machine, tick);
-    ReadAhead<motion::Setpoint> sampled(sampler);
-    write_setpoints(sampled);
+    run_stages(segments, machine, tick, has_threads(),
+               [this](std::span<const motion::Setpoint> some) { write_setpoints(some); });
 }
 
-void Run::write_setpoints(Stream<motion::Setpoint>& setpoints) {
-    std::vector<motion::Setpoint> batch(kBatch);
-    while (const std::size_t count = setpoints.pull(batch)) {
-        const auto some = std::span(batch).first(count);
-        for (const motion::Setpoint& setpoint : some) {
-            if (motion_) motion_->add(setpoint);
-        }
-        if (table_) table_->write(some);
-        setpoints_ += table_ ? count : 0;
+void Run::write_setpoints(std::span<const motion::Setpoint> some) {
+    if (motion_) {
+        for (const motion::Setpoint& setpoint : some) motion_->add(setpoint);
     }
+    if (!table_) return;
+    table_->write(some);
+    setpoints_ += some.size();
 }
 
 RunFigures Run::figures(const motion::Totals& totals) const {
@@ -330,6 +328,7 @@ void Run::finish(const RunFigures& figures) {
     if (list_ && !figures.alarm.empty()) list_->write_alarm(figures.alarm);
     if (table_) table_->finish(figures.alarm);
     if (scanner_) scanner_->finish(figures.alarm);
+    if (limits_) limits_->write(*outputs_.limits, figures.source, figures.alarm);
     if (outputs_.plot) write_plot(figures);
     if (motion_) write_curves(figures);
     if (drives_) finish_drives(figures);
@@ -384,6 +383,24 @@ bool Run::suits_machine() const {
     if (events_.empty() || !has_pulses) return true;
     session_.messages().report(diag::OperatorAndPulses).arg(machine.name);
     return false;
+}
+
+/// The setpoints that the machine file asks for, unless the command line says where they go. False:
+/// reported.
+bool Run::open_machine_output() {
+    std::string name = execution_->machine().pipeline.setpoints.file;
+    if (outputs_.setpoints || name.empty()) return true;
+    constexpr std::string_view kProgram = "{program}";
+    const std::string program =
+        job_.source == "-" ? "stdin" : std::filesystem::path(job_.source).stem().string();
+    if (const std::size_t at = name.find(kProgram); at != std::string::npos)
+        name.replace(at, kProgram.size(), program);
+    std::vector<std::string> names = {name};
+    for (const Output* output : outputs_.all()) {
+        if (output != nullptr) names.push_back(output->name());
+    }
+    return are_outputs_apart(job_.source, names, session_.messages()) &&
+           open_if_named(outputs_.setpoints, name, session_.messages());
 }
 
 /// The simulation of the drives, if it was asked for. False: reported.
@@ -473,7 +490,7 @@ std::function<void(const nc::Block&)> Run::block_look() {
 bool Run::open_execution(std::unique_ptr<FileText> text) {
     Aside aside;
     aside.map = outputs_.map.get();
-    aside.keeps_calls = outputs_.summary != nullptr;
+    aside.keeps_calls = outputs_.summary != nullptr || outputs_.limits != nullptr;
     if (debugger_) debugger_->look_on(aside);
     aside.look_at = block_look();
     execution_ = Execution::open(session_, job_.source, std::move(text), aside);
@@ -492,6 +509,7 @@ Status Run::perform() {
         if (!debugger_) return refused();
     }
     if (!open_execution(std::move(text))) return session_.status();
+    if (!open_machine_output()) return refused();
     if (!suits_machine() || !open_drives() || !open_scanner()) return refused();
     execute();
     return commit();

@@ -3,6 +3,8 @@
 #include <optional>
 #include <utility>
 
+#include "driver/pipeline_stages.h"
+
 namespace kadr::driver {
 
 namespace {
@@ -81,6 +83,7 @@ const machine::Machine* Session::machine() {
         OriginSink sink(messages_, {}, is_option ? "-m" : "");
         std::optional<machine::Machine> fresh = machine::load_machine(
             is_option ? options_.machine : kStockMachine, share_.machines, sources_, sink);
+        if (fresh && !has_modules(*fresh, sink)) fresh.reset();
         if (!fresh) mark_usage();
         if (fresh) machine_ = std::make_unique<machine::Machine>(std::move(*fresh));
     }

@@ -7,6 +7,7 @@
 
 #include "base/units.h"
 #include "driver/columns.h"
+#include "machine/setpoint_columns.h"
 
 namespace kadr::driver {
 
@@ -22,54 +23,71 @@ double beam_power(const machine::Laser& laser, const motion::Setpoint& setpoint)
     return laser.least_power + (laser.power - laser.least_power) * share;
 }
 
-/// Whether setpoints tell of pulses: of the laser at the axes, or of the scanner's.
-bool has_pulses(const machine::Machine& machine) {
-    return (machine.laser && machine.laser->pulse > 0) ||
-           (machine.scanner && machine.scanner->pulse > 0);
-}
-
 enum class Kind : std::uint8_t { Length, Feed, Count };
+
+/// A number of a setpoint, as the table has it.
+struct Cell {
+    Kind kind = Kind::Length;
+    double number = 0;        // of a Length or a Feed
+    std::uint32_t count = 0;  // of a Count
+};
 
 struct Column {
     std::string name;
     Kind kind = Kind::Length;
 };
 
-std::vector<Column> columns_of(const machine::Machine& machine) {
-    std::vector<Column> columns = {{"t"}};
-    for (const machine::MachineAxis& axis : machine.axes) columns.push_back({axis.name});
-    for (const char* name : {"tip_x", "tip_y", "tip_z", "tool_i", "tool_j", "tool_k"})
-        columns.push_back({name});
-    columns.push_back({"feed", Kind::Feed});
-    columns.push_back({"iso", Kind::Count});
-    if (has_pulses(machine)) columns.push_back({"pulse", Kind::Count});
-    if (machine.laser && machine.laser->power > 0) columns.push_back({"power", Kind::Feed});
-    return columns;
-}
+Cell length(double value) { return {Kind::Length, value}; }
+Cell feed(double value) { return {Kind::Feed, value}; }
+Cell counted(std::uint32_t value) { return {Kind::Count, 0, value}; }
 
-/// Hands a setpoint's values over in the order of the columns.
-template <typename Number, typename Count>
-void for_columns(const machine::Machine& machine, const motion::Setpoint& setpoint,
-                 const Number& number, const Count& count) {
-    number(setpoint.time, kDecimals);
+/// All numbers of a setpoint, in the order of machine::setpoint_columns.
+void fill(const machine::Machine& machine, const motion::Setpoint& setpoint,
+          std::vector<Cell>& cells) {
+    cells.clear();
+    cells.push_back(length(setpoint.time));
     for (std::size_t i = 0; i < machine.axes.size(); ++i) {
         const double value = setpoint.axis[i];
-        number(machine.axes[i].is_rotary ? deg_from_rad(value) : value, kDecimals);
+        cells.push_back(length(machine.axes[i].is_rotary ? deg_from_rad(value) : value));
     }
-    for (int i = 0; i < 3; ++i) number(setpoint.tip[i], kDecimals);
-    for (int i = 0; i < 3; ++i) number(setpoint.tool[i], kDecimals);
-    number(mm_min_from_feed(setpoint.feed), kFeedDecimals);
-    count(setpoint.line);
-    if (has_pulses(machine)) count(setpoint.pulses);
+    for (int i = 0; i < 3; ++i) cells.push_back(length(setpoint.tip[i]));
+    for (int i = 0; i < 3; ++i) cells.push_back(length(setpoint.tool[i]));
+    cells.push_back(feed(mm_min_from_feed(setpoint.feed)));
+    cells.push_back(counted(setpoint.line));
+    if (machine::has_pulses(machine)) cells.push_back(counted(setpoint.pulses));
     if (machine.laser && machine.laser->power > 0)
-        number(beam_power(*machine.laser, setpoint), kFeedDecimals);
+        cells.push_back(feed(beam_power(*machine.laser, setpoint)));
 }
+
+/// The columns that the machine file asks for, and how a setpoint fills them.
+class ChosenColumns {
+  public:
+    explicit ChosenColumns(const machine::Machine& machine)
+        : machine_(machine), chosen_(machine::chosen_columns(machine)) {
+        fill(machine, {}, cells_);
+        const std::vector<std::string> names = machine::setpoint_columns(machine);
+        for (const std::size_t i : chosen_) columns_.push_back({names[i], cells_[i].kind});
+    }
+    const std::vector<Column>& columns() const { return columns_; }
+
+    template <typename Look>
+    void for_each(const motion::Setpoint& setpoint, const Look& look) {
+        fill(machine_, setpoint, cells_);
+        for (const std::size_t i : chosen_) look(cells_[i]);
+    }
+
+  private:
+    const machine::Machine& machine_;
+    std::vector<std::size_t> chosen_;
+    std::vector<Column> columns_;
+    std::vector<Cell> cells_;
+};
 
 class CsvTable final : public SetpointTable {
   public:
-    CsvTable(const machine::Machine& machine, Output& out) : machine_(machine), out_(out) {
+    CsvTable(const machine::Machine& machine, Output& out) : columns_(machine), out_(out) {
         std::string header;
-        for (const Column& column : columns_of(machine))
+        for (const Column& column : columns_.columns())
             header += (header.empty() ? "" : ",") + column.name;
         out_.write(header + '\n');
     }
@@ -78,13 +96,13 @@ class CsvTable final : public SetpointTable {
         text_.clear();
         for (const motion::Setpoint& setpoint : setpoints) {
             const std::size_t begin = text_.size();
-            for_columns(
-                machine_, setpoint,
-                [&](double value, int decimals) {
-                    if (text_.size() == begin) append_trimmed(text_, value, decimals);
-                    else append_column(text_, value, decimals);
-                },
-                [&](std::uint32_t value) { append_column(text_, value); });
+            columns_.for_each(setpoint, [&](const Cell& cell) {
+                if (text_.size() > begin) text_ += ',';
+                if (cell.kind == Kind::Count) text_ += std::to_string(cell.count);
+                else
+                    append_trimmed(text_, cell.number,
+                                   cell.kind == Kind::Feed ? kFeedDecimals : kDecimals);
+            });
             text_ += '\n';
         }
         out_.write(text_);
@@ -95,7 +113,7 @@ class CsvTable final : public SetpointTable {
     }
 
   private:
-    const machine::Machine& machine_;
+    ChosenColumns columns_;
     Output& out_;
     std::string text_;
 };
@@ -103,7 +121,7 @@ class CsvTable final : public SetpointTable {
 /// The number of rows is known at the end: the header keeps room for it and is written twice.
 class NumpyTable final : public SetpointTable {
   public:
-    NumpyTable(const machine::Machine& machine, Output& out) : machine_(machine), out_(out) {
+    NumpyTable(const machine::Machine& machine, Output& out) : columns_(machine), out_(out) {
         static_assert(std::endian::native == std::endian::little);
         out_.write(header());
     }
@@ -111,9 +129,10 @@ class NumpyTable final : public SetpointTable {
     void write(std::span<const motion::Setpoint> setpoints) override {
         bytes_.clear();
         for (const motion::Setpoint& setpoint : setpoints) {
-            for_columns(
-                machine_, setpoint, [&](double value, int) { append(value); },
-                [&](std::uint32_t value) { append(value); });
+            columns_.for_each(setpoint, [&](const Cell& cell) {
+                if (cell.kind == Kind::Count) append(cell.count);
+                else append(cell.number);
+            });
         }
         rows_ += setpoints.size();
         out_.write(bytes_);
@@ -135,7 +154,7 @@ class NumpyTable final : public SetpointTable {
         constexpr std::size_t kFixed = 10;       // bytes in front of the dictionary
         constexpr std::size_t kMostDigits = 20;  // of the number of rows
         std::string text = "{'descr': [";
-        for (const Column& column : columns_of(machine_)) {
+        for (const Column& column : columns_.columns()) {
             text +=
                 "('" + column.name + "', '" + (column.kind == Kind::Count ? "<u4" : "<f8") + "'), ";
         }
@@ -154,7 +173,7 @@ class NumpyTable final : public SetpointTable {
         return all + text;
     }
 
-    const machine::Machine& machine_;
+    ChosenColumns columns_;
     Output& out_;
     std::uint64_t rows_ = 0;
     std::string bytes_;

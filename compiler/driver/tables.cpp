@@ -10,6 +10,7 @@
 #include "base/diagnostics/driver.h"
 #include "base/text.h"
 #include "driver/examples.h"
+#include "driver/pipeline_stages.h"
 #include "interp/rules.h"
 #include "machine/machine.h"
 #include "nc/check.h"
@@ -179,12 +180,19 @@ Reply list_machines(Session& session) {
     return {Status::Done, std::move(out)};
 }
 
+std::optional<machine::Machine> machine_of(Session& session, const std::string& name_or_file) {
+    if (is_missing_file(session, name_or_file)) return std::nullopt;
+    auto machine = machine::load_machine(name_or_file, session.share().machines, session.sources(),
+                                         session.messages());
+    if (!machine) mark_unknown(session, name_or_file, machine::list(session.share().machines));
+    return machine;
+}
+
 Reply check_machine(Session& session, const std::string& name_or_file) {
-    if (is_missing_file(session, name_or_file)) return {session.status(), {}};
-    const auto machine = machine::load_machine(name_or_file, session.share().machines,
-                                               session.sources(), session.messages());
-    if (!machine) {
-        mark_unknown(session, name_or_file, machine::list(session.share().machines));
+    const auto machine = machine_of(session, name_or_file);
+    if (!machine) return {session.status(), {}};
+    if (!has_modules(*machine, session.messages())) {
+        session.mark_usage();
         return {session.status(), {}};
     }
     return {session.status(), fmt::format("{}: {}, {} axes, no mistakes\n", machine->name,

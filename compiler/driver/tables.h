@@ -1,6 +1,7 @@
 // tables.h — `kadr explain`, `kadr dialect …`, `kadr machine …`: what Kadr's tables say.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -27,6 +28,8 @@ Reply check_dialect(Session& session, const std::string& name_or_file);
 Reply explain_word(Session& session, const std::string& name_or_file, const std::string& word);
 
 Reply list_machines(Session& session);
+/// A machine by name or file; nothing, reported, if there is none or it has mistakes.
+std::optional<machine::Machine> machine_of(Session& session, const std::string& name_or_file);
 Reply check_machine(Session& session, const std::string& name_or_file);
 
 }  // namespace kadr::driver

@@ -1,8 +1,7 @@
 #include "driver/work_times.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <string_view>
+#include <utility>
 
 #include "path/curve.h"
 
@@ -11,23 +10,6 @@ namespace kadr::driver {
 namespace {
 
 constexpr std::size_t kMostRows = 1 << 16;
-constexpr std::size_t kShownText = 48;  // characters of a statement
-
-/// The first line of a statement, without the brace of its body, as far as it fits.
-std::string first_line(std::string_view statement) {
-    std::string text(statement.substr(0, statement.find('\n')));
-    while (!text.empty() && (text.back() == ' ' || text.back() == '{' || text.back() == '\r'))
-        text.pop_back();
-    if (text.size() <= kShownText) return text;
-    std::size_t cut = kShownText;
-    while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0u) == 0x80u) --cut;
-    return text.substr(0, cut) + "…";
-}
-
-std::string without_folder(const std::string& name) {
-    return std::filesystem::path(name).filename().string();
-}
-
 void add_to(WorkShare& share, const motion::Segment& segment, double length) {
     share.time += segment.duration;
     const bool cuts =
@@ -62,39 +44,9 @@ void WorkTimes::take_next_tool() {
 }
 
 WorkShare& WorkTimes::share_of(const motion::Segment& segment) {
-    Place place;
-    place.statement = users_statement(segment);
-    key_.clear();
-    if (place.statement.file.is_valid()) {
-        key_ = std::to_string(place.statement.file.index) + '@' +
-               std::to_string(place.statement.begin);
-    } else if (interp::Program::is_in_main_text(segment.line)) {
-        place.line = segment.line;
-        key_ = std::to_string(segment.line);
-    } else {
-        const LinePlace called = execution_.place_of(segment.line);
-        place.called = called.file + ':' + std::to_string(called.line);
-        key_ = place.called;
-    }
-    return rows_.try_emplace(key_, Row{std::move(place), {}}).first->second.share;
-}
-
-/// The statement outside of the library that led to the piece; none in ISO-7bit text.
-SourceRange WorkTimes::users_statement(const motion::Segment& segment) const {
-    const SourceRange statement = execution_.statement(segment.source);
-    if (!statement.file.is_valid() || !is_in_library(statement)) return statement;
-    const GeneratedText* generated = execution_.generated();
-    const expand::Trace* calls =
-        generated == nullptr ? nullptr : generated->calls_behind(segment.line);
-    if (calls == nullptr) return statement;
-    for (auto call = calls->calls.rbegin(); call != calls->calls.rend(); ++call) {
-        if (call->range.file.is_valid() && !is_in_library(call->range)) return call->range;
-    }
-    return statement;
-}
-
-bool WorkTimes::is_in_library(const SourceRange& range) const {
-    return session_.sources().name(range.file).starts_with(session_.share().library);
+    WorkPlace place = places_.find(segment.line, segment.source);
+    std::string key = WorkPlaces::key_of(place);
+    return rows_.try_emplace(std::move(key), Row{std::move(place), {}}).first->second.share;
 }
 
 void WorkTimes::forget_least() {
@@ -122,10 +74,7 @@ std::vector<PlaceShare> WorkTimes::longest(std::size_t most) const {
     const std::size_t count = std::min(most, rows.size());
     const auto is_before = [](const Row* a, const Row* b) {
         if (a->share.time != b->share.time) return a->share.time > b->share.time;
-        if (a->place.line != b->place.line) return a->place.line < b->place.line;
-        if (a->place.statement.begin != b->place.statement.begin)
-            return a->place.statement.begin < b->place.statement.begin;
-        return a->place.called < b->place.called;
+        return a->place < b->place;
     };
     const auto end = rows.begin() + static_cast<std::ptrdiff_t>(count);
     std::partial_sort(rows.begin(), end, rows.end(), is_before);
@@ -135,14 +84,7 @@ std::vector<PlaceShare> WorkTimes::longest(std::size_t most) const {
 }
 
 PlaceShare WorkTimes::shown(const Row& row) const {
-    const Place& place = row.place;
-    if (!place.called.empty()) return {without_folder(place.called), {}, row.share};
-    if (!place.statement.file.is_valid()) {
-        const std::string name = execution_.text_name() + ':' + std::to_string(place.line);
-        return {without_folder(name), {}, row.share};
-    }
-    return {without_folder(session_.source_name(place.statement)),
-            first_line(session_.sources().text(place.statement)), row.share};
+    return {places_.name_of(row.place), places_.text_of(row.place), row.share};
 }
 
 }  // namespace kadr::driver

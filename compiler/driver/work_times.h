@@ -10,6 +10,7 @@
 #include "base/stream.h"
 #include "driver/execution.h"
 #include "driver/session.h"
+#include "driver/work_places.h"
 #include "motion/segment.h"
 #include "path/command.h"
 
@@ -40,7 +41,7 @@ class WorkTimes {
   public:
     /// Both outlive this.
     WorkTimes(const Execution& execution, const Session& session)
-        : execution_(execution), session_(session) {}
+        : execution_(execution), places_(execution, session) {}
 
     /// A command on its way to the planner.
     void see(const path::Command& command);
@@ -54,30 +55,22 @@ class WorkTimes {
     std::vector<PlaceShare> longest(std::size_t most) const;
 
   private:
-    struct Place {
-        SourceRange statement;   // of a source; invalid: …
-        std::uint32_t line = 0;  // … of the ISO-7bit text
-        std::string called;      // file and line in a program that was called
-    };
     struct Row {
-        Place place;
+        WorkPlace place;
         WorkShare share;
     };
 
     WorkShare& share_of(const motion::Segment& segment);
-    SourceRange users_statement(const motion::Segment& segment) const;
-    bool is_in_library(const SourceRange& range) const;
     void take_next_tool();
     void forget_least();
     PlaceShare shown(const Row& row) const;
 
     const Execution& execution_;
-    const Session& session_;
+    WorkPlaces places_;
     std::deque<std::int64_t> calls_;  // of tools, that are not planned yet
     std::vector<ToolShare> tools_ = {{}};
     std::size_t tool_at_ = 0;
     std::unordered_map<std::string, Row> rows_;
-    std::string key_;
 };
 
 /// Shows every command to the times on its way.

@@ -51,6 +51,17 @@ void Expander::State::compensated_cycle(const sema::FunctionCode& cycle) {
     builder.fix("end it before: `G40` with a move");
 }
 
+/// A control that has cycles of its own, none of which is known to tap as the call says.
+void Expander::State::warn_of_tap() {
+    const CallFrame& frame = frames.back();
+    const bool is_called = frames.size() > 1 && frame.return_to > 0;
+    if (!is_called || !target.has_rule("modal_cycles", "yes")) return;
+    const std::uint32_t at = frame.return_to - 1;
+    if (tap_warned_at == at) return;
+    tap_warned_at = at;
+    fault_in(diag::TapByMoves, at, frames.size() - 1).arg(frame.function->name);
+}
+
 bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers) {
     if (!recordings.empty()) return false;
     const CallFrame& frame = frames.back();
@@ -93,7 +104,10 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
         // A call in the control's own words: what it does not say, the control has by itself.
         given &= frame.given;
         const bool is_said = said_cycle.is_running;
-        if (!is_said || !target.has_native_cycle(cycle, given, arguments)) return false;
+        if (!is_said || !target.has_native_cycle(cycle, given, arguments)) {
+            if (turns_spindle(parameters, given, values)) warn_of_tap();
+            return false;
+        }
     }
     // Under inverse time F belongs to a block, and a cycle is many.
     if (modal[Group::FeedMode] == Function::FeedInverseTime) return false;

@@ -266,6 +266,7 @@ struct Expander::State {
     // ---- native_cycles.cpp
     bool spares_distances(nc::CycleId cycle, std::uint32_t given) const;
     void compensated_cycle(const sema::FunctionCode& cycle);
+    void warn_of_tap();
     /// True if the control has the cycle and a block stands for it now, or an error was reported.
     bool emit_cycle(nc::CycleId cycle, const Slot* registers);
 
@@ -433,6 +434,7 @@ struct Expander::State {
     nc::Block kept_block;               // takes the words of a block that is kept
 
     std::optional<Following> following;
+    std::uint32_t tap_warned_at = 0;     // where a control without tapping was reported last
     std::uint32_t spline_warned_at = 0;  // where a control without splines was reported last
     bool is_in_curve = false;            // a point of a curve is being calculated
     std::vector<double> slopes;          // beside `stack`, while one is

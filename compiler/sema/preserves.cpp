@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/diagnostics/sema.h"
+#include "nc/frame_words.h"
 #include "sema/checker.h"
 
 namespace kadr::sema {
@@ -48,20 +49,6 @@ void join(Flow& into, const Flow& other) {
     }
 }
 
-bool is_frame(nc::Function function) {
-    switch (function) {
-        case nc::Function::Shift:
-        case nc::Function::ShiftAdd:
-        case nc::Function::Rotate:
-        case nc::Function::RotateOff:
-        case nc::Function::Scale:
-        case nc::Function::ScaleOff:
-        case nc::Function::Mirror:
-        case nc::Function::MirrorOff: return true;
-        default: return false;
-    }
-}
-
 }  // namespace
 
 class PreservesCheck {
@@ -96,7 +83,7 @@ class PreservesCheck {
     void set(Flow& flow, ModalMask bit, Setter setter) { flow.setters[bit] = {setter}; }
 
     void apply(Flow& flow, nc::Function function, const SourceRange& range) {
-        if (is_frame(function)) {
+        if (nc::changes_frame(function)) {
             set(flow, kFrameBit, {function, range});
             return;
         }

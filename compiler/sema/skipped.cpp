@@ -4,6 +4,7 @@
 // said again by the output (expand/unknown.cpp, nc/block_writer.cpp); the spindle, the coolant and
 // M functions are the operator's choice; the rest is refused here.
 #include "base/diagnostics/sema.h"
+#include "nc/frame_words.h"
 #include "sema/checker.h"
 
 namespace kadr::sema {
@@ -14,15 +15,8 @@ namespace {
 /// offsets, tools, units, limits and tolerances, measured places, words of cycles.
 bool stays_unsaid(nc::Function function) {
     using nc::Function;
+    if (nc::changes_frame(function)) return true;
     switch (function) {
-        case Function::Shift:
-        case Function::ShiftAdd:
-        case Function::Rotate:
-        case Function::RotateOff:
-        case Function::Scale:
-        case Function::ScaleOff:
-        case Function::Mirror:
-        case Function::MirrorOff:
         case Function::SetPosition:
         case Function::WorkOffset:
         case Function::WorkOffsetData:

@@ -90,7 +90,7 @@ class DiagnosticBuilder {
 
     DiagnosticBuilder& arg(std::string_view text);
     DiagnosticBuilder& arg(const char* text) { return arg(std::string_view(text)); }
-    DiagnosticBuilder& arg(double value);  // shortest form that reads back
+    DiagnosticBuilder& arg(double value);  // as a person would write it
     DiagnosticBuilder& arg(std::int64_t value);
     DiagnosticBuilder& arg(int value) { return arg(static_cast<std::int64_t>(value)); }
     DiagnosticBuilder& arg(std::size_t value) { return arg(static_cast<std::int64_t>(value)); }

@@ -322,6 +322,26 @@ XmlElement sound_part(const XmlElement& element, const XmlShape& shape) {
     return sound;
 }
 
+std::vector<XmlWord> words_of(const XmlAttribute& attribute) {
+    const std::string& value = attribute.value;
+    const SourceRange& range = attribute.value_range;
+    const bool is_as_it_stands = range.end - range.begin == value.size();
+    constexpr std::string_view kBlanks = " \t\r\n";
+    std::vector<XmlWord> words;
+    std::size_t at = 0;
+    while ((at = value.find_first_not_of(kBlanks, at)) != std::string::npos) {
+        const std::size_t end = std::min(value.find_first_of(kBlanks, at), value.size());
+        XmlWord word{value.substr(at, end - at), range};
+        if (is_as_it_stands) {
+            word.range.begin = range.begin + static_cast<std::uint32_t>(at);
+            word.range.end = range.begin + static_cast<std::uint32_t>(end);
+        }
+        words.push_back(std::move(word));
+        at = end;
+    }
+    return words;
+}
+
 std::string shown_value(std::string_view value) {
     constexpr std::size_t kLongest = 60;
     if (value.size() <= kLongest) return std::string(value);

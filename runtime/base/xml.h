@@ -34,6 +34,15 @@ struct XmlElement {
     const XmlAttribute* find(std::string_view attribute) const;
 };
 
+/// One of several words of an attribute.
+struct XmlWord {
+    std::string text;
+    SourceRange range;  // of the word; of the whole value where entities stand in it
+};
+
+/// The words of a value, between blanks.
+std::vector<XmlWord> words_of(const XmlAttribute& attribute);
+
 /// An attribute that an element may have.
 struct XmlAttributeRule {
     enum class Use : std::uint8_t {

@@ -38,8 +38,7 @@ double Executor::word_factor(std::int64_t index) const {
 
 std::optional<double> Executor::place_of(Quantity quantity, Axis axis) const {
     const std::size_t i = index(axis);
-    AxisValues head = position_.base;
-    for (std::size_t k = 0; k < kAxes; ++k) head[k] += length_shift_[k];
+    const AxisValues head = machine_axes();
     switch (quantity) {
         case Quantity::EndPosition:
         case Quantity::WorkPosition: return position_.here[i];
@@ -88,6 +87,7 @@ double Executor::run_time() {
     soft_approach_.look_at_waiting(add);
     corners_.look_at_waiting(add);
     latest_time_ = std::max(latest_time_, clock.seconds());
+    cutting_time_ = std::max(cutting_time_, clock.cutting_seconds());
     return latest_time_;
 }
 
@@ -123,6 +123,8 @@ std::optional<double> Executor::calendar(Quantity quantity) {
         case Quantity::Hour: return std::floor(of_day / 3600);
         case Quantity::Minute: return std::fmod(std::floor(of_day / 60), 60);
         case Quantity::Second: return std::fmod(of_day, 60);
+        case Quantity::Millisecond:
+            return std::fmod(std::floor((options_.time_of_day + run_time()) * 1000), 1000);
         default: return std::nullopt;
     }
 }
@@ -223,6 +225,7 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
                                               tool_.length_number()) +
                              extra_.lengths[static_cast<Eigen::Index>(first) - 1];
         case Quantity::Timer: return timer(first);
+        case Quantity::CuttingTime: run_time(); return cutting_time_;
         case Quantity::ToolRadius: return tool_offsets_.radius(tool_.current) + extra_.radius;
         case Quantity::ActiveToolDatum: return tool_datum(first);
         case Quantity::ToolDatum:
@@ -300,7 +303,8 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::Day:
         case Quantity::Hour:
         case Quantity::Minute:
-        case Quantity::Second: return calendar(quantity);
+        case Quantity::Second:
+        case Quantity::Millisecond: return calendar(quantity);
         case Quantity::SettableFrame:
         case Quantity::ActiveFrame:
         case Quantity::BaseFrame:
@@ -309,6 +313,10 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::ProgramLevel:
         case Quantity::ArgumentGiven:
         case Quantity::ExtraBoth:
+        case Quantity::ToolName:
+        case Quantity::ToolNameOf:
+        case Quantity::ProgramName:
+        case Quantity::EdgeSpeed:
         case Quantity::None:
         case Quantity::ModalCode:
         case Quantity::ModalNumber:
@@ -320,6 +328,32 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::MessageStop: return std::nullopt;
     }
     return std::nullopt;
+}
+
+std::optional<std::string> Executor::text(Quantity quantity, std::int64_t index) {
+    const bool is_active = quantity == Quantity::ToolName;
+    if (!is_active && quantity != Quantity::ToolNameOf) return std::nullopt;
+    const std::int64_t number = is_active ? tool_.current : index;
+    if (number == 0) return is_active ? std::optional<std::string>("") : std::nullopt;
+    return name_of_tool(number);
+}
+
+/// As the machine's table or the program has named it, else its number.
+std::string Executor::name_of_tool(std::int64_t number) const {
+    const auto known = std::ranges::find(machine_.tools, number, &machine::ToolData::number);
+    if (known != machine_.tools.end() && !known->name.empty()) return known->name;
+    std::int64_t last = 0;
+    for (const machine::ToolData& tool : machine_.tools) last = std::max(last, tool.number);
+    const std::int64_t place = number - last - 1;
+    if (place >= 0 && place < static_cast<std::int64_t>(unlisted_tools_.size()))
+        return unlisted_tools_[static_cast<std::size_t>(place)];
+    return std::to_string(number);
+}
+
+std::optional<std::int64_t> Executor::axis_number(Axis axis) const {
+    const auto found = std::ranges::find(machine_.axes, axis, &machine::MachineAxis::axis);
+    if (found == machine_.axes.end()) return std::nullopt;
+    return found - machine_.axes.begin() + 1;
 }
 
 std::optional<ControlFrame> Executor::frame(Quantity quantity, std::int64_t number) {

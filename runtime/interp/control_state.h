@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "interp/control_frame.h"
 #include "nc/language.h"
@@ -34,6 +35,10 @@ class ControlState {
     /// when it is called next; the others act from the next block on.
     virtual Write set_frame(nc::Quantity quantity, std::int64_t number, const ControlFrame& frame,
                             bool acts_at_once) = 0;
+    /// A quantity that is a text; nothing: as above.
+    virtual std::optional<std::string> text(nc::Quantity quantity, std::int64_t index) = 0;
+    /// Which of the machine's axes it is, counted from 1; nothing: the machine has none such.
+    virtual std::optional<std::int64_t> axis_number(Axis axis) const = 0;
     /// Whether the axis of an index is a length, and how many times the programmed value it is (2
     /// where X is a diameter).
     virtual bool is_length(std::int64_t axis) const = 0;

@@ -8,6 +8,7 @@
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "base/units.h"
+#include "nc/control_words.h"
 
 namespace kadr::interp {
 
@@ -244,6 +245,50 @@ Variables::Answer ControlVariables::frame(Quantity quantity, std::int64_t index,
     if (!frame) return Answer::Missing;
     out = *frame;
     return Answer::Value;
+}
+
+Variables::Answer ControlVariables::text(Quantity quantity, std::int64_t index, std::string& out) {
+    if (quantity == Quantity::ProgramName) {
+        const auto name = name_at_ ? name_at_(index) : std::nullopt;
+        if (!name) return Answer::Missing;
+        out = *name;
+        return Answer::Value;
+    }
+    if (state_ == nullptr) return Answer::Unsupported;
+    if (!in_step_) return Answer::Later;
+    const auto text = state_->text(quantity, index);
+    if (!text) return Answer::Missing;
+    out = *text;
+    return Answer::Value;
+}
+
+std::optional<std::int64_t> ControlVariables::axis_number(Axis axis) const {
+    return state_ == nullptr ? std::nullopt : state_->axis_number(axis);
+}
+
+bool ControlVariables::has_name(std::string_view name) const {
+    const nc::ControlWords words(tables_, name);
+    const std::size_t bracket = std::min(name.find(language_.index_open), name.size());
+    const std::string_view front = name.substr(0, bracket);
+    if (level_->symbols.find(words.normal(front)) != nullptr) return true;
+    return std::ranges::any_of(language_.variables, [&](const nc::VariableForm& form) {
+        if (words.is_same(front, form.name))
+            return form.is_family || !form.indices.empty() || bracket == name.size();
+        const std::size_t letters = form.name.size();
+        if (!form.is_family || front.size() <= letters ||
+            !words.is_same(front.substr(0, letters), form.name))
+            return false;
+        const auto number = number_of(front.substr(letters));
+        return number && find_range(form, *number) != nullptr;
+    });
+}
+
+bool ControlVariables::has_program(std::string_view name) {
+    return is_program_ && is_program_(name);
+}
+
+bool ControlVariables::set_element(const nc::Symbol& symbol, std::uint32_t element, double value) {
+    return store_element(symbol, symbol.slot + element, Value::real(value), {}).row == nullptr;
 }
 
 double ControlVariables::axis_unit(Axis axis) const {
@@ -590,7 +635,7 @@ ControlVariables::Fault ControlVariables::store(const Instruction& target,
         case Instruction::Kind::Element: {
             const nc::Symbol& symbol = level_->symbols.at(target.index);
             const auto slot = Evaluator::element(symbol, indices);
-            if (!slot) return {&diag::IndexWrong, {'`' + symbol.name + '`'}};
+            if (!slot) return {&diag::IndexWrong, {Evaluator::wrong_index(symbol, indices)}};
             if (target.count == symbol.dimensions)
                 return store_element(symbol, *slot, value, content);
             // One character of a text; the code 0 cuts it there.
@@ -747,7 +792,7 @@ ControlVariables::Fault ControlVariables::store_part(const Instruction& target,
     }
     const nc::Symbol& symbol = level_->symbols.at(target.index);
     const auto slot = Evaluator::element(symbol, indices);
-    if (!slot) return {&diag::IndexWrong, {'`' + symbol.name + '`'}};
+    if (!slot) return {&diag::IndexWrong, {Evaluator::wrong_index(symbol, indices)}};
     Store& store = *level_->stores[target.index];
     const Value& old = store.values[*slot];
     ControlFrame whole = old.is_frame() ? store.frames[old.text] : ControlFrame();

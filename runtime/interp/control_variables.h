@@ -35,6 +35,13 @@ class ControlVariables final : public Variables {
     void set_in_step(bool in_step) { in_step_ = in_step; }
     /// Who knows which modal call acts, and says its code.
     void ask_modal_call(std::function<double()> ask) { modal_call_ = std::move(ask); }
+    /// Who knows the programs: the name of the one at a level of calls, or nothing, and whether
+    /// there is one with a name.
+    void ask_programs(std::function<std::optional<std::string>(std::int64_t)> name_at,
+                      std::function<bool(std::string_view)> is_there) {
+        name_at_ = std::move(name_at);
+        is_program_ = std::move(is_there);
+    }
     void set_block_number(std::int64_t number) { block_number_ = number; }
     void set_program_level(std::size_t level) { program_level_ = level; }
 
@@ -42,7 +49,12 @@ class ControlVariables final : public Variables {
     Answer system(nc::Quantity quantity, std::int64_t first, std::int64_t second,
                   double& out) override;
     Answer frame(nc::Quantity quantity, std::int64_t index, ControlFrame& out) override;
+    Answer text(nc::Quantity quantity, std::int64_t index, std::string& out) override;
     double axis_unit(Axis axis) const override;
+    std::optional<std::int64_t> axis_number(Axis axis) const override;
+    bool has_name(std::string_view name) const override;
+    bool has_program(std::string_view name) override;
+    bool set_element(const nc::Symbol& symbol, std::uint32_t element, double value) override;
 
     const Store& globals() const { return globals_; }
     Level& level() { return *level_; }
@@ -127,6 +139,8 @@ class ControlVariables final : public Variables {
     Level* level_ = &main_;
     std::int64_t block_number_ = 0;
     std::function<double()> modal_call_;
+    std::function<std::optional<std::string>(std::int64_t)> name_at_;
+    std::function<bool(std::string_view)> is_program_;
     std::size_t program_level_ = 0;
     bool in_step_ = true;
     std::vector<VariableChange>* changes_ = nullptr;

@@ -68,6 +68,12 @@ void Executor::wish_corner(const Block& block, const Actions& actions) {
     CornerWish wish;
     if (actions.corner != nullptr) {
         const Invocation& said = *actions.corner;
+        const bool begins = actions.radius_comp == Function::RadiusCompLeft ||
+                            actions.radius_comp == Function::RadiusCompRight;
+        if (rules_.corner_strict && begins) {
+            report(diag::CornerAtCompStart, block, said.function);
+            return;
+        }
         const bool is_round = said.function == Function::CornerRound;
         const bool is_width = !is_round && (said.given & 2u) != 0;
         wish.kind = is_round   ? CornerWish::Kind::Round

@@ -23,6 +23,8 @@ constexpr std::size_t kCycleBatch = 16;
 
 /// A cycle that has it is a pattern of places: whether another one is called at each.
 constexpr std::string_view kPatternParameter = "calls";
+/// … and this one of a cycle whose tool axis is X of a lathe.
+constexpr std::string_view kAcrossParameter = "across";
 
 /// Where the cycle's parameter of this name stands, if it has one.
 std::optional<std::size_t> find_parameter(const nc::CycleInfo& cycle, std::string_view name) {
@@ -81,6 +83,7 @@ bool Executor::is_modal(nc::CycleId cycle) const {
 void Executor::call_cycle(const Block& block, const Actions& actions) {
     const Invocation& invocation = *actions.cycle;
     const nc::CycleInfo& info = dialect_.cycles()[block.cycle];
+    if (!info.curve.empty()) return move_along_curve(block, invocation);
     if (cycles_ == nullptr || cycle_blocks_ || shape_) {
         report(diag::CycleUnavailable, block, Function::Cycle).arg(info.name);
         return;
@@ -93,6 +96,7 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
         call.arguments[i] = block.argument(invocation, i);
     }
     complete_call(call);
+    cycle_is_across_ = is_lathe_ && find_parameter(info, kAcrossParameter).has_value();
     if (!check_surroundings(block, call)) return;
     complete_surroundings(call);
     take_ends(block, call);
@@ -183,8 +187,7 @@ void Executor::move_instead_of_cycle(const Block& block, const Actions& actions)
 /// a place.
 const Block& Executor::with_depth_apart(const Block& block) {
     const Invocation* const said = block.find(Function::Cycle);
-    if (said == nullptr || cycle_blocks_ || machine_.is_lathe || !is_modal(block.cycle))
-        return block;
+    if (said == nullptr || cycle_blocks_ || is_lathe_ || !is_modal(block.cycle)) return block;
     const int depth = dialect_.cycles()[block.cycle].roles.depth;
     const bool is_said =
         depth >= 0 && (said->given >> depth & 1u) != 0 && (said->by_form >> depth & 1u) == 0;
@@ -243,15 +246,18 @@ void Executor::keep_words(const CycleWords& words) {
 void Executor::keep_levels(const Block& block) {
     const Slot depth = nc::slot_of(path::axes_of(cycle_plane()).normal);
     if (block.has(depth)) {
-        cycle_data_.depth = level_now(block.at(depth));
-        cycle_data_.depth.is_distance |= (block.incremental & bit(depth)) != 0;
+        const bool is_distance = (block.incremental & bit(depth)) != 0;
+        const double scale = cycle_is_across_ ? x_scale(block, is_distance) : 1;
+        cycle_data_.depth = level_now(block.at(depth) * scale);
+        cycle_data_.depth.is_distance |= is_distance;
     }
     if (block.has(Slot::Radius)) cycle_data_.retract = retract_now(block.at(Slot::Radius));
 }
 
 void Executor::warn_levels(const Block& block) {
     if (dialect_.cycles()[block.cycle].roles.depth < 0) return;
-    if (!cycle_data_.retract.is_given)
+    // A distance that nobody says is none: the cycle begins where the tool stands.
+    if (!cycle_data_.retract.is_given && !retract_now(0).is_distance)
         report(diag::CycleLevelMissing, block, Function::Cycle).arg("retract level");
     if (!cycle_data_.depth.is_given)
         report(diag::CycleLevelMissing, block, Function::Cycle).arg("depth");
@@ -453,8 +459,9 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
     request.source = block.source;
     // Without a shape it is the plane alone, in which turning cycles work.
     const CycleShape plane_of_lathe{{}, modal_.plane, true};
-    request.shape = shape != nullptr || !machine_.is_lathe ? shape : &plane_of_lathe;
-    request.x_is_diameter = !machine_.is_lathe || word_scale_[index(Axis::X)] != 1;
+    const bool lies_flat = is_lathe_ && !cycle_is_across_;
+    request.shape = shape != nullptr || !lies_flat ? shape : &plane_of_lathe;
+    request.x_is_diameter = !lies_flat || word_scale_[index(Axis::X)] != 1;
     std::unique_ptr<Stream<Block>> blocks = cycles_->expand(request);
     if (blocks == nullptr) {
         if (!was_refused(block)) ended_ = alarmed_ = true;  // the expander has said why
@@ -637,19 +644,23 @@ void Executor::return_to_level() {
     const Slot slot = nc::slot_of(path::axes_of(cycle_plane()).normal);
     way.set(slot, *final_level_);
     way.absolute = bit(slot);
+    if (cycle_is_across_) way.x_measure = nc::XMeasure::Radius;
     line(way, target_of(way, bit(slot)), path::Op::Rapid, modal_.has_exact_stop);
 }
 
 /// The plane in which a cycle works. Lathes drill along Z whatever their plane.
 path::Plane Executor::cycle_plane() const {
-    return machine_.is_lathe ? path::Plane::Xy : modal_.plane;
+    if (cycle_is_across_) return path::Plane::Yz;
+    return is_lathe_ ? path::Plane::Xy : modal_.plane;
 }
 
 /// The programmed position as a cycle sees it: first and second axis of the plane, tool axis. X of
 /// a lathe is the diameter that programs say.
 AxisValues Executor::position_in_cycle() const {
     AxisValues position = position_.here;
-    for (std::size_t i = 0; i < kAxes; ++i) position[i] /= word_scale_[i];
+    if (!cycle_is_across_) {
+        for (std::size_t i = 0; i < kAxes; ++i) position[i] /= word_scale_[i];
+    }
     const path::PlaneAxes plane = path::axes_of(cycle_plane());
     const AxisValues all = position;
     position[0] = all[index(plane.first)];
@@ -666,6 +677,7 @@ const Block& Executor::in_plane_of_cycle(const Block& block) {
     const std::array<std::size_t, 3> axes = {index(plane.first), index(plane.second),
                                              index(plane.normal)};
     remapped_ = block;
+    if (cycle_is_across_) remapped_.x_measure = nc::XMeasure::Radius;
     for (const std::size_t base : {std::size_t{0}, static_cast<std::size_t>(Slot::CenterX)}) {
         const SlotMask three = SlotMask{0b111} << base;
         remapped_.given &= ~three;

@@ -18,8 +18,6 @@ using nc::Operation;
 
 namespace {
 
-constexpr std::size_t kLongestText = 400;  // that is put together; S 8.4, alarm 14099
-
 /// Sine of degrees, exact where the circle crosses its axes.
 double sine(double degrees) {
     const double turned = std::fmod(degrees, 360.0);
@@ -115,7 +113,13 @@ Evaluator::Outcome Evaluator::indices(const nc::ControlLine& line, const nc::Ref
                                       std::span<std::int64_t> out) {
     const Outcome outcome = execute(line, reference.indices, -1);
     if (outcome != Outcome::Done) return outcome;
-    for (std::size_t i = 0; i < size_ && i < out.size(); ++i) out[i] = index_of(stack_[i].number);
+    for (std::size_t i = 0; i < size_ && i < out.size(); ++i) {
+        if (!stack_[i].is_number() && stack_[i].kind != Value::Kind::Axis) {
+            fail(diag::IndexType, {std::string(kind_name(stack_[i]))});
+            return Outcome::Fault;
+        }
+        out[i] = index_of(stack_[i].number);
+    }
     return Outcome::Done;
 }
 
@@ -192,6 +196,12 @@ bool Evaluator::load_system(const Instruction& instruction) {
         push(keep_frame(frame));
         return answer(answered);
     }
+    if (instruction.type == nc::ValueType::Text) {
+        std::string text;
+        const auto answered = variables_.text(quantity, index(0), text);
+        push(keep_text(std::move(text)));
+        return answer(answered);
+    }
     double number = 0;
     const auto answered = variables_.system(quantity, index(0), index(1), number);
     push(Value::of(number, instruction.type));
@@ -228,14 +238,27 @@ std::optional<std::uint32_t> Evaluator::element(const nc::Symbol& symbol,
     return symbol.slot + place;
 }
 
+std::string Evaluator::wrong_index(const nc::Symbol& symbol,
+                                   std::span<const std::int64_t> indices) {
+    std::size_t place = 0;
+    while (place + 1 < symbol.dimensions && indices[place] >= 0 &&
+           indices[place] < symbol.sizes[place])
+        ++place;
+    const std::string name = '`' + symbol.name + '`';
+    return place == 0 ? name : name + " in place " + std::to_string(place + 1);
+}
+
 bool Evaluator::load_element(const Instruction& instruction) {
     const nc::Symbol& symbol = level_->symbols.at(instruction.index);
     std::array<std::int64_t, 4> indices{};
     size_ -= instruction.count;
-    for (std::size_t i = 0; i < instruction.count; ++i)
+    for (std::size_t i = 0; i < instruction.count; ++i) {
+        if (!stack_[size_ + i].is_number())
+            return fail(diag::IndexType, {std::string(kind_name(stack_[size_ + i]))});
         indices[i] = index_of(stack_[size_ + i].number);
+    }
     const auto slot = element(symbol, indices);
-    if (!slot) return fail(diag::IndexWrong, {'`' + symbol.name + '`'});
+    if (!slot) return fail(diag::IndexWrong, {wrong_index(symbol, indices)});
     const Store& store = *level_->stores[instruction.index];
     Value value = store.values[*slot];
     if (symbol.type == nc::ValueType::Frame) {
@@ -323,7 +346,14 @@ bool Evaluator::operate(const Instruction& instruction, int decimals) {
         case Operation::ToAxis:
         case Operation::AxisOfText:
         case Operation::TextOfAxis:
+        case Operation::AxisNumber:
+        case Operation::ModuloValue:
         case Operation::IsAxis: is_fine = axis_function(operation, a); break;
+        case Operation::HasName:
+        case Operation::HasProgram: is_fine = question(operation, a); break;
+        case Operation::FormatText: is_fine = format_text(a, instruction.count); break;
+        case Operation::CircleThrough: is_fine = circle_through(a); break;
+        case Operation::MeasuredFrame: is_fine = measured_frame(a); break;
         default: is_fine = function(operation, a, decimals);
     }
     ++size_;
@@ -523,6 +553,25 @@ bool Evaluator::axis_function(Operation operation, Value* a) {
     switch (operation) {
         case Operation::ToAxis:
             return a->axis() ? true : fail(diag::AxisExpected, {std::string(kind_name(*a))});
+        case Operation::AxisNumber: {
+            const auto axis = a->axis();
+            if (!axis) return fail(diag::AxisExpected, {std::string(kind_name(*a))});
+            const auto number = variables_.axis_number(*axis);
+            if (!number)
+                return fail(diag::AxisNameUnknown, {std::string(kAxisNames[index(*axis)])});
+            *a = Value::of(static_cast<double>(*number), nc::ValueType::Int);
+            return true;
+        }
+        case Operation::ModuloValue: {
+            const auto axis = a->axis();
+            if (!axis) return fail(diag::AxisExpected, {std::string(kind_name(*a))});
+            if (!a[1].is_number())
+                return fail(diag::TypesDiffer, {"a calculation", std::string(kind_name(a[1]))});
+            if (!is_rotary(*axis)) return real(*a, a[1].number);
+            constexpr double kTurn = 360;
+            const double rest = std::fmod(a[1].number, kTurn);
+            return real(*a, rest < 0 ? rest + kTurn : rest);
+        }
         case Operation::TextOfAxis:
             if (!a->axis()) return fail(diag::AxisExpected, {std::string(kind_name(*a))});
             *a = keep_text(std::string(kAxisNames[index(*a->axis())]));
@@ -664,7 +713,7 @@ bool Evaluator::text_function(Operation operation, Value* a, int count) {
         case Operation::Concatenate: {
             std::string joined = subject + written(a[1]);
             if (joined.size() > kLongestText) {
-                return fail(diag::TextTooLong,
+                return fail(diag::JoinedTooLong,
                             {std::to_string(joined.size()), std::to_string(kLongestText)});
             }
             *a = keep_text(std::move(joined));

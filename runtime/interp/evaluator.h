@@ -35,12 +35,24 @@ class Variables {
                           double& out) = 0;
     /// The same of a quantity that is a frame.
     virtual Answer frame(nc::Quantity quantity, std::int64_t index, ControlFrame& out) = 0;
+    /// The same of a quantity that is a text.
+    virtual Answer text(nc::Quantity quantity, std::int64_t index, std::string& out) = 0;
     /// mm, or degrees, that 1 in a word of the axis is.
     virtual double axis_unit(Axis axis) const = 0;
+    /// Which of the machine's axes it is, counted from 1; nothing: the machine has none such.
+    virtual std::optional<std::int64_t> axis_number(Axis axis) const = 0;
+    /// Whether a variable has this name, behind which indices may stand.
+    virtual bool has_name(std::string_view name) const = 0;
+    /// Whether a program has it.
+    virtual bool has_program(std::string_view name) = 0;
+    /// Sets one element of a variable that the program has declared; false: its type takes no real.
+    virtual bool set_element(const nc::Symbol& symbol, std::uint32_t element, double value) = 0;
 };
 
 class Evaluator {
   public:
+    static constexpr std::size_t kLongestText = 400;  // that is put together; S 8.4, alarm 14099
+
     Evaluator(const nc::LanguageRules& rules, const Store& globals, const Level& level,
               Variables& variables)
         : rules_(rules), globals_(globals), level_(&level), variables_(variables) {}
@@ -88,6 +100,8 @@ class Evaluator {
     /// The slot of an element of a declared variable; nothing: an index does not fit.
     static std::optional<std::uint32_t> element(const nc::Symbol& symbol,
                                                 std::span<const std::int64_t> indices);
+    /// Which index does not fit, for a message: "`MAT`", and of a further one "`MAT` in place 2".
+    static std::string wrong_index(const nc::Symbol& symbol, std::span<const std::int64_t> indices);
 
   private:
     Outcome execute(const nc::ControlLine& line, const nc::Expression& expression, int decimals);
@@ -106,6 +120,14 @@ class Evaluator {
     bool arc_function(nc::Operation operation, Value* a);
     bool axis_function(nc::Operation operation, Value* a);
     bool plane_rotation(Value* a);
+    bool question(nc::Operation operation, Value* a);
+    bool format_text(Value* a, int count);
+    const nc::Symbol* variable_itself(const Value& place, std::uint32_t least,
+                                      const std::string& what);
+    double element_of(const nc::Symbol& symbol, std::uint32_t element) const;
+    bool set_element(const nc::Symbol& symbol, std::uint32_t element, double value);
+    bool circle_through(Value* a);
+    bool measured_frame(Value* a);
     bool frame_function(nc::Operation operation, Value* a, int count);
     bool pairs(nc::Operation operation, const Value* a, int count, std::vector<AxisAndValue>& out);
     bool fail(const DiagnosticRow& row, std::vector<std::string> arguments = {});

@@ -101,8 +101,8 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
     lower_.fill(-std::numeric_limits<double>::infinity());
     upper_.fill(std::numeric_limits<double>::infinity());
     word_scale_.fill(1);
-    if (machine.is_lathe || dialect.power_on(Group::Diameter) == Function::DiameterOn)
-        word_scale_[index(Axis::X)] = 0.5;
+    is_lathe_ = machine.is_lathe || dialect.power_on(Group::Diameter) == Function::DiameterOn;
+    if (is_lathe_) word_scale_[index(Axis::X)] = 0.5;
     for (const machine::MachineAxis& axis : machine.axes) {
         const auto degrees = [&](double value) {
             return axis.is_rotary ? deg_from_rad(value) : value;
@@ -239,10 +239,8 @@ void Executor::run(const Block& block) {
     // Nothing but words: nearly every block.
     static constexpr Actions kNone{};
     if (block.has(Slot::Feed)) set_feed(block);
-    if (block.has(Slot::Speed)) {
-        program_speed(block);
-        update_spindle(block);
-    }
+    if (block.has(Slot::Speed)) program_speed(block);
+    if (block.has(Slot::Speed) || owes_speed_) update_spindle(block);
     if (rounding_ > 0) wish_corner(block, kNone);
     const bool has_others = polar_.is_on || (block.given & nc::kPolarSlots) != 0;
     const Block* places = has_others ? with_places(block) : &block;
@@ -338,6 +336,12 @@ bool Executor::is_too_late(Function function) const {
         case Function::MachineCoordinates:
         case Function::PositionReset:
         case Function::SetPosition: return true;
+        default: return is_other_plane(function);
+    }
+}
+
+bool Executor::is_other_plane(Function function) const {
+    switch (function) {
         case Function::PlaneXy: return modal_.plane != Plane::Xy;
         case Function::PlaneZx: return modal_.plane != Plane::Zx;
         case Function::PlaneYz: return modal_.plane != Plane::Yz;
@@ -367,6 +371,10 @@ bool Executor::needs_comp_off(const Block& block, Function function) const {
 void Executor::apply_function(const Block& block, const Invocation& invocation, Actions& actions) {
     if (needs_comp_off(block, invocation.function)) {
         report(diag::CompFrame, block, invocation.function).arg(nc::info(invocation.function).name);
+        return;
+    }
+    if (taps_rigidly_ && !cycle_blocks_ && is_other_plane(invocation.function)) {
+        report(diag::TapPlane, block, invocation.function);
         return;
     }
     if (is_too_late(invocation.function)) {
@@ -503,6 +511,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             }
             break;
         case Function::ToolEdge:
+            warn_of_edge(block, count_of(block, invocation));
             set_length_source(
                 count_of(block, invocation) == 0 ? Tool::Source::None : Tool::Source::Edge,
                 actions);
@@ -524,6 +533,20 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             actions.tool_change = true;
             set_length_source(Tool::Source::Edge, actions);
             break;
+
+        case Function::TcpOn:
+        case Function::TcpOff: switch_transformation(block, invocation); break;
+        case Function::TurnPlane:
+        case Function::TurnAxes: orienting_.turning = invocation.function; break;
+        case Function::AnglesEuler:
+        case Function::AnglesRpy:
+        case Function::AnglesXyz: orienting_.angles = invocation.function; break;
+        case Function::OrientInWork:
+        case Function::OrientInBase:
+            orienting_.is_in_base = invocation.function == Function::OrientInBase;
+            break;
+        case Function::ToolVector:
+        case Function::ToolAngle: take_orientation(block, invocation, actions); break;
 
         case Function::SplineDegree: set_spline_degree(block, invocation); break;
         case Function::SplineWeight:  // beside the pole, in splines.cpp
@@ -800,6 +823,7 @@ void Executor::set_area_limit(const Block& block, const Invocation& invocation) 
 
 /// Tells the motion side what has become of the spindle, if anything has.
 void Executor::update_spindle(const Block& block) {
+    owes_speed_ = false;
     const bool runs = is_running(spindle_.mode);
     const bool is_bounded = runs && !spindle_.has_cutting_speed;
     const double speed = spindle_.has_cutting_speed ? spindle_.cutting_speed
@@ -849,6 +873,13 @@ void Executor::set_length_source(Tool::Source source, Actions& actions) {
     tool_.source = source;
     tool_.has_changed = true;
     actions.length_changed = true;
+}
+
+/// Of a tool one cutting edge is kept.
+void Executor::warn_of_edge(const Block& block, std::int64_t edge) {
+    if (edge <= 1 || warned_edge_) return;
+    warned_edge_ = true;
+    report(diag::EdgeUnknown, block, Function::ToolEdge).arg(edge);
 }
 
 std::int64_t Executor::tool_number(const Block& block, const Invocation& invocation) {
@@ -1042,6 +1073,8 @@ Command& Executor::put(Op op, const Block& block) {
     command.source = from.source;
     command.line = from.line;
     command.to = position_.base;
+    command.turning = path::Turning::None;
+    if (orienting_.is_on) put_turn(command);
     command.text.clear();
     return command;
 }

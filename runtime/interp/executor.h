@@ -3,11 +3,11 @@
 // What a block does is told in chapters: executor.cpp (the order of things in a block, its single
 // functions), plain_moves.cpp (what nearly every block is), motion.cpp (targets, lines, arcs, tool
 // length, limits), circles.cpp, polar.cpp and angles.cpp (what controls work out of other words),
-// cornering.cpp and compensating.cpp (what the commands pass through), soft_moves.cpp (soft
-// approaches and retracts), smoothing.cpp (rounded corners, compressed lines), cycles.cpp
-// (machining cycles), patterns.cpp (places at which a cycle is called), shapes.cpp (cycles along a
-// shape that stands in the program), splines.cpp, through_splines.cpp, polynomials.cpp and
-// involutes.cpp (other curves).
+// orienting.cpp (the machine's transformation), cornering.cpp and compensating.cpp (what the
+// commands pass through), soft_moves.cpp (soft approaches and retracts), smoothing.cpp (rounded
+// corners, compressed lines), cycles.cpp (machining cycles), patterns.cpp (places at which a cycle
+// is called), shapes.cpp (cycles along a shape that stands in the program), splines.cpp,
+// through_splines.cpp, polynomials.cpp, involutes.cpp and curves.cpp (other curves).
 #pragma once
 
 #include <array>
@@ -55,8 +55,13 @@ struct Actions {
     nc::Function stop = nc::Function::None;
     nc::Function end = nc::Function::None;
     nc::Function radius_comp = nc::Function::None;
-    bool comp_changed = false;  // its radius, allowance or rules
-    bool keeps_vector = false;  // of the compensation
+    bool comp_changed = false;      // its radius, allowance or rules
+    bool keeps_vector = false;      // of the compensation
+    std::uint8_t vector_parts = 0;  // bit i: component i of the tool's direction is said …
+    std::uint8_t angle_parts = 0;   // … or its angle i
+    std::array<double, 3> tool_vector{};
+    std::array<double, 3> tool_angles{};  // deg
+    bool orients() const { return (vector_parts | angle_parts) != 0; }
     const nc::Invocation* comp_corner = nullptr;
     const nc::Invocation* soft = nullptr;             // SoftApproach or SoftRetract
     nc::Function motion_before = nc::Function::None;  // … in the block before
@@ -150,6 +155,8 @@ class Executor {
     ControlState::Write set_frame(nc::Quantity quantity, std::int64_t number,
                                   const ControlFrame& frame, bool acts_at_once);  // offsets.cpp
     bool is_length(std::int64_t axis) const;
+    std::optional<std::string> text(nc::Quantity quantity, std::int64_t index);
+    std::optional<std::int64_t> axis_number(Axis axis) const;
     double word_factor(std::int64_t axis) const;
     bool is_compensated() const { return compensation_.is_on() || soft_approach_.is_active(); }
     void keep_frames() { kept_frames_.push_back({frames_, work_offset_}); }
@@ -179,6 +186,7 @@ class Executor {
     ControlFrame work_offset_frame(std::int64_t number) const;
     ControlFrame& work_offset_at(std::int64_t number);
     void work_offset_changed(std::int64_t number, bool acts_at_once);
+    ControlState::Write set_edge_speed(double value);
     ControlState::Write set_work_offset(std::int64_t number, Axis axis, double value,
                                         bool acts_at_once);
     ControlState::Write set_tool_offset(ToolOffsets::Column column, std::int64_t number,
@@ -215,11 +223,14 @@ class Executor {
     void set_length_source(Tool::Source source, Actions& actions);
     std::int64_t tool_number(const nc::Block& block, const nc::Invocation& invocation);
     std::int64_t unlisted_tool(const nc::Block& block);
+    void warn_of_edge(const nc::Block& block, std::int64_t edge);
+    std::string name_of_tool(std::int64_t number) const;
     void change_tool(const nc::Block& block);
     void select_work_offset(const nc::Block& block, std::int64_t number);
     void change_plane(nc::Function plane);
     bool needs_comp_off(const nc::Block& block, nc::Function function) const;
     bool is_too_late(nc::Function function) const;
+    bool is_other_plane(nc::Function function) const;
     void apply_frame(const nc::Block& block, const nc::Invocation& invocation);
     FrameWords center_of(const nc::Block& block, const nc::Invocation& invocation) const;
     void scale(const nc::Block& block, const nc::Invocation& invocation);
@@ -269,6 +280,7 @@ class Executor {
                       bool exact_stop);
     void stretched_arc_about_center(const nc::Block& block, const Target& target, bool exact_stop);
     void stretched_arc(const nc::Block& block, const Target& target, bool exact_stop);
+    double radius_of(const nc::Block& block, const path::ArcEnds& ends) const;
     std::optional<path::Arc> resolve_arc(const nc::Block& block, const Target& target);
     std::optional<int> turns_of(const nc::Block& block);
     std::optional<path::Vec3> center_of_arc(const nc::Block& block, const path::Vec3& start);
@@ -280,6 +292,19 @@ class Executor {
     std::nullopt_t report_arc_words(const nc::Block& block, nc::SlotMask words);
     void arc_over_point(const nc::Block& block, const Target& target, bool exact_stop);
     void arc_along(const nc::Block& block, const Target& target, bool exact_stop);
+
+    // orienting.cpp: the machine's transformation, and how the tool turns
+    void switch_transformation(const nc::Block& block, const nc::Invocation& invocation);
+    void take_orientation(const nc::Block& block, const nc::Invocation& invocation,
+                          Actions& actions);
+    bool orient(const nc::Block& block, const Actions& actions, Target& target);
+    std::optional<path::Vec3> wanted_direction(const nc::Block& block, const Actions& actions);
+    bool lay_turn(const nc::Block& block, const path::Vec3& to, Target& target);
+    bool turns_in_two_ways(const nc::Block& block, const Actions& actions);
+    void put_turn(path::Command& command);
+    path::Vec3 joints_of(const AxisValues& base) const;
+    AxisMask joint_axes() const;
+    AxisValues machine_axes() const;
 
     // polar.cpp
     void set_pole(const nc::Block& block, const nc::Invocation& invocation);
@@ -393,6 +418,9 @@ class Executor {
                       const Target& target, bool exact_stop);
     void report_involute(const nc::Block& block, path::InvoluteFault fault);
 
+    // curves.cpp
+    void move_along_curve(const nc::Block& block, const nc::Invocation& call);
+
     // motion.cpp: what is wrong or strange
     const nc::Block& with_center(const nc::Block& block);
     void warn_arc_word(const nc::Block& block, nc::SlotMask words);
@@ -483,8 +511,9 @@ class Executor {
     BlockQueue program_;
     Output output_;
     RunClock clock_;
-    std::size_t timed_ = 0;   // commands of this batch that the clock knows
-    double latest_time_ = 0;  // that the program has been told, s
+    std::size_t timed_ = 0;    // commands of this batch that the clock knows
+    double latest_time_ = 0;   // that the program has been told, s
+    double cutting_time_ = 0;  // … of it at feed
     /// A clock of the program's own, s: what it shows, or what is added to the running time.
     struct Timer {
         double value = 0;
@@ -511,6 +540,8 @@ class Executor {
     ExtraTool extra_;
     WorkArea area_;
     Polar polar_;
+    Orienting orienting_;
+    NextTurn next_turn_;
     path::Vec3 came_from_ = path::Vec3::Zero();  // in the base system: a place on the way to here
     bool diameter_is_absolute_ = false;          // X is a diameter as a coordinate only
     double rounding_ = 0;                        // of every corner, mm; 0: none
@@ -532,6 +563,8 @@ class Executor {
     bool warned_units_ = false;
     nc::Function units_ = nc::Function::None;  // that the program said last
     std::vector<std::int64_t> unknown_tools_;  // each is reported once
+    bool warned_edge_ = false;
+    bool owes_speed_ = false;  // the motion side was not told of a new speed of the spindle
     std::vector<std::string> unlisted_tools_;  // names of tools that the table does not have
     std::vector<std::int64_t> unknown_radii_;
     std::vector<std::int64_t> known_machine_functions_;  // so are these
@@ -544,6 +577,7 @@ class Executor {
     AxisMask unplaced_ = 0;      // axes that want a place behind the end of a rotation
 
     // Of the machine, by logical axis; deg for rotary axes.
+    bool is_lathe_ = false;  // the machine is one, or the control is a lathe's
     AxisMask axes_ = 0;
     AxisValues lower_{};
     AxisValues upper_{};
@@ -565,6 +599,7 @@ class Executor {
     std::vector<ModalCycle> presets_;     // parameters that the next calls need not give
     std::optional<nc::CycleId> defined_;  // the one of them that was said last
     bool returns_to_retract_ = false;
+    bool cycle_is_across_ = false;   // on a lathe: from the side, along X in radii
     std::optional<ShapeRun> shape_;  // whose blocks are coming
     std::unique_ptr<Stream<nc::Block>> cycle_stream_;
     std::optional<BlockQueue> cycle_blocks_;

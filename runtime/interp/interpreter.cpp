@@ -43,6 +43,12 @@ bool Interpreter::is_length(std::int64_t axis) const { return state_->executor.i
 bool Interpreter::is_compensated() const { return state_->executor.is_compensated(); }
 void Interpreter::keep_frames() { state_->executor.keep_frames(); }
 void Interpreter::restore_frames(bool is_wanted) { state_->executor.restore_frames(is_wanted); }
+std::optional<std::string> Interpreter::text(nc::Quantity quantity, std::int64_t index) {
+    return state_->executor.text(quantity, index);
+}
+std::optional<std::int64_t> Interpreter::axis_number(Axis axis) const {
+    return state_->executor.axis_number(axis);
+}
 double Interpreter::word_factor(std::int64_t axis) const {
     return state_->executor.word_factor(axis);
 }

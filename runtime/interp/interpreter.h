@@ -108,6 +108,8 @@ class Interpreter final : public Stream<path::Command>, public ControlState {
     Write set_frame(nc::Quantity quantity, std::int64_t number, const ControlFrame& frame,
                     bool acts_at_once) override;
     bool is_length(std::int64_t axis) const override;
+    std::optional<std::string> text(nc::Quantity quantity, std::int64_t index) override;
+    std::optional<std::int64_t> axis_number(Axis axis) const override;
     double word_factor(std::int64_t axis) const override;
     bool is_compensated() const override;
     void keep_frames() override;

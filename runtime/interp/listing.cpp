@@ -9,6 +9,7 @@
 #include "base/numbers.h"
 #include "base/render.h"
 #include "path/frame.h"
+#include "path/op_names.h"
 
 namespace kadr::interp {
 
@@ -20,33 +21,6 @@ using path::Plane;
 using path::SpindleMode;
 
 namespace {
-
-std::string_view op_name(Op op) {
-    switch (op) {
-        case Op::Rapid: return "rapid";
-        case Op::Line: return "line";
-        case Op::Arc: return "arc";
-        case Op::Spline: return "spline";
-        case Op::Involute: return "involute";
-        case Op::Thread: return "thread";
-        case Op::Probe: return "probe";
-        case Op::Dwell: return "dwell";
-        case Op::Spindle: return "spindle";
-        case Op::SpeedLimit: return "speed_limit";
-        case Op::Tool: return "tool";
-        case Op::ToolLength: return "tool_length";
-        case Op::Coolant: return "coolant";
-        case Op::Function: return "function";
-        case Op::Stop: return "stop";
-        case Op::OptionalStop: return "optional_stop";
-        case Op::Message: return "message";
-        case Op::End: return "end";
-        case Op::ScannerOn: return "scanner_on";
-        case Op::ScannerOff: return "scanner_off";
-        case Op::External: return "external";
-    }
-    return "";
-}
 
 std::string_view plane_name(Plane plane) {
     switch (plane) {
@@ -141,6 +115,16 @@ void append_text(std::string& out, std::string_view name, std::string_view text)
     }
 }
 
+void append_numbers(std::string& out, std::span<const double> values) {
+    char separator = '[';
+    for (const double value : values) {
+        out += separator;
+        append_number(out, value);
+        separator = ',';
+    }
+    out += ']';
+}
+
 void append_target(std::string& out, const Command& command, AxisMask axes) {
     out += ",\"to\":";
     char separator = '{';
@@ -155,16 +139,9 @@ void append_target(std::string& out, const Command& command, AxisMask axes) {
     }
     out += '}';
     if (command.machine_coordinates) out += ",\"machine_coordinates\":true";
-}
-
-void append_numbers(std::string& out, std::span<const double> values) {
-    char separator = '[';
-    for (const double value : values) {
-        out += separator;
-        append_number(out, value);
-        separator = ',';
-    }
-    out += ']';
+    if (command.turning == path::Turning::None) return;
+    append_key(out, "tool");
+    append_numbers(out, {command.direction.data(), 3});
 }
 
 /// The control points between the ends; the weights of all, unless they are all one.
@@ -183,6 +160,25 @@ void append_spline(std::string& out, const path::SplineShape& shape) {
     if (std::all_of(weights.begin(), weights.end(), [](double w) { return w == 1; })) return;
     append_key(out, "weights");
     append_numbers(out, weights);
+}
+
+/// The kind, what it works with, and the range of its parameter.
+void append_curve(std::string& out, const path::CurveShape& shape) {
+    append_word(out, "kind", shape.kind->name);
+    append_key(out, "numbers");
+    append_numbers(out, shape.law.numbers);
+    append_key(out, "range");
+    const std::array<double, 2> range = {shape.law.from, shape.law.to};
+    append_numbers(out, range);
+    append_key(out, "linear");
+    const path::Vec3 rows[] = {shape.linear.row(0), shape.linear.row(1), shape.linear.row(2)};
+    char separator = '[';
+    for (const path::Vec3& row : rows) {
+        out += separator;
+        append_numbers(out, {row.data(), 3});
+        separator = ',';
+    }
+    out += ']';
 }
 
 void append_arc(std::string& out, const Command& command) {
@@ -238,7 +234,7 @@ Listing::Listing(const machine::Machine& machine) {
 
 void Listing::append(const Command& command, std::string_view source, std::string& out) const {
     out += "{\"op\":\"";
-    out += op_name(command.op);
+    out += path::op_name(command.op);
     out += '"';
     switch (command.op) {
         case Op::Rapid: append_target(out, command, axes_); break;
@@ -267,6 +263,11 @@ void Listing::append(const Command& command, std::string_view source, std::strin
             append_target(out, command, axes_);
             append_arc(out, command);
             append_field(out, "base_radius", command.base_radius);
+            append_feed(out, command);
+            break;
+        case Op::Parametric:
+            append_target(out, command, axes_);
+            append_curve(out, command.curve.front());
             append_feed(out, command);
             break;
         case Op::Dwell:

@@ -118,7 +118,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     const bool has_polynomial = targets != 0 || block.find(Function::PolynomialAxis) != nullptr;
     if (modal_.motion == Function::Polynomial && !actions.machine_coordinates && has_polynomial)
         return polynomial(block, modal_.has_exact_stop || actions.exact_stop);
-    if (targets == 0 && (arc_words == 0 || !is_circle(modal_.motion))) {
+    if (targets == 0 && !actions.orients() && (arc_words == 0 || !is_circle(modal_.motion))) {
         if (arc_words != 0) warn_arc_word(block, arc_words);
         if (actions.length_changed) move_length_alone(block);
         return;
@@ -129,6 +129,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (actions.machine_coordinates) return move_in_machine_coordinates(block);
 
     Target target = target_of(block, targets);
+    if (orienting_.is_on && !orient(block, actions, target)) return;
     if (actions.way_offset != 0 && !offset_ways(block, actions.way_offset, target)) return;
     const bool exact_stop = modal_.has_exact_stop || actions.exact_stop;
     if (actions.at_rapid && comp_.side != Function::RadiusCompOff &&
@@ -261,6 +262,11 @@ void Executor::line(const Block& block, const Target& target, Op op, bool exact_
 /// Machine coordinates are coordinates of the spindle nose: neither frames nor, on most controls,
 /// the tool length act.
 void Executor::move_in_machine_coordinates(const Block& block) {
+    if (orienting_.is_on) {
+        report(diag::TransformationMotion, block, Function::MachineCoordinates)
+            .arg("a place in machine coordinates");
+        return;
+    }
     if (rules_.machine_coordinates_need_absolute && modal_.is_incremental) {
         report(diag::MachineCoordinatesIgnored, block, Function::MachineCoordinates);
         return;
@@ -325,6 +331,10 @@ void Executor::rapid_to_machine_position(const Block& block, const AxisValues& t
 
 /// A way to a reference point, or from there; none of them stands among the holes of a cycle.
 void Executor::refer(const Block& block, const nc::Invocation& invocation) {
+    if (orienting_.is_on) {
+        report(diag::TransformationMotion, block, invocation.function).arg("a reference point");
+        return;
+    }
     if (modal_cycle_.is_active) {
         report(diag::ReferenceInCycle, block, invocation.function);
         return;
@@ -606,11 +616,14 @@ void Executor::activate_length(const Block& block, AxisMask moved) {
     if (changed == 0) return;
     tool_.lengths = lengths;
     tool_.axis = axis;
-    for (std::size_t i = 0; i < 3; ++i) length_shift_[i] = lengths[static_cast<Eigen::Index>(i)];
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto at = static_cast<Eigen::Index>(i);
+        length_shift_[i] = orienting_.is_on ? 0 : lengths[at];
+    }
     Command& command = put(Op::ToolLength, block);
     command.plane = plane_with_normal(axis);
     command.tool = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
-    command.length = length_shift_[index(axis)];
+    command.length = lengths[static_cast<Eigen::Index>(index(axis))];
     command.aside = lengths;
     command.aside[static_cast<Eigen::Index>(index(axis))] = 0;
     command.moved = changed;
@@ -782,6 +795,18 @@ const Block& Executor::with_center(const Block& block) {
     return centered_;
 }
 
+/// The programmed radius; half of the chord where the control forgives that it lacks so little.
+double Executor::radius_of(const Block& block, const path::ArcEnds& ends) const {
+    const double radius = block.at(Slot::Radius);
+    if (!rules_.arc_radius_may_fall_short) return radius;
+    const Vec3 way = ends.end - ends.start;
+    const Vec3 normal = path::unit(path::axes_of(modal_.plane).normal);
+    const double half = (way - normal * way.dot(normal)).norm() / 2;
+    const double size = std::abs(radius);
+    const double slack = std::max(rules_.arc_tolerance, rules_.arc_tolerance_factor * size);
+    return size < half && half - size <= slack ? std::copysign(half, radius) : radius;
+}
+
 /// The arc in the programmed system; nothing if it was reported, or if there is nothing to move.
 std::optional<path::Arc> Executor::resolve_arc(const Block& block, const Target& target) {
     const bool has_center = (block.given & nc::kCenterSlots) != 0;
@@ -795,7 +820,7 @@ std::optional<path::Arc> Executor::resolve_arc(const Block& block, const Target&
             return std::nullopt;
         }
         const Result<path::Arc, path::ArcFault> arc =
-            path::arc_of_radius(ends, block.at(Slot::Radius), turning);
+            path::arc_of_radius(ends, radius_of(block, ends), turning);
         if (arc) return *arc;
         report_radius_arc(block, arc.error(), ends);
         return std::nullopt;
@@ -965,6 +990,17 @@ void Executor::check_tool(const Block& block) {
 
 void Executor::check_units(const Block& block, nc::Function units) {
     const bool changes = units_ != nc::Function::None && units_ != units;
+    const std::string_view acts = comp_.side != nc::Function::RadiusCompOff
+                                      ? "cutter radius compensation"
+                                  : frames_.is_rotated() ? "a rotation"
+                                  : frames_.is_scaled()  ? "a scaling"
+                                                         : "";
+    if (changes && rules_.comp_is_innermost && !acts.empty()) {
+        report(diag::UnitsInside, block, units)
+            .arg(units == nc::Function::Inch ? "inches" : "millimetres")
+            .arg(acts);
+        return;
+    }
     if (changes && has_moved_ && !warned_units_) {
         warned_units_ = true;
         const bool to_inch = units == nc::Function::Inch;
@@ -976,6 +1012,8 @@ void Executor::check_units(const Block& block, nc::Function units) {
 }
 
 bool Executor::check_limits(const Block& block, const AxisValues& base, AxisMask moved) {
+    // Where the axes go under a transformation is worked out along the way (motion/axis_check.h).
+    if (orienting_.is_on) return !area_.acts() || check_area(block, base, moved);
     return check_machine_limits(block, base, moved) &&
            (!area_.acts() || check_area(block, base, moved));
 }
@@ -1012,6 +1050,7 @@ bool Executor::check_arc_limits(const Block& block, const path::Arc& arc, const 
     if (!check_limits(block, target.base, target.moved)) return false;
     // Far from every limit, which is nearly always, the whole circle is the quick answer.
     const path::ArcShape shape = path::shape_of(arc);
+    if (orienting_.is_on) return true;
     const double reach = std::max(shape.start_radius, shape.end_radius) + std::abs(shape.height);
     bool is_far = !area_.acts();
     for (std::size_t i = 0; i < 3; ++i) {

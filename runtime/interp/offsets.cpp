@@ -1,6 +1,7 @@
 // What a program writes: work offsets and tool offsets.
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
@@ -72,12 +73,24 @@ Write Executor::set_quantity(Quantity quantity, std::int64_t first, std::int64_t
         case Quantity::ExtraRadius:
         case Quantity::ExtraBoth: return set_extra(quantity, first, value);
         case Quantity::Timer: set_timer(first, value); return Write::Done;
+        case Quantity::EdgeSpeed: return set_edge_speed(value);
         case Quantity::Milliseconds:
             milliseconds_from_ = value - run_time() * 1000;
             return Write::Done;
         case Quantity::Hours: hours_from_ = value - run_time() / 3600; return Write::Done;
         default: return Write::Refused;
     }
+}
+
+/// The spindle gets the speed at which the tool's radius moves so fast, m/min; the motion side is
+/// told with the next block.
+Write Executor::set_edge_speed(double value) {
+    const double radius = tool_offsets_.radius(tool_.current) + extra_.radius;
+    if (!(radius > 0) || !(value > 0)) return Write::NoPlace;
+    constexpr double kMmPerM = 1000;
+    spindle_.speed = kMmPerM * value / (2 * std::numbers::pi * radius);
+    owes_speed_ = true;
+    return Write::Done;
 }
 
 Write Executor::set_work_offset(std::int64_t number, Axis axis, double value, bool acts_at_once) {

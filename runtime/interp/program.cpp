@@ -47,6 +47,8 @@ Program::State::State(const nc::Dialect& dialect_, nc::TextSource& text, std::st
     frames.push_back(std::move(main));
     resume_frame(*frames[0]);
     variables.ask_modal_call([this] { return modal_call_code(); });
+    variables.ask_programs([this](std::int64_t level) { return name_at(level); },
+                           [this](std::string_view asked) { return has_program(asked); });
     lines.add_notes([this](DiagnosticBuilder& message) {
         for (const nc::CallSite* site = frame->site.get(); site != nullptr; site = site->from.get())
             message.note(site->place, "called here");
@@ -516,12 +518,16 @@ void Program::State::compile_language(CompiledLine& line) {
 
 Program::State::Done Program::State::read_words(CompiledLine& line, Block& out) {
     const nc::ControlLine& code = line.line;
-    const bool is_computed = !code.computed.empty() || !code.axes.empty();
+    const bool is_computed = !code.computed.empty() || !code.axes.empty() || !code.codes.empty();
     if (is_only_checking && is_computed) return Done::Nothing;
     values.clear();
     evaluator.forget();
     if (!code.axes.empty()) {
         const Done done = set_axes(line);
+        if (done == Done::Wait || lines.failed()) return done;
+    }
+    if (!code.codes.empty()) {
+        const Done done = set_codes(line);
         if (done == Done::Wait || lines.failed()) return done;
     }
     for (std::size_t i = 0; i < code.computed.size(); ++i) {
@@ -541,7 +547,7 @@ Program::State::Done Program::State::read_words(CompiledLine& line, Block& out) 
         word.number = value.number;
         word.text = evaluator.text(value);
     }
-    const bool is_kept = &line != &scratch && code.axes.empty();
+    const bool is_kept = &line != &scratch && code.axes.empty() && code.codes.empty();
     nc::MatchedLine* const known = is_kept ? &line.matched : nullptr;
     if (!lines.read_words(line.text, line.line, values, out, known)) return Done::Nothing;
     const bool has_lone = std::ranges::any_of(code.axes, &nc::ComputedAxis::is_alone);
@@ -582,6 +588,55 @@ Program::State::Done Program::State::set_axes(CompiledLine& line) {
         line.line.words.words[computed.word].address = address;
     }
     return Done::Nothing;
+}
+
+/// Words that name a code by its group and its place there become that code.
+Program::State::Done Program::State::set_codes(CompiledLine& line) {
+    for (const nc::ComputedCode& computed : line.line.codes) {
+        Value group;
+        Value number;
+        Done done = evaluate(line, computed.group, group);
+        if (done == Done::Wait || lines.failed()) return done;
+        done = evaluate(line, computed.number, number);
+        if (done == Done::Wait || lines.failed()) return done;
+        if (!group.is_number())
+            return fail(line, diag::IndexType, computed.group.span,
+                        {std::string(kind_name(group))});
+        const std::string of = evaluator.written(group);
+        const auto list =
+            std::ranges::find_if(language.code_lists, [&](const auto& l) { return l.group == of; });
+        const double place = number.is_number() ? number.number : 0;
+        const bool is_there = list != language.code_lists.end() && place == std::floor(place) &&
+                              place >= 1 && place <= static_cast<double>(list->codes.size());
+        if (!is_there) {
+            return fail(line, diag::GroupNumber, computed.number.span,
+                        {of, evaluator.written(number)});
+        }
+        const std::string& code = list->codes[static_cast<std::size_t>(place) - 1];
+        if (!set_code(line.line.words, computed.word, code)) {
+            const std::string known = tables.unsupported_words(code);
+            return fail(line, known.empty() ? diag::IsoUnknownWord : diag::IsoNotSupported,
+                        computed.number.span, {known.empty() ? code : known});
+        }
+    }
+    return Done::Nothing;
+}
+
+/// `G54` as its letter and number, `BRISK` as a word; false: the dialect has no such code.
+bool Program::State::set_code(nc::LexedLine& words, std::size_t place,
+                              const std::string& code) const {
+    nc::GivenWord& word = words.words[place];
+    words.decimals[place] = {};
+    word.address = tables.find_address(code);
+    word.has_value = word.is_known = false;
+    if (word.address != nc::kNoAddress) return true;
+    const Decimal number = parse_decimal(code.data() + 1, code.data() + code.size());
+    word.address = tables.find_address(std::string_view(code).substr(0, 1));
+    if (word.address == nc::kNoAddress || number.end != code.data() + code.size()) return false;
+    word.has_value = word.is_known = true;
+    word.number = number.value;
+    words.decimals[place] = number;
+    return tables.find_code(word.address, number.value) != nullptr;
 }
 
 // ------------------------------------------------------------------------------ faults

@@ -407,6 +407,10 @@ Program::State::Done Program::State::bind_parameters(CompiledLine& line, const P
     const std::size_t count = head == nullptr ? 0 : head->parameters.size();
     if (call.unit->has_wrong_head) return Done::Nothing;
     if (call.arguments.size() > count) {
+        if (head == nullptr) {
+            return fail(line, diag::ProcedureMissing, call.arguments[0].span,
+                        {quoted(call.unit->name)});
+        }
         return fail(line, diag::CallArguments, call.arguments[count].span,
                     {quoted(call.unit->name), std::to_string(count),
                      std::to_string(call.arguments.size())});
@@ -613,6 +617,21 @@ double Program::State::modal_call_code() const {
     const auto end =
         std::ranges::find(language.calls.calls, CallForm::Kind::EndModal, &CallForm::kind);
     return end == language.calls.calls.end() ? 0 : end->number;
+}
+
+std::optional<std::string> Program::State::name_at(std::int64_t level) const {
+    if (level < 0 || level >= static_cast<std::int64_t>(frames.size())) return std::nullopt;
+    const Frame& at = *frames[static_cast<std::size_t>(level)];
+    if (!at.unit->name.empty()) return at.unit->name;
+    const std::string& head = at.text.program;
+    return head.empty()
+               ? nc::program_of_path(language.calls, at.text.name, tables.rules.ignores_case)
+               : head;
+}
+
+bool Program::State::has_program(std::string_view name) {
+    const std::string wanted = nc::program_of_path(language.calls, name, tables.rules.ignores_case);
+    return !wanted.empty() && units.find(wanted, text()) != nullptr;
 }
 
 bool Program::State::takes_blocks() const {

@@ -202,6 +202,8 @@ struct Program::State {
     void advance();
     Done read_words(CompiledLine& line, nc::Block& out);
     Done set_axes(CompiledLine& line);
+    Done set_codes(CompiledLine& line);
+    bool set_code(nc::LexedLine& words, std::size_t place, const std::string& code) const;
     Done let_axis_move_alone(CompiledLine& line, nc::Block& out);
 
     // statements
@@ -276,6 +278,9 @@ struct Program::State {
     const PreparedCall* active_modal_call() const;
     bool takes_blocks() const;
     double modal_call_code() const;
+    /// The program that so many calls have led to; nothing: there are not as many.
+    std::optional<std::string> name_at(std::int64_t level) const;
+    bool has_program(std::string_view name);
     nc::LineContext context() const;
     void call_behind(const nc::Block& block, std::string_view text, std::uint64_t number);
     Done begin_due();

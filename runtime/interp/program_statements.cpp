@@ -126,7 +126,10 @@ Program::State::Done Program::State::assign_list(CompiledLine& line,
     }
     const nc::Symbol& symbol = variables.level().symbols.at(load.index);
     const auto first = Evaluator::element(symbol, indices);
-    if (!first) return fail(line, diag::IndexWrong, statement.variable.span, {symbol.name});
+    if (!first) {
+        return fail(line, diag::IndexWrong, statement.variable.span,
+                    {Evaluator::wrong_index(symbol, indices)});
+    }
     const std::uint32_t end = symbol.slot + symbol.count();
     if (!statement.fills && *first + statement.list.size() > end)
         return fail(line, diag::TooManyInitialValues, statement.span, {symbol.name});
@@ -207,7 +210,10 @@ Program::State::Done Program::State::declare_one(CompiledLine& line,
         if (done == Done::Wait || lines.failed()) return done;
         const auto fault = variables.store_element(
             added, added.slot + static_cast<std::uint32_t>(i), value, evaluator.content(value));
-        if (fault.row != nullptr) return fail(line, *fault.row, expression.span, fault.arguments);
+        if (fault.row == nullptr) continue;
+        const bool is_of_type = fault.row == &diag::TypesDiffer;
+        return fail(line, is_of_type ? diag::InitialType : *fault.row, expression.span,
+                    fault.arguments);
     }
     return Done::Nothing;
 }
@@ -236,6 +242,9 @@ Program::State::Done Program::State::define_macro(CompiledLine& line,
     switch (frame->macros.define(tables, statement.name)) {
         case TextMacros::Fault::None: break;
         case TextMacros::Fault::Form: return fail(line, diag::MacroForm, statement.span);
+        case TextMacros::Fault::Known:
+            return fail(line, diag::MacroTwice, statement.span,
+                        {statement.name.substr(0, statement.name.find(' '))});
         case TextMacros::Fault::Nested:
             return fail(line, diag::MacroNested, statement.span, {statement.name});
     }

@@ -20,7 +20,9 @@ Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}
 }  // namespace
 
 void RunClock::move(const path::Command& command, const AxisValues& to) {
-    seconds_ += motion(command, to);
+    const double time = motion(command, to);
+    seconds_ += time;
+    if (command.op != Op::Rapid) cutting_seconds_ += time;
     at_ = to;
 }
 

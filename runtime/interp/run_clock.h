@@ -20,6 +20,8 @@ class RunClock {
     void add(const path::Command& command);
     /// Since the start, s.
     double seconds() const { return seconds_; }
+    /// … of them in motions at feed, s.
+    double cutting_seconds() const { return cutting_seconds_; }
 
   private:
     void move(const path::Command& command, const AxisValues& to);
@@ -32,6 +34,7 @@ class RunClock {
     AxisValues at_{};      // of the tip, in the base system
     AxisValues length_{};  // of the tool
     double seconds_ = 0;
+    double cutting_seconds_ = 0;
     double spindle_ = 0;  // rpm, or m/min
     bool has_cutting_speed_ = false;
 };

@@ -7,9 +7,10 @@ namespace kadr::interp {
 Snapshot Executor::snapshot() const {
     Snapshot now;
     now.axes = axes_;
+    const AxisValues machine = machine_axes();
     for (std::size_t i = 0; i < kAxes; ++i) {
         now.work[i] = position_.here[i] / word_scale_[i];
-        now.machine[i] = position_.base[i] + length_shift_[i];
+        now.machine[i] = machine[i];
     }
     if (modal_.has_feed) now.feed = modal_.feed;
     now.feed_mode = modal_.feed_mode;

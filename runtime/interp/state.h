@@ -103,6 +103,22 @@ struct Smoothing {
     bool compresses = false;
 };
 
+/// What the program has chosen of the machine's transformation and of the tool's turning.
+struct Orienting {
+    bool is_on = false;  // X, Y and Z are the tip in the workpiece
+    nc::Function turning = nc::Function::TurnPlane;
+    nc::Function angles = nc::Function::AnglesEuler;
+    bool is_in_base = false;  // orientations are said in the base system
+};
+
+/// How the tool turns in the motion that is put out next, as a Command says it.
+struct NextTurn {
+    path::Turning turning = path::Turning::Axes;
+    path::Vec3 direction = path::Vec3::UnitZ();  // at the end
+    path::Vec3 axis = path::Vec3::Zero();
+    double angle = 0;
+};
+
 /// Polar coordinates, in the working plane of the programmed system.
 struct Polar {
     bool is_on = false;  // the words of the plane's axes are radius and angle

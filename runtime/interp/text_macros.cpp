@@ -32,7 +32,8 @@ TextMacros::Fault TextMacros::define(const nc::DialectTables& tables, std::strin
     const std::size_t text = words.skip_blanks(as_end);
     if (text >= definition.size()) return Fault::Form;
     Macro macro{words.normal(definition.substr(0, name_end)), std::string(definition.substr(text))};
-    std::erase_if(macros_, [&](const Macro& known) { return known.name == macro.name; });
+    const auto known = std::ranges::find(macros_, macro.name, &Macro::name);
+    if (known != macros_.end()) return known->text == macro.text ? Fault::None : Fault::Known;
     if (expanded(tables, macro.text)) return Fault::Nested;
     macros_.push_back(std::move(macro));
     return Fault::None;

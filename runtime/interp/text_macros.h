@@ -14,13 +14,13 @@ namespace kadr::interp {
 
 class TextMacros {
   public:
-    enum class Fault : std::uint8_t { None, Form, Nested };
+    enum class Fault : std::uint8_t { None, Form, Nested, Known };
 
     bool is_empty() const { return macros_.empty(); }
-    /// Takes what stands behind the word that defines: `LIGHT AS M8`. A word that is defined again
-    /// stands for the new text from here on. Form: it is no name, AS and text. Nested: the text
-    /// holds another such word.
-    /// source  S 1.5
+    /// Takes what stands behind the word that defines: `LIGHT AS M8`. Form: it is no name, AS and
+    /// text. Nested: the text holds another such word. Known: the word stands for another text
+    /// already; the same text once more, in a section that is repeated, is none.
+    /// source  S 1.5, 1.7
     Fault define(const nc::DialectTables& tables, std::string_view definition);
     /// The line with the text of every such word outside comments and texts; nothing: it has none.
     std::optional<std::string> expanded(const nc::DialectTables& tables,

@@ -5,6 +5,7 @@
 
 #include "base/diagnostics/machine.h"
 #include "base/text.h"
+#include "machine/number_list.h"
 
 namespace kadr::machine {
 
@@ -80,6 +81,30 @@ std::optional<double> ElementReader::quantity(std::string_view attribute,
     if (value) return *value;
     report_quantity(*found, value.error(), dimension, false);
     return std::nullopt;
+}
+
+std::optional<std::array<double, 3>> ElementReader::triple(std::string_view attribute,
+                                                           Dimension dimension) const {
+    const XmlAttribute* found = element_.find(attribute);
+    if (found == nullptr) return std::nullopt;
+    const std::string_view text = trimmed(found->value);
+    // The unit belongs to all three, so the numbers end where the first letter stands.
+    const std::size_t unit = std::min(text.find_first_not_of("0123456789.,+- \t"), text.size());
+    const auto scale = parse_quantity("1" + std::string(text.substr(unit)), dimension);
+    if (!scale) {
+        const QuantityError error = {scale.error().fault, text.substr(unit)};
+        report_quantity(*found, error, dimension, false);
+        return std::nullopt;
+    }
+    auto values = number_list<3>(text.substr(0, unit), ' ');
+    if (!values) {
+        sink_.report(diag::KinematicsTriple, found->value_range)
+            .arg(shown_value(found->value))
+            .arg(" and their unit");
+        return std::nullopt;
+    }
+    for (double& value : *values) value *= *scale;
+    return values;
 }
 
 std::optional<Range> ElementReader::range(std::string_view attribute, Dimension dimension) const {

@@ -3,6 +3,7 @@
 // Knows XML elements and quantities; what the values mean for a machine is load.cpp's matter.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -27,6 +28,9 @@ class ElementReader {
     bool has(std::string_view attribute) const { return element_.find(attribute) != nullptr; }
     std::string text(std::string_view attribute) const;
     std::optional<double> quantity(std::string_view attribute, Dimension dimension) const;
+    /// Three quantities with one unit behind them: `12.5 0 -40 mm`.
+    std::optional<std::array<double, 3>> triple(std::string_view attribute,
+                                                Dimension dimension) const;
     std::optional<Range> range(std::string_view attribute, Dimension dimension) const;
     /// Above zero, or zero and above.
     std::optional<double> positive(std::string_view attribute, Dimension dimension) const;

@@ -14,6 +14,8 @@
 #include "base/units.h"
 #include "base/xml.h"
 #include "machine/element_reader.h"
+#include "machine/load_kinematics.h"
+#include "machine/load_pipeline.h"
 #include "machine/load_scanner.h"
 #include "machine/machine.h"
 #include "machine/pulse_clock.h"
@@ -47,7 +49,7 @@ const XmlShape& machine_shape() {
           "corner_tolerance",
           "compressor_tolerance"},
          {"axis", "tool", "offset", "spindle_drive", "feed_drive", "cutting", "laser", "function",
-          "scanner"}},
+          "scanner", "kinematics", "pipeline"}},
         {"axis",
          {{"name", Filled},
           "limits",
@@ -72,6 +74,11 @@ const XmlShape& machine_shape() {
         {"feed_drive", {{"gain", Filled}, {"time_constant", Filled}, "feed_forward"}, {}},
         {"cutting", {{"force", Filled}}, {}},
         {"function", {{"code", Filled}, {"takes", Filled}, "acts", "waits"}, {}},
+        {"pipeline", {"ahead"}, {"serve", "translate", "interpolate", "output"}},
+        {"serve", {{"command", Filled}, {"by", Filled}}, {}},
+        {"translate", {"period", "batch", "queue"}, {}},
+        {"interpolate", {"period", "queue"}, {}},
+        {"output", {"period", "file", "columns"}, {}},
         {"laser", {"pulse", "tolerance", "mode", "power", "least_power"}, {}},
         {"scanner",
          {{"on", Filled},
@@ -92,6 +99,12 @@ const XmlShape& machine_shape() {
           "chord_tolerance",
           "list_size"},
          {}},
+        {"kinematics",
+         {"tool_direction", "l1", "l2", "start", "uvw_compensation", "path_choice",
+          "pole_tolerance"},
+         {"rotary", "tool_rotation"}},
+        {"rotary", {{"axis", Filled}, {"on", Filled}, {"direction", Filled}, "point", "sign"}, {}},
+        {"tool_rotation", {{"axis", Filled}, "sign"}, {}},
     };
     static const XmlShape shape = {"a machine file", rules};
     return shape;
@@ -135,6 +148,10 @@ class MachineBuilder {
         machine_.work_offsets.resize(1, AxisValues{});
         read_machine();
         for (const XmlElement& child : root_.children) read_child(child);
+        // Behind the axes, wherever they stand in the file.
+        if (kinematics_ != nullptr)
+            machine_.kinematics = read_kinematics(*kinematics_, machine_.axes, sink_);
+        if (pipeline_ != nullptr) machine_.pipeline = read_pipeline(*pipeline_, machine_, sink_);
         check_pulses();
         if (has_spindle_drive_ && has_feed_drive_) machine_.drives = drives_;
         if (machine_.axes.empty()) {
@@ -182,6 +199,10 @@ class MachineBuilder {
         if (child.name == "function") read_function(child);
         if (child.name == "scanner" && is_first("the scanner", child.range))
             machine_.scanner = read_scanner(child, sources_, sink_);
+        if (child.name == "kinematics" && is_first("the chain of rotary axes", child.range))
+            kinematics_ = &child;
+        // Read behind the others, which it refers to.
+        if (child.name == "pipeline" && is_first("the pipeline", child.range)) pipeline_ = &child;
     }
 
     /// True if `what` is new; else it has been reported.
@@ -400,9 +421,11 @@ class MachineBuilder {
     DiagnosticSink& sink_;
     Machine machine_;
     SourceRange laser_place_;
+    const XmlElement* kinematics_ = nullptr;
     Drives drives_;
     bool has_spindle_drive_ = false;
     bool has_feed_drive_ = false;
+    const XmlElement* pipeline_ = nullptr;
     std::unordered_map<std::string, SourceRange> seen_;  // what has been described, and where
 };
 

@@ -13,6 +13,7 @@
 #include "base/diagnostics/machine.h"
 #include "base/numbers.h"
 #include "machine/element_reader.h"
+#include "machine/number_list.h"
 
 namespace kadr::machine {
 
@@ -32,34 +33,6 @@ constexpr double kRounding = 1e-9;
 
 constexpr std::string_view kPolygonKinds[] = {"fixed", "turning"};
 constexpr std::string_view kTableHeader = "x [mm],y [mm],dx [mm],dy [mm]";
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-/// A decimal number and nothing else.
-std::optional<double> number(std::string_view text) {
-    text = trimmed(text);
-    const Decimal decimal = parse_decimal(text.data(), text.data() + text.size());
-    if (text.empty() || decimal.end != text.data() + text.size()) return std::nullopt;
-    return decimal.value;
-}
-
-/// Four numbers with `separator` between them.
-std::optional<std::array<double, 4>> four_numbers(std::string_view text, char separator) {
-    std::array<double, 4> values{};
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const std::size_t end = text.find(separator);
-        if ((end == std::string_view::npos) != (i + 1 == values.size())) return std::nullopt;
-        const auto value = number(text.substr(0, end));
-        if (!value) return std::nullopt;
-        values[i] = *value;
-        if (end != std::string_view::npos) text = trimmed(text.substr(end + 1));
-    }
-    return values;
-}
 
 std::string shown(double value) { return format_shortest(round_to(value, 6)); }
 
@@ -186,7 +159,7 @@ class ScannerReader {
     void read_matrix() {
         if (!reader_.has("matrix")) return;
         const std::string text = reader_.text("matrix");
-        const auto matrix = four_numbers(trimmed(text), ' ');
+        const auto matrix = number_list<4>(text, ' ');
         if (matrix && std::abs((*matrix)[0] * (*matrix)[3] - (*matrix)[1] * (*matrix)[2]) > kFlat) {
             scanner_.matrix = *matrix;
             return;
@@ -250,7 +223,7 @@ std::optional<FieldGrid> read_field_grid(FileId file, const Sources& sources,
                 .arg("the header `" + std::string(kTableHeader) + "`");
             return std::nullopt;
         }
-        if (const auto values = four_numbers(line, ',')) {
+        if (const auto values = number_list<4>(line, ',')) {
             builder.add({*values, place});
             continue;
         }

@@ -9,6 +9,8 @@
 
 #include "base/axes.h"
 #include "base/diagnostic.h"
+#include "machine/chain.h"
+#include "machine/pipeline_data.h"
 #include "machine/process_data.h"
 #include "machine/scanner_data.h"
 
@@ -70,9 +72,11 @@ struct Machine {
     std::vector<ToolData> tools;
     std::vector<MachineFunction> functions;  // M functions that take time
     std::vector<AxisValues> work_offsets;    // [0] none, [1] G54 …; mm, deg
+    std::optional<Kinematics> kinematics;    // if it has rotary axes that the file places
     std::optional<Drives> drives;            // if the file describes both drives
     std::optional<Laser> laser;
     std::optional<Scanner> scanner;
+    Pipeline pipeline;
 
     const MachineAxis* find(Axis axis) const;
     const ToolData* find_tool(std::int64_t number) const;

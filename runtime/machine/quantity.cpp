@@ -6,6 +6,7 @@
 
 #include "base/numbers.h"
 #include "base/units.h"
+#include "machine/number_list.h"
 
 namespace kadr::machine {
 
@@ -62,12 +63,6 @@ constexpr std::array kUnits = {
     Unit{Dimension::Power, "kW", 1e3},
     Unit{Dimension::Share, "%", 1e-2},
 };
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r\n");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
 
 const Unit* find_unit(std::string_view name, Dimension dimension) {
     for (const Unit& unit : kUnits) {

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "motion/axis_shares.h"
 #include "motion/spline_pieces.h"
 
 namespace kadr::motion {
@@ -11,21 +13,6 @@ namespace kadr::motion {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// sqrt(1 − 1/4): the usual split of LinuxCNC; 87 % of the acceleration turn the path, half of it
-// remains along the path.
-constexpr double kNormalShare = 0.86602540378443865;
-
-// Of an axis' jerk: what turning at constant speed may take, and what speeding up while turning
-// may. On an arc the two are across each other, so the path keeps sqrt(1 − 0.6²) − 0.4 = 0.4; on a
-// spline they may add up, and it keeps 0.3.
-constexpr double kSteadyJerk = 0.4;
-constexpr double kTurningJerk = 0.6;
-constexpr double kTurningJerkOfSpline = 0.3;
-// On the curve around a corner the speed is to stay as it is: the corner is turned with nearly all
-// that the axes have, and little is left to speed up meanwhile.
-constexpr double kSteadyJerkOfGlide = 0.7;
-constexpr double kTurningJerkOfGlide = 0.1;
 
 /// A helix as limits see it: a circle of constant curvature and a steady rise. Spread radii differ
 /// by hundredths; of both ends the less favourable one counts.
@@ -87,6 +74,7 @@ double acceleration_left(const SplineBend& bend, Eigen::Index axis, double speed
 }  // namespace
 
 AxisTable::AxisTable(const machine::Machine& machine) {
+    if (machine.kinematics) chain_ = &machine.kinematics->chain;
     slots_.fill(machine.axes.size());
     const bool has_pulses = machine.laser && machine.laser->pulse > 0;
     for (const machine::MachineAxis& axis : machine.axes) {
@@ -126,6 +114,7 @@ AxisRates AxisTable::rates(const path::Vec3& tangent, const Segment& piece) cons
 }
 
 AxisRates AxisTable::start_rates(const Segment& piece) const {
+    if (piece.is_transformed()) return rates_on(piece, 0);
     if (const auto* line = std::get_if<path::Line>(&piece.curve)) {
         return rates(line->direction, piece);
     }
@@ -133,6 +122,7 @@ AxisRates AxisTable::start_rates(const Segment& piece) const {
 }
 
 AxisRates AxisTable::end_rates(const Segment& piece) const {
+    if (piece.is_transformed()) return rates_on(piece, 1);
     if (const auto* line = std::get_if<path::Line>(&piece.curve)) {
         return rates(line->direction, piece);
     }
@@ -150,9 +140,12 @@ AxisRates AxisTable::bends(const Segment& piece, double distance) const {
     return bends;
 }
 
-AxisRates AxisTable::start_bends(const Segment& piece) const { return bends(piece, 0); }
+AxisRates AxisTable::start_bends(const Segment& piece) const {
+    return piece.is_transformed() ? bends_on(piece, 0) : bends(piece, 0);
+}
 
 AxisRates AxisTable::end_bends(const Segment& piece) const {
+    if (piece.is_transformed()) return bends_on(piece, 1);
     return bends(piece, path::length(piece.curve));
 }
 
@@ -216,6 +209,13 @@ GlideBend bend_of(const path::Glide& glide) {
     return bend;
 }
 
+/// Of a curve without closed forms for its limits; nothing of the others.
+std::optional<SplineBend> sampled_bend(const path::Curve& curve) {
+    if (const auto* glide = std::get_if<path::Glide>(&curve)) return bend_of(*glide);
+    if (path::bends_freely(curve)) return motion::bend_of(curve);
+    return std::nullopt;
+}
+
 double speed_on(const GlideBend& bend, double wanted) { return wanted / std::max(1.0, bend.tool); }
 
 }  // namespace
@@ -260,6 +260,7 @@ PathLimits AxisTable::glide_limits(const path::Glide& glide, double wanted) cons
 }
 
 PathLimits AxisTable::limits(const Segment& piece, const AxisRates& start, double wanted) const {
+    if (piece.is_transformed()) return transformed_limits(piece, wanted);
     if (const auto* helix = std::get_if<path::Helix>(&piece.curve))
         return helix_limits(*helix, piece, wanted);
     if (const auto* glide = std::get_if<path::Glide>(&piece.curve))
@@ -361,10 +362,10 @@ PathLimits AxisTable::helix_limits(const path::Helix& helix, const Segment& piec
 }
 
 AxisTable::Loads AxisTable::loads(const Segment& piece, const AxisRates& start) const {
+    if (piece.is_transformed()) return transformed_loads(piece);
     Loads loads;
-    if (path::bends_freely(piece.curve)) {
-        const auto* glide = std::get_if<path::Glide>(&piece.curve);
-        const SplineBend bend = glide != nullptr ? bend_of(*glide) : motion::bend_of(piece.curve);
+    if (const std::optional<SplineBend> found = sampled_bend(piece.curve)) {
+        const SplineBend& bend = *found;
         for (std::size_t i = 0; i < axes_.size(); ++i) {
             if (axes_[i].coordinate >= 3) continue;
             const auto c = static_cast<Eigen::Index>(axes_[i].coordinate);
@@ -412,7 +413,7 @@ AxisTable::Peaks AxisTable::peaks(const Segment& piece, const Loads& loads) cons
     const double speed = piece.profile.peak_speed;
     const double along = path_acceleration(piece.profile);
     const double jerk = limits_jerk_ ? path_jerk(piece.profile) : 0;
-    const auto* helix = std::get_if<path::Helix>(&piece.curve);
+    const auto* helix = piece.is_transformed() ? nullptr : std::get_if<path::Helix>(&piece.curve);
     for (std::size_t i = 0; i < axes_.size(); ++i) {
         const std::size_t c = axes_[i].coordinate;
         const double rate = helix == nullptr || c >= 3
@@ -448,6 +449,7 @@ void AxisTable::measure_cell(const Segment& piece, const BentCell& cell, Peaks& 
 }
 
 AxisRates AxisTable::positions(const Segment& piece, double distance) const {
+    if (piece.is_transformed()) return transformed_positions(piece, distance);
     const path::Vec3 point = path::position(piece.curve, distance) + piece.tool_length * piece.tool;
     AxisRates positions{};
     for (std::size_t i = 0; i < axes_.size(); ++i) {
@@ -459,6 +461,7 @@ AxisRates AxisTable::positions(const Segment& piece, double distance) const {
 }
 
 AxisTable::Travel AxisTable::travel(const Segment& piece, double length) const {
+    if (piece.is_transformed()) return transformed_travel(piece);
     const path::Vec3 offset = piece.tool_length * piece.tool;
     const path::Box box = path::bounds(piece.curve);
     Travel travel;

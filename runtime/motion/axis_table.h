@@ -1,8 +1,8 @@
 // axis_table.h — a path as the machine's axes see it: rates, limits, travel.
 //
-// Compiled once from the Machine. Today an axis stands for one coordinate, X Y Z of the tip plus
-// the tool length, the others directly; with kinematic chains this is where the path is turned
-// into axes.
+// Compiled once from the Machine. An axis stands for one coordinate, X Y Z of the tip plus the tool
+// length, the others directly; under a transformation the machine's chain turns the path into axes
+// (axis_table_transformed.cpp).
 #pragma once
 
 #include <algorithm>
@@ -19,6 +19,8 @@
 
 namespace kadr::motion {
 
+struct SplineBend;  // spline_pieces.h
+
 /// What the axes allow on one piece.
 struct PathLimits {
     double speed = 0;         // infinite if nothing limits it
@@ -29,8 +31,11 @@ struct PathLimits {
     double turning_acceleration = 0;
 };
 
+struct AxisBounds;
+
 class AxisTable {
   public:
+    /// The machine outlives the table.
     explicit AxisTable(const machine::Machine& machine);
 
     std::size_t size() const { return axes_.size(); }
@@ -38,6 +43,10 @@ class AxisTable {
     std::size_t slot(Axis axis) const { return slots_[index(axis)]; }
     double acceleration(std::size_t i) const { return axes_[i].acceleration; }
     double jerk(std::size_t i) const { return axes_[i].jerk; }
+    /// Null if the machine has no transformation.
+    const machine::Chain* chain() const { return chain_; }
+    /// Velocities and accelerations of the logical axes.
+    AxisBounds bounds() const;
     /// Whether the jerk of any axis is limited.
     bool limits_jerk() const { return limits_jerk_; }
 
@@ -128,8 +137,16 @@ class AxisTable {
     PathLimits spline_limits(const SplineBend& bend, double wanted) const;
     PathLimits glide_limits(const path::Glide& glide, double wanted) const;
     AxisRates bends(const Segment& piece, double distance) const;
+    // Of a transformed piece; u is the part of its way, 0 … 1.
+    AxisRates rates_on(const Segment& piece, double u) const;
+    AxisRates bends_on(const Segment& piece, double u) const;
+    Loads transformed_loads(const Segment& piece) const;
+    PathLimits transformed_limits(const Segment& piece, double wanted) const;
+    Travel transformed_travel(const Segment& piece) const;
+    AxisRates transformed_positions(const Segment& piece, double distance) const;
     AxisRates rates(const path::Vec3& tangent, const Segment& piece) const;
 
+    const machine::Chain* chain_ = nullptr;
     std::vector<Entry> axes_;
     std::array<std::size_t, kAxes> slots_{};
     LinearLimits linear_;

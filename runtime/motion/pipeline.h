@@ -27,6 +27,7 @@
 #include "motion/operator_panel.h"
 #include "motion/plc.h"
 #include "motion/segment.h"
+#include "motion/speed_loss.h"
 #include "path/command.h"
 
 namespace kadr::motion {
@@ -80,6 +81,8 @@ struct PlannerOptions {
     bool hold_stops_dwell = true;  // the rest of a dwell passes after cycle start
     /// The block number of a line of the ISO-7bit text, -1 none; may be empty.
     std::function<std::int32_t(std::uint32_t line)> number_of;
+    /// Gets what keeps every piece below what it asks for, and what that costs; empty: nobody asks.
+    std::function<void(const SpeedLoss&)> tell_loss;
     /// Who acknowledges M functions; null: the machine's file says when.
     Plc* plc = nullptr;
     std::size_t lookahead = 1024;  // pieces known ahead at least, the current one included

@@ -12,8 +12,10 @@
 // ends of the stretches their speeds; there the acceleration vanishes. A profile of seven phases
 // connects them, and profile_cut.h shares it out among the pieces, so phases run across blocks. No
 // limit can be passed: a profile keeps those of its stretch, and these are the least of its
-// pieces'. Every speed at a junction can be braked to rest within what is known. What the gathering
-// costs against the best plan is time alone.
+// pieces'. Where the bend changes all along the path, long_ramp.h joins stretches again behind the
+// look-ahead, if one ramp over them keeps the limits of every piece. Every speed at a junction can
+// be braked to rest within what is known. What the gathering costs against the best plan is time
+// alone.
 #include <algorithm>
 #include <cmath>
 
@@ -93,23 +95,52 @@ void Planner::State::append_complete() {
     gathered.clear();
 }
 
-void Planner::State::begin_stretch() {
-    speeds = lookahead.take();
-    left = 1;
-    if (!axes.limits_jerk()) return;
-    current = stretches.front();
+/// The oldest stretch of the look-ahead with its speeds, and the profile that it has by itself.
+PlannedStretch Planner::State::take_stretch() {
+    PlannedStretch next;
+    next.speeds = lookahead.take();
+    next.limits.pieces = 1;
+    if (!axes.limits_jerk()) return next;
+    next.limits = stretches.front();
     stretches.pop_front();
-    left = current.pieces;
-    if (std::isinf(current.jerk)) return;
+    const Stretch& limits = next.limits;
+    if (std::isinf(limits.jerk)) return next;
     const auto whole =
-        seven_phases(current.length, speeds.entry, speeds.exit,
-                     {current.speed, current.acceleration, current.acceleration, current.jerk});
+        seven_phases(limits.length, next.speeds.entry, next.speeds.exit,
+                     {limits.speed, limits.acceleration, limits.acceleration, limits.jerk});
     KADR_ASSERT(whole.has_value(), "the look-ahead promised a smooth ramp that does not fit");
-    cut = ProfileCut(*whole);
+    next.profile = *whole;
+    return next;
+}
+
+/// An operator may change the speeds of what comes; then every stretch goes by itself.
+bool Planner::State::joins_stretches() const { return axes.limits_jerk() && !panel.is_used(); }
+
+/// The next stretch, or several that one ramp runs over.
+void Planner::State::begin_stretch() {
+    if (taken.empty()) taken.push_back(take_stretch());
+    while (joins_stretches() && taken.size() < kMostJoined &&
+           std::isfinite(taken.back().limits.jerk)) {
+        if (!lookahead.is_ready()) fill();
+        if (!lookahead.is_ready()) break;
+        taken.push_back(take_stretch());
+    }
+    current = taken.front().limits;
+    speeds = taken.front().speeds;
+    LongRamp ramp{1, taken.front().profile};
+    const bool has_profile = axes.limits_jerk() && std::isfinite(current.jerk);
+    if (has_profile && joins_stretches()) ramp = long_ramp(taken, pieces, axes).value_or(ramp);
+    if (has_profile) cut = ProfileCut(ramp.profile);
+    left = 0;
+    for (std::size_t i = 0; i < ramp.stretches; ++i) {
+        left += taken.front().limits.pieces;
+        taken.pop_front();
+    }
 }
 
 /// Nothing is left.
 bool Planner::State::end() {
+    losses.finish();
     totals.commands = preparer.commands();
     record_travel();
     return false;
@@ -120,7 +151,7 @@ bool Planner::State::next(Segment& segment) {
     while (true) {
         if (left == 0) {
             if (!lookahead.is_ready()) fill();
-            if (!lookahead.is_ready()) return end();
+            if (!lookahead.is_ready() && taken.empty()) return end();
             begin_stretch();
         }
         --left;
@@ -174,6 +205,7 @@ void Planner::State::plan(Piece& piece, bool is_last) {
 
 void Planner::State::record(const Piece& piece) {
     const Segment& segment = piece.segment;
+    losses.add(piece, panel.acting().feed);
     totals.time += segment.duration;
     switch (segment.kind) {
         case SegmentKind::Rapid: totals.rapid_time += segment.duration; break;
@@ -207,7 +239,8 @@ void Planner::State::record_corner(const Piece& piece) {
     const Segment& segment = piece.segment;
     const double speed = segment.profile.entry_speed;
     const double along = path_acceleration(segment.profile);
-    const bool is_straight = std::holds_alternative<path::Line>(segment.curve);
+    const bool is_straight =
+        std::holds_alternative<path::Line>(segment.curve) && !segment.is_transformed();
     if (axes.limits_jerk()) record_jerk(piece, along);
     if (speed > 0) {
         for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -229,7 +262,8 @@ void Planner::State::record_jerk(const Piece& piece, double along) {
     const Segment& segment = piece.segment;
     const double speed = segment.profile.entry_speed;
     const double jerk = path_jerk(segment.profile);
-    const bool is_straight = std::holds_alternative<path::Line>(segment.curve);
+    const bool is_straight =
+        std::holds_alternative<path::Line>(segment.curve) && !segment.is_transformed();
     const AxisRates bends = is_straight ? AxisRates{} : axes.start_bends(segment);
     for (std::size_t i = 0; speed > 0 && i < axes.size(); ++i) {
         const double jump = std::abs(piece.rates[i] - last_rates[i]) * speed / tick;

@@ -8,7 +8,9 @@
 #include <optional>
 
 #include "motion/axis_table.h"
+#include "motion/long_ramp.h"
 #include "motion/lookahead.h"
+#include "motion/loss_trace.h"
 #include "motion/pipeline.h"
 #include "motion/prepare.h"
 #include "motion/profile_cut.h"
@@ -30,7 +32,8 @@ struct Planner::State {
           lookahead(options.lookahead),
           tick(options.tick > 0 ? options.tick : machine.tick),
           machine_plc(machine),
-          plc(options.plc != nullptr ? *options.plc : machine_plc) {
+          plc(options.plc != nullptr ? *options.plc : machine_plc),
+          losses(machine, axes, options_in.tell_loss) {
         lookahead.set_overrides(panel.acting());
         record_travel();
     }
@@ -43,6 +46,8 @@ struct Planner::State {
     void hand_on(const Piece& piece, double exit_limit);
     void append_complete();
     void begin_stretch();
+    PlannedStretch take_stretch();
+    bool joins_stretches() const;
     void issue(Piece& piece);
     void plan(Piece& piece, bool is_last);
     void record(const Piece& piece);
@@ -73,14 +78,16 @@ struct Planner::State {
     Preparer preparer;
     StretchBuilder gathered;
     LookAhead lookahead;
-    std::deque<Stretch> stretches;  // in the look-ahead
-    Stretch current;                // its pieces are being delivered
+    std::deque<Stretch> stretches;     // in the look-ahead
+    Stretch current;                   // its pieces are being delivered
+    std::deque<PlannedStretch> taken;  // behind it, that may be joined to one
     JunctionSpeeds speeds;
     ProfileCut cut;        // of its profile, if its jerk is limited
     std::size_t left = 0;  // so many of its pieces
     double tick;
     MachinePlc machine_plc;
     Plc& plc;
+    LossTrace losses;
     double acknowledged = 0;       // s, all that was issued so far
     PathMoment start;              // in it the oldest stretch begins; its speed the look-ahead has
     std::optional<Profile> given;  // of the current stretch, if its jerk is not limited

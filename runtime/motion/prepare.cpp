@@ -131,7 +131,8 @@ void Preparer::State::execute(const Command& command) {
         case Op::Thread:
         case Op::Probe:
         case Op::Spline:
-        case Op::Involute: move(command); return;
+        case Op::Involute:
+        case Op::Parametric: move(command); return;
         case Op::Dwell: dwell(command); return;
         case Op::Spindle: set_spindle(command); return;
         case Op::SpeedLimit: spindle.limit = speed_from_rpm(command.speed); return;
@@ -225,13 +226,17 @@ void Preparer::State::issue(const Command& command) {
 // ------------------------------------------------------------------------------ motion
 
 void Preparer::State::move(const Command& command) {
-    const Standing::Target target = standing.target_of(command);
+    if (standing.follow_transformation(command)) last.must_stop = true;
+    Standing::Target target = standing.target_of(command);
     Segment segment = standing.still();
     segment.kind = command.op == Op::Rapid ? SegmentKind::Rapid : SegmentKind::Feed;
     segment.line = command.line;
     segment.source = command.source;
     const double length = standing.lay_path(command, target, segment);
-    if (length > 0 && is_possible(command, segment, length)) {
+    if (segment.is_transformed() && length > 0) {
+        release();
+        emit_transformed(command, segment, target);
+    } else if (length > 0 && is_possible(command, segment, length)) {
         const double from = round_corner(command, segment, length);
         if (!hold(command, segment, length, from)) {
             emit_part(command, segment, length, {from, length});
@@ -388,7 +393,8 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     piece.acceleration = limits.acceleration;
     piece.jerk = limits.jerk;
     piece.turning_acceleration = limits.turning_acceleration;
-    if (!options.events.empty()) ask(command, piece, programmed);
+    piece.programmed = programmed;
+    if (!options.events.empty()) ask(command, piece);
     piece.entry_limit = corner_speed(segment, in, limits.acceleration);
     piece.rates = in;
     piece.loads = axes.loads(segment, in);
@@ -408,12 +414,11 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
 }
 
 /// What overrides act on while the piece is run: a thread follows the spindle, and so does a tap.
-void Preparer::State::ask(const Command& command, Piece& piece, double programmed) const {
-    piece.programmed = programmed;
+void Preparer::State::ask(const Command& command, Piece& piece) const {
     if (command.op == Op::Thread || command.keeps_feed) return;
     const bool is_rapid = piece.segment.kind == SegmentKind::Rapid;
     (is_rapid ? piece.rapid_asked : piece.feed_asked) =
-        is_rapid ? programmed : AxisTable::path_speed(piece.segment, programmed);
+        is_rapid ? piece.programmed : AxisTable::path_speed(piece.segment, piece.programmed);
 }
 
 /// The axes cannot follow the spindle: the thread would get another pitch.

@@ -43,7 +43,7 @@ double time_lost(double speed, double way, const PathLimits& limits) {
 
 constexpr bool is_rounded(Op op) {
     return op == Op::Rapid || op == Op::Line || op == Op::Arc || op == Op::Spline ||
-           op == Op::Involute;
+           op == Op::Involute || op == Op::Parametric;
 }
 
 }  // namespace
@@ -63,7 +63,8 @@ std::optional<double> Preparer::State::feed_of(const Command& command, const Seg
 bool Preparer::State::can_be_rounded(const Command& command, const Segment& segment,
                                      double length) const {
     return is_rounded(command.op) && !has_pulses() && !segment.turns_only &&
-           segment.followers == 0 && feed_of(command, segment, length).has_value();
+           segment.followers == 0 && !segment.is_transformed() &&
+           feed_of(command, segment, length).has_value();
 }
 
 /// Keeps a motion until the next one is known; false if nothing is asked for behind it.

@@ -2,7 +2,7 @@
 //
 // Its functions are told in chapters: prepare.cpp (commands, standstill, pieces of one motion),
 // prepare_corners.cpp (how fast the corner between two pieces may be passed), prepare_rounding.cpp
-// (curves around corners).
+// (curves around corners), prepare_transformed.cpp (motions under the machine's transformation).
 #pragma once
 
 #include <array>
@@ -34,8 +34,8 @@ struct CornerMemory {
 };
 
 inline bool is_straight(const Segment& segment) {
-    return std::holds_alternative<path::Line>(segment.curve) ||
-           std::holds_alternative<path::Point>(segment.curve);
+    return !segment.is_transformed() && (std::holds_alternative<path::Line>(segment.curve) ||
+                                         std::holds_alternative<path::Point>(segment.curve));
 }
 
 /// A motion that waits for the next one, because the corner between them may be rounded.
@@ -75,6 +75,11 @@ struct Preparer::State {
     bool is_possible(const path::Command& command, const Segment& segment, double length);
     void emit_part(const path::Command& command, const Segment& whole, double length,
                    const WayPart& part);
+    void emit_transformed(const path::Command& command, const Segment& whole,
+                          Standing::Target& target);
+    void turn_at_pole(const path::Command& command, const Segment& at, const path::Vec3& to);
+    bool emit_leg(const path::Command& command, const Segment& leg, double length,
+                  path::Vec3& joints);
     void emit_curves(const path::Command& command, const Segment& whole, double length,
                      std::span<const path::Curve> curves);
     void end_command();
@@ -91,7 +96,7 @@ struct Preparer::State {
     double programmed_feed(const path::Command& command, const Segment& segment, double length);
     double wanted_feed(const path::Command& command, const Segment& segment,
                        double programmed) const;
-    void ask(const path::Command& command, Piece& piece, double programmed) const;
+    void ask(const path::Command& command, Piece& piece) const;
     double corner_speed(const Segment& segment, const AxisRates& in, double acceleration) const;
     void take_corner(Piece& piece) const;
     bool is_alone(const Piece& piece) const;

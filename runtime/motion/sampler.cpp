@@ -5,6 +5,7 @@
 
 #include "base/units.h"
 #include "motion/pipeline.h"
+#include "motion/transformed.h"
 
 namespace kadr::motion {
 
@@ -30,6 +31,7 @@ double tool_speed(const path::Glide& glide, double distance) {
 struct Sampler::State {
     State(Stream<Segment>& segments_in, const machine::Machine& machine, double tick_in)
         : segments(segments_in), tick(tick_in > 0 ? tick_in : machine.tick) {
+        if (machine.kinematics) chain = &machine.kinematics->chain;
         for (const machine::MachineAxis& axis : machine.axes) order.push_back(index(axis.axis));
     }
 
@@ -40,9 +42,12 @@ struct Sampler::State {
     void rest(Setpoint& out) const;
     void place(const Segment& segment, const path::Vec3& tip, double distance, Setpoint& out) const;
 
+    void place_transformed(const Segment& segment, double distance, Setpoint& out) const;
+
     double now() const { return static_cast<double>(ticks) * tick; }
 
     Stream<Segment>& segments;
+    const machine::Chain* chain = nullptr;  // null if the machine has no transformation
     double tick;
     std::vector<std::size_t> order;  // logical axis of every setpoint column
 
@@ -96,20 +101,31 @@ std::size_t Sampler::State::pull(std::span<Setpoint> out) {
 
 inline void Sampler::State::place(const Segment& segment, const path::Vec3& tip, double distance,
                                   Setpoint& out) const {
-    const path::Vec3& carried = is_external(segment.kind) ? segment.stage : tip;
-    const path::Vec3 carrier = carried + segment.tool_length * segment.tool;
-    out.tip = tip;
-    out.tool = segment.tool;
     out.programmed_feed =
         segment.kind == SegmentKind::Feed && segment.spindle.is_turning ? segment.feed : 0;
     out.line = segment.line;
     out.source = segment.source;
+    out.tip = tip;
+    if (segment.is_transformed()) return place_transformed(segment, distance, out);
+    const path::Vec3& carried = is_external(segment.kind) ? segment.stage : tip;
+    const path::Vec3 carrier = carried + segment.tool_length * segment.tool;
+    out.tool = segment.tool;
     std::size_t column = 0;
     for (const std::size_t c : order) {
         out.axis[column++] =
             c < 3 ? carrier[static_cast<Eigen::Index>(c)]
                   : segment.follower_start[c - 3] + segment.follower_rate[c - 3] * distance;
     }
+    for (; column < kAxes; ++column) out.axis[column] = 0;
+}
+
+/// The tip stays on its path, whatever the tool does.
+void Sampler::State::place_transformed(const Segment& segment, double distance,
+                                       Setpoint& out) const {
+    const LogicalAxes axes = axes_at(*chain, segment, distance);
+    out.tool = tool_at(*chain, segment, distance);
+    std::size_t column = 0;
+    for (const std::size_t c : order) out.axis[column++] = axes[c];
     for (; column < kAxes; ++column) out.axis[column] = 0;
 }
 

@@ -11,6 +11,7 @@ namespace {
 using path::Bezier;
 using path::CurvePoint;
 using path::Involute;
+using path::Parametric;
 using path::Vec3;
 
 constexpr std::size_t kSamples = 9;
@@ -30,12 +31,13 @@ constexpr double kPoint = 1e-3;
 /// Between samples closer than this, mm, a difference of curvatures is rounding.
 constexpr double kNoWay = 1e-9;
 
-template <std::size_t N>
-Samples sample(const Bezier<N>& spline) {
+/// Of a kind with a parameter, as a span of a spline.
+template <typename Bent>
+Samples sample(const Bent& curve) {
     Samples samples;
     for (std::size_t i = 0; i < kSamples; ++i) {
         const double u = static_cast<double>(i) / static_cast<double>(kSamples - 1);
-        samples[i] = path::curvature_at(spline, u);
+        samples[i] = path::curvature_at(curve, u);
     }
     return samples;
 }
@@ -64,9 +66,21 @@ Ways ways_of(const Involute& involute) {
     return ways;
 }
 
-template <std::size_t N>
-std::pair<Bezier<N>, Bezier<N>> halves(const Bezier<N>& spline) {
-    return path::split(spline, 0.5);
+Ways ways_of(const Parametric& curve) {
+    constexpr double kWidth = 1.0 / static_cast<double>(kSamples - 1);
+    Ways ways;
+    double before = 0;
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        const double reached = path::length_to(curve, kWidth * static_cast<double>(i + 1));
+        ways[i] = reached - before;
+        before = reached;
+    }
+    return ways;
+}
+
+template <typename Bent>
+std::pair<Bent, Bent> halves(const Bent& curve) {
+    return path::split(curve, 0.5);
 }
 
 std::pair<Involute, Involute> halves(const Involute& involute) {
@@ -91,30 +105,29 @@ bool is_evenly_bent(const Samples& samples, double length) {
     return most <= kBendRatio * least || most * length <= kLittleTurn;
 }
 
-template <typename Kind>
-void cut(const Kind& spline, std::vector<path::Curve>& out) {
-    const Samples samples = sample(spline);
+template <typename Bent>
+void cut(const Bent& curve, std::vector<path::Curve>& out) {
+    const Samples samples = sample(curve);
     const bool is_sharp = turns_sharply(samples);
-    const bool is_cut = is_sharp
-                            ? spline.length > kPoint
-                            : spline.length > kShort && !is_evenly_bent(samples, spline.length);
+    const bool is_cut = is_sharp ? curve.length > kPoint
+                                 : curve.length > kShort && !is_evenly_bent(samples, curve.length);
     if (is_cut) {
-        const auto [before, behind] = halves(spline);
+        const auto [before, behind] = halves(curve);
         cut(before, out);
         cut(behind, out);
         return;
     }
-    if (!is_sharp && spline.length > 0) {
-        out.emplace_back(spline);
-    } else if ((spline.end - spline.start).norm() > 0) {
-        out.emplace_back(path::make_line(spline.start, spline.end));
+    if (!is_sharp && curve.length > 0) {
+        out.emplace_back(curve);
+    } else if ((curve.end - curve.start).norm() > 0) {
+        out.emplace_back(path::make_line(curve.start, curve.end));
     }
 }
 
-template <typename Kind>
-SplineBend bend_between(const Kind& spline) {
-    const Samples samples = sample(spline);
-    const Ways ways = ways_of(spline);
+template <typename Bent>
+SplineBend bend_between(const Bent& curve) {
+    const Samples samples = sample(curve);
+    const Ways ways = ways_of(curve);
     SplineBend bend;
     Vec3 rate_step = Vec3::Zero();
     Vec3 bend_step = Vec3::Zero();
@@ -154,13 +167,15 @@ std::vector<path::Curve> evenly_bent(const path::Curve& curve) {
     if (const auto* spline = std::get_if<path::CubicSpan>(&curve)) cut(*spline, pieces);
     if (const auto* quintic = std::get_if<path::QuinticSpan>(&curve)) cut(*quintic, pieces);
     if (const auto* involute = std::get_if<Involute>(&curve)) cut(*involute, pieces);
+    if (const auto* parametric = std::get_if<Parametric>(&curve)) cut(*parametric, pieces);
     return pieces;
 }
 
 SplineBend bend_of(const path::Curve& curve) {
     if (const auto* spline = std::get_if<path::CubicSpan>(&curve)) return bend_between(*spline);
     if (const auto* quintic = std::get_if<path::QuinticSpan>(&curve)) return bend_between(*quintic);
-    return bend_between(std::get<Involute>(curve));
+    if (const auto* involute = std::get_if<Involute>(&curve)) return bend_between(*involute);
+    return bend_between(std::get<Parametric>(curve));
 }
 
 }  // namespace kadr::motion

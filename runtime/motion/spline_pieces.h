@@ -1,4 +1,4 @@
-// spline_pieces.h — spans of splines and involutes cut into pieces that one speed suits.
+// spline_pieces.h — spans of splines, and other curves, cut into pieces that one speed suits.
 #pragma once
 
 #include <vector>

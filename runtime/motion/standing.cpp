@@ -1,8 +1,11 @@
 #include "motion/standing.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/units.h"
+#include "motion/transformed.h"
 
 namespace kadr::motion {
 
@@ -29,6 +32,7 @@ bool turns(std::size_t follower) { return is_rotary(static_cast<Axis>(follower +
 }  // namespace
 
 Standing::Standing(const machine::Machine& machine) {
+    if (machine.kinematics) chain_ = &machine.kinematics->chain;
     for (const machine::MachineAxis& axis : machine.axes) {
         const std::size_t i = index(axis.axis);
         if (i < 3) {
@@ -38,6 +42,36 @@ Standing::Standing(const machine::Machine& machine) {
         }
         last_to_[i] = axis.is_rotary ? deg_from_rad(axis.home) : axis.home;
     }
+}
+
+/// Where X, Y and Z of the machine stand.
+Vec3 Standing::carrier() const {
+    if (!is_transformed_) return tip_ + tool_length_ * tool_;
+    const machine::ChainPosition position{Vec3::Zero(),
+                                          {followers_[3], followers_[4], followers_[5]},
+                                          joints_of(*chain_, followers_)};
+    return machine::inverse_linear(*chain_, tip_, position, -tool_length_ * tool_);
+}
+
+void Standing::put_carrier(const Vec3& carrier) {
+    if (!is_transformed_) {
+        tip_ = carrier - tool_length_ * tool_;
+        return;
+    }
+    LogicalAxes axes{carrier[0], carrier[1], carrier[2]};
+    std::ranges::copy(followers_, axes.begin() + 3);
+    tip_ = tip_at(*chain_, axes, tool_, tool_length_);
+}
+
+bool Standing::follow_transformation(const Command& command) {
+    const bool is_wanted = command.turning != path::Turning::None;
+    if (is_wanted == is_transformed_ || chain_ == nullptr) return false;
+    const Vec3 stays = carrier();
+    is_transformed_ = is_wanted;
+    put_carrier(stays);
+    // What the command says of the other axes is of the new system.
+    last_to_.fill(std::numeric_limits<double>::quiet_NaN());
+    return true;
 }
 
 Standing::Target Standing::target_of(const Command& command) const {
@@ -78,13 +112,43 @@ double Standing::lay_path(const Command& command, const Target& target, Segment&
         const path::CubicSpan spline = path::make_spline(tip_, target.tip, command.spline);
         length = spline.length;
         segment.curve = spline;
+    } else if (command.op == Op::Parametric) {
+        const path::Parametric curve =
+            path::make_parametric(tip_, target.tip, command.curve.front());
+        length = curve.length;
+        segment.curve = curve;
     } else if ((target.tip - tip_).squaredNorm() > kStill * kStill) {
         const path::Line line = path::make_line(tip_, target.tip);
         length = line.length;
         segment.curve = line;
     }
     if (target.followers != followers_) lay_followers(target, length, segment);
+    if (segment.is_transformed()) lay_turn(command, length, segment);
     return length > kStill ? length : 0;
+}
+
+/// On a cone R1 and R2 follow the tool; where only it turns, its angle is the path.
+void Standing::lay_turn(const Command& command, double& length, Segment& segment) const {
+    Turn& turn = segment.turn;
+    turn.kind = command.turning;
+    if (turn.kind == path::Turning::Cone) {
+        const bool stands = std::holds_alternative<path::Point>(segment.curve);
+        const bool is_parallel = (segment.followers & ~kRotaryABC) != 0;
+        if (stands && !is_parallel) {
+            length = deg_from_rad(std::abs(command.turn_angle));
+            segment.turns_only = true;
+        }
+        for (const std::size_t joint : {machine::kR1, machine::kR2}) {
+            if (!chain_->has(joint)) continue;
+            const Axis axis = chain_->joints[joint].axis;
+            segment.follower_rate[index(axis) - 3] = 0;
+            segment.followers |= bit(axis);
+        }
+        turn.direction = machine::tool_vector(*chain_, joints_of(*chain_, followers_));
+        turn.axis = command.turn_axis;
+        if (length > kStill) turn.rate = command.turn_angle / length;
+    }
+    turn.length = length;
 }
 
 /// X Y Z make the path if they move, else U V W, else the rotary axes in degrees; the others follow
@@ -117,6 +181,7 @@ Segment Standing::still() const {
     segment.tool = tool_;
     segment.tool_length = tool_length_;
     segment.follower_start = followers_;
+    if (is_transformed_) segment.turn.kind = path::Turning::Axes;
     return segment;
 }
 
@@ -127,7 +192,7 @@ void Standing::arrive(const Command& command, const Target& target) {
 }
 
 void Standing::set_tool_length(const Command& command, const AxisTable& axes) {
-    const Vec3 carrier = tip_ + tool_length_ * tool_;
+    const Vec3 stays = carrier();
     tool_ = tool_axis(command.plane, axes);
     tool_length_ = command.length;
     if (!command.aside.isZero(0)) {  // of a lathe's tool: what carries it lies aside as well
@@ -135,7 +200,7 @@ void Standing::set_tool_length(const Command& command, const AxisTable& axes) {
         tool_length_ = carried.norm();
         tool_ = carried / tool_length_;
     }
-    tip_ = carrier - tool_length_ * tool_;
+    put_carrier(stays);
 }
 
 }  // namespace kadr::motion

@@ -1,6 +1,7 @@
 // standing.h — where the machine stands, and where a command leads from there.
 //
 // Positions of the tool tip in the base coordinate system; the axes carry it at the tool's length.
+// Under a transformation the tip is in the workpiece system, and the chain says where the axes are.
 // Geometry only: no limits (axis_check.h), no feeds and no corners (prepare.h).
 #pragma once
 
@@ -25,6 +26,9 @@ class Standing {
         path::Vec3 tip;
         std::array<double, kFollowers> followers;  // rad or mm
     };
+    /// Goes over to the system in which the command says its target, transformed or not; the axes
+    /// stay where they are. True if it is another one.
+    bool follow_transformation(const path::Command& command);
     Target target_of(const path::Command& command) const;
 
     /// The way of a Rapid, Line or Arc to its target as geometry. Returns the length of the path in
@@ -43,8 +47,13 @@ class Standing {
     const path::Vec3& tip() const { return tip_; }
 
   private:
+    path::Vec3 carrier() const;
+    void put_carrier(const path::Vec3& carrier);
+    void lay_turn(const path::Command& command, double& length, Segment& segment) const;
     void lay_followers(const Target& target, double& length, Segment& segment) const;
 
+    const machine::Chain* chain_ = nullptr;  // null if the machine has no transformation
+    bool is_transformed_ = false;
     path::Vec3 tip_ = path::Vec3::Zero();
     std::array<double, kFollowers> followers_{};
     path::Vec3 tool_ = path::Vec3::UnitZ();  // from tip to holder

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -34,7 +33,11 @@ constexpr bool is_quiet_group(Group group) {
         case Group::CompCorner:
         case Group::CompCheck:
         case Group::Diameter:
-        case Group::Compressor: return true;
+        case Group::Compressor:
+        case Group::Transformation:
+        case Group::Turning:
+        case Group::OrientAngles:
+        case Group::OrientSystem: return true;
         case Group::Once:
         case Group::LengthComp:
         case Group::WorkOffsets:
@@ -42,18 +45,6 @@ constexpr bool is_quiet_group(Group group) {
         case Group::Coolant: return false;
     }
     return false;
-}
-
-/// Number to which the files set a switch; nothing if they do not.
-std::optional<int> number_of_rule(const Dialect& dialect, std::string_view name) {
-    std::optional<int> number;
-    for (const RuleSetting& rule : dialect.rules()) {
-        if (rule.name != name) continue;
-        int value = 0;
-        std::from_chars(rule.value.data(), rule.value.data() + rule.value.size(), value);
-        number = value;
-    }
-    return number;
 }
 
 }  // namespace
@@ -64,11 +55,11 @@ BlockWriter::BlockWriter(const Dialect& dialect, const WriteOptions& options, Di
     shifts_center_ = dialect.has_rule("arc_error", "shift_center");
     scale_replaces_ = dialect.has_rule("scale_replaces");
     changer_moves_plane_ = dialect.has_rule("tool_change_moves_plane");
-    if (const auto most = number_of_rule(dialect, "most_message"); most && *most > 0)
+    if (const auto most = dialect.rule_number("most_message"); most && *most > 0)
         most_message_ = static_cast<std::size_t>(*most);
     idle_is_alarm_ = dialect.has_rule("comp_more_empty_is_alarm");
     if (idle_is_alarm_ || dialect.has_rule("comp_more_empty_is_alarm", "no"))
-        most_idle_ = number_of_rule(dialect, "comp_empty_blocks").value_or(-1);
+        most_idle_ = dialect.rule_number("comp_empty_blocks").value_or(-1);
     begin({});
     prepare_fast();
 }
@@ -134,49 +125,6 @@ std::uint32_t BlockWriter::write(const Block& block, std::string& out) {
         case Block::Kind::Position: take_position(block); break;
     }
     return lines_ == before ? lines_ : before + 1;
-}
-
-/// Lines in a row in which the cutter stays where it is beside a contour: behind so many of them
-/// the control stops with an alarm, or cuts into inner corners, once the contour has begun.
-/// Optional blocks may be left out, so each level is counted with them and without.
-///
-/// before       lines of the text before the block's
-/// source       S 5.2 MD20250; F 4.3 No.19625
-void BlockWriter::count_idle(const Block& block, std::uint32_t before) {
-    constexpr int kContour = 2;  // moves: the way to the contour, and its first element
-    const Function side = modal_.text_of(Group::RadiusComp);
-    const bool acts = side == Function::RadiusCompLeft || side == Function::RadiusCompRight;
-    if (!acts) return void(idle_ = {});
-    if (idle_.moves == 0) idle_.level = block.skip;
-    const auto axes = plane_axes();
-    const SlotMask plane = SlotMask{1} << axes[0] | SlotMask{1} << axes[1];
-    const bool moves = (block.given & (plane | kCenterSlots)) != 0;
-    if (moves) idle_.moves = std::min(idle_.moves + 1, kContour);
-    int most = 0;
-    for (int i = 0; i < static_cast<int>(idle_.lines.size()); ++i) {
-        const bool is_left_out =
-            i > 0 && (i == 1 + block.skip || (block.skip_also >> (i - 1) & 1u) != 0);
-        int& lines = idle_.lines[static_cast<std::size_t>(i)];
-        if (!is_left_out) lines = moves ? 0 : lines + static_cast<int>(lines_ - before);
-        // Without the blocks of a level in which the compensation begins nothing is compensated.
-        if (idle_.level < 0 || i != 1 + idle_.level) most = std::max(most, lines);
-    }
-    if (idle_.moves < kContour || most <= most_idle_) return;
-    if (!is_new_message(block, "idle")) return;
-    const std::string fix = "end the compensation before them, or move in the plane in between";
-    if (!idle_is_alarm_) {
-        sink_.report(diag::IdleCutsCorners, place(block))
-            .arg(tables_.name)
-            .arg(most_idle_)
-            .fix(fix);
-        return;
-    }
-    const auto alarm = dialect_.alarm(diag::CompEmptyBlocks);
-    sink_.report(diag::TooManyIdle, place(block))
-        .arg(tables_.name)
-        .arg(alarm ? alarm->number : std::string("without a number"))
-        .arg(most_idle_)
-        .fix(fix);
 }
 
 /// What the program knows of the axes behind a change of its frame, of which the text says nothing.
@@ -426,131 +374,7 @@ bool BlockWriter::write_thread(const Block& block, std::string& out) {
     return true;
 }
 
-// ---------------------------------------------------------------- cutting edges, cycles
-
-/// The edge that a block in machine coordinates put aside acts again where the tool moves next.
-void BlockWriter::write_waiting_edge(const Block& block, std::string& out) {
-    const bool is_machine = block.find(Function::MachineCoordinates) != nullptr ||
-                            block.find(Function::ReferencePoint) != nullptr ||
-                            block.find(Function::ReferenceReturn) != nullptr;
-    const bool moves = (block.given & kTargetSlots) != 0 || block.find(Function::Cycle) != nullptr;
-    if (is_machine || !moves || block.find(Function::ToolEdge) != nullptr) return;
-    say_waiting_edge(block, out);
-}
-
-/// In a line that nobody leaves out, whatever the block beside it is.
-void BlockWriter::say_waiting_edge(const Block& block, std::string& out) {
-    Block edge;
-    edge.source = block.source;
-    Invocation* invocation = edge.add(Function::ToolEdge, 1);
-    edge.set_argument(*invocation, 0, std::exchange(modal_.waiting_edge, 0));
-    const WrittenPosition position = modal_.position;
-    write_block(edge, out);
-    modal_.position = position;
-    modal_.is_length_due = true;
-}
-
-/// The length comes with the first motion along it: a way there would be travelled less the length.
-void BlockWriter::check_length_due(const Block& block) {
-    const std::size_t along = plane_axes()[2];
-    const bool is_other =
-        block.function_count != 0 && (block.find(Function::MachineCoordinates) != nullptr ||
-                                      block.find(Function::ReferencePoint) != nullptr ||
-                                      block.find(Function::ReferenceReturn) != nullptr);
-    if (is_other || !block.has(static_cast<Slot>(along))) return;
-    modal_.is_length_due = false;
-    if (!is_distance(block, along)) return;
-    cannot_express(block, "a distance along " + std::string(kAxisNames[along]) +
-                              " behind a move without the tool's length");
-}
-
-/// Where the tool length would act in machine coordinates, edge 0 stands beside them.
-void BlockWriter::add_edge(const Block& block, Items& items) {
-    if (block.function_count == 0 || block.find(Function::ToolEdge) != nullptr) return;
-    for (std::size_t i = 0; i < items.count; ++i) {
-        const Item& item = items.list[i];
-        if (item.form == kNoForm || !tables_.forms[item.form].keeps_length) continue;
-        const Standing old = std::exchange(modal_.edge, Standing{true, 0});
-        if (old.is_known && old.value == 0) return;
-        const auto& edges = tables_.forms_of[static_cast<std::size_t>(Function::ToolEdge)];
-        if (edges.empty()) return;
-        if (old.is_known) modal_.waiting_edge = old.value;
-        if (!old.is_known && modal_.is_edge_lost && modal_.waiting_edge == 0)
-            cannot_express(block,
-                           "a move without tool length, while nobody knows which cutting edge "
-                           "acts (say `D1` before it),");
-        items.add(Item::of_edge(tables_.forms[edges[0]].order, 0));
-        return;
-    }
-}
-
-/// The first speed among a cycle's arguments; 0 if it has none.
-double BlockWriter::cycle_speed(const Block& block, const Invocation& invocation) const {
-    const std::vector<Parameter>& parameters = tables_.cycles[block.cycle].parameters;
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-        const bool is_given = (invocation.given >> i & 1u) != 0;
-        if (is_given && parameters[i].dimension == Dimension::Speed)
-            return block.argument(invocation, i);
-    }
-    return 0;
-}
-
-/// Whether a cycle's block tells the control a spindle speed, in a word S or as an argument.
-bool BlockWriter::says_speed(const Block& block, const Invocation& invocation) const {
-    const std::vector<Parameter>& parameters = tables_.cycles[block.cycle].parameters;
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-        const bool is_given = (invocation.given >> i & 1u) != 0;
-        if (!is_given || parameters[i].dimension != Dimension::Speed) continue;
-        const double speed = block.argument(invocation, i);
-        if (speed != 0 && speed != modal_.meant_speed) return true;
-    }
-    return false;
-}
-
-/// What the spindle has to be told behind a cycle that leaves it otherwise than it was asked to.
-Function BlockWriter::spindle_behind(const Form& form, const Block& block,
-                                     const Invocation& invocation) const {
-    if (form.spindle_parameter < 0) return Function::None;
-    const auto parameter = static_cast<std::size_t>(form.spindle_parameter);
-    if ((invocation.given >> parameter & 1u) == 0) return Function::None;
-    const auto code = static_cast<int>(block.argument(invocation, parameter));
-    const Function wanted = code == 3   ? Function::SpindleCw
-                            : code == 4 ? Function::SpindleCcw
-                                        : Function::SpindleStop;
-    return wanted == form.leaves ? Function::None : wanted;
-}
-
-/// A cycle of the control may bring a feed and a speed of its own; those of the program act behind
-/// it.
-void BlockWriter::leave_cycle(const Block& block, std::string& out) {
-    const Invocation* cycle = block.find(Function::Cycle);
-    const FormId id = chosen_[static_cast<std::size_t>(cycle - block.functions.data())];
-    if (id == kNoForm) return;
-    const Form& form = tables_.forms[id];
-    const bool says_feed = has_feed_word(block, *cycle);
-    Block back;
-    back.source = block.source;
-    back.skip = block.skip;
-    const Function mode = modal_.meant_of(Group::FeedMode);
-    const bool changes_mode =
-        mode != Function::None && !form.needs.empty() && modal_.text_of(Group::FeedMode) != mode;
-    if (changes_mode) back.add(mode);
-    if (says_feed || changes_mode) {
-        modal_.feed.is_known = false;
-        if (modal_.has_meant_feed) back.set(Slot::Feed, modal_.meant_feed);
-    }
-    const Function spindle = spindle_behind(form, block, *cycle);
-    if (spindle != Function::None) back.add(spindle);
-    if (says_speed(block, *cycle) || spindle != Function::None) {
-        modal_.speed.is_known = false;
-        if (modal_.has_meant_speed) back.set(Slot::Speed, modal_.meant_speed);
-        else if (const double speed = cycle_speed(block, *cycle);
-                 spindle != Function::None && speed > 0)
-            back.set(Slot::Speed, speed);
-    }
-    if (back.function_count == 0 && back.given == 0) return;
-    write_block(back, out);
-}
+// ---------------------------------------------------------------- comments, raw text
 
 void BlockWriter::write_comment(const Block& block, std::string& out) {
     std::string_view rest = block.comment;
@@ -822,191 +646,6 @@ void BlockWriter::add_code(const Block& block, Function function, Items& items) 
         return;
     }
     cannot_express(block, quoted(info(function).name));
-}
-
-/// Whether a form of the block stands under these dimensions only.
-bool BlockWriter::needs_distance(const Block& block, Function distance) const {
-    for (std::size_t i = 0; i < block.function_count; ++i) {
-        if ((done_ >> i & 1u) != 0 || chosen_[i] == kNoForm) continue;
-        const std::vector<Function>& during = tables_.forms[chosen_[i]].during;
-        if (std::ranges::find(during, distance) != during.end()) return true;
-    }
-    return false;
-}
-
-/// What the text no longer agrees upon with the program: after a conversion, or at the start.
-void BlockWriter::restore_modal(const Block& block, Items& items) {
-    const auto restore = [&](Group group) {
-        const Function meant = modal_.meant_of(group);
-        if (meant == Function::None || modal_.text_of(group) == meant) return;
-        for (std::size_t i = 0; i < block.function_count; ++i) {
-            const bool is_done = (done_ >> i & 1u) != 0;  // before a line that changed it again
-            if (!is_done && info(block.functions[i].function).group == group)
-                return;  // the block says it itself
-        }
-        add_code(block, meant, items);
-    };
-    // Modal codes outlive the program on many machines: none ends under G91 that did not mean to.
-    const bool is_end = block.function_count != 0 && (block.find(Function::End) != nullptr ||
-                                                      block.find(Function::EndRewind) != nullptr);
-    const bool acts = is_end || (block.given & kTargetSlots) != 0 ||
-                      needs_distance(block, modal_.meant_of(Group::Distance));
-    // Words that are said as distances whatever is meant leave the text as it is.
-    const bool stays = needs_incremental(block) && !needs_distance(block, Function::Absolute);
-    if (acts && !stays && !tables_.has_incremental_letters) restore(Group::Distance);
-    if (is_arc(effective_motion(block)) && (block.given & (kTargetSlots | kCenterSlots)) != 0)
-        restore(Group::Plane);
-    if (block.has(Slot::Feed)) restore(Group::FeedMode);
-    if (modal_.doubtful == 0 || (block.given & (kTargetSlots | kCenterSlots)) == 0) return;
-    for (std::size_t i = 0; i < kGroups; ++i) {
-        const auto group = static_cast<Group>(i);
-        if (is_said_again(group)) restore(group);
-    }
-}
-
-/// Whether the group is said again before something moves. A compensation that acts is not: to say
-/// it a second time is a command of its own on some controls.
-bool BlockWriter::is_said_again(Group group) const {
-    const Function meant = modal_.meant[index_of(group)];
-    if ((modal_.doubtful & bit(group)) == 0 || meant == Function::None) return false;
-    return has_code(meant) && (group != Group::RadiusComp || meant == Function::RadiusCompOff);
-}
-
-/// A cycle has no room for codes, and depends on them: they stand before it.
-void BlockWriter::say_doubtful(const Block& block, std::string& out) {
-    if (block.function_count == 0 || block.find(Function::Cycle) == nullptr) return;
-    Block again;
-    again.source = block.source;
-    again.skip = block.skip;
-    for (std::size_t i = 0; i < kGroups; ++i) {
-        const auto group = static_cast<Group>(i);
-        if (is_said_again(group)) again.add(modal_.meant[i]);
-    }
-    if (again.function_count != 0) write_block(again, out);
-}
-
-void BlockWriter::note_written(const Form& form) {
-    const auto note = [&](Function function) {
-        const Group group = info(function).group;
-        if (group == Group::Once) return;
-        modal_.text_of(group) = function;
-        modal_.doubtful &= ~bit(group);
-        if (group == Group::Units) {
-            modal_.units.inch = function == Function::Inch;
-            modal_.units.inch_feed = modal_.units.inch && !form.feed_stays_metric;
-            modal_.feed.is_known = modal_.speed.is_known = false;
-        }
-        if (group == Group::FeedMode) {
-            modal_.units.per_revolution = function == Function::FeedPerRevolution;
-            modal_.units.inverse_time = function == Function::FeedInverseTime;
-            modal_.feed.is_known = false;
-            feed_every_block_ = form.feed_every_block;
-            inverse_arc_by_radius_ = form.feed_by_radius;
-        }
-        if (group == Group::SpeedMode) {
-            modal_.units.cutting_speed = function == Function::CuttingSpeedOn;
-            modal_.speed.is_known = false;
-        }
-    };
-    note(form.function);
-    for (const Function also : form.sets) note(also);
-}
-
-// ---------------------------------------------------------------- messages
-
-SourceRange BlockWriter::place(const Block& block) const {
-    return block.source.index < statements_.size() ? statements_[block.source.index]
-                                                   : SourceRange{};
-}
-
-/// The word of the statement that sets the address: `Z+=10`, `Z=h`, `Z5`. The statement, if no such
-/// word stands in it.
-SourceRange BlockWriter::word_place(const Block& block, std::string_view address) const {
-    SourceRange statement = place(block);
-    if (sources_ == nullptr || !statement.file.is_valid()) return statement;
-    const std::string_view text = sources_->text(statement);
-    const auto is_part_of_name = [](char c) {
-        return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
-               c == '_' || c == '.' || (static_cast<unsigned char>(c) & 0x80u) != 0;
-    };
-    // A word stands outside brackets, and nothing in front of it waits for a value.
-    int depth = 0;
-    char before = ' ';
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (c == ' ' || c == '\t' || c == '\n') continue;
-        if (c == '(' || c == '[' || c == '{') ++depth;
-        if (c == ')' || c == ']' || c == '}') --depth;
-        const std::size_t behind = i + address.size();
-        const bool is_first = i == 0 || !is_part_of_name(text[i - 1]);
-        const bool is_operand =
-            std::string_view("=+-*/%<>?:,&|!").find(before) != std::string::npos;
-        before = c;
-        if (depth != 0 || !is_first || is_operand || behind >= text.size()) continue;
-        const bool is_word =
-            text.substr(i).starts_with(address) &&
-            std::string_view("=+-.0123456789").find(text[behind]) != std::string::npos;
-        if (!is_word) continue;
-        std::size_t end = behind;
-        int inside = 0;
-        for (; end < text.size(); ++end) {
-            if (text[end] == '(') ++inside;
-            if (text[end] == ')') --inside;
-            if (inside == 0 && (text[end] == ' ' || text[end] == ';' || text[end] == '\n')) break;
-        }
-        return {statement.file, statement.begin + static_cast<std::uint32_t>(i),
-                statement.begin + static_cast<std::uint32_t>(end)};
-    }
-    return statement;
-}
-
-/// The writing failed; whether the statement has not said this yet: a loop reports once.
-bool BlockWriter::is_new_message(const Block& block, std::string_view what) {
-    failed_ = true;
-    return is_unsaid(block, what);
-}
-
-/// Whether the statement has not been told this yet.
-bool BlockWriter::is_unsaid(const Block& block, std::string_view what) {
-    const std::uint64_t key =
-        std::hash<std::string_view>()(what) ^ (std::uint64_t{block.source.index} << 32);
-    return reported_.insert(key).second;
-}
-
-void BlockWriter::position_unknown(const Block& block, std::string_view name) {
-    if (!is_new_message(block, name)) return;
-    DiagnosticBuilder builder = sink_.report(diag::WriterPositionUnknown, word_place(block, name));
-    builder.arg(name);
-    if (name == "F" && !block.has(Slot::Feed))
-        builder.note("the feed that acts is worked out again for this block");
-    builder.fix("name the coordinates of the axes in a block before it: `G0 X… Y…`, `Z…`");
-}
-
-void BlockWriter::cannot_express(const Block& block, const std::string& what) {
-    if (!is_new_message(block, what)) return;
-    sink_.report(diag::CannotExpress, place(block)).arg(tables_.name).arg(what);
-}
-
-void BlockWriter::number_fault(const Block& block, NumberFault fault, double value,
-                               Dimension dimension, std::string_view name) {
-    if (!is_new_message(block, name)) return;
-    const std::string quantity = quantity_words(value, dimension, modal_.units);
-    switch (fault) {
-        case NumberFault::None: break;
-        case NumberFault::NotFinite:
-            sink_.report(diag::ValueNotFinite, word_place(block, name)).arg(name);
-            break;
-        case NumberFault::TooLarge:
-            sink_.report(diag::ValueTooLarge, word_place(block, name)).arg(quantity).arg(name);
-            break;
-        case NumberFault::Negative:
-            sink_.report(diag::ValueNegative, word_place(block, name)).arg(name).arg(quantity);
-            break;
-        case NumberFault::Point:
-        case NumberFault::NotReadBack:
-            sink_.report(diag::ValueNotReadBack, word_place(block, name)).arg(quantity).arg(name);
-            break;
-    }
 }
 
 }  // namespace kadr::nc

@@ -332,6 +332,7 @@ class BlockWriter {
     double deferred_tool_ = 0;
     static constexpr std::size_t kSkipLevels = 10;  // 0 to 9
     struct Idle {
+        bool is_begun = false;
         int moves = 0;   // in the plane, since the compensation began
         int level = -1;  // of skipping, if the compensation began in an optional block
         // In a row without a move: with all optional blocks, then without those of each level.

@@ -166,10 +166,18 @@ struct ComputedAxis {
     Expression axis;
 };
 
+/// A code by its place in the list of its group: `G[6]=2`.
+struct ComputedCode {
+    std::uint16_t word = 0;
+    Expression group;
+    Expression number;
+};
+
 struct ControlLine {
     LexedLine words;
     std::vector<ComputedValue> computed;
     std::vector<ComputedAxis> axes;
+    std::vector<ComputedCode> codes;
     std::vector<ControlStatement> statements;
     std::vector<Call> calls;
     std::vector<Instruction> code;

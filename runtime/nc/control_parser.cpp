@@ -12,6 +12,7 @@ void ControlLine::clear() {
     words.clear();
     computed.clear();
     axes.clear();
+    codes.clear();
     statements.clear();
     calls.clear();
     code.clear();
@@ -79,6 +80,17 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
                     take_close(language_.index_close);
         if (was_taken) out_.axes.push_back(axis);
         return finish(at, was_taken);
+    }
+
+    std::optional<LineFault> take_code(std::size_t& at, std::uint16_t word) override {
+        begin(at);
+        ComputedCode code;
+        code.word = word;
+        const bool is_fine = take_open(language_.index_open) && take_expression(code.group) &&
+                             take_close(language_.index_close) && take_sign('=') &&
+                             take_expression(code.number);
+        if (is_fine) out_.codes.push_back(code);
+        return finish(at, true);
     }
 
     bool continues(std::size_t at) const override {
@@ -577,7 +589,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         if (!take_open(language_.index_open)) return false;
         do {
             if (out.dimensions > 0) ++at_;
-            if (out.dimensions == 3) return fail_here(diag::IndexWrong);
+            if (out.dimensions == 3) return fail_here(diag::TooManyDimensions);
             Expression& size = out.sizes[out.dimensions++];
             skip();
             const bool is_open = is_parameter && (peek() == ',' || peek() == language_.index_close);

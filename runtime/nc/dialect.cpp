@@ -40,14 +40,18 @@ bool Dialect::has_rule(std::string_view name, std::string_view value) const {
     return is_set;
 }
 
-int Dialect::first_work_offset() const {
-    int number = 0;
+std::optional<int> Dialect::rule_number(std::string_view name) const {
+    std::optional<int> number;
     for (const RuleSetting& rule : tables_->rule_settings) {
-        if (rule.name != "default_work_offset") continue;
-        std::from_chars(rule.value.data(), rule.value.data() + rule.value.size(), number);
+        if (rule.name != name) continue;
+        int value = 0;
+        std::from_chars(rule.value.data(), rule.value.data() + rule.value.size(), value);
+        number = value;
     }
     return number;
 }
+
+int Dialect::first_work_offset() const { return rule_number("default_work_offset").value_or(0); }
 
 Function Dialect::first_motion() const {
     const Function function = tables_->power_on[static_cast<std::size_t>(Group::Motion)];

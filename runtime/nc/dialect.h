@@ -27,7 +27,8 @@ struct CycleInfo {
     std::string meaning;
     std::string module;      // of the library that has it, if a block of a source can be this cycle
     std::string file;        // of a control's own cycle: the Kadr file that says what it does
-    SourceRange file_range;  // where the dialect names it
+    std::string curve;       // … or the kind of curve that it moves along (path/curve_registry.h)
+    SourceRange file_range;  // where the dialect names either
     bool is_modal = true;    // where cycles are modal: a call is repeated by further axis words
 
     /// Which parameters the words of modal cycles set; -1: none.
@@ -112,6 +113,8 @@ class Dialect {
     std::span<const RuleSetting> rules() const;
     /// Whether the files set this switch to the value.
     bool has_rule(std::string_view name, std::string_view value = "yes") const;
+    /// The whole number to which the files set a rule; nothing if they do not.
+    std::optional<int> rule_number(std::string_view name) const;
     /// The work offset that acts where a program begins, before it says one; 0: none.
     int first_work_offset() const;
     /// The motion that is modal where a program begins, before it says one.

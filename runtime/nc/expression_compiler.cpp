@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
 #include "base/text.h"
 
@@ -259,6 +260,15 @@ bool ExpressionCompiler::take_coded_number() {
         return fail_here(diag::ExpressionSyntax);
     const char kind = words_.upper(line_[begin + 1]);
     const double base = kind == 'H' ? 16 : 2;
+    at_ = close + 1;
+    const std::size_t digits = close - begin - 2;
+    if (digits > (kind == 'H' ? 8u : 32u)) {
+        const std::string written(line_.substr(begin, at_ - begin));
+        fail(diag::CodedNumberTooLong, span_from(begin));
+        fault_->arguments = {kind == 'H' ? "hexadecimal" : "binary", written};
+        return false;
+    }
+    at_ = begin;
     double value = 0;
     for (std::size_t i = begin + 2; i < close; ++i) {
         const char c = words_.upper(line_[i]);
@@ -282,6 +292,12 @@ bool ExpressionCompiler::take_text() {
     instruction.index = static_cast<std::uint32_t>(out_.texts.size());
     out_.texts.emplace_back(line_.substr(at_ + 1, close - at_ - 1));
     at_ = close + 1;
+    const auto most = static_cast<std::size_t>(rules_.most_text);
+    if (const std::size_t length = out_.texts.back().size(); length > most) {
+        fail(diag::TextTooLong, span_from(begin));
+        fault_->arguments = {std::to_string(length), std::to_string(most)};
+        return false;
+    }
     emit(instruction, begin);
     return true;
 }
@@ -339,8 +355,11 @@ bool ExpressionCompiler::take_function(const Word& word, const FunctionForm& fou
     if (!take_open(language_.open)) return false;
     skip();
     while (!found.takes_any || peek() != language_.close) {
+        const bool is_reference = count < 32 && (found.references >> count & 1u) != 0;
         bool is_logical = false;
-        if (!take_level(language_.lowest_level, is_logical)) return false;
+        if (is_reference ? !take_variable_itself()
+                         : !take_level(language_.lowest_level, is_logical))
+            return false;
         ++count;
         skip();
         if (peek() != ',') break;
@@ -350,9 +369,11 @@ bool ExpressionCompiler::take_function(const Word& word, const FunctionForm& fou
     skip();
     const auto is_form = [&](const FunctionForm& form, int arguments, bool divided) {
         const bool has_as_many =
-            form.takes_any ? arguments <= info(form.operation).most_arguments &&
-                                 (arguments % 2 == 0 || form.form.find("{axes}") < form.form.size())
-                           : form.arguments == arguments;
+            form.takes_any
+                ? arguments >= info(form.operation).least_arguments &&
+                      arguments <= info(form.operation).most_arguments &&
+                      (arguments % 2 == 0 || form.form.find("{pairs}") > form.form.size())
+                : form.arguments == arguments;
         return form.name == found.name && has_as_many && form.is_divided == divided;
     };
     if (count == 1 && peek() == '/' && has_divided_form(found)) {
@@ -372,6 +393,17 @@ bool ExpressionCompiler::take_function(const Word& word, const FunctionForm& fou
         return true;
     }
     return fail(diag::ArgumentsWrong, span_from(begin));
+}
+
+/// A variable that the program has declared, by its place among them.
+bool ExpressionCompiler::take_variable_itself() {
+    skip();
+    const Word word = words_.word_at(at_);
+    const Symbol* symbol = symbols_.find(words_.normal(word.text));
+    if (symbol == nullptr) return fail_here(diag::ArgumentNoVariable);
+    at_ += word.text.size();
+    emit_number(symbols_.index_of(*symbol), ValueType::Int, word.begin);
+    return true;
 }
 
 bool ExpressionCompiler::has_divided_form(const FunctionForm& found) const {

@@ -85,6 +85,7 @@ class ExpressionCompiler {
     bool fail_unknown(const Word& word);
     /// The function whose first form was found; which form it is the arguments tell.
     bool take_function(const Word& word, const FunctionForm& found);
+    bool take_variable_itself();
     bool has_divided_form(const FunctionForm& found) const;
 
     // ------------------------------------------------------------ variables

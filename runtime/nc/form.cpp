@@ -141,12 +141,13 @@ class LineParser {
             while (digits < line_.size() && is_digit(line_[digits])) ++digits;
             if (digits > at_ && digits < line_.size() && line_[digits] == '=') behind = digits;
         }
+        if (at_ - begin >= 2 && behind < line_.size() && line_[behind] == '[')
+            return parse_bracketed(word, begin, behind);
         const char next = behind < line_.size() ? line_[behind] : ' ';
         const bool extends = next == '(' || next == ' ' || next == '\t' || next == '=';
         if (extends) at_ = behind;
         const std::string_view name = line_.substr(begin, at_ - begin);
         if (name.empty()) return fail("a word begins with a letter");
-        if (next == '[') return parse_indexed_call(word, begin);
         if (take('(')) return parse_call(word, name);
         const bool has_equals = take('=');
         if (take('"')) return parse_quoted(word, name);
@@ -155,12 +156,21 @@ class LineParser {
         return parse_fixed(word, name, begin);
     }
 
+    /// `DIAMONA[X]`, `PO[X]=(…)`: the bracket belongs to the name.
+    bool parse_bracketed(FormWord& word, std::size_t begin, std::size_t bracket) {
+        const std::size_t close = line_.find(']', bracket);
+        if (close == std::string_view::npos) return fail("a `]` is missing");
+        if (line_.substr(close).starts_with("]=(")) return parse_indexed_call(word, begin, close);
+        at_ = close + 1;
+        if (!at_blank()) return fail("words stand between blanks");
+        return parse_name(word, line_.substr(begin, at_ - begin));
+    }
+
     /// `PO[X]=({end},{a2?})`: a call whose name ends with the sign.
-    bool parse_indexed_call(FormWord& word, std::size_t begin) {
-        const std::size_t sign = line_.find("]=(", at_);
-        if (sign == std::string_view::npos) return fail("behind a `[` stands `]=(`");
-        at_ = sign + 3;
-        return parse_call(word, line_.substr(begin, sign + 2 - begin));
+    bool parse_indexed_call(FormWord& word, std::size_t begin, std::size_t close) {
+        constexpr std::size_t kSign = 2;  // `]=`
+        at_ = close + kSign + 1;
+        return parse_call(word, line_.substr(begin, close + kSign - begin));
     }
 
     bool parse_name(FormWord& word, std::string_view name) {

@@ -112,6 +112,9 @@ struct FunctionForm {
     int arguments = 1;
     bool is_divided = false;  // `ATAN[{a}]/[{b}]`
     bool takes_any = false;   // `CTRANS({pairs})`, `CMIRROR({axes})`: none, or several
+    /// Arguments that are variables of the program, and not their values: `{array}`, `{variable}`;
+    /// a bit each.
+    std::uint32_t references = 0;
     std::string form;
     std::string doc;
 };

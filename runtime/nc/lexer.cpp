@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
 #include "base/text.h"
 
@@ -300,7 +301,7 @@ class Lexer {
         const char letter = peek();
         ++at_;
         if (is_digit(peek()) && take_extended(begin)) return;
-        if (take_spindle(begin)) return;
+        if (take_spindle(begin) || take_code_of_group(begin)) return;
         const AddressId address = tables_.letters[static_cast<unsigned char>(letter) & 127u];
         if (address == kNoAddress) {
             if (take_passed(begin)) return;
@@ -357,6 +358,22 @@ class Lexer {
         return true;
     }
 
+    /// `G[6]=2`: a code by its place in the list of its group; `at_` is behind the letter.
+    bool take_code_of_group(std::size_t begin) {
+        if (compiler_ == nullptr || peek() != '[' || tables_.language.code_lists.empty())
+            return false;
+        const AddressId address =
+            tables_.letters[static_cast<unsigned char>(upper(line_[begin])) & 127u];
+        if (address == kNoAddress ||
+            std::ranges::find(rules_.code_words, tables_.addresses[address].name) ==
+                rules_.code_words.end())
+            return false;
+        fault_ = compiler_->take_code(at_, static_cast<std::uint16_t>(out_.words.size()));
+        if (fault_) return true;
+        add_word(address, begin);
+        return true;
+    }
+
     /// A word on which nothing here depends, with its brackets and its value; `at_` is behind the
     /// letters that begin at `begin`.
     bool take_passed(std::size_t begin) {
@@ -375,9 +392,27 @@ class Lexer {
             found = named(at_);
         if (found == tables_.passed.end()) return false;
         at_ = found->second.takes_rest ? line_.size() : end;
+        if (!is_passed_value(found->second, begin)) return true;
         out_.passed.push_back(
             {{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)}, &found->second});
         return true;
+    }
+
+    /// Whether the number behind `=`, if one stands there, is one that the word takes; `at_` is
+    /// behind it.
+    bool is_passed_value(const PassedWord& word, std::size_t begin) {
+        const std::string_view text = line_.substr(begin, at_ - begin);
+        const std::size_t sign = text.rfind('=');
+        if (sign == std::string_view::npos) return true;
+        const std::size_t first = std::min(text.find_first_not_of(" \t", sign + 1), text.size());
+        const Decimal decimal = parse_decimal(text.data() + first, text.data() + text.size());
+        if (first == text.size() || decimal.end != text.data() + text.size()) return true;
+        if (decimal.value >= word.least && decimal.value <= word.most) return true;
+        std::array<std::string, 2> bounds;
+        append_shortest(bounds[0], word.least);
+        append_shortest(bounds[1], word.most);
+        fail(diag::PassedValue, begin, at_, {std::string(text), bounds[0], bounds[1]});
+        return false;
     }
 
     /// Where a word ends whose letters end at `at_`: behind its number or brackets, and its value.
@@ -488,6 +523,7 @@ class Lexer {
         const std::string text(line_.substr(begin, end - begin));
         if (at_ == first) return fail(diag::IsoNoValue, begin, begin + 1, {text.substr(0, 1)});
         if (!is_first && rules_.number_first) return fail(diag::IsoSyntax, begin, at_, {text});
+        if (peek() == '.') return fail(diag::IsoPointNotAllowed, begin, at_ + 1, {text + '.'});
         if (number > tables_.block_numbers.most)
             return fail(diag::IsoTooManyDigits, begin, at_, {text});
         if (number < tables_.block_numbers.least)
@@ -585,9 +621,13 @@ class Lexer {
         at_ = end;
         skip_blanks();
         if (address == kNoAddress) {
+            if (peek() == '[' && take_bracketed_name(name, begin)) return;
             if (peek() == ':') {
                 ++at_;
                 if (out_.words.empty() && out_.label.empty()) {
+                    constexpr std::size_t kLongest = 32;  // S 1.5
+                    if (name.size() > kLongest)
+                        return fail(diag::LabelTooLong, begin, end, {std::string(written)});
                     out_.label = name;
                     return;
                 }
@@ -634,6 +674,21 @@ class Lexer {
         } else {
             fail_here(diag::IsoSyntax);
         }
+        return true;
+    }
+
+    /// `DIAMONA[X]`: a word of its own by the name with its brackets; `at_` stands at the bracket.
+    bool take_bracketed_name(const std::string& name, std::size_t begin) {
+        const std::size_t close = line_.find(']', at_);
+        if (close == std::string_view::npos) return false;
+        std::string whole = name;
+        for (const char c : line_.substr(at_, close + 1 - at_))
+            if (!is_blank(c)) whole += rules_.ignores_case ? upper(c) : c;
+        const AddressId address = tables_.find_address(whole);
+        if (address == kNoAddress || tables_.addresses[address].kind != Address::Kind::Word)
+            return false;
+        at_ = close + 1;
+        add_word(address, begin);
         return true;
     }
 

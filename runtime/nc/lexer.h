@@ -62,6 +62,8 @@ class ValueCompiler {
     /// The brackets of a word whose axis is a value, `AX[AXA]`; `word` is the word that it becomes.
     virtual std::optional<LineFault> take_axis(std::size_t& at, std::uint16_t word,
                                                bool& was_taken) = 0;
+    /// `[6]=2` behind the letter of codes; `word` is the word that it becomes.
+    virtual std::optional<LineFault> take_code(std::size_t& at, std::uint16_t word) = 0;
     /// Whether an operator stands here, behind a number.
     virtual bool continues(std::size_t at) const = 0;
     /// Whether the operator leaves out what has this skip level.

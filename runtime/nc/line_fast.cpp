@@ -75,7 +75,8 @@ bool LineReader::read_fast(std::string_view line, Block& block) const {
     std::uint32_t groups = 0;
     bool has_word = false;
     const Function motion = modal_[static_cast<std::size_t>(Group::Motion)];
-    if (closely_read_[static_cast<std::size_t>(motion)] || tables_.used != nullptr) return false;
+    if (closely_read_[static_cast<std::size_t>(motion)] || tables_.used != nullptr || feed_is_time_)
+        return false;
     while (p != end && is_blank(*p)) ++p;
     while (p != end) {
         const auto letter = static_cast<unsigned char>(*p);

@@ -97,9 +97,11 @@ std::string LineReader::word_text(std::string_view line, std::size_t word) const
 void LineReader::report(std::string_view line, const LineFault& fault) {
     note_fault();
     DiagnosticBuilder builder = sink_.report(*fault.row, place(line, line_number_, fault.span));
-    for (const std::string& argument : fault.arguments) builder.arg(argument);
-    const std::string_view detail =
-        fault.arguments.empty() ? std::string_view() : fault.arguments[0];
+    std::string detail;
+    for (const std::string& argument : fault.arguments) {
+        builder.arg(argument);
+        detail += argument + ' ';
+    }
     if (const auto alarm = dialect_.alarm(*fault.row, detail))
         builder.alarm(alarm->number, alarm->text);
     write_notes(builder);

@@ -449,6 +449,7 @@ void LineReader::note_form(FormId id, std::string_view line) {
     const Form& form = tables_.forms[id];
     tables_.note(&form);
     if (info(form.function).group == Group::Units) feed_stays_metric_ = form.feed_stays_metric;
+    if (info(form.function).group == Group::FeedMode) feed_is_time_ = form.feed_is_time;
     if (form.group >= 0) last_forms_[static_cast<std::size_t>(form.group)] = id;
     if (form.function == Function::Cycle && !form.is_preset) last_cycle_ = id;
     const bool is_told = form.passed.empty() || std::ranges::find(passed_, id) != passed_.end();
@@ -529,7 +530,12 @@ bool LineReader::apply_claim(const Claim& claim, Block& block, std::string_view 
     }
     if (invocation == nullptr) {
         const double scale = text_scale(claim.dimension, units_, true);
-        block.set(static_cast<Slot>(claim.place), scale == 1 ? meaning : meaning / scale);
+        const auto slot = static_cast<Slot>(claim.place);
+        const bool is_time = feed_is_time_ && slot == Slot::Feed && units_.inverse_time;
+        constexpr double kMinute = 60;  // s; feeds under inverse time are 1/min
+        block.set(slot, is_time && meaning != 0 ? kMinute / meaning
+                        : scale == 1            ? meaning
+                                                : meaning / scale);
         return true;
     }
     const double scaled = meaning / text_scale(claim.dimension, units_, false);

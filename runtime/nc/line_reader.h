@@ -174,6 +174,7 @@ class LineReader {
     TextUnits units_;
     std::array<double, static_cast<std::size_t>(Dimension::Text) + 1> slot_scales_{};
     bool feed_stays_metric_ = false;
+    bool feed_is_time_ = false;   // … of a block, s
     bool feed_is_pitch_ = false;  // of threads, with the digits of a pitch
     std::uint64_t line_number_ = 0;
     bool failed_ = false;

@@ -8,26 +8,6 @@
 
 namespace kadr::nc {
 
-std::vector<XmlWord> words_of(const XmlAttribute& attribute) {
-    const std::string& value = attribute.value;
-    const SourceRange& range = attribute.value_range;
-    const bool is_as_it_stands = range.end - range.begin == value.size();
-    constexpr std::string_view kBlanks = " \t\r\n";
-    std::vector<XmlWord> words;
-    std::size_t at = 0;
-    while ((at = value.find_first_not_of(kBlanks, at)) != std::string::npos) {
-        const std::size_t end = std::min(value.find_first_of(kBlanks, at), value.size());
-        XmlWord word{value.substr(at, end - at), range};
-        if (is_as_it_stands) {
-            word.range.begin = range.begin + static_cast<std::uint32_t>(at);
-            word.range.end = range.begin + static_cast<std::uint32_t>(end);
-        }
-        words.push_back(std::move(word));
-        at = end;
-    }
-    return words;
-}
-
 const XmlAttribute& needed(const XmlElement& element, std::string_view name) {
     const XmlAttribute* attribute = element.find(name);
     KADR_ASSERT(attribute != nullptr, "the shape of the file was checked");

@@ -18,15 +18,6 @@ namespace kadr::nc {
 
 using Names = std::vector<std::string_view>;
 
-/// One of several words of an attribute.
-struct XmlWord {
-    std::string text;
-    SourceRange range;  // of the word; of the whole value where entities stand in it
-};
-
-/// The words of a value, between blanks.
-std::vector<XmlWord> words_of(const XmlAttribute& attribute);
-
 /// An attribute that the shape of the file demands.
 const XmlAttribute& needed(const XmlElement& element, std::string_view name);
 

@@ -157,11 +157,12 @@ void FormLoader::read_form_attributes(const XmlElement& element, Form& form) {
     }
     if (const auto feed = attributes_.choice(
             element, "feed",
-            {"scaled", "metric", "every_block", "every_block_by_radius", "pitch"})) {
+            {"scaled", "metric", "every_block", "every_block_by_radius", "pitch", "seconds"})) {
         form.feed_stays_metric = *feed == 1;
         form.feed_every_block = *feed == 2 || *feed == 3;
         form.feed_by_radius = *feed == 3;
         form.feed_is_pitch = *feed == 4;
+        form.feed_is_time = *feed == 5;
     }
     if (const auto own = attributes_.choice(element, "own_block", {"no", "yes", "axes", "line"})) {
         form.owns_block = *own == 1;
@@ -360,23 +361,35 @@ std::optional<CycleId> FormLoader::cycle_of(const XmlElement& element) {
     const XmlAttribute& name = needed(element, "name");
     const XmlAttribute* parameters = element.find("parameters");
     const XmlAttribute* file = element.find("file");
+    const XmlAttribute* curve = element.find("curve");
     const auto known = cycle_named(tables_, name.value);
     const bool is_core = tables_.extends.empty();
-    if (parameters != nullptr && !is_core && (known || file == nullptr)) {
+    const bool has_body = file != nullptr || curve != nullptr;
+    if (parameters != nullptr && !is_core && (known || !has_body)) {
         attributes_.bad_value(*parameters,
                               known ? "this cycle is declared already"
-                                    : "a cycle of the control's own needs its Kadr `file`");
+                                    : "a cycle of the control's own needs its Kadr `file`, or the "
+                                      "kind of `curve` that it moves along");
         return std::nullopt;
     }
-    if (file != nullptr && (known || is_core || parameters == nullptr)) {
-        attributes_.bad_value(*file,
+    if (has_body && (known || is_core || parameters == nullptr)) {
+        attributes_.bad_value(file != nullptr ? *file : *curve,
                               "only a cycle that is declared here, with `parameters`, has one");
+        return std::nullopt;
+    }
+    if (file != nullptr && curve != nullptr) {
+        attributes_.bad_value(*curve, "a cycle that is a curve has no `file`");
         return std::nullopt;
     }
     if (known) return known;
     if (parameters != nullptr) {
         const CycleId id = declare_cycle(name.value, *parameters);
         if (file != nullptr) read_cycle_file(*file, tables_.cycles[id]);
+        if (curve != nullptr) {
+            tables_.cycles[id].curve = curve->value;
+            tables_.cycles[id].file_range = curve->value_range;
+            tables_.cycles[id].is_modal = false;
+        }
         return id;
     }
     Names names;

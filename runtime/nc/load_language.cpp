@@ -129,8 +129,11 @@ class LanguageLoader {
         form.arguments = static_cast<int>(std::ranges::count(text.value, '{'));
         const std::string between = std::string{language_.close} + '/' + language_.open;
         form.is_divided = text.value.find(between) != std::string::npos;
-        form.takes_any = text.value.find("{pairs}") != std::string::npos ||
-                         text.value.find("{axes}") != std::string::npos;
+        const auto has = [&](const char* hole) {
+            return text.value.find(hole) < text.value.size();
+        };
+        form.takes_any = has("{pairs}") || has("{axes}") || has("{values}");
+        form.references = references_of(text.value);
         const OperationInfo& operation = info(form.operation);
         const bool fits =
             !form.name.empty() && at < text.value.size() && text.value[at] == language_.open &&
@@ -143,6 +146,17 @@ class LanguageLoader {
         std::erase_if(language_.functions,
                       [&](const FunctionForm& old) { return old.form == form.form; });
         language_.functions.push_back(std::move(form));
+    }
+
+    /// Which of the holes are `{array}` or `{variable}`.
+    static std::uint32_t references_of(std::string_view form) {
+        std::uint32_t out = 0;
+        std::uint32_t place = 1;
+        for (std::size_t at = 0; (at = form.find('{', at)) < form.size(); ++at, place <<= 1u) {
+            const std::string_view hole = form.substr(at);
+            if (hole.starts_with("{array}") || hole.starts_with("{variable}")) out |= place;
+        }
+        return out;
     }
 
     // ---------------------------------------------------------------- variables

@@ -10,6 +10,7 @@
 #include <bitset>
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <map>
 #include <string>
 #include <string_view>
@@ -163,6 +164,7 @@ struct Form {
     bool feed_is_pitch = false;      // of a `thread` code: F is the pitch
     bool is_preset = false;          // gives parameters to the next call of the cycle
     bool feed_stays_metric = false;  // of an `inch` code: F is not an inch feed
+    bool feed_is_time = false;       // of a code for inverse time: F is the time itself, s
     bool keeps_length = false;       // the tool length acts in its block unless edge 0 is said
     std::string doc;
     std::string note;
@@ -254,6 +256,9 @@ struct PassedWord {
     std::string meaning;
     bool is_said = false;     // that it has no effect here: on the control it has one
     bool takes_rest = false;  // whatever stands behind it in the line belongs to it
+    // What a number behind `=` may be; another one is an alarm.
+    double least = -std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();
 };
 
 /// Words that are held back until a block programs an axis or says a function.

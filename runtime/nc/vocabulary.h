@@ -44,8 +44,12 @@ enum class Group : std::uint8_t {
     CompCheck,
     Diameter,
     Compressor,
+    Transformation,
+    Turning,
+    OrientAngles,
+    OrientSystem,
 };
-inline constexpr std::size_t kGroups = 20;
+inline constexpr std::size_t kGroups = 24;
 
 /// What a number in a block measures; decides unit, number format and conversion.
 enum class Dimension : std::uint8_t {

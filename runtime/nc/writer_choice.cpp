@@ -5,21 +5,11 @@
 #include "base/assert.h"
 #include "base/diagnostics/dialect.h"
 #include "nc/block_writer.h"
+#include "nc/frame_words.h"
 
 namespace kadr::nc {
 
 namespace {
-
-bool is_frame(Function function) {
-    switch (function) {
-        case Function::Shift:
-        case Function::ShiftAdd:
-        case Function::Rotate:
-        case Function::Scale:
-        case Function::Mirror: return true;
-        default: return false;
-    }
-}
 
 /// The function of the group that the block says by itself; None: there is none.
 Function said_of(const Block& block, Group group) {
@@ -154,7 +144,7 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
             DiagnosticBuilder builder = sink_.report(diag::WriterFrameOrder, place(block));
             builder.arg(tables_.name).arg(name).arg(info(blocking).name);
             if (info(blocking).group == Group::RadiusComp)
-                builder.fix(is_frame(invocation.function)
+                builder.fix(sets_frame(invocation.function)
                                 ? "begin and end frames outside of the compensation: `G40` first"
                                 : "end the compensation first: `G40`");
             if (blocking == Function::CuttingSpeedOn)
@@ -216,7 +206,7 @@ Function BlockWriter::acting_around(const Form& form, const Block& block) const 
         // Behind raw text nobody knows, and the control says so if it acts; but what a frame means
         // depends on those around it.
         if (activity == Activity::Yes) return around;
-        if (activity == Activity::Unknown && is_frame(form.function)) return around;
+        if (activity == Activity::Unknown && sets_frame(form.function)) return around;
     }
     return Function::None;
 }

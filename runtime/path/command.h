@@ -7,9 +7,11 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "base/axes.h"
 #include "base/source.h"
+#include "path/parametric.h"
 #include "path/spline.h"
 
 namespace kadr::path {
@@ -20,8 +22,9 @@ enum class Op : std::uint8_t {
     Arc,
     Spline,
     Involute,
-    Thread,  // a line geared to the spindle
-    Probe,   // a line that ends where the probe triggers
+    Parametric,  // a curve of a registered kind
+    Thread,      // a line geared to the spindle
+    Probe,       // a line that ends where the probe triggers
     Dwell,
     Spindle,
     SpeedLimit,
@@ -50,6 +53,14 @@ enum class FunctionStep : std::uint8_t {
     Issue,  // the motion goes on
     Await,  // of what was issued before: the motion waits for the acknowledgement
     Both,
+};
+
+/// How the tool turns while the transformation of the machine holds its tip on the path.
+enum class Turning : std::uint8_t {
+    None,  // no transformation: every axis goes as `to` says
+    Axes,  // the rotary axes go in proportion to the path
+    Cone,  // the tool goes about an axis in space, in proportion to the path; square to the axis
+           // that is a great circle
 };
 
 /// How the corner behind a motion is rounded, if the next motion lets it.
@@ -93,10 +104,18 @@ struct Command {
     SplineShape spline;         // Spline: one span, from where the tool is to `to`
     // Involute: of a circle about `center`, counter-clockwise about `normal` from where the tool is
     // to `to`; the height along the normal grows evenly with the way.
-    double base_radius = 0;  // of the circle, mm
-    Blending blending;       // of the corner behind a motion; none where it ends at rest
-    double compress = 0;     // Line: it may become a part of a curve within this tolerance, mm;
-                             // 0: it stays what it is
+    double base_radius = 0;         // of the circle, mm
+    std::vector<CurveShape> curve;  // Parametric: its one shape; others have none and stay small
+    Blending blending;              // of the corner behind a motion; none where it ends at rest
+    double compress = 0;  // Line: it may become a part of a curve within this tolerance, mm;
+                          // 0: it stays what it is
+
+    // Of a motion under a transformation: `to` is the tip in the workpiece system, and where the
+    // rotary axes stand there.
+    Turning turning = Turning::None;
+    Vec3 direction = Vec3::UnitZ();  // of the tool at the end, unit vector from tip to holder
+    Vec3 turn_axis = Vec3::Zero();   // Cone: unit vector
+    double turn_angle = 0;           // Cone: rad, by the right-hand rule
 
     double feed = 0;            // mm/min, mm/rev or 1/min, as feed_mode says; of a thread mm/rev
     double lead_change = 0;     // Thread: by how much `feed` changes in a turn, mm/rev

@@ -1,8 +1,9 @@
 // curve.h — one piece of path as geometry, walked by its arc length (a Glide: by its parameter).
 //
-// Geometry only: no time (motion/profile.h), no axes (motion/limits.h), no text (nc/). The set of
-// kinds is closed: a new one is a file beside line.h, helix.h and spline.h with the functions
-// below, and one entry in `Curve`; the compiler then finds what it forgot.
+// Geometry only: no time (motion/profile.h), no axes (motion/limits.h), no text (nc/). What the
+// planner has closed forms for is a kind of its own: a file beside line.h, helix.h and spline.h
+// with the functions below, and one entry in `Curve`; the compiler then finds what it forgot.
+// Everything else is Parametric, which is open: its kinds are registered (curve_registry.h).
 //
 // Every kind has `length`, `start`, `end`, `position`, `evaluate`, `part` and `bounds`.
 #pragma once
@@ -13,18 +14,20 @@
 #include "path/helix.h"
 #include "path/involute.h"
 #include "path/line.h"
+#include "path/parametric.h"
 #include "path/spline.h"
 #include "path/vec3.h"
 
 namespace kadr::path {
 
 /// A plain value without heap: segments are copied by the million.
-using Curve = std::variant<Point, Line, Helix, CubicSpan, Glide, QuinticSpan, Involute>;
+using Curve = std::variant<Point, Line, Helix, CubicSpan, Glide, QuinticSpan, Involute, Parametric>;
 
 /// Whether the curvature may change along it in its own way: a line and an arc have one.
 inline bool bends_freely(const Curve& curve) {
     return std::holds_alternative<CubicSpan>(curve) || std::holds_alternative<QuinticSpan>(curve) ||
-           std::holds_alternative<Involute>(curve) || std::holds_alternative<Glide>(curve);
+           std::holds_alternative<Involute>(curve) || std::holds_alternative<Glide>(curve) ||
+           std::holds_alternative<Parametric>(curve);
 }
 
 /// Range of `s` of the whole curve, mm: its arc length but for a Glide.

@@ -144,12 +144,12 @@ Vec2 RadiusComp::start_of(const Element& element, double distance) {
 
 std::optional<CompFault> RadiusComp::push(const Element& element, double distance,
                                           std::size_t index) {
-    Side side{element, element, distance, 0, 0, index, {}};
+    Side side{element, element, distance, Vec2::Zero(), 0, 0, index, {}};
     fault_at_ = index;
     const bool continues = !sides_.empty() && !element.is_arc();
     const double at_start = continues ? sides_.back().distance : distance;
     side.path.from += left_of(start_direction(element)) * at_start;
-    side.path.to += left_of(end_direction(element)) * distance;
+    side.path.to += left_of(end_direction(element)) * at_start;
     if (element.is_arc()) {
         const double radius = path::radius(element) - (element.sweep > 0 ? distance : -distance);
         if (radius < -kSamePoint) return CompFault::ArcTooSmall;
@@ -158,6 +158,11 @@ std::optional<CompFault> RadiusComp::push(const Element& element, double distanc
     }
     if (!sides_.empty()) {
         if (const auto fault = join(sides_.back(), side)) return fault;
+    }
+    if (at_start != distance) {
+        side.aside = left_of(start_direction(element)) * (at_start - distance);
+        side.path.from -= side.aside;
+        side.path.to -= side.aside;
     }
     sides_.push_back(std::move(side));
     return settle();
@@ -288,6 +293,7 @@ bool RadiusComp::leaves_out_reversed() {
     Side& c = sides_[count - 1];
     const double a_to = a.to;
     const double c_from = c.from;
+    if (a.distance != c.distance || c.aside != Vec2::Zero()) return false;
     if (join_inside(a, c, c.contour.from)) return false;
     const bool fits = a.from + a.to <= extent(a.path) + kSamePoint &&
                       c.from <= extent(c.path) + kSamePoint && a.to >= a_to - kSamePoint &&
@@ -296,6 +302,13 @@ bool RadiusComp::leaves_out_reversed() {
     c.before.clear();
     sides_.erase(sides_.end() - 2);
     return true;
+}
+
+/// Between the ends that are left to it, from the old distance to the new one.
+Element RadiusComp::path_of(const Side& side) {
+    Element path = trimmed(side.path, side.from, side.to);
+    path.from += side.aside;
+    return path;
 }
 
 /// What the cutter does at the corner before a side and along it, in lines and arcs.
@@ -310,7 +323,7 @@ std::vector<Element> RadiusComp::way_of(const Side& side) {
             way.push_back(line_element(conic_at(piece, static_cast<double>(i) / kChords),
                                        conic_at(piece, static_cast<double>(i + 1) / kChords)));
     }
-    way.push_back(trimmed(side.path, side.from, side.to));
+    way.push_back(path_of(side));
     return way;
 }
 
@@ -354,7 +367,7 @@ void RadiusComp::release(std::size_t kept) {
     for (; sides_.size() > kept; sides_.pop_front()) {
         const Side& side = sides_.front();
         pieces_.insert(pieces_.end(), side.before.begin(), side.before.end());
-        Element path = trimmed(side.path, side.from, side.to);
+        Element path = path_of(side);
         // What is left of an arc on the spot, or of nothing, is no arc.
         if (path.is_arc() && std::abs(path.sweep) * path::radius(path) < kSamePoint) path.sweep = 0;
         pieces_.push_back({path, side.index, false, 0, Vec2::Zero()});

@@ -71,7 +71,9 @@ class RadiusComp {
     /// The next element of the contour; it begins where the last one ended.
     ///
     /// distance  of the cutter's centre, mm, positive to the left of travel. A line takes over a
-    ///           new distance evenly along its length; an arc has it from its start on
+    ///           new distance evenly along its length: the corner before it is that of the old
+    ///           distance, the corner behind it that of the new one (F 4.3, S 5.2). An arc has
+    ///           the new distance from its start on
     std::optional<CompFault> push(const Element& element, double distance, std::size_t index);
     /// The element that the last fault is about.
     std::size_t fault_at() const { return fault_at_; }
@@ -94,10 +96,11 @@ class RadiusComp {
     /// An element beside the contour's, between the ends that its neighbours leave to it.
     struct Side {
         Element contour;
-        Element path;         // from normal to normal
-        double distance = 0;  // at its end
-        double from = 0;      // how much is taken away at its start and at its end, mm or rad, …
-        double to = 0;        // … below zero where it is extended
+        Element path;               // from normal to normal, everywhere as far off as at its end
+        double distance = 0;        // at its end
+        Vec2 aside = Vec2::Zero();  // how much farther off it is at its start
+        double from = 0;  // how much is taken away at its start and at its end, mm or rad, …
+        double to = 0;    // … below zero where it is extended
         std::size_t index = 0;
         std::vector<CompPiece> before;  // inserted in front of it
     };
@@ -111,6 +114,7 @@ class RadiusComp {
     bool leaves_out_reversed();
     bool runs_into_earlier(std::size_t done) const;
     static bool cuts_into(const Side& side, const Side& other);
+    static Element path_of(const Side& side);
     static std::vector<Element> way_of(const Side& side);
     void release(std::size_t kept);
 

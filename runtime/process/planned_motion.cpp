@@ -6,6 +6,13 @@ namespace kadr::process {
 
 namespace {
 
+std::optional<ServedCommands> served_by(Stream<path::Command>& commands,
+                                        const machine::Machine& machine) {
+    std::optional<ServedCommands> served;
+    if (!machine.pipeline.modules.empty()) served.emplace(commands, machine);
+    return served;
+}
+
 std::optional<ScannerCommands> scanner_front(Stream<path::Command>& commands,
                                              const machine::Machine& machine,
                                              const motion::PlannerOptions& options,
@@ -20,7 +27,8 @@ std::optional<ScannerCommands> scanner_front(Stream<path::Command>& commands,
 PlannedMotion::PlannedMotion(Stream<path::Command>& commands, const machine::Machine& machine,
                              const motion::PlannerOptions& options, DiagnosticSink& sink,
                              ScannerSegments::Look look)
-    : front_(scanner_front(commands, machine, options, sink, lists_)),
+    : served_(served_by(commands, machine)),
+      front_(scanner_front(served_ ? *served_ : commands, machine, options, sink, lists_)),
       planner_(first(commands), machine, options, sink) {
     if (machine.laser && machine.laser->pulse > 0) timer_.emplace(planner_, machine);
     if (machine.scanner) behind_.emplace(timed(), lists_, std::move(look));
@@ -28,6 +36,7 @@ PlannedMotion::PlannedMotion(Stream<path::Command>& commands, const machine::Mac
 
 Stream<path::Command>& PlannedMotion::first(Stream<path::Command>& commands) {
     if (front_) return *front_;
+    if (served_) return *served_;
     return commands;
 }
 

@@ -3,13 +3,15 @@
 // The axes' planner, and around it what the machine file describes besides: a pulsed laser, whose
 // pulses the blocks are timed for, and a scanner, which moves while the axes stand.
 //
-//     commands → [scanner's taken out] → planner → [pulses] → [scanner's put in] → segments
+//     commands → [served by modules] → [scanner's taken out] → planner → [pulses] → [scanner's put
+//     in] → segments
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "process/command_modules.h"
 #include "process/pulse_timer.h"
 #include "process/scanner.h"
 
@@ -46,6 +48,7 @@ class PlannedMotion final : public Stream<motion::Segment> {
     Stream<motion::Segment>& timed();
     Stream<motion::Segment>& last();
 
+    std::optional<ServedCommands> served_;
     ScanLists lists_;
     std::optional<ScannerCommands> front_;
     motion::Planner planner_;

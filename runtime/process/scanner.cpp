@@ -64,6 +64,9 @@ ScannerCommands::ScannerCommands(Stream<Command>& commands, const machine::Machi
       axes_at_(machine),
       beam_at_(machine) {
     spindle_.machine_limit = machine.max_speed;
+    for (const machine::ModuleRow& row : machine.pipeline.modules) {
+        if (row.module == machine::kScannerModule) serves_.push_back(row.command);
+    }
 }
 
 // One pull takes from the stream behind once at most if it puts anything out: an alarm about a
@@ -116,7 +119,15 @@ bool ScannerCommands::take(Command& out) {
     ++taken_;
     if (command.op == Op::ScannerOn) {
         if (!is_on_) switch_on();
+        is_lent_ = false;
         return false;
+    }
+    if (std::ranges::find(serves_, command.op) != serves_.end() && !is_on_) {
+        switch_on();
+        is_lent_ = true;
+    } else if (is_lent_ && path::is_motion(command.op) && !refusal_ &&
+               std::ranges::find(serves_, command.op) == serves_.end()) {
+        return_axes(command);
     }
     if (is_on_) {
         scan(command);
@@ -124,6 +135,10 @@ bool ScannerCommands::take(Command& out) {
     }
     if (command.op == Op::ScannerOff) return false;
     follow(command);
+    if (!ready_.empty()) {  // behind the list that was closed for it
+        ready_.push_back(std::move(command));
+        return false;
+    }
     out = std::move(command);
     return true;
 }
@@ -143,6 +158,12 @@ void ScannerCommands::follow_spindle(const Command& command) {
     spindle_.holds_cutting_speed = command.cutting_speed;
     if (command.cutting_speed) spindle_.cutting_speed = feed_from_mm_min(command.speed * 1000);
     else spindle_.speed = speed_from_rpm(command.speed);
+}
+
+/// The axes' next motion goes from where the stage stands to its own end.
+void ScannerCommands::return_axes(const Command& command) {
+    if (!builder_.is_empty()) put_list(command, builder_.finish());
+    is_on_ = is_lent_ = false;
 }
 
 void ScannerCommands::switch_on() {
@@ -170,7 +191,8 @@ void ScannerCommands::scan(const Command& command) {
         case Op::Line:
         case Op::Arc:
         case Op::Spline:
-        case Op::Involute: scan_way(command); break;
+        case Op::Involute:
+        case Op::Parametric: scan_way(command); break;
         case Op::Dwell: scan_dwell(command); break;
         case Op::Thread: refuse_busy(command, "a thread"); break;
         case Op::Probe: refuse_busy(command, "probing"); break;

@@ -63,6 +63,7 @@ class ScannerCommands final : public Stream<path::Command> {
     void mark(const path::Command& command, ScanMotion motion, double length);
     void put_motion(const path::Command& command, ScanMotion motion, double speed);
     void switch_on();
+    void return_axes(const path::Command& command);
     void switch_off(const path::Command& command);
     void put_list(const path::Command& command, ScanList list);
     void refuse(Report report) { refusal_ = std::move(report); }
@@ -89,7 +90,9 @@ class ScannerCommands final : public Stream<path::Command> {
     std::vector<std::uint64_t> origins_;  // taken_ at each command of it
     std::deque<path::Command> ready_;
 
+    std::vector<path::Op> serves_;  // whatever the program says: the machine file gives them to it
     bool is_on_ = false;
+    bool is_lent_ = false;  // on for such a command alone
     bool has_ended_ = false;
     bool has_alarmed_ = false;
     Report refusal_;  // to be reported when everything before it is planned

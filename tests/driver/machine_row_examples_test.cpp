@@ -32,6 +32,9 @@ const std::set<std::string_view> kAtTheHead = {"K6103", "K6104"};
 /// Rows about blocks for a scanner.
 const std::set<std::string_view> kOfScanner = {"K6227", "K6228", "K6229", "K6230"};
 
+/// Rows about calls of curves; the program that has the kind `clothoid` reads them.
+const std::set<std::string_view> kOfCurves = {"K6240", "K6241"};
+
 /// What the interpreter says first where the blocks are a text. The planner holds commands from
 /// elsewhere to the same; tests/motion shows its own messages.
 const std::map<std::string_view, std::string_view> kSaidBefore = {{"K6101", "K5231"},
@@ -73,6 +76,22 @@ std::string whole_scanner(const std::string& scanner) {
 
 /// The piece of a machine file that an example is, as a file.
 std::string machine_of(const std::string& example) {
+    if (example.find("<pipeline") != std::string::npos)
+        return "<machine name=\"m\">" + whole_axis("<axis name=\"X\" .../>") +
+               whole_scanner(example) + "</machine>";
+    if (example.find("<kinematics") != std::string::npos) {
+        // A piece without axes stands in a machine with all that a chain may name.
+        std::string axes = example;
+        if (example.find("<axis") == std::string::npos) {
+            for (const char* name : {"C", "B", "A", "Z", "Y", "X"})
+                axes = "<axis name=\"" + std::string(name) + "\" .../>" + axes;
+        }
+        const std::regex open_axis("<axis name=\"([A-Z])\" [.]{3}/>");
+        std::string text;
+        for (std::smatch axis; std::regex_search(axes, axis, open_axis); axes = axis.suffix())
+            text += axis.prefix().str() + whole_axis(axis.str());
+        return "<machine name=\"m\">" + text + axes + "</machine>";
+    }
     if (example.starts_with("<scanner"))
         return "<machine name=\"m\">" + whole_axis("<axis name=\"X\" .../>") +
                whole_scanner(example) + "</machine>";
@@ -131,6 +150,16 @@ Blocks blocks_of(const DiagnosticRow& row, const std::string& example) {
     return {head + example.substr(0, remark_at) + '\n' + tail, machine};
 }
 
+/// A dialect with this declaration of a call, or with that of examples/curves.
+std::string dialect_of(const std::string& example) {
+    const std::string cycle = example.starts_with("<cycle")
+                                  ? example.substr(0, example.find(" .../>"))
+                                  : "<cycle name=\"clothoid\" curve=\"clothoid\"";
+    return "<dialect name=\"c\" extends=\"sinumerik\" title=\"c\" suffix=\"mpf\">" + cycle +
+           " parameters=\"direction:angle from:number to:number length:length\"><form use=\"read\">"
+           "CLOTHOID({direction},{from},{to},{length})</form></cycle></dialect>";
+}
+
 /// More than ten seconds, with a block that has a number.
 const char* const kLongText = "T1 D1\nS1000 M3\nG0 X0 Y0 Z5\nN120 G1 X200 F1000\nM30\n";
 const std::string kTableHead = "x [mm],y [mm],dx [mm],dy [mm]\n";
@@ -145,6 +174,18 @@ class MachineRowExamples : public kadr::test::ScratchFolder {
     }
 
     std::vector<Message> messages(const DiagnosticRow& row, const std::string& example) {
+        if (kOfCurves.contains(row.code)) {
+            const bool is_call = !example.starts_with("<");
+            save("c.xml", dialect_of(example));
+            save("part.mpf", "T1 D1\nS1000 M3\nG1 X5 F200\n" +
+                                 (is_call ? example.substr(0, example.find("   ("))
+                                          : std::string("CLOTHOID(0,0,0.05,20)")) +
+                                 "\nM30\n");
+            const ProcessResult result =
+                run_process({KADR_CURVES_BINARY, "run", file("part.mpf"), "-d", file("c.xml"),
+                             "--diagnostics", "json"});
+            return kadr::testing::messages_of(result.err);
+        }
         if (example.starts_with("<")) {
             save("to50.csv", kTableHead + "-50,-50,0,0\n50,-50,0,0\n-50,50,0,0\n50,50,0,0\n");
             save("machine.xml", machine_of(example));

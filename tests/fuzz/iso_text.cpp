@@ -1,6 +1,9 @@
-// Any bytes as ISO-7bit text; the first byte chooses the control. Read, interpreted, planned and
-// sampled a little; what was read is written again.
+// Any bytes as ISO-7bit text; the first byte chooses the control, unless KADR_FUZZ_CONTROL says its
+// number: then all inputs are for that one. Read, interpreted, planned and sampled a little; what
+// was read is written again.
 #include <cstdint>
+#include <cstdlib>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,12 +40,20 @@ void rewrite(const nc::Dialect& dialect, std::string_view text) {
     fuzz::show(messages, fuzz::world().sources);
 }
 
+/// The control that all inputs are for, if the environment says one.
+std::optional<std::size_t> only_control() {
+    const char* const number = std::getenv("KADR_FUZZ_CONTROL");
+    if (number == nullptr) return std::nullopt;
+    return static_cast<std::size_t>(std::strtoul(number, nullptr, 10));
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
     const auto& controls = fuzz::world().controls;
-    const nc::Dialect& dialect = *controls[data[0] % controls.size()];
+    static const std::optional<std::size_t> only = only_control();
+    const nc::Dialect& dialect = *controls[only.value_or(data[0]) % controls.size()];
     const std::string_view text(reinterpret_cast<const char*>(data) + 1, size - 1);
     fuzz::execute(dialect, text);
     rewrite(dialect, text);

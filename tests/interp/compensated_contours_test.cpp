@@ -174,5 +174,142 @@ TEST(CompensatedContours, KeepTheDistance) {
     EXPECT_LT(alarmed, static_cast<int>(kContours) / 4) << "most of them fit";
 }
 
+/// A slot whose walls lean, in a contour that otherwise goes straight: the cutter on the left goes
+/// into it. Mouth and bottom are 1 to 12 mm wide.
+Contour slot(Dice& dice) {
+    const double mouth = dice.between(1, 12);
+    const double bottom = dice.between(1, 12);
+    const double depth = dice.between(3, 15);
+    const double turn = dice.between(0, 2 * pi);
+    const auto turned = [&](double x, double y) -> Vec2 {
+        return {x * std::cos(turn) - y * std::sin(turn), x * std::sin(turn) + y * std::cos(turn)};
+    };
+    const double middle = 30;
+    const std::vector<Vec2> corners = {turned(0, 0),
+                                       turned(middle - mouth / 2, 0),
+                                       turned(middle - bottom / 2, -depth),
+                                       turned(middle + bottom / 2, -depth),
+                                       turned(middle + mouth / 2, 0),
+                                       turned(2 * middle, 0)};
+    Contour contour;
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+        contour.push_back(path::line_element(corners[i], corners[i + 1]));
+    return contour;
+}
+
+/// Whether a disc of this radius can touch every element of a contour of lines, and every corner
+/// that stands out, from the left without reaching over the contour: tried at many places.
+bool disc_fits(const Contour& contour, double radius) {
+    const auto is_free = [&](const Vec2& center) {
+        return path::nearest(contour, center).distance > radius - 1e-6;
+    };
+    const auto beside = [&](const Vec2& at, const Vec2& direction) -> Vec2 {
+        return at + Vec2(-direction.y(), direction.x()) * radius;
+    };
+    constexpr int kTries = 2000;
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+        const Vec2 along = path::start_direction(contour[i]);
+        bool touches = false;
+        for (int k = 0; k <= kTries && !touches; ++k) {
+            const Vec2 at = contour[i].from + (contour[i].to - contour[i].from) * k / kTries;
+            touches = is_free(beside(at, along));
+        }
+        if (!touches) return false;
+        if (i + 1 == contour.size()) return true;
+        const Vec2 next = path::start_direction(contour[i + 1]);
+        const double turn =
+            std::atan2(along.x() * next.y() - along.y() * next.x(), along.dot(next));
+        if (turn > 0) continue;  // the corner lies inside
+        for (int k = 0; k <= 100; ++k) {
+            const double angle = turn * k / 100;
+            const Vec2 way(along.x() * std::cos(angle) - along.y() * std::sin(angle),
+                           along.x() * std::sin(angle) + along.y() * std::cos(angle));
+            if (!is_free(beside(contour[i].to, way))) return false;
+        }
+    }
+    return true;
+}
+
+TEST(CompensatedContours, BottlenecksAreAlarms) {
+    constexpr std::uint32_t kSlots = 160;
+    int fitting = 0;
+    int narrow = 0;
+    int alarmed = 0;
+    for (std::uint32_t seed = 1; seed <= kSlots; ++seed) {
+        Dice dice(seed);
+        const Contour contour = slot(dice);
+        const double radius = dice.between(0.8, 4);
+        const bool fits = disc_fits(contour, radius);
+        if (fits != disc_fits(contour, radius * 0.98) || fits != disc_fits(contour, radius * 1.02))
+            continue;  // words are rounded
+        (fits ? fitting : narrow) += 1;
+        const bool is_dovetail =
+            (contour[2].to - contour[2].from).norm() > (contour[3].to - contour[1].from).norm();
+        for (const Control& control : kControls) {
+            // With bottleneck detection a bottom that the cutter cannot reach is left out, if the
+            // walls meet; what is cut keeps the distance.
+            const bool goes_on = control.rules.leaves_out && !is_dovetail;
+            const bool has_fault = fault_of(contour, control.rules, radius).has_value();
+            if (fits || !goes_on) {
+                EXPECT_EQ(has_fault, !fits) << control.dialect;
+            }
+            if (is_dovetail)
+                continue;  // both sides of its mouth are farther apart than controls look
+            // From a place that stays far enough off on the increment.
+            const std::string text = text_of(contour, control, radius + 0.01);
+            SCOPED_TRACE(text + "radius " + std::to_string(radius));
+            machine::Machine machine = mill();
+            machine.work_offsets.clear();
+            machine.tools[0].radius = radius;
+            const Ran ran = read(control.dialect, text, machine);
+            if (fits || !goes_on) {
+                EXPECT_EQ(ran.alarmed, !fits) << alarms(ran);
+            }
+            alarmed += static_cast<int>(ran.alarmed);
+            const Contour meant = as_read(contour, control, radius + 0.01, machine);
+            EXPECT_GT(least_distance(ran, meant), radius - 1e-3);
+        }
+    }
+    EXPECT_GT(fitting, 30);
+    EXPECT_GT(narrow, 30);
+    EXPECT_GT(alarmed, 30) << "mouths that are too narrow";
+}
+
+/// A new D on lines: the cutter's distance goes over to it along the block and is never less than
+/// the smaller of both, at corners inside and outside.
+TEST(CompensatedContours, AnotherRadiusOnTheWay) {
+    for (std::uint32_t seed = 1; seed <= 60; ++seed) {
+        Dice dice(seed);
+        const Control& control = kControls.back();
+        Contour contour;
+        Vec2 at = Vec2::Zero();
+        double heading = dice.between(0, 2 * pi);
+        for (int i = 0; i < 7; ++i) {
+            const Vec2 to = at + dice.between(25, 40) * Vec2(std::cos(heading), std::sin(heading));
+            contour.push_back(path::line_element(at, to));
+            heading += dice.between(-1.2, 1.2);
+            at = to;
+        }
+        if (!path::test::is_simple(contour)) continue;
+        const double first = dice.between(1, 4);
+        const double second = dice.between(1, 4);
+        std::string text = text_of(contour, control, first);
+        std::size_t line = text.find("G1 ", text.find("G41") + 8);
+        for (int i = 0; i < 3; ++i) line = text.find("G1 ", line + 1);
+        text.insert(line, "D2 ");
+        char data[80];
+        std::snprintf(data, sizeof data, "G10 L12 P1 R%.3f\nG10 L12 P2 R%.3f\n", first, second);
+        text.insert(0, data);
+        SCOPED_TRACE(text);
+        machine::Machine machine = mill();
+        machine.work_offsets.clear();
+        const Ran ran = read(control.dialect, text, machine);
+        ASSERT_EQ(alarms(ran), "");
+        const double least = least_distance(ran, contour);
+        EXPECT_GT(least, std::min(first, second) - 2e-3);
+        EXPECT_LT(least, std::min(first, second) + 2e-3);
+    }
+}
+
 }  // namespace
 }  // namespace kadr::interp

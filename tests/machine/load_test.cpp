@@ -1,9 +1,11 @@
 // Machine files: what they mean, and what is said about their mistakes.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -49,7 +51,9 @@ constexpr const char* kAxisX =
     R"(<axis name="X" limits="-300..300 mm" velocity="30 m/min" acceleration="5 m/s2"/>)";
 
 TEST(MachineFile, StockMachinesLoad) {
-    for (const char* name : {"mill", "mill-fast", "lathe", "laser", "scanner"}) {
+    for (const char* name :
+         {"mill", "mill-fast", "lathe", "laser", "scanner", "trunnion-ac", "trunnion-bc", "head-cb",
+          "head-ab", "mixed-cb", "nutating", "rotary-a", "borer", "six-axis"}) {
         SCOPED_TRACE(name);
         Sources sources;
         DiagnosticList diagnostics;
@@ -67,13 +71,16 @@ TEST(MachineFile, StockMachinesLoad) {
 
 TEST(MachineFile, ListsByName) {
     const auto machines = list({kStock, "/no/such/folder"});
-    ASSERT_EQ(machines.size(), 5u);
-    EXPECT_EQ(machines[0].name, "laser");
-    EXPECT_EQ(machines[1].name, "lathe");
-    EXPECT_EQ(machines[1].axes, "X Z");
-    EXPECT_EQ(machines[2].name, "mill");
-    EXPECT_EQ(machines[2].axes, "X Y Z");
-    EXPECT_EQ(machines[3].name, "mill-fast");
+    ASSERT_EQ(machines.size(), 14u);
+    std::map<std::string, std::string> axes;
+    for (const MachineSummary& machine : machines) axes[machine.name] = machine.axes;
+    EXPECT_EQ(axes["laser"], "X Y Z");
+    EXPECT_EQ(axes["lathe"], "X Z");
+    EXPECT_EQ(axes["mill"], "X Y Z");
+    EXPECT_EQ(axes["trunnion-ac"], "X Y Z A C");
+    EXPECT_EQ(axes["borer"], "X Y Z W B");
+    EXPECT_EQ(axes["six-axis"], "X Y Z A B C");
+    EXPECT_TRUE(std::ranges::is_sorted(machines, {}, &MachineSummary::name));
 }
 
 TEST(MachineFile, ValuesAreCanonical) {
@@ -388,7 +395,9 @@ TEST(MachineFile, UnknownName) {
     EXPECT_EQ(diagnostics.all()[0].row->code, "K6001");
     EXPECT_EQ(diagnostics.all()[0].fixes.at(0).text, "there is `mill`");
     EXPECT_EQ(diagnostics.all()[0].notes.at(0).text,
-              "known are `laser`, `lathe`, `mill`, `mill-fast`, `scanner`");
+              "known are `borer`, `head-ab`, `head-cb`, `laser`, `lathe`, `mill`, `mill-fast`, "
+              "`mixed-cb`, `nutating`, `rotary-a`, `scanner`, `six-axis`, `trunnion-ac`, "
+              "`trunnion-bc`");
 }
 
 TEST(MachineFile, UnreadableFile) {

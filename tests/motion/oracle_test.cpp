@@ -428,7 +428,7 @@ TEST(TimeOptimalOracle, WithAJerkTheyTakeLonger) {
         const double ratio = motion.totals.time / entry["expect"]["T"].get<double>();
         RecordProperty("smooth_" + entry["id"].get<std::string>(), std::to_string(ratio));
         EXPECT_GE(ratio, 1);
-        EXPECT_LE(ratio, 3);
+        EXPECT_LE(ratio, 2.1);
         const TickShares shares = shares_of(machine, motion, commands);
         EXPECT_LE(shares.velocity, 1.001);
         EXPECT_LE(shares.acceleration, 1.001);

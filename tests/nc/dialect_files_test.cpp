@@ -1,5 +1,7 @@
 // Every shipped dialect loads, every example beside an entry is true in both directions, and every
 // alarm names a diagnostic.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "nc/check.h"
@@ -16,7 +18,10 @@ TEST(DialectFiles, Load) {
         const Dialect& dialect = testing::shipped(name);
         EXPECT_EQ(dialect.name(), name);
         EXPECT_FALSE(dialect.title().empty());
-        EXPECT_EQ(dialect.cycles().size(), testing::shipped("iso").cycles().size());
+        // Its own cycles, each with its file, stand behind those of the common core.
+        const auto shared = std::ranges::count_if(
+            dialect.cycles(), [](const CycleInfo& cycle) { return cycle.file.empty(); });
+        EXPECT_EQ(static_cast<std::size_t>(shared), testing::shipped("iso").cycles().size());
         EXPECT_EQ(dialect.power_on(Group::Distance), Function::Absolute);
     }
 }

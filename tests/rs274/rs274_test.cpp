@@ -202,6 +202,7 @@ class Reduction {
             case Op::Message:
             case Op::Spline:
             case Op::Involute:
+            case Op::Parametric:
             case Op::Thread:
             case Op::Probe: break;  // rs274 says nothing about them
         }

@@ -1,5 +1,5 @@
-// control.h — the rows of control.def, for those who report them: K54xx: the controls' own
-// parametric languages.
+// control.h — the rows of control.def, for those who report them: K54xx and K550x: the controls'
+// own parametric languages.
 #pragma once
 
 #include "base/diagnostic.h"

@@ -1,6 +1,6 @@
-; rule: A 1 TRAORI is a word of the control; Kadr does not execute the transformation
+; rule: A 2.4 a machine without addresses of rotary axes has no transformation: SINUMERIK's alarm
 ; expect: to X10
-; expect: alarm  K5018 at 5:1
+; expect: alarm 14100 at 5:1
 G0 X10
 TRAORI
 M30

@@ -1,0 +1,29 @@
+// pipeline_stages.h — the stages between planned motion and written setpoints, as the machine file
+// sizes them.
+//
+//     translate ahead → [queue] → interpolate → [queue] → output
+//
+// With threads every stage works in its own and stops when its queue is full; without, one works
+// for the next. Sizes say when something is done, never what: the setpoints are the same.
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "base/stream.h"
+#include "machine/machine.h"
+#include "motion/pipeline.h"
+
+namespace kadr::driver {
+
+/// Walks planned motion at `tick` (0: the machine's) and hands its setpoints over in the batches of
+/// the last stage.
+void run_stages(Stream<motion::Segment>& segments, const machine::Machine& machine, double tick,
+                bool has_threads,
+                const std::function<void(std::span<const motion::Setpoint>)>& write);
+
+/// Whether every module that the machine file names is linked into the program; if not, it has been
+/// reported.
+bool has_modules(const machine::Machine& machine, DiagnosticSink& sink);
+
+}  // namespace kadr::driver

@@ -1,0 +1,78 @@
+#include "driver/work_places.h"
+
+#include <filesystem>
+#include <string_view>
+
+namespace kadr::driver {
+
+namespace {
+
+constexpr std::size_t kShownText = 48;  // characters of a statement
+
+/// The first line of a statement, without the brace of its body, as far as it fits.
+std::string first_line(std::string_view statement) {
+    std::string text(statement.substr(0, statement.find('\n')));
+    while (!text.empty() && (text.back() == ' ' || text.back() == '{' || text.back() == '\r'))
+        text.pop_back();
+    if (text.size() <= kShownText) return text;
+    std::size_t cut = kShownText;
+    while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0u) == 0x80u) --cut;
+    return text.substr(0, cut) + "…";
+}
+
+std::string without_folder(const std::string& name) {
+    return std::filesystem::path(name).filename().string();
+}
+
+}  // namespace
+
+WorkPlace WorkPlaces::find(std::uint32_t line, SourceId source) const {
+    WorkPlace place;
+    place.statement = users_statement(line, source);
+    if (place.statement.file.is_valid()) return place;
+    if (interp::Program::is_in_main_text(line)) {
+        place.line = line;
+        return place;
+    }
+    const LinePlace called = execution_.place_of(line);
+    place.called = called.file + ':' + std::to_string(called.line);
+    return place;
+}
+
+std::string WorkPlaces::key_of(const WorkPlace& place) {
+    if (place.statement.file.is_valid())
+        return std::to_string(place.statement.file.index) + '@' +
+               std::to_string(place.statement.begin);
+    return place.called.empty() ? std::to_string(place.line) : place.called;
+}
+
+/// The statement outside of the library that led to the piece; none in ISO-7bit text.
+SourceRange WorkPlaces::users_statement(std::uint32_t line, SourceId source) const {
+    const SourceRange statement = execution_.statement(source);
+    if (!statement.file.is_valid() || !is_in_library(statement)) return statement;
+    const GeneratedText* generated = execution_.generated();
+    const expand::Trace* calls = generated == nullptr ? nullptr : generated->calls_behind(line);
+    if (calls == nullptr) return statement;
+    for (auto call = calls->calls.rbegin(); call != calls->calls.rend(); ++call) {
+        if (call->range.file.is_valid() && !is_in_library(call->range)) return call->range;
+    }
+    return statement;
+}
+
+bool WorkPlaces::is_in_library(const SourceRange& range) const {
+    return session_.sources().name(range.file).starts_with(session_.share().library);
+}
+
+std::string WorkPlaces::name_of(const WorkPlace& place) const {
+    if (!place.called.empty()) return without_folder(place.called);
+    if (!place.statement.file.is_valid())
+        return without_folder(execution_.text_name() + ':' + std::to_string(place.line));
+    return without_folder(session_.source_name(place.statement));
+}
+
+std::string WorkPlaces::text_of(const WorkPlace& place) const {
+    if (!place.called.empty() || !place.statement.file.is_valid()) return {};
+    return first_line(session_.sources().text(place.statement));
+}
+
+}  // namespace kadr::driver

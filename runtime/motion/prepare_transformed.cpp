@@ -1,0 +1,191 @@
+// Motions under the machine's transformation: the tip goes along its path, the tool turns, and the
+// axes are where the chain says.
+//
+// A motion is cut into legs at the poles of R1 that the tool passes: there R1 may have to turn
+// while everything else stands (motion.md §6.3). Each leg becomes pieces that one speed suits.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "base/units.h"
+#include "motion/prepare_state.h"
+#include "motion/transformed.h"
+
+namespace kadr::motion {
+
+namespace {
+
+using machine::Chain;
+using path::Command;
+using path::Op;
+using path::Turning;
+using path::Vec3;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// So far the joints may be from where a motion should end, rad: rounding of degrees.
+constexpr double kSameJoint = 1e-8;
+// How finely the way away from a pole is followed, to know with which R1 it begins.
+constexpr int kBackSteps = 64;
+
+/// So far along a motion the tool stands at the pole of R1.
+struct PolePassage {
+    double distance = 0;
+    Vec3 direction = Vec3::Zero();  // of the axis R1, towards the tool
+};
+
+/// Where the tool comes nearest to one end of the axis R1, if that is inside the motion and near
+/// enough. Turned about `axis` by φ, its component along R1 is c + a·cos φ + b·sin φ.
+std::optional<PolePassage> passage_of(const Turn& turn, const Vec3& pole, double tolerance) {
+    const double along = turn.axis.dot(turn.direction) * turn.axis.dot(pole);
+    const double a = turn.direction.dot(pole) - along;
+    const double b = turn.axis.cross(turn.direction).dot(pole);
+    if (std::hypot(a, b) == 0) return std::nullopt;
+    const double whole = turn.rate * turn.length;
+    double angle = std::atan2(b, a);
+    if (whole < 0 && angle > 0) angle -= 2 * std::numbers::pi;
+    if (whole > 0 && angle < 0) angle += 2 * std::numbers::pi;
+    const double inside = angle / whole;
+    const double margin = kPoleWidth / std::abs(whole);
+    if (!(inside > margin && inside < 1 - margin)) return std::nullopt;
+    const Vec3 nearest = Eigen::AngleAxisd(angle, turn.axis) * turn.direction;
+    if (nearest.cross(pole).norm() > tolerance || nearest.dot(pole) < 0) return std::nullopt;
+    return PolePassage{inside * turn.length, pole};
+}
+
+/// The turn of a leg between two directions along the shorter great circle.
+void lay_great_circle(const Vec3& from, const Vec3& to, Turn& turn) {
+    const Vec3 across = from.cross(to);
+    const double sine = across.norm();
+    turn.direction = from;
+    turn.rate = sine > 0 ? std::atan2(sine, from.dot(to)) / turn.length : 0;
+    if (sine > 0) turn.axis = across / sine;
+}
+
+/// The motion between poles; one leg if it passes none.
+std::vector<Segment> legs_of(const Chain& chain, const Segment& whole, double tolerance) {
+    if (whole.turn.kind != Turning::Cone || !chain.orients() || whole.turn.rate == 0)
+        return {whole};
+    const Vec3 first = chain.joints[machine::kR1].direction;
+    std::vector<PolePassage> passages;
+    for (const Vec3& pole : {first, Vec3(-first)}) {
+        if (const auto found = passage_of(whole.turn, pole, tolerance)) passages.push_back(*found);
+    }
+    std::ranges::sort(passages, {}, &PolePassage::distance);
+    std::vector<Segment> legs;
+    double from = 0;
+    Vec3 direction = whole.turn.direction;
+    for (std::size_t i = 0; i <= passages.size() && !passages.empty(); ++i) {
+        const bool is_last = i == passages.size();
+        const double to = is_last ? whole.turn.length : passages[i].distance;
+        const Vec3 towards =
+            is_last ? direction_at(whole.turn, whole.turn.length) : passages[i].direction;
+        Segment& leg = legs.emplace_back(part_of(whole, from, to));
+        lay_great_circle(direction, towards, leg.turn);
+        from = to;
+        direction = towards;
+    }
+    if (legs.empty()) legs.push_back(whole);
+    return legs;
+}
+
+/// Where the joints stand at the start of a leg that ends in `to`.
+Vec3 joints_before(const Chain& chain, const Segment& leg, const Vec3& to) {
+    Vec3 joints = to;
+    for (int i = kBackSteps - 1; i >= 0; --i) {
+        // The last step ends beside the pole, where R1 still has its meaning.
+        const double part = std::max(static_cast<double>(i) / kBackSteps, kPoleWidth);
+        joints = joints_for(chain, direction_at(leg.turn, part * leg.turn.length), joints);
+    }
+    return joints;
+}
+
+}  // namespace
+
+/// The legs of a motion, each with the turn of R1 before it that a pole asks for.
+void Preparer::State::emit_transformed(const Command& command, const Segment& whole,
+                                       Standing::Target& target) {
+    const Chain& chain = *axes.chain();
+    const double tolerance = std::max(machine.kinematics->pole_tolerance, kPoleWidth);
+    const Vec3 to = joints_of(chain, target.followers);
+    Vec3 joints = joints_of(chain, whole.follower_start);
+    std::vector<Segment> legs = legs_of(chain, whole, tolerance);
+    for (std::size_t i = 0; i < legs.size() && !has_ended; ++i) {
+        Segment& leg = legs[i];
+        put_joints(chain, joints, leg.follower_start);
+        const bool is_cone = leg.turn.kind == Turning::Cone && chain.orients();
+        if (is_cone && is_at_pole(chain, leg.turn.direction)) {
+            // Only behind the last pole the end of the motion says how it is left.
+            const Vec3 wanted = i + 1 == legs.size() ? joints_before(chain, leg, to) : joints;
+            turn_at_pole(command, leg, {wanted[0], joints[1], joints[2]});
+            joints[0] = wanted[0];
+            put_joints(chain, joints, leg.follower_start);
+        }
+        if (!emit_leg(command, leg, whole.turn.length, joints)) return;
+    }
+    if (has_ended) return;
+    // An end at the pole leaves R1 free: it goes where the program knows it.
+    if (std::abs(joints[0] - to[0]) > kSameJoint && !legs.empty()) {
+        Segment end = part_of(legs.back(), legs.back().turn.length, legs.back().turn.length);
+        put_joints(chain, joints, end.follower_start);
+        turn_at_pole(command, end, {to[0], joints[1], joints[2]});
+        joints[0] = to[0];
+    }
+    put_joints(chain, joints, target.followers);
+    end_command();
+}
+
+/// R1 turns to another place as fast as it can while the tip stands.
+void Preparer::State::turn_at_pole(const Command& command, const Segment& at, const Vec3& to) {
+    const Chain& chain = *axes.chain();
+    const Vec3 from = joints_of(chain, at.follower_start);
+    const double way = to[0] - from[0];
+    if (std::abs(way) <= kSameJoint) return;
+    Segment turn = at;
+    turn.kind = SegmentKind::Rapid;
+    turn.curve = path::Point{path::start(at.curve)};
+    turn.turns_only = true;
+    turn.turn = Turn{};
+    turn.turn.kind = Turning::Axes;
+    turn.turn.length = deg_from_rad(std::abs(way));
+    turn.follower_rate = {};
+    turn.follower_rate[index(chain.joints[machine::kR1].axis) - 3] = way / turn.turn.length;
+    Command rapid = command;
+    rapid.op = Op::Rapid;
+    Vec3 joints = from;
+    last.must_stop = true;
+    emit_leg(rapid, turn, turn.turn.length, joints);
+    last.must_stop = true;
+}
+
+/// False if the axes cannot go there, which was reported.
+///
+/// length  of the whole motion, by which its time under inverse time feed is shared out
+/// joints  where they stand at the end
+bool Preparer::State::emit_leg(const Command& command, const Segment& leg, double length,
+                               Vec3& joints) {
+    const Chain& chain = *axes.chain();
+    const double wanted = feed_of(command, leg, leg.turn.length).value_or(kInfinity);
+    const std::vector<Segment> parts = even_parts(chain, leg, axes.bounds(), {wanted, tick});
+    for (const Segment& part : parts) {
+        if (!is_possible(command, part, part.turn.length)) return false;
+        if (!has_ended) check.widen_travel();
+    }
+    Command share = command;
+    for (const Segment& part : parts) {
+        if (has_ended) return false;
+        if (command.feed_mode == path::FeedMode::InverseTime)
+            share.feed = command.feed * length / part.turn.length;
+        emit(share, part, part.turn.length);
+    }
+    const LogicalAxes end = axes_at(chain, parts.back(), parts.back().turn.length);
+    std::array<double, kFollowers> followers{};
+    std::copy(end.begin() + 3, end.end(), followers.begin());
+    joints = joints_of(chain, followers);
+    return true;
+}
+
+}  // namespace kadr::motion

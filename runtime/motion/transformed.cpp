@@ -1,0 +1,349 @@
+#include "motion/transformed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace kadr::motion {
+
+namespace {
+
+using machine::Chain;
+using machine::ChainPosition;
+using path::Vec3;
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+// Beside the pole by so much R1 has the place with which the tool gets there, rad.
+constexpr double kBesidePole = 1e-6;
+
+// Differences of places that are rounding, mm and rad.
+constexpr double kRounding = 1e-11;
+
+// Of what an axis needs, the most by which the parts of an even piece may differ.
+constexpr double kEvenRate = 1.2;
+constexpr double kEvenBend = 1.5;
+// Below this part of its acceleration the bending of an axis does not matter.
+constexpr double kSlightBend = 0.3;
+// … and this part more or less of it is no error of a course.
+constexpr double kCourseError = 0.01;
+// … nor so much of the way that the axis goes: a swing between two nodes would stand out.
+constexpr double kCourseShare = 2e-4;
+constexpr double kSlightError = 1e-9;  // mm, rad: of which that is not asked
+// More parts a motion has not; the rest is taken as it comes.
+constexpr std::size_t kMostParts = 2048;
+// Between two nodes of a course no joint turns farther, rad.
+constexpr double kNodeTurn = 0.2;
+// A swing of R1 near the pole may be cut as finely as this, in parts of the piece.
+constexpr double kFinest = 1e-9;
+
+Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+/// The value that differs by whole turns and is nearest.
+double nearest_turn(double angle, double near) {
+    return angle + kTurn * std::round((near - angle) / kTurn);
+}
+
+Vec3 nearest_turns(const Vec3& rotary, const Vec3& near) {
+    Vec3 turned;
+    for (Eigen::Index i = 0; i < 3; ++i) turned[i] = nearest_turn(rotary[i], near[i]);
+    return turned;
+}
+
+Vec3 parallels_of(const std::array<double, kFollowers>& followers) {
+    return {followers[3], followers[4], followers[5]};
+}
+
+/// From the end of the zero tool to the tip, at base position.
+Vec3 tip_of(const Segment& piece) { return -piece.tool_length * piece.tool; }
+
+}  // namespace
+
+bool is_at_pole(const Chain& chain, const Vec3& direction) {
+    if (!chain.orients()) return false;
+    const double tilt = machine::tilt_of(chain, direction);
+    return std::min(tilt, std::numbers::pi - tilt) < kPoleWidth;
+}
+
+Vec3 joints_of(const Chain& chain, const std::array<double, kFollowers>& followers) {
+    Vec3 rotary = Vec3::Zero();
+    for (std::size_t k = 0; k < machine::kJoints; ++k) {
+        if (chain.has(k)) rotary[at(k)] = followers[index(chain.joints[k].axis) - 3];
+    }
+    return rotary;
+}
+
+void put_joints(const Chain& chain, const Vec3& rotary, std::array<double, kFollowers>& followers) {
+    for (std::size_t k = 0; k < machine::kJoints; ++k) {
+        if (chain.has(k)) followers[index(chain.joints[k].axis) - 3] = rotary[at(k)];
+    }
+}
+
+Vec3 joints_for(const Chain& chain, const Vec3& direction, const Vec3& near) {
+    const auto solutions = machine::solve(chain, direction);
+    if (!solutions) return near;
+    const bool from_pole = is_at_pole(chain, machine::tool_vector(chain, near));
+    const int configuration = machine::configuration_of(chain, near);
+    Vec3 best = near;
+    double least = std::numeric_limits<double>::infinity();
+    for (const machine::Solution& found : *solutions) {
+        const bool is_other = solutions->count > 1 && found.configuration != configuration;
+        if (is_other && !from_pole && !found.is_pole) continue;
+        const Vec3 rotary =
+            found.is_pole ? machine::at_pole(chain, found, near[0]).rotary : found.rotary;
+        const Vec3 turned = nearest_turns(rotary, near);
+        const double distance = (turned - near).head<2>().squaredNorm();
+        if (distance >= least) continue;
+        least = distance;
+        best = turned;
+    }
+    best[2] = near[2];
+    return best;
+}
+
+namespace {
+
+std::array<double, kFollowers> followers_at(const Segment& piece, double distance) {
+    std::array<double, kFollowers> followers{};
+    for (std::size_t i = 0; i < kFollowers; ++i)
+        followers[i] = piece.follower_start[i] + piece.follower_rate[i] * distance;
+    return followers;
+}
+
+/// … and the linear axes that belong to them.
+LogicalAxes complete(const Chain& chain, const Segment& piece, double distance,
+                     const std::array<double, kFollowers>& followers) {
+    ChainPosition position;
+    position.rotary = joints_of(chain, followers);
+    position.parallel = parallels_of(followers);
+    const Vec3 linear = machine::inverse_linear(chain, path::position(piece.curve, distance),
+                                                position, tip_of(piece));
+    LogicalAxes axes{linear[0], linear[1], linear[2]};
+    std::ranges::copy(followers, axes.begin() + 3);
+    return axes;
+}
+
+/// At the pole R1 has the place with which the tool gets there: a nutating head's still moves.
+Vec3 joints_on_cone(const Chain& chain, const Turn& turn, double distance, Vec3 near) {
+    const Vec3 direction = direction_at(turn, distance);
+    if (turn.rate != 0 && is_at_pole(chain, direction)) {
+        const double inwards = distance > turn.length / 2 ? -1 : 1;
+        const double beside = distance + inwards * kBesidePole / std::abs(turn.rate);
+        near[0] = joints_for(chain, direction_at(turn, beside), near)[0];
+    }
+    return joints_for(chain, direction, near);
+}
+
+/// axes_at() with the joints going on from where they stand in `near`.
+LogicalAxes axes_near(const Chain& chain, const Segment& piece, double distance,
+                      const LogicalAxes& near) {
+    auto followers = followers_at(piece, distance);
+    if (piece.turn.kind == path::Turning::Cone) {
+        std::array<double, kFollowers> from{};
+        std::copy(near.begin() + 3, near.end(), from.begin());
+        Vec3 rotary = joints_on_cone(chain, piece.turn, distance, joints_of(chain, from));
+        rotary[2] = joints_of(chain, followers)[2];
+        put_joints(chain, rotary, followers);
+    }
+    return complete(chain, piece, distance, followers);
+}
+
+LogicalAxes start_of(const Segment& piece) {
+    LogicalAxes axes{};
+    std::ranges::copy(piece.follower_start, axes.begin() + 3);
+    return axes;
+}
+
+}  // namespace
+
+Vec3 tool_at(const Chain& chain, const Segment& piece, double distance) {
+    if (piece.turn.kind == path::Turning::Cone) return direction_at(piece.turn, distance);
+    return machine::tool_vector(chain, joints_of(chain, followers_at(piece, distance)));
+}
+
+LogicalAxes axes_at(const Chain& chain, const Segment& piece, double distance) {
+    return axes_near(chain, piece, distance, start_of(piece));
+}
+
+Vec3 tip_at(const Chain& chain, const LogicalAxes& axes, const Vec3& tool, double tool_length) {
+    std::array<double, kFollowers> followers{};
+    std::copy(axes.begin() + 3, axes.end(), followers.begin());
+    const ChainPosition position{
+        {axes[0], axes[1], axes[2]}, parallels_of(followers), joints_of(chain, followers)};
+    return machine::forward(chain, position, -tool_length * tool).tip;
+}
+
+// ------------------------------------------------------------------------------ courses
+
+namespace {
+
+constexpr std::size_t kIntervals = 4;
+
+/// Places at equal distances, each found from the one before it.
+std::array<LogicalAxes, kIntervals + 1> nodes_of(const Chain& chain, const Segment& piece) {
+    std::array<LogicalAxes, kIntervals + 1> nodes;
+    LogicalAxes near = start_of(piece);
+    for (std::size_t i = 0; i <= kIntervals; ++i) {
+        const double part = static_cast<double>(i) / kIntervals;
+        near = nodes[i] = axes_near(chain, piece, part * piece.turn.length, near);
+    }
+    return nodes;
+}
+
+/// Newton's forward differences of five values as a polynomial of t = 4u.
+std::array<double, kIntervals + 1> through(std::array<double, kIntervals + 1> values) {
+    for (std::size_t k = 1; k <= kIntervals; ++k) {
+        for (std::size_t i = kIntervals; i >= k; --i) values[i] -= values[i - 1];
+    }
+    for (std::size_t k = 2; k <= kIntervals; ++k) {
+        if (std::abs(values[k]) < kRounding) values[k] = 0;
+    }
+    const auto& d = values;
+    return {d[0], d[1] - d[2] / 2 + d[3] / 3 - d[4] / 4, d[2] / 2 - d[3] / 2 + 11 * d[4] / 24,
+            d[3] / 6 - d[4] / 4, d[4] / 24};
+}
+
+}  // namespace
+
+AxisCourse::AxisCourse(const Chain& chain, const Segment& piece) : length_(piece.turn.length) {
+    const auto nodes = nodes_of(chain, piece);
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        std::array<double, kNodes> values{};
+        for (std::size_t i = 0; i < kNodes; ++i) values[i] = nodes[i][axis];
+        coefficients_[axis] = through(values);
+    }
+}
+
+double AxisCourse::position(std::size_t axis, double u) const {
+    const auto& c = coefficients_[axis];
+    const double t = kIntervals * u;
+    return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * c[4])));
+}
+
+double AxisCourse::rate(std::size_t axis, double u) const {
+    const auto& c = coefficients_[axis];
+    const double t = kIntervals * u;
+    return (c[1] + t * (2 * c[2] + t * (3 * c[3] + t * 4 * c[4]))) * kIntervals / length_;
+}
+
+double AxisCourse::bend(std::size_t axis, double u) const {
+    const auto& c = coefficients_[axis];
+    const double t = kIntervals * u;
+    const double step = kIntervals / length_;
+    return (2 * c[2] + t * (6 * c[3] + t * 12 * c[4])) * step * step;
+}
+
+double AxisCourse::third(std::size_t axis, double u) const {
+    const auto& c = coefficients_[axis];
+    const double t = kIntervals * u;
+    const double step = kIntervals / length_;
+    return (6 * c[3] + t * 24 * c[4]) * step * step * step;
+}
+
+// ------------------------------------------------------------------------------ even parts
+
+namespace {
+
+struct Range {
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0;
+
+    void take(double value) {
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+};
+
+/// Whether no joint turns so far between two nodes that another solution might be meant.
+bool is_continuous(const Chain& chain, const Segment& piece) {
+    const auto nodes = nodes_of(chain, piece);
+    for (std::size_t k = 0; k < machine::kJoints; ++k) {
+        if (!chain.has(k)) continue;
+        const std::size_t axis = index(chain.joints[k].axis);
+        if (std::abs(nodes[0][axis] - piece.follower_start[axis - 3]) > kNodeTurn) return false;
+        for (std::size_t i = 1; i < nodes.size(); ++i)
+            if (std::abs(nodes[i][axis] - nodes[i - 1][axis]) > kNodeTurn) return false;
+    }
+    return true;
+}
+
+/// Whether the course is the way of the axes between its nodes too, to a small part of what the
+/// limits allow. The error of a polynomial through five places is greatest in its derivatives at
+/// the ends: there it is 30 and 64 times what it is an eighth of the way inside, per step² and
+/// step³.
+bool is_exact(const Chain& chain, const Segment& piece, const AxisCourse& course,
+              const AxisBounds& bounds, double speed, double tick) {
+    if (std::isinf(speed)) return true;
+    const double time = piece.turn.length / kIntervals / speed;  // of a step
+    const bool passes_in_a_tick = piece.turn.length < tick * speed;
+    for (const double u : {0.125, 0.875}) {
+        const LogicalAxes exact = axes_at(chain, piece, u * piece.turn.length);
+        for (std::size_t axis = 0; axis < kAxes; ++axis) {
+            const double error = std::abs(exact[axis] - course.position(axis, u));
+            if (error < kRounding) continue;
+            const double way = std::abs(course.position(axis, 1) - course.position(axis, 0.5)) +
+                               std::abs(course.position(axis, 0.5) - course.position(axis, 0));
+            if (error > std::max(kCourseShare * way, kSlightError)) return false;
+            if (passes_in_a_tick) continue;
+            if (30 * error > kCourseError * bounds.acceleration[axis] * time * time) return false;
+            if (64 * error > kCourseError * bounds.jerk[axis] * time * time * time) return false;
+        }
+    }
+    return true;
+}
+
+bool is_even(const Chain& chain, const Segment& piece, const AxisBounds& bounds,
+             const PartWishes& wishes) {
+    if (!is_continuous(chain, piece)) return false;
+    const AxisCourse course(chain, piece);
+    Range slowness;
+    Range stiffness;
+    for (std::size_t i = 0; i <= kIntervals; ++i) {
+        const double u = static_cast<double>(i) / kIntervals;
+        double slow = 0;
+        double stiff = 0;
+        for (std::size_t axis = 0; axis < kAxes; ++axis) {
+            slow = std::max(slow, std::abs(course.rate(axis, u)) / bounds.velocity[axis]);
+            stiff = std::max(stiff, std::abs(course.bend(axis, u)) / bounds.acceleration[axis]);
+        }
+        slowness.take(slow);
+        stiffness.take(stiff);
+    }
+    const bool is_slow = slowness.most * wishes.speed > 1;  // the velocity of an axis limits it
+    const double speed = is_slow ? 1 / slowness.most : wishes.speed;
+    if (!is_exact(chain, piece, course, bounds, speed, wishes.time)) return false;
+    if (piece.turn.length < wishes.time * speed) return true;
+    if (is_slow && slowness.most > kEvenRate * slowness.least) return false;
+    const bool is_slight = std::isinf(speed) || stiffness.most * speed * speed < kSlightBend;
+    return is_slight || stiffness.most <= kEvenBend * stiffness.least;
+}
+
+}  // namespace
+
+std::vector<Segment> even_parts(const Chain& chain, const Segment& whole, const AxisBounds& bounds,
+                                const PartWishes& wishes) {
+    const double length = whole.turn.length;
+    const double finest = kFinest * length;
+    std::vector<Segment> parts;
+    Segment rest = whole;
+    double from = 0;
+    double step = length;
+    while (from < length) {
+        double to = length - from < step * (1 + kFinest) ? length : from + step;
+        Segment part = part_of(rest, 0, to - from);
+        if (to - from > finest && parts.size() < kMostParts &&
+            !is_even(chain, part, bounds, wishes)) {
+            step = (to - from) / 2;
+            continue;
+        }
+        const LogicalAxes end = nodes_of(chain, part).back();
+        rest = part_of(rest, to - from, length - from);
+        std::copy(end.begin() + 3, end.end(), rest.follower_start.begin());
+        parts.push_back(part);
+        step = 2 * (to - from);
+        from = to;
+    }
+    return parts;
+}
+
+}  // namespace kadr::motion

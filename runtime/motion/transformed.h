@@ -1,0 +1,83 @@
+// transformed.h — pieces on whose path the machine's transformation holds the tip of the tool.
+//
+// The tip goes along the curve, the tool turns, and the chain of the machine says where every axis
+// stands for it; exactly, at any distance (motion.md §5). What limits and corners need, the
+// derivatives of the axes by the path, comes from a polynomial through five places of a short
+// piece.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "machine/kinematics.h"
+#include "motion/segment.h"
+
+namespace kadr::motion {
+
+/// One value per logical axis; mm and rad.
+using LogicalAxes = std::array<double, kAxes>;
+
+/// Nearer to the axis R1 the configuration of a tool says nothing, rad.
+inline constexpr double kPoleWidth = 1e-7;
+/// Whether the tool stands along the axis R1, at either end of it.
+bool is_at_pole(const machine::Chain& chain, const path::Vec3& direction);
+
+/// Where the joints of the chain stand, as followers of a piece say it, and the other way round.
+path::Vec3 joints_of(const machine::Chain& chain, const std::array<double, kFollowers>& followers);
+void put_joints(const machine::Chain& chain, const path::Vec3& rotary,
+                std::array<double, kFollowers>& followers);
+
+/// The solution for a direction that goes on from where the joints stand: in their configuration
+/// and their turn; at the pole R1 stays.
+///
+/// near     rad; not farther than half a turn from what is looked for
+/// returns  `near` itself if there is no solution
+path::Vec3 joints_for(const machine::Chain& chain, const path::Vec3& direction,
+                      const path::Vec3& near);
+
+/// Direction of the tool at a distance along a piece, from tip to holder; workpiece system.
+path::Vec3 tool_at(const machine::Chain& chain, const Segment& piece, double distance);
+
+/// Where all axes stand at a distance along a piece. A piece on a cone must be as short as
+/// even_parts() makes it.
+LogicalAxes axes_at(const machine::Chain& chain, const Segment& piece, double distance);
+
+/// Where the tip is for these axes; a tool as a segment carries it.
+path::Vec3 tip_at(const machine::Chain& chain, const LogicalAxes& axes, const path::Vec3& tool,
+                  double tool_length);
+
+/// Positions of the axes over a piece as polynomials of the fourth degree in u = s / length, 0 … 1.
+class AxisCourse {
+  public:
+    AxisCourse(const machine::Chain& chain, const Segment& piece);
+
+    double position(std::size_t axis, double u) const;
+    double rate(std::size_t axis, double u) const;   // dq/ds
+    double bend(std::size_t axis, double u) const;   // d²q/ds²
+    double third(std::size_t axis, double u) const;  // d³q/ds³
+
+  private:
+    static constexpr std::size_t kNodes = 5;
+    std::array<std::array<double, kNodes>, kAxes> coefficients_{};
+    double length_ = 1;
+};
+
+/// Limits of the logical axes, for deciding what is even; infinite where the machine has none.
+struct AxisBounds {
+    LogicalAxes velocity{};
+    LogicalAxes acceleration{};
+    LogicalAxes jerk{};
+};
+
+struct PartWishes {
+    double speed = 0;  // along the path, may be infinite
+    double time = 0;   // s; a part that takes less may be uneven
+};
+
+/// A piece as parts, in order, so that one speed suits each of them and its AxisCourse is exact to
+/// far below a thousandth of a millimetre. `follower_start` of each is where the one before it
+/// ends.
+std::vector<Segment> even_parts(const machine::Chain& chain, const Segment& whole,
+                                const AxisBounds& bounds, const PartWishes& wishes);
+
+}  // namespace kadr::motion

@@ -1,0 +1,13 @@
+%
+O0001
+(rule: F 5.4 T-B: G99 comes back to R)
+(expect: path X60Z-10 X50 x20f0.1 X50 Z-20 x20 X50 Z-30 x20 X60)
+G95G97S500M03
+T0101
+G00X60.Z-10.
+G99G87X20.R-5.F0.1
+Z-20.
+G98Z-30.
+G80
+M30
+%

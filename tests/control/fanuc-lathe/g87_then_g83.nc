@@ -1,0 +1,14 @@
+%
+O0001
+(rule: F 5.4 G83 in the face behind G87)
+(expect: path X60Z-10 X50 x40f0.1 X60 X0Z5 Z3 z-10 Z5)
+G99G97S500M03
+T0101
+G00X60.Z-10.
+G87X40.R-5.F0.1
+G80
+G00X0Z5.
+G83Z-10.R-2.F0.1
+G80
+M30
+%

@@ -1,0 +1,11 @@
+%
+O0001
+(rule: F 5.4 G89: in at F, out at twice F)
+(expect: path X60Z-10 X50 x30f0.1 x50f0.2 X60)
+G99G97S500M03
+T0101
+G00X60.Z-10.
+G89X30.R-5.P500F0.1
+G80
+M30
+%

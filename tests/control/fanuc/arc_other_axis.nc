@@ -1,0 +1,7 @@
+%
+O0001
+(rule: F 3.5 K in G17: PS0021)
+(expect: alarm PS0021 K5228 at 5:15)
+G17G02X10.Y10.K5.F100
+M30
+%

@@ -1,0 +1,8 @@
+%
+O0001
+(rule: F 11 PS1131)
+(expect: alarm PS1131 K5403 at 5:7)
+WHILE 1EQ1 DO1
+END1
+M30
+%

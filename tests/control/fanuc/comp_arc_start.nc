@@ -1,0 +1,10 @@
+%
+O0001
+(rule: F 4.3 PS0034: starts on no arc)
+(expect: alarm PS0034 K5272 at 8:1)
+M3S1000
+G10L12P1R5.
+G00X0Y0
+G02G41D1X20.Y0I10.F100
+M30
+%

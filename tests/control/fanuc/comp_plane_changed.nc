@@ -1,0 +1,13 @@
+%
+O0001
+(rule: F 4.3 PS0037: another plane)
+(expect: alarm PS0037 K5279 at 10:1)
+M3S1000
+G10L12P1R5.
+G00X0Y0
+G01G41D1X0Y20.F100
+Y50.
+G18
+X20.
+M30
+%

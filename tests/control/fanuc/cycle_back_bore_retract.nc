@@ -1,0 +1,10 @@
+%
+O0001
+(rule: F 5.2 G87 under G99 is as under G98)
+(expect: path Z20 X10 X11 Z-15 X10 z-2f100 X11 Z20 X10)
+M3S500
+G00Z20.
+G99G87X10.Z-2.R-15.Q1.F100
+G80
+M30
+%

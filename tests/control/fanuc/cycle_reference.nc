@@ -1,0 +1,10 @@
+%
+O0001
+(rule: F 5.1 PS0044: G28 inside)
+(expect: alarm PS0044 K5235 at 8:1)
+M3S1000
+G00X0Y0Z20.
+G81X10.Z-5.R2.F100
+G28Z20.
+M30
+%

@@ -1,0 +1,7 @@
+%
+O0001
+(rule: F 6.7 GOTO 100000000: PS1128)
+(expect: alarm PS1128 K5430 at 5:5)
+GOTO100000000
+M30
+%

@@ -1,0 +1,10 @@
+%
+O0001
+(rule: F 11 PS5116: knots do not fall)
+(expect: alarm PS5116 K5204 at 8:1)
+G05.1Q1
+G01X0Y0F100M3S500
+G06.2P4K1.X0Y0
+K0X6.Y0
+M30
+%

@@ -1,0 +1,9 @@
+%
+O0001
+(rule: F 11 PS5115: the order is 2, 3 or 4)
+(expect: alarm PS5115 K5206 at 7:6)
+G05.1Q1
+G01X0Y0F100M3S500
+G06.2P9K0X0Y0
+M30
+%

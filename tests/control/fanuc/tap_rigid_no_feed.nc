@@ -1,0 +1,9 @@
+%
+O0001
+(rule: F 5.3 PS0201: no F)
+(expect: alarm PS0201 K5242 at 7:1)
+G00Z20.
+M29S500
+G84X10.Z-10.R2.
+M30
+%

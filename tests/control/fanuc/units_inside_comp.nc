@@ -1,0 +1,10 @@
+%
+O0001
+(rule: F 3.1 PS1298: nor inside G41)
+(expect: alarm PS1298 K5533 at 8:1)
+G10L12P1R5.
+M3S100
+G21G41D1G01X0Y20.F100
+G20
+M30
+%

@@ -1,0 +1,264 @@
+// Motion under the transformation of a machine with rotary axes: the tip stays on its path at every
+// tick, the tool turns as it was asked to, and every axis keeps its limits, through poles too.
+#include "motion/transformed.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "base/units.h"
+#include "machine/path_choice.h"
+#include "tests/motion/any_program.h"
+#include "tests/motion/tick_limits.h"
+
+namespace kadr::motion::test {
+namespace {
+
+using machine::Chain;
+using machine::Side;
+using path::Turning;
+
+constexpr double kMicrometre = 1e-3;
+
+struct Joint {
+    Axis axis;
+    Side side;
+    Vec3 direction;
+    Vec3 point;
+};
+
+machine::Machine five_axes(const Joint& first, const Joint& second, double jerk_time = 0) {
+    Dynamics dynamics;
+    if (jerk_time > 0) dynamics.jerk = dynamics.acceleration / jerk_time;
+    machine::Machine machine = machine_of(dynamics);
+    Chain chain;
+    std::size_t k = 0;
+    for (const Joint& joint : {first, second}) {
+        chain.joints[k] = {true, joint.axis, joint.side, joint.direction, joint.point, 1};
+        ++k;
+        machine::MachineAxis axis;
+        axis.name = std::string(kAxisNames[index(joint.axis)]);
+        axis.axis = joint.axis;
+        axis.is_rotary = true;
+        axis.lower = -kUnlimited;
+        axis.upper = kUnlimited;
+        axis.velocity = 2;       // 19 rev/min
+        axis.acceleration = 20;  // rad/s²
+        axis.jerk = jerk_time > 0 ? axis.acceleration / jerk_time : kUnlimited;
+        machine.axes.push_back(axis);
+    }
+    machine.kinematics.emplace();
+    machine.kinematics->chain = machine::prepare(chain).value();
+    return machine;
+}
+
+machine::Machine table_table(double jerk_time = 0) {
+    return five_axes({Axis::C, Side::Table, Vec3::UnitZ(), {12, -7, 3}},
+                     {Axis::A, Side::Table, Vec3::UnitX(), {3, 5, -60}}, jerk_time);
+}
+machine::Machine head_head() {
+    return five_axes({Axis::C, Side::Head, Vec3::UnitZ(), {0, 0, 200}},
+                     {Axis::B, Side::Head, Vec3::UnitY(), {0, 30, 150}});
+}
+machine::Machine mixed() {
+    return five_axes({Axis::C, Side::Table, Vec3::UnitZ(), {10, 20, 0}},
+                     {Axis::B, Side::Head, Vec3::UnitY(), {0, 0, 180}});
+}
+machine::Machine nutating() {
+    const double s = std::sqrt(0.5);
+    return five_axes({Axis::C, Side::Head, Vec3::UnitZ(), {0, 0, 250}},
+                     {Axis::B, Side::Head, {0, s, s}, {0, 0, 120}});
+}
+
+std::vector<machine::Machine> every_class() {
+    return {table_table(), table_table(0.02), head_head(), mixed(), nutating()};
+}
+
+Vec3 direction(double azimuth_deg, double tilt_deg) {
+    const double a = rad_from_deg(azimuth_deg), t = rad_from_deg(tilt_deg);
+    return {std::cos(a) * std::sin(t), std::sin(a) * std::sin(t), std::cos(t)};
+}
+
+/// Commands of a program that knows where tip and tool are, as the interpreter does.
+class Program {
+  public:
+    explicit Program(const machine::Machine& machine)
+        : machine_(machine), chain_(machine.kinematics->chain) {}
+
+    /// To a tip and a direction on the great circle, or with the rotary axes in proportion.
+    Program& go(const Vec3& tip, const Vec3& tool, double feed, Turning turning = Turning::Cone) {
+        machine::PathQuery query = machine::query_for(chain_, tool);
+        query.start = joints_;
+        query.mode = turning == Turning::Cone ? machine::PathMode::Vector : machine::PathMode::Axis;
+        query.pole_tolerance = 1e-7;
+        const auto chosen = machine::choose_path(chain_, query);
+        RC_PRE(chosen.has_value() && chosen->mode == query.mode);
+        Command command = line_to(tip, feed);
+        command.turning = turning;
+        command.direction = tool;
+        const Vec3 from = machine::tool_vector(chain_, joints_);
+        const Vec3 across = from.cross(tool);
+        if (turning == Turning::Cone && across.norm() > 0) {
+            command.turn_axis = across.normalized();
+            command.turn_angle = std::atan2(across.norm(), from.dot(tool));
+        }
+        joints_ = chosen->rotary;
+        for (const std::size_t k : {machine::kR1, machine::kR2}) {
+            const Axis axis = chain_.joints[k].axis;
+            command.to[index(axis)] = deg_from_rad(joints_[static_cast<Eigen::Index>(k)]);
+            command.moved |= bit(axis);
+        }
+        commands.push_back(command);
+        return *this;
+    }
+    Program& go_fast(const Vec3& tip, const Vec3& tool) {
+        go(tip, tool, 0, Turning::Axes);
+        commands.back().op = Op::Rapid;
+        return *this;
+    }
+    std::vector<Command> commands;
+
+  private:
+    machine::Machine machine_;
+    const Chain& chain_ = machine_.kinematics->chain;
+    Vec3 joints_ = Vec3::Zero();
+};
+
+Command with_tool_length(double length) {
+    Command command = simple(Op::ToolLength);
+    command.length = length;
+    return command;
+}
+
+/// Where tip and tool are for the axes of a setpoint: the kinematics, not what the setpoint says.
+machine::Pose pose_of(const machine::Machine& machine, const Setpoint& setpoint, double length) {
+    const Chain& chain = machine.kinematics->chain;
+    machine::ChainPosition position;
+    for (std::size_t i = 0; i < machine.axes.size(); ++i) {
+        const Axis axis = machine.axes[i].axis;
+        if (index(axis) < 3)
+            position.linear[static_cast<Eigen::Index>(index(axis))] = setpoint.axis[i];
+        for (std::size_t k = 0; k < machine::kJoints; ++k) {
+            if (chain.has(k) && chain.joints[k].axis == axis)
+                position.rotary[static_cast<Eigen::Index>(k)] = setpoint.axis[i];
+        }
+    }
+    return machine::forward(chain, position, machine::tip_of_length(chain, length));
+}
+
+TEST(Transformed, TipThatStandsStandsAtEveryTick) {
+    for (const machine::Machine& machine : every_class()) {
+        Program program(machine);
+        const Vec3 tip(40, 25, -10);
+        program.go_fast(tip, direction(30, 20));
+        program.go(tip, direction(80, 55), 3000);  // deg/min
+        program.go(tip, direction(-60, 10), 3000);
+        program.go(tip, direction(90, 40), 3000, Turning::Axes);
+        std::vector<Command> commands = program.commands;
+        commands.insert(commands.begin(), with_tool_length(80));
+        const auto setpoints = sample(machine, commands);
+        ASSERT_GT(setpoints.size(), 500u);
+        std::size_t standing = 0;
+        for (const Setpoint& setpoint : setpoints) {
+            const machine::Pose pose = pose_of(machine, setpoint, 80);
+            EXPECT_LT((pose.tip - setpoint.tip).norm(), 1e-9);
+            EXPECT_LT((pose.rotation * Vec3::UnitZ() - setpoint.tool).norm(), 1e-9);
+            if (setpoint.line < 3) continue;
+            ++standing;
+            EXPECT_LT((pose.tip - tip).norm(), 1e-9);
+        }
+        EXPECT_GT(standing, 400u);
+    }
+}
+
+TEST(Transformed, GreatCirclesThroughThePoleKeepTipAndLimits) {
+    const std::vector<machine::Machine> machines = every_class();
+    for (const machine::Machine& machine : machines) {
+        const auto go_through = [&](double azimuth_in, double azimuth_out) {
+            Program program(machine);
+            program.go_fast({0, 0, 5}, direction(azimuth_in, 30));
+            program.go({20, 10, 0}, direction(azimuth_out, 25), 2000);
+            return program.commands;
+        };
+        // Exactly through, and past it at about a hundredth, a tenth and one degree.
+        for (const double aside : {0.0, 0.02, 0.2, 2.0}) {
+            const std::vector<Command> commands = go_through(40, 220 + aside);
+            const Motion motion = run(machine, commands);
+            EXPECT_FALSE(motion.alarmed);
+            TickWatch watch(machine, motion.segments);
+            const Vec3 from = direction(40, 30), to = direction(220 + aside, 25);
+            const Vec3 normal = from.cross(to).normalized();
+            for (const Setpoint& setpoint : sample(machine, commands)) {
+                watch.add(setpoint);
+                const machine::Pose pose = pose_of(machine, setpoint, 0);
+                EXPECT_LT((pose.tip - setpoint.tip).norm(), 1e-9);
+                if (setpoint.line < 2) continue;
+                ASSERT_LT(std::abs((pose.rotation * Vec3::UnitZ()).dot(normal)), 1e-6)
+                    << aside << " " << setpoint.time << " of machine "
+                    << (&machine - machines.data());
+                const Vec3 way(20, 10, -5);
+                EXPECT_LT((setpoint.tip - Vec3(0, 0, 5)).cross(way).norm() / way.norm(), 1e-9);
+            }
+            EXPECT_LT(watch.shares().velocity, 1.001)
+                << aside << " of machine " << (&machine - machines.data()) << " "
+                << motion.segments.size();
+            EXPECT_LT(watch.shares().acceleration, 1.001)
+                << aside << " of machine " << (&machine - machines.data());
+        }
+    }
+}
+
+/// Five-axis programs: lines of all lengths with all kinds of turning.
+std::vector<Command> any_turning_program(const machine::Machine& machine) {
+    Program program(machine);
+    Vec3 tip(0, 0, 0);
+    double azimuth = any_number(-180, 180), tilt = any_number(2, 60);
+    program.go_fast(tip, direction(azimuth, tilt));
+    const int count = *rc::gen::inRange(1, 12);
+    for (int i = 0; i < count; ++i) {
+        const double reach = *rc::gen::element(0.0, 0.2, 5.0, 60.0);
+        tip += reach * any_point(1);
+        const double turn = *rc::gen::element(0.0, 0.5, 10.0, 70.0);
+        azimuth += turn * any_number(-1, 1);
+        tilt = std::clamp(tilt + turn * any_number(-1, 1), 1.0, 70.0);
+        program.go(tip, direction(azimuth, tilt), any_number(500, 20000),
+                   *rc::gen::element(Turning::Cone, Turning::Axes));
+    }
+    return program.commands;
+}
+
+RC_GTEST_PROP(Transformed, KeepsTheTipOnItsPathAndTheAxesWithinLimits, ()) {
+    const std::vector<machine::Machine> machines = every_class();
+    const machine::Machine& machine = machines[*rc::gen::inRange<std::size_t>(0, machines.size())];
+    const double length = any_number(0, 150);
+    std::vector<Command> commands = any_turning_program(machine);
+    commands.insert(commands.begin(), with_tool_length(length));
+    const Motion motion = run(machine, commands);
+    RC_ASSERT(!motion.alarmed);
+    TickWatch watch(machine, motion.segments);
+    for (const Setpoint& setpoint : sample(machine, commands)) {
+        watch.add(setpoint);
+        const machine::Pose pose = pose_of(machine, setpoint, length);
+        RC_ASSERT((pose.tip - setpoint.tip).norm() < 1e-6 * kMicrometre);
+        RC_ASSERT((pose.rotation * Vec3::UnitZ() - setpoint.tool).norm() < 1e-9);
+        // On the line between the two tips of its command.
+        const std::size_t k = setpoint.line - 1;
+        if (k < 2) continue;
+        const auto tip_of = [&](std::size_t i) {
+            return Vec3(commands[i].to[0], commands[i].to[1], commands[i].to[2]);
+        };
+        const Vec3 way = tip_of(k) - tip_of(k - 1);
+        const Vec3 from = setpoint.tip - tip_of(k - 1);
+        const double aside = way.norm() > 0 ? from.cross(way).norm() / way.norm() : from.norm();
+        RC_ASSERT(aside < 1e-6 * kMicrometre);
+    }
+    RC_ASSERT(watch.shares().velocity < 1.001);
+    RC_ASSERT(watch.shares().acceleration < 1.001);
+    RC_ASSERT(watch.shares().jerk < 1.001);
+}
+
+}  // namespace
+}  // namespace kadr::motion::test
