@@ -66,11 +66,12 @@ std::vector<fs::path> lists() {
     return files;
 }
 
-INSTANTIATE_TEST_SUITE_P(Controls, FanucReference, testing::ValuesIn(lists()), [](const auto& test) {
-    std::string name = test.param.stem();
-    std::ranges::replace(name, '-', '_');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Controls, FanucReference, testing::ValuesIn(lists()),
+                         [](const auto& test) {
+                             std::string name = test.param.stem();
+                             std::ranges::replace(name, '-', '_');
+                             return name;
+                         });
 
 }  // namespace
 }  // namespace kadr

@@ -104,6 +104,8 @@ TEST_F(FiveAxis, CommandsDifferInRotaryAxesOnly) {
         std::istringstream lines(read_file(file("part.jsonl")).value());
         std::string text;
         for (std::string line; std::getline(lines, line);) {
+            // Machines have tools of their own.
+            if (line.find("tool_length") != std::string::npos) continue;
             // {"op":"line","to":{"X":40,"Y":0,"Z":2,"A":26.565,"C":90},"tool":[…
             const std::size_t rotary = line.find_first_of("ABC", line.find("\"Z\":"));
             const std::size_t tool = line.find("},\"tool\":");

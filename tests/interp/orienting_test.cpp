@@ -143,6 +143,7 @@ TEST(Orienting, AxesStandWhereTheTransformationIsSwitched) {
 struct Refused {
     std::string text;
     std::string alarm;
+    std::string code;
 };
 class OrientingRefuses : public testing::TestWithParam<Refused> {};
 
@@ -150,23 +151,41 @@ TEST_P(OrientingRefuses, WithItsAlarm) {
     const Ran ran = read("sinumerik", "S1000 M3\n" + GetParam().text, trunnion());
     EXPECT_TRUE(ran.alarmed);
     EXPECT_EQ(alarms(ran), GetParam().alarm) << GetParam().text;
+    ASSERT_EQ(ran.messages.size(), 1u);
+    EXPECT_EQ(ran.messages[0].row->code, GetParam().code) << GetParam().text;
 }
 
 INSTANTIATE_TEST_SUITE_P(
     , OrientingRefuses,
-    testing::Values(Refused{"G1 X10 C3=1 F100", "14101"},
-                    Refused{"TRAORI\nTRAFOOF\nG1 X10 A2=10 F100", "14101"},
-                    Refused{"TRAORI\nG1 X10 C3=1 A2=10 F100", "14110"},
-                    Refused{"TRAORI\nG1 X10 A2=10 A=5 F100", "14111"},
-                    Refused{"TRAORI\nG1 X10 A3=1 C3=1 C=5 F100", "14129"},
-                    Refused{"TRAORI\nG1 X10 A3=0 F100", "14121"},
-                    Refused{"TRAORI\nG1 X10 C3=-1 F100", "14120"},
-                    Refused{"TRAORI\nG1 X10 A3=1 C3=-1 F100", "14112"},
-                    Refused{"TRAORI\nSUPA G0 Z0", "17620"}, Refused{"TRAORI\nG74 Z1=0", "17620"},
-                    Refused{"T1 D1 M6\nS1000 M3\nG1 G41 X10 F100\nX20\nTRAORI", "14400"}));
+    testing::Values(Refused{"G1 X10 C3=1 F100", "14101", "K5602"},
+                    Refused{"TRAORI\nTRAFOOF\nG1 X10 A2=10 F100", "14101", "K5602"},
+                    Refused{"TRAORI\nG1 X10 C3=1 A2=10 F100", "14110", "K5601"},
+                    Refused{"TRAORI\nG1 X10 A2=10 A=5 F100", "14111", "K5610"},
+                    Refused{"TRAORI\nG1 X10 A3=1 C3=1 C=5 F100", "14129", "K5603"},
+                    Refused{"TRAORI\nG1 X10 A3=0 F100", "14121", "K5604"},
+                    Refused{"TRAORI\nG1 X10 C3=-1 F100", "14120", "K5605"},
+                    Refused{"TRAORI\nG1 X10 A3=1 C3=-1 F100", "14112", "K5607"},
+                    Refused{"TRAORI\nSUPA G0 Z0", "17620", "K5609"},
+                    Refused{"TRAORI\nG74 Z1=0", "17620", "K5609"},
+                    Refused{"T1 D1 M6\nS1000 M3\nG1 G41 X10 F100\nX20\nTRAORI", "14400", "K5608"}));
 
 TEST(Orienting, MachineWithoutKinematicsHasNoTransformation) {
-    EXPECT_EQ(alarms(read("sinumerik", "TRAORI")), "14100");
+    const Ran ran = read("sinumerik", "TRAORI");
+    EXPECT_EQ(alarms(ran), "14100");
+    EXPECT_EQ(ran.messages.at(0).row->code, "K5600");
+}
+
+TEST(Orienting, NutatingHeadDoesNotReachBelowTheHorizontal) {
+    machine::Machine machine = trunnion();
+    machine::Chain chain;
+    const double s = std::sqrt(0.5);
+    chain.joints[machine::kR1] = {true,          Axis::C,     machine::Side::Head,
+                                  Vec3::UnitZ(), {0, 0, 250}, 1};
+    chain.joints[machine::kR2] = {true, Axis::A, machine::Side::Head, {0, s, s}, {0, 0, 120}, 1};
+    machine.kinematics->chain = machine::prepare(chain).value();
+    const Ran ran = read("sinumerik", "S1000 M3\nTRAORI\nG1 X10 A3=1 C3=-1 F100", machine);
+    EXPECT_EQ(alarms(ran), "14112");
+    EXPECT_EQ(ran.messages.at(0).row->code, "K5606");
 }
 
 }  // namespace

@@ -279,12 +279,13 @@ TEST(Load, Questions) {
 }
 
 TEST(Load, ExplainsWhatIsNotRead) {
-    const std::vector<std::string> lines = explain(testing::shipped("sinumerik"), "TRAORI");
+    const std::vector<std::string> lines = explain(testing::shipped("sinumerik"), "TRANSMIT");
     ASSERT_EQ(lines.size(), 1u);
-    EXPECT_EQ(lines[0],
-              "`TRAORI` (transformation, tilted working plane) is a word of the control; Kadr does "
-              "not read "
-              "it");
+    EXPECT_EQ(
+        lines[0],
+        "`TRANSMIT` (transformation, tilted working plane) is a word of the control; Kadr does "
+        "not read "
+        "it");
 }
 
 TEST(Load, Explanations) {

@@ -57,6 +57,7 @@ TEST(Examples, WrongOnesCauseTheMessageAndRightOnesNone) {
             row == &diag::FeedNeverSet || row == &diag::FeedNotSet || row == &diag::DiameterNotSaid;
         if (row == &diag::FeedNotSet || row == &diag::CuttingSpeedNotSet)
             options.target = "sinumerik";
+        if (row == &diag::TapByMoves) options.target = "fanuc-lathe";
         options.source = dialect_of(row->right);
         const Outcome wrong = without_unused(run(text_of(row->wrong), options), *row);
         EXPECT_TRUE(has_code(wrong, row->code))
