@@ -88,9 +88,7 @@ void PlotScene::add(const motion::Segment& segment, double shade) {
         piece.arc = static_cast<std::int32_t>(arcs_.size());
         arcs_.push_back({helix->base, helix->normal, helix->sweep});
     }
-    if (std::holds_alternative<path::Spline>(segment.curve) ||
-        std::holds_alternative<path::Parametric>(segment.curve) ||
-        std::holds_alternative<path::Glide>(segment.curve)) {
+    if (path::bends_freely(segment.curve)) {
         constexpr int kChords = 8;  // of a piece that bends little
         const double length = path::length(segment.curve);
         PlotPiece chord = piece;

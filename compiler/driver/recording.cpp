@@ -56,9 +56,7 @@ std::optional<path::Curve> part_below(const path::Curve& curve, double height) {
     // Along a line, and along a helix about the tool axis, the height changes evenly with the way.
     const auto* helix = std::get_if<path::Helix>(&curve);
     if (helix != nullptr && !is_vertical(helix->normal)) return curve;
-    if (std::holds_alternative<path::Spline>(curve)) return curve;
-    if (std::holds_alternative<path::Glide>(curve)) return curve;
-    if (std::holds_alternative<path::Parametric>(curve)) return curve;
+    if (path::bends_freely(curve)) return curve;
     const double from = path::start(curve).z();
     const double to = path::end(curve).z();
     if (from == to) return curve;
@@ -100,9 +98,7 @@ bool Recording::Move::is_known() const {
 
 bool Recording::Move::is_in_plane() const {
     if (std::holds_alternative<path::Helix>(curve)) return true;
-    if (std::holds_alternative<path::Spline>(curve)) return true;
-    if (std::holds_alternative<path::Glide>(curve)) return true;
-    if (std::holds_alternative<path::Parametric>(curve)) return true;
+    if (path::bends_freely(curve)) return true;
     const Vec3 way = end() - start();
     return std::hypot(way.x(), way.y()) > kBeyond;
 }

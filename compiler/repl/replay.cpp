@@ -132,6 +132,7 @@ std::string command_text(const path::Command& command) {
             return std::string(command.is_clockwise ? "arc clockwise to" : "arc to") +
                    axis_text(command);
         case Op::Spline: return "spline to" + axis_text(command);
+        case Op::Involute: return "involute to" + axis_text(command);
         case Op::Parametric: return "curve to" + axis_text(command);
         case Op::Dwell: return fmt::format("dwell {:g} s", command.time);
         case Op::Spindle:

@@ -170,7 +170,7 @@ void Executor::set_timer(std::int64_t number, double value) {
 
 std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
                                          std::int64_t second) {
-    if (spline_) finish_spline();  // where the tool is cannot be said inside of one
+    finish_open_spline();  // where the tool is cannot be said inside of one
     const auto number = [](std::int64_t value) { return static_cast<double>(value); };
     switch (quantity) {
         case Quantity::EndPosition:

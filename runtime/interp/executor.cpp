@@ -177,7 +177,7 @@ bool Executor::has_stages() const {
 }
 
 void Executor::end_of_blocks() {
-    if (spline_) finish_spline();
+    finish_open_spline();
     if (ended_) return;
     if (open_line_) report(diag::AngleSecondMissing, *open_line_);
     if (ended_) return;
@@ -223,8 +223,10 @@ void Executor::execute(const Block& block) {
 }
 
 void Executor::run(const Block& block) {
-    if (spline_ && !continues_spline(block)) {
-        finish_spline();
+    const bool ends_spline =
+        (spline_ && !continues_spline(block)) || (through_ && !continues_through(block));
+    if (ends_spline) {
+        finish_open_spline(&block);
         if (ended_) return;
     }
     ++block_count_;
@@ -392,6 +394,13 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::TapIn:
         case Function::TapOut:
         case Function::Spline:
+        case Function::AkimaSpline:
+        case Function::CubicSpline:
+        case Function::Polynomial:
+        case Function::InvoluteCw:
+        case Function::InvoluteCcw:
+        case Function::ThreadIncreasing:
+        case Function::ThreadDecreasing:
         case Function::Thread:
         case Function::PlaneXy:
         case Function::PlaneZx:
@@ -542,7 +551,13 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::SplineDegree: set_spline_degree(block, invocation); break;
         case Function::SplineWeight:  // beside the pole, in splines.cpp
         case Function::SplineInterval:
-        case Function::SplineKnot: break;
+        case Function::SplineKnot:
+        case Function::PolynomialAxis:  // in polynomials.cpp
+        case Function::PolynomialWeight:
+        case Function::PolynomialRange:
+        case Function::ThreadChange: break;  // beside the pitch, in motion.cpp
+        case Function::SplineStart:
+        case Function::SplineEnd: choose_spline_end(block, invocation); break;
 
         case Function::ExactStopOnce: actions.exact_stop = true; break;
         case Function::BlendFeedDistance:

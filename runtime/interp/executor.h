@@ -6,7 +6,8 @@
 // orienting.cpp (the machine's transformation), cornering.cpp and compensating.cpp (what the
 // commands pass through), soft_moves.cpp (soft approaches and retracts), smoothing.cpp (rounded
 // corners, compressed lines), cycles.cpp (machining cycles), patterns.cpp (places at which a cycle
-// is called), shapes.cpp (cycles along a shape that stands in the program).
+// is called), shapes.cpp (cycles along a shape that stands in the program), splines.cpp,
+// through_splines.cpp, polynomials.cpp, involutes.cpp and curves.cpp (other curves).
 #pragma once
 
 #include <array>
@@ -27,11 +28,12 @@
 #include "interp/shape_run.h"
 #include "interp/snapshot.h"
 #include "interp/soft_approach.h"
-#include "interp/spline_run.h"
 #include "interp/state.h"
+#include "interp/through_run.h"
 #include "interp/tool_offsets.h"
 #include "interp/work_area.h"
 #include "path/arc.h"
+#include "path/involute.h"
 
 namespace kadr::interp {
 
@@ -264,6 +266,7 @@ class Executor {
     bool offset_ways(const nc::Block& block, double times, Target& target);
     void tap(const nc::Block& block, const Target& target);
     void thread(const nc::Block& block, const Target& target, const Actions& actions);
+    std::optional<double> thread_change(const nc::Block& block, double pitch, double way);
     std::optional<double> thread_pitch(const nc::Block& block, const path::Vec3& way);
     Axis wanted_length_axis() const;
     path::Vec3 wanted_lengths() const;
@@ -386,7 +389,34 @@ class Executor {
     bool add_pole(const nc::Block& block, nc::SlotMask targets);
     void move_along_spline();
     void finish_spline();
+    void put_span(const path::SplineSpan& span, const PoleBlock& said, AxisMask moved,
+                  bool exact_stop);
     void report_spline(const nc::Block& block, path::NurbsFault fault);
+
+    // through_splines.cpp: splines through points
+    void choose_spline_end(const nc::Block& block, const nc::Invocation& invocation);
+    bool continues_through(const nc::Block& block) const;
+    void go_through(const nc::Block& block, nc::SlotMask targets);
+    bool start_through(const nc::Block& block);
+    void move_through();
+    void finish_through(const nc::Block* next);
+    std::optional<path::Vec3> direction_into(const nc::Block& next);
+    bool frames_change_in(const nc::Block& block) const;
+    std::optional<path::Vec3> tangent_of_arc(const nc::Block& block, const path::Vec3& end) const;
+    bool is_in_spline() const { return spline_ || through_; }
+    void finish_open_spline(const nc::Block* next = nullptr);
+
+    // polynomials.cpp
+    std::optional<Target> end_of_polynomials(const nc::Block& block);
+    void polynomial(const nc::Block& block, bool exact_stop);
+
+    // involutes.cpp
+    void involute(const nc::Block& block, const Target& programmed, bool exact_stop);
+    bool take_involute_end(const nc::Block& block, const path::InvoluteWords& words,
+                           Target& target);
+    void put_involute(const nc::Block& block, const path::InvoluteWords& words, double radius,
+                      const Target& target, bool exact_stop);
+    void report_involute(const nc::Block& block, path::InvoluteFault fault);
 
     // curves.cpp
     void move_along_curve(const nc::Block& block, const nc::Invocation& call);
@@ -539,7 +569,9 @@ class Executor {
     std::vector<std::int64_t> unknown_radii_;
     std::vector<std::int64_t> known_machine_functions_;  // so are these
     std::optional<SplineRun> spline_;                    // that is being read
-    nc::Block spline_end_{};                             // place of its latest block
+    std::optional<ThroughRun> through_;                  // … through points
+    SplineEnds spline_ends_;
+    nc::Block spline_end_{};  // place of its latest block
     int spline_degree_ = 3;
     bool taps_rigidly_ = false;  // of the tapping cycles that follow
     AxisMask unplaced_ = 0;      // axes that want a place behind the end of a rotation

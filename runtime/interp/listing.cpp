@@ -246,6 +246,7 @@ void Listing::append(const Command& command, std::string_view source, std::strin
         case Op::Thread:
             append_target(out, command, axes_);
             append_feed(out, command);
+            if (command.lead_change != 0) append_field(out, "lead_change", command.lead_change);
             if (command.angle_deg != 0) append_field(out, "start", command.angle_deg);
             break;
         case Op::Arc:
@@ -256,6 +257,12 @@ void Listing::append(const Command& command, std::string_view source, std::strin
         case Op::Spline:
             append_target(out, command, axes_);
             append_spline(out, command.spline);
+            append_feed(out, command);
+            break;
+        case Op::Involute:
+            append_target(out, command, axes_);
+            append_arc(out, command);
+            append_field(out, "base_radius", command.base_radius);
             append_feed(out, command);
             break;
         case Op::Parametric:

@@ -26,8 +26,14 @@ namespace {
 
 constexpr SlotMask kArcSlots = nc::kArcSlots | nc::kThroughSlots | bit(Slot::Opening);
 
+bool is_involute(Function motion) {
+    return motion == Function::InvoluteCw || motion == Function::InvoluteCcw;
+}
+
+/// Motions of which the words of an arc say something.
 bool is_circle(Function motion) {
-    return is_arc(motion) || motion == Function::ArcThrough || motion == Function::ArcTangent;
+    return is_arc(motion) || is_involute(motion) || motion == Function::ArcThrough ||
+           motion == Function::ArcTangent;
 }
 
 /// Rounding of the text and of frames: an axis may stand this far behind its limit.
@@ -105,6 +111,13 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (modal_.motion == Function::Spline && !actions.machine_coordinates &&
         (targets != 0 || block.find(Function::SplineKnot) != nullptr))
         return spline(block);
+    const bool goes_through =
+        modal_.motion == Function::AkimaSpline || modal_.motion == Function::CubicSpline;
+    if (goes_through && !actions.machine_coordinates && targets != 0)
+        return go_through(block, targets);
+    const bool has_polynomial = targets != 0 || block.find(Function::PolynomialAxis) != nullptr;
+    if (modal_.motion == Function::Polynomial && !actions.machine_coordinates && has_polynomial)
+        return polynomial(block, modal_.has_exact_stop || actions.exact_stop);
     if (targets == 0 && !actions.orients() && (arc_words == 0 || !is_circle(modal_.motion))) {
         if (arc_words != 0) warn_arc_word(block, arc_words);
         if (actions.length_changed) move_length_alone(block);
@@ -127,7 +140,9 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (actions.at_rapid) return line(block, target, Op::Rapid, true);
     if (actions.taps) return line(block, target, Op::Line, exact_stop);
     if (actions.probes) return line(block, target, Op::Probe, true);
-    if (modal_.motion == Function::Thread) return thread(block, target, actions);
+    if (modal_.motion == Function::Thread || is_varying_thread(modal_.motion))
+        return thread(block, target, actions);
+    if (is_involute(modal_.motion)) return involute(block, target, exact_stop);
     if (is_tapping(modal_.motion)) return tap(block, target);
     if (is_arc(modal_.motion)) return arc(block, target, exact_stop);
     if (modal_.motion == Function::ArcThrough) return arc_over_point(block, target, exact_stop);
@@ -461,6 +476,9 @@ void Executor::thread(const Block& block, const Target& target, const Actions& a
     const Vec3 way = linear(target.here) - linear(position_.here);
     const std::optional<double> pitch = thread_pitch(block, way);
     if (!pitch) return;
+    const double along = way.cwiseAbs().maxCoeff();
+    const std::optional<double> change = thread_change(block, *pitch, along);
+    if (!change) return;
     if (spindle_.mode != SpindleMode::Cw && spindle_.mode != SpindleMode::Ccw) {
         report(diag::RevolutionFeedStands, block);
         return;
@@ -479,10 +497,28 @@ void Executor::thread(const Block& block, const Target& target, const Actions& a
     command.exact_stop = modal_.has_exact_stop || actions.exact_stop;
     command.feed_mode = FeedMode::PerRevolution;
     const double length = (linear(target.base) - linear(position_.base)).norm();
-    const double along = way.cwiseAbs().maxCoeff();
-    command.feed = along > 0 ? *pitch * length / along : *pitch;
+    const double by_way = along > 0 ? length / along : 1;
+    command.feed = *pitch * by_way;
+    command.lead_change = *change * by_way;
     command.angle_deg = actions.thread_start_deg;
     arrive(target);
+}
+
+/// By how much the pitch changes in a turn; 0 of an even thread. In a turn the tool goes by the
+/// pitch, so its square changes by twice the change times the way: it must not come to zero.
+std::optional<double> Executor::thread_change(const Block& block, double pitch, double way) {
+    if (!is_varying_thread(modal_.motion)) return 0;
+    const nc::Invocation* const word = block.find(Function::ThreadChange);
+    if (word == nullptr) {
+        report(diag::ThreadChangeMissing, block);
+        return std::nullopt;
+    }
+    const double said = block.argument(*word, 0);
+    const double change = modal_.motion == Function::ThreadDecreasing ? -said : said;
+    if (pitch * pitch + 2 * change * way > 0) return change;
+    report(diag::ThreadPitchVanishes, block, Function::ThreadChange)
+        .arg(round_to(pitch * pitch / (-2 * change), 4));
+    return std::nullopt;
 }
 
 /// The pitch that the block or, on some controls, F says; nothing if it was reported missing.

@@ -95,7 +95,7 @@ Write Executor::set_edge_speed(double value) {
 
 Write Executor::set_work_offset(std::int64_t number, Axis axis, double value, bool acts_at_once) {
     if (number < 0 || number > rules_.work_offsets) return Write::NoPlace;
-    if (spline_) finish_spline();
+    finish_open_spline();
     work_offset_at(number).shift[index(axis)] = value;
     work_offset_changed(number, acts_at_once);
     return Write::Done;
@@ -103,7 +103,7 @@ Write Executor::set_work_offset(std::int64_t number, Axis axis, double value, bo
 
 Write Executor::set_frame(Quantity quantity, std::int64_t number, const ControlFrame& frame,
                           bool acts_at_once) {
-    if (spline_) finish_spline();
+    finish_open_spline();
     switch (quantity) {
         case Quantity::SettableFrame:
             if (number < 0 || number > rules_.work_offsets) return Write::NoPlace;

@@ -72,8 +72,13 @@ double RunClock::motion(const path::Command& command, const AxisValues& to) cons
     const bool is_by_turns =
         command.op == Op::Thread || command.feed_mode == FeedMode::PerRevolution;
     if (!is_by_turns && command.feed_mode == FeedMode::InverseTime) return 60 / feed;
-    const double mm_min = is_by_turns ? feed * speed_at(to[0]) : feed;
-    return mm_min > 0 ? way(command, to) / mm_min * 60 : 0;
+    const double distance = way(command, to);
+    // The pitch grows evenly with the turns, so the mean of both ends is that of the time.
+    const double last = command.op != Op::Thread || command.lead_change == 0
+                            ? feed
+                            : std::sqrt(feed * feed + 2 * command.lead_change * distance);
+    const double mm_min = is_by_turns ? (feed + last) / 2 * speed_at(to[0]) : feed;
+    return mm_min > 0 ? distance / mm_min * 60 : 0;
 }
 
 double RunClock::rapid(const AxisValues& to) const {

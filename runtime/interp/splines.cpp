@@ -144,21 +144,28 @@ void Executor::move_along_spline() {
     while (!ended_) {
         const std::optional<SplineStep> step = spline_->next();
         if (!step) return;
-        Block at;  // whose place messages show
-        at.line = step->block.line;
-        at.source = step->block.source;
-        const path::SplineSpan& span = step->span;
-        if (!check_box(at, path::bounds(path::make_spline(span.start, span.end, span.shape))))
-            return;
-        has_moved_ = true;
-        Command& command = put(Op::Spline, at);
-        command.to = step->block.to;
-        for (std::size_t i = 0; i < 3; ++i) command.to[i] = span.end[static_cast<Eigen::Index>(i)];
-        command.moved = spline_->moved;
-        command.spline = span.shape;
-        command.feed = step->block.feed;
-        command.exact_stop = step->is_last && modal_.has_exact_stop;
+        put_span(step->span, step->block, spline_->moved, step->is_last && modal_.has_exact_stop);
     }
+}
+
+/// A span as a command, said by a block.
+void Executor::put_span(const path::SplineSpan& span, const PoleBlock& said, AxisMask moved,
+                        bool exact_stop) {
+    Block at;  // whose place messages show
+    at.line = said.line;
+    at.source = said.source;
+    const auto& [start, end, shape, last] = span;
+    const path::Box box = shape.degree > 3 ? path::bounds(path::make_quintic(start, end, shape))
+                                           : path::bounds(path::make_spline(start, end, shape));
+    if (!check_box(at, box)) return;
+    has_moved_ = true;
+    Command& command = put(Op::Spline, at);
+    command.to = said.to;
+    for (std::size_t i = 0; i < 3; ++i) command.to[i] = end[static_cast<Eigen::Index>(i)];
+    command.moved = moved;
+    command.spline = shape;
+    command.feed = said.feed;
+    command.exact_stop = exact_stop;
 }
 
 /// Another block follows, or none: the spline ends where its last pole is.

@@ -36,6 +36,7 @@ Serving serving_of(Op op) {
         case Op::Line:
         case Op::Arc:
         case Op::Spline:
+        case Op::Involute:
         case Op::Parametric: return Serving::ScanWay;
         case Op::Probe: return Serving::Motion;
         case Op::Dwell:

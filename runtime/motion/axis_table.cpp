@@ -211,10 +211,8 @@ GlideBend bend_of(const path::Glide& glide) {
 
 /// Of a curve without closed forms for its limits; nothing of the others.
 std::optional<SplineBend> sampled_bend(const path::Curve& curve) {
-    if (const auto* spline = std::get_if<path::Spline>(&curve)) return motion::bend_of(*spline);
-    if (const auto* parametric = std::get_if<path::Parametric>(&curve))
-        return motion::bend_of(*parametric);
     if (const auto* glide = std::get_if<path::Glide>(&curve)) return bend_of(*glide);
+    if (path::bends_freely(curve)) return motion::bend_of(curve);
     return std::nullopt;
 }
 
@@ -263,14 +261,11 @@ PathLimits AxisTable::glide_limits(const path::Glide& glide, double wanted) cons
 
 PathLimits AxisTable::limits(const Segment& piece, const AxisRates& start, double wanted) const {
     if (piece.is_transformed()) return transformed_limits(piece, wanted);
-    if (const auto* spline = std::get_if<path::Spline>(&piece.curve))
-        return spline_limits(bend_of(*spline), wanted);
-    if (const auto* curve = std::get_if<path::Parametric>(&piece.curve))
-        return spline_limits(bend_of(*curve), wanted);
     if (const auto* helix = std::get_if<path::Helix>(&piece.curve))
         return helix_limits(*helix, piece, wanted);
     if (const auto* glide = std::get_if<path::Glide>(&piece.curve))
         return glide_limits(*glide, wanted);
+    if (path::bends_freely(piece.curve)) return spline_limits(motion::bend_of(piece.curve), wanted);
     return line_limits(start, wanted);
 }
 

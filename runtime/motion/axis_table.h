@@ -15,6 +15,7 @@
 #include "motion/bent_cell.h"
 #include "motion/corner.h"
 #include "motion/segment.h"
+#include "motion/spline_pieces.h"
 
 namespace kadr::motion {
 

@@ -73,8 +73,8 @@ bool is_free(const Piece& piece) { return piece.entry_limit == 0 || goes_on(piec
 /// Whether its bend changes along it. Arcs and the curves around corners have closed forms, and
 /// every limit already.
 bool is_bent(const Piece& piece) {
-    return std::holds_alternative<path::Spline>(piece.segment.curve) ||
-           std::holds_alternative<path::Parametric>(piece.segment.curve);
+    return path::bends_freely(piece.segment.curve) &&
+           !std::holds_alternative<path::Glide>(piece.segment.curve);
 }
 
 /// Whether every axis keeps its limits on an inner piece.

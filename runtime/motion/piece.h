@@ -34,6 +34,7 @@ struct Piece {
     bool awaits = false;     // stands until all that was issued is acknowledged
     double programmed = 0;   // feed at 100 %, of the tool; rapid: what the axes can
     bool is_cell = false;    // planned as `cell` instead
+    bool is_geared = false;  // to the spindle: its acceleration begins and ends at once
     BentCell cell;
     AxisRates rates{};  // dq/ds at its start
     AxisTable::Loads loads;

@@ -190,11 +190,13 @@ void Planner::State::plan(Piece& piece, bool is_last) {
     } else if (given) {
         segment.profile = *given;
     } else if (std::isinf(current.jerk)) {
-        const auto profile = trapezoid(piece.length, speeds.entry, speeds.exit,
-                                       {piece.speed, piece.acceleration, piece.acceleration});
+        auto profile = trapezoid(piece.length, speeds.entry, speeds.exit,
+                                 {piece.speed, piece.acceleration, piece.acceleration});
         KADR_ASSERT(profile.has_value(),
                     "the look-ahead promised a change of speed that does not fit");
         segment.profile = *profile;
+        // What setpoints show of an acceleration that begins at once.
+        if (piece.is_geared) segment.profile.jerk = piece.acceleration / tick;
     } else {
         segment.profile = cut.next(piece.length, is_last);
     }

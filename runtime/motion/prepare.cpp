@@ -85,7 +85,7 @@ Piece& Preparer::State::fresh_piece() {
     piece.jerk = piece.entry_acceleration = piece.turning_acceleration = kInfinity;
     piece.entry_limit = 0;
     piece.ramp = piece.ramp_before = piece.jerk_share = piece.jerk_before = 1;
-    piece.is_cell = false;
+    piece.is_cell = piece.is_geared = false;
     piece.feed_asked = piece.rapid_asked = kInfinity;
     piece.issues = std::exchange(to_issue, 0);
     piece.awaits = false;
@@ -131,6 +131,7 @@ void Preparer::State::execute(const Command& command) {
         case Op::Thread:
         case Op::Probe:
         case Op::Spline:
+        case Op::Involute:
         case Op::Parametric: move(command); return;
         case Op::Dwell: dwell(command); return;
         case Op::Spindle: set_spindle(command); return;
@@ -269,10 +270,8 @@ void Preparer::State::emit_part(const Command& command, const Segment& whole, do
     if (part.to - part.from < kStill) return;
     const bool is_whole = part.from == 0 && part.to == length;
     const Segment segment = is_whole ? whole : part_of(whole, part.from, part.to);
-    if (const auto* spline = std::get_if<path::Spline>(&segment.curve)) {
-        emit_curves(command, segment, length, evenly_bent(*spline));
-    } else if (const auto* curve = std::get_if<path::Parametric>(&segment.curve)) {
-        emit_curves(command, segment, length, evenly_bent(*curve));
+    if (path::bends_freely(segment.curve) && !std::holds_alternative<path::Glide>(segment.curve)) {
+        emit_curves(command, segment, length, evenly_bent(segment.curve));
     } else if (is_whole) {
         emit_feed_parts(command, segment, length);
     } else {
@@ -298,6 +297,8 @@ void Preparer::State::emit_curves(const Command& command, const Segment& whole, 
 
 void Preparer::State::emit_feed_parts(const Command& command, const Segment& segment,
                                       double length) {
+    if (command.op == Op::Thread && command.lead_change != 0 && spindle.is_turning)
+        return emit_varying_thread(command, segment, length);
     const int parts = command.op == Op::Rapid ? 1 : feed_parts(command, segment, spindle);
     const bool is_bent = parts == 1 && !is_straight(segment);
     const auto bounds = is_bent ? cells_in(command, segment, length) : std::vector<double>{};
@@ -343,7 +344,7 @@ std::vector<double> Preparer::State::cells_in(const Command& command, const Segm
         gain = std::max(gain, axes.acceleration(i) * tick);
     }
     if (!is_bent) return {};
-    if (!std::holds_alternative<path::Helix>(whole.curve)) {
+    if (path::bends_freely(whole.curve)) {
         return cell_bounds(whole.curve, length, axes.linear_limits(), {wanted, kShortCell});
     }
     // A corner beside an arc wants a piece that takes two ticks.

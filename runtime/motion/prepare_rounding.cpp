@@ -43,7 +43,7 @@ double time_lost(double speed, double way, const PathLimits& limits) {
 
 constexpr bool is_rounded(Op op) {
     return op == Op::Rapid || op == Op::Line || op == Op::Arc || op == Op::Spline ||
-           op == Op::Parametric;
+           op == Op::Involute || op == Op::Parametric;
 }
 
 }  // namespace

@@ -85,6 +85,8 @@ struct Preparer::State {
     void end_command();
     void emit_feed_parts(const path::Command& command, const Segment& segment, double length);
     void emit_parts(const path::Command& command, const Segment& whole, double length, int parts);
+    /// prepare_threads.cpp
+    void emit_varying_thread(const path::Command& command, const Segment& whole, double length);
     std::vector<double> cells_in(const path::Command& command, const Segment& whole, double length);
     void emit_cells(const path::Command& command, const Segment& whole,
                     const std::vector<double>& bounds);

@@ -8,13 +8,15 @@ namespace kadr::motion {
 
 namespace {
 
+using path::Bezier;
 using path::CurvePoint;
+using path::Involute;
 using path::Parametric;
-using path::Spline;
 using path::Vec3;
 
 constexpr std::size_t kSamples = 9;
 using Samples = std::array<CurvePoint, kSamples>;
+using Ways = std::array<double, kSamples - 1>;
 
 /// cos of the greatest turn from one sample to the next: 15 degrees.
 constexpr double kLeastCos = 0.9659258;
@@ -29,7 +31,7 @@ constexpr double kPoint = 1e-3;
 /// Between samples closer than this, mm, a difference of curvatures is rounding.
 constexpr double kNoWay = 1e-9;
 
-/// Of a Spline or a Parametric, as everything here.
+/// Of a kind with a parameter, as a span of a spline.
 template <typename Bent>
 Samples sample(const Bent& curve) {
     Samples samples;
@@ -38,6 +40,52 @@ Samples sample(const Bent& curve) {
         samples[i] = path::curvature_at(curve, u);
     }
     return samples;
+}
+
+Samples sample(const Involute& involute) {
+    Samples samples;
+    for (std::size_t i = 0; i < kSamples; ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(kSamples - 1);
+        samples[i] = path::evaluate(involute, share * involute.length);
+    }
+    return samples;
+}
+
+/// From one sample to the next, mm.
+template <std::size_t N>
+Ways ways_of(const Bezier<N>& spline) {
+    Ways ways;
+    for (std::size_t i = 0; i < ways.size(); ++i)
+        ways[i] = spline.reached[i] - (i > 0 ? spline.reached[i - 1] : 0.0);
+    return ways;
+}
+
+Ways ways_of(const Involute& involute) {
+    Ways ways;
+    ways.fill(involute.length / static_cast<double>(ways.size()));
+    return ways;
+}
+
+Ways ways_of(const Parametric& curve) {
+    constexpr double kWidth = 1.0 / static_cast<double>(kSamples - 1);
+    Ways ways;
+    double before = 0;
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        const double reached = path::length_to(curve, kWidth * static_cast<double>(i + 1));
+        ways[i] = reached - before;
+        before = reached;
+    }
+    return ways;
+}
+
+template <typename Bent>
+std::pair<Bent, Bent> halves(const Bent& curve) {
+    return path::split(curve, 0.5);
+}
+
+std::pair<Involute, Involute> halves(const Involute& involute) {
+    const double middle = involute.length / 2;
+    return {path::part(involute, 0, middle), path::part(involute, middle, involute.length)};
 }
 
 bool turns_sharply(const Samples& samples) {
@@ -64,7 +112,7 @@ void cut(const Bent& curve, std::vector<path::Curve>& out) {
     const bool is_cut = is_sharp ? curve.length > kPoint
                                  : curve.length > kShort && !is_evenly_bent(samples, curve.length);
     if (is_cut) {
-        const auto [before, behind] = path::split(curve, 0.5);
+        const auto [before, behind] = halves(curve);
         cut(before, out);
         cut(behind, out);
         return;
@@ -76,19 +124,10 @@ void cut(const Bent& curve, std::vector<path::Curve>& out) {
     }
 }
 
-/// Arc length between the sample before and the i-th one.
-double way_to(const Spline& spline, std::size_t i) {
-    return spline.reached[i - 1] - (i > 1 ? spline.reached[i - 2] : 0.0);
-}
-double way_to(const Parametric& curve, std::size_t i) {
-    constexpr double kWidth = 1.0 / static_cast<double>(kSamples - 1);
-    const double u = kWidth * static_cast<double>(i);
-    return path::length_to(curve, u) - path::length_to(curve, u - kWidth);
-}
-
 template <typename Bent>
-SplineBend bend_in(const Bent& curve) {
+SplineBend bend_between(const Bent& curve) {
     const Samples samples = sample(curve);
+    const Ways ways = ways_of(curve);
     SplineBend bend;
     Vec3 rate_step = Vec3::Zero();
     Vec3 bend_step = Vec3::Zero();
@@ -103,7 +142,7 @@ SplineBend bend_in(const Bent& curve) {
         rate_step = rate_step.cwiseMax((samples[i].tangent - before.tangent).cwiseAbs());
         const Vec3 change = samples[i].curvature - before.curvature;
         bend_step = bend_step.cwiseMax(change.cwiseAbs());
-        const double way = way_to(curve, i);
+        const double way = ways[i - 1];
         if (!(way > kNoWay)) continue;
         const Vec3 slope = change / way;
         bend.third = bend.third.cwiseMax(slope.cwiseAbs());
@@ -123,19 +162,20 @@ SplineBend bend_in(const Bent& curve) {
 
 }  // namespace
 
-std::vector<path::Curve> evenly_bent(const Spline& spline) {
+std::vector<path::Curve> evenly_bent(const path::Curve& curve) {
     std::vector<path::Curve> pieces;
-    cut(spline, pieces);
+    if (const auto* spline = std::get_if<path::CubicSpan>(&curve)) cut(*spline, pieces);
+    if (const auto* quintic = std::get_if<path::QuinticSpan>(&curve)) cut(*quintic, pieces);
+    if (const auto* involute = std::get_if<Involute>(&curve)) cut(*involute, pieces);
+    if (const auto* parametric = std::get_if<Parametric>(&curve)) cut(*parametric, pieces);
     return pieces;
 }
 
-std::vector<path::Curve> evenly_bent(const Parametric& curve) {
-    std::vector<path::Curve> pieces;
-    cut(curve, pieces);
-    return pieces;
+SplineBend bend_of(const path::Curve& curve) {
+    if (const auto* spline = std::get_if<path::CubicSpan>(&curve)) return bend_between(*spline);
+    if (const auto* quintic = std::get_if<path::QuinticSpan>(&curve)) return bend_between(*quintic);
+    if (const auto* involute = std::get_if<Involute>(&curve)) return bend_between(*involute);
+    return bend_between(std::get<Parametric>(curve));
 }
-
-SplineBend bend_of(const Spline& spline) { return bend_in(spline); }
-SplineBend bend_of(const Parametric& curve) { return bend_in(curve); }
 
 }  // namespace kadr::motion

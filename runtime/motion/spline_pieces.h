@@ -7,11 +7,10 @@
 
 namespace kadr::motion {
 
-/// Pieces of a span, in order, on each of which the curvature is about the same and the direction
-/// turns by little between samples. A turn inside less than a thousandth of a millimetre, as in a
-/// cusp, becomes a straight piece: a corner at both its ends.
-std::vector<path::Curve> evenly_bent(const path::Spline& spline);
-std::vector<path::Curve> evenly_bent(const path::Parametric& curve);
+/// Pieces of a curve that bends freely, in order, on each of which the curvature is about the same
+/// and the direction turns by little between samples. A turn inside less than a thousandth of a
+/// millimetre, as in a cusp, becomes a straight piece: a corner at both its ends.
+std::vector<path::Curve> evenly_bent(const path::Curve& curve);
 
 /// What the limits of axes need to know of a piece: greatest |dq/ds|, |d²q/ds²| and |d³q/ds³| of X,
 /// Y, Z, from samples so close that what is between them is covered by their differences.
@@ -21,7 +20,6 @@ struct SplineBend {
     path::Vec3 third = path::Vec3::Zero();  // 1/mm²
     double curvature = 0;                   // greatest |d²C/ds²|, 1/mm
 };
-SplineBend bend_of(const path::Spline& spline);
-SplineBend bend_of(const path::Parametric& curve);
+SplineBend bend_of(const path::Curve& curve);
 
 }  // namespace kadr::motion

@@ -99,8 +99,17 @@ double Standing::lay_path(const Command& command, const Target& target, Segment&
             path::make_helix(tip_, target.tip, command.center, command.normal, command.sweep);
         length = helix.length;
         segment.curve = helix;
+    } else if (command.op == Op::Spline && command.spline.degree > 3) {
+        const path::QuinticSpan quintic = path::make_quintic(tip_, target.tip, command.spline);
+        length = quintic.length;
+        segment.curve = quintic;
+    } else if (command.op == Op::Involute) {
+        const path::Involute involute = path::make_involute(tip_, target.tip, command.center,
+                                                            command.normal, command.base_radius);
+        length = involute.length;
+        segment.curve = involute;
     } else if (command.op == Op::Spline) {
-        const path::Spline spline = path::make_spline(tip_, target.tip, command.spline);
+        const path::CubicSpan spline = path::make_spline(tip_, target.tip, command.spline);
         length = spline.length;
         segment.curve = spline;
     } else if (command.op == Op::Parametric) {

@@ -142,7 +142,7 @@ class LineParser {
             if (digits > at_ && digits < line_.size() && line_[digits] == '=') behind = digits;
         }
         if (at_ - begin >= 2 && behind < line_.size() && line_[behind] == '[')
-            return parse_bracketed_name(word, begin, behind);
+            return parse_bracketed(word, begin, behind);
         const char next = behind < line_.size() ? line_[behind] : ' ';
         const bool extends = next == '(' || next == ' ' || next == '\t' || next == '=';
         if (extends) at_ = behind;
@@ -156,13 +156,21 @@ class LineParser {
         return parse_fixed(word, name, begin);
     }
 
-    /// `DIAMONA[X]`: the bracket belongs to the name.
-    bool parse_bracketed_name(FormWord& word, std::size_t begin, std::size_t bracket) {
+    /// `DIAMONA[X]`, `PO[X]=(…)`: the bracket belongs to the name.
+    bool parse_bracketed(FormWord& word, std::size_t begin, std::size_t bracket) {
         const std::size_t close = line_.find(']', bracket);
         if (close == std::string_view::npos) return fail("a `]` is missing");
+        if (line_.substr(close).starts_with("]=(")) return parse_indexed_call(word, begin, close);
         at_ = close + 1;
         if (!at_blank()) return fail("words stand between blanks");
         return parse_name(word, line_.substr(begin, at_ - begin));
+    }
+
+    /// `PO[X]=({end},{a2?})`: a call whose name ends with the sign.
+    bool parse_indexed_call(FormWord& word, std::size_t begin, std::size_t close) {
+        constexpr std::size_t kSign = 2;  // `]=`
+        at_ = close + kSign + 1;
+        return parse_call(word, line_.substr(begin, close + kSign - begin));
     }
 
     bool parse_name(FormWord& word, std::string_view name) {

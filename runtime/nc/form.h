@@ -5,6 +5,7 @@
 //   P{time}  CR={radius}        an address with a parameter of the function
 //   T="{tool}"                  a parameter between quotes
 //   NAME({a},{b},,0,"{text}")   a call; arguments may be left out
+//   NAME[X]=({a},{b})           a call by a word with an index
 //   (MSG,{text})                between the control's comment signs
 // A number that has a dimension is {=0.5:length}, in mm, so that it is right in inches too.
 // A placeholder is {name}, {name?} (may be left out), {name:unit}, {name+6}, {name-6}, {name=0}

@@ -633,6 +633,7 @@ class Lexer {
                 }
             }
             at_ = end;
+            if (take_indexed_call(begin)) return;
             return take_passed(begin) ? void() : fail_unknown(begin, end);
         }
         const std::size_t next = at_;
@@ -650,6 +651,30 @@ class Lexer {
         skip_blanks();
         if (peek() == '"') return fail_here(diag::IsoSyntax);  // `MSG "…"`: no bracket, no `=`
         fail(diag::IsoNoValue, begin, end, {std::string(written)});
+    }
+
+    /// `PO[X]=(10,2)`, which a dialect declares as a call of the name `PO[X]=`; `at_` is behind the
+    /// letters that begin at `begin`.
+    bool take_indexed_call(std::size_t begin) {
+        if (peek() != '[') return false;
+        const std::size_t close = line_.find(']', at_);
+        if (close == std::string_view::npos) return false;
+        std::string name;
+        for (const char c : line_.substr(begin, close + 1 - begin))
+            if (!is_blank(c)) name += rules_.ignores_case ? upper(c) : c;
+        const std::size_t sign = line_.find_first_not_of(" \t", close + 1);
+        if (sign == std::string_view::npos || line_[sign] != '=') return false;
+        const AddressId address = tables_.find_address(name + '=');
+        if (address == kNoAddress || tables_.addresses[address].kind != Address::Kind::Call)
+            return false;
+        at_ = sign + 1;
+        skip_blanks();
+        if (peek() == '(') {
+            take_call(address, begin);
+        } else {
+            fail_here(diag::IsoSyntax);
+        }
+        return true;
     }
 
     /// `DIAMONA[X]`: a word of its own by the name with its brackets; `at_` stands at the bracket.

@@ -34,7 +34,10 @@ LineReader::LineReader(const Dialect& dialect, std::string name, DiagnosticSink&
     last_forms_.assign(tables_.groups.size(), kNoForm);
     const auto& threads = tables_.forms_of[static_cast<std::size_t>(Function::Thread)];
     feed_is_pitch_ = !threads.empty() && tables_.forms[threads[0]].feed_is_pitch;
-    if (feed_is_pitch_) closely_read_.set(static_cast<std::size_t>(Function::Thread));
+    if (feed_is_pitch_) {
+        closely_read_.set(static_cast<std::size_t>(Function::Thread));
+        closely_read_.set(static_cast<std::size_t>(Function::ThreadIncreasing));
+    }
     follow_units();
 }
 
@@ -544,7 +547,8 @@ bool LineReader::apply_claim(const Claim& claim, Block& block, std::string_view 
 bool LineReader::is_pitch(const Claim& claim, const Block& block) const {
     if (static_cast<Slot>(claim.place) != Slot::Feed || !feed_is_pitch_) return false;
     const Function modal = modal_[static_cast<std::size_t>(Group::Motion)];
-    return (block.motion != Function::None ? block.motion : modal) == Function::Thread;
+    const Function motion = block.motion != Function::None ? block.motion : modal;
+    return motion == Function::Thread || is_varying_thread(motion);
 }
 
 /// A whole number that counts increments, or holds two parameters.

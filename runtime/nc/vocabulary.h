@@ -88,8 +88,14 @@ std::string_view dimension_name(Dimension dimension);
 std::optional<Dimension> find_dimension(std::string_view name);
 
 constexpr bool is_tapping(Function f) { return f == Function::TapIn || f == Function::TapOut; }
+/// Threads whose pitch changes along them.
+constexpr bool is_varying_thread(Function f) {
+    return f == Function::ThreadIncreasing || f == Function::ThreadDecreasing;
+}
 /// Motions whose centre word is a pitch.
-constexpr bool takes_pitch(Function f) { return is_tapping(f) || f == Function::Thread; }
+constexpr bool takes_pitch(Function f) {
+    return is_tapping(f) || f == Function::Thread || is_varying_thread(f);
+}
 constexpr bool is_arc(Function f) { return f == Function::ArcCw || f == Function::ArcCcw; }
 /// Functions that are read and executed, and neither written nor said in a source.
 constexpr bool is_read_only(Function f) { return f >= Function::ArcThrough; }

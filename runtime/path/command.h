@@ -21,6 +21,7 @@ enum class Op : std::uint8_t {
     Line,
     Arc,
     Spline,
+    Involute,
     Parametric,  // a curve of a registered kind
     Thread,      // a line geared to the spindle
     Probe,       // a line that ends where the probe triggers
@@ -101,6 +102,9 @@ struct Command {
     bool is_clockwise = false;  // in `plane` of the base system, mirrors worked in; for listings
     double turns = 0;           // additional full turns, as programmed
     SplineShape spline;         // Spline: one span, from where the tool is to `to`
+    // Involute: of a circle about `center`, counter-clockwise about `normal` from where the tool is
+    // to `to`; the height along the normal grows evenly with the way.
+    double base_radius = 0;         // of the circle, mm
     std::vector<CurveShape> curve;  // Parametric: its one shape; others have none and stay small
     Blending blending;              // of the corner behind a motion; none where it ends at rest
     double compress = 0;  // Line: it may become a part of a curve within this tolerance, mm;
@@ -114,6 +118,7 @@ struct Command {
     double turn_angle = 0;           // Cone: rad, by the right-hand rule
 
     double feed = 0;            // mm/min, mm/rev or 1/min, as feed_mode says; of a thread mm/rev
+    double lead_change = 0;     // Thread: by how much `feed` changes in a turn, mm/rev
     double speed = 0;           // Spindle: rpm or m/min; SpeedLimit: rpm
     double angle_deg = 0;       // Spindle orient; Thread: angle of the spindle at its start
     double time = 0;            // Dwell, s; 0 if revolutions; External, s

@@ -13,7 +13,7 @@ Cubic hermite(const Vec3& from, const Vec3& slope_from, const Vec3& to, const Ve
 
 CubicPoint evaluate(const Cubic& cubic, double u) {
     const Casteljau<Vec3> scheme(cubic, u);
-    return {scheme.at, scheme.derivative()};
+    return {scheme.at(), scheme.derivative()};
 }
 
 std::pair<Cubic, Cubic> split(const Cubic& cubic, double u) {

@@ -12,6 +12,7 @@
 
 #include "path/glide.h"
 #include "path/helix.h"
+#include "path/involute.h"
 #include "path/line.h"
 #include "path/parametric.h"
 #include "path/spline.h"
@@ -20,7 +21,14 @@
 namespace kadr::path {
 
 /// A plain value without heap: segments are copied by the million.
-using Curve = std::variant<Point, Line, Helix, Spline, Glide, Parametric>;
+using Curve = std::variant<Point, Line, Helix, CubicSpan, Glide, QuinticSpan, Involute, Parametric>;
+
+/// Whether the curvature may change along it in its own way: a line and an arc have one.
+inline bool bends_freely(const Curve& curve) {
+    return std::holds_alternative<CubicSpan>(curve) || std::holds_alternative<QuinticSpan>(curve) ||
+           std::holds_alternative<Involute>(curve) || std::holds_alternative<Glide>(curve) ||
+           std::holds_alternative<Parametric>(curve);
+}
 
 /// Range of `s` of the whole curve, mm: its arc length but for a Glide.
 double length(const Curve& curve);

@@ -11,7 +11,7 @@ namespace kadr::path {
 Vec3 position(const Glide& glide, double s) {
     if (s <= 0) return glide.cubic[0];
     if (s >= glide.length) return glide.cubic[3];
-    return Casteljau<Vec3>(glide.cubic, s / glide.length).at;
+    return Casteljau<Vec3>(glide.cubic, s / glide.length).at();
 }
 
 CurvePoint evaluate(const Glide& glide, double s) {

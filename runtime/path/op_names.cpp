@@ -8,6 +8,7 @@ std::string_view op_name(Op op) {
         case Op::Line: return "line";
         case Op::Arc: return "arc";
         case Op::Spline: return "spline";
+        case Op::Involute: return "involute";
         case Op::Parametric: return "curve";
         case Op::Thread: return "thread";
         case Op::Probe: return "probe";

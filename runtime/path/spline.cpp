@@ -13,28 +13,33 @@ namespace kadr::path {
 
 namespace {
 
-using Poles = std::array<Pole, 4>;
+template <std::size_t N>
+using Poles = std::array<Pole, N>;
 
-constexpr double kShare = 1.0 / static_cast<double>(Spline::kParts);
+constexpr double kShare = 1.0 / static_cast<double>(CubicSpan::kParts);
 
 /// Below this part of the polygon's length the derivative is taken for zero: the curve stands.
 constexpr double kStands = 1e-7;
 
 Vec3 point_of(const Pole& pole) { return pole.head<3>() / pole[3]; }
 
-std::pair<Poles, Poles> split(const Poles& poles, double u) {
-    return Casteljau<Pole>(poles, u).halves();
+template <std::size_t N>
+std::pair<Poles<N>, Poles<N>> split(const Poles<N>& poles, double u) {
+    return Casteljau<Pole, N>(poles, u).halves();
 }
 
-double polygon(const Poles& poles) {
+template <std::size_t N>
+double polygon(const Poles<N>& poles) {
     double sum = 0;
-    for (std::size_t i = 0; i < 3; ++i) sum += (point_of(poles[i + 1]) - point_of(poles[i])).norm();
+    for (std::size_t i = 0; i + 1 < N; ++i)
+        sum += (point_of(poles[i + 1]) - point_of(poles[i])).norm();
     return sum;
 }
 
 /// |dC/du|.
-double speed(const Spline& spline, double u) {
-    const Poles& p = spline.poles;
+double speed(const QuinticSpan& spline, double u) { return point_at(spline, u).first.norm(); }
+double speed(const CubicSpan& spline, double u) {
+    const Poles<4>& p = spline.poles;
     const double v = 1 - u;
     const Pole first =
         3 * (v * v * (p[1] - p[0]) + 2 * u * v * (p[2] - p[1]) + u * u * (p[3] - p[2]));
@@ -46,7 +51,8 @@ double speed(const Spline& spline, double u) {
 
 /// Where the speed has a least value far below the mean. Quadrature has to end there: beside such a
 /// place, at the edge of an interval, the rule and its halves would both look past it.
-std::array<double, 2> slow_places(const Spline& spline) {
+template <std::size_t N>
+std::array<double, 2> slow_places(const Bezier<N>& spline) {
     constexpr int kSteps = 32;
     constexpr double kFarBelow = 0.1;
     std::array<double, 2> found = {1, 1};
@@ -74,7 +80,8 @@ std::array<double, 2> slow_places(const Spline& spline) {
 }
 
 /// Arc length between two parameters inside one eighth.
-double careful_length(const Spline& spline, double from, double to) {
+template <std::size_t N>
+double careful_length(const Bezier<N>& spline, double from, double to) {
     const auto rate = [&](double u) { return speed(spline, u); };
     double sum = 0;
     double begin = from;
@@ -87,17 +94,19 @@ double careful_length(const Spline& spline, double from, double to) {
     return sum;
 }
 
-double length_between(const Spline& spline, double from, double to) {
+template <std::size_t N>
+double length_between(const Bezier<N>& spline, double from, double to) {
     if (!spline.is_smooth) return careful_length(spline, from, to);
     return gauss([&](double u) { return speed(spline, u); }, from, to);
 }
 
-void measure(Spline& spline) {
+template <std::size_t N>
+void measure(Bezier<N>& spline) {
     const auto rate = [&](double u) { return speed(spline, u); };
     spline.slow = slow_places(spline);
     spline.is_smooth = spline.slow[0] == 1;
     spline.length = 0;
-    for (std::size_t i = 0; i < Spline::kParts; ++i) {
+    for (std::size_t i = 0; i < CubicSpan::kParts; ++i) {
         const double from = kShare * static_cast<double>(i);
         const double part = careful_length(spline, from, from + kShare);
         const double quick = gauss(rate, from, from + kShare);
@@ -107,8 +116,9 @@ void measure(Spline& spline) {
     }
 }
 
-Spline of_poles(const Poles& poles, const Vec3& start, const Vec3& end) {
-    Spline spline;
+template <std::size_t N>
+Bezier<N> of_poles(const Poles<N>& poles, const Vec3& start, const Vec3& end) {
+    Bezier<N> spline;
     spline.poles = poles;
     spline.start = start;
     spline.end = end;
@@ -129,7 +139,7 @@ Pole pole_of(const Vec3& point, double weight) {
     return pole;
 }
 
-Spline make_spline(const Vec3& start, const Vec3& end, const SplineShape& shape) {
+CubicSpan make_spline(const Vec3& start, const Vec3& end, const SplineShape& shape) {
     KADR_ASSERT(shape.degree >= 1 && shape.degree <= 3, "a span of degree one to three");
     const auto last = static_cast<std::size_t>(shape.degree);
     const Pole first = pole_of(start, shape.weights[0]);
@@ -137,23 +147,44 @@ Spline make_spline(const Vec3& start, const Vec3& end, const SplineShape& shape)
     const Pole inner = pole_of(shape.inner[0], shape.weights[1]);
     switch (shape.degree) {
         case 1:
-            return of_poles({first, (2 * first + final) / 3, (first + 2 * final) / 3, final}, start,
-                            end);
+            return of_poles<4>({first, (2 * first + final) / 3, (first + 2 * final) / 3, final},
+                               start, end);
         case 2:
-            return of_poles({first, (first + 2 * inner) / 3, (2 * inner + final) / 3, final}, start,
-                            end);
+            return of_poles<4>({first, (first + 2 * inner) / 3, (2 * inner + final) / 3, final},
+                               start, end);
         default:
-            return of_poles({first, inner, pole_of(shape.inner[1], shape.weights[2]), final}, start,
-                            end);
+            return of_poles<4>({first, inner, pole_of(shape.inner[1], shape.weights[2]), final},
+                               start, end);
     }
 }
 
-SplinePoint point_at(const Spline& spline, double u) {
-    const Casteljau<Pole> scheme(spline.poles, u);
-    return projected(scheme.at, scheme.derivative(), scheme.second_derivative());
+QuinticSpan make_quintic(const Vec3& start, const Vec3& end, const SplineShape& shape) {
+    KADR_ASSERT(shape.degree >= 1 && shape.degree <= 5, "a span of degree one to five");
+    const auto degree = static_cast<std::size_t>(shape.degree);
+    Poles<6> poles;
+    poles[0] = pole_of(start, shape.weights[0]);
+    for (std::size_t i = 1; i < degree; ++i)
+        poles[i] = pole_of(shape.inner[i - 1], shape.weights[i]);
+    poles[degree] = pole_of(end, shape.weights[degree]);
+    // One degree more: every pole between its neighbours of before.
+    for (std::size_t d = degree; d < 5; ++d) {
+        poles[d + 1] = poles[d];
+        for (std::size_t i = d; i > 0; --i) {
+            const double share = static_cast<double>(i) / static_cast<double>(d + 1);
+            poles[i] = share * poles[i - 1] + (1 - share) * poles[i];
+        }
+    }
+    return of_poles<6>(poles, start, end);
 }
 
-double parameter_at(const Spline& spline, double s) {
+template <std::size_t N>
+SplinePoint point_at(const Bezier<N>& spline, double u) {
+    const Casteljau<Pole, N> scheme(spline.poles, u);
+    return projected(scheme.at(), scheme.derivative(), scheme.second_derivative());
+}
+
+template <std::size_t N>
+double parameter_at(const Bezier<N>& spline, double s) {
     if (s <= 0) return 0;
     if (s >= spline.length) return 1;
     const auto& reached = spline.reached;
@@ -175,15 +206,17 @@ double parameter_at(const Spline& spline, double s) {
     return u;
 }
 
-Vec3 position(const Spline& spline, double s) {
+template <std::size_t N>
+Vec3 position(const Bezier<N>& spline, double s) {
     if (s <= 0) return spline.start;
     if (s >= spline.length) return spline.end;
     return point_at(spline, parameter_at(spline, s)).position;
 }
 
-CurvePoint curvature_at(const Spline& spline, double u) {
+template <std::size_t N>
+CurvePoint curvature_at(const Bezier<N>& spline, double u) {
     SplinePoint point = point_at(spline, u);
-    const double least = kStands * polygon(spline.poles);
+    const double least = kStands * polygon<N>(spline.poles);
     if (!(point.first.norm() > least)) {
         // It stands: the direction is that of the way on, or of the way there at the end.
         const double beside = u < 0.5 ? u + 1e-3 : u - 1e-3;
@@ -197,34 +230,38 @@ CurvePoint curvature_at(const Spline& spline, double u) {
     return {point.position, tangent, (point.second - point.second.dot(tangent) * tangent) / square};
 }
 
-CurvePoint evaluate(const Spline& spline, double s) {
+template <std::size_t N>
+CurvePoint evaluate(const Bezier<N>& spline, double s) {
     CurvePoint point = curvature_at(spline, parameter_at(spline, s));
     point.position = position(spline, s);
     return point;
 }
 
-Spline part(const Spline& spline, double from, double to) {
+template <std::size_t N>
+Bezier<N> part(const Bezier<N>& spline, double from, double to) {
     const double first = parameter_at(spline, from);
     const double last = parameter_at(spline, to);
-    const Poles behind = first > 0 ? split(spline.poles, first).second : spline.poles;
+    const Poles<N> behind = first > 0 ? split<N>(spline.poles, first).second : spline.poles;
     const double share = first < 1 ? (last - first) / (1 - first) : 1;
-    const Poles piece = last < 1 ? split(behind, share).first : behind;
-    return of_poles(piece, position(spline, from), position(spline, to));
+    const Poles<N> piece = last < 1 ? split<N>(behind, share).first : behind;
+    return of_poles<N>(piece, position(spline, from), position(spline, to));
 }
 
-std::pair<Spline, Spline> split(const Spline& spline, double u) {
-    const auto [before, behind] = split(spline.poles, u);
+template <std::size_t N>
+std::pair<Bezier<N>, Bezier<N>> split(const Bezier<N>& spline, double u) {
+    const auto [before, behind] = split<N>(spline.poles, u);
     const Vec3 middle = point_of(behind[0]);
-    return {of_poles(before, spline.start, middle), of_poles(behind, middle, spline.end)};
+    return {of_poles<N>(before, spline.start, middle), of_poles<N>(behind, middle, spline.end)};
 }
 
-Box bounds(const Spline& spline) {
+template <std::size_t N>
+Box bounds(const Bezier<N>& spline) {
     Box box{spline.start.cwiseMin(spline.end), spline.start.cwiseMax(spline.end)};
     // Sixteen pieces: their control points leave the curve by less than a hundredth of its height.
-    Poles rest = spline.poles;
+    Poles<N> rest = spline.poles;
     constexpr int kPieces = 16;
     for (int i = 0; i < kPieces; ++i) {
-        const auto [piece, behind] = split(rest, 1.0 / (kPieces - i));
+        const auto [piece, behind] = split<N>(rest, 1.0 / (kPieces - i));
         for (const Pole& pole : piece) {
             box.lower = box.lower.cwiseMin(point_of(pole));
             box.upper = box.upper.cwiseMax(point_of(pole));
@@ -233,5 +270,22 @@ Box bounds(const Spline& spline) {
     }
     return box;
 }
+
+template Vec3 position(const Bezier<4>&, double);
+template CurvePoint evaluate(const Bezier<4>&, double);
+template Bezier<4> part(const Bezier<4>&, double, double);
+template std::pair<Bezier<4>, Bezier<4>> split(const Bezier<4>&, double);
+template Box bounds(const Bezier<4>&);
+template SplinePoint point_at(const Bezier<4>&, double);
+template double parameter_at(const Bezier<4>&, double);
+template CurvePoint curvature_at(const Bezier<4>&, double);
+template Vec3 position(const Bezier<6>&, double);
+template CurvePoint evaluate(const Bezier<6>&, double);
+template Bezier<6> part(const Bezier<6>&, double, double);
+template std::pair<Bezier<6>, Bezier<6>> split(const Bezier<6>&, double);
+template Box bounds(const Bezier<6>&);
+template SplinePoint point_at(const Bezier<6>&, double);
+template double parameter_at(const Bezier<6>&, double);
+template CurvePoint curvature_at(const Bezier<6>&, double);
 
 }  // namespace kadr::path

@@ -1,7 +1,9 @@
-// spline.h — one span of a spline: a rational Bézier curve of degree three, walked by arc length.
+// spline.h — one span of a spline: a rational Bézier curve, walked by arc length.
 //
-// What controls call spline, B-spline and NURBS are chains of such spans: nurbs.h cuts them. Spans
-// of lower degree are raised to three, which changes nothing but the number of control points.
+// What controls call spline, B-spline and NURBS are chains of spans of degree three: nurbs.h and
+// through_spline.h cut them. Spans of lower degree are raised to three, which changes nothing but
+// the number of control points. Polynomials that controls let one write by their coefficients go
+// up to degree five.
 #pragma once
 
 #include <array>
@@ -17,15 +19,17 @@ Pole pole_of(const Vec3& point, double weight);
 
 /// A span as a Command states it: control points between the ends, and the weights of all.
 struct SplineShape {
-    int degree = 3;                                // 1 … 3
-    std::array<Vec3, 2> inner{};                   // degree − 1 of them hold, mm
-    std::array<double, 4> weights = {1, 1, 1, 1};  // degree + 1 of them hold, > 0
+    int degree = 3;                                      // 1 … 5
+    std::array<Vec3, 4> inner{};                         // degree − 1 of them hold, mm
+    std::array<double, 6> weights = {1, 1, 1, 1, 1, 1};  // degree + 1 of them hold, > 0
 };
 
-struct Spline {
+/// N control points, a curve of degree N − 1.
+template <std::size_t N>
+struct Bezier {
     static constexpr std::size_t kParts = 8;
 
-    std::array<Pole, 4> poles;
+    std::array<Pole, N> poles;
     Vec3 start;  // as programmed
     Vec3 end;    // as programmed
     double length;
@@ -35,22 +39,43 @@ struct Spline {
     bool is_smooth;  // Gauss' rule is exact enough for an eighth
 };
 
-/// The span between two points.
-Spline make_spline(const Vec3& start, const Vec3& end, const SplineShape& shape);
+using CubicSpan = Bezier<4>;
+using QuinticSpan = Bezier<6>;
 
-inline double length(const Spline& spline) { return spline.length; }
-inline Vec3 start(const Spline& spline) { return spline.start; }
-inline Vec3 end(const Spline& spline) { return spline.end; }
+/// The span between two points, of degree 1 to 3.
+CubicSpan make_spline(const Vec3& start, const Vec3& end, const SplineShape& shape);
+/// The same, of any degree.
+QuinticSpan make_quintic(const Vec3& start, const Vec3& end, const SplineShape& shape);
+
+template <std::size_t N>
+double length(const Bezier<N>& spline) {
+    return spline.length;
+}
+template <std::size_t N>
+Vec3 start(const Bezier<N>& spline) {
+    return spline.start;
+}
+template <std::size_t N>
+Vec3 end(const Bezier<N>& spline) {
+    return spline.end;
+}
+// Below: of degree three and five.
+
 /// The point at an arc length. The parameter is found by Newton's iteration on the length from the
 /// start of the span, in a bracket, to kArcLengthTolerance: nothing accumulates.
 /// source: motion reference §1.8
-Vec3 position(const Spline& spline, double s);
-CurvePoint evaluate(const Spline& spline, double s);
-Spline part(const Spline& spline, double from, double to);
+template <std::size_t N>
+Vec3 position(const Bezier<N>& spline, double s);
+template <std::size_t N>
+CurvePoint evaluate(const Bezier<N>& spline, double s);
+template <std::size_t N>
+Bezier<N> part(const Bezier<N>& spline, double from, double to);
 /// The pieces before and behind a parameter, 0 < u < 1.
-std::pair<Spline, Spline> split(const Spline& spline, double u);
+template <std::size_t N>
+std::pair<Bezier<N>, Bezier<N>> split(const Bezier<N>& spline, double u);
 /// Bounds of the control points of the halved and halved again span: never too small.
-Box bounds(const Spline& spline);
+template <std::size_t N>
+Box bounds(const Bezier<N>& spline);
 
 /// Point and derivatives by the parameter, 0 … 1.
 struct SplinePoint {
@@ -58,11 +83,14 @@ struct SplinePoint {
     Vec3 first;
     Vec3 second;
 };
-SplinePoint point_at(const Spline& spline, double u);
+template <std::size_t N>
+SplinePoint point_at(const Bezier<N>& spline, double u);
 /// The parameter at an arc length.
-double parameter_at(const Spline& spline, double s);
+template <std::size_t N>
+double parameter_at(const Bezier<N>& spline, double s);
 
 /// Tangent and curvature at a parameter; where the curve stands, those of the way on.
-CurvePoint curvature_at(const Spline& spline, double u);
+template <std::size_t N>
+CurvePoint curvature_at(const Bezier<N>& spline, double u);
 
 }  // namespace kadr::path

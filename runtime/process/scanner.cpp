@@ -191,6 +191,7 @@ void ScannerCommands::scan(const Command& command) {
         case Op::Line:
         case Op::Arc:
         case Op::Spline:
+        case Op::Involute:
         case Op::Parametric: scan_way(command); break;
         case Op::Dwell: scan_dwell(command); break;
         case Op::Thread: refuse_busy(command, "a thread"); break;

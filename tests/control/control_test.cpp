@@ -5,8 +5,8 @@
 //   expect: #1=14            a variable at the end; `#1 vacant` or `R1 unset`: it was never set
 //   expect: to X10 Y5        the end of the next motion; if one is told, all are. Behind it may
 //   stand
-//                            rapid, line, spline, cw or ccw, the centre I J K of an arc, and the
-//                            feed F
+//                            rapid, line, spline, involute, cw or ccw, the centre I J K of an arc,
+//                            and the feed F
 //   expect: path X20 x40z-30  the next motions in short, what they change: capitals at rapid, small
 //                            letters at feed, t1.5: before a thread of that lead, cw: and ccw:
 //                            before an arc; f0.2 where the feed changes; X of a lathe is a diameter
@@ -143,6 +143,7 @@ std::string kind_of(const path::Command& command) {
     if (command.op == path::Op::Rapid) return "rapid";
     if (command.op == path::Op::Line) return "line";
     if (command.op == path::Op::Spline) return "spline";
+    if (command.op == path::Op::Involute) return "involute";
     return command.is_clockwise ? "cw" : "ccw";
 }
 
@@ -298,7 +299,7 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
         for (const path::Command& command : std::span(batch).first(count)) {
             if (command.op == path::Op::Rapid || command.op == path::Op::Line ||
                 command.op == path::Op::Arc || command.op == path::Op::Spline ||
-                command.op == path::Op::Thread)
+                command.op == path::Op::Thread || command.op == path::Op::Involute)
                 outcome.motions.push_back(command);
             if (command.op == path::Op::Message) {
                 outcome.shown.push_back(command.text.empty() ? "message"

@@ -126,7 +126,7 @@ double least_distance(const Ran& ran, const Contour& contour) {
                 return command.center + Eigen::AngleAxisd(command.sweep * u, command.normal) * arm;
             });
         } else if (command.op == Op::Spline) {
-            const path::Spline span = path::make_spline(at, to, command.spline);
+            const path::CubicSpan span = path::make_spline(at, to, command.spline);
             look(span.length * 2,
                  [&](double u) -> Vec3 { return path::point_at(span, u).position; });
         }

@@ -206,7 +206,7 @@ TEST(Compensation, PointedArcs) {
                                           "G40 X60\nM30\n");
     const Command& conic = spline_of(ran);
     const auto middle_at = [](const Command& command) {
-        const path::Spline span =
+        const path::CubicSpan span =
             path::make_spline(path::Vec3(40, -5, 0), path::Vec3(45, 0, 0), command.spline);
         return (path::point_at(span, 0.5).position - path::Vec3(40, 0, 0)).norm();
     };
@@ -235,7 +235,7 @@ TEST(Compensation, CurvesIn) {
                                               " X20 Y0 Z-1\nG3 X0 Y20 CR=20\nG40 G1 X-20 Y40 Z9\n"
                                               "M30\n");
         EXPECT_EQ(alarms(ran), "");
-        std::vector<path::Spline> curves;
+        std::vector<path::CubicSpan> curves;
         path::Vec3 at(30, -20, 10);
         for (const Command& command : ran.commands) {
             if (!path::is_motion(command.op)) continue;

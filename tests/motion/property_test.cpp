@@ -145,7 +145,7 @@ double miss(const Segment& segment, const Vec3& point) {
         }
         return away(best);
     }
-    if (const auto* spline = std::get_if<path::Spline>(&segment.curve)) {
+    if (const auto* spline = std::get_if<path::CubicSpan>(&segment.curve)) {
         // The nearest of many points, then closer: the distance has one least value there.
         double best = 0;
         for (int i = 0; i <= 200; ++i) {

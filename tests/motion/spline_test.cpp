@@ -13,7 +13,7 @@ const Vec3 kEnd(60, 0, 0);
 const Vec3 kFirst(10, 40, 0);
 const Vec3 kSecond(50, -40, 10);
 
-path::Spline wave() {
+path::CubicSpan wave() {
     return path::make_spline(Vec3::Zero(), kEnd, {3, {kFirst, kSecond}, {1, 1, 1, 1}});
 }
 
@@ -47,7 +47,7 @@ TEST(SplineMotion, FeedIsAlongTheCurve) {
 }
 
 TEST(SplineMotion, PiecesAreTheCurve) {
-    const path::Spline whole = wave();
+    const path::CubicSpan whole = wave();
     const std::vector<path::Curve> pieces = evenly_bent(whole);
     EXPECT_GT(pieces.size(), 2u);
     EXPECT_LT(pieces.size(), 64u);
@@ -63,7 +63,7 @@ TEST(SplineMotion, PiecesAreTheCurve) {
     EXPECT_NEAR(at, whole.length, 1e-8);
     EXPECT_EQ(path::end(pieces.back()), kEnd);
     // A straight span is one piece.
-    const path::Spline straight = path::make_spline(
+    const path::CubicSpan straight = path::make_spline(
         Vec3::Zero(), Vec3(30, 0, 0), {3, {Vec3(10, 0, 0), Vec3(20, 0, 0)}, {1, 1, 1, 1}});
     EXPECT_EQ(evenly_bent(straight).size(), 1u);
 }

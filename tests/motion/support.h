@@ -69,10 +69,12 @@ inline Command arc_to(const Vec3& to, const Vec3& center, double sweep, double f
 
 /// A span of a spline over two control points, with weights of all four.
 inline Command spline_to(const Vec3& to, const Vec3& first, const Vec3& second, double feed_mm_min,
-                         const std::array<double, 4>& weights = {1, 1, 1, 1}) {
+                         const std::array<double, 6>& weights = {1, 1, 1, 1, 1, 1}) {
     Command command = line_to(to, feed_mm_min);
     command.op = Op::Spline;
-    command.spline = {3, {first, second}, weights};
+    command.spline.inner[0] = first;
+    command.spline.inner[1] = second;
+    command.spline.weights = weights;
     return command;
 }
 

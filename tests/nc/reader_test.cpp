@@ -262,10 +262,10 @@ TEST(Reader, WordsOfTheControlThatKadrLacksAreNotTheProgramsMistake) {
         const auto read = read_blocks(shipped(dialect), text);
         return testing::rendered(read.messages, {});
     };
-    EXPECT_NE(said("sinumerik", "ASPLINE")
-                  .find("`ASPLINE` (spline or polynomial) is not supported by Kadr yet"),
+    EXPECT_NE(said("sinumerik", "G335 X10")
+                  .find("`G335` (thread along an arc) is not supported by Kadr yet"),
               std::string::npos);
-    EXPECT_NE(said("sinumerik", "invcw X10 Y2").find("`INVCW` (involute)"), std::string::npos);
+    EXPECT_NE(said("sinumerik", "reposl X10 Y2").find("`REPOSL` (way back"), std::string::npos);
     EXPECT_NE(said("fanuc", "G05.4 Q1").find("`G05.4` (high-speed machining)"), std::string::npos);
     EXPECT_EQ(testing::codes(read_blocks(shipped("sinumerik"), "FOOBAR=2").messages), "K5001");
     EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "G777").messages), "K5002");

@@ -29,9 +29,9 @@ Nurbs nurbs_of(const test::Json& input) {
 }
 
 /// All spans of a spline of degree one to three.
-std::vector<Spline> spans_of(const Nurbs& nurbs) {
+std::vector<CubicSpan> spans_of(const Nurbs& nurbs) {
     SplineSpans cutting(nurbs.degree);
-    std::vector<Spline> spans;
+    std::vector<CubicSpan> spans;
     const auto take = [&] {
         while (const auto span = cutting.next())
             spans.push_back(make_spline(span->start, span->end, span->shape));
@@ -67,7 +67,7 @@ TEST(Nurbs, PointsOfTheOracle) {
         EXPECT_NEAR(length(nurbs), expected, 1e-7);
         if (nurbs.degree > 3) continue;
         double sum = 0;
-        for (const Spline& span : spans_of(nurbs)) sum += span.length;
+        for (const CubicSpan& span : spans_of(nurbs)) sum += span.length;
         EXPECT_NEAR(sum, expected, 1e-7);
     }
     EXPECT_EQ(splines, 7);
@@ -80,14 +80,14 @@ TEST(Nurbs, SpansAreTheCurve) {
         if (entry["type"] != "nurbs" || entry["input"]["degree"] > 3) continue;
         SCOPED_TRACE(entry["id"].get<std::string>());
         const Nurbs nurbs = nurbs_of(entry["input"]);
-        const std::vector<Spline> spans = spans_of(nurbs);
+        const std::vector<CubicSpan> spans = spans_of(nurbs);
         std::size_t at = 0;
         for (std::size_t k = 0; k + 1 < nurbs.knots.size(); ++k) {
             const double from = nurbs.knots[k];
             const double width = nurbs.knots[k + 1] - from;
             if (width == 0) continue;
             ASSERT_LT(at, spans.size());
-            const Spline& span = spans[at++];
+            const CubicSpan& span = spans[at++];
             for (const double u : {0.0, 0.3, 0.5, 0.9, 1.0}) {
                 const SplinePoint there = point_at(nurbs, from + u * width);
                 EXPECT_LT((point_at(span, u).position - there.position).norm(), 1e-11);
@@ -135,7 +135,7 @@ TEST(Nurbs, SaysWhatIsWrong) {
 }
 
 /// The length to a point, by many chords: s³·κ²/24 short each.
-double chords_to(const Spline& spline, double u) {
+double chords_to(const CubicSpan& spline, double u) {
     constexpr int kChords = 200000;
     double sum = 0;
     Vec3 last = point_at(spline, 0).position;
@@ -154,7 +154,7 @@ TEST(Spline, IsWalkedByItsLength) {
     const SplineShape cusp{3, {Vec3(40, 30, 0), Vec3(0, 30, 0)}, {1, 1, 1, 1}};
     const SplineShape standing{3, {Vec3(0, 0, 0), Vec3(0, 0, 0)}, {1, 1, 1, 1}};
     for (const SplineShape& shape : {plain, heavy, conic, cusp, standing}) {
-        const Spline spline = make_spline(Vec3(0, 0, 0), Vec3(40, 0, 0), shape);
+        const CubicSpan spline = make_spline(Vec3(0, 0, 0), Vec3(40, 0, 0), shape);
         EXPECT_NEAR(spline.length, chords_to(spline, 1), 1e-5);
         EXPECT_EQ(position(spline, 0), Vec3(0, 0, 0));
         EXPECT_EQ(position(spline, spline.length), Vec3(40, 0, 0));
@@ -170,7 +170,7 @@ TEST(Spline, IsWalkedByItsLength) {
 
 TEST(Spline, QuarterCircleByWeights) {
     const SplineShape shape{2, {Vec3(10, 10, 0), Vec3::Zero()}, {1, std::sqrt(0.5), 1, 0}};
-    const Spline spline = make_spline(Vec3(10, 0, 0), Vec3(0, 10, 0), shape);
+    const CubicSpan spline = make_spline(Vec3(10, 0, 0), Vec3(0, 10, 0), shape);
     EXPECT_NEAR(spline.length, 5 * kPi, 1e-9);
     for (const double share : {0.0, 0.2, 0.5, 0.9, 1.0}) {
         const double angle = share * kPi / 2;
@@ -187,7 +187,7 @@ TEST(Spline, QuarterCircleByWeights) {
 }
 
 TEST(Spline, OfDegreeOneIsALine) {
-    const Spline spline = make_spline(Vec3(0, 0, 0), Vec3(3, 4, 0), {1, {}, {1, 1, 0, 0}});
+    const CubicSpan spline = make_spline(Vec3(0, 0, 0), Vec3(3, 4, 0), {1, {}, {1, 1, 0, 0}});
     EXPECT_NEAR(spline.length, 5, 1e-12);
     EXPECT_LT((position(spline, 2.5) - Vec3(1.5, 2, 0)).norm(), 1e-12);
     EXPECT_LT((evaluate(spline, 0).tangent - Vec3(0.6, 0.8, 0)).norm(), 1e-12);

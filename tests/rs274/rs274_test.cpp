@@ -201,6 +201,7 @@ class Reduction {
             case Op::SpeedLimit:
             case Op::Message:
             case Op::Spline:
+            case Op::Involute:
             case Op::Parametric:
             case Op::Thread:
             case Op::Probe: break;  // rs274 says nothing about them

@@ -1,0 +1,233 @@
+// polynomials.cpp — blocks in which every axis is a polynomial of one parameter.
+//
+// With a denominator all polynomials are divided by it; an axis that is only told where to go moves
+// evenly with the parameter all the same. The polynomials become control points of a rational
+// curve, which the frame maps as it maps any points.
+// source: SINUMERIK reference 4.5
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <vector>
+
+#include "base/diagnostics/iso.h"
+#include "interp/executor.h"
+#include "path/curve.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Invocation;
+using nc::Slot;
+using nc::SlotMask;
+using path::Pole;
+using path::Vec3;
+
+namespace {
+
+constexpr AxisMask kXyz = bit(Axis::X) | bit(Axis::Y) | bit(Axis::Z);
+constexpr std::size_t kMostDegree = 5;
+
+/// One more: a line times a denominator of the highest degree.
+constexpr std::size_t kTerms = kMostDegree + 2;
+/// Coefficients by the powers of a parameter from 0 to 1.
+using Terms = std::array<double, kTerms>;
+
+/// The weights of control points are cut until they are above this; a denominator that comes closer
+/// to zero makes ways that no machine has.
+constexpr double kLeastWeight = 1e-6;
+constexpr int kMostCuts = 16;
+
+Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
+
+/// The terms from `begin`, through `end`, with the coefficients from the second on as the
+/// invocation has them behind parameter `first`.
+Terms terms_between(double begin, double end, const Block& block, const Invocation& invocation,
+                    std::size_t first, double range) {
+    Terms terms{};
+    terms[0] = begin;
+    terms[1] = end - begin;
+    double power = range;
+    for (std::size_t k = 2; k <= kMostDegree; ++k) {
+        power *= range;
+        terms[k] = block.argument(invocation, first + k - 2) * power;
+        terms[1] -= terms[k];
+    }
+    return terms;
+}
+
+std::size_t degree_of(const Terms& terms) {
+    std::size_t degree = kTerms - 1;
+    while (degree > 0 && terms[degree] == 0) --degree;
+    return degree;
+}
+
+/// (begin + way·q) times a polynomial.
+Terms line_times(double begin, double way, const Terms& by) {
+    Terms product{};
+    for (std::size_t k = 0; k < kTerms; ++k)
+        product[k] = begin * by[k] + (k > 0 ? way * by[k - 1] : 0);
+    return product;
+}
+
+double binomial(std::size_t n, std::size_t k) {
+    double value = 1;
+    for (std::size_t i = 0; i < k; ++i)
+        value = value * static_cast<double>(n - i) / static_cast<double>(i + 1);
+    return value;
+}
+
+/// Coefficient j of the Bernstein form of a degree.
+double bernstein(const Terms& terms, std::size_t degree, std::size_t j) {
+    double sum = 0;
+    for (std::size_t k = 0; k <= j; ++k) sum += binomial(j, k) / binomial(degree, k) * terms[k];
+    return sum;
+}
+
+/// The control points of both halves, homogeneous.
+std::array<std::vector<Pole>, 2> halves(std::vector<Pole> poles) {
+    std::array<std::vector<Pole>, 2> halves;
+    std::vector<Pole> behind(poles.size());
+    for (std::size_t k = 0; k < poles.size(); ++k) {
+        halves[0].push_back(poles[0]);
+        behind[poles.size() - 1 - k] = poles[poles.size() - 1 - k];
+        for (std::size_t i = 0; i + k + 1 < poles.size(); ++i)
+            poles[i] = (poles[i] + poles[i + 1]) / 2;
+    }
+    halves[1] = std::move(behind);
+    return halves;
+}
+
+/// Cuts a curve until the weights of all its control points are positive.
+bool cut_to_positive(const std::vector<Pole>& poles, int cuts,
+                     std::vector<std::vector<Pole>>& out) {
+    if (!(poles.front()[3] > kLeastWeight) || !(poles.back()[3] > kLeastWeight)) return false;
+    const bool is_positive =
+        std::ranges::all_of(poles, [](const Pole& pole) { return pole[3] > kLeastWeight; });
+    if (is_positive) {
+        out.push_back(poles);
+        return true;
+    }
+    if (cuts == 0) return false;
+    return std::ranges::all_of(halves(poles), [&](const std::vector<Pole>& half) {
+        return cut_to_positive(half, cuts - 1, out);
+    });
+}
+
+path::SplineSpan span_of(const std::vector<Pole>& poles, const path::Frame& frame) {
+    const auto point = [&](const Pole& pole) { return frame(pole.head<3>() / pole[3]); };
+    path::SplineSpan span;
+    span.start = point(poles.front());
+    span.end = point(poles.back());
+    span.shape.degree = static_cast<int>(poles.size()) - 1;
+    for (std::size_t i = 0; i < poles.size(); ++i) span.shape.weights[i] = poles[i][3];
+    for (std::size_t i = 1; i + 1 < poles.size(); ++i) span.shape.inner[i - 1] = point(poles[i]);
+    return span;
+}
+
+const Invocation* polynomial_of(const Block& block, std::size_t axis) {
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        const Invocation& invocation = block.functions[i];
+        if (invocation.function != Function::PolynomialAxis) continue;
+        if (block.argument(invocation, 0) == static_cast<double>(axis + 1)) return &invocation;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+/// Where the block's polynomials and words lead to; nothing if it was reported.
+std::optional<Target> Executor::end_of_polynomials(const Block& block) {
+    Block places = block;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Invocation* const own = polynomial_of(block, i);
+        if (own == nullptr) continue;
+        const Slot slot = nc::slot_of(static_cast<Axis>(i));
+        if (block.has(slot)) {
+            report(diag::PolynomialTwice, block, slot).arg(nc::slot_name(slot));
+            return std::nullopt;
+        }
+        places.set(slot, block.argument(*own, 1));
+    }
+    const SlotMask targets = places.given & nc::kTargetSlots;
+    if (const SlotMask others = targets & ~SlotMask{kXyz}; others != 0) {
+        const auto other = static_cast<Slot>(std::countr_zero(others));
+        report(diag::PolynomialBeside, block, other).arg(nc::slot_name(other));
+        return std::nullopt;
+    }
+    if (!check_axes(block, targets)) return std::nullopt;
+    return target_of(places, targets);
+}
+
+void Executor::polynomial(const Block& block, bool exact_stop) {
+    if (!check_feed(block, "polynomial")) return;
+    leave_corners(diag::CornerNotContour);
+    if (ended_) return;
+    const Invocation* const range_word = block.find(Function::PolynomialRange);
+    const double range = range_word != nullptr ? block.argument(*range_word, 0) : 1;
+    if (!(range > 0)) {
+        report(diag::PolynomialRange, block, Function::PolynomialRange).arg(range);
+        return;
+    }
+    const std::optional<Target> target = end_of_polynomials(block);
+    if (!target) return;
+    const Invocation* const divisor = block.find(Function::PolynomialWeight);
+    Terms weight{1};
+    if (divisor != nullptr)
+        weight = terms_between(1, block.argument(*divisor, 0), block, *divisor, 1, range);
+    double weight_at_end = 0;
+    for (const double term : weight) weight_at_end += term;
+
+    std::array<Terms, 3> axes;
+    std::size_t degree = std::max<std::size_t>(1, degree_of(weight));
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double begin = position_.here[i];
+        const double end = target->here[i];
+        if (const Invocation* const own = polynomial_of(block, i)) {
+            axes[i] = terms_between(begin, end * weight_at_end, block, *own, 2, range);
+            const double scale = i == 0 ? x_scale(block, true) : word_scale_[i];
+            for (std::size_t k = 2; k < kTerms && scale != 1; ++k) {
+                axes[i][1] += (1 - scale) * axes[i][k];
+                axes[i][k] *= scale;
+            }
+        } else {
+            axes[i] = line_times(begin, end - begin, weight);
+        }
+        degree = std::max(degree, degree_of(axes[i]));
+    }
+    if (degree > kMostDegree) {
+        report(diag::PolynomialDegree, block).arg(static_cast<int>(degree));
+        return;
+    }
+    std::vector<Pole> poles(degree + 1);
+    for (std::size_t j = 0; j <= degree; ++j) {
+        for (std::size_t i = 0; i < 3; ++i)
+            poles[j][static_cast<Eigen::Index>(i)] = bernstein(axes[i], degree, j);
+        poles[j][3] = bernstein(weight, degree, j);
+    }
+    std::vector<std::vector<Pole>> pieces;
+    if (!cut_to_positive(poles, kMostCuts, pieces)) {
+        report(diag::PolynomialZero, block);
+        return;
+    }
+    if (tool_.has_changed) activate_length(block, target->moved);
+    if (!check_limits(block, target->base, target->moved)) return;
+    const Vec3 start = linear(position_.base);
+    for (std::size_t i = 0; i < pieces.size() && !ended_; ++i) {
+        path::SplineSpan span = span_of(pieces[i], frames_.total());
+        const bool is_last = i + 1 == pieces.size();
+        if (i == 0) span.start = start;
+        if (is_last) span.end = linear(target->base);
+        put_span(span, {block.line, block.source, modal_.feed, target->base}, target->moved,
+                 is_last && exact_stop);
+        if (is_last && degree > 1) came_from_ = span.shape.inner[degree - 2];
+        if (is_last && degree == 1) came_from_ = span.start;
+    }
+    if (ended_) return;
+    const Vec3 came_from = came_from_;
+    arrive(*target);
+    if (came_from != linear(target->base)) came_from_ = came_from;
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,208 @@
+// through_splines.cpp — splines through points: their blocks are collected, their spans executed as
+// soon as they are known.
+#include <bit>
+
+#include <Eigen/Geometry>
+
+#include "base/diagnostics/iso.h"
+#include "interp/executor.h"
+#include "path/curve.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Slot;
+using nc::SlotMask;
+using path::SplineEnd;
+using path::Vec3;
+
+namespace {
+
+constexpr AxisMask kXyz = bit(Axis::X) | bit(Axis::Y) | bit(Axis::Z);
+
+Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
+
+/// Direction of a way, if it is one.
+std::optional<Vec3> direction_of(const Vec3& way) {
+    const double length = way.norm();
+    if (!(length > path::kSameKnot)) return std::nullopt;
+    return Vec3(way / length);
+}
+
+}  // namespace
+
+/// `kind` as the function says it; what it may be is the dialect's matter.
+void Executor::choose_spline_end(const Block& block, const nc::Invocation& invocation) {
+    const double said = block.argument(invocation, 0);
+    const auto kind = said == 0   ? SplineEnd::Kind::Auto
+                      : said == 1 ? SplineEnd::Kind::Natural
+                                  : SplineEnd::Kind::Tangent;
+    (invocation.function == Function::SplineStart ? spline_ends_.start : spline_ends_.end) = kind;
+}
+
+/// Whether a block belongs to the spline that runs: a position, with nothing beside it but words of
+/// the ends. The function may stand there again.
+bool Executor::continues_through(const Block& block) const {
+    if (block.motion != Function::None && block.motion != through_->function) return false;
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        const Function function = block.functions[i].function;
+        if (function != Function::SplineStart && function != Function::SplineEnd) return false;
+    }
+    return (block.given & (nc::kTargetSlots | nc::kPolarSlots)) != 0;
+}
+
+/// A block with a position under such a function.
+void Executor::go_through(const Block& block, SlotMask targets) {
+    if (const SlotMask others = targets & ~SlotMask{kXyz}; others != 0) {
+        const auto other = static_cast<Slot>(std::countr_zero(others));
+        report(diag::SplineAxis, block, other).arg(nc::slot_name(other));
+        return;
+    }
+    if (!check_feed(block, "spline")) return;
+    if (!through_ && !start_through(block)) return;
+    spline_end_.line = block.line;
+    spline_end_.source = block.source;
+    const Target target = target_of(block, targets);
+    if (!check_limits(block, target.base, target.moved)) return;
+    if (!through_->spline.add_point(linear(target.base))) {
+        report(diag::SplinePointRepeated, block);
+        return;
+    }
+    through_->moved = static_cast<AxisMask>(through_->moved | target.moved);
+    through_->blocks.push_back({block.line, block.source, modal_.feed, target.base});
+    arrive(target);
+    move_through();
+}
+
+bool Executor::start_through(const Block& block) {
+    leave_corners(diag::CornerNotContour);
+    if (ended_) return false;
+    SplineEnd start{spline_ends_.start, Vec3::Zero()};
+    if (start.kind == SplineEnd::Kind::Tangent) {
+        const auto direction = direction_of(linear(position_.base) - came_from_);
+        if (!direction) {
+            report(diag::SplineNoDirection, block).arg("before");
+            return false;
+        }
+        start.tangent = *direction;
+    }
+    if (tool_.has_changed) activate_length(block, kXyz);
+    const bool is_akima = modal_.motion == Function::AkimaSpline;
+    const auto kind = is_akima ? path::ThroughKind::Akima : path::ThroughKind::Cubic;
+    through_.emplace(
+        ThroughRun{modal_.motion, {kind, start, linear(position_.base)}, {}, AxisMask{0}});
+    return true;
+}
+
+/// Puts out the spans that are known by now. One that is known while points may still come is not
+/// the last.
+void Executor::move_through() {
+    while (!ended_) {
+        const std::optional<path::ThroughSpan> span = through_->spline.next();
+        if (!span) return;
+        const PoleBlock block = through_->blocks.front();
+        through_->blocks.pop_front();
+        const bool is_last = through_->blocks.empty();
+        put_span({span->start, span->end, span->shape}, block, through_->moved,
+                 is_last && modal_.has_exact_stop);
+        if (is_last) came_from_ = span->shape.inner[1];
+    }
+}
+
+/// Another block follows, or none: the spline ends at its last point.
+void Executor::finish_through(const Block* next) {
+    SplineEnd end{spline_ends_.end, Vec3::Zero()};
+    if (end.kind == SplineEnd::Kind::Tangent) {
+        const auto direction = next != nullptr ? direction_into(*next) : std::nullopt;
+        if (!direction) {
+            report(diag::SplineNoDirection, spline_end_).arg("behind");
+            through_.reset();
+            return;
+        }
+        end.tangent = *direction;
+    }
+    through_->spline.finish(end);
+    move_through();
+    through_.reset();
+}
+
+/// The direction, in the base system, in which a block leaves the place of the tool: that of a line
+/// or of an arc in the plane.
+std::optional<Vec3> Executor::direction_into(const Block& next) {
+    const SlotMask targets = next.given & nc::kTargetSlots;
+    const bool is_moved = targets != 0 && (next.given & nc::kPolarSlots) == 0;
+    if (!is_moved || frames_change_in(next)) return std::nullopt;
+    const Modal before = modal_;
+    if (next.find(Function::Incremental) != nullptr) modal_.is_incremental = true;
+    if (next.find(Function::Absolute) != nullptr) modal_.is_incremental = false;
+    const Target target = target_of(next, targets);
+    modal_ = before;
+    const Vec3 start = linear(position_.here);
+    const bool is_line = next.motion == Function::Line || next.motion == Function::Rapid;
+    Vec3 way = linear(target.here) - start;
+    if (is_arc(next.motion)) {
+        const auto tangent = tangent_of_arc(next, linear(target.here));
+        if (!tangent) return std::nullopt;
+        way = *tangent;
+    } else if (!is_line) {
+        return std::nullopt;
+    }
+    return direction_of(frames_.total().direction(way));
+}
+
+/// Whether the block changes where places are: its direction is not known before it is executed.
+bool Executor::frames_change_in(const Block& block) const {
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        switch (block.functions[i].function) {
+            case Function::WorkOffset:
+            case Function::MachineCoordinates:
+            case Function::Shift:
+            case Function::ShiftAdd:
+            case Function::Rotate:
+            case Function::Scale:
+            case Function::Mirror:
+            case Function::PlaneXy:
+            case Function::PlaneZx:
+            case Function::PlaneYz:
+            case Function::DiameterOn:
+            case Function::DiameterOff: return true;
+            default: break;
+        }
+    }
+    return false;
+}
+
+/// Where an arc that a block says leaves the place of the tool, in the programmed system.
+std::optional<Vec3> Executor::tangent_of_arc(const Block& block, const Vec3& end) const {
+    const bool is_cw = block.motion == Function::ArcCw;
+    const Vec3 third = path::unit(path::axes_of(modal_.plane).normal);
+    const Vec3 start = linear(position_.here);
+    if (block.has(Slot::Radius)) {
+        const auto arc =
+            path::arc_of_radius({start, end}, block.at(Slot::Radius), {modal_.plane, is_cw, 0});
+        if (!arc) return std::nullopt;
+        return Vec3(arc->normal.cross(start - arc->center));
+    }
+    if ((block.given & nc::kCenterSlots) == 0) return std::nullopt;
+    Vec3 out = Vec3::Zero();  // from the centre to the start
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto slot = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + i);
+        const auto k = static_cast<Eigen::Index>(i);
+        if (!block.has(slot)) continue;
+        out[k] = (block.absolute & bit(slot)) != 0 ? start[k] - block.at(slot) : -block.at(slot);
+    }
+    out -= out.dot(third) * third;
+    return Vec3((is_cw ? Vec3(-third) : third).cross(out));
+}
+
+// ------------------------------------------------------------------------------ any spline
+
+/// What is open ends: where the tool is cannot be said inside of a spline. `next` is the block that
+/// ends it, if it is one.
+void Executor::finish_open_spline(const Block* next) {
+    if (spline_) finish_spline();
+    if (through_) finish_through(next);
+}
+
+}  // namespace kadr::interp

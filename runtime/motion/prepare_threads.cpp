@@ -1,0 +1,80 @@
+// prepare_threads.cpp — threads whose pitch changes along them.
+//
+// The spindle turns at n; from turn to turn the pitch p changes by k. So dp/dt = k·n and the speed
+// along the path is v = p·n: dv/dt = k·n², a constant acceleration, and p² = p0² + 2·k·s. A piece
+// whose acceleration is limited to just that is run with it from end to end, as the speeds at its
+// ends leave nothing else. Before it the axis comes up to speed, and behind it it stops, as fast as
+// it can: there no thread is true to its pitch, as on a machine.
+#include <algorithm>
+#include <cmath>
+
+#include "motion/feed.h"
+#include "motion/prepare_state.h"
+#include "motion/smooth_profile.h"
+
+namespace kadr::motion {
+
+namespace {
+
+/// Rounding: by so much more than it needs may a geared piece accelerate.
+constexpr double kGearSlack = 1e-9;
+/// What a look-ahead that never takes a speed back leaves of a smooth ramp, and a little more.
+constexpr double kRampReserve = 1.1;
+/// Ramps end where the speed of the thread meets them; a few steps find it.
+constexpr int kRampSteps = 8;
+
+/// The pitch along a thread.
+struct Lead {
+    double first = 0;   // mm/rev
+    double change = 0;  // mm/rev per turn
+
+    double at(double s) const { return std::sqrt(std::max(0.0, first * first + 2 * change * s)); }
+};
+
+double ramp_to(double speed, const PathLimits& limits) {
+    if (std::isinf(limits.jerk)) return speed * speed / (2 * limits.acceleration);
+    return kRampReserve * smooth_ramp_length(0, speed, {limits.acceleration, limits.jerk});
+}
+
+}  // namespace
+
+void Preparer::State::emit_varying_thread(const path::Command& command, const Segment& whole,
+                                          double length) {
+    const double turns = spindle.speed_at(path::start(whole.curve)[0]);  // 1/s
+    const Lead lead{command.feed, command.lead_change};
+    path::Command share = command;
+    const auto part_at = [&](double from, double to, double pitch) {
+        share.feed = pitch;
+        emit(share, part_of(whole, from, to), to - from);
+    };
+    // Under a constant cutting speed no acceleration suits the way: many even pieces do.
+    const int parts = feed_parts(command, whole, spindle);
+    if (parts > 1) {
+        for (int i = 0; i < parts && !has_ended; ++i) {
+            const double from = length * i / parts;
+            const double to = length * (i + 1) / parts;
+            part_at(from, to, (lead.at(from) + lead.at(to)) / 2);
+        }
+        return;
+    }
+    const double most = turns * std::max(lead.at(0), lead.at(length));
+    const PathLimits limits = axes.limits(whole, axes.start_rates(whole), most);
+    double begin = 0;
+    double end = length;
+    for (int i = 0; i < kRampSteps && most > 0; ++i) {
+        begin = ramp_to(turns * lead.at(begin), limits);
+        end = length - ramp_to(turns * lead.at(std::max(end, 0.0)), limits);
+    }
+    if (!(begin < end)) return emit(command, whole, length);
+    part_at(0, begin, lead.at(begin));
+    if (has_ended) return;
+    part_at(begin, end, std::max(lead.at(begin), lead.at(end)));
+    if (has_ended) return;
+    Piece& geared = pieces.back(0);
+    geared.is_geared = true;
+    geared.acceleration = std::abs(command.lead_change) * turns * turns * (1 + kGearSlack);
+    geared.jerk = geared.turning_acceleration = std::numeric_limits<double>::infinity();
+    part_at(end, length, lead.at(end));
+}
+
+}  // namespace kadr::motion
