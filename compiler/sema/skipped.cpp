@@ -35,6 +35,7 @@ bool stays_unsaid(nc::Function function) {
         case Function::Metric:
         case Function::SpeedLimit:
         case Function::CompAllowance:
+        case Function::CompDepth:
         case Function::CompCornerPointed:
         case Function::BlendFeedDistance:
         case Function::BlendRapidDistance:

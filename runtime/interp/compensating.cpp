@@ -6,6 +6,7 @@
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
 #include "interp/executor.h"
+#include "machine/kinematics.h"
 
 namespace kadr::interp {
 
@@ -46,6 +47,15 @@ void Executor::choose_comp(const Block& block, const Invocation& invocation, Act
         case Function::CompCheckOn: comp_.has_check = true; break;
         case Function::CompCheckOff: comp_.has_check = false; break;
         case Function::CompAllowance: comp_.allowance = block.argument(invocation, 0); break;
+        case Function::CompInPlane:
+        case Function::CompBySide:
+            comp_.is_by_side = invocation.function == Function::CompBySide;
+            break;
+        case Function::CompTurnOnArc:
+        case Function::CompTurnBefore:
+            comp_.turns_on_arc = invocation.function == Function::CompTurnOnArc;
+            break;
+        case Function::CompDepth: comp_.depth = block.argument(invocation, 0); break;
         default: actions.radius_comp = invocation.function; break;
     }
 }
@@ -123,6 +133,7 @@ void Executor::send_comp(const CompChange& change) {
 }
 
 void Executor::change_comp(const CompChange& change) {
+    if (space_comp_.is_on() || change.space) return change_space_comp(change);
     switch (change.kind) {
         case CompChange::Kind::Leave: compensation_.leave(change.direction); break;
         case CompChange::Kind::KeepVector: compensation_.keep_vector(); break;
@@ -146,10 +157,68 @@ void Executor::change_comp(const CompChange& change) {
     }
 }
 
+/// False: in space this is not known, and it was said.
+bool Executor::is_comp_in_plane(const Block& block, Function function) {
+    if (!space_comp_.is_on()) return true;
+    report(diag::IsoNotSupported, block, function)
+        .arg(std::string(nc::info(function).name) + " beside a contour in space");
+    return false;
+}
+
+/// What a program can say of it in space; the rest is of the working plane.
+void Executor::change_space_comp(const CompChange& change) {
+    switch (change.kind) {
+        case CompChange::Kind::Leave: space_comp_.leave(); break;
+        case CompChange::Kind::Set:
+            if (change.space) space_comp_.set_settings(*change.space);
+            space_comp_.set_cutter(change.distance, change.depth);
+            break;
+        case CompChange::Kind::Begin:
+            // From one side to the other, or from the plane: the contour so far ends here.
+            if (is_any_comp_on()) flush_comp();
+            if (ended_) return;
+            if (!change.space) {
+                stop_comp();
+                if (!ended_) change_comp(change);
+                return;
+            }
+            space_comp_.begin(*change.space, change.here);
+            space_comp_.set_cutter(change.distance, change.depth);
+            break;
+        case CompChange::Kind::KeepVector:
+        case CompChange::Kind::RoundCorner:
+        case CompChange::Kind::Pause:
+        case CompChange::Kind::Resume: break;  // refused before: is_comp_in_plane()
+    }
+}
+
+/// Of the tool, from tip to holder: as the transformation has it, else square to the plane.
+path::Vec3 Executor::tool_direction() const {
+    if (orienting_.is_on)
+        return machine::tool_vector(machine_.kinematics->chain, joints_of(position_.base));
+    return frames_.total().direction(path::unit(path::axes_of(modal_.plane).normal)).normalized();
+}
+
+SpaceCompSettings Executor::space_comp_settings() const {
+    SpaceCompSettings settings;
+    if (orienting_.is_on) settings.chain = &machine_.kinematics->chain;
+    settings.direction = tool_direction();
+    settings.extends_lines = comp_settings().corners.outside == path::OutsideCorner::Intersection;
+    settings.limit = rad_from_deg(rules_.comp_corner_limit);
+    settings.turns_on_arc = comp_.turns_on_arc;
+    settings.takes_inverse_time = rules_.comp_takes_inverse_time;
+    settings.empty_blocks = rules_.comp_empty_blocks;
+    return settings;
+}
+
 void Executor::begin_comp(const Block& block, Function side) {
     comp_.side = side;
     if (!comp_offset()) {
         report(diag::CompWithoutTool, block, comp_.side);
+        return;
+    }
+    if (comp_.is_by_side && comp_settings().start == CompStart::Around) {
+        report(diag::CompSpaceStart, block, comp_.side);
         return;
     }
     send_comp(comp_change(block, CompChange::Kind::Begin));
@@ -162,7 +231,17 @@ CompChange Executor::comp_change(const Block& block, CompChange::Kind kind) {
     change.plane = modal_.plane;
     change.here = position_.base;
     take_comp_tool(block, comp_offset().value_or(0), change);
+    if (is_in_space(kind)) {
+        change.space = space_comp_settings();
+        change.distance = -change.distance;
+        change.depth = comp_.depth;
+    }
     return change;
+}
+
+/// What is chosen counts where the compensation begins.
+bool Executor::is_in_space(CompChange::Kind kind) const {
+    return kind == CompChange::Kind::Begin ? comp_.is_by_side : space_comp_.is_on();
 }
 
 CompSettings Executor::comp_settings() const {
@@ -226,6 +305,11 @@ void Executor::take_comp_tool(const Block& block, std::int64_t number, CompChang
 /// is_last  no block waits behind it
 void Executor::settle_comp(const Block& block, const AxisValues& here, bool is_last) {
     std::optional<CompAlarm> alarm;
+    if (space_comp_.is_on()) {
+        if (!alarmed_) alarm = space_comp_.end_block(block);
+        if (!alarmed_ && !alarm && ended_ && is_last) alarm = space_comp_.flush();
+        return take_comp(alarm);
+    }
     if (!alarmed_ && modal_.plane != compensation_.plane()) {
         report(diag::CompPlane, block);
     } else if (!alarmed_ && frames_.is_tilted(modal_.plane)) {
@@ -236,14 +320,20 @@ void Executor::settle_comp(const Block& block, const AxisValues& here, bool is_l
     take_comp(alarm);
 }
 
-void Executor::flush_comp() { take_comp(compensation_.flush()); }
+void Executor::flush_comp() {
+    take_comp(space_comp_.is_on() ? space_comp_.flush() : compensation_.flush());
+}
 
-void Executor::stop_comp() { take_comp(compensation_.stop()); }
+void Executor::stop_comp() {
+    take_comp(space_comp_.is_on() ? space_comp_.stop() : compensation_.stop());
+}
 
 /// What the compensation has settled goes out.
 void Executor::take_comp(const std::optional<CompAlarm>& alarm) {
-    for (path::Command& command : compensation_.settled()) output_.next() = std::move(command);
-    compensation_.settled().clear();
+    for (auto* settled : {&compensation_.settled(), &space_comp_.settled()}) {
+        for (path::Command& command : *settled) output_.next() = std::move(command);
+        settled->clear();
+    }
     if (alarm) report_comp(*alarm);
 }
 

@@ -161,12 +161,12 @@ void Executor::settle(const Block& block) {
     }
     pass_corners();
     if (message) report_corner(*message);
-    if (!alarmed_ && ended_ && compensation_.is_on()) flush_comp();
+    if (!alarmed_ && ended_ && is_any_comp_on()) flush_comp();
 }
 
 void Executor::settle_stages(const Block& block, const AxisValues& here, bool is_last) {
     if (soft_approach_.is_active()) settle_soft(block);
-    if (compensation_.is_on()) settle_comp(block, here, is_last);
+    if (is_any_comp_on()) settle_comp(block, here, is_last);
 }
 
 /// A cycle, or the end of the text, has no corner with the motion before it.

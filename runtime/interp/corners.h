@@ -13,6 +13,7 @@
 
 #include "base/diagnostic.h"
 #include "interp/compensation.h"
+#include "interp/space_compensation.h"
 #include "path/command.h"
 #include "path/contour_corner.h"
 
@@ -56,10 +57,12 @@ struct CompChange {
     CompSettings settings;
     path::Plane plane = path::Plane::Xy;
     double distance = 0;
-    AxisValues here{};                         // where the tool is, Begin
-    std::optional<path::Vec2> direction = {};  // Leave, RoundCorner
-    path::Command motion = {};                 // RoundCorner
-    path::Vec2 aside = path::Vec2::Zero();     // Begin, Set: see Compensation::set_aside
+    AxisValues here{};                            // where the tool is, Begin
+    std::optional<path::Vec2> direction = {};     // Leave, RoundCorner
+    path::Command motion = {};                    // RoundCorner
+    path::Vec2 aside = path::Vec2::Zero();        // Begin, Set: see Compensation::set_aside
+    std::optional<SpaceCompSettings> space = {};  // Begin, Set: in space, `distance` to the right
+    double depth = 0;                             // … see SpaceCompensation::set_cutter
 };
 
 class Corners {

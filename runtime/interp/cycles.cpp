@@ -607,7 +607,7 @@ void Executor::finish_cycle() {
         comp_.side = Function::RadiusCompOff;
         stop_comp();
         if (ended_) return;
-        position_.base = compensation_.place();
+        position_.base = space_comp_.is_on() ? space_comp_.place() : compensation_.place();
         frame_changed();
     }
     cycle_blocks_.reset();

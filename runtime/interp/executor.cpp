@@ -173,7 +173,7 @@ void Executor::execute_next() {
 
 /// Whether commands pass through something that keeps them back; nearly never.
 bool Executor::has_stages() const {
-    return corners_.is_active() || compensation_.is_on() || soft_approach_.is_active();
+    return corners_.is_active() || is_any_comp_on() || soft_approach_.is_active();
 }
 
 void Executor::end_of_blocks() {
@@ -190,7 +190,7 @@ void Executor::end_of_blocks() {
         report(diag::SoftNoDirection, at);
         return;
     }
-    if (compensation_.is_on()) flush_comp();
+    if (is_any_comp_on()) flush_comp();
     if (ended_) return;
     ended_ = true;
     if (places_ != nullptr && places_->stopped()) return;
@@ -443,6 +443,11 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::CompCheckOn:
         case Function::CompCheckOff:
         case Function::CompAllowance:
+        case Function::CompInPlane:
+        case Function::CompBySide:
+        case Function::CompTurnOnArc:
+        case Function::CompTurnBefore:
+        case Function::CompDepth:
             // Roughing works along the programmed shape; where it is followed, it is compensated.
             if (!keeps_shape()) choose_comp(block, invocation, actions);
             break;
@@ -452,6 +457,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
                 report(diag::CompNoVector, block, invocation.function);
                 return;
             }
+            if (!is_comp_in_plane(block, invocation.function)) return;
             actions.keeps_vector |= invocation.function == Function::CompKeepVector;
             if (invocation.function == Function::CompCornerHere) actions.comp_corner = &invocation;
             break;
@@ -486,6 +492,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::CompPause:
         case Function::CompResume:
             if (comp_.side != Function::RadiusCompOff && !keeps_shape()) {
+                if (!is_comp_in_plane(block, invocation.function)) return;
                 send_comp({invocation.function == Function::CompPause ? CompChange::Kind::Pause
                                                                       : CompChange::Kind::Resume,
                            {},
@@ -1054,6 +1061,7 @@ void Executor::frame_changed() { position_.here = frames_.from_base(position_.ba
 Command& Executor::behind_corners() {
     if (keeps_shape()) return shape_->commands.emplace_back();
     if (soft_approach_.is_active()) return soft_approach_.next();
+    if (space_comp_.is_on()) return space_comp_.next();
     return compensation_.is_on() ? compensation_.next() : output_.next();
 }
 
@@ -1075,6 +1083,7 @@ Command& Executor::put(Op op, const Block& block) {
     command.to = position_.base;
     command.turning = path::Turning::None;
     if (orienting_.is_on) put_turn(command);
+    command.contact.clear();
     command.text.clear();
     return command;
 }

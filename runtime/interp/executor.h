@@ -158,7 +158,7 @@ class Executor {
     std::optional<std::string> text(nc::Quantity quantity, std::int64_t index);
     std::optional<std::int64_t> axis_number(Axis axis) const;
     double word_factor(std::int64_t axis) const;
-    bool is_compensated() const { return compensation_.is_on() || soft_approach_.is_active(); }
+    bool is_compensated() const { return is_any_comp_on() || soft_approach_.is_active(); }
     void keep_frames() { kept_frames_.push_back({frames_, work_offset_}); }
     void restore_frames(bool is_wanted);
 
@@ -340,7 +340,13 @@ class Executor {
     void choose_comp(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
     void begin_comp(const nc::Block& block, nc::Function side);
     void act_on_comp(const nc::Block& block, const Actions& actions);
+    bool is_any_comp_on() const { return compensation_.is_on() || space_comp_.is_on(); }
     void send_comp(const CompChange& change);
+    void change_space_comp(const CompChange& change);
+    bool is_in_space(CompChange::Kind kind) const;
+    bool is_comp_in_plane(const nc::Block& block, nc::Function function);
+    SpaceCompSettings space_comp_settings() const;
+    path::Vec3 tool_direction() const;
     void change_comp(const CompChange& change);
     void settle_comp(const nc::Block& block, const AxisValues& here, bool is_last = true);
     void flush_comp();
@@ -552,6 +558,7 @@ class Executor {
     Smoothing smoothing_;
     SoftApproach soft_approach_;
     Compensation compensation_;
+    SpaceCompensation space_comp_;  // in place of it under CompBySide
     path::CoolantMode coolant_ = path::CoolantMode::Off;
     bool warned_spindle_stopped_ = false;
     bool is_scanning_ = false;  // motions are a scanner's

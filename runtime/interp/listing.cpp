@@ -125,6 +125,20 @@ void append_numbers(std::string& out, std::span<const double> values) {
     out += ']';
 }
 
+/// Where the cutter touches from and to, and how: the way of the tip follows from it.
+void append_contact(std::string& out, const path::ContactMotion& motion) {
+    append_key(out, "touches");
+    out += '[';
+    append_numbers(out, {motion.from.data(), 3});
+    out += ',';
+    append_numbers(out, {motion.to.data(), 3});
+    out += ']';
+    append_key(out, "radius");
+    append_number(out, motion.contact.radius);
+    append_key(out, "depth");
+    append_number(out, motion.contact.depth);
+}
+
 void append_target(std::string& out, const Command& command, AxisMask axes) {
     out += ",\"to\":";
     char separator = '{';
@@ -142,6 +156,7 @@ void append_target(std::string& out, const Command& command, AxisMask axes) {
     if (command.turning == path::Turning::None) return;
     append_key(out, "tool");
     append_numbers(out, {command.direction.data(), 3});
+    if (!command.contact.empty()) append_contact(out, command.contact.front());
 }
 
 /// The control points between the ends; the weights of all, unless they are all one.

@@ -82,6 +82,10 @@ void Executor::move(const Block& block, const Actions& actions) {
     SlotMask arc_words = block.given & kArcSlots;
     // They have told where the compensation ends.
     if (arc_words != 0 && leave_direction(block)) arc_words &= ~nc::kCenterSlots;
+    if (actions.soft != nullptr && (space_comp_.is_on() || comp_.is_by_side)) {
+        report(diag::CompSpaceStart, block, actions.soft->function);
+        return;
+    }
     if (actions.soft != nullptr) {
         return actions.soft->function == Function::SoftApproach ? approach_softly(block, actions)
                                                                 : retract_softly(block, actions);

@@ -86,6 +86,9 @@ struct RadiusCompState {
     std::optional<std::int64_t> feed;  // CompFeed by number; nothing: as the control begins
     double pointed = 0;                // of arcs about corners, percent
     double allowance = 0;              // mm
+    bool is_by_side = false;           // in space; else in the working plane
+    bool turns_on_arc = true;          // in space: blocks at corners that only turn the tool
+    double depth = 0;                  // in space: of the contour above the tip, mm
 };
 
 /// What the program has chosen for soft approaches and retracts.

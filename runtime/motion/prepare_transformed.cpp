@@ -19,6 +19,9 @@ namespace kadr::motion {
 namespace {
 
 using machine::Chain;
+using machine::is_at_pole;
+using machine::joints_for;
+using machine::kPoleWidth;
 using path::Command;
 using path::Op;
 using path::Turning;
@@ -129,7 +132,7 @@ void Preparer::State::emit_transformed(const Command& command, const Segment& wh
     if (has_ended) return;
     // An end at the pole leaves R1 free: it goes where the program knows it.
     if (std::abs(joints[0] - to[0]) > kSameJoint && !legs.empty()) {
-        Segment end = part_of(legs.back(), legs.back().turn.length, legs.back().turn.length);
+        Segment end = standing_at(legs.back(), legs.back().turn.length);
         put_joints(chain, joints, end.follower_start);
         turn_at_pole(command, end, {to[0], joints[1], joints[2]});
         joints[0] = to[0];
@@ -144,14 +147,11 @@ void Preparer::State::turn_at_pole(const Command& command, const Segment& at, co
     const Vec3 from = joints_of(chain, at.follower_start);
     const double way = to[0] - from[0];
     if (std::abs(way) <= kSameJoint) return;
-    Segment turn = at;
+    Segment turn = standing_at(at, 0);
     turn.kind = SegmentKind::Rapid;
-    turn.curve = path::Point{path::start(at.curve)};
     turn.turns_only = true;
-    turn.turn = Turn{};
     turn.turn.kind = Turning::Axes;
     turn.turn.length = deg_from_rad(std::abs(way));
-    turn.follower_rate = {};
     turn.follower_rate[index(chain.joints[machine::kR1].axis) - 3] = way / turn.turn.length;
     Command rapid = command;
     rapid.op = Op::Rapid;

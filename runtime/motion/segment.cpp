@@ -19,6 +19,10 @@ Segment part_of(const Segment& whole, double from, double to) {
     if (whole.is_transformed()) {
         piece.turn.length = to - from;
         piece.turn.direction = direction_at(whole.turn, from);
+        if (whole.turn.length > 0) {
+            piece.turn.contact.guide = path::guide_at(whole.turn.contact, from / whole.turn.length);
+            piece.turn.contact.turn *= (to - from) / whole.turn.length;
+        }
     }
     return piece;
 }

@@ -8,6 +8,7 @@
 #include "base/source.h"
 #include "motion/profile.h"
 #include "motion/spindle.h"
+#include "path/contact.h"
 #include "path/curve.h"
 
 namespace kadr::motion {
@@ -49,6 +50,7 @@ struct Turn {
     path::Vec3 direction = path::Vec3::UnitZ();  // Cone: of the tool where the piece begins
     path::Vec3 axis = path::Vec3::Zero();        // Cone: about which it goes, unit vector
     double rate = 0;                             // Cone: rad per unit of path length
+    path::Contact contact;                       // how the cutter touches on the path
 };
 
 /// One planned piece. A line or an arc draws itself from `curve`; `kind`, `line` and `source` tell
@@ -62,7 +64,7 @@ struct Segment {
     std::uint32_t line = 0;    // of the ISO-7bit text
     SourceId source;
 
-    path::Curve curve;                      // way of the tool tip; a Point if it stands
+    path::Curve curve;  // way of the tip, or of the contact; a Point if it stands
     path::Vec3 tool = path::Vec3::UnitZ();  // unit vector from tip to holder
     double tool_length = 0;  // mm along `tool`; linear axes = tip + tool_length · tool
     /// With it, `tool` is the tool at base position, and the machine's chain says where the axes

@@ -29,6 +29,25 @@ Vec3 tool_axis(path::Plane plane, const AxisTable& axes) {
 
 bool turns(std::size_t follower) { return is_rotary(static_cast<Axis>(follower + 3)); }
 
+/// The way of the contact, of which corners have left a part. Where it stands, there is none.
+path::Curve touched_way(const Command& command, const path::ContactMotion& motion) {
+    const path::ContactKind kind = motion.contact.kind;
+    if (kind == path::ContactKind::Pivot || kind == path::ContactKind::Corner)
+        return path::Point{motion.from};
+    const path::Curve whole = path::way_of(command, motion.from, motion.to);
+    if (motion.begin == 0 && motion.end == 1) return whole;
+    const double length = path::length(whole);
+    return path::part(whole, motion.begin * length, motion.end * length);
+}
+
+/// While the contact stands, the arc that the side of the cutter draws about it is the path.
+double pivot_length(const Command& command) {
+    if (command.contact.empty()) return 0;
+    const path::Contact& contact = command.contact.front().contact;
+    if (contact.kind != path::ContactKind::Pivot) return 0;
+    return std::abs(contact.turn * contact.radius);
+}
+
 }  // namespace
 
 Standing::Standing(const machine::Machine& machine) {
@@ -93,35 +112,9 @@ Standing::Target Standing::target_of(const Command& command) const {
 }
 
 double Standing::lay_path(const Command& command, const Target& target, Segment& segment) const {
-    double length = 0;
-    if (command.op == Op::Arc) {
-        const path::Helix helix =
-            path::make_helix(tip_, target.tip, command.center, command.normal, command.sweep);
-        length = helix.length;
-        segment.curve = helix;
-    } else if (command.op == Op::Spline && command.spline.degree > 3) {
-        const path::QuinticSpan quintic = path::make_quintic(tip_, target.tip, command.spline);
-        length = quintic.length;
-        segment.curve = quintic;
-    } else if (command.op == Op::Involute) {
-        const path::Involute involute = path::make_involute(tip_, target.tip, command.center,
-                                                            command.normal, command.base_radius);
-        length = involute.length;
-        segment.curve = involute;
-    } else if (command.op == Op::Spline) {
-        const path::CubicSpan spline = path::make_spline(tip_, target.tip, command.spline);
-        length = spline.length;
-        segment.curve = spline;
-    } else if (command.op == Op::Parametric) {
-        const path::Parametric curve =
-            path::make_parametric(tip_, target.tip, command.curve.front());
-        length = curve.length;
-        segment.curve = curve;
-    } else if ((target.tip - tip_).squaredNorm() > kStill * kStill) {
-        const path::Line line = path::make_line(tip_, target.tip);
-        length = line.length;
-        segment.curve = line;
-    }
+    segment.curve = command.contact.empty() ? path::way_of(command, tip_, target.tip)
+                                            : touched_way(command, command.contact.front());
+    double length = std::max(path::length(segment.curve), pivot_length(command));
     if (target.followers != followers_) lay_followers(target, length, segment);
     if (segment.is_transformed()) lay_turn(command, length, segment);
     return length > kStill ? length : 0;
@@ -134,7 +127,7 @@ void Standing::lay_turn(const Command& command, double& length, Segment& segment
     if (turn.kind == path::Turning::Cone) {
         const bool stands = std::holds_alternative<path::Point>(segment.curve);
         const bool is_parallel = (segment.followers & ~kRotaryABC) != 0;
-        if (stands && !is_parallel) {
+        if (stands && !is_parallel && length <= kStill) {
             length = deg_from_rad(std::abs(command.turn_angle));
             segment.turns_only = true;
         }
@@ -149,6 +142,7 @@ void Standing::lay_turn(const Command& command, double& length, Segment& segment
         if (length > kStill) turn.rate = command.turn_angle / length;
     }
     turn.length = length;
+    if (!command.contact.empty()) turn.contact = command.contact.front().contact;
 }
 
 /// X Y Z make the path if they move, else U V W, else the rotary axes in degrees; the others follow

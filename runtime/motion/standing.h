@@ -11,11 +11,12 @@
 #include "motion/axis_table.h"
 #include "motion/segment.h"
 #include "path/command.h"
+#include "path/way.h"
 
 namespace kadr::motion {
 
 /// A billionth of a millimetre or degree is the rounding of frames, not motion.
-inline constexpr double kStill = 1e-9;
+using path::kStill;
 
 class Standing {
   public:

@@ -10,9 +10,9 @@ namespace {
 
 using machine::Chain;
 using machine::ChainPosition;
+using machine::is_at_pole;
+using machine::joints_for;
 using path::Vec3;
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 // Beside the pole by so much R1 has the place with which the tool gets there, rad.
 constexpr double kBesidePole = 1e-6;
@@ -39,17 +39,6 @@ constexpr double kFinest = 1e-9;
 
 Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
-/// The value that differs by whole turns and is nearest.
-double nearest_turn(double angle, double near) {
-    return angle + kTurn * std::round((near - angle) / kTurn);
-}
-
-Vec3 nearest_turns(const Vec3& rotary, const Vec3& near) {
-    Vec3 turned;
-    for (Eigen::Index i = 0; i < 3; ++i) turned[i] = nearest_turn(rotary[i], near[i]);
-    return turned;
-}
-
 Vec3 parallels_of(const std::array<double, kFollowers>& followers) {
     return {followers[3], followers[4], followers[5]};
 }
@@ -58,12 +47,6 @@ Vec3 parallels_of(const std::array<double, kFollowers>& followers) {
 Vec3 tip_of(const Segment& piece) { return -piece.tool_length * piece.tool; }
 
 }  // namespace
-
-bool is_at_pole(const Chain& chain, const Vec3& direction) {
-    if (!chain.orients()) return false;
-    const double tilt = machine::tilt_of(chain, direction);
-    return std::min(tilt, std::numbers::pi - tilt) < kPoleWidth;
-}
 
 Vec3 joints_of(const Chain& chain, const std::array<double, kFollowers>& followers) {
     Vec3 rotary = Vec3::Zero();
@@ -79,28 +62,6 @@ void put_joints(const Chain& chain, const Vec3& rotary, std::array<double, kFoll
     }
 }
 
-Vec3 joints_for(const Chain& chain, const Vec3& direction, const Vec3& near) {
-    const auto solutions = machine::solve(chain, direction);
-    if (!solutions) return near;
-    const bool from_pole = is_at_pole(chain, machine::tool_vector(chain, near));
-    const int configuration = machine::configuration_of(chain, near);
-    Vec3 best = near;
-    double least = std::numeric_limits<double>::infinity();
-    for (const machine::Solution& found : *solutions) {
-        const bool is_other = solutions->count > 1 && found.configuration != configuration;
-        if (is_other && !from_pole && !found.is_pole) continue;
-        const Vec3 rotary =
-            found.is_pole ? machine::at_pole(chain, found, near[0]).rotary : found.rotary;
-        const Vec3 turned = nearest_turns(rotary, near);
-        const double distance = (turned - near).head<2>().squaredNorm();
-        if (distance >= least) continue;
-        least = distance;
-        best = turned;
-    }
-    best[2] = near[2];
-    return best;
-}
-
 namespace {
 
 std::array<double, kFollowers> followers_at(const Segment& piece, double distance) {
@@ -110,14 +71,48 @@ std::array<double, kFollowers> followers_at(const Segment& piece, double distanc
     return followers;
 }
 
+}  // namespace
+
+Vec3 tip_on(const Chain& chain, const Segment& piece, double distance, const Vec3& rotary) {
+    const path::Contact& contact = piece.turn.contact;
+    if (contact.kind == path::ContactKind::Tip) return path::position(piece.curve, distance);
+    const path::CurvePoint at = path::evaluate(piece.curve, distance);
+    const double share = piece.turn.length > 0 ? distance / piece.turn.length : 0;
+    const Vec3 guide =
+        contact.kind == path::ContactKind::Side ? at.tangent : path::guide_at(contact, share);
+    const auto aside = path::tip_beside(contact, guide, machine::tool_vector(chain, rotary));
+    return aside ? Vec3(at.position + *aside) : at.position;  // that there is one was checked
+}
+
+Segment standing_at(const Segment& piece, double distance) {
+    Segment still = piece;
+    const path::CurvePoint at = path::evaluate(piece.curve, distance);
+    still.curve = path::Point{at.position};
+    still.follower_start = followers_at(piece, distance);
+    still.follower_rate = {};
+    path::Contact& contact = still.turn.contact;
+    if (contact.kind == path::ContactKind::Side) {
+        contact.kind = path::ContactKind::Pivot;
+        contact.guide = at.tangent;
+    } else if (piece.turn.length > 0) {
+        contact.guide = path::guide_at(contact, distance / piece.turn.length);
+    }
+    contact.turn = 0;
+    still.turn.direction = direction_at(piece.turn, distance);
+    still.turn.rate = still.turn.length = 0;
+    return still;
+}
+
+namespace {
+
 /// … and the linear axes that belong to them.
 LogicalAxes complete(const Chain& chain, const Segment& piece, double distance,
                      const std::array<double, kFollowers>& followers) {
     ChainPosition position;
     position.rotary = joints_of(chain, followers);
     position.parallel = parallels_of(followers);
-    const Vec3 linear = machine::inverse_linear(chain, path::position(piece.curve, distance),
-                                                position, tip_of(piece));
+    const Vec3 tip = tip_on(chain, piece, distance, position.rotary);
+    const Vec3 linear = machine::inverse_linear(chain, tip, position, tip_of(piece));
     LogicalAxes axes{linear[0], linear[1], linear[2]};
     std::ranges::copy(followers, axes.begin() + 3);
     return axes;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "machine/kinematics.h"
+#include "machine/nearest.h"
 #include "motion/segment.h"
 
 namespace kadr::motion {
@@ -17,26 +18,21 @@ namespace kadr::motion {
 /// One value per logical axis; mm and rad.
 using LogicalAxes = std::array<double, kAxes>;
 
-/// Nearer to the axis R1 the configuration of a tool says nothing, rad.
-inline constexpr double kPoleWidth = 1e-7;
-/// Whether the tool stands along the axis R1, at either end of it.
-bool is_at_pole(const machine::Chain& chain, const path::Vec3& direction);
-
 /// Where the joints of the chain stand, as followers of a piece say it, and the other way round.
 path::Vec3 joints_of(const machine::Chain& chain, const std::array<double, kFollowers>& followers);
 void put_joints(const machine::Chain& chain, const path::Vec3& rotary,
                 std::array<double, kFollowers>& followers);
 
-/// The solution for a direction that goes on from where the joints stand: in their configuration
-/// and their turn; at the pole R1 stays.
-///
-/// near     rad; not farther than half a turn from what is looked for
-/// returns  `near` itself if there is no solution
-path::Vec3 joints_for(const machine::Chain& chain, const path::Vec3& direction,
-                      const path::Vec3& near);
-
 /// Direction of the tool at a distance along a piece, from tip to holder; workpiece system.
 path::Vec3 tool_at(const machine::Chain& chain, const Segment& piece, double distance);
+
+/// Where the tip is at a distance along a piece whose rotary joints stand so: on its path, or
+/// beside it where the cutter touches there.
+path::Vec3 tip_on(const machine::Chain& chain, const Segment& piece, double distance,
+                  const path::Vec3& rotary);
+
+/// The piece as it stands at a distance: without path and without turn.
+Segment standing_at(const Segment& piece, double distance);
 
 /// Where all axes stand at a distance along a piece. A piece on a cone must be as short as
 /// even_parts() makes it.

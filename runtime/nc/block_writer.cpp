@@ -37,7 +37,9 @@ constexpr bool is_quiet_group(Group group) {
         case Group::Transformation:
         case Group::Turning:
         case Group::OrientAngles:
-        case Group::OrientSystem: return true;
+        case Group::OrientSystem:
+        case Group::CompSystem:
+        case Group::CompTurning: return true;
         case Group::Once:
         case Group::LengthComp:
         case Group::WorkOffsets:

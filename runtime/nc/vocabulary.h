@@ -48,8 +48,10 @@ enum class Group : std::uint8_t {
     Turning,
     OrientAngles,
     OrientSystem,
+    CompSystem,
+    CompTurning,
 };
-inline constexpr std::size_t kGroups = 24;
+inline constexpr std::size_t kGroups = 26;
 
 /// What a number in a block measures; decides unit, number format and conversion.
 enum class Dimension : std::uint8_t {

@@ -11,6 +11,7 @@
 
 #include "base/axes.h"
 #include "base/source.h"
+#include "path/contact.h"
 #include "path/parametric.h"
 #include "path/spline.h"
 
@@ -116,6 +117,8 @@ struct Command {
     Vec3 direction = Vec3::UnitZ();  // of the tool at the end, unit vector from tip to holder
     Vec3 turn_axis = Vec3::Zero();   // Cone: unit vector
     double turn_angle = 0;           // Cone: rad, by the right-hand rule
+    // … whose path is that of the place where the cutter touches: one; else none.
+    std::vector<ContactMotion> contact;
 
     double feed = 0;            // mm/min, mm/rev or 1/min, as feed_mode says; of a thread mm/rev
     double lead_change = 0;     // Thread: by how much `feed` changes in a turn, mm/rev

@@ -1,0 +1,572 @@
+#include "interp/space_compensation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <Eigen/Dense>
+
+#include "base/diagnostics/iso.h"
+#include "base/units.h"
+#include "machine/kinematics.h"
+#include "machine/nearest.h"
+#include "path/way.h"
+
+namespace kadr::interp {
+
+using path::Command;
+using path::Contact;
+using path::ContactKind;
+using path::Op;
+using path::Vec3;
+using std::numbers::pi;
+
+namespace {
+
+// Sine of the change of direction below which a corner is none.
+constexpr double kSmooth = 1e-7;
+// Directions that differ by rounding.
+constexpr double kSameTool = 1e-12;
+
+bool is_straight(Op op) { return op == Op::Line || op == Op::Rapid; }
+
+Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
+
+void set_linear(AxisValues& values, const Vec3& at) {
+    for (std::size_t i = 0; i < 3; ++i) values[i] = at[static_cast<Eigen::Index>(i)];
+}
+
+bool is_same_place(const AxisValues& a, const AxisValues& b) {
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        if (std::abs(a[i] - b[i]) > path::kSamePoint) return false;
+    }
+    return true;
+}
+
+/// A command that is to be another one in the same block.
+Command like(const Command& model, Op op) {
+    Command command = model;
+    command.op = op;
+    command.exact_stop = false;
+    command.turns = 0;
+    command.curve.clear();
+    command.contact.clear();
+    if (command.turning != path::Turning::None) command.turning = path::Turning::Axes;
+    return command;
+}
+
+/// By so much a vector turns about an axis to become another, −π … π, both square to it.
+double angle_about(const Vec3& axis, const Vec3& from, const Vec3& to) {
+    return std::atan2(from.cross(to).dot(axis), from.dot(to));
+}
+
+}  // namespace
+
+/// Where one side ends and the next one begins.
+struct SpaceCompensation::Corner {
+    Vec3 place;
+    Vec3 first;  // tangents
+    Vec3 second;
+    Vec3 tool;        // at the end of the first side …
+    Vec3 behind;      // … and at the start of the second
+    double turn = 0;  // of the tangents, rad, seen from the holder: positive to the left
+
+    bool is_smooth() const { return first.dot(second) > 0 && first.cross(second).norm() < kSmooth; }
+    Vec3 axis() const {
+        const Vec3 across = first.cross(second);
+        return across.norm() > kSmooth ? Vec3(across.normalized()) : tool;
+    }
+};
+
+// ------------------------------------------------------------------------------ on and off
+
+void SpaceCompensation::begin(const SpaceCompSettings& settings, const AxisValues& here) {
+    if (state_ == State::Off) shown_ = here;
+    settings_ = settings;
+    here_ = here;
+    tool_ = shown_tool_ = settings.direction;
+    approach_.reset();
+    last_.reset();
+    empty_blocks_ = 0;
+    state_ = State::Starting;
+}
+
+void SpaceCompensation::set_cutter(double radius, double depth) {
+    radius_ = radius;
+    depth_ = depth;
+}
+
+void SpaceCompensation::leave() { state_ = state_ == State::On ? State::Leaving : State::Off; }
+
+std::optional<CompAlarm> SpaceCompensation::flush() {
+    const Command place = last_ ? last_->command : Command{};
+    const Fault fault = finish();
+    if (state_ == State::On) state_ = State::Starting;
+    if (fault == nullptr) return std::nullopt;
+    return alarm(fault, place);
+}
+
+std::optional<CompAlarm> SpaceCompensation::stop() {
+    std::optional<CompAlarm> alarm = flush();
+    state_ = State::Off;
+    return alarm;
+}
+
+// ------------------------------------------------------------------------------ commands in
+
+std::optional<CompAlarm> SpaceCompensation::end_block(const nc::Block& block) {
+    bool has_moved = false;
+    for (Command& command : fresh_) {
+        const Vec3 before = linear(here_);
+        const Command place = command;
+        if (const Fault fault = take(command)) {
+            fresh_.clear();
+            return alarm(fault, place);
+        }
+        has_moved =
+            has_moved || (linear(here_) - before).norm() > path::kStill || place.op == Op::Arc;
+    }
+    fresh_.clear();
+    if (has_moved || (!last_ && !approach_)) {
+        empty_blocks_ = 0;
+        return std::nullopt;
+    }
+    if (++empty_blocks_ <= settings_.empty_blocks) return std::nullopt;
+    return CompAlarm{&diag::CompEmptyBlocks, block.source, block.line};
+}
+
+/// What is wrong at a corner is told of the side before it.
+CompAlarm SpaceCompensation::alarm(Fault fault, const Command& command) const {
+    const bool is_corner = fault == &diag::CompCollision || fault == &diag::CompNoIntersection;
+    const Command& place = is_corner && last_ ? last_->command : command;
+    return {fault, place.source, place.line};
+}
+
+SpaceCompensation::Fault SpaceCompensation::take(Command& command) {
+    if (path::is_motion(command.op) && command.is_unshifted) {
+        if (const Fault fault = finish()) return fault;
+        if (state_ == State::On) state_ = State::Starting;
+        here_ = command.to;
+        put(std::move(command));
+        return nullptr;
+    }
+    if (path::is_motion(command.op)) return take_motion(command);
+    if (approach_ || last_) {
+        waiting_.push_back(std::move(command));
+    } else {
+        put(std::move(command));
+    }
+    return nullptr;
+}
+
+SpaceCompensation::Fault SpaceCompensation::take_motion(Command& command) {
+    if (command.op == Op::Thread || command.op == Op::Probe) return &diag::CompMotion;
+    path::Curve way = path::way_of(command, linear(here_), linear(command.to));
+    if (path::length(way) <= path::kStill) {
+        // Only the tool turns, or other axes move.
+        here_ = command.to;
+        if (command.turning != path::Turning::None) tool_ = command.direction;
+        if (approach_ || last_) {
+            waiting_.push_back(std::move(command));
+        } else {
+            put(std::move(command));
+        }
+        return nullptr;
+    }
+    if (state_ == State::On) return follow(command, std::move(way));
+    if (!is_straight(command.op))
+        return state_ == State::Leaving ? &diag::CompEndOnArc : &diag::CompStartOnArc;
+    here_ = command.to;
+    if (command.turning != path::Turning::None) tool_ = command.direction;
+    if (state_ == State::Leaving) {
+        if (const Fault fault = finish()) return fault;
+        put(std::move(command));
+        state_ = State::Off;
+        return nullptr;
+    }
+    approach_ = std::move(command);
+    state_ = State::On;
+    return nullptr;
+}
+
+SpaceCompensation::Fault SpaceCompensation::follow(Command& command, path::Curve way) {
+    if (command.feed_mode == path::FeedMode::InverseTime && command.op != Op::Rapid) {
+        if (!settings_.takes_inverse_time) return &diag::CompInverseTime;
+        command.feed *= path::length(way);
+        command.feed_mode = path::FeedMode::PerMinute;
+    }
+    Side side;
+    side.way = std::move(way);
+    side.from = here_;
+    side.from_tool = tool_;
+    side.to_tool = command.turning == path::Turning::None ? tool_ : command.direction;
+    side.radius = radius_;
+    side.depth = depth_;
+    here_ = command.to;
+    tool_ = side.to_tool;
+    side.command = std::move(command);
+    // Without the machine's transformation nobody holds the tip on another way.
+    if (side.command.turning == path::Turning::None && !keeps_kind(side)) return &diag::CompMotion;
+    for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        const path::CurvePoint at = side.at(share);
+        const auto aside = path::beside(at.tangent, tool_on(side, share));
+        if (!aside) return &diag::CompAlongTool;
+        if (at.curvature.dot(*aside) * side.radius >= 1) return &diag::CompArcTooSmall;
+    }
+    if (const Fault fault = approach_ ? enter(side) : last_ ? join(side) : nullptr) return fault;
+    last_ = std::move(side);
+    return nullptr;
+}
+
+/// Straight to beside the start of the contour; what turns the tool there comes behind that.
+SpaceCompensation::Fault SpaceCompensation::enter(const Side& first) {
+    Command command = std::move(*approach_);
+    approach_.reset();
+    const Vec3 tangent = first.at(0).tangent;
+    const Vec3 tool =
+        command.turning == path::Turning::None ? settings_.direction : command.direction;
+    const auto aside = path::tip_beside(pivot(tangent), tangent, tool);
+    if (!aside) return &diag::CompAlongTool;
+    set_linear(command.to, linear(command.to) + *aside);
+    put(std::move(command));
+    emit_waiting(pivot(tangent), linear(first.from));
+    return nullptr;
+}
+
+SpaceCompensation::Fault SpaceCompensation::join(Side& next) {
+    const path::CurvePoint end = last_->at(1);
+    Corner corner{end.position, end.tangent, next.at(0).tangent, last_->to_tool, next.from_tool};
+    const auto first = path::beside(corner.first, corner.tool);
+    const auto second = path::beside(corner.second, corner.tool);
+    if (!first || !second) return &diag::CompAlongTool;
+    corner.turn = angle_about(corner.tool, *first, *second);
+    if (corner.is_smooth()) {
+        emit(*last_);
+        emit_waiting(pivot(corner.first), corner.place);
+        return nullptr;
+    }
+    if (corner.turn * radius_ < 0 && std::abs(corner.turn) < pi - kSmooth)
+        return join_inside(next, corner);
+    join_outside(next, corner);
+    return nullptr;
+}
+
+/// Both sides end where the cutter touches both of them. A tool that turns there touches both
+/// lines while it does.
+SpaceCompensation::Fault SpaceCompensation::join_inside(Side& next, const Corner& corner) {
+    const bool turns = (corner.behind - corner.tool).norm() > kSameTool;
+    const bool are_even = last_->is_line() && next.is_line() && !last_->turns() && !next.turns();
+    if (turns && !are_even) return &diag::CompTurnsInside;
+    if (are_even) {
+        const auto shorten = [&](Side& side, const Vec3& tool, bool is_first) {
+            const Vec3 m1 = *path::beside(corner.first, tool);
+            const Vec3 m2 = *path::beside(corner.second, tool);
+            const Vec3& along = is_first ? corner.first : corner.second;
+            const double across = std::abs(side.radius) * (m1 - m2).norm() / (m1 + m2).norm();
+            const double share = across / along.cross(tool).norm() / side.length();
+            (is_first ? side.end : side.begin) = is_first ? 1 - share : share;
+        };
+        if (!path::beside(corner.second, corner.behind) ||
+            !path::beside(corner.first, corner.behind))
+            return &diag::CompAlongTool;
+        shorten(*last_, corner.tool, true);
+        shorten(next, corner.behind, false);
+    } else if (const Fault fault = meet(*last_, next, corner.tool)) {
+        return fault;
+    }
+    if (last_->end <= last_->begin || next.begin >= 1) return &diag::CompCollision;
+    emit(*last_);
+    Contact contact = pivot(corner.first);
+    contact.kind = ContactKind::Corner;
+    contact.axis = corner.second;
+    emit_waiting(contact, corner.place);
+    return nullptr;
+}
+
+/// Where the tips of both sides meet, seen along the tool.
+SpaceCompensation::Fault SpaceCompensation::meet(Side& a, Side& b, const Vec3& tool) const {
+    constexpr int kMostSteps = 40;
+    constexpr double kStep = 1e-6;
+    const Vec3 u = tool.unitOrthogonal();
+    const Vec3 v = tool.cross(u);
+    const auto apart = [&](double end, double begin) -> std::optional<Eigen::Vector2d> {
+        const auto first = tip_on(a, end);
+        const auto second = tip_on(b, begin);
+        if (!first || !second) return std::nullopt;
+        const Vec3 gap = *first - *second;
+        return Eigen::Vector2d(gap.dot(u), gap.dot(v));
+    };
+    double end = 1;
+    double begin = 0;
+    for (int i = 0; i < kMostSteps; ++i) {
+        const auto gap = apart(end, begin);
+        const auto by_end = apart(end - kStep, begin);
+        const auto by_begin = apart(end, begin + kStep);
+        if (!gap || !by_end || !by_begin) return &diag::CompAlongTool;
+        if (gap->norm() < path::kStill) {
+            if (end > 1 + kStep || begin < -kStep) return &diag::CompNoIntersection;
+            a.end = std::min(end, 1.0);
+            b.begin = std::max(begin, 0.0);
+            return nullptr;
+        }
+        Eigen::Matrix2d slopes;
+        slopes.col(0) = (*gap - *by_end) / kStep;
+        slopes.col(1) = (*by_begin - *gap) / kStep;
+        if (std::abs(slopes.determinant()) < 1e-12) return &diag::CompNoIntersection;
+        const Eigen::Vector2d step = slopes.inverse() * *gap;
+        end = std::clamp(end - step[0], 0.0, 1.0 + kStep);
+        begin = std::clamp(begin - step[1], -kStep, 1.0);
+    }
+    return &diag::CompNoIntersection;
+}
+
+/// Around the corner on an arc, or to where both lines meet if they are extended.
+void SpaceCompensation::join_outside(Side& next, const Corner& corner) {
+    const bool turns = std::ranges::any_of(
+        waiting_, [](const Command& command) { return path::is_motion(command.op); });
+    const bool are_even = last_->is_line() && next.is_line() && !last_->turns() && !next.turns();
+    if (settings_.extends_lines && are_even && !turns && std::abs(corner.turn) <= settings_.limit) {
+        extend(next, corner);
+        return;
+    }
+    emit(*last_);
+    Contact contact = pivot(corner.first);
+    if (turns && settings_.turns_on_arc) {
+        contact.axis = corner.axis();
+        contact.turn =
+            std::atan2(corner.first.cross(corner.second).norm(), corner.first.dot(corner.second));
+        return emit_waiting(contact, corner.place);
+    }
+    emit_waiting(contact, corner.place);
+    const auto from = path::beside(corner.first, corner.behind);
+    const auto to = path::beside(corner.second, corner.behind);
+    if (!from || !to) return;  // the next side says it
+    const double turn = std::abs(angle_about(corner.behind, *from, *to));
+    emit_arc(next.command, corner.place, *from, *to, radius_ > 0 ? turn : -turn);
+}
+
+void SpaceCompensation::extend(Side& next, const Corner& corner) {
+    const double across = std::abs(radius_ * std::tan(corner.turn / 2));
+    last_->end = 1 + across / corner.first.cross(corner.tool).norm() / last_->length();
+    next.begin = -across / corner.second.cross(corner.tool).norm() / next.length();
+    emit(*last_);
+    emit_waiting(pivot(corner.first), corner.place);
+}
+
+/// The contour ends here, square to it.
+SpaceCompensation::Fault SpaceCompensation::finish() {
+    if (approach_) {  // of no contour at all
+        put(std::move(*approach_));
+        approach_.reset();
+    }
+    if (!last_) {
+        for (Command& command : waiting_) put(std::move(command));
+        waiting_.clear();
+        return nullptr;
+    }
+    const path::CurvePoint end = last_->at(1);
+    emit(*last_);
+    emit_waiting(pivot(end.tangent), end.position);
+    last_.reset();
+    return nullptr;
+}
+
+// ------------------------------------------------------------------------------ geometry
+
+path::CurvePoint SpaceCompensation::Side::at(double share) const {
+    const double whole = length();
+    path::CurvePoint point = path::evaluate(way, share * whole);
+    // A line that is extended.
+    if (is_line() && (share < 0 || share > 1))
+        point.position = path::start(way) + share * whole * point.tangent;
+    return point;
+}
+
+/// Whether the tip's way is of the same kind: a line, or an arc square to a tool that does not
+/// turn.
+bool SpaceCompensation::keeps_kind(const Side& side) {
+    const bool is_square_arc =
+        side.command.op == Op::Arc && std::abs(side.command.normal.dot(side.from_tool)) > 1 - 1e-9;
+    return !side.turns() && (side.is_line() || is_square_arc);
+}
+
+Vec3 SpaceCompensation::tool_on(const Side& side, double share) const {
+    if (!side.turns()) return side.from_tool;
+    if (side.command.turning == path::Turning::Cone)
+        return Eigen::AngleAxisd(share * side.command.turn_angle, side.command.turn_axis) *
+               side.from_tool;
+    const machine::Chain& chain = *settings_.chain;
+    Vec3 joints = Vec3::Zero();
+    for (std::size_t k = 0; k < machine::kJoints; ++k) {
+        if (!chain.has(k)) continue;
+        const std::size_t i = index(chain.joints[k].axis);
+        joints[static_cast<Eigen::Index>(k)] =
+            rad_from_deg(side.from[i] + share * (side.command.to[i] - side.from[i]));
+    }
+    return machine::tool_vector(chain, joints);
+}
+
+std::optional<Vec3> SpaceCompensation::tip_on(const Side& side, double share) const {
+    const path::CurvePoint at = side.at(share);
+    Contact contact = pivot(at.tangent);
+    contact.radius = side.radius;
+    contact.depth = side.depth;
+    const auto aside = path::tip_beside(contact, at.tangent, tool_on(side, share));
+    if (!aside) return std::nullopt;
+    return at.position + *aside;
+}
+
+/// Where tip and other axes are; on a cone the rotary ones follow the tool.
+AxisValues SpaceCompensation::axes_on(const Side& side, double share) const {
+    AxisValues axes = side.command.to;
+    if (share < 1) {
+        for (std::size_t i = 3; i < kAxes; ++i)
+            axes[i] = side.from[i] + std::max(share, 0.0) * (side.command.to[i] - side.from[i]);
+    }
+    set_linear(axes, tip_on(side, share).value_or(side.at(share).position));
+    const bool is_between = share > 0 && share < 1;
+    if (!is_between || !side.turns() || side.command.turning != path::Turning::Cone) return axes;
+    const machine::Chain& chain = *settings_.chain;
+    Vec3 near = Vec3::Zero();
+    for (std::size_t k = 0; k < machine::kJoints; ++k) {
+        if (chain.has(k))
+            near[static_cast<Eigen::Index>(k)] = rad_from_deg(axes[index(chain.joints[k].axis)]);
+    }
+    const Vec3 joints = machine::joints_for(chain, tool_on(side, share), near);
+    for (std::size_t k = 0; k < machine::kJoints; ++k) {
+        if (chain.has(k))
+            axes[index(chain.joints[k].axis)] = deg_from_rad(joints[static_cast<Eigen::Index>(k)]);
+    }
+    return axes;
+}
+
+/// The cutter as it stands at a place of the contour.
+Contact SpaceCompensation::pivot(const Vec3& tangent) const {
+    Contact contact;
+    contact.kind = ContactKind::Pivot;
+    contact.guide = tangent;
+    contact.axis = Vec3::UnitZ();
+    contact.radius = radius_;
+    contact.depth = depth_;
+    return contact;
+}
+
+// ------------------------------------------------------------------------------ commands out
+
+/// A line or an arc square to a tool that keeps its direction stays what it is.
+void SpaceCompensation::emit(Side& side) {
+    const AxisValues start = axes_on(side, side.begin);
+    if (!is_same_place(start, shown_)) emit_line_to(side.command, start, tool_on(side, side.begin));
+    Command command = side.command;
+    const AxisValues to = axes_on(side, side.end);
+    const Vec3 tool = tool_on(side, side.end);
+    const double part = side.end - side.begin;
+    if (keeps_kind(side)) {
+        command.center -= side.depth * side.from_tool;
+        command.sweep *= part;
+    } else {
+        path::ContactMotion motion;
+        motion.contact = pivot(Vec3::Zero());
+        motion.contact.kind = ContactKind::Side;
+        motion.contact.radius = side.radius;
+        motion.contact.depth = side.depth;
+        motion.from = linear(side.from);
+        motion.to = linear(command.to);
+        motion.begin = side.begin;
+        motion.end = side.end;
+        command.contact.assign(1, motion);
+        command.turn_angle *= part;
+    }
+    command.to = to;
+    command.direction = tool;
+    put(std::move(command));
+}
+
+/// What waited at a corner; the guide's turn is shared out among the turns of the tool.
+void SpaceCompensation::emit_waiting(Contact contact, const Vec3& at) {
+    const double whole = contact.turn;
+    double angles = 0;
+    Vec3 tool = shown_tool_;
+    for (const Command& command : waiting_) {
+        if (!path::is_motion(command.op) || command.turning == path::Turning::None) continue;
+        angles += std::acos(std::clamp(tool.dot(command.direction), -1.0, 1.0));
+        tool = command.direction;
+    }
+    for (Command& command : waiting_) {
+        const bool turns = path::is_motion(command.op) && command.turning != path::Turning::None;
+        if (!turns) {
+            set_linear(command.to, linear(shown_));
+            put(std::move(command));
+            continue;
+        }
+        const double angle = std::acos(std::clamp(shown_tool_.dot(command.direction), -1.0, 1.0));
+        contact.turn = angles > 0 ? whole * angle / angles : 0;
+        emit_turn(std::move(command), contact, at);
+        if (contact.kind == ContactKind::Pivot) contact.guide = path::guide_at(contact, 1);
+    }
+    waiting_.clear();
+}
+
+/// The tool turns about the place that it touches.
+void SpaceCompensation::emit_turn(Command command, const Contact& contact, const Vec3& at) {
+    const auto start = path::tip_beside(contact, contact.guide, shown_tool_);
+    const auto end = path::tip_beside(contact, path::guide_at(contact, 1), command.direction);
+    if (start) {
+        AxisValues from = shown_;
+        set_linear(from, at + *start);
+        if (!is_same_place(from, shown_)) emit_line_to(command, from, shown_tool_);
+    }
+    path::ContactMotion motion;
+    motion.contact = contact;
+    motion.from = motion.to = at;
+    command.contact.assign(1, motion);
+    set_linear(command.to, at + end.value_or(Vec3::Zero()));
+    put(std::move(command));
+}
+
+/// About a corner from square to one side to square to the next; at rapid lines that touch the arc.
+void SpaceCompensation::emit_arc(const Command& model, const Vec3& at, const Vec3& from,
+                                 const Vec3& to, double turn) {
+    const Vec3 tool = shown_tool_;
+    const Vec3 center = at - depth_ * tool;
+    if (std::abs(turn * radius_) < path::kSamePoint) return;
+    AxisValues end = shown_;
+    if (model.op == Op::Rapid) {
+        const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(turn) / (pi / 2))));
+        const double half = turn / parts / 2;
+        for (int i = 0; i < parts; ++i) {
+            const Vec3 arm = Eigen::AngleAxisd((2 * i + 1) * half, tool) * from;
+            set_linear(end, center + radius_ / std::cos(half) * arm);
+            emit_line_to(model, end, tool);
+        }
+        set_linear(end, center + radius_ * to);
+        return emit_line_to(model, end, tool);
+    }
+    Command command = like(model, Op::Arc);
+    command.center = center;
+    command.normal = turn > 0 ? tool : Vec3(-tool);
+    command.sweep = std::abs(turn);
+    command.is_clockwise = command.normal.dot(path::unit(path::axes_of(command.plane).normal)) < 0;
+    set_linear(end, center + radius_ * to);
+    command.to = end;
+    command.direction = tool;
+    put(std::move(command));
+}
+
+void SpaceCompensation::emit_line_to(const Command& model, const AxisValues& to, const Vec3& tool) {
+    Command command = like(model, model.op == Op::Rapid ? Op::Rapid : Op::Line);
+    command.to = to;
+    command.direction = tool;
+    put(std::move(command));
+}
+
+void SpaceCompensation::put(Command command) {
+    if (path::is_motion(command.op)) {
+        shown_ = command.to;
+        if (command.turning != path::Turning::None) shown_tool_ = command.direction;
+    }
+    settled_.push_back(std::move(command));
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,128 @@
+// space_compensation.h — compensation of the cutter in space: commands of the place where its side
+// touches the contour in, commands of its tip out, a block later (S 5.3, motion.md §8.2).
+//
+// The tool may turn while it goes along and at corners. Where it does, the tip's way is no line and
+// no arc: the command says where the cutter touches (path/contact.h), and motion finds the tip at
+// every tick.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "interp/compensation.h"
+#include "machine/chain.h"
+#include "nc/block.h"
+#include "path/command.h"
+#include "path/curve.h"
+
+namespace kadr::interp {
+
+struct SpaceCompSettings {
+    const machine::Chain* chain = nullptr;       // null: the tool keeps its direction
+    path::Vec3 direction = path::Vec3::UnitZ();  // of the tool where the compensation begins
+    bool extends_lines = false;  // at a corner around which the cutter goes, until they meet …
+    double limit = 0;            // … up to this change of direction, rad; else an arc about it
+    bool turns_on_arc = true;    // blocks that only turn the tool do it on the arc
+    bool takes_inverse_time = false;
+    int empty_blocks = 3;  // without a way that may stand in a row
+};
+
+class SpaceCompensation {
+  public:
+    bool is_on() const { return state_ != State::Off; }
+
+    /// Compensation begins with the next line. `here` is where the tip is.
+    void begin(const SpaceCompSettings& settings, const AxisValues& here);
+    void set_settings(const SpaceCompSettings& settings) { settings_ = settings; }
+    /// From the next block on.
+    ///
+    /// radius  mm, positive where the cutter goes to the right of the contour
+    /// depth   how far the tip is below the place that touches, mm
+    void set_cutter(double radius, double depth);
+    /// The next line leaves the contour.
+    void leave();
+
+    /// Where the executor puts a command while compensation is on.
+    path::Command& next() { return fresh_.emplace_back(); }
+    std::optional<CompAlarm> end_block(const nc::Block& block);
+    /// What waits goes out: the contour ends here, square to it.
+    std::optional<CompAlarm> flush();
+    /// … and the compensation is over.
+    std::optional<CompAlarm> stop();
+    /// Where the tip is, once nothing waits any more.
+    const AxisValues& place() const { return shown_; }
+    std::vector<path::Command>& settled() { return settled_; }
+    template <typename See>
+    void look_at_waiting(See see) const {
+        if (approach_) see(*approach_);
+        if (last_) see(last_->command);
+        for (const path::Command& command : waiting_) see(command);
+        for (const path::Command& command : fresh_) see(command);
+    }
+
+  private:
+    enum class State : std::uint8_t { Off, Starting, On, Leaving };
+    using Fault = const DiagnosticRow*;  // null: none
+
+    /// A motion along the contour, as it is programmed.
+    struct Side {
+        path::Command command;
+        path::Curve way;
+        path::Vec3 from_tool;  // directions at its ends
+        path::Vec3 to_tool;
+        AxisValues from{};  // where the contour and the rotary axes begin
+        double radius = 0;
+        double depth = 0;
+        double begin = 0;  // shares of the way that its corners leave
+        double end = 1;
+
+        double length() const { return path::length(way); }
+        path::CurvePoint at(double share) const;
+        bool is_line() const { return std::holds_alternative<path::Line>(way); }
+        bool turns() const { return (to_tool - from_tool).norm() > 1e-12; }
+    };
+    struct Corner;  // between two of them
+
+    Fault take(path::Command& command);
+    Fault take_motion(path::Command& command);
+    Fault follow(path::Command& command, path::Curve way);
+    Fault enter(const Side& first);
+    Fault join(Side& next);
+    Fault join_inside(Side& next, const Corner& corner);
+    void join_outside(Side& next, const Corner& corner);
+    Fault meet(Side& a, Side& b, const path::Vec3& tool) const;
+    Fault finish();
+    void extend(Side& next, const Corner& corner);
+
+    static bool keeps_kind(const Side& side);
+    path::Vec3 tool_on(const Side& side, double share) const;
+    std::optional<path::Vec3> tip_on(const Side& side, double share) const;
+    AxisValues axes_on(const Side& side, double share) const;
+    path::Contact pivot(const path::Vec3& tangent) const;
+
+    void emit(Side& side);
+    void emit_waiting(path::Contact contact, const path::Vec3& at);
+    void emit_turn(path::Command command, const path::Contact& contact, const path::Vec3& at);
+    void emit_arc(const path::Command& model, const path::Vec3& at, const path::Vec3& from,
+                  const path::Vec3& to, double turn);
+    void emit_line_to(const path::Command& model, const AxisValues& to, const path::Vec3& tool);
+    void put(path::Command command);
+    CompAlarm alarm(Fault fault, const path::Command& command) const;
+
+    State state_ = State::Off;
+    SpaceCompSettings settings_;
+    double radius_ = 0;
+    double depth_ = 0;
+    AxisValues here_{};  // programmed, behind what was taken …
+    path::Vec3 tool_ = path::Vec3::UnitZ();
+    AxisValues shown_{};  // … and where the tip is behind what was let go
+    path::Vec3 shown_tool_ = path::Vec3::UnitZ();
+    std::optional<path::Command> approach_;  // it ends where the first side says
+    std::optional<Side> last_;
+    std::vector<path::Command> waiting_;  // behind the approach or the last side: no ways
+    int empty_blocks_ = 0;
+    std::vector<path::Command> fresh_;
+    std::vector<path::Command> settled_;
+};
+
+}  // namespace kadr::interp

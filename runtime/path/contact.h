@@ -1,0 +1,57 @@
+// contact.h — where a cutter touches what is programmed, and where its tip is then (motion.md §8.2,
+// §8.3; S 5.3).
+//
+// Under a compensation in space the path of a program is that of the place where the cutter
+// touches. Where the tip goes follows from it, from the tool's direction and from how the contour
+// or the surface lies there.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "path/vec3.h"
+
+namespace kadr::path {
+
+enum class ContactKind : std::uint8_t {
+    Tip,     // the tip itself
+    Side,    // the cutter's side touches the contour, whose tangent is that of the path
+    Pivot,   // … while it stays in one place and `guide`, the tangent, turns
+    Corner,  // … and touches two lines that meet there: `guide` and `axis` are their directions
+    Face,    // a cutter with a rounded edge touches a surface; `guide` is its normal, outwards
+};
+
+/// How a cutter touches along a motion.
+struct Contact {
+    ContactKind kind = ContactKind::Tip;
+    Vec3 guide = Vec3::Zero();  // unit vector where the motion begins
+    Vec3 axis = Vec3::Zero();   // about which it turns, unit vector
+    double turn = 0;            // by so much over the motion, rad
+    double radius = 0;          // mm; of a side: positive where the cutter is right of the contour
+    double depth = 0;  // mm; side: of the contour above the tip (ISD); face: radius of the edge
+};
+
+/// The same with the place in a motion, and which part of the programmed one that is.
+struct ContactMotion {
+    Contact contact;
+    Vec3 from = Vec3::Zero();  // of the whole way; the end of a command is where its tip ends
+    Vec3 to = Vec3::Zero();
+    double begin = 0;  // shares of its length: what a corner has left of it
+    double end = 1;
+};
+
+/// Square to the tangent and to the tool, to the right of travel seen from the holder: unit vector.
+/// None where the tool lies along the path (SINUMERIK alarm 10759).
+std::optional<Vec3> beside(const Vec3& tangent, const Vec3& tool);
+
+/// From the contact to the tip, mm.
+///
+/// guide    tangent of the contour or normal of the surface there, unit vector
+/// tool     unit vector from tip to holder
+/// returns  none where the tool lies along the path
+std::optional<Vec3> tip_beside(const Contact& contact, const Vec3& guide, const Vec3& tool);
+
+/// `guide` at a share of the motion, 0 … 1.
+Vec3 guide_at(const Contact& contact, double share);
+
+}  // namespace kadr::path
