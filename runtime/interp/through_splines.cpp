@@ -89,7 +89,7 @@ bool Executor::start_through(const Block& block) {
     }
     if (tool_.has_changed) activate_length(block, kXyz);
     const bool is_akima = modal_.motion == Function::AkimaSpline;
-    const auto kind = is_akima ? path::ThroughKind::Akima : path::ThroughKind::Cubic;
+    const auto kind = is_akima ? path::ThroughKind::Akima : path::ThroughKind::CubicSpline;
     through_.emplace(
         ThroughRun{modal_.motion, {kind, start, linear(position_.base)}, {}, AxisMask{0}});
     return true;

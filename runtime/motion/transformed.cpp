@@ -12,9 +12,7 @@ using machine::Chain;
 using machine::ChainPosition;
 using path::Vec3;
 
-constexpr double kTurn = 2 * std::numbers::pi;
-
-// Beside the pole by so much R1 has the place with which the tool gets there, rad.
+// Beside the pole by so much of the piece R1 has the place with which the tool gets there.
 constexpr double kBesidePole = 1e-6;
 
 // Differences of places that are rounding, mm and rad.
@@ -39,17 +37,6 @@ constexpr double kFinest = 1e-9;
 
 Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
-/// The value that differs by whole turns and is nearest.
-double nearest_turn(double angle, double near) {
-    return angle + kTurn * std::round((near - angle) / kTurn);
-}
-
-Vec3 nearest_turns(const Vec3& rotary, const Vec3& near) {
-    Vec3 turned;
-    for (Eigen::Index i = 0; i < 3; ++i) turned[i] = nearest_turn(rotary[i], near[i]);
-    return turned;
-}
-
 Vec3 parallels_of(const std::array<double, kFollowers>& followers) {
     return {followers[3], followers[4], followers[5]};
 }
@@ -58,12 +45,6 @@ Vec3 parallels_of(const std::array<double, kFollowers>& followers) {
 Vec3 tip_of(const Segment& piece) { return -piece.tool_length * piece.tool; }
 
 }  // namespace
-
-bool is_at_pole(const Chain& chain, const Vec3& direction) {
-    if (!chain.orients()) return false;
-    const double tilt = machine::tilt_of(chain, direction);
-    return std::min(tilt, std::numbers::pi - tilt) < kPoleWidth;
-}
 
 Vec3 joints_of(const Chain& chain, const std::array<double, kFollowers>& followers) {
     Vec3 rotary = Vec3::Zero();
@@ -77,28 +58,6 @@ void put_joints(const Chain& chain, const Vec3& rotary, std::array<double, kFoll
     for (std::size_t k = 0; k < machine::kJoints; ++k) {
         if (chain.has(k)) followers[index(chain.joints[k].axis) - 3] = rotary[at(k)];
     }
-}
-
-Vec3 joints_for(const Chain& chain, const Vec3& direction, const Vec3& near) {
-    const auto solutions = machine::solve(chain, direction);
-    if (!solutions) return near;
-    const bool from_pole = is_at_pole(chain, machine::tool_vector(chain, near));
-    const int configuration = machine::configuration_of(chain, near);
-    Vec3 best = near;
-    double least = std::numeric_limits<double>::infinity();
-    for (const machine::Solution& found : *solutions) {
-        const bool is_other = solutions->count > 1 && found.configuration != configuration;
-        if (is_other && !from_pole && !found.is_pole) continue;
-        const Vec3 rotary =
-            found.is_pole ? machine::at_pole(chain, found, near[0]).rotary : found.rotary;
-        const Vec3 turned = nearest_turns(rotary, near);
-        const double distance = (turned - near).head<2>().squaredNorm();
-        if (distance >= least) continue;
-        least = distance;
-        best = turned;
-    }
-    best[2] = near[2];
-    return best;
 }
 
 namespace {
@@ -124,12 +83,14 @@ LogicalAxes complete(const Chain& chain, const Segment& piece, double distance,
 }
 
 /// At the pole R1 has the place with which the tool gets there: a nutating head's still moves.
-Vec3 joints_on_cone(const Chain& chain, const Turn& turn, double distance, Vec3 near) {
-    const Vec3 direction = direction_at(turn, distance);
-    if (turn.rate != 0 && is_at_pole(chain, direction)) {
+Vec3 joints_on_way(const Chain& chain, const Segment& piece, double distance, Vec3 near) {
+    const path::Turn& turn = piece.turn;
+    const Vec3 direction = path::direction_at(turn, piece.curve, distance);
+    const bool stands = turn.kind == path::Turning::Cone && turn.rate == 0;
+    if (!stands && is_at_pole(chain, direction)) {
         const double inwards = distance > turn.length / 2 ? -1 : 1;
-        const double beside = distance + inwards * kBesidePole / std::abs(turn.rate);
-        near[0] = joints_for(chain, direction_at(turn, beside), near)[0];
+        const double beside = distance + inwards * kBesidePole * turn.length;
+        near[0] = joints_for(chain, path::direction_at(turn, piece.curve, beside), near)[0];
     }
     return joints_for(chain, direction, near);
 }
@@ -138,10 +99,10 @@ Vec3 joints_on_cone(const Chain& chain, const Turn& turn, double distance, Vec3 
 LogicalAxes axes_near(const Chain& chain, const Segment& piece, double distance,
                       const LogicalAxes& near) {
     auto followers = followers_at(piece, distance);
-    if (piece.turn.kind == path::Turning::Cone) {
+    if (leads_tool(piece.turn)) {
         std::array<double, kFollowers> from{};
         std::copy(near.begin() + 3, near.end(), from.begin());
-        Vec3 rotary = joints_on_cone(chain, piece.turn, distance, joints_of(chain, from));
+        Vec3 rotary = joints_on_way(chain, piece, distance, joints_of(chain, from));
         rotary[2] = joints_of(chain, followers)[2];
         put_joints(chain, rotary, followers);
     }
@@ -157,7 +118,7 @@ LogicalAxes start_of(const Segment& piece) {
 }  // namespace
 
 Vec3 tool_at(const Chain& chain, const Segment& piece, double distance) {
-    if (piece.turn.kind == path::Turning::Cone) return direction_at(piece.turn, distance);
+    if (leads_tool(piece.turn)) return path::direction_at(piece.turn, piece.curve, distance);
     return machine::tool_vector(chain, joints_of(chain, followers_at(piece, distance)));
 }
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <vector>
 
+#include "machine/following.h"
 #include "machine/kinematics.h"
 #include "motion/segment.h"
 
@@ -17,29 +18,22 @@ namespace kadr::motion {
 /// One value per logical axis; mm and rad.
 using LogicalAxes = std::array<double, kAxes>;
 
-/// Nearer to the axis R1 the configuration of a tool says nothing, rad.
-inline constexpr double kPoleWidth = 1e-7;
-/// Whether the tool stands along the axis R1, at either end of it.
-bool is_at_pole(const machine::Chain& chain, const path::Vec3& direction);
+using machine::is_at_pole;
+using machine::joints_for;
+
+/// Whether the tool's direction is given along the piece, and the rotary axes follow it.
+inline bool leads_tool(const path::Turn& turn) { return turn.kind > path::Turning::Axes; }
 
 /// Where the joints of the chain stand, as followers of a piece say it, and the other way round.
 path::Vec3 joints_of(const machine::Chain& chain, const std::array<double, kFollowers>& followers);
 void put_joints(const machine::Chain& chain, const path::Vec3& rotary,
                 std::array<double, kFollowers>& followers);
 
-/// The solution for a direction that goes on from where the joints stand: in their configuration
-/// and their turn; at the pole R1 stays.
-///
-/// near     rad; not farther than half a turn from what is looked for
-/// returns  `near` itself if there is no solution
-path::Vec3 joints_for(const machine::Chain& chain, const path::Vec3& direction,
-                      const path::Vec3& near);
-
 /// Direction of the tool at a distance along a piece, from tip to holder; workpiece system.
 path::Vec3 tool_at(const machine::Chain& chain, const Segment& piece, double distance);
 
-/// Where all axes stand at a distance along a piece. A piece on a cone must be as short as
-/// even_parts() makes it.
+/// Where all axes stand at a distance along a piece. A piece on which the tool goes a way of its
+/// own must be as short as even_parts() makes it.
 LogicalAxes axes_at(const machine::Chain& chain, const Segment& piece, double distance);
 
 /// Where the tip is for these axes; a tool as a segment carries it.

@@ -48,8 +48,9 @@ enum class Group : std::uint8_t {
     Turning,
     OrientAngles,
     OrientSystem,
+    Spinning,
 };
-inline constexpr std::size_t kGroups = 24;
+inline constexpr std::size_t kGroups = 25;
 
 /// What a number in a block measures; decides unit, number format and conversion.
 enum class Dimension : std::uint8_t {

@@ -19,8 +19,8 @@ namespace kadr::path {
 
 /// What makes the slopes at the points.
 enum class ThroughKind : std::uint8_t {
-    Akima,  // weighted mean of the slopes beside the point; continuous direction
-    Cubic,  // continuous second derivative
+    Akima,        // weighted mean of the slopes beside the point; continuous direction
+    CubicSpline,  // continuous second derivative
 };
 
 /// What is asked of an end of the spline.

@@ -59,7 +59,7 @@ TEST(ThroughSpline, PointsOfTheOracle) {
         const test::Json& input = entry["input"];
         std::vector<Vec3> points;
         for (const test::Json& point : input["points"]) points.push_back(test::vec3(point));
-        const auto kind = entry["type"] == "cubic" ? ThroughKind::Cubic : ThroughKind::Akima;
+        const auto kind = entry["type"] == "cubic" ? ThroughKind::CubicSpline : ThroughKind::Akima;
         const auto params = input["params"].get<std::vector<double>>();
         const Ends ends{end_of(input, 0), end_of(input, 1)};
         const auto spans = curve_through(kind, points, ends, params);
@@ -153,7 +153,7 @@ SplineEnd any_end() {
 RC_GTEST_PROP(ThroughSplines, WindowIsTheGlobalCurve, ()) {
     const std::vector<Vec3> points = any_points(4, 90);
     const Ends ends{any_end(), any_end()};
-    const auto spans = curve_through(ThroughKind::Cubic, points, ends);
+    const auto spans = curve_through(ThroughKind::CubicSpline, points, ends);
     const std::vector<Vec3> slopes = global_slopes(points, ends);
     for (std::size_t i = 0; i < spans.size(); ++i) {
         const double width = (points[i + 1] - points[i]).norm();
@@ -170,7 +170,7 @@ RC_GTEST_PROP(ThroughSplines, WindowIsTheGlobalCurve, ()) {
 /// Derivatives by the chord, at both sides of every point inside.
 RC_GTEST_PROP(ThroughSplines, RunThroughTheirPointsSmoothly, ()) {
     const std::vector<Vec3> points = any_points(2, 60);
-    const auto kind = *rc::gen::element(ThroughKind::Akima, ThroughKind::Cubic);
+    const auto kind = *rc::gen::element(ThroughKind::Akima, ThroughKind::CubicSpline);
     const Ends ends{any_end(), any_end()};
     const auto spans = curve_through(kind, points, ends);
     for (std::size_t i = 0; i < spans.size(); ++i) {
@@ -183,7 +183,7 @@ RC_GTEST_PROP(ThroughSplines, RunThroughTheirPointsSmoothly, ()) {
         const SplinePoint out = point_at(spans[i], 0);
         RC_ASSERT((in.first / before - out.first / behind).norm() <
                   1e-9 * (1 + 1 / std::min(before, behind)));
-        if (kind != ThroughKind::Cubic) continue;
+        if (kind != ThroughKind::CubicSpline) continue;
         // A slope that the window leaves off by δ shows as 4·δ/h.
         const double least = std::min(before, behind);
         const Vec3 jump = in.second / (before * before) - out.second / (behind * behind);
@@ -194,7 +194,7 @@ RC_GTEST_PROP(ThroughSplines, RunThroughTheirPointsSmoothly, ()) {
 TEST(ThroughSpline, EndsAsTheyAreAsked) {
     const std::vector<Vec3> points = {{0, 0, 0}, {10, 5, 0}, {20, -5, 3}, {25, 0, 0}, {40, 2, 0}};
     const Vec3 t = Vec3(1, 2, 3).normalized();
-    for (const auto kind : {ThroughKind::Akima, ThroughKind::Cubic}) {
+    for (const auto kind : {ThroughKind::Akima, ThroughKind::CubicSpline}) {
         const auto natural =
             curve_through(kind, points, {{Kind::Natural, {}}, {Kind::Natural, {}}});
         EXPECT_LT(point_at(natural.front(), 0).second.norm(), 1e-9);
@@ -204,12 +204,12 @@ TEST(ThroughSpline, EndsAsTheyAreAsked) {
         EXPECT_LT((point_at(bound.back(), 1).first.normalized() + t).norm(), 1e-12);
     }
     // Three points without a condition: one parabola, whose third derivative is nothing.
-    const auto three = curve_through(ThroughKind::Cubic, {points[0], points[1], points[2]},
+    const auto three = curve_through(ThroughKind::CubicSpline, {points[0], points[1], points[2]},
                                      {{Kind::Auto, {}}, {Kind::Auto, {}}});
     for (const CubicSpan& span : three)
         EXPECT_LT((point_at(span, 0).second - point_at(span, 1).second).norm(), 1e-9);
     // Two points: straight, whatever the ends but a direction.
-    for (const auto kind : {ThroughKind::Akima, ThroughKind::Cubic}) {
+    for (const auto kind : {ThroughKind::Akima, ThroughKind::CubicSpline}) {
         for (const Kind end : {Kind::Auto, Kind::Natural}) {
             const auto two = curve_through(kind, {points[0], points[1]}, {{end, {}}, {end, {}}});
             EXPECT_NEAR(two[0].length, points[1].norm(), 1e-12);
@@ -233,7 +233,7 @@ TEST(ThroughSpline, AkimaStaysStraightOnStraightRuns) {
 }
 
 TEST(ThroughSpline, LeavesOutAPointThatIsTheOneBefore) {
-    ThroughSpline spline(ThroughKind::Cubic, {Kind::Natural, {}}, Vec3::Zero());
+    ThroughSpline spline(ThroughKind::CubicSpline, {Kind::Natural, {}}, Vec3::Zero());
     EXPECT_FALSE(spline.add_point(Vec3::Zero()));
     EXPECT_TRUE(spline.add_point(Vec3(1, 0, 0)));
     EXPECT_FALSE(spline.add_point(Vec3(1, 5e-8, 0)));
@@ -242,7 +242,7 @@ TEST(ThroughSpline, LeavesOutAPointThatIsTheOneBefore) {
 
 TEST(ThroughSpline, KeepsFewPoints) {
     // A million points, of which a few dozen are known at any time: the spans come a window behind.
-    ThroughSpline spline(ThroughKind::Cubic, {Kind::Auto, {}}, Vec3::Zero());
+    ThroughSpline spline(ThroughKind::CubicSpline, {Kind::Auto, {}}, Vec3::Zero());
     std::size_t spans = 0;
     std::size_t most = 0;
     for (int i = 1; i <= 100000; ++i) {
