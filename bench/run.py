@@ -220,6 +220,11 @@ class Bench:
             setpoints = self.items("sample", kind)
             self.add(f"sample {kind}", rate(setpoints, "setpoints"), "", "", "5 M/s, aim 20",
                      judge(setpoints, 5e6, 20e6))
+        for machine, length in (("trunnion-ac", 20), ("head-cb", 20), ("trunnion-ac", 1)):
+            setpoints = self.items("five_axis", machine, length)
+            self.add(f"five axes, {machine}, lines of {length} mm: text to setpoints",
+                     rate(setpoints, "setpoints"), "", "", "1 M/s, aim 3",
+                     judge(setpoints, 1e6, 3e6))
 
     def memory(self):
         """Peak memory must not grow with the program."""

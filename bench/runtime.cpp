@@ -6,6 +6,8 @@
 //                                           commands → segments, look-ahead DEPTH; under a limit of
 //                                           the jerk; circles at the limits of the axes
 //   bench_runtime sample lines|arcs|helices segments → setpoints
+//   bench_runtime five_axis MACHINE LENGTH  text → setpoints under the transformation of a stock
+//                                           machine, lines of LENGTH mm with a vector each
 //
 // Prints `items seconds`: how many came out, and the CPU time of the process for them.
 #include <chrono>
@@ -116,6 +118,25 @@ void helix(Command& command, std::uint64_t i) {
     command.center[2] = i % 2 == 0 ? 0.0 : 5.0;
 }
 
+/// A SINUMERIK program of lines on a bowl, the tool square to it but for a lean; F makes a line of
+/// 1 mm take 20 ticks.
+std::string bowl_program(double length) {
+    std::string text = "T1 D1 M6\nS10000 M3\nTRAORI\nG54 ORIVECT\nG0 X60 Y0 Z100 A3=-0.4 C3=1\n";
+    constexpr double kWay = 40'000;  // mm, in all
+    const auto count = static_cast<int>(kWay / length);
+    char line[160];
+    for (int i = 0; i < count; ++i) {
+        const double around = i * length / 60;
+        const double radius = 60 + 10 * std::sin(0.13 * around);
+        const double x = radius * std::cos(around), y = radius * std::sin(around);
+        std::snprintf(line, sizeof line, "N%d G1 X%.4f Y%.4f Z%.4f A3=%.8f B3=%.8f C3=1 F3000\n", i,
+                      x, y, 0.004 * radius * radius, -0.4 * std::cos(around),
+                      -0.4 * std::sin(around));
+        text += line;
+    }
+    return text + "M30\n";
+}
+
 /// What the rooms have to say, at the end.
 int verdict(const kadr::DiagnosticList& sink, const kadr::Sources& sources) {
     for (const kadr::Diagnostic& diagnostic : sink.all()) {
@@ -171,6 +192,22 @@ int main(int argc, char** argv) {
         drain(sampler);
         return verdict(sink, sources);
     }
-    std::fputs("usage: bench_runtime read|interpret|plan|sample …\n", stderr);
+    if (argument(1) == "five_axis") {
+        const auto turning = kadr::machine::load_machine(
+            argument(2), {KADR_ROOT "/runtime/machines"}, sources, sink);
+        const auto dialect =
+            kadr::nc::load_dialect("sinumerik", {KADR_ROOT "/dialects"}, sources, sink);
+        if (!turning || !dialect) return 1 | verdict(sink, sources);
+        const std::string program = bowl_program(std::strtod(argument(3).c_str(), nullptr));
+        WholeText text(program);
+        kadr::nc::Reader reader(*dialect, text, "bowl.mpf", sink);
+        kadr::interp::Interpreter interpreter(*dialect, *turning, reader, &reader, nullptr, {},
+                                              sink);
+        kadr::motion::Planner planner(interpreter, *turning, options, sink);
+        kadr::motion::Sampler sampler(planner, *turning, 0);
+        drain(sampler);
+        return verdict(sink, sources);
+    }
+    std::fputs("usage: bench_runtime read|interpret|plan|sample|five_axis …\n", stderr);
     return 2;
 }

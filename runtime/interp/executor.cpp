@@ -382,6 +382,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             .arg(nc::info(invocation.function).name);
         return;
     }
+    if (orienting_.has_length && refuses_under_tcp(block, invocation.function)) return;
     switch (invocation.function) {
         case Function::None: break;
         case Function::Inch:  // lengths have become mm in the reader
@@ -504,13 +505,19 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             }
             break;
         case Function::SoftSteps: soft_.in_steps = count_of(block, invocation) != 0; break;
+        case Function::TcpLength:
+        case Function::TcpVector: begin_length_transformation(block, invocation, actions); break;
         case Function::LengthCompOn:
         case Function::LengthCompMinus:
+            if (orienting_.has_length) end_length_transformation(actions);
             tool_.is_taken_off = invocation.function == Function::LengthCompMinus;
             if ((invocation.given & 1u) != 0) tool_.offset = count_of(block, invocation);
             set_length_source(Tool::Source::Offset, actions);
             break;
-        case Function::LengthCompOff: set_length_source(Tool::Source::None, actions); break;
+        case Function::LengthCompOff:
+            if (orienting_.has_length) end_length_transformation(actions);
+            set_length_source(Tool::Source::None, actions);
+            break;
         case Function::LengthOffset:
             tool_.offset = count_of(block, invocation);
             if (tool_.source == Tool::Source::Offset) {
@@ -544,16 +551,37 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::TcpOn:
         case Function::TcpOff: switch_transformation(block, invocation); break;
         case Function::TurnPlane:
-        case Function::TurnAxes: orienting_.turning = invocation.function; break;
+        case Function::TurnAxes:
+        case Function::TurnSurface:
+        case Function::TurnConeCw:
+        case Function::TurnConeCcw:
+        case Function::TurnConeOver:
+        case Function::TurnConeOn:
+        case Function::TurnPoint: orienting_.turning = invocation.function; break;
         case Function::AnglesEuler:
+        case Function::AnglesZyz:
         case Function::AnglesRpy:
         case Function::AnglesXyz: orienting_.angles = invocation.function; break;
+        case Function::SpinFixed:
+        case Function::SpinPlane:
+        case Function::SpinTurn:
+        case Function::SpinPath: orienting_.spin = invocation.function; break;
         case Function::OrientInWork:
         case Function::OrientInBase:
             orienting_.is_in_base = invocation.function == Function::OrientInBase;
             break;
+        case Function::OrientReset: actions.orient_reset = &invocation; break;
         case Function::ToolVector:
-        case Function::ToolAngle: take_orientation(block, invocation, actions); break;
+        case Function::ToolAngle:
+        case Function::ToolLead:
+        case Function::LeanLead:
+        case Function::LeanTilt:
+        case Function::SurfaceNormal:
+        case Function::ConeAxis:
+        case Function::ConeOpening:
+        case Function::ToolBetween:
+        case Function::ToolPoint:
+        case Function::ToolSpin: take_orientation(block, invocation, actions); break;
 
         case Function::SplineDegree: set_spline_degree(block, invocation); break;
         case Function::SplineWeight:  // beside the pole, in splines.cpp

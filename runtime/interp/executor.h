@@ -3,7 +3,8 @@
 // What a block does is told in chapters: executor.cpp (the order of things in a block, its single
 // functions), plain_moves.cpp (what nearly every block is), motion.cpp (targets, lines, arcs, tool
 // length, limits), circles.cpp, polar.cpp and angles.cpp (what controls work out of other words),
-// orienting.cpp (the machine's transformation), cornering.cpp and compensating.cpp (what the
+// orienting.cpp, tool_words.cpp and tool_turns.cpp (the machine's transformation, and how the tool
+// turns under it), cornering.cpp and compensating.cpp (what the
 // commands pass through), soft_moves.cpp (soft approaches and retracts), smoothing.cpp (rounded
 // corners, compressed lines), cycles.cpp (machining cycles), patterns.cpp (places at which a cycle
 // is called), shapes.cpp (cycles along a shape that stands in the program), splines.cpp,
@@ -32,8 +33,11 @@
 #include "interp/through_run.h"
 #include "interp/tool_offsets.h"
 #include "interp/work_area.h"
+#include "machine/orientation.h"
+#include "machine/path_choice.h"
 #include "path/arc.h"
 #include "path/involute.h"
+#include "path/turn.h"
 
 namespace kadr::interp {
 
@@ -55,13 +59,10 @@ struct Actions {
     nc::Function stop = nc::Function::None;
     nc::Function end = nc::Function::None;
     nc::Function radius_comp = nc::Function::None;
-    bool comp_changed = false;      // its radius, allowance or rules
-    bool keeps_vector = false;      // of the compensation
-    std::uint8_t vector_parts = 0;  // bit i: component i of the tool's direction is said …
-    std::uint8_t angle_parts = 0;   // … or its angle i
-    std::array<double, 3> tool_vector{};
-    std::array<double, 3> tool_angles{};  // deg
-    bool orients() const { return (vector_parts | angle_parts) != 0; }
+    bool comp_changed = false;  // its radius, allowance or rules
+    bool keeps_vector = false;  // of the compensation
+    ToolWords tool;
+    bool switches_length = false;  // the transformation, as a kind of tool length compensation
     const nc::Invocation* comp_corner = nullptr;
     const nc::Invocation* soft = nullptr;             // SoftApproach or SoftRetract
     nc::Function motion_before = nc::Function::None;  // … in the block before
@@ -72,6 +73,7 @@ struct Actions {
     std::optional<double> feed_once;         // of this block alone
     const nc::Invocation* angle = nullptr;
     const nc::Invocation* orient = nullptr;
+    const nc::Invocation* orient_reset = nullptr;
     const nc::Invocation* dwell = nullptr;
     const nc::Invocation* message = nullptr;
     const nc::Invocation* limit = nullptr;
@@ -256,7 +258,7 @@ class Executor {
     bool check_rotary_ways(const nc::Block& block);
     void turn_rotary(const nc::Block& block, Target& target) const;
     void arrive(const Target& target);
-    void line(const nc::Block& block, const Target& target, path::Op op, bool exact_stop);
+    void line(const nc::Block& block, const Target& programmed, path::Op op, bool exact_stop);
     void move_in_machine_coordinates(const nc::Block& block);
     void rapid_to_machine_position(const nc::Block& block, const AxisValues& to, AxisMask moved);
     void refer(const nc::Block& block, const nc::Invocation& invocation);
@@ -273,10 +275,11 @@ class Executor {
     void check_length_known(const nc::Block& block);
     void activate_length(const nc::Block& block, AxisMask moved);
     void move_length_alone(const nc::Block& block);
+    void move_behind_switch(const nc::Block& block);
     void arc(const nc::Block& block, const Target& target, bool exact_stop);
     void put_arc(const nc::Block& block, const path::Arc& programmed, const Target& target,
                  bool exact_stop);
-    void put_base_arc(const nc::Block& block, const path::Arc& arc, const Target& target,
+    void put_base_arc(const nc::Block& block, const path::Arc& arc, const Target& programmed,
                       bool exact_stop);
     void stretched_arc_about_center(const nc::Block& block, const Target& target, bool exact_stop);
     void stretched_arc(const nc::Block& block, const Target& target, bool exact_stop);
@@ -293,18 +296,66 @@ class Executor {
     void arc_over_point(const nc::Block& block, const Target& target, bool exact_stop);
     void arc_along(const nc::Block& block, const Target& target, bool exact_stop);
 
-    // orienting.cpp: the machine's transformation, and how the tool turns
+    // orienting.cpp: the machine's transformation
     void switch_transformation(const nc::Block& block, const nc::Invocation& invocation);
-    void take_orientation(const nc::Block& block, const nc::Invocation& invocation,
-                          Actions& actions);
-    bool orient(const nc::Block& block, const Actions& actions, Target& target);
-    std::optional<path::Vec3> wanted_direction(const nc::Block& block, const Actions& actions);
-    bool lay_turn(const nc::Block& block, const path::Vec3& to, Target& target);
-    bool turns_in_two_ways(const nc::Block& block, const Actions& actions);
-    void put_turn(path::Command& command);
+    void begin_length_transformation(const nc::Block& block, const nc::Invocation& invocation,
+                                     Actions& actions);
+    void end_length_transformation(Actions& actions);
+    bool refuses_under_tcp(const nc::Block& block, nc::Function function);
     path::Vec3 joints_of(const AxisValues& base) const;
     AxisMask joint_axes() const;
     AxisValues machine_axes() const;
+
+    // tool_words.cpp: what a block says of the tool
+    void take_orientation(const nc::Block& block, const nc::Invocation& invocation,
+                          Actions& actions);
+    void take_lean(const nc::Block& block, const nc::Invocation& invocation, ToolWords& tool);
+    bool turns_in_two_ways(const nc::Block& block, const ToolWords& tool);
+    bool has_idle_words(const nc::Block& block, const ToolWords& tool);
+    bool leans_on_surface() const;
+    machine::Mat3 rotation_by_angles(const path::Vec3& angles_deg) const;
+    machine::Mat3 turn_into_base() const;
+    std::optional<path::Vec3> direction_in_base(const nc::Block& block, const path::Vec3& said,
+                                                nc::Function word);
+    std::optional<path::Vec3> wanted_direction(const nc::Block& block, const ToolWords& tool);
+
+    // tool_turns.cpp: how the tool turns
+    bool orient(const nc::Block& block, const Actions& actions, Target& target);
+    void settle_turn(const Target& target);
+    bool turn_by_axes(const nc::Block& block, Target& target);
+    bool turn_to(const nc::Block& block, const ToolWords& tool, const path::Vec3& to,
+                 Target& target);
+    bool lay_turn(const nc::Block& block, const path::Vec3& to, Target& target,
+                  const ToolWords* angles = nullptr);
+    bool lay_cone(const nc::Block& block, const ToolWords& tool, const path::Vec3& to,
+                  Target& target);
+    std::optional<machine::OrientationArc> cone_to(const nc::Block& block, const ToolWords& tool,
+                                                   const path::Vec3& from, const path::Vec3& to);
+    bool follow_course(const nc::Block& block, const path::Turn& turn, const path::Curve& curve,
+                       Target& target);
+    bool lay_course(const nc::Block& block, const path::Curve& curve, Target& target);
+    bool lean_at_end(const nc::Block& block, const ToolWords& tool, const path::Curve& curve,
+                     Target& target);
+    std::optional<path::Vec3> lean_on(const nc::Block& block, const path::Vec3& normal,
+                                      const path::Vec3& tangent, const path::Lean& lean);
+    std::optional<std::array<path::Vec3, 2>> normals_of(const nc::Block& block,
+                                                        const ToolWords& tool);
+    bool lead_by_surface(const nc::Block& block, const ToolWords& tool, const path::Curve& curve,
+                         Target& target);
+    bool lead_by_point(const nc::Block& block, const ToolWords& tool, const path::Curve& curve,
+                       Target& target);
+    bool turn_first(const nc::Block& block, const path::Vec3& to);
+    bool spins_with_path(const ToolWords& tool) const;
+    std::optional<path::Vec3> spin_reference(const path::Vec3& tool,
+                                             const path::Curve* curve) const;
+    bool lay_spin(const nc::Block& block, const ToolWords& tool, Target& target,
+                  const path::Curve* curve = nullptr);
+    void reset_orientation(const nc::Block& block, const nc::Invocation& invocation);
+    machine::Mat3 base_rotation() const;
+    machine::JointLimits joint_limits() const;
+    void put_joints(const path::Vec3& joints, Target& target) const;
+    void report_no_way(const nc::Block& block, const machine::PathRefusal& refusal);
+    void put_turn(path::Command& command);
 
     // polar.cpp
     void set_pole(const nc::Block& block, const nc::Invocation& invocation);
@@ -548,6 +599,8 @@ class Executor {
     Polar polar_;
     Orienting orienting_;
     NextTurn next_turn_;
+    std::optional<ToolWords> course_;  // of the block: waits until its path is known
+    bool warned_spin_ = false;
     path::Vec3 came_from_ = path::Vec3::Zero();  // in the base system: a place on the way to here
     bool diameter_is_absolute_ = false;          // X is a diameter as a coordinate only
     double rounding_ = 0;                        // of every corner, mm; 0: none

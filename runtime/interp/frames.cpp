@@ -242,6 +242,16 @@ void Frames::erase(Step::Kind kind) {
     std::erase_if(steps_, [kind](const Step& step) { return step.kind == kind; });
 }
 
+void Frames::set_table(const Frame& table) {
+    table_ = table;
+    update();
+}
+
+void Frames::release_table() {
+    table_.reset();
+    update();
+}
+
 void Frames::update() {
     const Vec3 own = linear(shift_) + linear(fine_);
     if (work_offset_.is_shift() && base_.is_shift()) {
@@ -252,6 +262,7 @@ void Frames::update() {
                  path::translation(own);
     }
     for (const Step& step : steps_) total_ = total_ * step.frame;
+    if (table_) total_ = *table_ * total_;
     is_shift_ = total_.linear == path::Mat3::Identity();
     for (std::size_t i = 0; i < 3; ++i)
         shift_values_[i] = total_.shift[static_cast<Eigen::Index>(i)];

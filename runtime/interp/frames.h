@@ -1,7 +1,7 @@
 // frames.h — the frames in force: work offset, set position, programmable frame.
 //
-// base = set shift + base frame : work offset : programmable frame (programmed point). Keeps the
-// product and its inverse ready, so that a block pays for frames only when one changes.
+// base = table : set shift + base frame : work offset : programmable frame (programmed point).
+// Keeps the product and its inverse ready, so that a block pays for frames only when one changes.
 #pragma once
 
 #include <array>
@@ -27,8 +27,11 @@ class Frames {
 
     void select_work_offset(const ControlFrame& offset);
     void select_base(const ControlFrame& base);
+    /// Outside of all others: from the place where the table stands into the workpiece.
+    void set_table(const path::Frame& table);
     const ControlFrame& work_offset() const { return work_offset_; }
     const ControlFrame& base() const { return base_; }
+    void release_table();
     bool has_base() const;
     /// What the functions below have made, and in its place another one.
     ControlFrame programmable() const;
@@ -94,6 +97,7 @@ class Frames {
     const Rules* rules_;
     ControlFrame base_;
     ControlFrame work_offset_;
+    std::optional<path::Frame> table_;
     AxisValues set_shift_{};
     AxisValues shift_{};
     AxisValues fine_{};        // added before any step

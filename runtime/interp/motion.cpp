@@ -62,6 +62,18 @@ std::string_view slot_word(Slot slot) {
     }
 }
 
+/// Motions on which the tool may turn as its words say.
+bool takes_tool_words(Function motion) {
+    return motion == Function::Rapid || motion == Function::Line || is_arc(motion) ||
+           motion == Function::ArcThrough || motion == Function::ArcTangent;
+}
+
+path::Curve straight_way(const Vec3& from, const Vec3& to) {
+    constexpr double kStill = 1e-9;  // mm: the rounding of frames
+    if ((to - from).norm() <= kStill) return path::Point{from};
+    return path::make_line(from, to);
+}
+
 /// How much longer the way of a helix is than the arc that it is over.
 double length_by_arc(const path::Arc& arc) {
     const double height = arc.normal.dot(arc.end - arc.start);
@@ -112,6 +124,11 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (modal_cycle_.is_active && (block.given & kCycleSlots) != 0)
         return repeat_cycle(block, actions);
     if (!check_rigid_tap(block, targets)) return;
+    if (actions.orient_reset != nullptr) return reset_orientation(block, *actions.orient_reset);
+    if (actions.tool.is_any() && !takes_tool_words(modal_.motion)) {
+        report(diag::IsoNotSupported, block).arg("a tool that turns beside a spline or a thread");
+        return;
+    }
     if (modal_.motion == Function::Spline && !actions.machine_coordinates &&
         (targets != 0 || block.find(Function::SplineKnot) != nullptr))
         return spline(block);
@@ -122,8 +139,9 @@ void Executor::move(const Block& block, const Actions& actions) {
     const bool has_polynomial = targets != 0 || block.find(Function::PolynomialAxis) != nullptr;
     if (modal_.motion == Function::Polynomial && !actions.machine_coordinates && has_polynomial)
         return polynomial(block, modal_.has_exact_stop || actions.exact_stop);
-    if (targets == 0 && !actions.orients() && (arc_words == 0 || !is_circle(modal_.motion))) {
+    if (targets == 0 && !actions.tool.turns() && (arc_words == 0 || !is_circle(modal_.motion))) {
         if (arc_words != 0) warn_arc_word(block, arc_words);
+        if (actions.switches_length) return move_behind_switch(block);
         if (actions.length_changed) move_length_alone(block);
         return;
     }
@@ -240,11 +258,15 @@ void Executor::arrive(const Target& target) {
 
 // ------------------------------------------------------------------------------ lines
 
-void Executor::line(const Block& block, const Target& target, Op op, bool exact_stop) {
+void Executor::line(const Block& block, const Target& programmed, Op op, bool exact_stop) {
+    Target target = programmed;
     if (op == Op::Line && !check_feed(block, "line")) return;
     if (op == Op::Probe && !check_probe(block)) return;
     if (op == Op::Rapid) check_rapid(block, target);
     if (tool_.has_changed) activate_length(block, target.moved);
+    if (course_ &&
+        !lay_course(block, straight_way(linear(position_.base), linear(target.base)), target))
+        return;
     if (!check_limits(block, target.base, target.moved)) return;
     has_moved_ = true;
     Command& command = put(op, block);
@@ -651,6 +673,20 @@ void Executor::move_length_alone(const Block& block) {
          modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, modal_.has_exact_stop);
 }
 
+/// A transformation with a length was switched in a block without axis words: the place in the
+/// program stays, and so the axes move.
+void Executor::move_behind_switch(const Block& block) {
+    if (!rules_.length_moves_alone) return;
+    const AxisMask moved =
+        orienting_.is_on ? static_cast<AxisMask>(kLinearXYZ | joint_axes()) : kLinearXYZ;
+    if (orienting_.is_on) {
+        next_turn_ = {};
+        settle_turn({position_.here, position_.base, moved});
+    }
+    line(block, {position_.here, position_.base, moved},
+         modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, modal_.has_exact_stop);
+}
+
 // ------------------------------------------------------------------------------ arcs
 
 void Executor::arc(const Block& block, const Target& target, bool exact_stop) {
@@ -744,9 +780,15 @@ void Executor::stretched_arc_about_center(const Block& block, const Target& targ
 }
 
 /// An arc of the base system as a command.
-void Executor::put_base_arc(const Block& block, const path::Arc& arc, const Target& target,
+void Executor::put_base_arc(const Block& block, const path::Arc& arc, const Target& programmed,
                             bool exact_stop) {
     const Vec3 third = path::unit(path::axes_of(modal_.plane).normal);
+    Target target = programmed;
+    if (course_) {
+        const path::Curve way =
+            path::make_helix(arc.start, arc.end, arc.center, arc.normal, arc.sweep);
+        if (!lay_course(block, way, target)) return;
+    }
     if (!check_arc_limits(block, arc, target)) return;
 
     Command& command = put(Op::Arc, block);

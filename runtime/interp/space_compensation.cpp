@@ -9,8 +9,9 @@
 
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
+#include "machine/following.h"
 #include "machine/kinematics.h"
-#include "machine/nearest.h"
+#include "path/turn.h"
 #include "path/way.h"
 
 namespace kadr::interp {
@@ -392,10 +393,9 @@ bool SpaceCompensation::keeps_kind(const Side& side) {
 }
 
 Vec3 SpaceCompensation::tool_on(const Side& side, double share) const {
+    if (side.command.turning > path::Turning::Axes)
+        return path::direction_at(turn_of(side), side.way, share * side.length());
     if (!side.turns()) return side.from_tool;
-    if (side.command.turning == path::Turning::Cone)
-        return Eigen::AngleAxisd(share * side.command.turn_angle, side.command.turn_axis) *
-               side.from_tool;
     const machine::Chain& chain = *settings_.chain;
     Vec3 joints = Vec3::Zero();
     for (std::size_t k = 0; k < machine::kJoints; ++k) {
@@ -426,7 +426,7 @@ AxisValues SpaceCompensation::axes_on(const Side& side, double share) const {
     }
     set_linear(axes, tip_on(side, share).value_or(side.at(share).position));
     const bool is_between = share > 0 && share < 1;
-    if (!is_between || !side.turns() || side.command.turning != path::Turning::Cone) return axes;
+    if (!is_between || side.command.turning <= path::Turning::Axes) return axes;
     const machine::Chain& chain = *settings_.chain;
     Vec3 near = Vec3::Zero();
     for (std::size_t k = 0; k < machine::kJoints; ++k) {
@@ -439,6 +439,30 @@ AxisValues SpaceCompensation::axes_on(const Side& side, double share) const {
             axes[index(chain.joints[k].axis)] = deg_from_rad(joints[static_cast<Eigen::Index>(k)]);
     }
     return axes;
+}
+
+/// How the tool turns on a side, by the length of its way.
+path::Turn SpaceCompensation::turn_of(const Side& side) {
+    const Command& command = side.command;
+    const double share = 1 / side.length();
+    path::Turn turn;
+    turn.kind = command.turning;
+    turn.length = side.length();
+    turn.start = turn.kind == path::Turning::Cone ? side.from_tool : command.turn_from;
+    turn.axis =
+        turn.kind == path::Turning::Point ? Vec3(share * command.turn_axis) : command.turn_axis;
+    turn.rate = share * command.turn_angle;
+    turn.lean = command.lean;
+    return turn;
+}
+
+/// What of the turn belongs to the part that its corners leave of a side.
+void SpaceCompensation::cut_turn(const Side& side, Command& command) {
+    const double length = side.length();
+    const double part = side.end - side.begin;
+    command.turn_from = path::part_of(turn_of(side), side.begin * length, side.end * length).start;
+    command.turn_angle *= part;
+    if (command.turning == path::Turning::Point) command.turn_axis *= part;
 }
 
 /// The cutter as it stands at a place of the contour.
@@ -476,7 +500,7 @@ void SpaceCompensation::emit(Side& side) {
         motion.begin = side.begin;
         motion.end = side.end;
         command.contact.assign(1, motion);
-        command.turn_angle *= part;
+        cut_turn(side, command);
     }
     command.to = to;
     command.direction = tool;

@@ -14,6 +14,7 @@
 #include "nc/block.h"
 #include "path/command.h"
 #include "path/curve.h"
+#include "path/turn.h"
 
 namespace kadr::interp {
 
@@ -95,6 +96,8 @@ class SpaceCompensation {
     void extend(Side& next, const Corner& corner);
 
     static bool keeps_kind(const Side& side);
+    static path::Turn turn_of(const Side& side);
+    static void cut_turn(const Side& side, path::Command& command);
     path::Vec3 tool_on(const Side& side, double share) const;
     std::optional<path::Vec3> tip_on(const Side& side, double share) const;
     AxisValues axes_on(const Side& side, double share) const;

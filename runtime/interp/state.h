@@ -108,18 +108,69 @@ struct Smoothing {
 
 /// What the program has chosen of the machine's transformation and of the tool's turning.
 struct Orienting {
-    bool is_on = false;  // X, Y and Z are the tip in the workpiece
+    bool is_on = false;          // X, Y and Z are the tip in the workpiece
+    bool has_length = false;     // it was switched on as a kind of tool length compensation
+    bool takes_vectors = false;  // … whose blocks say the tool's direction
     nc::Function turning = nc::Function::TurnPlane;
     nc::Function angles = nc::Function::AnglesEuler;
+    nc::Function spin = nc::Function::SpinFixed;
     bool is_in_base = false;  // orientations are said in the base system
+    path::Lean lean;          // from the surface normal
+    // Behind the latest motion, in the base system:
+    path::Vec3 normal = path::Vec3::UnitZ();  // of the surface
+    path::Vec3 rate = path::Vec3::Zero();     // how the tool's direction changed at its end
+    std::optional<path::Vec3> point;          // the second point of the tool's axis
+};
+
+/// What the words of one block say of the tool. Components and angles that are not said are 0.
+struct ToolWords {
+    /// Three components of which bit i tells whether number i is said.
+    struct Triple {
+        std::array<double, 3> values{};
+        std::uint8_t parts = 0;
+
+        bool is_said() const { return parts != 0; }
+        path::Vec3 vector() const { return path::Vec3(values.data()); }
+        void set(std::size_t part, double to) {
+            values[part] = to;
+            parts = static_cast<std::uint8_t>(parts | 1u << part);
+        }
+    };
+    Triple vector;
+    Triple angles;                  // deg
+    std::array<Triple, 2> normals;  // of the surface, at start and end
+    Triple cone_axis;
+    Triple between;
+    Triple point;                   // mm, in the programmed system
+    std::optional<double> opening;  // deg, of the cone
+    std::optional<double> lead;     // deg, from the vector towards the direction of travel
+    std::optional<double> spin;     // deg, about the tool
+    std::optional<double> spin_by;  // deg
+    bool changes_lean = false;
+
+    bool says_direction() const { return vector.is_said() || angles.is_said(); }
+    bool says_surface() const {
+        return changes_lean || normals[0].is_said() || normals[1].is_said();
+    }
+    /// Whether the block turns the tool even where no axis is named. A lead and a tilt only stay.
+    bool turns() const {
+        const bool has_normal = normals[0].is_said() || normals[1].is_said();
+        return says_direction() || has_normal || point.is_said() || spin || spin_by;
+    }
+    bool is_any() const {
+        return turns() || changes_lean || cone_axis.is_said() || between.is_said() || opening ||
+               lead;
+    }
 };
 
 /// How the tool turns in the motion that is put out next, as a Command says it.
 struct NextTurn {
     path::Turning turning = path::Turning::Axes;
     path::Vec3 direction = path::Vec3::UnitZ();  // at the end
+    path::Vec3 from = path::Vec3::UnitZ();
     path::Vec3 axis = path::Vec3::Zero();
     double angle = 0;
+    path::Lean lean;
 };
 
 /// Polar coordinates, in the working plane of the programmed system.

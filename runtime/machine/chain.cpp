@@ -6,18 +6,17 @@
 #include <Eigen/Geometry>
 
 #include "base/assert.h"
+#include "path/turn.h"
 
 namespace kadr::machine {
+
+using path::angle_between;
 
 namespace {
 
 /// Directions that differ by less are the same one, rad: no drawing is that exact, and the solver
 /// divides by the sine.
 constexpr double kSameDirection = 1e-6;
-
-double angle_between(const Vec3& a, const Vec3& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 bool are_parallel(const Vec3& a, const Vec3& b) { return a.cross(b).norm() < kSameDirection; }
 

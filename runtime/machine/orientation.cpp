@@ -12,6 +12,8 @@
 
 namespace kadr::machine {
 
+using path::angle_between;
+
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -23,10 +25,6 @@ constexpr double kNoLength = 1e-9;
 double wrapped(double angle) {
     const double reduced = std::remainder(angle, 2 * kPi);
     return reduced <= -kPi ? kPi : reduced;
-}
-
-double angle_between(const Vec3& a, const Vec3& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 /// Into [0, 2π); a rounding error below zero is none of a whole turn.

@@ -10,6 +10,7 @@
 
 #include "base/result.h"
 #include "machine/chain.h"
+#include "path/turn.h"
 
 namespace kadr::machine {
 
@@ -56,15 +57,8 @@ struct Varying {
 /// ORICURVE.
 Result<Varying, OrientationFault> unit_of(const Varying& vector);
 
-/// What TILT turns about: the manuals say the path tangent, the article the surface normal
-/// (motion.md 6.1, MD21094).
-enum class TiltAbout : std::uint8_t { Tangent, Normal };
-
-struct LeadTilt {
-    double lead = 0;  // from the normal towards the direction of travel
-    double tilt = 0;
-    TiltAbout about = TiltAbout::Tangent;
-};
+using path::TiltAbout;
+using LeadTilt = path::Lean;
 
 /// The tool by its angles to a surface: the tangent is first brought into the surface, t' = unit(t
 /// − (t·n)n); LEAD leans the normal towards t', TILT turns the result about t' or n.

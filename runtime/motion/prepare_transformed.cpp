@@ -19,11 +19,9 @@ namespace kadr::motion {
 namespace {
 
 using machine::Chain;
-using machine::is_at_pole;
-using machine::joints_for;
-using machine::kPoleWidth;
 using path::Command;
 using path::Op;
+using path::Turn;
 using path::Turning;
 using path::Vec3;
 
@@ -31,79 +29,100 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // So far the joints may be from where a motion should end, rad: rounding of degrees.
 constexpr double kSameJoint = 1e-8;
-// How finely the way away from a pole is followed, to know with which R1 it begins.
-constexpr int kBackSteps = 64;
+// A cone as wide as this is a great circle: what its axis is not square to the tool, rad.
+constexpr double kSquare = 1e-9;
 
 /// So far along a motion the tool stands at the pole of R1.
-struct PolePassage {
+struct Passage {
     double distance = 0;
     Vec3 direction = Vec3::Zero();  // of the axis R1, towards the tool
 };
 
 /// Where the tool comes nearest to one end of the axis R1, if that is inside the motion and near
 /// enough. Turned about `axis` by φ, its component along R1 is c + a·cos φ + b·sin φ.
-std::optional<PolePassage> passage_of(const Turn& turn, const Vec3& pole, double tolerance) {
-    const double along = turn.axis.dot(turn.direction) * turn.axis.dot(pole);
-    const double a = turn.direction.dot(pole) - along;
-    const double b = turn.axis.cross(turn.direction).dot(pole);
+std::optional<Passage> passage_of(const Turn& turn, const Vec3& pole, double tolerance) {
+    const double along = turn.axis.dot(turn.start) * turn.axis.dot(pole);
+    const double a = turn.start.dot(pole) - along;
+    const double b = turn.axis.cross(turn.start).dot(pole);
     if (std::hypot(a, b) == 0) return std::nullopt;
     const double whole = turn.rate * turn.length;
     double angle = std::atan2(b, a);
     if (whole < 0 && angle > 0) angle -= 2 * std::numbers::pi;
     if (whole > 0 && angle < 0) angle += 2 * std::numbers::pi;
     const double inside = angle / whole;
-    const double margin = kPoleWidth / std::abs(whole);
+    const double margin = machine::kPoleWidth / std::abs(whole);
     if (!(inside > margin && inside < 1 - margin)) return std::nullopt;
-    const Vec3 nearest = Eigen::AngleAxisd(angle, turn.axis) * turn.direction;
+    const Vec3 nearest = Eigen::AngleAxisd(angle, turn.axis) * turn.start;
     if (nearest.cross(pole).norm() > tolerance || nearest.dot(pole) < 0) return std::nullopt;
-    return PolePassage{inside * turn.length, pole};
+    return Passage{inside * turn.length, pole};
 }
 
 /// The turn of a leg between two directions along the shorter great circle.
 void lay_great_circle(const Vec3& from, const Vec3& to, Turn& turn) {
     const Vec3 across = from.cross(to);
     const double sine = across.norm();
-    turn.direction = from;
+    turn.start = from;
     turn.rate = sine > 0 ? std::atan2(sine, from.dot(to)) / turn.length : 0;
     if (sine > 0) turn.axis = across / sine;
 }
 
-/// The motion between poles; one leg if it passes none.
-std::vector<Segment> legs_of(const Chain& chain, const Segment& whole, double tolerance) {
-    if (whole.turn.kind != Turning::Cone || !chain.orients() || whole.turn.rate == 0)
-        return {whole};
+Vec3 end_of(const Segment& leg) { return path::direction_at(leg.turn, leg.curve, leg.turn.length); }
+
+machine::Course course_of(const Segment& leg) {
+    return [&leg](double fraction) {
+        return path::direction_at(leg.turn, leg.curve, fraction * leg.turn.length);
+    };
+}
+
+/// A great circle that comes near enough to a pole is led through it.
+std::vector<Segment> legs_of_circle(const Chain& chain, const Segment& whole, double tolerance) {
     const Vec3 first = chain.joints[machine::kR1].direction;
-    std::vector<PolePassage> passages;
+    std::vector<Passage> passages;
     for (const Vec3& pole : {first, Vec3(-first)}) {
         if (const auto found = passage_of(whole.turn, pole, tolerance)) passages.push_back(*found);
     }
-    std::ranges::sort(passages, {}, &PolePassage::distance);
+    if (passages.empty()) return {whole};
+    std::ranges::sort(passages, {}, &Passage::distance);
     std::vector<Segment> legs;
     double from = 0;
-    Vec3 direction = whole.turn.direction;
-    for (std::size_t i = 0; i <= passages.size() && !passages.empty(); ++i) {
+    Vec3 direction = whole.turn.start;
+    for (std::size_t i = 0; i <= passages.size(); ++i) {
         const bool is_last = i == passages.size();
         const double to = is_last ? whole.turn.length : passages[i].distance;
-        const Vec3 towards =
-            is_last ? direction_at(whole.turn, whole.turn.length) : passages[i].direction;
+        const Vec3 towards = is_last ? end_of(whole) : passages[i].direction;
         Segment& leg = legs.emplace_back(part_of(whole, from, to));
         lay_great_circle(direction, towards, leg.turn);
         from = to;
         direction = towards;
     }
-    if (legs.empty()) legs.push_back(whole);
     return legs;
 }
 
-/// Where the joints stand at the start of a leg that ends in `to`.
-Vec3 joints_before(const Chain& chain, const Segment& leg, const Vec3& to) {
-    Vec3 joints = to;
-    for (int i = kBackSteps - 1; i >= 0; --i) {
-        // The last step ends beside the pole, where R1 still has its meaning.
-        const double part = std::max(static_cast<double>(i) / kBackSteps, kPoleWidth);
-        joints = joints_for(chain, direction_at(leg.turn, part * leg.turn.length), joints);
+/// The motion between poles; one leg if it passes none.
+std::vector<Segment> legs_of(const Chain& chain, const Segment& whole, double tolerance) {
+    const Turn& turn = whole.turn;
+    if (!leads_tool(turn) || !chain.orients()) return {whole};
+    if (turn.kind == Turning::Cone) {
+        if (turn.rate == 0) return {whole};
+        if (std::abs(turn.axis.dot(turn.start)) < kSquare)
+            return legs_of_circle(chain, whole, tolerance);
     }
-    return joints;
+    std::vector<Segment> legs;
+    double from = 0;
+    for (const auto& passage :
+         machine::pole_passages(chain, course_of(whole), machine::kPoleWidth)) {
+        const double to = passage.fraction * turn.length;
+        legs.push_back(part_of(whole, from, to));
+        from = to;
+    }
+    legs.push_back(part_of(whole, from, turn.length));
+    return legs;
+}
+
+/// Whether the tool leaves the pole in this leg.
+bool starts_at_pole(const Chain& chain, const Segment& leg) {
+    if (!leads_tool(leg.turn) || !chain.orients()) return false;
+    return is_at_pole(chain, path::direction_at(leg.turn, leg.curve, 0));
 }
 
 }  // namespace
@@ -112,17 +131,17 @@ Vec3 joints_before(const Chain& chain, const Segment& leg, const Vec3& to) {
 void Preparer::State::emit_transformed(const Command& command, const Segment& whole,
                                        Standing::Target& target) {
     const Chain& chain = *axes.chain();
-    const double tolerance = std::max(machine.kinematics->pole_tolerance, kPoleWidth);
+    const double tolerance = std::max(machine.kinematics->pole_tolerance, machine::kPoleWidth);
     const Vec3 to = joints_of(chain, target.followers);
     Vec3 joints = joints_of(chain, whole.follower_start);
     std::vector<Segment> legs = legs_of(chain, whole, tolerance);
     for (std::size_t i = 0; i < legs.size() && !has_ended; ++i) {
         Segment& leg = legs[i];
         put_joints(chain, joints, leg.follower_start);
-        const bool is_cone = leg.turn.kind == Turning::Cone && chain.orients();
-        if (is_cone && is_at_pole(chain, leg.turn.direction)) {
+        if (starts_at_pole(chain, leg)) {
             // Only behind the last pole the end of the motion says how it is left.
-            const Vec3 wanted = i + 1 == legs.size() ? joints_before(chain, leg, to) : joints;
+            const Vec3 wanted =
+                i + 1 == legs.size() ? machine::joints_before(chain, course_of(leg), to) : joints;
             turn_at_pole(command, leg, {wanted[0], joints[1], joints[2]});
             joints[0] = wanted[0];
             put_joints(chain, joints, leg.follower_start);

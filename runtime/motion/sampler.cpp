@@ -124,7 +124,7 @@ void Sampler::State::place_transformed(const Segment& segment, double distance,
                                        Setpoint& out) const {
     const LogicalAxes axes = axes_at(*chain, segment, distance);
     out.tool = tool_at(*chain, segment, distance);
-    if (segment.turn.contact.kind != path::ContactKind::Tip)
+    if (segment.contact.kind != path::ContactKind::Tip)
         out.tip = tip_at(*chain, axes, segment.tool, segment.tool_length);
     std::size_t column = 0;
     for (const std::size_t c : order) out.axis[column++] = axes[c];

@@ -10,6 +10,7 @@
 #include "motion/spindle.h"
 #include "path/contact.h"
 #include "path/curve.h"
+#include "path/turn.h"
 
 namespace kadr::motion {
 
@@ -42,17 +43,6 @@ struct PulseTrain {
 /// Axes beside X, Y, Z: A B C (rad) and U V W (mm), in this order.
 inline constexpr std::size_t kFollowers = kAxes - 3;
 
-/// Of a piece on whose path the transformation of the machine holds the tip while the tool turns.
-/// Where the rotary axes stand follows from it; follower_start is where they begin.
-struct Turn {
-    path::Turning kind = path::Turning::None;
-    double length = 0;                           // of the piece's path
-    path::Vec3 direction = path::Vec3::UnitZ();  // Cone: of the tool where the piece begins
-    path::Vec3 axis = path::Vec3::Zero();        // Cone: about which it goes, unit vector
-    double rate = 0;                             // Cone: rad per unit of path length
-    path::Contact contact;                       // how the cutter touches on the path
-};
-
 /// One planned piece. A line or an arc draws itself from `curve`; `kind`, `line` and `source` tell
 /// how to colour it and whence it came.
 struct Segment {
@@ -67,9 +57,11 @@ struct Segment {
     path::Curve curve;  // way of the tip, or of the contact; a Point if it stands
     path::Vec3 tool = path::Vec3::UnitZ();  // unit vector from tip to holder
     double tool_length = 0;  // mm along `tool`; linear axes = tip + tool_length · tool
-    /// With it, `tool` is the tool at base position, and the machine's chain says where the axes
-    /// stand (transformed.h).
-    Turn turn;
+    /// Of a piece on whose path the transformation of the machine holds the tip: `tool` is the tool
+    /// at base position, the machine's chain says where the axes stand (transformed.h), and
+    /// follower_start is where the rotary ones begin.
+    path::Turn turn;
+    path::Contact contact;  // … and how the cutter touches on the path
 
     double start_time = 0;  // s, from the start of the program
     double duration = 0;    // s
@@ -88,9 +80,6 @@ struct Segment {
     bool is_transformed() const { return turn.kind != path::Turning::None; }
     double end_time() const { return start_time + duration; }
 };
-
-/// Direction of the tool on a cone, so far from where the piece begins.
-path::Vec3 direction_at(const Turn& turn, double distance);
 
 /// The part of a motion between two lengths of its path.
 Segment part_of(const Segment& whole, double from, double to);

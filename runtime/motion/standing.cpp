@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/Geometry>
+
 #include "base/units.h"
 #include "motion/transformed.h"
 
@@ -25,6 +27,12 @@ Vec3 tool_axis(path::Plane plane, const AxisTable& axes) {
     // A lathe works in Z-X and has no Y: its lengths count along Z.
     if (axes.slot(axis) == axes.size()) axis = Axis::Z;
     return Vec3::Unit(static_cast<Eigen::Index>(index(axis)));
+}
+
+/// How far the tool's direction goes while the tip stands, rad.
+double turned_angle(const Command& command, const Vec3& from) {
+    if (command.turning != path::Turning::Cone) return path::angle_between(from, command.direction);
+    return std::abs(command.turn_angle) * command.turn_axis.cross(from).norm();
 }
 
 bool turns(std::size_t follower) { return is_rotary(static_cast<Axis>(follower + 3)); }
@@ -120,16 +128,20 @@ double Standing::lay_path(const Command& command, const Target& target, Segment&
     return length > kStill ? length : 0;
 }
 
-/// On a cone R1 and R2 follow the tool; where only it turns, its angle is the path.
+/// Where the tool's way is given R1 and R2 follow it; where only it turns, its angle is the path.
 void Standing::lay_turn(const Command& command, double& length, Segment& segment) const {
-    Turn& turn = segment.turn;
+    path::Turn& turn = segment.turn;
     turn.kind = command.turning;
-    if (turn.kind == path::Turning::Cone) {
+    if (leads_tool(turn)) {
+        const Vec3 from = machine::tool_vector(*chain_, joints_of(*chain_, followers_));
         const bool stands = std::holds_alternative<path::Point>(segment.curve);
         const bool is_parallel = (segment.followers & ~kRotaryABC) != 0;
-        if (stands && !is_parallel && length <= kStill) {
-            length = deg_from_rad(std::abs(command.turn_angle));
+        if (stands && !is_parallel && pivot_length(command) <= kStill) {
+            const double before = length;
+            length = deg_from_rad(turned_angle(command, from));
             segment.turns_only = true;
+            if (length > kStill)
+                for (double& rate : segment.follower_rate) rate *= before / length;
         }
         for (const std::size_t joint : {machine::kR1, machine::kR2}) {
             if (!chain_->has(joint)) continue;
@@ -137,12 +149,15 @@ void Standing::lay_turn(const Command& command, double& length, Segment& segment
             segment.follower_rate[index(axis) - 3] = 0;
             segment.followers |= bit(axis);
         }
-        turn.direction = machine::tool_vector(*chain_, joints_of(*chain_, followers_));
-        turn.axis = command.turn_axis;
-        if (length > kStill) turn.rate = command.turn_angle / length;
+        const double share = length > kStill ? 1 / length : 0;
+        const bool is_point = turn.kind == path::Turning::Point;
+        turn.start = turn.kind == path::Turning::Cone ? from : command.turn_from;
+        turn.axis = is_point ? Vec3(share * command.turn_axis) : command.turn_axis;
+        turn.rate = share * command.turn_angle;
+        turn.lean = command.lean;
     }
     turn.length = length;
-    if (!command.contact.empty()) turn.contact = command.contact.front().contact;
+    if (!command.contact.empty()) segment.contact = command.contact.front().contact;
 }
 
 /// X Y Z make the path if they move, else U V W, else the rotary axes in degrees; the others follow

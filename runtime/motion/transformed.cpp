@@ -10,11 +10,9 @@ namespace {
 
 using machine::Chain;
 using machine::ChainPosition;
-using machine::is_at_pole;
-using machine::joints_for;
 using path::Vec3;
 
-// Beside the pole by so much R1 has the place with which the tool gets there, rad.
+// Beside the pole by so much of the piece R1 has the place with which the tool gets there.
 constexpr double kBesidePole = 1e-6;
 
 // Differences of places that are rounding, mm and rad.
@@ -74,7 +72,7 @@ std::array<double, kFollowers> followers_at(const Segment& piece, double distanc
 }  // namespace
 
 Vec3 tip_on(const Chain& chain, const Segment& piece, double distance, const Vec3& rotary) {
-    const path::Contact& contact = piece.turn.contact;
+    const path::Contact& contact = piece.contact;
     if (contact.kind == path::ContactKind::Tip) return path::position(piece.curve, distance);
     const path::CurvePoint at = path::evaluate(piece.curve, distance);
     const double share = piece.turn.length > 0 ? distance / piece.turn.length : 0;
@@ -90,7 +88,7 @@ Segment standing_at(const Segment& piece, double distance) {
     still.curve = path::Point{at.position};
     still.follower_start = followers_at(piece, distance);
     still.follower_rate = {};
-    path::Contact& contact = still.turn.contact;
+    path::Contact& contact = still.contact;
     if (contact.kind == path::ContactKind::Side) {
         contact.kind = path::ContactKind::Pivot;
         contact.guide = at.tangent;
@@ -98,8 +96,8 @@ Segment standing_at(const Segment& piece, double distance) {
         contact.guide = path::guide_at(contact, distance / piece.turn.length);
     }
     contact.turn = 0;
-    still.turn.direction = direction_at(piece.turn, distance);
-    still.turn.rate = still.turn.length = 0;
+    still.turn = path::Turn{};
+    still.turn.kind = path::Turning::Axes;
     return still;
 }
 
@@ -119,12 +117,14 @@ LogicalAxes complete(const Chain& chain, const Segment& piece, double distance,
 }
 
 /// At the pole R1 has the place with which the tool gets there: a nutating head's still moves.
-Vec3 joints_on_cone(const Chain& chain, const Turn& turn, double distance, Vec3 near) {
-    const Vec3 direction = direction_at(turn, distance);
-    if (turn.rate != 0 && is_at_pole(chain, direction)) {
+Vec3 joints_on_way(const Chain& chain, const Segment& piece, double distance, Vec3 near) {
+    const path::Turn& turn = piece.turn;
+    const Vec3 direction = path::direction_at(turn, piece.curve, distance);
+    const bool stands = turn.kind == path::Turning::Cone && turn.rate == 0;
+    if (!stands && is_at_pole(chain, direction)) {
         const double inwards = distance > turn.length / 2 ? -1 : 1;
-        const double beside = distance + inwards * kBesidePole / std::abs(turn.rate);
-        near[0] = joints_for(chain, direction_at(turn, beside), near)[0];
+        const double beside = distance + inwards * kBesidePole * turn.length;
+        near[0] = joints_for(chain, path::direction_at(turn, piece.curve, beside), near)[0];
     }
     return joints_for(chain, direction, near);
 }
@@ -133,10 +133,10 @@ Vec3 joints_on_cone(const Chain& chain, const Turn& turn, double distance, Vec3 
 LogicalAxes axes_near(const Chain& chain, const Segment& piece, double distance,
                       const LogicalAxes& near) {
     auto followers = followers_at(piece, distance);
-    if (piece.turn.kind == path::Turning::Cone) {
+    if (leads_tool(piece.turn)) {
         std::array<double, kFollowers> from{};
         std::copy(near.begin() + 3, near.end(), from.begin());
-        Vec3 rotary = joints_on_cone(chain, piece.turn, distance, joints_of(chain, from));
+        Vec3 rotary = joints_on_way(chain, piece, distance, joints_of(chain, from));
         rotary[2] = joints_of(chain, followers)[2];
         put_joints(chain, rotary, followers);
     }
@@ -152,7 +152,7 @@ LogicalAxes start_of(const Segment& piece) {
 }  // namespace
 
 Vec3 tool_at(const Chain& chain, const Segment& piece, double distance) {
-    if (piece.turn.kind == path::Turning::Cone) return direction_at(piece.turn, distance);
+    if (leads_tool(piece.turn)) return path::direction_at(piece.turn, piece.curve, distance);
     return machine::tool_vector(chain, joints_of(chain, followers_at(piece, distance)));
 }
 

@@ -9,14 +9,20 @@
 #include <array>
 #include <vector>
 
+#include "machine/following.h"
 #include "machine/kinematics.h"
-#include "machine/nearest.h"
 #include "motion/segment.h"
 
 namespace kadr::motion {
 
 /// One value per logical axis; mm and rad.
 using LogicalAxes = std::array<double, kAxes>;
+
+using machine::is_at_pole;
+using machine::joints_for;
+
+/// Whether the tool's direction is given along the piece, and the rotary axes follow it.
+inline bool leads_tool(const path::Turn& turn) { return turn.kind > path::Turning::Axes; }
 
 /// Where the joints of the chain stand, as followers of a piece say it, and the other way round.
 path::Vec3 joints_of(const machine::Chain& chain, const std::array<double, kFollowers>& followers);
@@ -34,8 +40,8 @@ path::Vec3 tip_on(const machine::Chain& chain, const Segment& piece, double dist
 /// The piece as it stands at a distance: without path and without turn.
 Segment standing_at(const Segment& piece, double distance);
 
-/// Where all axes stand at a distance along a piece. A piece on a cone must be as short as
-/// even_parts() makes it.
+/// Where all axes stand at a distance along a piece. A piece on which the tool goes a way of its
+/// own must be as short as even_parts() makes it.
 LogicalAxes axes_at(const machine::Chain& chain, const Segment& piece, double distance);
 
 /// Where the tip is for these axes; a tool as a segment carries it.

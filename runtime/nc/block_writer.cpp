@@ -39,7 +39,8 @@ constexpr bool is_quiet_group(Group group) {
         case Group::OrientAngles:
         case Group::OrientSystem:
         case Group::CompSystem:
-        case Group::CompTurning: return true;
+        case Group::CompTurning:
+        case Group::Spinning: return true;
         case Group::Once:
         case Group::LengthComp:
         case Group::WorkOffsets:

@@ -36,12 +36,13 @@ bool is_literal(const NumberFormat& format) {
 
 }  // namespace
 
-/// Whether a word of the address means its slot but under certain motions, which are noted.
+/// Whether a word of the address means its slot but under certain motions and length
+/// compensations, which are noted.
 bool LineReader::are_of_motions(const Address& address) {
     for (const FormId id : address.forms) {
         const std::vector<Function>& during = tables_.forms[id].during;
-        const bool is_of_motion = during.size() == 1 && info(during[0]).group == Group::Motion;
-        if (!is_of_motion) return false;
+        const Group group = during.size() == 1 ? info(during[0]).group : Group::Once;
+        if (group != Group::Motion && group != Group::LengthComp) return false;
         closely_read_.set(static_cast<std::size_t>(during[0]));
     }
     return true;
@@ -75,7 +76,9 @@ bool LineReader::read_fast(std::string_view line, Block& block) const {
     std::uint32_t groups = 0;
     bool has_word = false;
     const Function motion = modal_[static_cast<std::size_t>(Group::Motion)];
-    if (closely_read_[static_cast<std::size_t>(motion)] || tables_.used != nullptr || feed_is_time_)
+    const Function length = modal_[static_cast<std::size_t>(Group::LengthComp)];
+    if (closely_read_[static_cast<std::size_t>(motion)] ||
+        closely_read_[static_cast<std::size_t>(length)] || tables_.used != nullptr || feed_is_time_)
         return false;
     while (p != end && is_blank(*p)) ++p;
     while (p != end) {
@@ -119,6 +122,9 @@ bool LineReader::read_fast(std::string_view line, Block& block) const {
                 return false;
             if ((groups & mask) != 0) return false;
             groups |= mask;
+            if (group == Group::LengthComp &&
+                closely_read_[static_cast<std::size_t>(known.function)])
+                return false;
             if (group == Group::Motion) {
                 if (closely_read_[static_cast<std::size_t>(known.function)]) return false;
                 block.motion = known.function;

@@ -170,7 +170,7 @@ class LineReader {
     std::function<void(DiagnosticBuilder&)> notes_;
     std::array<FastLetter, 128> letters_;
     ModalFunctions modal_{};
-    std::bitset<kFunctions> closely_read_;  // motions under which words have other meanings
+    std::bitset<kFunctions> closely_read_;  // modes under which words have other meanings
     TextUnits units_;
     std::array<double, static_cast<std::size_t>(Dimension::Text) + 1> slot_scales_{};
     bool feed_stays_metric_ = false;

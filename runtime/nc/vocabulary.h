@@ -48,10 +48,11 @@ enum class Group : std::uint8_t {
     Turning,
     OrientAngles,
     OrientSystem,
+    Spinning,
     CompSystem,
     CompTurning,
 };
-inline constexpr std::size_t kGroups = 26;
+inline constexpr std::size_t kGroups = 27;
 
 /// What a number in a block measures; decides unit, number format and conversion.
 enum class Dimension : std::uint8_t {

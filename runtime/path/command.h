@@ -14,6 +14,7 @@
 #include "path/contact.h"
 #include "path/parametric.h"
 #include "path/spline.h"
+#include "path/turning.h"
 
 namespace kadr::path {
 
@@ -54,14 +55,6 @@ enum class FunctionStep : std::uint8_t {
     Issue,  // the motion goes on
     Await,  // of what was issued before: the motion waits for the acknowledgement
     Both,
-};
-
-/// How the tool turns while the transformation of the machine holds its tip on the path.
-enum class Turning : std::uint8_t {
-    None,  // no transformation: every axis goes as `to` says
-    Axes,  // the rotary axes go in proportion to the path
-    Cone,  // the tool goes about an axis in space, in proportion to the path; square to the axis
-           // that is a great circle
 };
 
 /// How the corner behind a motion is rounded, if the next motion lets it.
@@ -115,8 +108,12 @@ struct Command {
     // rotary axes stand there.
     Turning turning = Turning::None;
     Vec3 direction = Vec3::UnitZ();  // of the tool at the end, unit vector from tip to holder
-    Vec3 turn_axis = Vec3::Zero();   // Cone: unit vector
-    double turn_angle = 0;           // Cone: rad, by the right-hand rule
+    /// … and how it turns: fields as of a Turn, but over the whole motion: `rate` is rad and
+    /// `axis` of a Point mm from its start to the end, leans go from the first to the second.
+    Vec3 turn_from = Vec3::UnitZ();  // Surface, Point
+    Vec3 turn_axis = Vec3::Zero();   // Cone, Surface, Point
+    double turn_angle = 0;           // Cone, Surface; by the right-hand rule
+    Lean lean;                       // Surface
     // … whose path is that of the place where the cutter touches: one; else none.
     std::vector<ContactMotion> contact;
 

@@ -2,7 +2,10 @@
 // same directions of the tool, by axes that differ.
 #include <cmath>
 #include <map>
+#include <numbers>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -117,6 +120,121 @@ TEST_F(FiveAxis, CommandsDifferInRotaryAxesOnly) {
         EXPECT_EQ(text, first) << machine;
     }
     EXPECT_NE(first.find("\"tool\":[0.447213595,0,0.894427191]"), std::string::npos) << first;
+}
+
+/// What the motions with a tool's direction say, from `"op"` to the direction; without F, which one
+/// control says again.
+std::vector<std::string> tool_motions(const std::string& commands) {
+    std::vector<std::string> found;
+    std::istringstream lines(commands);
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t tool = line.find("\"tool\":[");
+        const std::size_t place = line.find("\"to\":");
+        if (tool == std::string::npos || place == std::string::npos) continue;
+        found.push_back(line.substr(place, line.find(']', tool) + 1 - place));
+    }
+    return found;
+}
+
+TEST_F(FiveAxis, ThreeLanguagesSayTheSameWays) {
+    const std::string start = "N10 G17 G54 G90\nN20 T1 ";
+    save("part.mpf", start + R"(D1 M6
+S8000 M3
+TRAORI
+ORIVECT
+G0 X0 Y0 Z60 C3=1
+G1 Z2 F2000
+X40 A3=0.5 C3=1
+Y30 A3=0.5 B3=0.5 C3=1
+A3=-0.5 B3=0.5 C3=1 F3000
+X30 B3=0.4 C3=1
+ORIAXES
+Y0 A3=0.3 C3=1
+G0 Z80 C3=1
+TRAFOOF
+M30
+)");
+    save("part.nc", "%\nO0001\n" + start + R"(M06
+S8000 M03
+G43.5 H01 P1
+G00 X0. Y0. Z60. K1.
+G01 Z2. F2000.
+X40. I0.5 K1.
+Y30. I0.5 J0.5 K1.
+I-0.5 J0.5 K1. F3000.
+X30. J0.4 K1.
+G43.5 H01 P0
+Y0. I0.3 K1.
+G00 Z80. K1.
+G49
+M30
+%
+)");
+    for (const std::string& machine : kMachines) {
+        SCOPED_TRACE(machine);
+        std::vector<std::vector<std::string>> ways;
+        for (const auto& [text, control] :
+             {std::pair("part.mpf", "sinumerik"), std::pair("part.mpf", "axioma"),
+              std::pair("part.nc", "fanuc")}) {
+            const auto result = kadr({"run", file(text), "-d", control, "-m", machine, "--commands",
+                                      file("part.jsonl")});
+            ASSERT_EQ(result.status, 0) << result.err;
+            ways.push_back(tool_motions(read_file(file("part.jsonl")).value()));
+        }
+        ASSERT_EQ(ways[0].size(), 8u);
+        EXPECT_EQ(ways[1], ways[0]);
+        // The length acts in a motion of its own there.
+        ASSERT_EQ(ways[2].size(), ways[0].size() + 1);
+        ways[2].erase(ways[2].begin());
+        EXPECT_EQ(ways[2], ways[0]);
+    }
+}
+
+/// Lines, an arc and a turn about the tip on which the tool goes along cones, leans on a surface
+/// and follows a second point.
+const std::string kCourses = R"(N10 G17 G54 G90 G64
+N20 T1 D1 M6
+N30 S8000 M3
+N40 TRAORI
+N50 G0 X0 Y0 Z2 A3=0.3 C3=1
+N60 ORICONCW
+N70 G1 X40 A3=-0.3 C3=1 C6=1 F2000
+N80 ORICONIO
+N90 Y30 A3=0.2 B3=0.5 C3=1 A7=-0.1 B7=0.3 C7=1
+N100 ORIPATH LEAD=12 TILT=5
+N110 X0
+N120 G3 Y10 CR=10 B5=0.2 C5=1
+N130 ORICURVE
+N140 G1 X30 XH=40 YH=10 ZH=100
+N150 ORIAXES
+N160 G0 Z80 C3=1
+N170 TRAFOOF
+N180 M30
+)";
+
+TEST_F(FiveAxis, CoursesAreTheSameOnEveryMachine) {
+    save("part.mpf", kCourses);
+    std::vector<std::string> first;
+    for (const std::string& machine : kMachines) {
+        SCOPED_TRACE(machine);
+        const auto result =
+            kadr({"run", file("part.mpf"), "-d", "sinumerik", "-m", machine, "--commands",
+                  file("part.jsonl"), "--setpoints", file("part.csv")});
+        ASSERT_EQ(result.status, 0) << result.err;
+        std::vector<std::string> tools;
+        for (const std::string& way : tool_motions(read_file(file("part.jsonl")).value()))
+            tools.push_back(way.substr(way.find("\"tool\"")));
+        if (first.empty()) first = tools;
+        EXPECT_EQ(tools, first);
+        for (const Row& row : rows_of(read_file(file("part.csv")).value())) {
+            // Line 7: about Z by half a turn, always as far from it.
+            if (row.at("iso") != 7) continue;
+            EXPECT_NEAR(row.at("tool_k"), 1 / std::hypot(0.3, 1), 1e-6);
+            EXPECT_NEAR(row.at("tip_y"), 0, 1e-6);
+            const double around = std::numbers::pi * row.at("tip_x") / 40;
+            EXPECT_NEAR(row.at("tool_i"), 0.3 / std::hypot(0.3, 1) * std::cos(around), 1e-6);
+        }
+    }
 }
 
 }  // namespace

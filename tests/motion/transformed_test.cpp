@@ -3,6 +3,7 @@
 #include "motion/transformed.h"
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include <Eigen/Geometry>
@@ -106,11 +107,7 @@ class Program {
             command.turn_angle = std::atan2(across.norm(), from.dot(tool));
         }
         joints_ = chosen->rotary;
-        for (const std::size_t k : {machine::kR1, machine::kR2}) {
-            const Axis axis = chain_.joints[k].axis;
-            command.to[index(axis)] = deg_from_rad(joints_[static_cast<Eigen::Index>(k)]);
-            command.moved |= bit(axis);
-        }
+        put_joints(command);
         commands.push_back(command);
         return *this;
     }
@@ -119,9 +116,45 @@ class Program {
         commands.back().op = Op::Rapid;
         return *this;
     }
+    /// To a tip along a line, or along an arc, with the tool led by a course from where it stands;
+    /// `lay` says it: it is given where the tool stands and the curve, and fills the command in.
+    template <typename Lay>
+    Program& lead(const Command& along, const path::Curve& curve, Lay lay) {
+        Command command = along;
+        const Vec3 from = machine::tool_vector(chain_, joints_);
+        lay(command, from);
+        const double length = path::length(curve) > 0 ? path::length(curve) : 1;
+        path::Turn turn{command.turning,
+                        length,
+                        command.turn_from,
+                        command.turn_axis,
+                        command.turn_angle / length,
+                        command.lean};
+        if (turn.kind == Turning::Cone) turn.start = from;
+        if (turn.kind == Turning::Point) turn.axis /= length;
+        RC_PRE((path::direction_at(turn, curve, 0) - from).norm() < 1e-9);
+        const auto end = machine::follow(chain_, {joints_, {}}, [&](double f) {
+            return path::direction_at(turn, curve, f * length);
+        });
+        RC_PRE(end.has_value());
+        joints_ = end->rotary;
+        command.direction = machine::tool_vector(chain_, joints_);
+        put_joints(command);
+        commands.push_back(command);
+        return *this;
+    }
+    Vec3 tool() const { return machine::tool_vector(chain_, joints_); }
     std::vector<Command> commands;
 
   private:
+    void put_joints(Command& command) const {
+        for (const std::size_t k : {machine::kR1, machine::kR2}) {
+            const Axis axis = chain_.joints[k].axis;
+            command.to[index(axis)] = deg_from_rad(joints_[static_cast<Eigen::Index>(k)]);
+            command.moved |= bit(axis);
+        }
+    }
+
     machine::Machine machine_;
     const Chain& chain_ = machine_.kinematics->chain;
     Vec3 joints_ = Vec3::Zero();
@@ -258,6 +291,151 @@ RC_GTEST_PROP(Transformed, KeepsTheTipOnItsPathAndTheAxesWithinLimits, ()) {
     RC_ASSERT(watch.shares().velocity < 1.001);
     RC_ASSERT(watch.shares().acceleration < 1.001);
     RC_ASSERT(watch.shares().jerk < 1.001);
+}
+
+/// What a setpoint shows against a course along a line: the tip on it, the tool as the mathematics
+/// say, by formulas of their own.
+struct Led {
+    Command command;
+    Vec3 tip_from;
+    std::function<Vec3(double)> tool;  // by the fraction of the way
+    bool keeps_jerk = true;            // not where the pole is passed
+};
+
+void expect_led(const machine::Machine& machine, const std::vector<Command>& commands,
+                const Led& led) {
+    const Motion motion = run(machine, commands);
+    ASSERT_FALSE(motion.alarmed);
+    TickWatch watch(machine, motion.segments);
+    const Vec3 to(led.command.to[0], led.command.to[1], led.command.to[2]);
+    const Vec3 way = to - led.tip_from;
+    std::size_t count = 0;
+    for (const Setpoint& setpoint : sample(machine, commands)) {
+        watch.add(setpoint);
+        const machine::Pose pose = pose_of(machine, setpoint, 0);
+        ASSERT_LT((pose.tip - setpoint.tip).norm(), 1e-9);
+        if (setpoint.line < commands.size()) continue;
+        ++count;
+        const double f = (setpoint.tip - led.tip_from).dot(way) / way.squaredNorm();
+        ASSERT_LT((setpoint.tip - led.tip_from - f * way).norm(), 1e-9);
+        ASSERT_LT((pose.rotation * Vec3::UnitZ() - led.tool(f)).norm(), 1e-6) << f;
+    }
+    EXPECT_GT(count, 300u);
+    EXPECT_LT(watch.shares().velocity, 1.001);
+    EXPECT_LT(watch.shares().acceleration, 1.001);
+    if (led.keeps_jerk) {
+        EXPECT_LT(watch.shares().jerk, 1.001);
+    }
+}
+
+TEST(Transformed, ConesKeepTheirAngleAtEveryTickThroughPolesToo) {
+    const std::vector<machine::Machine> machines = every_class();
+    for (const machine::Machine& machine : machines) {
+        SCOPED_TRACE(&machine - machines.data());
+        // About an axis that leans by as much as the cone is open: it passes the pole. And beside.
+        for (const double half : {20.0, 20.3, 12.0}) {
+            SCOPED_TRACE(half);
+            const Vec3 axis = direction(25, 20);
+            const Vec3 start = Eigen::AngleAxisd(rad_from_deg(half), axis.unitOrthogonal()) * axis;
+            const double turn = rad_from_deg(250);
+            Program program(machine);
+            program.go_fast({0, 0, 5}, start);
+            program.lead(line_to({90, 20, 0}, 2500), path::make_line({0, 0, 5}, {90, 20, 0}),
+                         [&](Command& command, const Vec3&) {
+                             command.turning = Turning::Cone;
+                             command.turn_axis = axis;
+                             command.turn_angle = turn;
+                         });
+            const Vec3 from = program.commands[0].direction;
+            expect_led(machine, program.commands,
+                       {program.commands[1],
+                        {0, 0, 5},
+                        [&](double f) -> Vec3 {
+                            const double c = std::cos(f * turn), s = std::sin(f * turn);
+                            return c * from + s * axis.cross(from) +
+                                   (1 - c) * axis.dot(from) * axis;
+                        },
+                        half != 20.0});
+        }
+    }
+}
+
+TEST(Transformed, ToolsLeanOnTheirSurfaceAtEveryTick) {
+    for (const machine::Machine& machine : every_class()) {
+        const Vec3 from(0, 0, 0), to(80, 0, 0);
+        const double lead = rad_from_deg(25), tilt = rad_from_deg(10), whole = rad_from_deg(40);
+        const auto tool = [&](double f) -> Vec3 {
+            // The normal turns about X by f times the whole angle; the tangent is X.
+            const double a = f * whole;
+            const Vec3 normal(0, -std::sin(a), std::cos(a));
+            const Vec3 leant = std::cos(lead) * normal + std::sin(lead) * Vec3::UnitX();
+            return Eigen::AngleAxisd(tilt, Vec3::UnitX()) * leant;
+        };
+        Program program(machine);
+        program.go_fast(from, tool(0));
+        program.lead(line_to(to, 2500), path::make_line(from, to),
+                     [&](Command& command, const Vec3&) {
+                         command.turning = Turning::Surface;
+                         command.turn_from = Vec3::UnitZ();
+                         command.turn_axis = Vec3::UnitX();
+                         command.turn_angle = whole;
+                         command.lean = {lead, tilt, path::TiltAbout::Tangent};
+                     });
+        expect_led(machine, program.commands, {program.commands[1], from, tool});
+    }
+}
+
+TEST(Transformed, SecondPointsLeadTheToolAtEveryTick) {
+    for (const machine::Machine& machine : every_class()) {
+        const Vec3 from(0, 0, 0), to(60, -30, 5);
+        const Vec3 point(10, 15, 100), point_to(90, 20, 80);
+        const auto tool = [&](double f) -> Vec3 {
+            const Vec3 tip = from + f * (to - from);
+            return (point + f * (point_to - point) - tip).normalized();
+        };
+        Program program(machine);
+        program.go_fast(from, tool(0));
+        program.lead(line_to(to, 2500), path::make_line(from, to),
+                     [&](Command& command, const Vec3&) {
+                         command.turning = Turning::Point;
+                         command.turn_from = point;
+                         command.turn_axis = point_to - point;
+                     });
+        expect_led(machine, program.commands, {program.commands[1], from, tool});
+    }
+}
+
+TEST(Transformed, ToolsFollowTheTangentOfAnArc) {
+    for (const machine::Machine& machine : every_class()) {
+        const double lead = rad_from_deg(30), radius = 40;
+        Program program(machine);
+        program.go_fast({radius, 0, 0}, {0, std::sin(lead), std::cos(lead)});
+        const Command arc = arc_to({-radius, 0, 0}, {0, 0, 0}, std::numbers::pi, 2500);
+        program.lead(arc,
+                     path::make_helix({radius, 0, 0}, {-radius, 0, 0}, {0, 0, 0}, Vec3::UnitZ(),
+                                      std::numbers::pi),
+                     [&](Command& command, const Vec3&) {
+                         command.turning = Turning::Surface;
+                         command.turn_from = Vec3::UnitZ();
+                         command.turn_axis = Vec3::UnitX();
+                         command.lean = {lead, 0, path::TiltAbout::Tangent};
+                     });
+        const Motion motion = run(machine, program.commands);
+        ASSERT_FALSE(motion.alarmed);
+        TickWatch watch(machine, motion.segments);
+        for (const Setpoint& setpoint : sample(machine, program.commands)) {
+            watch.add(setpoint);
+            if (setpoint.line < 2) continue;
+            const machine::Pose pose = pose_of(machine, setpoint, 0);
+            EXPECT_LT((pose.tip - setpoint.tip).norm(), 1e-9);
+            EXPECT_NEAR(setpoint.tip.norm(), radius, 1e-9);
+            const Vec3 travel = Vec3::UnitZ().cross(setpoint.tip) / radius;
+            const Vec3 wanted = std::cos(lead) * Vec3::UnitZ() + std::sin(lead) * travel;
+            ASSERT_LT((pose.rotation * Vec3::UnitZ() - wanted).norm(), 1e-6);
+        }
+        EXPECT_LT(watch.shares().velocity, 1.001);
+        EXPECT_LT(watch.shares().acceleration, 1.001);
+    }
 }
 
 }  // namespace

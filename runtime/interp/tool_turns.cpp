@@ -1,0 +1,573 @@
+// tool_turns.cpp — how the tool turns in a block: the rotary positions at its end and the way
+// there.
+//
+// The way is a cone, a great circle among them, or the axes in proportion; or it is led by the
+// path, so that it waits until the path is known (lay_course). Where the axes are on the way is
+// motion's matter (motion/transformed.h).
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "base/diagnostics/iso.h"
+#include "base/numbers.h"
+#include "base/units.h"
+#include "interp/executor.h"
+#include "machine/following.h"
+#include "machine/orientation.h"
+
+namespace kadr::interp {
+
+using machine::Chain;
+using nc::Block;
+using nc::Function;
+using path::Command;
+using path::Op;
+using path::Turning;
+using path::Vec3;
+
+namespace {
+
+/// Rounding of words and frames, as a tool's direction shows it, rad: it does not turn the tool.
+constexpr double kSameDirection = 1e-12;
+/// A tool that stands elsewhere than where its course begins by more turns there first, rad: words
+/// have six digits and more.
+constexpr double kSameStart = 1e-9;
+/// Ends that are off a cone by more are not on it, rad; by less its axis is corrected.
+constexpr double kOnCone = 0.1 * std::numbers::pi / 180;
+
+std::string degrees(double angle) { return format_shortest(round_to(deg_from_rad(angle), 4)); }
+
+Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
+
+std::string_view words_of(machine::CandidateFault fault) {
+    using machine::CandidateFault;
+    switch (fault) {
+        case CandidateFault::NoSolution: return "does not exist";
+        case CandidateFault::FirstOutside:
+        case CandidateFault::SecondOutside:
+        case CandidateFault::SpinOutside: return "is beyond a limit";
+        case CandidateFault::OnlyLongWay: return "is there by the longer way only";
+        case CandidateFault::OtherConfiguration: return "is not on the way of the tool";
+        case CandidateFault::LimitOnTheWay: return "is behind a limit on the way";
+    }
+    return "is not possible";
+}
+
+std::string words_of(const Chain& chain, const machine::PathRefusal& refusal) {
+    std::string words;
+    for (const machine::CandidateRefusal& refused : refusal.configurations) {
+        if (refused.fault == machine::CandidateFault::NoSolution) continue;
+        if (!words.empty()) words += "; ";
+        words += kAxisNames[index(chain.joints[refused.joint].axis)];
+        words += " at " + degrees(refused.value) + "° ";
+        words += words_of(refused.fault);
+    }
+    return words;
+}
+
+/// The axis, turned by as little as possible so that both directions are on one cone about it.
+Vec3 axis_between(const Vec3& axis, const Vec3& from, const Vec3& to) {
+    const Vec3 way = to - from;
+    if (way.norm() < kSameDirection) return axis;
+    return (axis - axis.dot(way) / way.squaredNorm() * way).normalized();
+}
+
+}  // namespace
+
+/// What the block says of the tool, as rotary positions at its end and a way there. False: it was
+/// reported.
+bool Executor::orient(const Block& block, const Actions& actions, Target& target) {
+    // Every axis may move, whatever the block names.
+    target.moved = static_cast<AxisMask>(target.moved | kLinearXYZ | joint_axes());
+    next_turn_ = {};
+    course_.reset();
+    const ToolWords& tool = actions.tool;
+    if (turns_in_two_ways(block, tool) || has_idle_words(block, tool)) return false;
+    if (orienting_.takes_vectors && is_arc(modal_.motion)) {
+        report(diag::TcpArc, block, modal_.motion);
+        return false;
+    }
+    const bool is_led = leans_on_surface() || tool.point.is_said() || tool.lead ||
+                        (rules_.surface_words_at_end && tool.says_surface());
+    const bool waits = spins_with_path(tool);
+    if (is_led || waits) course_ = tool;
+    if (!is_led) {
+        if (tool.says_direction()) {
+            const std::optional<Vec3> to = wanted_direction(block, tool);
+            if (!to || !turn_to(block, tool, *to, target)) return false;
+        } else if (orienting_.has_length && !turn_by_axes(block, target)) {
+            return false;
+        }
+        if (!waits && !lay_spin(block, tool, target)) return false;
+        orienting_.point.reset();
+    }
+    settle_turn(target);
+    return true;
+}
+
+/// What the block's end says of the tool, for the command and for the blocks behind it.
+void Executor::settle_turn(const Target& target) {
+    const Chain& chain = machine_.kinematics->chain;
+    next_turn_.direction = machine::tool_vector(chain, joints_of(target.base));
+    if (next_turn_.turning == Turning::Cone)
+        orienting_.rate = next_turn_.axis.cross(next_turn_.direction) * next_turn_.angle;
+}
+
+/// Rotary axes are programmed where the tool is to turn along a great circle: it must lead there.
+bool Executor::turn_by_axes(const Block& block, Target& target) {
+    if (orienting_.turning != Function::TurnPlane || (block.given & joint_axes()) == 0) return true;
+    const Chain& chain = machine_.kinematics->chain;
+    constexpr double kSameJoint = 1e-6;  // rad
+    const Vec3 wanted = joints_of(target.base);
+    if ((wanted - joints_of(position_.base)).norm() < kSameJoint) return true;
+    Target end{position_.here, position_.base, target.moved};
+    if (!lay_turn(block, machine::tool_vector(chain, wanted), end)) return false;
+    const Vec3 reached = joints_of(end.base);
+    if ((reached - wanted).norm() < kSameJoint) return true;
+    const std::size_t joint =
+        std::abs(reached[0] - wanted[0]) > kSameJoint ? machine::kR1 : machine::kR2;
+    report(diag::OrientationNoWay, block)
+        .arg(std::string(kAxisNames[index(chain.joints[joint].axis)]) + " comes to " +
+             degrees(reached[static_cast<Eigen::Index>(joint)]) + "° on the great circle");
+    return false;
+}
+
+/// To a direction, on the way that the program has chosen.
+bool Executor::turn_to(const Block& block, const ToolWords& tool, const Vec3& to, Target& target) {
+    switch (orienting_.turning) {
+        case Function::TurnConeCw:
+        case Function::TurnConeCcw:
+        case Function::TurnConeOver:
+        case Function::TurnConeOn: return lay_cone(block, tool, to, target);
+        default: return lay_turn(block, to, target, tool.angles.is_said() ? &tool : nullptr);
+    }
+}
+
+machine::JointLimits Executor::joint_limits() const {
+    machine::JointLimits limits;
+    const Chain& chain = machine_.kinematics->chain;
+    for (std::size_t k = 0; k < machine::kJoints; ++k) {
+        if (!chain.has(k)) continue;
+        const std::size_t i = index(chain.joints[k].axis);
+        limits[k] = {rad_from_deg(lower_[i]), rad_from_deg(upper_[i])};
+    }
+    return limits;
+}
+
+void Executor::put_joints(const Vec3& joints, Target& target) const {
+    const Chain& chain = machine_.kinematics->chain;
+    for (std::size_t k = 0; k < machine::kJoints; ++k) {
+        if (!chain.has(k)) continue;
+        const std::size_t i = index(chain.joints[k].axis);
+        target.base[i] = deg_from_rad(joints[static_cast<Eigen::Index>(k)]);
+        target.here[i] = target.base[i] - frames_.shift_values()[i];
+    }
+}
+
+void Executor::report_no_way(const Block& block, const machine::PathRefusal& refusal) {
+    const Chain& chain = machine_.kinematics->chain;
+    if (refusal.fault == machine::PathFault::Unreachable) {
+        report(diag::OrientationBeyond, block)
+            .arg(chain.orients() ? "the direction is outside of the reach of its rotary axes"
+                                 : "it has one rotary axis, which does not lead there");
+    } else {
+        report(diag::OrientationNoWay, block).arg(words_of(chain, refusal));
+    }
+}
+
+/// Along a great circle, or with the axes in proportion. With three rotary axes the block's angles
+/// say how the tool turns about itself, too.
+bool Executor::lay_turn(const Block& block, const Vec3& to, Target& target,
+                        const ToolWords* angles) {
+    const Chain& chain = machine_.kinematics->chain;
+    const Vec3 joints = joints_of(position_.base);
+    const Vec3 from = machine::tool_vector(chain, joints);
+    const bool fixes_spin = angles != nullptr && chain.has(machine::kPsi);
+    if ((to - from).norm() < kSameDirection && !fixes_spin) return true;
+    machine::PathQuery query = machine::query_for(chain, to);
+    if (fixes_spin) {
+        query.rotation = turn_into_base() * rotation_by_angles(angles->angles.vector()) *
+                         base_rotation().transpose();
+        query.fixes_spin = true;
+    }
+    query.start = joints;
+    query.rule = machine_.kinematics->rule;
+    query.pole_tolerance = machine_.kinematics->pole_tolerance;
+    const bool is_plane =
+        orienting_.turning == Function::TurnPlane || orienting_.turning == Function::TurnSurface;
+    query.mode = is_plane ? machine::PathMode::Vector : machine::PathMode::Axis;
+    query.limits = joint_limits();
+    const auto arc = machine::great_circle(from, to);
+    if (is_plane && !arc) {
+        report(diag::OrientationOpposite, block);
+        return false;
+    }
+    const auto end = machine::choose_path(chain, query);
+    if (!end) {
+        report_no_way(block, end.error());
+        return false;
+    }
+    put_joints(end->rotary, target);
+    if (end->mode == machine::PathMode::Vector && arc->turn > kSameDirection) {
+        next_turn_.turning = Turning::Cone;
+        next_turn_.axis = arc->axis;
+        next_turn_.angle = arc->turn;
+    }
+    return true;
+}
+
+/// The tool's base position as a rotation from Z: angles and spins are said of a tool along Z.
+machine::Mat3 Executor::base_rotation() const {
+    return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(),
+                                              machine_.kinematics->chain.tool_direction)
+        .toRotationMatrix();
+}
+
+// ------------------------------------------------------------------------------ cones
+
+/// The cone from where the tool stands to a direction; nothing if it was reported.
+std::optional<machine::OrientationArc> Executor::cone_to(const Block& block, const ToolWords& tool,
+                                                         const Vec3& from, const Vec3& to) {
+    using machine::ConeSense;
+    const ConeSense sense =
+        orienting_.turning == Function::TurnConeCw ? ConeSense::Cw : ConeSense::Ccw;
+    const auto refuse = [&](const DiagnosticRow& row) {
+        report(row, block);
+        return std::nullopt;
+    };
+    Result<machine::OrientationArc, machine::OrientationFault> arc =
+        machine::OrientationFault::EqualVectors;
+    if (orienting_.turning == Function::TurnConeOver) {
+        if (!tool.between.is_said()) return refuse(diag::ConeBetweenMissing);
+        const auto between = direction_in_base(block, tool.between.vector(), Function::ToolBetween);
+        if (!between) return std::nullopt;
+        arc = machine::cone_through(from, *between, to);
+    } else if (orienting_.turning == Function::TurnConeOn) {
+        arc = machine::cone_tangential(from, orienting_.rate, to);
+    } else if (tool.cone_axis.is_said()) {
+        const auto axis = direction_in_base(block, tool.cone_axis.vector(), Function::ConeAxis);
+        if (!axis) return std::nullopt;
+        const double off = path::angle_between(*axis, from) - path::angle_between(*axis, to);
+        if (std::abs(off) > kOnCone) {
+            report(diag::ConeBeside, block, Function::ConeAxis)
+                .arg(degrees(path::angle_between(*axis, from)))
+                .arg(degrees(path::angle_between(*axis, to)));
+            return std::nullopt;
+        }
+        arc = machine::cone_about(from, to, axis_between(*axis, from, to), sense, kOnCone);
+    } else if (tool.opening) {
+        arc = machine::cone_of_opening(from, to, rad_from_deg(std::abs(*tool.opening)), sense);
+        if (!arc && arc.error() == machine::OrientationFault::OpeningSmall) {
+            report(diag::ConeOpeningSmall, block, Function::ConeOpening)
+                .arg(*tool.opening)
+                .arg(degrees(path::angle_between(from, to)));
+            return std::nullopt;
+        }
+    } else {
+        return refuse(diag::ConeMissing);
+    }
+    if (arc) return *arc;
+    return refuse(diag::ConeUndefined);
+}
+
+bool Executor::lay_cone(const Block& block, const ToolWords& tool, const Vec3& to, Target& target) {
+    const Vec3 from = machine::tool_vector(machine_.kinematics->chain, joints_of(position_.base));
+    const auto arc = cone_to(block, tool, from, to);
+    if (!arc) return false;
+    next_turn_.turning = Turning::Cone;
+    next_turn_.axis = arc->axis;
+    next_turn_.angle = arc->turn;
+    return follow_course(block, {Turning::Cone, 1, from, arc->axis, arc->turn, {}}, path::Point{},
+                         target);
+}
+
+/// The rotary positions at the end of a way of the tool; false: it was reported.
+bool Executor::follow_course(const Block& block, const path::Turn& turn, const path::Curve& curve,
+                             Target& target) {
+    const Chain& chain = machine_.kinematics->chain;
+    const machine::FollowQuery query{joints_of(position_.base), joint_limits()};
+    const auto end = machine::follow(chain, query, [&](double fraction) {
+        return path::direction_at(turn, curve, fraction * turn.length);
+    });
+    if (!end) {
+        report_no_way(block, end.error());
+        return false;
+    }
+    put_joints(end->rotary, target);
+    return true;
+}
+
+// ------------------------------------------------------------------------------ led by the path
+
+/// What waited for the path of the block: along it the tool is led, or its end says how it stands.
+/// False: it was reported.
+bool Executor::lay_course(const Block& block, const path::Curve& curve, Target& target) {
+    const ToolWords tool = *std::exchange(course_, std::nullopt);
+    if (tool.point.is_said()) {
+        if (!lead_by_point(block, tool, curve, target)) return false;
+    } else if (tool.lead) {
+        if (!lean_at_end(block, tool, curve, target)) return false;
+    } else if (leans_on_surface() || tool.says_surface()) {
+        if (!lead_by_surface(block, tool, curve, target)) return false;
+    }
+    if (!lay_spin(block, tool, target, &curve)) return false;
+    settle_turn(target);
+    return true;
+}
+
+/// The direction that the block says, leant towards the direction of travel at its end. F 4.7 Q.
+bool Executor::lean_at_end(const Block& block, const ToolWords& tool, const path::Curve& curve,
+                           Target& target) {
+    const std::optional<Vec3> normal = wanted_direction(block, tool);
+    if (!normal) return false;
+    const path::Lean lean{rad_from_deg(*tool.lead), 0, path::TiltAbout::Tangent};
+    const std::optional<Vec3> to =
+        lean_on(block, *normal, path::evaluate(curve, path::length(curve)).tangent, lean);
+    return to && turn_to(block, tool, *to, target);
+}
+
+/// The tool as it leans on a surface; nothing if it was reported.
+std::optional<Vec3> Executor::lean_on(const Block& block, const Vec3& normal, const Vec3& tangent,
+                                      const path::Lean& lean) {
+    if (lean.lead == 0 && lean.tilt == 0) return normal;
+    if (tangent.isZero(0)) {
+        report(diag::LeanWithoutTravel, block);
+        return std::nullopt;
+    }
+    const double rise = path::rise_of(normal, tangent);
+    if (std::abs(rise) > rad_from_deg(rules_.surface_rise)) {
+        report(diag::SurfaceAcross, block).arg(degrees(std::abs(rise)));
+        return std::nullopt;
+    }
+    return path::leaning(normal, tangent, lean);
+}
+
+/// The surface normals at start and end of the block, in the base system: nothing said is +Z, one
+/// that is not said at the start goes on from the block before. S 7.3.
+std::optional<std::array<Vec3, 2>> Executor::normals_of(const Block& block, const ToolWords& tool) {
+    std::array<Vec3, 2> normals;
+    const auto said = [&](std::size_t i) {
+        return direction_in_base(block, tool.normals[i].vector(), Function::SurfaceNormal);
+    };
+    const bool has_start = tool.normals[0].is_said();
+    const bool has_end = tool.normals[1].is_said();
+    if (!has_start && !has_end) {
+        normals[0] = normals[1] = turn_into_base() * Vec3::UnitZ();
+        return normals;
+    }
+    const auto start = has_start ? said(0) : std::optional<Vec3>(orienting_.normal);
+    if (!start) return std::nullopt;
+    const auto end = has_end ? said(1) : start;
+    if (!end) return std::nullopt;
+    normals = {*start, *end};
+    return normals;
+}
+
+bool Executor::lead_by_surface(const Block& block, const ToolWords& tool, const path::Curve& curve,
+                               Target& target) {
+    const auto normals = normals_of(block, tool);
+    if (!normals) return false;
+    path::Lean lean = orienting_.lean;
+    lean.about = rules_.tilt_about_normal ? path::TiltAbout::Normal : path::TiltAbout::Tangent;
+    const double length = path::length(curve);
+    const auto start = lean_on(block, (*normals)[0], path::evaluate(curve, 0).tangent, lean);
+    if (!start) return false;
+    const auto end = lean_on(block, (*normals)[1], path::evaluate(curve, length).tangent, lean);
+    if (!end) return false;
+    orienting_.normal = (*normals)[1];
+    // Where the tip stands there is no path to be led by, and where the control only looks at the
+    // block's end it is not.
+    if (length == 0 || rules_.surface_words_at_end) return turn_to(block, tool, *end, target);
+    const auto arc = machine::great_circle((*normals)[0], (*normals)[1]);
+    if (!arc) {
+        report(diag::OrientationOpposite, block);
+        return false;
+    }
+    if (!turn_first(block, *start)) return false;
+    next_turn_.turning = Turning::Surface;
+    next_turn_.from = (*normals)[0];
+    next_turn_.axis = arc->axis;
+    next_turn_.angle = arc->turn;
+    next_turn_.lean = lean;
+    return follow_course(
+        block, {Turning::Surface, length, (*normals)[0], arc->axis, arc->turn / length, lean},
+        curve, target);
+}
+
+/// A second point of the tool's axis goes straight to the place that the block says, S 7.4
+/// ORICURVE. Where none was said before it starts as far from the tip as it will end.
+bool Executor::lead_by_point(const Block& block, const ToolWords& tool, const path::Curve& curve,
+                             Target& target) {
+    const Chain& chain = machine_.kinematics->chain;
+    const Vec3 tip = path::start(curve);
+    const Vec3 direction = machine::tool_vector(chain, joints_of(position_.base));
+    AxisValues place{};
+    const AxisValues before =
+        orienting_.point ? frames_.from_base({(*orienting_.point)[0], (*orienting_.point)[1],
+                                              (*orienting_.point)[2]})
+                         : target.here;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const bool is_said = (tool.point.parts >> i & 1u) != 0;
+        place[i] = is_said ? tool.point.values[i] : before[i];
+    }
+    const Vec3 end = linear(frames_.to_base(place));
+    const double reach = (end - path::end(curve)).norm();
+    const Vec3 start = orienting_.point.value_or(tip + reach * direction);
+    constexpr double kNoReach = 1e-6;  // mm
+    if (reach < kNoReach || (start - tip).norm() < kNoReach) {
+        report(diag::PointAtTip, block, Function::ToolPoint);
+        return false;
+    }
+    if (!turn_first(block, (start - tip).normalized())) return false;
+    const bool stands = path::length(curve) == 0;
+    const double length = stands ? 1 : path::length(curve);
+    next_turn_.turning = Turning::Point;
+    next_turn_.from = start;
+    next_turn_.axis = end - start;
+    orienting_.point = end;
+    return follow_course(block, {Turning::Point, length, start, (end - start) / length, 0, {}},
+                         curve, target);
+}
+
+/// Where a course begins with another direction than the tool has, the tool turns there first,
+/// along a great circle, while the tip stands. False: it was reported.
+bool Executor::turn_first(const Block& block, const Vec3& to) {
+    const Chain& chain = machine_.kinematics->chain;
+    const Vec3 from = machine::tool_vector(chain, joints_of(position_.base));
+    if (path::angle_between(from, to) < kSameStart) return true;
+    Target here{position_.here, position_.base, static_cast<AxisMask>(kLinearXYZ | joint_axes())};
+    const Function turning = std::exchange(orienting_.turning, Function::TurnPlane);
+    const bool is_laid = lay_turn(block, to, here);
+    orienting_.turning = turning;
+    if (!is_laid) return false;
+    settle_turn(here);
+    Command& command = put(modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, block);
+    command.to = here.base;
+    command.moved = here.moved;
+    command.feed = command.op == Op::Rapid ? 0 : modal_.feed;
+    arrive(here);
+    next_turn_ = {};
+    return true;
+}
+
+// ------------------------------------------------------------------------------ about itself
+
+/// Whether the tool's own angle counts from the direction of travel.
+bool Executor::spins_with_path(const ToolWords& tool) const {
+    return orienting_.spin == Function::SpinPath && (tool.spin || tool.spin_by);
+}
+
+/// The direction across the tool from which its own angle counts; nothing if there is none.
+std::optional<Vec3> Executor::spin_reference(const Vec3& tool, const path::Curve* curve) const {
+    Vec3 reference = Vec3::Zero();
+    switch (orienting_.spin) {
+        case Function::SpinPlane:
+        case Function::SpinTurn:
+            if (next_turn_.turning == Turning::Cone)
+                reference = next_turn_.axis.cross(tool) * (next_turn_.angle < 0 ? -1 : 1);
+            break;
+        case Function::SpinPath:
+            if (curve != nullptr) reference = path::evaluate(*curve, path::length(*curve)).tangent;
+            break;
+        default: {
+            const machine::Mat3 back = turn_into_base().transpose();
+            const Vec3 said = back * tool;
+            const double away = std::hypot(said.x(), said.y());
+            const double around = away < kSameStart ? 0 : std::atan2(said.y(), said.x());
+            const double tilt = std::atan2(away, said.z());
+            const machine::Mat3 turned =
+                orienting_.angles == Function::AnglesZyz
+                    ? machine::euler_zyz({around, tilt, 0})
+                    : machine::euler_zxz(
+                          {away < kSameStart ? 0 : around + std::numbers::pi / 2, tilt, 0});
+            reference = back.transpose() * turned.col(0);
+        }
+    }
+    reference -= reference.dot(tool) * tool;
+    if (reference.norm() < kSameStart) return std::nullopt;
+    return reference.normalized();
+}
+
+/// The angle about the tool that the block says, as the end of the joint Ψ. False: it was reported.
+bool Executor::lay_spin(const Block& block, const ToolWords& tool, Target& target,
+                        const path::Curve* curve) {
+    if (!tool.spin && !tool.spin_by) return true;
+    const Chain& chain = machine_.kinematics->chain;
+    if (!chain.has(machine::kPsi)) {
+        if (!warned_spin_) report(diag::SpinWithoutAxis, block, Function::ToolSpin);
+        warned_spin_ = true;
+        return true;
+    }
+    Vec3 joints = joints_of(target.base);
+    double& psi = joints[2];
+    const double sign = chain.joints[machine::kPsi].sign;
+    if (tool.spin_by) {
+        psi += sign * rad_from_deg(*tool.spin_by);
+    } else {
+        const Vec3 direction = machine::tool_vector(chain, joints);
+        const auto reference = spin_reference(direction, curve);
+        if (!reference) {
+            report(diag::SpinUndefined, block, Function::ToolSpin);
+            return false;
+        }
+        // Where the tool's own X would be without Ψ, and where it is wanted.
+        const Vec3 across =
+            machine::rotation_of(chain, {joints[0], joints[1], 0}) * base_rotation().col(0);
+        const Vec3 wanted = Eigen::AngleAxisd(rad_from_deg(*tool.spin), direction) * *reference;
+        const double angle =
+            std::atan2(direction.dot(across.cross(wanted)), across.dot(wanted)) * sign;
+        const double before = joints_of(position_.base)[2];
+        psi = before + std::remainder(angle - before, 2 * std::numbers::pi);
+    }
+    const machine::Limits limits = joint_limits()[machine::kPsi];
+    if (psi < limits.lower || psi > limits.upper) {
+        machine::PathRefusal refusal;
+        refusal.configurations[0] = {machine::CandidateFault::SpinOutside, machine::kPsi, psi,
+                                     limits};
+        report_no_way(block, refusal);
+        return false;
+    }
+    put_joints(joints, target);
+    return true;
+}
+
+/// The rotary axes of the transformation go to places of their own. S 7.4 ORIRESET.
+void Executor::reset_orientation(const Block& block, const nc::Invocation& invocation) {
+    if (!orienting_.is_on) {
+        report(diag::OrientationAlone, block, invocation.function)
+            .arg(nc::info(invocation.function).name);
+        return;
+    }
+    const Chain& chain = machine_.kinematics->chain;
+    Target target{position_.here, position_.base, static_cast<AxisMask>(kLinearXYZ | joint_axes())};
+    Vec3 joints = Vec3::Zero();
+    std::size_t place = 0;
+    for (std::size_t k = 0; k < machine::kJoints; ++k) {
+        if (!chain.has(k)) continue;
+        joints[static_cast<Eigen::Index>(k)] = rad_from_deg(block.argument(invocation, place++));
+    }
+    if (invocation.given >> place != 0) {
+        report(diag::ResetTooMany, block, invocation.function).arg(place);
+        return;
+    }
+    put_joints(joints, target);
+    if (!check_machine_limits(block, target.base, joint_axes())) return;
+    next_turn_ = {};
+    settle_turn(target);
+    line(block, target, modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, false);
+}
+
+/// A motion under the transformation: the turn that waits, or the axes as they are programmed.
+void Executor::put_turn(Command& command) {
+    if (!path::is_motion(command.op)) return;
+    command.turning = std::exchange(next_turn_.turning, Turning::Axes);
+    command.direction = next_turn_.direction;
+    command.turn_from = next_turn_.from;
+    command.turn_axis = next_turn_.axis;
+    command.turn_angle = next_turn_.angle;
+    command.lean = next_turn_.lean;
+}
+
+}  // namespace kadr::interp

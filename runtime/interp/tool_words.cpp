@@ -1,0 +1,176 @@
+// tool_words.cpp — what the words of a block say of the tool: which of them belong together, and
+// the direction that they mean.
+#include <cmath>
+#include <numbers>
+
+#include "base/diagnostics/iso.h"
+#include "base/numbers.h"
+#include "base/units.h"
+#include "interp/executor.h"
+#include "machine/orientation.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using path::Vec3;
+
+namespace {
+
+/// A lead or a tilt leans the tool out of the surface by less than this, deg.
+constexpr double kMostLean = 90;
+
+bool is_cone(Function turning) {
+    return turning == Function::TurnConeCw || turning == Function::TurnConeCcw ||
+           turning == Function::TurnConeOver || turning == Function::TurnConeOn;
+}
+
+std::array<std::size_t, 2> two_counts(const Block& block, const nc::Invocation& invocation) {
+    return {static_cast<std::size_t>(block.argument(invocation, 0)),
+            static_cast<std::size_t>(block.argument(invocation, 1))};
+}
+
+}  // namespace
+
+void Executor::take_orientation(const Block& block, const nc::Invocation& invocation,
+                                Actions& actions) {
+    if (!orienting_.is_on) {
+        report(diag::OrientationAlone, block, invocation.function)
+            .arg(nc::info(invocation.function).name);
+        return;
+    }
+    ToolWords& tool = actions.tool;
+    const auto component = [&](ToolWords::Triple& triple) {
+        const std::size_t part = two_counts(block, invocation)[0];
+        if (part < 3) triple.set(part, block.argument(invocation, 1));
+    };
+    switch (invocation.function) {
+        case Function::ToolVector: return component(tool.vector);
+        case Function::ToolAngle: return component(tool.angles);
+        case Function::ConeAxis: return component(tool.cone_axis);
+        case Function::ToolBetween: return component(tool.between);
+        case Function::ToolPoint: return component(tool.point);
+        case Function::SurfaceNormal: {
+            const auto [end, part] = two_counts(block, invocation);
+            if (end < 2 && part < 3) tool.normals[end].set(part, block.argument(invocation, 2));
+            return;
+        }
+        case Function::ConeOpening: tool.opening = block.argument(invocation, 0); return;
+        case Function::ToolLead: tool.lead = block.argument(invocation, 0); return;
+        case Function::ToolSpin:
+            if ((invocation.given & 1u) != 0) tool.spin = block.argument(invocation, 0);
+            if ((invocation.given & 2u) != 0) tool.spin_by = block.argument(invocation, 1);
+            return;
+        case Function::LeanLead:
+        case Function::LeanTilt: return take_lean(block, invocation, tool);
+        default: return;
+    }
+}
+
+void Executor::take_lean(const Block& block, const nc::Invocation& invocation, ToolWords& tool) {
+    const bool is_lead = invocation.function == Function::LeanLead;
+    const double angle = block.argument(invocation, 0);
+    if (!(std::abs(angle) < kMostLean)) {
+        report(is_lead ? diag::LeadTooLarge : diag::TiltTooLarge, block, invocation.function)
+            .arg(angle);
+        return;
+    }
+    (is_lead ? orienting_.lean.lead : orienting_.lean.tilt) = rad_from_deg(angle);
+    tool.changes_lean = true;
+}
+
+/// Whether words stand side by side that exclude each other; it was reported then.
+bool Executor::turns_in_two_ways(const Block& block, const ToolWords& tool) {
+    const bool has_axes = (block.given & joint_axes()) != 0;
+    const bool has_vector = tool.vector.is_said();
+    const bool has_angles = tool.angles.is_said();
+    const bool has_surface = tool.says_surface();
+    const DiagnosticRow* row = has_vector && has_angles  ? &diag::OrientVectorAngles
+                               : has_vector && has_axes  ? &diag::OrientVectorAxes
+                               : has_angles && has_axes  ? &diag::OrientAnglesAxes
+                               : has_surface && has_axes ? &diag::OrientSurfaceAxes
+                               : (has_vector || has_angles) && leans_on_surface()
+                                   ? &diag::OrientOnSurface
+                                   : nullptr;
+    if (row == nullptr) return false;
+    report(*row, block, has_vector ? Function::ToolVector : Function::ToolAngle);
+    return true;
+}
+
+/// Whether the tool is led by a surface in every block.
+bool Executor::leans_on_surface() const {
+    return orienting_.turning == Function::TurnSurface && !rules_.surface_words_at_end;
+}
+
+/// Words that the way on which the tool turns has no place for: nothing may be lost silently.
+bool Executor::has_idle_words(const Block& block, const ToolWords& tool) {
+    const Function turning = orienting_.turning;
+    const bool is_about_axis = turning == Function::TurnConeCw || turning == Function::TurnConeCcw;
+    const bool takes_surface = turning == Function::TurnSurface || rules_.surface_words_at_end;
+    const struct {
+        bool is_idle;
+        Function word;
+    } checks[] = {
+        {tool.cone_axis.is_said() && !is_about_axis, Function::ConeAxis},
+        {tool.opening.has_value() && !is_about_axis, Function::ConeOpening},
+        {tool.between.is_said() && turning != Function::TurnConeOver, Function::ToolBetween},
+        {tool.point.is_said() && turning != Function::TurnPoint, Function::ToolPoint},
+        {tool.normals[0].is_said() && !takes_surface, Function::SurfaceNormal},
+        {tool.normals[1].is_said() && !takes_surface, Function::SurfaceNormal},
+        {tool.lead.has_value() && !tool.vector.is_said(), Function::ToolLead},
+        {tool.says_direction() && tool.point.is_said(), Function::ToolVector},
+    };
+    for (const auto& check : checks) {
+        if (!check.is_idle) continue;
+        report(diag::OrientWordIdle, block, check.word)
+            .arg(nc::info(check.word).name)
+            .arg(nc::info(turning).name);
+        return true;
+    }
+    if (is_cone(turning) && !tool.says_direction() && tool.is_any() && !tool.spin &&
+        !tool.spin_by) {
+        report(diag::ConeEndMissing, block);
+        return true;
+    }
+    return false;
+}
+
+/// The rotation that the block's angles say, in the system in which they are said.
+machine::Mat3 Executor::rotation_by_angles(const Vec3& angles_deg) const {
+    const Vec3 angles = angles_deg * (std::numbers::pi / 180);
+    switch (orienting_.angles) {
+        case Function::AnglesRpy: return machine::rpy_zyx(angles);
+        case Function::AnglesXyz: return machine::rpy_xyz(angles);
+        case Function::AnglesZyz: return machine::euler_zyz(angles);
+        default: return machine::euler_zxz(angles);
+    }
+}
+
+/// How frames turn what is said of the tool into the base system. Scales stretch places, not
+/// directions. Under ORIMKS and its kin frames do nothing but where the table lies.
+machine::Mat3 Executor::turn_into_base() const {
+    machine::Mat3 turn = machine::Mat3::Identity();
+    if (orienting_.is_in_base || frames_.is_shift()) return turn;
+    for (Eigen::Index i = 0; i < 3; ++i)
+        turn.col(i) = frames_.total().direction(Vec3::Unit(i)).normalized();
+    return turn;
+}
+
+/// A direction that words say, in the base system; nothing if it was reported.
+std::optional<Vec3> Executor::direction_in_base(const Block& block, const Vec3& said,
+                                                Function word) {
+    const auto direction = machine::unit_of(Vec3(turn_into_base() * said));
+    if (direction) return *direction;
+    report(diag::OrientationZero, block, word);
+    return std::nullopt;
+}
+
+/// The direction that the block's words say, in the base system; nothing if it was reported.
+std::optional<Vec3> Executor::wanted_direction(const Block& block, const ToolWords& tool) {
+    const Vec3 said = tool.angles.is_said()
+                          ? Vec3(rotation_by_angles(tool.angles.vector()) * Vec3::UnitZ())
+                          : tool.vector.vector();
+    return direction_in_base(block, said, Function::ToolVector);
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,270 @@
+#include "machine/following.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace kadr::machine {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kTurn = 2 * kPi;
+
+constexpr auto at(std::size_t joint) { return static_cast<Eigen::Index>(joint); }
+
+/// A limit may be missed by the rounding of a solution, rad.
+constexpr double kLimitSlack = 1e-9;
+/// Between two places that are looked at no joint turns farther, rad: beyond a limit between them
+/// it would be by less than the resolution of a rotary axis.
+constexpr double kMostTurn = 2 * kPi / 180;
+/// A way is looked at in so many steps at least, …
+constexpr int kSteps = 64;
+/// … and in steps no finer than this part of it: there a pole is passed or an axis swings round.
+constexpr double kFinest = 1e-9;
+/// How finely the nearest place to a pole is looked for, in parts of the way.
+constexpr double kSamePlace = 1e-15;
+/// Leaving a pole, R1 is where it stands so far behind it, in parts of the way.
+constexpr double kBehindPole = 1e-7;
+
+/// The value that differs by whole turns and is nearest.
+double nearest_turn(double angle, double near) {
+    return angle + kTurn * std::round((near - angle) / kTurn);
+}
+
+Vec3 nearest_turns(const Vec3& rotary, const Vec3& near) {
+    Vec3 turned;
+    for (Eigen::Index i = 0; i < 3; ++i) turned[i] = nearest_turn(rotary[i], near[i]);
+    return turned;
+}
+
+/// The angle to the nearer end of the axis R1, rad.
+double pole_distance(const Chain& chain, const Vec3& direction) {
+    const double tilt = tilt_of(chain, direction);
+    return std::min(tilt, kPi - tilt);
+}
+
+/// The place of the least distance to the pole between two places, by the golden section: the
+/// distance is a V where the pole is passed, which keeps all digits.
+double nearest_to_pole(const Chain& chain, const Course& course, double from, double to) {
+    constexpr double kGolden = 0.61803398874989485;
+    const auto distance = [&](double f) { return pole_distance(chain, course(f)); };
+    double left = to - kGolden * (to - from);
+    double right = from + kGolden * (to - from);
+    double at_left = distance(left);
+    double at_right = distance(right);
+    while (to - from > kSamePlace) {
+        if (at_left < at_right) {
+            to = right;
+            right = left;
+            at_right = at_left;
+            left = to - kGolden * (to - from);
+            if (left >= right) break;
+            at_left = distance(left);
+        } else {
+            from = left;
+            left = right;
+            at_left = at_right;
+            right = from + kGolden * (to - from);
+            if (right <= left) break;
+            at_right = distance(right);
+        }
+    }
+    return (from + to) / 2;
+}
+
+struct Refused {
+    CandidateFault fault;
+    std::size_t joint;
+    double value;
+};
+
+/// One way of following a course, which is refused or comes to an end.
+class Walk {
+  public:
+    Walk(const Chain& chain, const FollowQuery& query, const Course& course)
+        : chain_(chain), query_(query), course_(course) {}
+
+    /// From a place of the course with given joints to another one.
+    std::optional<Refused> go(double from, double to, Vec3& joints) const {
+        double step = (to - from) / kSteps;
+        for (double f = from; f < to;) {
+            const double next = to - f < step * (1 + kFinest) ? to : f + step;
+            const Vec3 direction = course_(next);
+            const Vec3 there = joints_for(chain_, direction, joints);
+            const double turn = (there - joints).head<2>().cwiseAbs().maxCoeff();
+            if (turn > kMostTurn && next - f > kFinest) {
+                step = (next - f) / 2;
+                continue;
+            }
+            if ((tool_vector(chain_, there) - direction).norm() > kPoleWidth)
+                return Refused{CandidateFault::NoSolution, kR2, joints[kR2]};
+            if (const auto refused = check(there)) return refused;
+            joints = there;
+            f = next;
+            step = std::min(2 * step, (to - from) / kSteps);
+        }
+        return std::nullopt;
+    }
+
+    std::optional<Refused> check(const Vec3& joints) const {
+        for (const std::size_t k : {kR1, kR2}) {
+            const Limits& limits = query_.limits[k];
+            const double value = joints[at(k)];
+            const bool is_within =
+                value >= limits.lower - kLimitSlack && value <= limits.upper + kLimitSlack;
+            if (chain_.has(k) && !is_within)
+                return Refused{CandidateFault::LimitOnTheWay, k, value};
+        }
+        return std::nullopt;
+    }
+
+    /// R1 where the course leaves a pole, in both configurations, nearest to where it stands.
+    std::vector<Vec3> ways_out(double fraction, const Vec3& joints) const {
+        std::vector<Vec3> found;
+        const auto solutions = solve(chain_, course_(fraction + kBehindPole));
+        if (!solutions) return found;
+        for (const Solution& solution : *solutions) {
+            Vec3 start = joints;
+            if (!solution.is_pole) start[kR1] = nearest_turn(solution.rotary[kR1], joints[kR1]);
+            for (const double turn : {0.0, kTurn, -kTurn}) {
+                const Vec3 turned = start + turn * Vec3::UnitX();
+                if (check(turned)) continue;
+                found.push_back(turned);
+                break;
+            }
+        }
+        std::ranges::sort(found, {},
+                          [&](const Vec3& start) { return std::abs(start[kR1] - joints[kR1]); });
+        return found;
+    }
+
+  private:
+    const Chain& chain_;
+    const FollowQuery& query_;
+    const Course& course_;
+};
+
+PathRefusal refusal_of(const Chain& chain, const FollowQuery& query, const Refused& refused) {
+    PathRefusal refusal;
+    if (refused.fault == CandidateFault::NoSolution) {
+        refusal.fault = PathFault::Unreachable;
+        return refusal;
+    }
+    const int configuration = configuration_of(chain, query.start);
+    refusal.configurations[static_cast<std::size_t>(configuration - 1)] = {
+        refused.fault, refused.joint, refused.value, query.limits[refused.joint]};
+    return refusal;
+}
+
+}  // namespace
+
+bool is_at_pole(const Chain& chain, const Vec3& direction) {
+    return chain.orients() && pole_distance(chain, direction) < kPoleWidth;
+}
+
+Vec3 joints_for(const Chain& chain, const Vec3& direction, const Vec3& near) {
+    const auto solutions = solve(chain, direction);
+    if (!solutions) return near;
+    const bool from_pole = is_at_pole(chain, tool_vector(chain, near));
+    const int configuration = configuration_of(chain, near);
+    Vec3 best = near;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Solution& found : *solutions) {
+        const bool is_other = solutions->count > 1 && found.configuration != configuration;
+        if (is_other && !from_pole && !found.is_pole) continue;
+        const Vec3 rotary = found.is_pole ? at_pole(chain, found, near[0]).rotary : found.rotary;
+        const Vec3 turned = nearest_turns(rotary, near);
+        const double distance = (turned - near).head<2>().squaredNorm();
+        if (distance >= least) continue;
+        least = distance;
+        best = turned;
+    }
+    best[2] = near[2];
+    return best;
+}
+
+std::vector<PolePassage> pole_passages(const Chain& chain, const Course& course, double tolerance) {
+    std::vector<PolePassage> passages;
+    if (!chain.orients()) return passages;
+    const Vec3& first = chain.joints[kR1].direction;
+    std::array<Vec3, kSteps + 1> directions;
+    std::array<double, kSteps + 1> distances{};
+    for (std::size_t i = 0; i <= kSteps; ++i) {
+        directions[i] = course(static_cast<double>(i) / kSteps);
+        distances[i] = pole_distance(chain, directions[i]);
+    }
+    for (std::size_t i = 1; i < kSteps; ++i) {
+        const bool is_least = distances[i] <= distances[i - 1] && distances[i] < distances[i + 1];
+        // What comes to the pole between its neighbours is no farther from it than from them.
+        const double way = (directions[i + 1] - directions[i - 1]).norm();
+        if (!is_least || distances[i] > way + tolerance) continue;
+        const double fraction = nearest_to_pole(chain, course, static_cast<double>(i - 1) / kSteps,
+                                                static_cast<double>(i + 1) / kSteps);
+        const Vec3 direction = course(fraction);
+        if (pole_distance(chain, direction) > tolerance) continue;
+        if (std::min(fraction, 1 - fraction) < kBehindPole) continue;
+        passages.push_back({fraction, direction.dot(first) > 0 ? first : Vec3(-first)});
+    }
+    return passages;
+}
+
+Vec3 joints_before(const Chain& chain, const Course& course, const Vec3& to) {
+    Vec3 joints = to;
+    for (int i = kSteps - 1; i >= 0; --i) {
+        // The last step ends beside the pole, where R1 still has its meaning.
+        const double part = std::max(static_cast<double>(i) / kSteps, kBehindPole);
+        joints = joints_for(chain, course(part), joints);
+    }
+    return joints;
+}
+
+Result<PathEnd, PathRefusal> follow(const Chain& chain, const FollowQuery& query,
+                                    const Course& course) {
+    const Walk walk(chain, query, course);
+    const std::vector<PolePassage> passages = pole_passages(chain, course, kPoleWidth);
+    std::vector<Vec3> starts = {query.start};
+    const bool starts_at_pole = is_at_pole(chain, course(0)) && !is_at_pole(chain, course(0.5));
+    if (starts_at_pole) starts = walk.ways_out(0, query.start);
+    std::optional<Refused> first_refusal;
+    const auto refuse = [&](const Refused& refused) {
+        if (!first_refusal) first_refusal = refused;
+    };
+    if (starts.empty()) refuse({CandidateFault::FirstOutside, kR1, query.start[kR1]});
+    for (const Vec3& start : starts) {
+        Vec3 joints = start;
+        double from = 0;
+        std::optional<Refused> refused;
+        Vec3 at_last_pole = joints;
+        for (const PolePassage& passage : passages) {
+            if ((refused = walk.go(from, passage.fraction, joints))) break;
+            from = passage.fraction;
+            at_last_pole = joints;
+        }
+        const bool has_passed = !refused && !passages.empty();
+        if (!refused) refused = walk.go(from, 1, joints);
+        for (const double half : {kPi, -kPi}) {
+            if (!refused || !has_passed) break;
+            refuse(*refused);
+            joints = at_last_pole + half * Vec3::UnitX();
+            refused = walk.go(from, 1, joints);
+        }
+        if (refused) {
+            refuse(*refused);
+            continue;
+        }
+        PathEnd end;
+        end.rotary = joints;
+        end.configuration = configuration_of(chain, joints);
+        end.mode = PathMode::Vector;
+        end.passes_pole = !passages.empty();
+        end.switches_at_pole = end.configuration != configuration_of(chain, query.start);
+        end.sum_squares = (joints - query.start).squaredNorm();
+        return end;
+    }
+    return refusal_of(chain, query, *first_refusal);
+}
+
+}  // namespace kadr::machine

@@ -1,0 +1,50 @@
+// turn.h — how the tool turns while its tip goes along a path.
+//
+// The direction of the tool as a function of the distance along the path: no machine takes part
+// (machine/), no words (interp/), no time (motion/).
+#pragma once
+
+#include "path/curve.h"
+#include "path/turning.h"
+#include "path/vec3.h"
+
+namespace kadr::path {
+
+/// How the tool turns over a piece of path. A plain value: pieces are copied by the million.
+struct Turn {
+    Turning kind = Turning::None;
+    double length = 0;  // of the piece's path
+    /// Where the piece begins. Cone: direction of the tool; Surface: the surface normal; Point: the
+    /// second point of the tool's axis, mm.
+    Vec3 start = Vec3::UnitZ();
+    /// Cone, Surface: unit vector about which that goes. Point: how it goes per unit of path.
+    Vec3 axis = Vec3::Zero();
+    double rate = 0;  // Cone, Surface: rad per unit of path
+    Lean lean;        // Surface
+};
+
+/// Direction of the tool at a distance along a piece, from tip to holder: unit vector. Of Axes it
+/// is the chain's matter; there the answer is `start`.
+///
+/// curve  way of the tip over the piece, of any parameter of the length `turn.length`
+Vec3 direction_at(const Turn& turn, const Curve& curve, double distance);
+
+/// The turn over a part of the piece.
+Turn part_of(const Turn& turn, double from, double to);
+
+/// The tool by its angles to a surface: the tangent is brought into the surface, t' = unit(t −
+/// (t·n)n); the lead leans the normal towards t', the tilt turns the result about t' or n.
+/// Motion.md 6.1.
+///
+/// normal   unit vector
+/// tangent  unit vector; where it is along the normal, or zero, a tool that leans has no direction:
+///          the answer is the normal
+Vec3 leaning(const Vec3& normal, const Vec3& tangent, const Lean& lean);
+
+/// The angle between two vectors, rad, 0 … π; exact near both ends.
+double angle_between(const Vec3& a, const Vec3& b);
+
+/// The angle between a direction of travel and a surface, rad: 0 where it lies in the surface.
+double rise_of(const Vec3& normal, const Vec3& tangent);
+
+}  // namespace kadr::path

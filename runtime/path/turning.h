@@ -1,0 +1,29 @@
+// turning.h — the ways on which a tool turns: names and angles that commands say.
+#pragma once
+
+#include <cstdint>
+
+namespace kadr::path {
+
+/// How the tool turns while the transformation of the machine holds its tip on the path.
+enum class Turning : std::uint8_t {
+    None,     // no transformation: every axis goes as `to` says
+    Axes,     // the rotary axes go in proportion to the path
+    Cone,     // the tool goes about an axis in space, in proportion to the path; square to the
+              // axis that is a great circle
+    Surface,  // the tool keeps its lead and tilt to a surface normal and the direction of travel
+    Point,    // a second point of the tool's axis goes along a line, in proportion to the path
+};
+
+/// What a tilt turns about: the manuals say the path tangent, the article the surface normal
+/// (motion.md 6.1, MD21094).
+enum class TiltAbout : std::uint8_t { Tangent, Normal };
+
+/// How a tool leans: first from the normal towards the direction of travel, then aside; rad.
+struct Lean {
+    double lead = 0;
+    double tilt = 0;
+    TiltAbout about = TiltAbout::Tangent;
+};
+
+}  // namespace kadr::path
