@@ -62,9 +62,9 @@ struct Segment {
     std::uint32_t line = 0;    // of the ISO-7bit text
     SourceId source;
 
-    path::Curve curve;                      // way of the tool tip; a Point if it stands
-    path::Vec3 tool = path::Vec3::UnitZ();  // unit vector from tip to holder
-    double tool_length = 0;  // mm along `tool`; linear axes = tip + tool_length · tool
+    path::Curve curve;                        // way of the tool tip; a Point if it stands
+    path::Vec3 tool = path::Vec3::UnitZ();    // unit vector from tip to holder
+    path::Vec3 carrier = path::Vec3::Zero();  // from the tip to what the linear axes carry, mm
     /// With it, `tool` is the tool at base position, and the machine's chain says where the axes
     /// stand (transformed.h).
     Turn turn;
