@@ -67,8 +67,8 @@ Frame back_of(const Frame& frame) { return path::inverse(frame).value(); }
 }  // namespace
 
 void Executor::swivel(const Block& block, const Invocation& invocation) {
-    const bool says_none = invocation.given == 0;
-    if (says_none || ((invocation.given & 2u) != 0 && block.text == "0")) return end_swivel(block);
+    const bool says_none = invocation.given == 0 && block.text.empty();
+    if (says_none || block.text == "0") return end_swivel(block);
     const auto refuse = [&](std::string_view what) {
         report(diag::SwivelValue, block, Function::Swivel).arg(what);
     };
