@@ -64,6 +64,21 @@ bool set_modal(Modal& modal, Function function) {
     }
 }
 
+/// What a control fixes before a tilted plane.
+bool is_before_tilt(Function function) {
+    switch (function) {
+        case Function::WorkOffset:
+        case Function::Shift:
+        case Function::ReferencePoint:
+        case Function::ReferenceReturn:
+        case Function::ReferenceCheck:
+        case Function::ReferenceLeave:
+        case Function::PositionReset:
+        case Function::SetPosition: return true;
+        default: return false;
+    }
+}
+
 bool is_running(SpindleMode mode) { return mode == SpindleMode::Cw || mode == SpindleMode::Ccw; }
 
 /// X, Y, Z of a frame function, from its parameter `first` on. `x_scale` is 0.5 where X is a
@@ -235,6 +250,7 @@ void Executor::run(const Block& block) {
         report(diag::TooManyBlocks, block).arg(static_cast<std::size_t>(options_.max_blocks));
         return;
     }
+    if (tilting_.open && !check_open_plane(block)) return;
     if (block.function_count != 0) return run_functions(block);
     // Nothing but words: nearly every block.
     static constexpr Actions kNone{};
@@ -321,7 +337,9 @@ Actions Executor::apply_functions(const Block& block) {
 
 /// Whether the function would change, inside a rotation, what the control fixes before it.
 bool Executor::is_too_late(Function function) const {
-    if (!rules_.rotation_is_innermost || !frames_.is_rotated()) return false;
+    if (!rules_.rotation_is_innermost) return false;
+    if (tilting_.is_on && is_before_tilt(function)) return true;
+    if (!frames_.is_rotated()) return false;
     switch (function) {
         case Function::WorkOffset:
         case Function::Shift:
@@ -335,6 +353,12 @@ bool Executor::is_too_late(Function function) const {
         case Function::ReferenceLeave:
         case Function::MachineCoordinates:
         case Function::PositionReset:
+        case Function::Tilt:
+        case Function::TiltEuler:
+        case Function::TiltPlane:
+        case Function::TiltPoint:
+        case Function::TiltVector:
+        case Function::TiltAlongTool:
         case Function::SetPosition: return true;
         default: return is_other_plane(function);
     }
@@ -583,6 +607,30 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::ToolPoint:
         case Function::ToolSpin: take_orientation(block, invocation, actions); break;
 
+        case Function::Tilt:
+        case Function::TiltEuler:
+        case Function::TiltPlane:
+            tilt(block, invocation);
+            if (invocation.function == Function::Tilt) actions.align = &invocation;
+            break;
+        case Function::TiltPoint:
+        case Function::TiltVector: tilt_by_blocks(block, invocation); break;
+        case Function::TiltAlongTool: tilt_along_tool(block, invocation); break;
+        case Function::TiltAlign:
+        case Function::TiltAlignTip: actions.align = &invocation; break;
+        case Function::TiltOff: end_tilt(block); break;
+        case Function::Swivel: swivel(block, invocation); break;
+        case Function::ToolFrame: frame_along_tool(block, invocation); break;
+        case Function::ToolFrameOff:
+            frames_.set_tool_frame(std::nullopt);
+            frame_changed();
+            position_.programmed = position_.here;
+            break;
+        case Function::TableFrame:
+        case Function::TableFrameOff:
+            follow_tables(block, invocation.function == Function::TableFrame);
+            break;
+
         case Function::SplineDegree: set_spline_degree(block, invocation); break;
         case Function::SplineWeight:  // beside the pole, in splines.cpp
         case Function::SplineInterval:
@@ -725,6 +773,7 @@ void Executor::act_before_motion(const Block& block, const Actions& actions) {
     issue_functions(block, actions, Side::Before);
     if (actions.message != nullptr) put(Op::Message, block).text = block.text;
     if (actions.dwell != nullptr) dwell(block, *actions.dwell);
+    if (actions.align != nullptr && !ended_) align(block, *actions.align);
 }
 
 void Executor::act_after_motion(const Block& block, const Actions& actions) {
@@ -1004,6 +1053,7 @@ void Executor::apply_frame(const Block& block, const Invocation& invocation) {
         case Function::RotateOff:
             if (rules_.place_behind_rotation && frames_.is_rotated()) unplaced_ = plane_mask();
             frames_.rotate_off();
+            if (rules_.rotation_off_ends_tilt) end_tilt(block);
             break;
         case Function::Mirror: frames_.mirror(words); break;
         case Function::MirrorOff: frames_.mirror_off(static_cast<AxisMask>(words.given)); break;
@@ -1105,6 +1155,7 @@ Command& Executor::put(Op op, const Block& block) {
     command.machine_coordinates = false;
     command.is_unshifted = false;
     command.keeps_feed = false;
+    command.is_swivelled = false;
     command.moved = 0;
     command.source = from.source;
     command.line = from.line;

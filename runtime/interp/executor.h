@@ -4,11 +4,11 @@
 // functions), plain_moves.cpp (what nearly every block is), motion.cpp (targets, lines, arcs, tool
 // length, limits), circles.cpp, polar.cpp and angles.cpp (what controls work out of other words),
 // orienting.cpp, tool_words.cpp and tool_turns.cpp (the machine's transformation, and how the tool
-// turns under it), cornering.cpp and compensating.cpp (what the
-// commands pass through), soft_moves.cpp (soft approaches and retracts), smoothing.cpp (rounded
-// corners, compressed lines), cycles.cpp (machining cycles), patterns.cpp (places at which a cycle
-// is called), shapes.cpp (cycles along a shape that stands in the program), splines.cpp,
-// through_splines.cpp, polynomials.cpp, involutes.cpp and curves.cpp (other curves).
+// turns under it), tilting.cpp and swivelling.cpp (tilted planes), cornering.cpp and
+// compensating.cpp (what the commands pass through), soft_moves.cpp (soft approaches and retracts),
+// smoothing.cpp (rounded corners, compressed lines), cycles.cpp (machining cycles), patterns.cpp
+// (places at which a cycle is called), shapes.cpp (cycles along a shape that stands in the program),
+// splines.cpp, through_splines.cpp, polynomials.cpp, involutes.cpp and curves.cpp (other curves).
 #pragma once
 
 #include <array>
@@ -74,6 +74,7 @@ struct Actions {
     const nc::Invocation* angle = nullptr;
     const nc::Invocation* orient = nullptr;
     const nc::Invocation* orient_reset = nullptr;
+    const nc::Invocation* align = nullptr;  // the rotary axes stand to the tilted plane
     const nc::Invocation* dwell = nullptr;
     const nc::Invocation* message = nullptr;
     const nc::Invocation* limit = nullptr;
@@ -356,6 +357,43 @@ class Executor {
     void put_joints(const path::Vec3& joints, Target& target) const;
     void report_no_way(const nc::Block& block, const machine::PathRefusal& refusal);
     void put_turn(path::Command& command);
+    // tilting.cpp: tilted planes, and the rotary axes that stand to them
+    void tilt(const nc::Block& block, const nc::Invocation& invocation);
+    std::optional<path::Frame> plane_by_angles(const nc::Block& block,
+                                               const nc::Invocation& invocation);
+    void tilt_by_blocks(const nc::Block& block, const nc::Invocation& invocation);
+    std::optional<path::Frame> plane_by_blocks(const nc::Block& block, const Tilting::Said& said);
+    std::optional<path::Vec3> origin_of_plane(const nc::Block& block,
+                                              const nc::Invocation& invocation, std::size_t first);
+    bool begin_plane(const nc::Block& block, const nc::Invocation& invocation, bool is_added);
+    void set_plane(const path::Frame& plane, bool is_added);
+    void tilt_along_tool(const nc::Block& block, const nc::Invocation& invocation);
+    void end_tilt(const nc::Block& block);
+    void align(const nc::Block& block, const nc::Invocation& invocation);
+    bool has_rotary_axes(const nc::Block& block, nc::Function function);
+    std::optional<path::Vec3> joints_for_plane(const nc::Block& block, nc::Function function,
+                                               int sense);
+    void turn_joints(const nc::Block& block, const path::Vec3& joints, path::Op op);
+    void turn_about_tip(const nc::Block& block, const path::Vec3& joints, path::Op op);
+    void carry(const nc::Block& block, const path::Vec3& joints);
+    void drop_carry(const nc::Block& block);
+    void stand_at(const nc::Block& block, const AxisValues& axes, bool tool_turns);
+    path::Vec3 length_shift_of(const path::Vec3& lengths) const;
+    void set_length_shift(const path::Vec3& shift);
+    path::Command& put_tool_length(const nc::Block& block, Axis axis);
+    void check_carried(const nc::Block& block);
+    bool check_open_plane(const nc::Block& block);
+
+    // swivelling.cpp: SINUMERIK's swivelling cycle, frames along tool and tables
+    void swivel(const nc::Block& block, const nc::Invocation& invocation);
+    std::optional<path::Mat3> swivel_rotation(const nc::Block& block,
+                                              const nc::Invocation& invocation);
+    path::Vec3 direct_joints(const nc::Block& block, const nc::Invocation& invocation) const;
+    bool retract_before_swivel(const nc::Block& block, const nc::Invocation& invocation);
+    bool retract_along_tool(const nc::Block& block, std::optional<double> by);
+    void end_swivel(const nc::Block& block);
+    void frame_along_tool(const nc::Block& block, const nc::Invocation& invocation);
+    void follow_tables(const nc::Block& block, bool is_wanted);
 
     // polar.cpp
     void set_pole(const nc::Block& block, const nc::Invocation& invocation);
@@ -598,6 +636,7 @@ class Executor {
     WorkArea area_;
     Polar polar_;
     Orienting orienting_;
+    Tilting tilting_;
     NextTurn next_turn_;
     std::optional<ToolWords> course_;  // of the block: waits until its path is known
     bool warned_spin_ = false;

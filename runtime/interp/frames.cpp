@@ -113,6 +113,34 @@ void Frames::set_fine(const FrameWords& words) {
     update();
 }
 
+Vec3 Frames::own_shift() const { return linear(shift_) + linear(fine_); }
+
+void Frames::set_tables(const Frame& tables) {
+    tables_ = tables;
+    update();
+}
+
+void Frames::set_tilt(const Frame& tilt) {
+    tilt_ = tilt;
+    update();
+}
+
+void Frames::set_tool_frame(const std::optional<Frame>& frame) {
+    tool_frame_ = frame.value_or(Frame{});
+    has_tool_frame_ = frame.has_value();
+    update();
+}
+
+Frame Frames::outside_tool_frame() const {
+    return path::translation(linear(set_shift_)) * base_.whole() * work_offset_.whole();
+}
+
+Frame Frames::inside_tool_frame() const {
+    Frame frame = tilt_ * path::translation(own_shift());
+    for (const Step& step : steps_) frame = frame * step.frame;
+    return frame;
+}
+
 void Frames::turn(const path::Mat3& rotation) {
     append(Step::Kind::Rotation, {rotation, Vec3::Zero()});
 }
@@ -253,8 +281,14 @@ void Frames::release_table() {
 }
 
 void Frames::update() {
-    const Vec3 own = linear(shift_) + linear(fine_);
-    if (work_offset_.is_shift() && base_.is_shift()) {
+    const Vec3 own = own_shift();
+    const auto is_nothing = [](const Frame& frame) {
+        return frame.linear == path::Mat3::Identity() && frame.shift == Vec3::Zero();
+    };
+    is_swivelled_ = !(is_nothing(tables_) && is_nothing(tilt_) && is_nothing(tool_frame_));
+    if (is_swivelled_) {
+        total_ = tables_ * outside_tool_frame() * tool_frame_ * tilt_ * path::translation(own);
+    } else if (work_offset_.is_shift() && base_.is_shift()) {
         const Vec3 outer = work_offset_.whole().shift + linear(set_shift_) + base_.whole().shift;
         total_ = path::translation(outer + own);
     } else {

@@ -1,7 +1,8 @@
 // frames.h — the frames in force: work offset, set position, programmable frame.
 //
-// base = table : set shift + base frame : work offset : programmable frame (programmed point).
-// Keeps the product and its inverse ready, so that a block pays for frames only when one changes.
+// base = table : tables : set shift + base frame : work offset : tool frame : tilted plane : programmable
+// frame (programmed point). Keeps the product and its inverse ready, so that a block pays for
+// frames only when one changes.
 #pragma once
 
 #include <array>
@@ -36,6 +37,8 @@ class Frames {
     /// What the functions below have made, and in its place another one.
     ControlFrame programmable() const;
     void set_programmable(const ControlFrame& frame);
+    /// Of the programmable frame, mm: what stands before its rotations, scales and mirrors.
+    path::Vec3 own_shift() const;
     void shift(const FrameWords& words);
     void shift_add(const FrameWords& words);
     /// The shift of the named axes, and what was added to it.
@@ -63,6 +66,20 @@ class Frames {
 
     /// Takes back what set_position and shift have done to these axes.
     void reset_position(AxisMask axes);
+
+    /// From the workpiece as it lies with all tables at zero, to where they have turned it.
+    void set_tables(const path::Frame& tables);
+    const path::Frame& tables() const { return tables_; }
+    /// A tilted plane, said in the system of the work offset.
+    void set_tilt(const path::Frame& tilt);
+    const path::Frame& tilt() const { return tilt_; }
+    /// A frame along the tool, outside of the tilted plane; nothing: none.
+    void set_tool_frame(const std::optional<path::Frame>& frame);
+    bool has_tool_frame() const { return has_tool_frame_; }
+    /// From the tool frame inwards: tilted plane and programmable frame.
+    path::Frame inside_tool_frame() const;
+    /// From the base system, without tables, to the work offset.
+    path::Frame outside_tool_frame() const;
 
     AxisValues to_base(const AxisValues& programmed) const;
     AxisValues from_base(const AxisValues& base) const;
@@ -95,9 +112,14 @@ class Frames {
     void update();
 
     const Rules* rules_;
+    path::Frame tables_;
     ControlFrame base_;
     ControlFrame work_offset_;
     std::optional<path::Frame> table_;
+    path::Frame tool_frame_;
+    path::Frame tilt_;
+    bool has_tool_frame_ = false;
+    bool is_swivelled_ = false;  // one of the three frames is not nothing
     AxisValues set_shift_{};
     AxisValues shift_{};
     AxisValues fine_{};        // added before any step

@@ -8,6 +8,7 @@
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "interp/executor.h"
+#include "machine/tilted_plane.h"
 #include "path/helix.h"
 
 namespace kadr::interp {
@@ -152,6 +153,11 @@ void Executor::move(const Block& block, const Actions& actions) {
 
     Target target = target_of(block, targets);
     if (orienting_.is_on && !orient(block, actions, target)) return;
+    if (tilting_.carries || tilting_.on_tables) {
+        // In the base system every linear axis may move, whatever the block names.
+        target.moved = static_cast<AxisMask>(target.moved | (axes_ & kLinearXYZ));
+        check_carried(block);
+    }
     if (actions.way_offset != 0 && !offset_ways(block, actions.way_offset, target)) return;
     const bool exact_stop = modal_.has_exact_stop || actions.exact_stop;
     if (actions.at_rapid && comp_.side != Function::RadiusCompOff &&
@@ -642,17 +648,24 @@ void Executor::activate_length(const Block& block, AxisMask moved) {
     if (changed == 0) return;
     tool_.lengths = lengths;
     tool_.axis = axis;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto at = static_cast<Eigen::Index>(i);
-        length_shift_[i] = orienting_.is_on ? 0 : lengths[at];
-    }
+    set_length_shift(length_shift_of(lengths));
+    put_tool_length(block, axis).moved = changed;
+}
+
+/// Tells the motion side what lies between the tip and what the linear axes carry.
+Command& Executor::put_tool_length(const Block& block, Axis axis) {
+    const Vec3 carried = tilting_.carries ? length_shift_of(tool_.lengths) : tool_.lengths;
+    const auto chief = static_cast<Eigen::Index>(index(axis));
     Command& command = put(Op::ToolLength, block);
     command.plane = plane_with_normal(axis);
     command.tool = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
-    command.length = lengths[static_cast<Eigen::Index>(index(axis))];
-    command.aside = lengths;
-    command.aside[static_cast<Eigen::Index>(index(axis))] = 0;
-    command.moved = changed;
+    command.length = carried[chief];
+    command.aside = carried;
+    command.aside[chief] = 0;
+    command.is_swivelled = tilting_.carries;
+    if (tilting_.carries)
+        command.direction = machine::tool_in_base(machine_.kinematics->chain, tilting_.joints);
+    return command;
 }
 
 /// `G43 H1` in a block without axis words: the programmed position stays, so the machine axis moves

@@ -89,6 +89,7 @@ void Executor::switch_transformation(const Block& block, const nc::Invocation& i
         return;
     }
     if (tool_.has_changed) activate_length(block, kLinearXYZ);
+    drop_carry(block);
     const AxisValues axes = machine_axes();
     orienting_.is_on = is_wanted;
     Vec3 tip = linear(axes) - tool_.lengths;
@@ -104,6 +105,7 @@ void Executor::switch_transformation(const Block& block, const nc::Invocation& i
     }
     position_.here = position_.programmed = frames_.from_base(position_.base);
     came_from_ = tip;
+    if (!is_wanted && tilting_.is_on) carry(block, joints_of(position_.base));
 }
 
 // ------------------------------------------------------------------------------ with a length

@@ -56,9 +56,11 @@ void RunClock::add(const path::Command& command) {
             // The machine stays where it is: the tip of the other tool is elsewhere.
             for (std::size_t i = 0; i < kAxes; ++i) at_[i] += length_[i];
             length_ = {};
-            const std::size_t axis = index(path::axes_of(command.plane).normal);
-            length_[axis] = command.length;
-            at_[axis] -= command.length;
+            length_[index(path::axes_of(command.plane).normal)] = command.length;
+            for (std::size_t i = 0; i < 3; ++i) {
+                length_[i] += command.aside[static_cast<Eigen::Index>(i)];
+                at_[i] -= length_[i];
+            }
             return;
         }
         default: return;

@@ -80,7 +80,9 @@ class SpaceCompensation {
         double length() const { return path::length(way); }
         path::CurvePoint at(double share) const;
         bool is_line() const { return std::holds_alternative<path::Line>(way); }
-        bool turns() const { return (to_tool - from_tool).norm() > 1e-12; }
+        bool turns() const {
+            return command.turning > path::Turning::Cone || (to_tool - from_tool).norm() > 1e-12;
+        }
     };
     struct Corner;  // between two of them
 

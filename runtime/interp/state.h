@@ -163,6 +163,26 @@ struct ToolWords {
     }
 };
 
+/// A tilted working plane, and how the rotary axes stand to it.
+struct Tilting {
+    bool is_on = false;      // a plane acts
+    bool carries = false;    // frames lie on the turned tables, lengths along the turned tool …
+    bool on_tables = false;  // … or the frames do so alone
+    path::Vec3 joints = path::Vec3::Zero();  // R1, R2, Ψ there, rad
+    bool warned_turned = false;
+
+    /// What the blocks of one plane have said so far, if it takes several.
+    struct Said {
+        nc::Function by = nc::Function::None;
+        bool is_added = false;
+        unsigned next = 0;  // number of the block that has to come
+        std::array<path::Vec3, 4> values{};
+        path::Vec3 origin = path::Vec3::Zero();
+        double turn = 0;  // rad
+    };
+    std::optional<Said> open;
+};
+
 /// How the tool turns in the motion that is put out next, as a Command says it.
 struct NextTurn {
     path::Turning turning = path::Turning::Axes;

@@ -450,7 +450,7 @@ void AxisTable::measure_cell(const Segment& piece, const BentCell& cell, Peaks& 
 
 AxisRates AxisTable::positions(const Segment& piece, double distance) const {
     if (piece.is_transformed()) return transformed_positions(piece, distance);
-    const path::Vec3 point = path::position(piece.curve, distance) + piece.tool_length * piece.tool;
+    const path::Vec3 point = path::position(piece.curve, distance) + piece.carrier;
     AxisRates positions{};
     for (std::size_t i = 0; i < axes_.size(); ++i) {
         const std::size_t c = axes_[i].coordinate;
@@ -462,7 +462,7 @@ AxisRates AxisTable::positions(const Segment& piece, double distance) const {
 
 AxisTable::Travel AxisTable::travel(const Segment& piece, double length) const {
     if (piece.is_transformed()) return transformed_travel(piece);
-    const path::Vec3 offset = piece.tool_length * piece.tool;
+    const path::Vec3 offset = piece.carrier;
     const path::Box box = path::bounds(piece.curve);
     Travel travel;
     for (std::size_t i = 0; i < axes_.size(); ++i) {

@@ -108,7 +108,7 @@ inline void Sampler::State::place(const Segment& segment, const path::Vec3& tip,
     out.tip = tip;
     if (segment.is_transformed()) return place_transformed(segment, distance, out);
     const path::Vec3& carried = is_external(segment.kind) ? segment.stage : tip;
-    const path::Vec3 carrier = carried + segment.tool_length * segment.tool;
+    const path::Vec3 carrier = carried + segment.carrier;
     out.tool = segment.tool;
     std::size_t column = 0;
     for (const std::size_t c : order) {
@@ -125,7 +125,7 @@ void Sampler::State::place_transformed(const Segment& segment, double distance,
     const LogicalAxes axes = axes_at(*chain, segment, distance);
     out.tool = tool_at(*chain, segment, distance);
     if (segment.contact.kind != path::ContactKind::Tip)
-        out.tip = tip_at(*chain, axes, segment.tool, segment.tool_length);
+        out.tip = tip_at(*chain, axes, segment.carrier);
     std::size_t column = 0;
     for (const std::size_t c : order) out.axis[column++] = axes[c];
     for (; column < kAxes; ++column) out.axis[column] = 0;

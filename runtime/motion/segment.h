@@ -55,8 +55,8 @@ struct Segment {
     SourceId source;
 
     path::Curve curve;  // way of the tip, or of the contact; a Point if it stands
-    path::Vec3 tool = path::Vec3::UnitZ();  // unit vector from tip to holder
-    double tool_length = 0;  // mm along `tool`; linear axes = tip + tool_length · tool
+    path::Vec3 tool = path::Vec3::UnitZ();    // unit vector from tip to holder
+    path::Vec3 carrier = path::Vec3::Zero();  // from the tip to what the linear axes carry, mm
     /// Of a piece on whose path the transformation of the machine holds the tip: `tool` is the tool
     /// at base position, the machine's chain says where the axes stand (transformed.h), and
     /// follower_start is where the rotary ones begin.

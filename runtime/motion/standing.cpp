@@ -73,21 +73,21 @@ Standing::Standing(const machine::Machine& machine) {
 
 /// Where X, Y and Z of the machine stand.
 Vec3 Standing::carrier() const {
-    if (!is_transformed_) return tip_ + tool_length_ * tool_;
+    if (!is_transformed_) return tip_ + held_;
     const machine::ChainPosition position{Vec3::Zero(),
                                           {followers_[3], followers_[4], followers_[5]},
                                           joints_of(*chain_, followers_)};
-    return machine::inverse_linear(*chain_, tip_, position, -tool_length_ * tool_);
+    return machine::inverse_linear(*chain_, tip_, position, -held_);
 }
 
 void Standing::put_carrier(const Vec3& carrier) {
     if (!is_transformed_) {
-        tip_ = carrier - tool_length_ * tool_;
+        tip_ = carrier - held_;
         return;
     }
     LogicalAxes axes{carrier[0], carrier[1], carrier[2]};
     std::ranges::copy(followers_, axes.begin() + 3);
-    tip_ = tip_at(*chain_, axes, tool_, tool_length_);
+    tip_ = tip_at(*chain_, axes, held_);
 }
 
 bool Standing::follow_transformation(const Command& command) {
@@ -113,8 +113,7 @@ Standing::Target Standing::target_of(const Command& command) const {
             continue;
         }
         const auto k = static_cast<Eigen::Index>(i);
-        target.tip[k] =
-            command.machine_coordinates ? command.to[i] - tool_length_ * tool_[k] : command.to[i];
+        target.tip[k] = command.machine_coordinates ? command.to[i] - held_[k] : command.to[i];
     }
     return target;
 }
@@ -188,7 +187,7 @@ Segment Standing::still() const {
     Segment segment;
     segment.curve = path::Point{tip_};
     segment.tool = tool_;
-    segment.tool_length = tool_length_;
+    segment.carrier = held_;
     segment.follower_start = followers_;
     if (is_transformed_) segment.turn.kind = path::Turning::Axes;
     return segment;
@@ -203,13 +202,16 @@ void Standing::arrive(const Command& command, const Target& target) {
 void Standing::set_tool_length(const Command& command, const AxisTable& axes) {
     const Vec3 stays = carrier();
     tool_ = tool_axis(command.plane, axes);
-    tool_length_ = command.length;
-    if (!command.aside.isZero(0)) {  // of a lathe's tool: what carries it lies aside as well
-        const Vec3 carried = command.length * tool_ + command.aside;
-        tool_length_ = carried.norm();
-        tool_ = carried / tool_length_;
+    held_ = command.length * tool_ + command.aside;
+    if (command.is_swivelled) {
+        tool_ = command.direction;
+    } else if (!command.aside.isZero(0)) {  // a lathe's tool: what carries it lies aside as well
+        tool_ = held_.normalized();
     }
     put_carrier(stays);
+    // Without an axis named, the system is another one: what was said of the axes is of the old
+    // one.
+    if (command.moved == 0) last_to_.fill(std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace kadr::motion

@@ -58,8 +58,8 @@ class Standing {
     path::Vec3 tip_ = path::Vec3::Zero();
     std::array<double, kFollowers> followers_{};
     path::Vec3 tool_ = path::Vec3::UnitZ();  // from tip to holder
-    double tool_length_ = 0;
-    AxisValues last_to_{};  // `to` of the last motion command, as it stood there
+    path::Vec3 held_ = path::Vec3::Zero();   // from the tip to what the linear axes carry
+    AxisValues last_to_{};                   // `to` of the last motion command, as it stood there
 };
 
 }  // namespace kadr::motion

@@ -42,7 +42,7 @@ Vec3 parallels_of(const std::array<double, kFollowers>& followers) {
 }
 
 /// From the end of the zero tool to the tip, at base position.
-Vec3 tip_of(const Segment& piece) { return -piece.tool_length * piece.tool; }
+Vec3 tip_of(const Segment& piece) { return -piece.carrier; }
 
 }  // namespace
 
@@ -160,12 +160,12 @@ LogicalAxes axes_at(const Chain& chain, const Segment& piece, double distance) {
     return axes_near(chain, piece, distance, start_of(piece));
 }
 
-Vec3 tip_at(const Chain& chain, const LogicalAxes& axes, const Vec3& tool, double tool_length) {
+Vec3 tip_at(const Chain& chain, const LogicalAxes& axes, const Vec3& carrier) {
     std::array<double, kFollowers> followers{};
     std::copy(axes.begin() + 3, axes.end(), followers.begin());
     const ChainPosition position{
         {axes[0], axes[1], axes[2]}, parallels_of(followers), joints_of(chain, followers)};
-    return machine::forward(chain, position, -tool_length * tool).tip;
+    return machine::forward(chain, position, -carrier).tip;
 }
 
 // ------------------------------------------------------------------------------ courses

@@ -44,9 +44,8 @@ Segment standing_at(const Segment& piece, double distance);
 /// own must be as short as even_parts() makes it.
 LogicalAxes axes_at(const machine::Chain& chain, const Segment& piece, double distance);
 
-/// Where the tip is for these axes; a tool as a segment carries it.
-path::Vec3 tip_at(const machine::Chain& chain, const LogicalAxes& axes, const path::Vec3& tool,
-                  double tool_length);
+/// Where the tip is for these axes; Segment::carrier tells how the tool is carried at base.
+path::Vec3 tip_at(const machine::Chain& chain, const LogicalAxes& axes, const path::Vec3& carrier);
 
 /// Positions of the axes over a piece as polynomials of the fourth degree in u = s / length, 0 … 1.
 class AxisCourse {

@@ -83,6 +83,7 @@ struct Command {
     bool is_unshifted = false;         // programmed in machine coordinates, whatever `to` is in
     bool keeps_feed = false;           // Line: no override acts, as when tapping
     bool cutting_speed = false;        // Spindle: `speed` is m/min (constant cutting speed)
+    bool is_swivelled = false;         // ToolLength: `direction` is the tool's, which a head turns
     AxisMask moved = 0;                // axes that the block programmed
     SourceId source;
     std::uint32_t line = 0;  // of the ISO-7bit text
@@ -107,7 +108,8 @@ struct Command {
     // Of a motion under a transformation: `to` is the tip in the workpiece system, and where the
     // rotary axes stand there.
     Turning turning = Turning::None;
-    Vec3 direction = Vec3::UnitZ();  // of the tool at the end, unit vector from tip to holder
+    Vec3 direction = Vec3::UnitZ();  // of the tool at the end, unit vector from tip to holder;
+                                     // in the base system where no transformation acts
     /// … and how it turns: fields as of a Turn, but over the whole motion: `rate` is rad and
     /// `axis` of a Point mm from its start to the end, leans go from the first to the second.
     Vec3 turn_from = Vec3::UnitZ();  // Surface, Point

@@ -282,7 +282,7 @@ TEST(Planner, ToolLengthMovesTheAxesNotTheTip) {
     // The axis stands at 50, so the tip of the tool that is now known stands at −50.
     EXPECT_LT((path::start(result.segments[1].curve) - Vec3(0, 0, -50)).norm(), 1e-12);
     EXPECT_LT((path::end(result.segments[1].curve) - Vec3(0, 0, 5)).norm(), 1e-12);
-    EXPECT_EQ(result.segments[1].tool_length, 100);
+    EXPECT_EQ(result.segments[1].carrier, path::Vec3(0, 0, 100));
     EXPECT_NEAR(result.totals.travel_max[2], 105, 1e-12);
     EXPECT_NEAR(result.totals.travel_min[2], 0, 1e-12);
 }

@@ -1,0 +1,441 @@
+// tilting.cpp — tilted working planes: how a block says one, and how frames and tool follow the
+// rotary axes that stand to it.
+//
+// The base system is that of the linear axes. While a plane acts, the frames lie on the workpiece
+// as the tables have turned it, and between the tip and what the linear axes carry lies the tool as
+// the heads have turned it: every line is one of the linear axes, and limits are theirs. Workpiece
+// and offsets are said for rotary axes at zero. F 4.8, S 6.5, motion.md 7.2.
+#include <array>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "base/diagnostics/iso.h"
+#include "base/numbers.h"
+#include "base/units.h"
+#include "interp/executor.h"
+#include "machine/orientation.h"
+#include "machine/tilted_plane.h"
+
+namespace kadr::interp {
+
+using machine::Mat3;
+using nc::Block;
+using nc::Function;
+using nc::Invocation;
+using path::Frame;
+using path::Op;
+using path::Vec3;
+
+namespace {
+
+/// Rotary axes that differ by less stand where they are to be, rad.
+constexpr double kSameAngle = 1e-11;
+
+/// Lengths that the turning of a head has left as they were, mm.
+constexpr double kSameLength = 1e-9;
+
+/// How far the two vectors of a plane may be from a right angle; F No.11220 (unsure).
+constexpr double kSquareTolerance = rad_from_deg(5);
+
+Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
+
+/// Three parameters that stand beside each other; what is not given is 0.
+Vec3 three(const Block& block, const Invocation& invocation, std::size_t first) {
+    return {block.argument(invocation, first), block.argument(invocation, first + 1),
+            block.argument(invocation, first + 2)};
+}
+
+Vec3 three_angles(const Block& block, const Invocation& invocation, std::size_t first) {
+    return three(block, invocation, first) * rad_from_deg(1);
+}
+
+Frame turned(const Mat3& rotation) { return {rotation, Vec3::Zero()}; }
+
+std::string_view words_of(machine::PlaneFault fault) {
+    switch (fault) {
+        case machine::PlaneFault::OneLine: return "its points, vectors or angles are of one line";
+        case machine::PlaneFault::NotSquare: return "its vectors are not at right angles";
+        case machine::PlaneFault::ZeroVector: return "two of its points are one, or a vector is 0";
+    }
+    return "it is none";
+}
+
+/// The axes by the digits of a number, the first one in front; nothing if it is none of their
+/// orders.
+std::optional<std::array<Axis, 3>> axes_in_order(double digits) {
+    std::array<Axis, 3> order{};
+    unsigned seen = 0;
+    auto rest = static_cast<std::int64_t>(digits);
+    for (std::size_t i = 3; i-- > 0; rest /= 10) {
+        const auto digit = static_cast<std::size_t>(rest % 10);
+        if (digit < 1 || digit > 3) return std::nullopt;
+        order[i] = static_cast<Axis>(digit - 1);
+        seen |= 1u << digit;
+    }
+    if (rest != 0 || seen != 0b1110u) return std::nullopt;
+    return order;
+}
+
+}  // namespace
+
+// ------------------------------------------------------------------------------ planes
+
+/// The origin that a block names: all of its coordinates or none. Nothing: it was reported.
+std::optional<Vec3> Executor::origin_of_plane(const Block& block, const Invocation& invocation,
+                                              std::size_t first) {
+    const unsigned given = invocation.given >> first & 0b111u;
+    if (given == 0 || given == 0b111u) return three(block, invocation, first);
+    report(diag::TiltFormat, block, invocation.function)
+        .arg("one of the coordinates of its origin is missing");
+    return std::nullopt;
+}
+
+/// Whether a plane may be said here.
+bool Executor::begin_plane(const Block& block, const Invocation& invocation, bool is_added) {
+    if (comp_.side != Function::RadiusCompOff) {
+        report(diag::TiltCompensated, block, invocation.function)
+            .arg(nc::info(invocation.function).name);
+        return false;
+    }
+    if (tilting_.is_on && !is_added && invocation.function != Function::Tilt) {
+        report(diag::TiltNested, block, invocation.function);
+        return false;
+    }
+    return true;
+}
+
+/// The plane lies in the system reached so far, a local shift included.
+void Executor::set_plane(const Frame& plane, bool is_added) {
+    const Frame own = path::translation(frames_.own_shift());
+    const Frame back = path::translation(-frames_.own_shift());
+    const Frame outer = is_added ? frames_.tilt() : Frame{};
+    frames_.set_tilt(outer * own * plane * back);
+    tilting_.is_on = true;
+    frame_changed();
+}
+
+std::optional<Frame> Executor::plane_by_angles(const Block& block, const Invocation& invocation) {
+    const bool is_plane = invocation.function == Function::TiltPlane;
+    const std::size_t first = is_plane ? 3 : 0;
+    std::optional<Vec3> origin = three(block, invocation, first);
+    if (invocation.function != Function::Tilt) origin = origin_of_plane(block, invocation, first);
+    if (!origin) return std::nullopt;
+    const Frame shift = path::translation(*origin);
+    const Vec3 angles = three_angles(block, invocation, first + 3);
+    if (invocation.function == Function::Tilt) return shift * turned(machine::rpy_xyz(angles));
+    const double kind = is_plane ? block.argument(invocation, 0) : 0;
+    if (kind == 0) return shift * turned(machine::euler_zxz(angles));
+    if (kind == 4) {
+        const auto plane = machine::projected({angles[1], angles[0], angles[2]});
+        if (plane) return shift * turned(*plane);
+        report(diag::TiltFormat, block, invocation.function).arg(words_of(plane.error()));
+        return std::nullopt;
+    }
+    const auto order = axes_in_order(block.argument(invocation, 2, 123));
+    if (!order) {
+        report(diag::TiltFormat, block, invocation.function)
+            .arg("its order of the axes is none of 123, 132, 213, 231, 312, 321");
+        return std::nullopt;
+    }
+    std::array<machine::AxisTurn, 3> turns{};
+    for (std::size_t i = 0; i < 3; ++i)
+        turns[i] = {(*order)[i], angles[static_cast<Eigen::Index>(index((*order)[i]))]};
+    return shift * turned(machine::turned_about_fixed(turns));
+}
+
+void Executor::tilt(const Block& block, const Invocation& invocation) {
+    const bool is_added =
+        invocation.function == Function::TiltPlane && block.argument(invocation, 1) != 0;
+    if (!begin_plane(block, invocation, is_added)) return;
+    if (invocation.function == Function::Tilt && !has_rotary_axes(block, Function::Tilt)) return;
+    const std::optional<Frame> plane = plane_by_angles(block, invocation);
+    if (!plane) return;
+    set_plane(*plane, is_added);
+    if (machine_.kinematics) carry(block, joints_of(position_.base));
+}
+
+/// Planes by points or vectors stand in several blocks, one behind the other.
+void Executor::tilt_by_blocks(const Block& block, const Invocation& invocation) {
+    constexpr std::size_t kOrigin = 2;
+    constexpr std::size_t kBehind = 5;  // turn, or the vector
+    const bool is_by_points = invocation.function == Function::TiltPoint;
+    const double number = block.argument(invocation, 0);
+    const bool is_added = block.argument(invocation, 1) != 0;
+    if (!tilting_.open) {
+        if (!begin_plane(block, invocation, is_added)) return;
+        tilting_.open.emplace();
+        tilting_.open->by = invocation.function;
+        tilting_.open->is_added = is_added;
+        tilting_.open->next = is_by_points && number == 0 ? 0 : 1;
+    }
+    Tilting::Said& said = *tilting_.open;
+    if (said.by != invocation.function || said.is_added != is_added || number != said.next) {
+        report(diag::TiltFormat, block, invocation.function)
+            .arg("its blocks do not stand in their order");
+        return;
+    }
+    const std::optional<Vec3> place = origin_of_plane(block, invocation, kOrigin);
+    if (!place) return;
+    if (is_by_points) {
+        said.values[said.next] = *place;
+        if (said.next == 0) said.turn = rad_from_deg(block.argument(invocation, kBehind));
+    } else {
+        if (said.next == 1) said.origin = *place;
+        said.values[said.next] = three(block, invocation, kBehind);
+    }
+    const unsigned last = is_by_points ? 3 : 2;
+    if (said.next++ < last) return;
+    const std::optional<Frame> plane = plane_by_blocks(block, said);
+    tilting_.open.reset();
+    if (!plane) return;
+    set_plane(*plane, is_added);
+    if (machine_.kinematics) carry(block, joints_of(position_.base));
+}
+
+std::optional<Frame> Executor::plane_by_blocks(const Block& block, const Tilting::Said& said) {
+    const std::array<Vec3, 3> points = {said.values[1], said.values[2], said.values[3]};
+    const bool is_by_points = said.by == Function::TiltPoint;
+    const auto plane = is_by_points
+                           ? machine::through_points(points)
+                           : machine::by_axes(said.values[1], said.values[2], kSquareTolerance);
+    if (!plane) {
+        report(diag::TiltFormat, block, said.by).arg(words_of(plane.error()));
+        return std::nullopt;
+    }
+    if (!is_by_points) return path::translation(said.origin) * turned(*plane);
+    return path::translation(points[0]) * turned(*plane) * path::translation(said.values[0]) *
+           path::rotation_in_plane(path::Plane::Xy, said.turn);
+}
+
+/// False: another block stands among those of a plane, and it was reported.
+bool Executor::check_open_plane(const Block& block) {
+    if (block.find(tilting_.open->by) != nullptr) return true;
+    report(diag::TiltFormat, block)
+        .arg("its blocks are not complete: number " + std::to_string(tilting_.open->next) +
+             " is missing");
+    return false;
+}
+
+/// The plane square to the tool as it stands; frames lie on the turned tables first.
+void Executor::tilt_along_tool(const Block& block, const Invocation& invocation) {
+    if (!begin_plane(block, invocation, false)) return;
+    if (!has_rotary_axes(block, invocation.function)) return;
+    const std::optional<Vec3> said = origin_of_plane(block, invocation, 0);
+    if (!said) return;
+    carry(block, joints_of(position_.base));
+    const Vec3 origin = (invocation.given & 0b111u) != 0 ? *said : linear(position_.here);
+    const Vec3 tool = machine::tool_in_base(machine_.kinematics->chain, tilting_.joints);
+    const Mat3 plane =
+        machine::square_to_tool((frames_.total().linear.transpose() * tool).normalized());
+    const double turn = rad_from_deg(block.argument(invocation, 3));
+    set_plane(
+        path::translation(origin) * turned(plane) * path::rotation_in_plane(path::Plane::Xy, turn),
+        false);
+    position_.programmed = position_.here;
+}
+
+void Executor::end_tilt(const Block& block) {
+    if (!tilting_.is_on) return;
+    tilting_.is_on = tilting_.warned_turned = false;
+    frames_.set_tilt({});
+    drop_carry(block);
+    frame_changed();
+    position_.programmed = position_.here;
+}
+
+// ------------------------------------------------------------------------------ rotary axes
+
+bool Executor::has_rotary_axes(const Block& block, Function function) {
+    if (machine_.kinematics && machine_.kinematics->chain.is_turning()) return true;
+    report(diag::TiltNoKinematics, block, function).arg(machine_.name);
+    return false;
+}
+
+/// The rotary axes turn until the tool is along Z of the plane.
+void Executor::align(const Block& block, const Invocation& invocation) {
+    const Function function = invocation.function;
+    const bool is_about_tip = function == Function::TiltAlignTip;
+    if (!tilting_.is_on) {
+        report(diag::TiltAlignAlone, block, function);
+        return;
+    }
+    if (!has_rotary_axes(block, function)) return;
+    const double way = function == Function::TiltAlign ? block.argument(invocation, 0) : 0;
+    const int sense = way == 1 ? 1 : way == 2 ? -1 : 0;
+    if (is_about_tip && (invocation.given & 1u) != 0) {
+        tool_.offset = std::llround(block.argument(invocation, 0));
+        tool_.source = Tool::Source::Offset;
+        tool_.has_changed = true;
+    }
+    const std::optional<Vec3> joints = joints_for_plane(block, function, sense);
+    if (!joints) return;
+    // At rapid with the plane itself, else as the modal motion says.
+    const bool is_line = modal_.motion == Function::Line && function != Function::Tilt;
+    const Op op = is_line ? Op::Line : Op::Rapid;
+    is_about_tip ? turn_about_tip(block, *joints, op) : turn_joints(block, *joints, op);
+    if (!ended_) carry(block, *joints);
+}
+
+/// Places of the rotary axes with the tool along Z of the programmed system; nothing if it was
+/// reported.
+std::optional<Vec3> Executor::joints_for_plane(const Block& block, Function function, int sense) {
+    const machine::Kinematics& kinematics = *machine_.kinematics;
+    const machine::Chain& chain = kinematics.chain;
+    const Vec3 normal = frames_.total().direction(Vec3::UnitZ());
+    machine::SwivelQuery query;
+    query.direction = (frames_.tables().linear.transpose() * normal).normalized();
+    query.start = joints_of(position_.base);
+    query.rule = kinematics.rule;
+    query.sense = sense;
+    query.reference = chain.has(machine::kR2) ? machine::kR2 : machine::kR1;
+    for (std::size_t k = 0; k < machine::kJoints; ++k) {
+        if (!chain.has(k)) continue;
+        const std::size_t i = index(chain.joints[k].axis);
+        query.limits[k] = {rad_from_deg(lower_[i]), rad_from_deg(upper_[i])};
+    }
+    const auto joints = machine::choose_swivel(chain, query);
+    if (joints) return *joints;
+    const machine::PathRefusal& refusal = joints.error();
+    if (refusal.fault == machine::PathFault::Unreachable) {
+        report(diag::TiltUnreachable, block, function)
+            .arg(chain.orients() ? "its rotary axes do not reach so far"
+                                 : "it has one rotary axis, which does not lead there");
+        return std::nullopt;
+    }
+    std::string words;
+    for (const machine::CandidateRefusal& refused : refusal.configurations) {
+        if (refused.fault == machine::CandidateFault::NoSolution) continue;
+        if (!words.empty()) words += ", ";
+        words += kAxisNames[index(chain.joints[refused.joint].axis)];
+        words += format_shortest(round_to(deg_from_rad(refused.value), 4));
+    }
+    report(diag::TiltLimits, block, function).arg(words);
+    return std::nullopt;
+}
+
+/// The rotary axes go there, and the linear axes stand.
+void Executor::turn_joints(const Block& block, const Vec3& joints, Op op) {
+    const machine::Chain& chain = machine_.kinematics->chain;
+    if ((joints - joints_of(position_.base)).cwiseAbs().maxCoeff() < kSameAngle) return;
+    Target target{position_.here, position_.base, joint_axes()};
+    for (std::size_t k = 0; k < machine::kJoints; ++k) {
+        if (!chain.has(k)) continue;
+        const std::size_t i = index(chain.joints[k].axis);
+        target.base[i] = deg_from_rad(joints[static_cast<Eigen::Index>(k)]);
+        target.here[i] = target.base[i] - frames_.shift_values()[i];
+    }
+    line(block, target, op, true);
+}
+
+/// The rotary axes go there, and the linear axes hold the tip on the workpiece.
+void Executor::turn_about_tip(const Block& block, const Vec3& joints, Op op) {
+    const machine::Chain& chain = machine_.kinematics->chain;
+    if (op == Op::Line && !check_feed(block, "line")) return;
+    drop_carry(block);
+    if (tool_.has_changed) activate_length(block, kLinearXYZ);
+    const AxisValues axes = machine_axes();
+    const Vec3 tool = -tool_.lengths;
+    machine::ChainPosition position{
+        linear(axes), {axes[6], axes[7], axes[8]}, joints_of(position_.base)};
+    const Vec3 tip = machine::forward(chain, position, tool).tip;
+    position.rotary = joints;
+    const Vec3 stand = machine::inverse_linear(chain, tip, position, tool);
+    AxisValues end = position_.base;
+    for (std::size_t k = 0; k < machine::kJoints; ++k) {
+        if (chain.has(k))
+            end[index(chain.joints[k].axis)] = deg_from_rad(joints[static_cast<Eigen::Index>(k)]);
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+        end[i] = stand[static_cast<Eigen::Index>(i)] - length_shift_[i];
+    const auto moved = static_cast<AxisMask>(kLinearXYZ | joint_axes());
+    if (!check_machine_limits(block, end, moved)) return;
+    path::Command& command = put(op, block);
+    command.to = end;
+    for (std::size_t i = 0; i < 3; ++i) command.to[i] = tip[static_cast<Eigen::Index>(i)];
+    command.moved = moved;
+    command.exact_stop = true;
+    command.feed = op == Op::Rapid ? 0 : modal_.feed;
+    command.turning = path::Turning::Axes;
+    command.direction = machine::tool_vector(chain, joints);
+    position_.base = end;
+    frame_changed();
+    position_.programmed = position_.here;
+}
+
+// ------------------------------------------------------------------------------ what they carry
+
+void Executor::set_length_shift(const Vec3& shift) {
+    for (std::size_t i = 0; i < 3; ++i) length_shift_[i] = shift[static_cast<Eigen::Index>(i)];
+}
+
+/// What the linear axes stand beside the tip, for a tool with these lengths.
+Vec3 Executor::length_shift_of(const Vec3& lengths) const {
+    if (orienting_.is_on) return Vec3::Zero();
+    if (!tilting_.carries) return lengths;
+    return -machine::head_offset(machine_.kinematics->chain, tilting_.joints, -lengths);
+}
+
+/// Frames lie on the tables as these joints have turned them, and the tool as the heads have; no
+/// axis moves. Under a transformation both are so anyway.
+void Executor::carry(const Block& block, const Vec3& joints) {
+    if (!machine_.kinematics || orienting_.is_on) return;
+    const AxisValues axes = machine_axes();
+    const Vec3 before = tilting_.carries ? tilting_.joints : Vec3(Vec3::Zero());
+    const machine::Chain& chain = machine_.kinematics->chain;
+    const bool tool_turns = !machine::tool_in_base(chain, before)
+                                 .isApprox(machine::tool_in_base(chain, joints), kSameLength);
+    tilting_.carries = true;
+    tilting_.joints = joints;
+    frames_.set_tables(machine::table_frame(chain, joints));
+    stand_at(block, axes, tool_turns);
+}
+
+void Executor::drop_carry(const Block& block) {
+    if (!tilting_.carries) return;
+    const AxisValues axes = machine_axes();
+    const machine::Chain& chain = machine_.kinematics->chain;
+    const bool tool_turned =
+        !machine::tool_in_base(chain, tilting_.joints).isApprox(chain.tool_direction, kSameLength);
+    tilting_.carries = false;
+    frames_.set_tables(tilting_.on_tables ? machine::table_frame(chain, joints_of(position_.base))
+                                          : Frame{});
+    stand_at(block, axes, tool_turned);
+}
+
+/// The axes stand where they are; tip and tool have another place in the base system.
+void Executor::stand_at(const Block& block, const AxisValues& axes, bool tool_turns) {
+    const Vec3 shift = length_shift_of(tool_.lengths);
+    if (tool_turns || (shift - linear(length_shift_)).norm() > kSameLength) {
+        set_length_shift(shift);
+        put_tool_length(block, tool_.axis).moved = 0;
+    }
+    for (std::size_t i = 0; i < 3; ++i) position_.base[i] = axes[i] - length_shift_[i];
+    frame_changed();
+    position_.programmed = position_.here;
+    came_from_ = linear(position_.base);
+}
+
+/// A rotary axis that the plane does not follow leads the tool out of it. F 4.8.
+void Executor::check_carried(const Block& block) {
+    if (tilting_.warned_turned || !machine_.kinematics) return;
+    const nc::SlotMask turned = block.given & joint_axes();
+    if (turned == 0) return;
+    const Vec3 now = tilting_.joints;
+    const machine::Chain& chain = machine_.kinematics->chain;
+    for (std::size_t k = 0; k < machine::kJoints; ++k) {
+        if (!chain.has(k)) continue;
+        const nc::Slot slot = nc::slot_of(chain.joints[k].axis);
+        if ((turned & bit(slot)) == 0) continue;
+        const double place = deg_from_rad(now[static_cast<Eigen::Index>(k)]);
+        constexpr double kWidth = 0.0005;  // deg: half an increment
+        if (std::abs(std::remainder(block.at(slot) - place, 360)) < kWidth) continue;
+        tilting_.warned_turned = true;
+        report(diag::TiltTurned, block, slot)
+            .arg(kAxisNames[index(chain.joints[k].axis)])
+            .arg(round_to(place, 4));
+        return;
+    }
+}
+
+}  // namespace kadr::interp
