@@ -6,9 +6,11 @@
 
 #include "base/axes.h"
 #include "base/source.h"
+#include "machine/chain.h"
 #include "motion/profile.h"
 #include "motion/spindle.h"
 #include "path/curve.h"
+#include "path/virtual_axes.h"
 
 namespace kadr::motion {
 
@@ -37,6 +39,9 @@ struct PulseTrain {
     double first = 0;   // s from the start of the piece
     double period = 0;  // s
 };
+
+/// Of a machine without rotary axes that its file places.
+inline const machine::Chain kNoChain{};
 
 /// Axes beside X, Y, Z: A B C (rad) and U V W (mm), in this order.
 inline constexpr std::size_t kFollowers = kAxes - 3;
@@ -68,6 +73,8 @@ struct Segment {
     /// With it, `tool` is the tool at base position, and the machine's chain says where the axes
     /// stand (transformed.h).
     Turn turn;
+    /// If they are on: `curve` is in them, and the tool stays as it is.
+    path::VirtualAxes virtual_axes;
 
     double start_time = 0;  // s, from the start of the program
     double duration = 0;    // s

@@ -6,6 +6,7 @@
 
 #include "base/units.h"
 #include "motion/transformed.h"
+#include "path/curve_of.h"
 
 namespace kadr::motion {
 
@@ -46,6 +47,7 @@ Standing::Standing(const machine::Machine& machine) {
 
 /// Where X, Y and Z of the machine stand.
 Vec3 Standing::carrier() const {
+    if (virtual_.is_on()) return path::real_place(virtual_, tip_) + tool_length_ * tool_;
     if (!is_transformed_) return tip_ + tool_length_ * tool_;
     const machine::ChainPosition position{Vec3::Zero(),
                                           {followers_[3], followers_[4], followers_[5]},
@@ -54,8 +56,13 @@ Vec3 Standing::carrier() const {
 }
 
 void Standing::put_carrier(const Vec3& carrier) {
+    const Vec3 carried = carrier - tool_length_ * tool_;
+    if (virtual_.is_on()) {
+        tip_ = path::virtual_place(virtual_, carried, virtual_angle());
+        return;
+    }
     if (!is_transformed_) {
-        tip_ = carrier - tool_length_ * tool_;
+        tip_ = carried;
         return;
     }
     LogicalAxes axes{carrier[0], carrier[1], carrier[2]};
@@ -63,11 +70,18 @@ void Standing::put_carrier(const Vec3& carrier) {
     tip_ = tip_at(*chain_, axes, tool_, tool_length_);
 }
 
+double Standing::virtual_angle() const {
+    return virtual_.turns() ? followers_[index(virtual_.rotary) - 3] : 0;
+}
+
 bool Standing::follow_transformation(const Command& command) {
     const bool is_wanted = command.turning != path::Turning::None;
-    if (is_wanted == is_transformed_ || chain_ == nullptr) return false;
+    const bool is_other = is_wanted != is_transformed_ || command.virtual_axes != virtual_;
+    if (!is_other || (chain_ == nullptr && is_wanted && !command.virtual_axes.is_on()))
+        return false;
     const Vec3 stays = carrier();
     is_transformed_ = is_wanted;
+    virtual_ = command.virtual_axes;
     put_carrier(stays);
     // What the command says of the other axes is of the new system.
     last_to_.fill(std::numeric_limits<double>::quiet_NaN());
@@ -93,44 +107,22 @@ Standing::Target Standing::target_of(const Command& command) const {
 }
 
 double Standing::lay_path(const Command& command, const Target& target, Segment& segment) const {
-    double length = 0;
-    if (command.op == Op::Arc) {
-        const path::Helix helix =
-            path::make_helix(tip_, target.tip, command.center, command.normal, command.sweep);
-        length = helix.length;
-        segment.curve = helix;
-    } else if (command.op == Op::Spline && command.spline.degree > 3) {
-        const path::QuinticSpan quintic = path::make_quintic(tip_, target.tip, command.spline);
-        length = quintic.length;
-        segment.curve = quintic;
-    } else if (command.op == Op::Involute) {
-        const path::Involute involute = path::make_involute(tip_, target.tip, command.center,
-                                                            command.normal, command.base_radius);
-        length = involute.length;
-        segment.curve = involute;
-    } else if (command.op == Op::Spline) {
-        const path::CubicSpan spline = path::make_spline(tip_, target.tip, command.spline);
-        length = spline.length;
-        segment.curve = spline;
-    } else if (command.op == Op::Parametric) {
-        const path::Parametric curve =
-            path::make_parametric(tip_, target.tip, command.curve.front());
-        length = curve.length;
-        segment.curve = curve;
-    } else if ((target.tip - tip_).squaredNorm() > kStill * kStill) {
-        const path::Line line = path::make_line(tip_, target.tip);
-        length = line.length;
-        segment.curve = line;
-    }
+    segment.curve = path::curve_of(command, tip_, target.tip);
+    double length = path::length(segment.curve);
     if (target.followers != followers_) lay_followers(target, length, segment);
     if (segment.is_transformed()) lay_turn(command, length, segment);
     return length > kStill ? length : 0;
 }
 
-/// On a cone R1 and R2 follow the tool; where only it turns, its angle is the path.
+/// A rotary axis of virtual coordinates follows the path. On a cone R1 and R2 follow the tool;
+/// where only it turns, its angle is the path.
 void Standing::lay_turn(const Command& command, double& length, Segment& segment) const {
     Turn& turn = segment.turn;
     turn.kind = command.turning;
+    if (virtual_.turns()) {
+        segment.follower_rate[index(virtual_.rotary) - 3] = 0;
+        segment.followers |= bit(virtual_.rotary);
+    }
     if (turn.kind == path::Turning::Cone) {
         const bool stands = std::holds_alternative<path::Point>(segment.curve);
         const bool is_parallel = (segment.followers & ~kRotaryABC) != 0;
@@ -182,6 +174,7 @@ Segment Standing::still() const {
     segment.tool_length = tool_length_;
     segment.follower_start = followers_;
     if (is_transformed_) segment.turn.kind = path::Turning::Axes;
+    segment.virtual_axes = virtual_;
     return segment;
 }
 

@@ -13,6 +13,7 @@
 #include "base/source.h"
 #include "path/parametric.h"
 #include "path/spline.h"
+#include "path/virtual_axes.h"
 
 namespace kadr::path {
 
@@ -110,12 +111,13 @@ struct Command {
     double compress = 0;  // Line: it may become a part of a curve within this tolerance, mm;
                           // 0: it stays what it is
 
-    // Of a motion under a transformation: `to` is the tip in the workpiece system, and where the
-    // rotary axes stand there.
+    // Of a motion under a transformation: `to` is the tip in the workpiece system or in virtual
+    // coordinates, and where the rotary axes stand there.
     Turning turning = Turning::None;
     Vec3 direction = Vec3::UnitZ();  // of the tool at the end, unit vector from tip to holder
     Vec3 turn_axis = Vec3::Zero();   // Cone: unit vector
     double turn_angle = 0;           // Cone: rad, by the right-hand rule
+    VirtualAxes virtual_axes;        // in which the motion is told; the tool does not turn then
 
     double feed = 0;            // mm/min, mm/rev or 1/min, as feed_mode says; of a thread mm/rev
     double lead_change = 0;     // Thread: by how much `feed` changes in a turn, mm/rev
