@@ -138,7 +138,9 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
 std::size_t Executor::pull(std::span<Command> out) {
     output_.open(out);
     timed_ = 0;
+    follow_from_here();
     while (output_.has_room() && !ended_) execute_next();
+    if (virtual_.axes.is_on()) follow_rotary();
     count_time();
     return output_.written();
 }
@@ -164,11 +166,16 @@ void Executor::execute_next() {
         return;
     }
     if (move_plainly(*block)) return;
+    if (virtual_.axes.is_on()) {
+        block = in_virtual(*block);
+        if (block == nullptr) return;
+    }
     if (shape_ && !check_shape_block(*block)) return;
     execute(rules_.center_stays ? with_center(*block) : *block);
     const bool is_open = open_line_ || (corners_.is_active() && !acts(*block));
     if (has_stages() && !is_open) settle(*block);
     if (shape_ && !ended_) end_shape_block(*block);
+    if (virtual_.axes.is_on() && !ended_) follow_rotary();
 }
 
 /// Whether commands pass through something that keeps them back; nearly never.
@@ -535,7 +542,13 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             break;
 
         case Function::TcpOn:
-        case Function::TcpOff: switch_transformation(block, invocation); break;
+        case Function::TcpOff:
+            end_virtual(block);
+            if (!ended_) switch_transformation(block, invocation);
+            break;
+        case Function::FaceOn:
+        case Function::CylinderOn:
+        case Function::InclinedOn: begin_virtual(block, invocation); break;
         case Function::TurnPlane:
         case Function::TurnAxes: orienting_.turning = invocation.function; break;
         case Function::AnglesEuler:
@@ -1074,7 +1087,8 @@ Command& Executor::put(Op op, const Block& block) {
     command.line = from.line;
     command.to = position_.base;
     command.turning = path::Turning::None;
-    if (orienting_.is_on) put_turn(command);
+    command.virtual_axes = {};
+    if (is_transformed()) put_turn(command);
     command.text.clear();
     return command;
 }

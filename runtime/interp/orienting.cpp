@@ -79,6 +79,10 @@ AxisMask Executor::joint_axes() const {
 /// Where the axes of the machine stand.
 AxisValues Executor::machine_axes() const {
     AxisValues axes = position_.base;
+    if (virtual_.axes.is_on()) {
+        const Vec3 real = path::real_place(virtual_.axes, linear(axes));
+        for (std::size_t k = 0; k < 3; ++k) axes[k] = real[static_cast<Eigen::Index>(k)];
+    }
     for (std::size_t k = 0; k < kAxes; ++k) axes[k] += length_shift_[k];
     if (!orienting_.is_on) return axes;
     const machine::ChainPosition position{
@@ -246,6 +250,11 @@ bool Executor::lay_turn(const Block& block, const Vec3& to, Target& target) {
 /// A motion under the transformation: the turn that waits, or the axes as they are programmed.
 void Executor::put_turn(Command& command) {
     if (!path::is_motion(command.op)) return;
+    if (virtual_.axes.is_on()) {
+        command.turning = Turning::Axes;
+        command.virtual_axes = virtual_.axes;
+        return;
+    }
     command.turning = std::exchange(next_turn_.turning, Turning::Axes);
     command.direction = next_turn_.direction;
     command.turn_axis = next_turn_.axis;
