@@ -153,7 +153,9 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
 std::size_t Executor::pull(std::span<Command> out) {
     output_.open(out);
     timed_ = 0;
+    follow_from_here();
     while (output_.has_room() && !ended_) execute_next();
+    if (virtual_.axes.is_on()) follow_rotary();
     count_time();
     return output_.written();
 }
@@ -179,11 +181,16 @@ void Executor::execute_next() {
         return;
     }
     if (move_plainly(*block)) return;
+    if (virtual_.axes.is_on()) {
+        block = in_virtual(*block);
+        if (block == nullptr) return;
+    }
     if (shape_ && !check_shape_block(*block)) return;
     execute(rules_.center_stays ? with_center(*block) : *block);
     const bool is_open = open_line_ || (corners_.is_active() && !acts(*block));
     if (has_stages() && !is_open) settle(*block);
     if (shape_ && !ended_) end_shape_block(*block);
+    if (virtual_.axes.is_on() && !ended_) follow_rotary();
 }
 
 /// Whether commands pass through something that keeps them back; nearly never.
@@ -573,7 +580,13 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             break;
 
         case Function::TcpOn:
-        case Function::TcpOff: switch_transformation(block, invocation); break;
+        case Function::TcpOff:
+            end_virtual(block);
+            if (!ended_) switch_transformation(block, invocation);
+            break;
+        case Function::FaceOn:
+        case Function::CylinderOn:
+        case Function::InclinedOn: begin_virtual(block, invocation); break;
         case Function::TurnPlane:
         case Function::TurnAxes:
         case Function::TurnSurface:
@@ -1161,8 +1174,9 @@ Command& Executor::put(Op op, const Block& block) {
     command.line = from.line;
     command.to = position_.base;
     command.turning = path::Turning::None;
-    if (orienting_.is_on) put_turn(command);
     command.contact.clear();
+    command.virtual_axes = {};
+    if (is_transformed()) put_turn(command);
     command.text.clear();
     return command;
 }

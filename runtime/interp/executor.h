@@ -4,8 +4,8 @@
 // functions), plain_moves.cpp (what nearly every block is), motion.cpp (targets, lines, arcs, tool
 // length, limits), circles.cpp, polar.cpp and angles.cpp (what controls work out of other words),
 // orienting.cpp, tool_words.cpp and tool_turns.cpp (the machine's transformation, and how the tool
-// turns under it), tilting.cpp and swivelling.cpp (tilted planes), cornering.cpp and
-// compensating.cpp (what the commands pass through), soft_moves.cpp (soft approaches and retracts),
+// turns under it), tilting.cpp and swivelling.cpp (tilted planes), virtual_axes.cpp (faces
+// and cylinders), cornering.cpp and compensating.cpp (what the commands pass through), soft_moves.cpp (soft approaches and retracts),
 // smoothing.cpp (rounded corners, compressed lines), cycles.cpp (machining cycles), patterns.cpp
 // (places at which a cycle is called), shapes.cpp (cycles along a shape that stands in the program),
 // splines.cpp, through_splines.cpp, polynomials.cpp, involutes.cpp and curves.cpp (other curves).
@@ -36,6 +36,7 @@
 #include "machine/orientation.h"
 #include "machine/path_choice.h"
 #include "path/arc.h"
+#include "path/curve.h"
 #include "path/involute.h"
 #include "path/turn.h"
 
@@ -394,6 +395,28 @@ class Executor {
     void end_swivel(const nc::Block& block);
     void frame_along_tool(const nc::Block& block, const nc::Invocation& invocation);
     void follow_tables(const nc::Block& block, bool is_wanted);
+    // virtual_axes.cpp: faces, cylinders and inclined slides
+    void begin_virtual(const nc::Block& block, const nc::Invocation& invocation);
+    void end_virtual(const nc::Block& block);
+    void take_virtual_place(const path::Vec3& place);
+    double virtual_angle() const;
+    std::optional<path::VirtualAxes> wanted_virtual(const nc::Block& block,
+                                                    const nc::Invocation& invocation);
+    std::optional<path::VirtualAxes> wanted_face(const nc::Block& block);
+    std::optional<path::VirtualAxes> wanted_cylinder(const nc::Block& block,
+                                                     const nc::Invocation& invocation);
+    std::optional<path::VirtualAxes> wanted_inclined(const nc::Block& block,
+                                                     const nc::Invocation& invocation);
+    void refuse_virtual(const nc::Block& block, nc::Function function);
+    void refuse_virtual(const nc::Block& block, nc::Slot slot);
+    bool check_virtual(const nc::Block& block);
+    bool take_rotary_word(const nc::Block& block);
+    const nc::Block* in_virtual(const nc::Block& block);
+    void say_virtual_plane(path::Plane said);
+    void follow_from_here();
+    void follow_rotary();
+    bool follow_leg_by_leg(const path::Command& command, const path::Curve& curve);
+    bool is_transformed() const { return orienting_.is_on || virtual_.axes.is_on(); }
 
     // polar.cpp
     void set_pole(const nc::Block& block, const nc::Invocation& invocation);
@@ -640,6 +663,15 @@ class Executor {
     NextTurn next_turn_;
     std::optional<ToolWords> course_;  // of the block: waits until its path is known
     bool warned_spin_ = false;
+    Virtual virtual_;
+    /// Where the commands that are out have led the tip and the rotary axis.
+    struct Followed {
+        std::size_t followed = 0;  // so many commands of this batch, and of those that wait
+        path::Vec3 tip = path::Vec3::Zero();
+        double at = 0;  // rad
+    };
+    Followed rotary_;
+    nc::Block around_{};  // a block whose rotary word has become a place around
     path::Vec3 came_from_ = path::Vec3::Zero();  // in the base system: a place on the way to here
     bool diameter_is_absolute_ = false;          // X is a diameter as a coordinate only
     double rounding_ = 0;                        // of every corner, mm; 0: none

@@ -139,11 +139,26 @@ void append_contact(std::string& out, const path::ContactMotion& motion) {
     append_number(out, motion.contact.depth);
 }
 
+/// In which coordinates the place is told.
+void append_virtual(std::string& out, const path::VirtualAxes& axes) {
+    switch (axes.kind) {
+        case path::VirtualKind::None: return;
+        case path::VirtualKind::Face: return append_word(out, "on", "face");
+        case path::VirtualKind::Cylinder:
+            append_word(out, "on", "cylinder");
+            append_field(out, "radius", axes.size);
+            return;
+        case path::VirtualKind::Inclined: append_word(out, "on", "inclined"); return;
+    }
+}
+
 void append_target(std::string& out, const Command& command, AxisMask axes) {
     out += ",\"to\":";
     char separator = '{';
     for (std::size_t i = 0; i < kAxes; ++i) {
-        if ((axes >> i & 1u) == 0) continue;
+        const bool is_virtual = command.virtual_axes.turns() &&
+                                command.virtual_axes.virtual_axis() == static_cast<Axis>(i);
+        if ((axes >> i & 1u) == 0 && !is_virtual) continue;
         out += separator;
         out += '"';
         out += kAxisNames[i];
@@ -153,6 +168,7 @@ void append_target(std::string& out, const Command& command, AxisMask axes) {
     }
     out += '}';
     if (command.machine_coordinates) out += ",\"machine_coordinates\":true";
+    if (command.virtual_axes.is_on()) return append_virtual(out, command.virtual_axes);
     if (command.turning == path::Turning::None) return;
     append_key(out, "tool");
     append_numbers(out, {command.direction.data(), 3});

@@ -294,7 +294,7 @@ void Executor::line(const Block& block, const Target& programmed, Op op, bool ex
 /// Machine coordinates are coordinates of the spindle nose: neither frames nor, on most controls,
 /// the tool length act.
 void Executor::move_in_machine_coordinates(const Block& block) {
-    if (orienting_.is_on) {
+    if (is_transformed()) {
         report(diag::TransformationMotion, block, Function::MachineCoordinates)
             .arg("a place in machine coordinates");
         return;
@@ -363,7 +363,7 @@ void Executor::rapid_to_machine_position(const Block& block, const AxisValues& t
 
 /// A way to a reference point, or from there; none of them stands among the holes of a cycle.
 void Executor::refer(const Block& block, const nc::Invocation& invocation) {
-    if (orienting_.is_on) {
+    if (is_transformed()) {
         report(diag::TransformationMotion, block, invocation.function).arg("a reference point");
         return;
     }
@@ -969,7 +969,14 @@ void Executor::warn_arc_word(const Block& block, SlotMask words) {
 // ------------------------------------------------------------------------------ checks
 
 bool Executor::check_axes(const Block& block, SlotMask targets) {
-    const SlotMask missing = targets & ~SlotMask{axes_};
+    SlotMask missing = targets & ~SlotMask{axes_};
+    if (virtual_.axes.turns()) {
+        missing &= ~bit(nc::slot_of(virtual_.axes.virtual_axis()));
+        if (const Slot turning = nc::slot_of(virtual_.axes.rotary); (targets & bit(turning)) != 0) {
+            report(diag::VirtualRotary, block, turning).arg(nc::slot_name(turning));
+            return false;
+        }
+    }
     if (missing == 0) return true;
     const Slot slot = first_slot(missing);
     report(diag::AxisMissing, block, slot).arg(kAxisNames[static_cast<std::size_t>(slot)]);
@@ -1072,7 +1079,7 @@ void Executor::check_units(const Block& block, nc::Function units) {
 
 bool Executor::check_limits(const Block& block, const AxisValues& base, AxisMask moved) {
     // Where the axes go under a transformation is worked out along the way (motion/axis_check.h).
-    if (orienting_.is_on) return !area_.acts() || check_area(block, base, moved);
+    if (is_transformed()) return !area_.acts() || check_area(block, base, moved);
     return check_machine_limits(block, base, moved) &&
            (!area_.acts() || check_area(block, base, moved));
 }
@@ -1109,7 +1116,7 @@ bool Executor::check_arc_limits(const Block& block, const path::Arc& arc, const 
     if (!check_limits(block, target.base, target.moved)) return false;
     // Far from every limit, which is nearly always, the whole circle is the quick answer.
     const path::ArcShape shape = path::shape_of(arc);
-    if (orienting_.is_on) return true;
+    if (is_transformed()) return true;
     const double reach = std::max(shape.start_radius, shape.end_radius) + std::abs(shape.height);
     bool is_far = !area_.acts();
     for (std::size_t i = 0; i < 3; ++i) {

@@ -65,6 +65,10 @@ AxisMask Executor::joint_axes() const {
 /// Where the axes of the machine stand.
 AxisValues Executor::machine_axes() const {
     AxisValues axes = position_.base;
+    if (virtual_.axes.is_on()) {
+        const Vec3 real = path::real_place(virtual_.axes, linear(axes));
+        for (std::size_t k = 0; k < 3; ++k) axes[k] = real[static_cast<Eigen::Index>(k)];
+    }
     for (std::size_t k = 0; k < kAxes; ++k) axes[k] += length_shift_[k];
     if (!orienting_.is_on) return axes;
     const machine::ChainPosition position{

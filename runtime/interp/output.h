@@ -31,6 +31,18 @@ class Output {
     /// Commands that wait for the next batch.
     const std::vector<path::Command>& waiting() const { return queue_; }
 
+    /// A command of this batch or one that waits, in order.
+    path::Command& any(std::size_t i) { return i < written_ ? out_[i] : queue_[i - written_]; }
+    /// Takes back this command and all behind it.
+    void drop_from(std::size_t i) {
+        if (i < written_) {
+            written_ = i;
+            queue_.clear();
+        } else {
+            queue_.resize(i - written_);
+        }
+    }
+
     /// The place of the next command. Valid until the next call.
     path::Command& next() {
         if (written_ < out_.size()) return out_[written_++];

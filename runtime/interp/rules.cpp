@@ -69,6 +69,7 @@ bool read(std::string_view text, ToolSelectChanges& value) {
 bool read(std::string_view text, path::OutsideCorner& value) {
     return read(text, "arc", "intersection", "square", value);
 }
+bool read(std::string_view text, PolePassage& value) { return read(text, "alarm", "turn", value); }
 bool read(std::string_view text, MissingEnd& value) {
     return read(text, "warning", "alarm", value);
 }

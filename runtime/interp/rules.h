@@ -35,6 +35,9 @@ enum class CompStart : std::uint8_t {
 /// else of the cutter's centre.
 enum class CompFeed : std::uint8_t { Contour, Center, Inside };
 
+/// What becomes of a path through the centre of a face, where the rotary axis would turn at once.
+enum class PolePassage : std::uint8_t { Alarm, Turn };
+
 struct Rules {
 #define KADR_RULE(type, field, standard, values, meaning, source) type field = standard;
 #include "interp/rules.def"

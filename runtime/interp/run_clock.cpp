@@ -19,6 +19,15 @@ Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}
 
 }  // namespace
 
+/// The axes stand, and their place gets the coordinates of the next motion.
+void RunClock::follow_virtual(const path::VirtualAxes& axes) {
+    if (axes == axes_) return;
+    const double rotary = rad_from_deg(at_[index(axes.rotary)]);
+    const Vec3 place = path::virtual_place(axes, path::real_place(axes_, linear(at_)), rotary);
+    for (std::size_t i = 0; i < 3; ++i) at_[i] = place[static_cast<Eigen::Index>(i)];
+    axes_ = axes;
+}
+
 void RunClock::move(const path::Command& command, const AxisValues& to) {
     const double time = motion(command, to);
     seconds_ += time;
@@ -28,6 +37,7 @@ void RunClock::move(const path::Command& command, const AxisValues& to) {
 
 void RunClock::add(const path::Command& command) {
     if (path::is_motion(command.op)) {
+        follow_virtual(command.virtual_axes);
         if (!command.machine_coordinates) return move(command, command.to);
         AxisValues to = command.to;
         for (std::size_t i = 0; i < kAxes; ++i) to[i] -= length_[i];

@@ -24,6 +24,7 @@ class RunClock {
     double cutting_seconds() const { return cutting_seconds_; }
 
   private:
+    void follow_virtual(const path::VirtualAxes& axes);
     void move(const path::Command& command, const AxisValues& to);
     double motion(const path::Command& command, const AxisValues& to) const;
     double rapid(const AxisValues& to) const;
@@ -31,8 +32,9 @@ class RunClock {
     double speed_at(double x) const;
 
     const machine::Machine& machine_;
-    AxisValues at_{};      // of the tip, in the base system
-    AxisValues length_{};  // of the tool
+    AxisValues at_{};         // of the tip, in the base system
+    path::VirtualAxes axes_;  // in which at_ is told
+    AxisValues length_{};     // of the tool
     double seconds_ = 0;
     double cutting_seconds_ = 0;
     double spindle_ = 0;  // rpm, or m/min

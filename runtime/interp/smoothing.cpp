@@ -32,7 +32,7 @@ void Executor::choose_smoothing(const Block& block, const nc::Invocation& invoca
 /// How the corner behind a motion of this block is rounded.
 path::Blending Executor::blending(Op op) const {
     // The curves around corners do not know how the tool turns.
-    if (orienting_.is_on) return {};
+    if (is_transformed()) return {};
     if (modal_.blend == Function::None || !path::is_motion(op)) return {};
     if (modal_.blend == Function::BlendDistance) {
         return {BlendKind::Distance, false,
@@ -45,7 +45,7 @@ path::Blending Executor::blending(Op op) const {
 /// Within which tolerance a motion of this block may become a part of a curve; 0: not at all. The
 /// moves of cycles are what they are.
 double Executor::compressing(Op op) const {
-    if (orienting_.is_on || !smoothing_.compresses || op != Op::Line || cycle_blocks_) return 0;
+    if (is_transformed() || !smoothing_.compresses || op != Op::Line || cycle_blocks_) return 0;
     return smoothing_.tolerance.value_or(machine_.compressor_tolerance);
 }
 

@@ -12,7 +12,7 @@
 #include "machine/following.h"
 #include "machine/kinematics.h"
 #include "path/turn.h"
-#include "path/way.h"
+#include "path/curve_of.h"
 
 namespace kadr::interp {
 
@@ -29,6 +29,8 @@ namespace {
 constexpr double kSmooth = 1e-7;
 // Directions that differ by rounding.
 constexpr double kSameTool = 1e-12;
+// Ways shorter than this are none: rounding of frames, mm.
+constexpr double kStill = 1e-9;
 
 bool is_straight(Op op) { return op == Op::Line || op == Op::Rapid; }
 
@@ -126,7 +128,7 @@ std::optional<CompAlarm> SpaceCompensation::end_block(const nc::Block& block) {
             return alarm(fault, place);
         }
         has_moved =
-            has_moved || (linear(here_) - before).norm() > path::kStill || place.op == Op::Arc;
+            has_moved || (linear(here_) - before).norm() > kStill || place.op == Op::Arc;
     }
     fresh_.clear();
     if (has_moved || (!last_ && !approach_)) {
@@ -135,6 +137,15 @@ std::optional<CompAlarm> SpaceCompensation::end_block(const nc::Block& block) {
     }
     if (++empty_blocks_ <= settings_.empty_blocks) return std::nullopt;
     return CompAlarm{&diag::CompEmptyBlocks, block.source, block.line};
+}
+
+/// Of the tool where a motion ends.
+Vec3 SpaceCompensation::tool_behind(const Command& command) const {
+    return settings_.chain == nullptr ? settings_.direction : command.direction;
+}
+
+bool SpaceCompensation::turns_tool(const Command& command) const {
+    return settings_.chain != nullptr && path::is_motion(command.op);
 }
 
 /// What is wrong at a corner is told of the side before it.
@@ -163,11 +174,11 @@ SpaceCompensation::Fault SpaceCompensation::take(Command& command) {
 
 SpaceCompensation::Fault SpaceCompensation::take_motion(Command& command) {
     if (command.op == Op::Thread || command.op == Op::Probe) return &diag::CompMotion;
-    path::Curve way = path::way_of(command, linear(here_), linear(command.to));
-    if (path::length(way) <= path::kStill) {
+    path::Curve way = path::curve_of(command, linear(here_), linear(command.to));
+    if (path::length(way) <= kStill) {
         // Only the tool turns, or other axes move.
         here_ = command.to;
-        if (command.turning != path::Turning::None) tool_ = command.direction;
+        tool_ = tool_behind(command);
         if (approach_ || last_) {
             waiting_.push_back(std::move(command));
         } else {
@@ -179,7 +190,7 @@ SpaceCompensation::Fault SpaceCompensation::take_motion(Command& command) {
     if (!is_straight(command.op))
         return state_ == State::Leaving ? &diag::CompEndOnArc : &diag::CompStartOnArc;
     here_ = command.to;
-    if (command.turning != path::Turning::None) tool_ = command.direction;
+    tool_ = tool_behind(command);
     if (state_ == State::Leaving) {
         if (const Fault fault = finish()) return fault;
         put(std::move(command));
@@ -201,14 +212,14 @@ SpaceCompensation::Fault SpaceCompensation::follow(Command& command, path::Curve
     side.way = std::move(way);
     side.from = here_;
     side.from_tool = tool_;
-    side.to_tool = command.turning == path::Turning::None ? tool_ : command.direction;
+    side.to_tool = tool_behind(command);
     side.radius = radius_;
     side.depth = depth_;
     here_ = command.to;
     tool_ = side.to_tool;
     side.command = std::move(command);
     // Without the machine's transformation nobody holds the tip on another way.
-    if (side.command.turning == path::Turning::None && !keeps_kind(side)) return &diag::CompMotion;
+    if (settings_.chain == nullptr && !keeps_kind(side)) return &diag::CompMotion;
     for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
         const path::CurvePoint at = side.at(share);
         const auto aside = path::beside(at.tangent, tool_on(side, share));
@@ -225,9 +236,7 @@ SpaceCompensation::Fault SpaceCompensation::enter(const Side& first) {
     Command command = std::move(*approach_);
     approach_.reset();
     const Vec3 tangent = first.at(0).tangent;
-    const Vec3 tool =
-        command.turning == path::Turning::None ? settings_.direction : command.direction;
-    const auto aside = path::tip_beside(pivot(tangent), tangent, tool);
+    const auto aside = path::tip_beside(pivot(tangent), tangent, tool_behind(command));
     if (!aside) return &diag::CompAlongTool;
     set_linear(command.to, linear(command.to) + *aside);
     put(std::move(command));
@@ -305,7 +314,7 @@ SpaceCompensation::Fault SpaceCompensation::meet(Side& a, Side& b, const Vec3& t
         const auto by_end = apart(end - kStep, begin);
         const auto by_begin = apart(end, begin + kStep);
         if (!gap || !by_end || !by_begin) return &diag::CompAlongTool;
-        if (gap->norm() < path::kStill) {
+        if (gap->norm() < kStill) {
             if (end > 1 + kStep || begin < -kStep) return &diag::CompNoIntersection;
             a.end = std::min(end, 1.0);
             b.begin = std::max(begin, 0.0);
@@ -325,7 +334,7 @@ SpaceCompensation::Fault SpaceCompensation::meet(Side& a, Side& b, const Vec3& t
 /// Around the corner on an arc, or to where both lines meet if they are extended.
 void SpaceCompensation::join_outside(Side& next, const Corner& corner) {
     const bool turns = std::ranges::any_of(
-        waiting_, [](const Command& command) { return path::is_motion(command.op); });
+        waiting_, [&](const Command& command) { return turns_tool(command); });
     const bool are_even = last_->is_line() && next.is_line() && !last_->turns() && !next.turns();
     if (settings_.extends_lines && are_even && !turns && std::abs(corner.turn) <= settings_.limit) {
         extend(next, corner);
@@ -513,13 +522,12 @@ void SpaceCompensation::emit_waiting(Contact contact, const Vec3& at) {
     double angles = 0;
     Vec3 tool = shown_tool_;
     for (const Command& command : waiting_) {
-        if (!path::is_motion(command.op) || command.turning == path::Turning::None) continue;
+        if (!turns_tool(command)) continue;
         angles += std::acos(std::clamp(tool.dot(command.direction), -1.0, 1.0));
         tool = command.direction;
     }
     for (Command& command : waiting_) {
-        const bool turns = path::is_motion(command.op) && command.turning != path::Turning::None;
-        if (!turns) {
+        if (!turns_tool(command)) {
             set_linear(command.to, linear(shown_));
             put(std::move(command));
             continue;
@@ -588,7 +596,7 @@ void SpaceCompensation::emit_line_to(const Command& model, const AxisValues& to,
 void SpaceCompensation::put(Command command) {
     if (path::is_motion(command.op)) {
         shown_ = command.to;
-        if (command.turning != path::Turning::None) shown_tool_ = command.direction;
+        shown_tool_ = tool_behind(command);
     }
     settled_.push_back(std::move(command));
 }

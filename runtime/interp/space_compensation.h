@@ -97,6 +97,8 @@ class SpaceCompensation {
     Fault finish();
     void extend(Side& next, const Corner& corner);
 
+    path::Vec3 tool_behind(const path::Command& command) const;
+    bool turns_tool(const path::Command& command) const;
     static bool keeps_kind(const Side& side);
     static path::Turn turn_of(const Side& side);
     static void cut_turn(const Side& side, path::Command& command);

@@ -183,6 +183,17 @@ struct Tilting {
     std::optional<Said> open;
 };
 
+/// The face, the cylinder or the inclined slide in whose coordinates the program is told.
+struct Virtual {
+    path::VirtualAxes axes;  // off: every axis by itself
+    /// Of the program's words: the rotary one is the coordinate around, and in the plane with X
+    /// (G18) arcs and compensation go the other way round.
+    bool by_rotary = false;
+    bool is_turned_over = false;
+    nc::Function said = nc::Function::None;  // FaceOn, CylinderOn or InclinedOn
+    path::Plane plane_before = path::Plane::Xy;
+};
+
 /// How the tool turns in the motion that is put out next, as a Command says it.
 struct NextTurn {
     path::Turning turning = path::Turning::Axes;

@@ -562,6 +562,11 @@ void Executor::reset_orientation(const Block& block, const nc::Invocation& invoc
 /// A motion under the transformation: the turn that waits, or the axes as they are programmed.
 void Executor::put_turn(Command& command) {
     if (!path::is_motion(command.op)) return;
+    if (virtual_.axes.is_on()) {
+        command.turning = Turning::Axes;
+        command.virtual_axes = virtual_.axes;
+        return;
+    }
     command.turning = std::exchange(next_turn_.turning, Turning::Axes);
     command.direction = next_turn_.direction;
     command.turn_from = next_turn_.from;

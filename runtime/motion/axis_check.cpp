@@ -57,10 +57,15 @@ AxisCheck::Answer AxisCheck::check(const path::Command& command, const Segment& 
 
 bool AxisCheck::has_all_axes(const path::Command& command, const Segment& piece, double length) {
     // Linear axes and followers may move, nothing else does.
-    if ((missing_mask_ & (kLinearXYZ | piece.followers)) == 0) return true;
+    auto missing = static_cast<AxisMask>(missing_mask_ & (kLinearXYZ | piece.followers));
+    // What has no axis of its own there is the matter of a rotary one.
+    if (piece.virtual_axes.turns())
+        missing = static_cast<AxisMask>(missing & ~bit(piece.virtual_axes.virtual_axis()));
+    if (missing == 0) return true;
     const path::Box box = path::bounds(piece.curve);  // an arc may come back to where it began
     bool has_all = true;
     for (const Axis axis : missing_) {
+        if ((missing & bit(axis)) == 0) continue;
         const std::size_t i = index(axis);
         const auto k = static_cast<Eigen::Index>(i);
         const double way =

@@ -43,8 +43,8 @@ class AxisTable {
     std::size_t slot(Axis axis) const { return slots_[index(axis)]; }
     double acceleration(std::size_t i) const { return axes_[i].acceleration; }
     double jerk(std::size_t i) const { return axes_[i].jerk; }
-    /// Null if the machine has no transformation.
-    const machine::Chain* chain() const { return chain_; }
+    /// Without a joint if the machine has no rotary axes that its file places.
+    const machine::Chain& chain() const { return *chain_; }
     /// Velocities and accelerations of the logical axes.
     AxisBounds bounds() const;
     /// Whether the jerk of any axis is limited.
@@ -146,7 +146,7 @@ class AxisTable {
     AxisRates transformed_positions(const Segment& piece, double distance) const;
     AxisRates rates(const path::Vec3& tangent, const Segment& piece) const;
 
-    const machine::Chain* chain_ = nullptr;
+    const machine::Chain* chain_ = &kNoChain;
     std::vector<Entry> axes_;
     std::array<std::size_t, kAxes> slots_{};
     LinearLimits linear_;

@@ -2,7 +2,8 @@
 //
 // Its functions are told in chapters: prepare.cpp (commands, standstill, pieces of one motion),
 // prepare_corners.cpp (how fast the corner between two pieces may be passed), prepare_rounding.cpp
-// (curves around corners), prepare_transformed.cpp (motions under the machine's transformation).
+// (curves around corners), prepare_transformed.cpp (motions under the machine's transformation),
+// prepare_virtual.cpp (motions on a face, on a cylinder, across an inclined slide).
 #pragma once
 
 #include <array>
@@ -16,6 +17,7 @@
 #include "motion/prepare.h"
 #include "motion/spindle.h"
 #include "motion/standing.h"
+#include "motion/transformed.h"
 
 namespace kadr::motion {
 
@@ -78,6 +80,11 @@ struct Preparer::State {
     void emit_transformed(const path::Command& command, const Segment& whole,
                           Standing::Target& target);
     void turn_at_pole(const path::Command& command, const Segment& at, const path::Vec3& to);
+    void turn_alone(const path::Command& command, const Segment& at, Axis axis, double way);
+    std::optional<LogicalAxes> emit_way(const path::Command& command, const Segment& leg,
+                                        double length);
+    /// prepare_virtual.cpp
+    void emit_virtual(const path::Command& command, const Segment& whole, Standing::Target& target);
     bool emit_leg(const path::Command& command, const Segment& leg, double length,
                   path::Vec3& joints);
     void emit_curves(const path::Command& command, const Segment& whole, double length,

@@ -130,7 +130,8 @@ bool starts_at_pole(const Chain& chain, const Segment& leg) {
 /// The legs of a motion, each with the turn of R1 before it that a pole asks for.
 void Preparer::State::emit_transformed(const Command& command, const Segment& whole,
                                        Standing::Target& target) {
-    const Chain& chain = *axes.chain();
+    if (whole.virtual_axes.is_on()) return emit_virtual(command, whole, target);
+    const Chain& chain = axes.chain();
     const double tolerance = std::max(machine.kinematics->pole_tolerance, machine::kPoleWidth);
     const Vec3 to = joints_of(chain, target.followers);
     Vec3 joints = joints_of(chain, whole.follower_start);
@@ -162,21 +163,25 @@ void Preparer::State::emit_transformed(const Command& command, const Segment& wh
 
 /// R1 turns to another place as fast as it can while the tip stands.
 void Preparer::State::turn_at_pole(const Command& command, const Segment& at, const Vec3& to) {
-    const Chain& chain = *axes.chain();
+    const Chain& chain = axes.chain();
     const Vec3 from = joints_of(chain, at.follower_start);
     const double way = to[0] - from[0];
     if (std::abs(way) <= kSameJoint) return;
+    turn_alone(command, at, chain.joints[machine::kR1].axis, way);
+}
+
+/// A rotary axis turns by so much, rad, as fast as it can while the tip stands.
+void Preparer::State::turn_alone(const Command& command, const Segment& at, Axis axis, double way) {
     Segment turn = standing_at(at, 0);
     turn.kind = SegmentKind::Rapid;
     turn.turns_only = true;
     turn.turn.kind = Turning::Axes;
     turn.turn.length = deg_from_rad(std::abs(way));
-    turn.follower_rate[index(chain.joints[machine::kR1].axis) - 3] = way / turn.turn.length;
+    turn.follower_rate[index(axis) - 3] = way / turn.turn.length;
     Command rapid = command;
     rapid.op = Op::Rapid;
-    Vec3 joints = from;
     last.must_stop = true;
-    emit_leg(rapid, turn, turn.turn.length, joints);
+    emit_way(rapid, turn, turn.turn.length);
     last.must_stop = true;
 }
 
@@ -186,25 +191,32 @@ void Preparer::State::turn_at_pole(const Command& command, const Segment& at, co
 /// joints  where they stand at the end
 bool Preparer::State::emit_leg(const Command& command, const Segment& leg, double length,
                                Vec3& joints) {
-    const Chain& chain = *axes.chain();
+    const std::optional<LogicalAxes> end = emit_way(command, leg, length);
+    if (!end) return false;
+    std::array<double, kFollowers> followers{};
+    std::copy(end->begin() + 3, end->end(), followers.begin());
+    joints = joints_of(axes.chain(), followers);
+    return true;
+}
+
+/// A leg in even parts; where the axes stand at its end, nothing if they cannot go there.
+std::optional<LogicalAxes> Preparer::State::emit_way(const Command& command, const Segment& leg,
+                                                     double length) {
+    const Chain& chain = axes.chain();
     const double wanted = feed_of(command, leg, leg.turn.length).value_or(kInfinity);
     const std::vector<Segment> parts = even_parts(chain, leg, axes.bounds(), {wanted, tick});
     for (const Segment& part : parts) {
-        if (!is_possible(command, part, part.turn.length)) return false;
+        if (!is_possible(command, part, part.turn.length)) return std::nullopt;
         if (!has_ended) check.widen_travel();
     }
     Command share = command;
     for (const Segment& part : parts) {
-        if (has_ended) return false;
+        if (has_ended) return std::nullopt;
         if (command.feed_mode == path::FeedMode::InverseTime)
             share.feed = command.feed * length / part.turn.length;
         emit(share, part, part.turn.length);
     }
-    const LogicalAxes end = axes_at(chain, parts.back(), parts.back().turn.length);
-    std::array<double, kFollowers> followers{};
-    std::copy(end.begin() + 3, end.end(), followers.begin());
-    joints = joints_of(chain, followers);
-    return true;
+    return axes_at(chain, parts.back(), parts.back().turn.length);
 }
 
 }  // namespace kadr::motion

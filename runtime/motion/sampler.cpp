@@ -47,7 +47,7 @@ struct Sampler::State {
     double now() const { return static_cast<double>(ticks) * tick; }
 
     Stream<Segment>& segments;
-    const machine::Chain* chain = nullptr;  // null if the machine has no transformation
+    const machine::Chain* chain = &kNoChain;
     double tick;
     std::vector<std::size_t> order;  // logical axis of every setpoint column
 

@@ -6,11 +6,13 @@
 
 #include "base/axes.h"
 #include "base/source.h"
+#include "machine/chain.h"
 #include "motion/profile.h"
 #include "motion/spindle.h"
 #include "path/contact.h"
 #include "path/curve.h"
 #include "path/turn.h"
+#include "path/virtual_axes.h"
 
 namespace kadr::motion {
 
@@ -40,6 +42,9 @@ struct PulseTrain {
     double period = 0;  // s
 };
 
+/// Of a machine without rotary axes that its file places.
+inline const machine::Chain kNoChain{};
+
 /// Axes beside X, Y, Z: A B C (rad) and U V W (mm), in this order.
 inline constexpr std::size_t kFollowers = kAxes - 3;
 
@@ -62,6 +67,8 @@ struct Segment {
     /// follower_start is where the rotary ones begin.
     path::Turn turn;
     path::Contact contact;  // … and how the cutter touches on the path
+    /// If they are on: `curve` is in them, and the tool stays as it is.
+    path::VirtualAxes virtual_axes;
 
     double start_time = 0;  // s, from the start of the program
     double duration = 0;    // s

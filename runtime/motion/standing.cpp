@@ -8,6 +8,7 @@
 
 #include "base/units.h"
 #include "motion/transformed.h"
+#include "path/curve_of.h"
 
 namespace kadr::motion {
 
@@ -42,7 +43,7 @@ path::Curve touched_way(const Command& command, const path::ContactMotion& motio
     const path::ContactKind kind = motion.contact.kind;
     if (kind == path::ContactKind::Pivot || kind == path::ContactKind::Corner)
         return path::Point{motion.from};
-    const path::Curve whole = path::way_of(command, motion.from, motion.to);
+    const path::Curve whole = path::curve_of(command, motion.from, motion.to);
     if (motion.begin == 0 && motion.end == 1) return whole;
     const double length = path::length(whole);
     return path::part(whole, motion.begin * length, motion.end * length);
@@ -73,6 +74,7 @@ Standing::Standing(const machine::Machine& machine) {
 
 /// Where X, Y and Z of the machine stand.
 Vec3 Standing::carrier() const {
+    if (virtual_.is_on()) return path::real_place(virtual_, tip_) + held_;
     if (!is_transformed_) return tip_ + held_;
     const machine::ChainPosition position{Vec3::Zero(),
                                           {followers_[3], followers_[4], followers_[5]},
@@ -81,8 +83,13 @@ Vec3 Standing::carrier() const {
 }
 
 void Standing::put_carrier(const Vec3& carrier) {
+    const Vec3 carried = carrier - held_;
+    if (virtual_.is_on()) {
+        tip_ = path::virtual_place(virtual_, carried, virtual_angle());
+        return;
+    }
     if (!is_transformed_) {
-        tip_ = carrier - held_;
+        tip_ = carried;
         return;
     }
     LogicalAxes axes{carrier[0], carrier[1], carrier[2]};
@@ -90,11 +97,18 @@ void Standing::put_carrier(const Vec3& carrier) {
     tip_ = tip_at(*chain_, axes, held_);
 }
 
+double Standing::virtual_angle() const {
+    return virtual_.turns() ? followers_[index(virtual_.rotary) - 3] : 0;
+}
+
 bool Standing::follow_transformation(const Command& command) {
     const bool is_wanted = command.turning != path::Turning::None;
-    if (is_wanted == is_transformed_ || chain_ == nullptr) return false;
+    const bool is_other = is_wanted != is_transformed_ || command.virtual_axes != virtual_;
+    if (!is_other || (chain_ == nullptr && is_wanted && !command.virtual_axes.is_on()))
+        return false;
     const Vec3 stays = carrier();
     is_transformed_ = is_wanted;
+    virtual_ = command.virtual_axes;
     put_carrier(stays);
     // What the command says of the other axes is of the new system.
     last_to_.fill(std::numeric_limits<double>::quiet_NaN());
@@ -119,7 +133,7 @@ Standing::Target Standing::target_of(const Command& command) const {
 }
 
 double Standing::lay_path(const Command& command, const Target& target, Segment& segment) const {
-    segment.curve = command.contact.empty() ? path::way_of(command, tip_, target.tip)
+    segment.curve = command.contact.empty() ? path::curve_of(command, tip_, target.tip)
                                             : touched_way(command, command.contact.front());
     double length = std::max(path::length(segment.curve), pivot_length(command));
     if (target.followers != followers_) lay_followers(target, length, segment);
@@ -127,10 +141,15 @@ double Standing::lay_path(const Command& command, const Target& target, Segment&
     return length > kStill ? length : 0;
 }
 
-/// Where the tool's way is given R1 and R2 follow it; where only it turns, its angle is the path.
+/// A rotary axis of virtual coordinates follows the path. Where the tool's way is given R1 and R2
+/// follow it; where only it turns, its angle is the path.
 void Standing::lay_turn(const Command& command, double& length, Segment& segment) const {
     path::Turn& turn = segment.turn;
     turn.kind = command.turning;
+    if (virtual_.turns()) {
+        segment.follower_rate[index(virtual_.rotary) - 3] = 0;
+        segment.followers |= bit(virtual_.rotary);
+    }
     if (leads_tool(turn)) {
         const Vec3 from = machine::tool_vector(*chain_, joints_of(*chain_, followers_));
         const bool stands = std::holds_alternative<path::Point>(segment.curve);
@@ -190,6 +209,7 @@ Segment Standing::still() const {
     segment.carrier = held_;
     segment.follower_start = followers_;
     if (is_transformed_) segment.turn.kind = path::Turning::Axes;
+    segment.virtual_axes = virtual_;
     return segment;
 }
 

@@ -1,7 +1,8 @@
 // standing.h — where the machine stands, and where a command leads from there.
 //
 // Positions of the tool tip in the base coordinate system; the axes carry it at the tool's length.
-// Under a transformation the tip is in the workpiece system, and the chain says where the axes are.
+// Under a transformation the tip is in the workpiece system, and the chain says where the axes are;
+// or it is in virtual coordinates (path/virtual_axes.h).
 // Geometry only: no limits (axis_check.h), no feeds and no corners (prepare.h).
 #pragma once
 
@@ -11,12 +12,11 @@
 #include "motion/axis_table.h"
 #include "motion/segment.h"
 #include "path/command.h"
-#include "path/way.h"
 
 namespace kadr::motion {
 
 /// A billionth of a millimetre or degree is the rounding of frames, not motion.
-using path::kStill;
+inline constexpr double kStill = 1e-9;
 
 class Standing {
   public:
@@ -49,12 +49,14 @@ class Standing {
 
   private:
     path::Vec3 carrier() const;
+    double virtual_angle() const;
     void put_carrier(const path::Vec3& carrier);
     void lay_turn(const path::Command& command, double& length, Segment& segment) const;
     void lay_followers(const Target& target, double& length, Segment& segment) const;
 
     const machine::Chain* chain_ = nullptr;  // null if the machine has no transformation
     bool is_transformed_ = false;
+    path::VirtualAxes virtual_;  // in which the tip is told, if they are on
     path::Vec3 tip_ = path::Vec3::Zero();
     std::array<double, kFollowers> followers_{};
     path::Vec3 tool_ = path::Vec3::UnitZ();  // from tip to holder

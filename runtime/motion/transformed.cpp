@@ -129,9 +129,25 @@ Vec3 joints_on_way(const Chain& chain, const Segment& piece, double distance, Ve
     return joints_for(chain, direction, near);
 }
 
+/// On a face or a cylinder the tool stands as it does, and a rotary axis follows the path. Where it
+/// turns alone, in the centre of a face, it is a follower like any other.
+LogicalAxes virtual_axes_near(const Segment& piece, double distance, const LogicalAxes& near) {
+    const Vec3 tip = path::position(piece.curve, distance);
+    LogicalAxes axes{};
+    std::ranges::copy(followers_at(piece, distance), axes.begin() + 3);
+    const Vec3 real = path::real_place(piece.virtual_axes, tip) + piece.tool_length * piece.tool;
+    for (std::size_t i = 0; i < 3; ++i) axes[i] = real[at(i)];
+    const std::size_t rotary = index(piece.virtual_axes.rotary);
+    const bool turns_alone = piece.follower_rate[rotary - 3] != 0;
+    if (piece.virtual_axes.turns() && !turns_alone)
+        axes[rotary] = path::rotary_at(piece.virtual_axes, tip, near[rotary]);
+    return axes;
+}
+
 /// axes_at() with the joints going on from where they stand in `near`.
 LogicalAxes axes_near(const Chain& chain, const Segment& piece, double distance,
                       const LogicalAxes& near) {
+    if (piece.virtual_axes.is_on()) return virtual_axes_near(piece, distance, near);
     auto followers = followers_at(piece, distance);
     if (leads_tool(piece.turn)) {
         std::array<double, kFollowers> from{};
@@ -152,6 +168,7 @@ LogicalAxes start_of(const Segment& piece) {
 }  // namespace
 
 Vec3 tool_at(const Chain& chain, const Segment& piece, double distance) {
+    if (piece.virtual_axes.is_on()) return piece.tool;
     if (leads_tool(piece.turn)) return path::direction_at(piece.turn, piece.curve, distance);
     return machine::tool_vector(chain, joints_of(chain, followers_at(piece, distance)));
 }
@@ -249,12 +266,22 @@ struct Range {
     }
 };
 
+/// Rotary axes that follow from where the tip and the tool are to be.
+AxisMask turning_axes(const Chain& chain, const Segment& piece) {
+    if (piece.virtual_axes.is_on())
+        return piece.virtual_axes.turns() ? bit(piece.virtual_axes.rotary) : AxisMask{0};
+    AxisMask axes = 0;
+    for (const machine::RotaryJoint& joint : chain.joints)
+        if (joint.is_present) axes = static_cast<AxisMask>(axes | bit(joint.axis));
+    return axes;
+}
+
 /// Whether no joint turns so far between two nodes that another solution might be meant.
 bool is_continuous(const Chain& chain, const Segment& piece) {
     const auto nodes = nodes_of(chain, piece);
-    for (std::size_t k = 0; k < machine::kJoints; ++k) {
-        if (!chain.has(k)) continue;
-        const std::size_t axis = index(chain.joints[k].axis);
+    const AxisMask turning = turning_axes(chain, piece);
+    for (std::size_t axis = 3; axis < kAxes; ++axis) {
+        if ((turning & bit(static_cast<Axis>(axis))) == 0) continue;
         if (std::abs(nodes[0][axis] - piece.follower_start[axis - 3]) > kNodeTurn) return false;
         for (std::size_t i = 1; i < nodes.size(); ++i)
             if (std::abs(nodes[i][axis] - nodes[i - 1][axis]) > kNodeTurn) return false;

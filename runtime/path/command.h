@@ -15,6 +15,7 @@
 #include "path/parametric.h"
 #include "path/spline.h"
 #include "path/turning.h"
+#include "path/virtual_axes.h"
 
 namespace kadr::path {
 
@@ -105,8 +106,8 @@ struct Command {
     double compress = 0;  // Line: it may become a part of a curve within this tolerance, mm;
                           // 0: it stays what it is
 
-    // Of a motion under a transformation: `to` is the tip in the workpiece system, and where the
-    // rotary axes stand there.
+    // Of a motion under a transformation: `to` is the tip in the workpiece system or in virtual
+    // coordinates, and where the rotary axes stand there.
     Turning turning = Turning::None;
     Vec3 direction = Vec3::UnitZ();  // of the tool at the end, unit vector from tip to holder;
                                      // in the base system where no transformation acts
@@ -118,6 +119,7 @@ struct Command {
     Lean lean;                       // Surface
     // … whose path is that of the place where the cutter touches: one; else none.
     std::vector<ContactMotion> contact;
+    VirtualAxes virtual_axes;        // in which the motion is told; the tool does not turn then
 
     double feed = 0;            // mm/min, mm/rev or 1/min, as feed_mode says; of a thread mm/rev
     double lead_change = 0;     // Thread: by how much `feed` changes in a turn, mm/rev

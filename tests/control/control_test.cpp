@@ -18,6 +18,7 @@
 //   skip: 1                  blocks of this level are left out
 //   machine: lathe           it runs on a lathe: X is a diameter, the tools are
 //                            1 a point, 2 a nose of 0.4, 3 a groove tool of 4 mm
+//   machine: driven          a lathe with driven tools: X, Z and C without end, no Y
 // Programs that are called stand in the same file, or in the folder `called` beside it.
 // What is not told must not happen: a program without `alarm` ends without one.
 #include "base/diagnostics/control.h"
@@ -25,6 +26,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <random>
@@ -77,6 +79,7 @@ struct Expected {
     std::string called;
     std::uint16_t skip_levels = 0;
     bool is_of_lathe = false;
+    bool has_driven_tools = false;
     bool has_rule = false;
 };
 
@@ -102,6 +105,7 @@ Expected parse(const std::string& text) {
         if (const std::string level = value_of("skip: "); !level.empty())
             expected.skip_levels = static_cast<std::uint16_t>(1u << std::stoi(level));
         expected.is_of_lathe |= value_of("machine: ") == "lathe";
+        expected.has_driven_tools |= value_of("machine: ") == "driven";
         const std::string value = value_of("expect: ");
         if (value.empty()) continue;
         if (value.starts_with("to ")) {
@@ -264,6 +268,16 @@ CycleExpander* cycles_of(const nc::Dialect& dialect) {
     return cycles.get();
 }
 
+/// No Y, and a C that turns without end.
+void drive_tools(machine::Machine& machine) {
+    std::erase_if(machine.axes, [](const auto& axis) { return axis.axis == Axis::Y; });
+    machine::MachineAxis& turning = machine.axes.back();
+    turning.lower = -std::numeric_limits<double>::infinity();
+    turning.upper = std::numeric_limits<double>::infinity();
+    machine.is_lathe = true;
+    for (machine::ToolData& tool : machine.tools) tool.length = 0;
+}
+
 Outcome run_program(const nc::Dialect& dialect, const std::string& text, const Expected& expected,
                     const fs::path& folder, bool can_seek) {
     machine::Machine machine = mill();
@@ -275,6 +289,7 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
                          {.number = 2, .length = 0, .radius = 0.4, .name = "NOSE"},
                          {.number = 3, .length = 0, .radius = 2, .name = "GROOVE"}};
     }
+    if (expected.has_driven_tools) drive_tools(machine);
     DiagnosticList messages;
     PiecedText source(text, can_seek);
     ProgramOptions options;

@@ -1,0 +1,463 @@
+// virtual_axes.cpp — programs that are told on a face, on a cylinder or across an inclined slide:
+// how that begins and ends, what its words mean, and where the rotary axis stands behind a motion.
+//
+// The commands are in the virtual coordinates (path/virtual_axes.h); the axes on the way are
+// motion's.
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "base/diagnostics/iso.h"
+#include "base/numbers.h"
+#include "base/units.h"
+#include "interp/executor.h"
+#include "path/curve_of.h"
+#include "path/face_poles.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Invocation;
+using nc::Slot;
+using path::Command;
+using path::Plane;
+using path::Vec3;
+using path::VirtualAxes;
+using path::VirtualKind;
+
+namespace {
+
+/// A real axis may stand so far beside the axis of rotation, mm: half an increment.
+constexpr double kBeside = 0.0005;
+/// … and the rotary axis so far beside 0, deg.
+constexpr double kAtZero = 0.0005;
+/// Turning by less at the pole is rounding, rad.
+constexpr double kSameTurn = 1e-6;
+
+Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
+
+void set_linear(AxisValues& values, const Vec3& place) {
+    for (std::size_t i = 0; i < 3; ++i) values[i] = place[static_cast<Eigen::Index>(i)];
+}
+
+/// Linear axis along which a rotary one turns.
+Axis axis_along(Axis rotary) {
+    switch (rotary) {
+        case Axis::A: return Axis::X;
+        case Axis::B: return Axis::Y;
+        default: return Axis::Z;
+    }
+}
+
+/// The plane of the developed cylinder in the virtual coordinates.
+Plane plane_of_cylinder(const VirtualAxes& axes) {
+    return axes.rotary == Axis::C ? Plane::Yz : Plane::Xy;
+}
+
+/// Where the rotary axis counts as the axis around, the plane is said with it as X, Y or Z
+/// (No.1022). One of the two ways to say it has both axes in the other order.
+bool is_turned_over(const VirtualAxes& axes, Plane said) {
+    if (axes.kind != VirtualKind::Cylinder) return false;
+    return said == (axes.rotary == Axis::B ? Plane::Yz : Plane::Zx);
+}
+
+Function turned_over(Function function) {
+    switch (function) {
+        case Function::ArcCw: return Function::ArcCcw;
+        case Function::ArcCcw: return Function::ArcCw;
+        case Function::RadiusCompLeft: return Function::RadiusCompRight;
+        case Function::RadiusCompRight: return Function::RadiusCompLeft;
+        default: return function;
+    }
+}
+
+std::optional<Plane> plane_said_by(Function function) {
+    switch (function) {
+        case Function::PlaneXy: return Plane::Xy;
+        case Function::PlaneZx: return Plane::Zx;
+        case Function::PlaneYz: return Plane::Yz;
+        default: return std::nullopt;
+    }
+}
+
+/// F 3.6: what a control takes that takes little there.
+bool stands_there(Function function, VirtualKind kind) {
+    switch (function) {
+        case Function::Line:
+        case Function::ArcCw:
+        case Function::ArcCcw:
+        case Function::Dwell:
+        case Function::ExactStop:
+        case Function::ExactStopOnce:
+        case Function::ContinuousPath:
+        case Function::RadiusCompOff:
+        case Function::RadiusCompLeft:
+        case Function::RadiusCompRight:
+        case Function::RadiusOffset:
+        case Function::CornerChamfer:
+        case Function::CornerRound:
+        case Function::Absolute:
+        case Function::Incremental:
+        case Function::FeedPerMinute:
+        case Function::FeedPerRevolution:
+        case Function::CycleOff:
+        case Function::Tool:
+        case Function::ToolSelect:
+        case Function::ToolChange:
+        case Function::LengthOffset:
+        case Function::SpindleCw:
+        case Function::SpindleCcw:
+        case Function::SpindleStop:
+        case Function::CoolantFlood:
+        case Function::CoolantMist:
+        case Function::CoolantOff:
+        case Function::MachineFunction:
+        case Function::Message:
+        case Function::Stop:
+        case Function::OptionalStop:
+        case Function::End:
+        case Function::EndRewind: return true;
+        case Function::TcpOff: return kind == VirtualKind::Face;
+        case Function::CylinderOn: return kind == VirtualKind::Cylinder;
+        default: return kind == VirtualKind::Cylinder && plane_said_by(function).has_value();
+    }
+}
+
+}  // namespace
+
+// ------------------------------------------------------------------------------ begin and end
+
+void Executor::begin_virtual(const Block& block, const Invocation& invocation) {
+    const bool ends_cylinder = invocation.function == Function::CylinderOn &&
+                               (invocation.given & 1u) != 0 && block.argument(invocation, 0) == 0;
+    if (ends_cylinder) {
+        if (virtual_.said == Function::CylinderOn) return end_virtual(block);
+        report(diag::CylinderWrong, block, invocation.function)
+            .arg("radius 0")
+            .arg("it ends the work on a cylinder, and none has begun");
+        return;
+    }
+    if (rules_.virtual_is_narrow && virtual_.axes.is_on())
+        return refuse_virtual(block, invocation.function);
+    if (comp_.side != Function::RadiusCompOff) {
+        report(diag::TransformationComp, block, invocation.function)
+            .arg(nc::info(invocation.function).name);
+        return;
+    }
+    end_virtual(block);
+    leave_corners(diag::CornerWithoutMotion);
+    if (ended_) return;
+    if (orienting_.is_on) switch_transformation(block, {Function::TcpOff});
+    if (ended_) return;
+    if (tool_.has_changed) activate_length(block, kLinearXYZ);
+    if (compensation_.is_on()) flush_comp();
+    const std::optional<VirtualAxes> axes = wanted_virtual(block, invocation);
+    if (!axes) return;
+    virtual_.axes = *axes;
+    virtual_.said = invocation.function;
+    virtual_.by_rotary = rules_.virtual_by_rotary && axes->turns();
+    virtual_.plane_before = modal_.plane;
+    if (virtual_.by_rotary) say_virtual_plane(modal_.plane);
+    rotary_.tip = path::virtual_place(*axes, linear(position_.base), virtual_angle());
+    rotary_.at = virtual_angle();
+    follow_from_here();
+    take_virtual_place(rotary_.tip);
+}
+
+void Executor::end_virtual(const Block& block) {
+    if (!virtual_.axes.is_on()) return;
+    if (comp_.side != Function::RadiusCompOff) {
+        const bool is_face = virtual_.axes.kind == VirtualKind::Face;
+        report(diag::TransformationComp, block, is_face ? Function::TcpOff : virtual_.said)
+            .arg(is_face ? "tcp_off" : nc::info(virtual_.said).name);
+        return;
+    }
+    leave_corners(diag::CornerWithoutMotion);
+    if (!ended_ && compensation_.is_on()) flush_comp();
+    if (!ended_) follow_rotary();
+    if (ended_) return;
+    const Virtual was = std::exchange(virtual_, {});
+    if (was.by_rotary) {
+        modal_.plane = was.plane_before;
+        if (was.is_turned_over) modal_.motion = turned_over(modal_.motion);
+    }
+    take_virtual_place(path::real_place(was.axes, linear(position_.base)));
+}
+
+/// The axes stand; their places get other coordinates.
+void Executor::take_virtual_place(const Vec3& place) {
+    set_linear(position_.base, place);
+    position_.here = position_.programmed = frames_.from_base(position_.base);
+    came_from_ = place;
+}
+
+/// Where the rotary axis stands, rad.
+double Executor::virtual_angle() const {
+    return rad_from_deg(position_.base[index(virtual_.axes.rotary)]);
+}
+
+std::optional<VirtualAxes> Executor::wanted_virtual(const Block& block,
+                                                    const Invocation& invocation) {
+    switch (invocation.function) {
+        case Function::FaceOn: return wanted_face(block);
+        case Function::CylinderOn: return wanted_cylinder(block, invocation);
+        default: return wanted_inclined(block, invocation);
+    }
+}
+
+std::optional<VirtualAxes> Executor::wanted_face(const Block& block) {
+    const auto refuse = [&](std::string_view why) {
+        report(diag::FaceUnavailable, block, Function::FaceOn).arg(machine_.name).arg(why);
+        return std::nullopt;
+    };
+    constexpr AxisMask kNeeded = bit(Axis::X) | bit(Axis::Z) | bit(Axis::C);
+    if ((axes_ & kNeeded) != kNeeded) return refuse("it needs the axes X, Z and C");
+    VirtualAxes axes;
+    axes.kind = VirtualKind::Face;
+    const double angle = position_.base[index(Axis::C)];
+    if (machine_.kinematics) {
+        for (const machine::RotaryJoint& joint : machine_.kinematics->chain.joints) {
+            if (!joint.is_present || joint.axis != Axis::C) continue;
+            const bool is_along_z = std::abs(joint.direction.z()) > 1 - kSameTurn;
+            if (joint.side != machine::Side::Table || !is_along_z)
+                return refuse("its C does not turn the part about Z");
+            axes.center_x = joint.point.x();
+            axes.center_y = joint.point.y();
+            axes.sign = joint.sign * joint.direction.z() < 0 ? -1 : 1;
+        }
+    }
+    if (rules_.virtual_from_program) {
+        axes.center_x = frames_.shift_values()[0];
+        axes.center_y = frames_.shift_values()[1];
+        axes.zero = rad_from_deg(angle);
+        if (const double said = position_.here[index(Axis::C)];
+            std::abs(std::remainder(said, 360)) > kAtZero)
+            report(diag::FaceStart, block, Function::FaceOn).arg("C").arg(round_to(said, 4));
+    }
+    if ((axes_ & bit(Axis::Y)) != 0) {
+        const double beside = position_.base[1] - axes.center_y;
+        if (std::abs(beside) > kBeside)
+            return refuse("Y stands " + format_shortest(round_to(beside, 4)) +
+                          " mm beside the axis of C");
+        axes.standing = position_.base[1];
+    }
+    axes.side = position_.base[0] < axes.center_x ? -1 : 1;
+    return axes;
+}
+
+std::optional<VirtualAxes> Executor::wanted_cylinder(const Block& block,
+                                                     const Invocation& invocation) {
+    constexpr std::size_t kDiameter = 1;
+    constexpr std::size_t kWalls = 3;
+    constexpr std::size_t kAxis = 4;
+    const auto axis = static_cast<std::int64_t>(block.argument(invocation, kAxis, 0));
+    const std::array<Axis, 4> named = {Axis::C, Axis::A, Axis::B, Axis::C};
+    VirtualAxes axes;
+    axes.kind = VirtualKind::Cylinder;
+    axes.rotary = named[static_cast<std::size_t>(std::clamp<std::int64_t>(axis, 0, 3))];
+    // Without a word for the axis a machine has one.
+    if (axis == 0 && (axes_ & bit(Axis::C)) == 0)
+        axes.rotary = (axes_ & bit(Axis::A)) != 0 ? Axis::A : Axis::B;
+    const AxisMask needed = bit(axes.rotary) | bit(axis_along(axes.rotary));
+    if ((axes_ & needed) != needed) {
+        report(diag::CylinderUnavailable, block, Function::CylinderOn)
+            .arg(machine_.name)
+            .arg(axis == 0 ? "it needs a rotary axis, and the linear one along it"
+                           : "it needs the axes " + std::string(kAxisNames[index(axes.rotary)]) +
+                                 " and " + std::string(kAxisNames[index(axis_along(axes.rotary))]));
+        return std::nullopt;
+    }
+    if (block.argument(invocation, kWalls) != 0) {
+        report(diag::IsoNotSupported, block, Function::CylinderOn)
+            .arg("a cylinder with the width of a groove");
+        return std::nullopt;
+    }
+    axes.size = block.argument(invocation, 0, block.argument(invocation, kDiameter) / 2);
+    if (!(axes.size > 0)) {
+        report(diag::CylinderWrong, block, Function::CylinderOn)
+            .arg("radius " + format_shortest(round_to(axes.size, 6)))
+            .arg("it must be above 0");
+        return std::nullopt;
+    }
+    const std::size_t around = index(axes.virtual_axis());
+    axes.standing = position_.base[around];
+    if (rules_.virtual_from_program) {
+        axes.zero = rad_from_deg(frames_.shift_values()[index(axes.rotary)]);
+        axes.center_y = frames_.shift_values()[around];
+    }
+    return axes;
+}
+
+std::optional<VirtualAxes> Executor::wanted_inclined(const Block& block,
+                                                     const Invocation& invocation) {
+    constexpr AxisMask kNeeded = bit(Axis::X) | bit(Axis::Z);
+    if ((axes_ & kNeeded) != kNeeded) {
+        report(diag::InclinedUnavailable, block, Function::InclinedOn)
+            .arg(machine_.name)
+            .arg("it needs the axes X and Z");
+        return std::nullopt;
+    }
+    const double angle = block.argument(invocation, 0, 90);
+    if (!(std::abs(angle) < 90)) {
+        report(diag::InclinedAngle, block, Function::InclinedOn)
+            .arg((invocation.given & 1u) != 0 ? format_shortest(angle) + "°" : "not said");
+        return std::nullopt;
+    }
+    VirtualAxes axes;
+    axes.kind = VirtualKind::Inclined;
+    axes.size = rad_from_deg(angle);
+    return axes;
+}
+
+// ------------------------------------------------------------------------------ words
+
+void Executor::refuse_virtual(const Block& block, Function function) {
+    const bool is_face = virtual_.axes.kind == VirtualKind::Face;
+    report(is_face ? diag::FaceWord : diag::CylinderWord, block, function)
+        .arg('`' + std::string(nc::info(function).name) + '`');
+}
+
+void Executor::refuse_virtual(const Block& block, Slot slot) {
+    const bool is_face = virtual_.axes.kind == VirtualKind::Face;
+    report(is_face ? diag::FaceWord : diag::CylinderWord, block, slot)
+        .arg("the word " + std::string(nc::slot_name(slot)));
+}
+
+/// Whether the control takes the block there. False: it was reported.
+bool Executor::check_virtual(const Block& block) {
+    if (!rules_.virtual_is_narrow) return true;
+    const VirtualKind kind = virtual_.axes.kind;
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        if (stands_there(block.functions[i].function, kind)) continue;
+        refuse_virtual(block, block.functions[i].function);
+        return false;
+    }
+    const bool moves = (block.given & nc::kTargetSlots) != 0;
+    const Function motion = block.motion != Function::None ? block.motion
+                            : moves                        ? modal_.motion
+                                                           : Function::Line;
+    if (!stands_there(motion, kind)) {
+        if (block.motion != Function::None) {
+            refuse_virtual(block, motion);
+        } else {
+            report(kind == VirtualKind::Face ? diag::FaceWord : diag::CylinderWord, block)
+                .arg('`' + std::string(nc::info(motion).name) + '`');
+        }
+        return false;
+    }
+    const nc::SlotMask centers = block.given & nc::kCenterSlots;
+    if (kind == VirtualKind::Cylinder && centers != 0) {
+        refuse_virtual(block, static_cast<Slot>(std::countr_zero(centers)));
+        return false;
+    }
+    return true;
+}
+
+/// The word of the rotary axis as the one of the coordinate around.
+bool Executor::take_rotary_word(const Block& block) {
+    const Slot word = nc::slot_of(virtual_.axes.rotary);
+    const Slot around = nc::slot_of(virtual_.axes.virtual_axis());
+    if (block.has(around)) {
+        refuse_virtual(block, around);
+        return false;
+    }
+    if (!block.has(word)) return true;
+    const bool is_face = virtual_.axes.kind == VirtualKind::Face;
+    const Function power_on = dialect_.power_on(nc::Group::Units);
+    const bool is_inch = (units_ != Function::None ? units_ : power_on) == Function::Inch;
+    const double factor =
+        is_face ? (is_inch ? kMmPerInch : 1) : virtual_.axes.size * std::numbers::pi / 180;
+    const bool is_distance = (block.incremental & bit(word)) != 0;
+    const bool is_place = (block.absolute & bit(word)) != 0;
+    for (nc::SlotMask* mask : {&around_.given, &around_.incremental, &around_.absolute})
+        *mask &= ~bit(word);
+    around_.set(around, block.at(word) * factor);
+    if (is_distance) around_.incremental |= bit(around);
+    if (is_place) around_.absolute |= bit(around);
+    around_.rotary_ways = 0;
+    return true;
+}
+
+/// A block whose words are those of the virtual coordinates; null if it was reported.
+const Block* Executor::in_virtual(const Block& block) {
+    if (!acts(block)) return &block;
+    if (!check_virtual(block)) return nullptr;
+    if (!virtual_.by_rotary) return &block;
+    around_ = block;
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        if (const auto plane = plane_said_by(block.functions[i].function)) {
+            virtual_.plane_before = *plane;
+            say_virtual_plane(*plane);
+            around_.functions[i].function =
+                modal_.plane == Plane::Yz ? Function::PlaneYz : Function::PlaneXy;
+        }
+    }
+    if (!take_rotary_word(block)) return nullptr;
+    if (!virtual_.is_turned_over) return &around_;
+    around_.motion = turned_over(around_.motion);
+    for (std::size_t i = 0; i < around_.function_count; ++i)
+        around_.functions[i].function = turned_over(around_.functions[i].function);
+    return &around_;
+}
+
+/// The plane is that of the face or of the developed cylinder, however the program says it.
+void Executor::say_virtual_plane(Plane said) {
+    const bool is_over = is_turned_over(virtual_.axes, said);
+    if (is_over != virtual_.is_turned_over) modal_.motion = turned_over(modal_.motion);
+    virtual_.is_turned_over = is_over;
+    modal_.plane =
+        virtual_.axes.kind == VirtualKind::Face ? Plane::Xy : plane_of_cylinder(virtual_.axes);
+}
+
+// ------------------------------------------------------------------------------ the rotary axis
+
+/// From here on the rotary axis is followed through the commands that are put out.
+void Executor::follow_from_here() {
+    rotary_.followed = output_.written() + output_.waiting().size();
+}
+
+/// Says in the commands that came out since it was last asked where the rotary axis is behind them.
+void Executor::follow_rotary() {
+    if (!virtual_.axes.turns()) return;
+    const std::size_t count = output_.written() + output_.waiting().size();
+    const std::size_t axis = index(virtual_.axes.rotary);
+    for (; rotary_.followed < count; ++rotary_.followed) {
+        Command& command = output_.any(rotary_.followed);
+        if (path::is_motion(command.op) && command.virtual_axes.is_on()) {
+            const Vec3 to = linear(command.to);
+            if (!follow_leg_by_leg(command, path::curve_of(command, rotary_.tip, to))) return;
+            rotary_.tip = to;
+        }
+        command.to[axis] = deg_from_rad(rotary_.at);
+    }
+    position_.base[axis] = deg_from_rad(rotary_.at);
+    position_.here[axis] = position_.programmed[axis] =
+        position_.base[axis] - frames_.shift_values()[axis];
+}
+
+/// False: the control does not go through the pole, which was reported; the command is taken back.
+bool Executor::follow_leg_by_leg(const Command& command, const path::Curve& curve) {
+    if (std::holds_alternative<path::Point>(curve)) return true;
+    for (const path::Curve& leg : path::legs_between_poles(virtual_.axes, curve)) {
+        const double leaves_at = path::rotary_to_leave(virtual_.axes, leg, rotary_.at);
+        const double by = leaves_at - rotary_.at;
+        if (rules_.pole_passage == PolePassage::Alarm && std::abs(by) > kSameTurn) {
+            Block at{};
+            at.source = command.source;
+            at.line = command.line;
+            output_.drop_from(rotary_.followed);
+            report(diag::PoleOnPath, at)
+                .arg(kAxisNames[index(virtual_.axes.rotary)])
+                .arg(round_to(deg_from_rad(by), 3));
+            return false;
+        }
+        rotary_.at = path::rotary_behind(virtual_.axes, leg, leaves_at);
+    }
+    return true;
+}
+
+}  // namespace kadr::interp
