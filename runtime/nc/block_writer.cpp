@@ -37,7 +37,8 @@ constexpr bool is_quiet_group(Group group) {
         case Group::Transformation:
         case Group::Turning:
         case Group::OrientAngles:
-        case Group::OrientSystem: return true;
+        case Group::OrientSystem:
+        case Group::DataInput: return true;
         case Group::Once:
         case Group::LengthComp:
         case Group::WorkOffsets:
