@@ -244,7 +244,9 @@ class Matcher {
             if (group == Group::Motion && is_in_cycle) return false;
             const bool is_said = group == Group::Motion && block_.motion != Function::None;
             const Function active = is_said ? block_.motion : active_of(group);
-            return active == needed || (active == Function::None && !has_slot);
+            // Data of the control are input only where a block has begun it.
+            const bool may_act = !has_slot && group != Group::DataInput;
+            return active == needed || (active == Function::None && may_act);
         });
     }
 
