@@ -43,7 +43,7 @@ std::optional<double> Executor::place_of(Quantity quantity, Axis axis) const {
         case Quantity::EndPosition:
         case Quantity::WorkPosition: return position_.here[i];
         case Quantity::HeadPosition: return frames_.from_base(head)[i];
-        case Quantity::MachinePosition: return head[i];
+        case Quantity::MachinePosition: return head[i] - preset_[i];
         case Quantity::BasePosition: return position_.base[i];
         case Quantity::BaseZeroPosition: return place_within(frames_.base(), axis);
         case Quantity::SettablePosition:

@@ -33,8 +33,16 @@ struct Value {
     bool is_number() const { return kind <= Kind::Char; }
     /// The axis that it is; nothing: none was ever set, or it is something else.
     std::optional<Axis> axis() const {
-        if (kind != Kind::Axis || !(number < 0)) return std::nullopt;
+        const bool is_axis = number < 0 && number >= -static_cast<double>(kAxes);
+        if (kind != Kind::Axis || !is_axis) return std::nullopt;
         return static_cast<Axis>(static_cast<int>(-number) - 1);
+    }
+    /// A spindle that stands where axes do; far below the names of axes.
+    static constexpr double kSpindles = -1000;
+    static Value spindle_of(double of) { return {kSpindles - of, 0, Kind::Axis}; }
+    std::optional<std::int64_t> spindle() const {
+        if (kind != Kind::Axis || !(number < kSpindles)) return std::nullopt;
+        return static_cast<std::int64_t>(kSpindles - number);
     }
     bool is_vacant() const { return kind == Kind::Vacant; }
     /// Whole by its type.

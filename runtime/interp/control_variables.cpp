@@ -266,21 +266,26 @@ std::optional<std::int64_t> ControlVariables::axis_number(Axis axis) const {
     return state_ == nullptr ? std::nullopt : state_->axis_number(axis);
 }
 
-bool ControlVariables::has_name(std::string_view name) const {
+std::optional<nc::ValueType> ControlVariables::type_of(std::string_view name) const {
     const nc::ControlWords words(tables_, name);
     const std::size_t bracket = std::min(name.find(language_.index_open), name.size());
     const std::string_view front = name.substr(0, bracket);
-    if (level_->symbols.find(words.normal(front)) != nullptr) return true;
-    return std::ranges::any_of(language_.variables, [&](const nc::VariableForm& form) {
-        if (words.is_same(front, form.name))
-            return form.is_family || !form.indices.empty() || bracket == name.size();
+    if (const nc::Symbol* symbol = level_->symbols.find(words.normal(front))) return symbol->type;
+    for (const nc::VariableForm& form : language_.variables) {
+        if (words.is_same(front, form.name)) {
+            const bool is_whole = form.is_family || !form.indices.empty() || bracket == name.size();
+            if (is_whole && !form.ranges.empty()) return form.ranges[0].type;
+            continue;
+        }
         const std::size_t letters = form.name.size();
         if (!form.is_family || front.size() <= letters ||
             !words.is_same(front.substr(0, letters), form.name))
-            return false;
+            continue;
         const auto number = number_of(front.substr(letters));
-        return number && find_range(form, *number) != nullptr;
-    });
+        const VariableRange* range = number ? find_range(form, *number) : nullptr;
+        if (range != nullptr) return range->type;
+    }
+    return std::nullopt;
 }
 
 bool ControlVariables::has_program(std::string_view name) {
@@ -476,6 +481,8 @@ ControlVariable ControlVariables::shown_in(const Store& store, std::size_t slot,
     if (value.is_frame()) return shown(std::move(name), value, written(store.frames[value.text]));
     if (const auto axis = value.axis())
         return shown(std::move(name), value, kAxisNames[index(*axis)]);
+    if (const auto spindle = value.spindle())
+        return shown(std::move(name), value, "S" + std::to_string(*spindle));
     return shown(std::move(name), value, store.content(value).text);
 }
 

@@ -52,7 +52,8 @@ class ControlVariables final : public Variables {
     Answer text(nc::Quantity quantity, std::int64_t index, std::string& out) override;
     double axis_unit(Axis axis) const override;
     std::optional<std::int64_t> axis_number(Axis axis) const override;
-    bool has_name(std::string_view name) const override;
+    bool has_name(std::string_view name) const override { return type_of(name).has_value(); }
+    std::optional<nc::ValueType> type_of(std::string_view name) const override;
     bool has_program(std::string_view name) override;
     bool set_element(const nc::Symbol& symbol, std::uint32_t element, double value) override;
 

@@ -118,7 +118,7 @@ Evaluator::Outcome Evaluator::indices(const nc::ControlLine& line, const nc::Ref
             fail(diag::IndexType, {std::string(kind_name(stack_[i]))});
             return Outcome::Fault;
         }
-        out[i] = index_of(stack_[i].number);
+        out[i] = stack_[i].spindle().value_or(index_of(stack_[i].number));
     }
     return Outcome::Done;
 }
@@ -187,7 +187,9 @@ bool Evaluator::load_family(const Instruction& instruction) {
 bool Evaluator::load_system(const Instruction& instruction) {
     size_ -= instruction.count;
     const auto index = [&](std::size_t i) {
-        return i < instruction.count ? index_of(stack_[size_ + i].number) : 0;
+        if (i >= instruction.count) return std::int64_t{0};
+        const Value& value = stack_[size_ + i];
+        return value.spindle().value_or(index_of(value.number));
     };
     const auto quantity = static_cast<nc::Quantity>(instruction.index);
     if (instruction.type == nc::ValueType::Frame) {
@@ -348,9 +350,12 @@ bool Evaluator::operate(const Instruction& instruction, int decimals) {
         case Operation::TextOfAxis:
         case Operation::AxisNumber:
         case Operation::ModuloValue:
+        case Operation::SpindleAxis:
+        case Operation::SpindleNumber:
         case Operation::IsAxis: is_fine = axis_function(operation, a); break;
         case Operation::HasName:
-        case Operation::HasProgram: is_fine = question(operation, a); break;
+        case Operation::HasProgram:
+        case Operation::VariableType: is_fine = question(operation, a); break;
         case Operation::FormatText: is_fine = format_text(a, instruction.count); break;
         case Operation::CircleThrough: is_fine = circle_through(a); break;
         case Operation::MeasuredFrame: is_fine = measured_frame(a); break;
@@ -562,6 +567,22 @@ bool Evaluator::axis_function(Operation operation, Value* a) {
             *a = Value::of(static_cast<double>(*number), nc::ValueType::Int);
             return true;
         }
+        case Operation::SpindleAxis: {
+            const double number = a->number;
+            if (!a->is_number()) return fail(diag::IndexType, {std::string(kind_name(*a))});
+            if (number != 0 && number != 1) return fail(diag::SpindleMissing, {shown(number)});
+            *a = Value::spindle_of(1);
+            return true;
+        }
+        case Operation::SpindleNumber:
+            if (a->kind != Value::Kind::Axis)
+                return fail(diag::AxisExpected, {std::string(kind_name(*a))});
+            if (!a->spindle())
+                return fail(diag::SpindleMissing,
+                            {a->axis() ? "of the axis " + std::string(kAxisNames[index(*a->axis())])
+                                       : "of no axis"});
+            *a = Value::of(static_cast<double>(*a->spindle()), nc::ValueType::Int);
+            return true;
         case Operation::ModuloValue: {
             const auto axis = a->axis();
             if (!axis) return fail(diag::AxisExpected, {std::string(kind_name(*a))});
@@ -573,6 +594,10 @@ bool Evaluator::axis_function(Operation operation, Value* a) {
             return real(*a, rest < 0 ? rest + kTurn : rest);
         }
         case Operation::TextOfAxis:
+            if (a->spindle()) {
+                *a = keep_text("S" + std::to_string(*a->spindle()));
+                return true;
+            }
             if (!a->axis()) return fail(diag::AxisExpected, {std::string(kind_name(*a))});
             *a = keep_text(std::string(kAxisNames[index(*a->axis())]));
             return true;

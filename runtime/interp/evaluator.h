@@ -43,6 +43,8 @@ class Variables {
     virtual std::optional<std::int64_t> axis_number(Axis axis) const = 0;
     /// Whether a variable has this name, behind which indices may stand.
     virtual bool has_name(std::string_view name) const = 0;
+    /// What such a variable holds; nothing: there is none.
+    virtual std::optional<nc::ValueType> type_of(std::string_view name) const = 0;
     /// Whether a program has it.
     virtual bool has_program(std::string_view name) = 0;
     /// Sets one element of a variable that the program has declared; false: its type takes no real.

@@ -16,6 +16,24 @@ bool Evaluator::question(Operation operation, Value* a) {
     if (!a->is_text())
         return fail(diag::TypesDiffer, {"a text function", std::string(kind_name(*a))});
     const std::string asked(text(*a));
+    if (operation == Operation::VariableType) {
+        // In the order of S 8.1; which of 6 and 7 is an axis is not told there (unsure).
+        const auto type = variables_.type_of(asked);
+        const auto number = [](nc::ValueType of) {
+            switch (of) {
+                case nc::ValueType::Bool: return 1;
+                case nc::ValueType::Char: return 2;
+                case nc::ValueType::Int: return 3;
+                case nc::ValueType::Real: return 4;
+                case nc::ValueType::Text: return 5;
+                case nc::ValueType::Axis: return 6;
+                case nc::ValueType::Frame: return 7;
+            }
+            return 0;
+        };
+        *a = Value::of(type ? number(*type) : 0, nc::ValueType::Int);
+        return true;
+    }
     *a = Value::truth(operation == Operation::HasName ? variables_.has_name(asked)
                                                       : variables_.has_program(asked));
     return true;

@@ -282,6 +282,8 @@ void Executor::run_functions(const Block& said) {
     actions.spindle_before = spindle_.told.mode;
     actions.coolant_before = coolant_;
     if (block.has(Slot::Feed)) set_feed(block);
+    if (actions.tooth_feed) set_tooth_feed(block, *actions.tooth_feed);
+    if (actions.preset != nullptr) preset_axes(block, *actions.preset);
     if (actions.corner != nullptr || rounding_ > 0) wish_corner(block, actions);
     if (ended_) return;
     act_before_motion(block, actions);
@@ -434,6 +436,8 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::ThreadIncreasing:
         case Function::ThreadDecreasing:
         case Function::Thread:
+        case Function::ThreadArcCw:
+        case Function::ThreadArcCcw:
         case Function::PlaneXy:
         case Function::PlaneZx:
         case Function::PlaneYz:
@@ -662,6 +666,15 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::CompressOn:
         case Function::CompressOff: choose_smoothing(block, invocation); break;
         case Function::MachineCoordinates: actions.machine_coordinates = true; break;
+        case Function::LengthSuspend: actions.suspends_length = true; break;
+        case Function::Preset: actions.preset = &invocation; break;
+        case Function::ToothFeed: actions.tooth_feed = block.argument(invocation, 0); break;
+        case Function::MeasureLength: actions.measure = &invocation; break;
+        case Function::ParameterInput:
+        case Function::LifeInput:
+        case Function::DataInputOff: break;  // the reader reads their blocks so
+        case Function::ParameterData: write_parameter(block, invocation); break;
+        case Function::LifeData: tell_life_data(block); break;
         case Function::ReferencePoint:
         case Function::ReferenceReturn:
         case Function::ReferenceCheck:
@@ -830,13 +843,17 @@ void Executor::dwell(const Block& block, const Invocation& invocation) {
 // ------------------------------------------------------------------------------ feed, spindle
 
 void Executor::select_feed_mode(FeedMode mode) {
-    if (mode != modal_.feed_mode && rules_.feed_deleted_on_mode_change) modal_.has_feed = false;
+    if (mode != modal_.feed_mode && rules_.feed_deleted_on_mode_change) {
+        modal_.has_feed = false;
+        tooth_feed_ = 0;
+    }
     modal_.feed_mode = mode;
 }
 
 void Executor::set_feed(const Block& block) {
     modal_.feed = block.at(Slot::Feed);
     modal_.has_feed = true;
+    tooth_feed_ = 0;
 }
 
 void Executor::program_speed(const Block& block) {
@@ -1026,6 +1043,7 @@ void Executor::change_tool(const Block& block) {
     if (rules_.tool_change_activates_length && block.find(Function::ToolEdge) == nullptr)
         tool_.source = Tool::Source::Edge;
     tool_.has_changed |= tool_.source == Tool::Source::Edge;
+    take_tooth_feed();
 }
 
 // ------------------------------------------------------------------------------ frames

@@ -4,11 +4,13 @@
 // functions), plain_moves.cpp (what nearly every block is), motion.cpp (targets, lines, arcs, tool
 // length, limits), circles.cpp, polar.cpp and angles.cpp (what controls work out of other words),
 // orienting.cpp, tool_words.cpp and tool_turns.cpp (the machine's transformation, and how the tool
-// turns under it), tilting.cpp and swivelling.cpp (tilted planes), virtual_axes.cpp (faces
-// and cylinders), cornering.cpp and compensating.cpp (what the commands pass through), soft_moves.cpp (soft approaches and retracts),
-// smoothing.cpp (rounded corners, compressed lines), cycles.cpp (machining cycles), patterns.cpp
-// (places at which a cycle is called), shapes.cpp (cycles along a shape that stands in the program),
-// splines.cpp, through_splines.cpp, polynomials.cpp, involutes.cpp and curves.cpp (other curves).
+// turns under it), tilting.cpp and swivelling.cpp (tilted planes), virtual_axes.cpp (faces and
+// cylinders), cornering.cpp and compensating.cpp (what the commands pass through), soft_moves.cpp
+// (soft approaches and retracts), smoothing.cpp (rounded corners, compressed lines), cycles.cpp
+// (machining cycles), patterns.cpp (places at which a cycle is called), shapes.cpp (cycles along a
+// shape that stands in the program), splines.cpp, through_splines.cpp, polynomials.cpp,
+// involutes.cpp and curves.cpp (other curves), arc_threads.cpp (threads along arcs), rare_words.cpp
+// and data_input.cpp (rarer words).
 #pragma once
 
 #include <array>
@@ -51,6 +53,7 @@ struct Actions {
     bool at_rapid = false;  // whatever the modal motion
     double way_offset = 0;  // times the radius offset by which the ways are longer
     bool length_changed = false;
+    bool suspends_length = false;
     bool tool_change = false;
     bool flood = false;
     bool mist = false;
@@ -85,6 +88,9 @@ struct Actions {
     bool calls_behind_motions = false;
     bool calls_defined = false;  // the cycle that was defined last, behind the motion
     CycleWords cycle_words;
+    const nc::Invocation* preset = nullptr;
+    const nc::Invocation* measure = nullptr;    // a way to where the tool is measured
+    std::optional<double> tooth_feed;           // mm
     const nc::Invocation* reference = nullptr;  // a way to the reference point, or from there
     // Before the block.
     path::SpindleMode spindle_before = path::SpindleMode::Stop;
@@ -136,6 +142,12 @@ struct Probed {
     AxisValues head{};
     AxisValues tip{};
     AxisValues machine{};
+};
+
+/// The pitch of a thread along an arc, mm a turn, and the axis along which it is said.
+struct Lead {
+    double pitch = 0;
+    Eigen::Index axis = 0;
 };
 
 class Executor {
@@ -270,6 +282,7 @@ class Executor {
     bool offset_ways(const nc::Block& block, double times, Target& target);
     void tap(const nc::Block& block, const Target& target);
     void thread(const nc::Block& block, const Target& target, const Actions& actions);
+    bool check_thread_spindle(const nc::Block& block);
     std::optional<double> thread_change(const nc::Block& block, double pitch, double way);
     std::optional<double> thread_pitch(const nc::Block& block, const path::Vec3& way);
     Axis wanted_length_axis() const;
@@ -417,6 +430,21 @@ class Executor {
     void follow_rotary();
     bool follow_leg_by_leg(const path::Command& command, const path::Curve& curve);
     bool is_transformed() const { return orienting_.is_on || virtual_.axes.is_on(); }
+    // arc_threads.cpp
+    void thread_along_arc(const nc::Block& block, const Target& target, const Actions& actions);
+    std::optional<path::Arc> arc_of_thread(const nc::Block& block, const Target& target);
+    std::optional<Lead> lead_of_arc(const nc::Block& block, const path::Vec3& way);
+
+    // rare_words.cpp: what words of tools and of their places do besides
+    void move_without_length(const nc::Block& block, const Target& target, bool exact_stop);
+    void preset_axes(const nc::Block& block, const nc::Invocation& invocation);
+    void set_tooth_feed(const nc::Block& block, double feed);
+    void take_tooth_feed();
+    void measure_length(const nc::Block& block, const nc::Invocation& invocation);
+
+    // data_input.cpp: blocks that write data of the control
+    void write_parameter(const nc::Block& block, const nc::Invocation& invocation);
+    void tell_life_data(const nc::Block& block);
 
     // polar.cpp
     void set_pole(const nc::Block& block, const nc::Invocation& invocation);
@@ -718,6 +746,12 @@ class Executor {
     AxisMask has_left_ = 0;
     AxisValues word_scale_{};    // 0.5 for X of a lathe: a diameter is programmed
     AxisValues length_shift_{};  // machine position − base position: the tool length in force
+    AxisValues preset_{};        // real position − the one that the program has set
+    double tooth_feed_ = 0;      // mm; 0: the feed was said by itself
+    std::vector<std::int64_t> told_parameters_;  // that mean nothing here; each is said once
+    bool told_life_ = false;
+    bool warned_preset_ = false;
+    bool warned_measure_ = false;
 
     // A cycle that runs: its blocks, who called it, and what to restore behind it.
     ModalCycle modal_cycle_;

@@ -216,6 +216,11 @@ void Frames::set_position(const FrameWords& words, const AxisValues& here, const
     update();
 }
 
+void Frames::preset(Axis axis, double by) {
+    set_shift_[index(axis)] += by;
+    update();
+}
+
 void Frames::reset_position(AxisMask axes) {
     for (std::size_t i = 0; i < 3; ++i) {
         if ((axes >> i & 1u) != 0) set_shift_[i] = shift_[i] = 0;

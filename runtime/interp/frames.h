@@ -64,6 +64,8 @@ class Frames {
     /// others'. Moves the origin of every work offset.
     void set_position(const FrameWords& words, const AxisValues& here, const AxisValues& base);
 
+    /// The machine's own coordinates of an axis, outside of all frames, count from another place.
+    void preset(Axis axis, double by);
     /// Takes back what set_position and shift have done to these axes.
     void reset_position(AxisMask axes);
 

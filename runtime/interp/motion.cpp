@@ -104,6 +104,7 @@ void Executor::move(const Block& block, const Actions& actions) {
                                                                 : retract_softly(block, actions);
     }
     if (actions.reference != nullptr) return refer(block, *actions.reference);
+    if (actions.measure != nullptr) return measure_length(block, *actions.measure);
     if (actions.probes && comp_.side != Function::RadiusCompOff) {
         report(diag::ProbeCompensated, block, Function::Probe);
         return;
@@ -165,11 +166,13 @@ void Executor::move(const Block& block, const Actions& actions) {
         report(diag::CompMotion, block);
         return;
     }
+    if (actions.suspends_length) return move_without_length(block, target, exact_stop);
     if (actions.at_rapid) return line(block, target, Op::Rapid, true);
     if (actions.taps) return line(block, target, Op::Line, exact_stop);
     if (actions.probes) return line(block, target, Op::Probe, true);
     if (modal_.motion == Function::Thread || is_varying_thread(modal_.motion))
         return thread(block, target, actions);
+    if (is_arc_thread(modal_.motion)) return thread_along_arc(block, target, actions);
     if (is_involute(modal_.motion)) return involute(block, target, exact_stop);
     if (is_tapping(modal_.motion)) return tap(block, target);
     if (is_arc(modal_.motion)) return arc(block, target, exact_stop);
@@ -511,14 +514,7 @@ void Executor::thread(const Block& block, const Target& target, const Actions& a
     const double along = way.cwiseAbs().maxCoeff();
     const std::optional<double> change = thread_change(block, *pitch, along);
     if (!change) return;
-    if (spindle_.mode != SpindleMode::Cw && spindle_.mode != SpindleMode::Ccw) {
-        report(diag::RevolutionFeedStands, block);
-        return;
-    }
-    if (spindle_.has_cutting_speed && !warned_thread_speed_) {
-        warned_thread_speed_ = true;
-        report(diag::ThreadUnderCuttingSpeed, block);
-    }
+    if (!check_thread_spindle(block)) return;
     check_tool(block);
     if (tool_.has_changed) activate_length(block, target.moved);
     if (!check_limits(block, target.base, target.moved)) return;
@@ -534,6 +530,19 @@ void Executor::thread(const Block& block, const Target& target, const Actions& a
     command.lead_change = *change * by_way;
     command.angle_deg = actions.thread_start_deg;
     arrive(target);
+}
+
+/// False: the spindle, which the thread is geared to, stands, and it was said.
+bool Executor::check_thread_spindle(const Block& block) {
+    if (spindle_.mode != SpindleMode::Cw && spindle_.mode != SpindleMode::Ccw) {
+        report(diag::RevolutionFeedStands, block);
+        return false;
+    }
+    if (spindle_.has_cutting_speed && !warned_thread_speed_) {
+        warned_thread_speed_ = true;
+        report(diag::ThreadUnderCuttingSpeed, block);
+    }
+    return true;
 }
 
 /// By how much the pitch changes in a turn; 0 of an even thread. In a turn the tool goes by the

@@ -1,5 +1,7 @@
 // What a program prints: text and values with a fixed number of digits.
 #include <cmath>
+#include <cstdint>
+#include <optional>
 
 #include "base/diagnostics/control.h"
 #include "interp/program_state.h"
@@ -30,13 +32,27 @@ void append_printed(std::string& out, double value, const nc::PrintPiece& piece,
     out += digits;
 }
 
+/// The value without its decimal point as a whole number of 32 bits, the highest byte first;
+/// nothing: it has no place there.
+/// source: F 6.10 BPRNT; the bytes are those of the operator's manual (unsure: no vacant value)
+std::optional<std::string> bytes_of(double value, int decimals) {
+    const double counts = std::round(value * std::pow(10.0, decimals));
+    if (!(std::abs(counts) <= 2147483647.0)) return std::nullopt;
+    const auto bits = static_cast<std::uint32_t>(static_cast<std::int32_t>(counts));
+    std::string out;
+    for (int shift = 24; shift >= 0; shift -= 8)
+        out += static_cast<char>(static_cast<unsigned char>(bits >> shift & 0xffU));
+    return out;
+}
+
 }  // namespace
 
 /// Printing waits for the blocks before it: what stands behind an alarm is never printed.
 Program::State::Done Program::State::print(CompiledLine& line,
                                            const nc::ControlStatement& statement) {
     if (given > 0) return Done::Wait;
-    if (statement.kind != nc::Statement::Print) {
+    const bool is_bytes = statement.kind == nc::Statement::PrintBytes;
+    if (statement.kind != nc::Statement::Print && !is_bytes) {
         is_printer_open = statement.kind == nc::Statement::PrintOpen;
         return Done::Nothing;
     }
@@ -50,8 +66,13 @@ Program::State::Done Program::State::print(CompiledLine& line,
         Value value;
         const Done done = evaluate(line, piece.value, value);
         if (done == Done::Wait || lines.failed()) return done;
-        if (!value.is_vacant())
+        if (is_bytes) {
+            const auto bytes = bytes_of(value.number, piece.decimals);
+            if (!bytes) return fail(line, diag::NumberTooLarge, piece.value.span);
+            text += *bytes;
+        } else if (!value.is_vacant()) {
             append_printed(text, value.number, piece, language.rules.print_pads);
+        }
     }
     if (options.printer != nullptr) options.printer->line(text);
     return Done::Nothing;

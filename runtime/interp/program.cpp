@@ -536,7 +536,9 @@ Program::State::Done Program::State::read_words(CompiledLine& line, Block& out) 
         const Done done = evaluate(line, code.computed[i].value, value,
                                    is_fine_round ? lines.value_decimals(code, i) : -1);
         if (done == Done::Wait || lines.failed()) return done;
-        if (!value.is_number() && !value.is_text()) {
+        // An axis among the arguments of a call is said by its number, X by -1.
+        const bool is_axis_argument = value.axis() && code.computed[i].argument >= 0;
+        if (!value.is_number() && !value.is_text() && !is_axis_argument) {
             return fail(line, diag::TypesDiffer, code.computed[i].value.span,
                         {"a word", std::string(kind_name(value))});
         }

@@ -5,6 +5,7 @@
 // program_calls.cpp (calls, modal calls, returns).
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -145,6 +146,14 @@ struct Program::State {
     std::optional<ModalShape> modal_shape;
     bool keeps_modal_calls = false;  // the block that begins one ends those of cycles
     CompiledLine scratch;
+    /// A text that is executed as a block, and how many of its statements are through.
+    struct RunningText {
+        std::unique_ptr<CompiledLine> line;
+        std::size_t resume = 0;
+    };
+    std::optional<RunningText> running_text;
+    std::map<std::string, std::int64_t> variable_names;  // that the program has given
+    std::string named_text;     // of the line that is read, with their numbers
     std::string expanded_text;  // of the line that is read, if it has words that stand for text
     std::vector<nc::WordValue> values;
     std::vector<ReturnedVariable> references;  // of the call that is prepared
@@ -225,6 +234,9 @@ struct Program::State {
     Done call_section(CompiledLine& line, const nc::ControlStatement& statement);
     Done raise(CompiledLine& line, const nc::Span& span, double number, const std::string& text);
     Done print(CompiledLine& line, const nc::ControlStatement& statement);  // printing.cpp
+    Done run_text(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
+    Done name_variables(CompiledLine& line, const nc::ControlStatement& statement);
+    std::string_view with_names(std::string_view text);
     Done define_macro(CompiledLine& line, const nc::ControlStatement& statement);
     std::string_view with_macros(std::string_view text);
     Done pass_synchronous(CompiledLine& line, const nc::ControlStatement& statement);

@@ -1,5 +1,7 @@
 // Statements of a control's own language: values, messages, what is said and goes on.
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "base/diagnostics/control.h"
 #include "interp/program_state.h"
@@ -50,7 +52,10 @@ Program::State::Done Program::State::execute(CompiledLine& line, const ControlSt
         case Statement::Declare: return declare(line, statement);
         case Statement::DefineMacro: return define_macro(line, statement);
         case Statement::Synchronous: return pass_synchronous(line, statement);
+        case Statement::RunText: return run_text(line, statement, out);
+        case Statement::NameVariables: return name_variables(line, statement);
         case Statement::Print:
+        case Statement::PrintBytes:
         case Statement::PrintOpen:
         case Statement::PrintClose: return print(line, statement);
         case Statement::Call:
@@ -253,12 +258,118 @@ Program::State::Done Program::State::define_macro(CompiledLine& line,
 
 /// A line with the words that stand for text put in; one that defines such a word stays as it is.
 std::string_view Program::State::with_macros(std::string_view text) {
+    if (!variable_names.empty()) text = with_names(text);
     if (frame->macros.is_empty()) return text;
     if (nc::front_of(tables, text).statement == Statement::DefineMacro) return text;
     auto expanded = frame->macros.expanded(tables, text);
     if (!expanded) return text;
     expanded_text = std::move(*expanded);
     return expanded_text;
+}
+
+/// A text as a block of its own. What of it was executed before it had to wait for other blocks is
+/// not executed again.
+Program::State::Done Program::State::run_text(CompiledLine& line, const ControlStatement& statement,
+                                              Block& out) {
+    if (!running_text) {
+        Value text;
+        const Done done = evaluate(line, statement.second, text);
+        if (done == Done::Wait || lines.failed()) return done;
+        if (!text.is_text()) {
+            return fail(line, diag::TypesDiffer, statement.span,
+                        {"a block", std::string(kind_name(text))});
+        }
+        auto block = std::make_unique<CompiledLine>();
+        block->text = evaluator.text(text);
+        block->place = line.place;
+        const nc::LineFront front = nc::front_of(tables, block->text);
+        const bool is_head = front.statement == Statement::Declare ||
+                             front.statement == Statement::Procedure ||
+                             front.statement == Statement::RunText;
+        if (is_head || !front.label.empty())
+            return fail(line, diag::TextNoBlock, statement.span, {block->text});
+        running_text = RunningText{std::move(block), 0};
+    }
+    const std::size_t outer = std::exchange(frame->resume, running_text->resume);
+    CompiledLine& block = *running_text->line;
+    const Done done = run(block, out);
+    running_text->resume = std::exchange(frame->resume, outer);
+    if (done == Done::Wait) return done;
+    running_text.reset();
+    return done;
+}
+
+/// `500[WIDTH,DEPTH]`: the names stand for #500, #501 … from here on.
+/// source: F 6.6
+Program::State::Done Program::State::name_variables(CompiledLine& line,
+                                                    const ControlStatement& statement) {
+    constexpr std::size_t kLongest = 8;
+    constexpr std::int64_t kFirst = 500;
+    constexpr std::int64_t kLast = 549;
+    const std::string& said = statement.name;
+    const auto wrong = [&](const DiagnosticRow& row, std::string_view what) {
+        return fail(line, row, statement.span, {std::string(what)});
+    };
+    const std::size_t open = said.find(language.index_open);
+    const bool is_closed = said.ends_with(language.index_close) && open != std::string::npos;
+    std::int64_t number = 0;
+    for (std::size_t i = 0; is_closed && i < open; ++i) {
+        if (said[i] < '0' || said[i] > '9' || number > kLast) return wrong(diag::NamesForm, said);
+        number = number * 10 + (said[i] - '0');
+    }
+    if (!is_closed || open == 0) return wrong(diag::NamesForm, said);
+    std::string_view rest = std::string_view(said).substr(open + 1, said.size() - open - 2);
+    for (;; ++number) {
+        const std::size_t comma = std::min(rest.find(','), rest.size());
+        std::string name(rest.substr(0, comma));
+        std::erase(name, ' ');
+        const bool is_name =
+            !name.empty() && name[0] >= 'A' && name[0] <= 'Z' &&
+            std::ranges::all_of(name, [](char c) {
+                return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+            });
+        if (!is_name) return wrong(diag::NamesSign, name);
+        if (name.size() > kLongest) return wrong(diag::NamesLength, name);
+        if (number < kFirst || number > kLast)
+            return wrong(diag::NamesRange, std::to_string(number));
+        variable_names[name] = number;
+        if (comma == rest.size()) return Done::Nothing;
+        rest.remove_prefix(comma + 1);
+    }
+}
+
+/// `[#WIDTH]=5`, `X[#WIDTH]`: names of variables become their numbers.
+std::string_view Program::State::with_names(std::string_view text) {
+    if (variable_names.empty() || text.find('#') == std::string_view::npos) return text;
+    const nc::ControlWords words(tables, text);
+    const auto is_of_name = [](char c) {
+        return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    };
+    std::string named;
+    for (std::size_t at = 0; at < text.size();) {
+        if (words.is_comment(at)) {
+            named += text.substr(at);
+            break;
+        }
+        std::size_t end = at + 1;
+        while (text[at] == '#' && end < text.size() && is_of_name(text[end])) ++end;
+        const auto known = text[at] == '#'
+                               ? variable_names.find(std::string(text.substr(at + 1, end - at - 1)))
+                               : variable_names.end();
+        if (known == variable_names.end()) {
+            named += text[at++];
+            continue;
+        }
+        // Alone between brackets at the front it is the variable that is set.
+        const bool is_front = named.ends_with('[') && end < text.size() && text[end] == ']' &&
+                              words.skip_blanks(end + 1) < text.size() &&
+                              text[words.skip_blanks(end + 1)] == '=';
+        if (is_front) named.pop_back();
+        named += '#' + std::to_string(known->second);
+        at = end + (is_front ? 1 : 0);
+    }
+    named_text = std::move(named);
+    return named_text;
 }
 
 /// What happens beside the motion is not executed; each such action is said once.

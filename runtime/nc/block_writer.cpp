@@ -40,7 +40,8 @@ constexpr bool is_quiet_group(Group group) {
         case Group::OrientSystem:
         case Group::CompSystem:
         case Group::CompTurning:
-        case Group::Spinning: return true;
+        case Group::Spinning:
+        case Group::DataInput: return true;
         case Group::Once:
         case Group::LengthComp:
         case Group::WorkOffsets:

@@ -377,7 +377,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
             case Hole::Statement: return take_inner(out, true);
             case Hole::Call: return take_call_hole(out);
             case Hole::Procedure: return take_procedure(out);
-            case Hole::Print: return take_print(out.print);
+            case Hole::Print: return take_print(out);
             case Hole::Rest: return take_rest(out.name);
         }
         return false;
@@ -411,11 +411,13 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
     }
 
     /// `X#100[53]**DEPTH`: text as it stands, a blank for each `*`, values with their digits.
-    bool take_print(std::vector<PrintPiece>& out) {
+    bool take_print(ControlStatement& statement) {
+        std::vector<PrintPiece>& out = statement.print;
+        const bool is_bytes = statement.kind == Statement::PrintBytes;
         while (at_ < line_.size() && peek() != language_.close) {
             if (words_.begins_variable(at_)) {
                 out.emplace_back();
-                if (!take_printed_value(out.back())) return false;
+                if (!take_printed_value(out.back(), is_bytes)) return false;
                 continue;
             }
             if (out.empty() || out.back().value.is_given()) out.emplace_back();
@@ -425,26 +427,28 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         return true;
     }
 
-    bool take_printed_value(PrintPiece& out) {
+    /// is_bytes  only the decimals are said, `#100[3]`
+    bool take_printed_value(PrintPiece& out, bool is_bytes) {
         const std::size_t begin = at_;
         if (!take_operand(out.value)) return false;
         const auto digit = [this](std::size_t at) {
             return at < line_.size() && line_[at] >= '0' && line_[at] <= '9' ? line_[at] - '0' : -1;
         };
+        const std::size_t digits_end = at_ + (is_bytes ? 2 : 3);
         const bool is_format = peek() == language_.index_open && digit(at_ + 1) >= 0 &&
-                               digit(at_ + 2) >= 0 && at_ + 3 < line_.size() &&
-                               line_[at_ + 3] == language_.index_close;
+                               (is_bytes || digit(at_ + 2) >= 0) && digits_end < line_.size() &&
+                               line_[digits_end] == language_.index_close;
         if (is_format) {
-            out.whole = digit(at_ + 1);
-            out.decimals = digit(at_ + 2);
-            at_ += 4;
+            out.whole = is_bytes ? 0 : digit(at_ + 1);
+            out.decimals = digit(digits_end - 1);
+            at_ = digits_end + 1;
         } else {
             // What was meant to be one goes up to the bracket.
             const std::size_t close = line_.find(language_.index_close, at_);
             at_ = close < line_.size() ? close + 1 : line_.size();
         }
         const int digits = out.whole + out.decimals;
-        if (is_format && digits > 0 && digits <= rules_.print_digits) return true;
+        if (is_format && (digits > 0 || is_bytes) && digits <= rules_.print_digits) return true;
         return fail(diag::PrintFormat, span_from(begin));
     }
 

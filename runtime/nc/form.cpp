@@ -391,14 +391,19 @@ class LineParser {
             word.plain_factor = 1000;
             return true;
         }
+        if (unit == "digits") {
+            word.plain_factor = -1;  // below 0: no increment makes another number of them
+            return true;
+        }
         for (const Unit& known : kUnits) {
             if (known.name != unit) continue;
             word.factor = known.factor;
             return true;
         }
-        return fail("there is no unit " + quoted(unit) +
-                    "; known are s, cs, ms, s|ms, min, deg, mm, permille, increments, lead, named, "
-                    "absolute and incremental");
+        return fail(
+            "there is no unit " + quoted(unit) +
+            "; known are s, cs, ms, s|ms, min, deg, mm, permille, increments, digits, lead, named, "
+            "absolute and incremental");
     }
 
     bool declared(FormWord& word, std::string_view name) {
@@ -423,7 +428,15 @@ class LineParser {
             tables_.addresses.push_back(std::move(address));
             return true;
         }
-        if (tables_.addresses[word.address].kind == kind) return true;
+        Address& known = tables_.addresses[word.address];
+        const bool takes_both =
+            (known.kind == Address::Kind::Word && kind == Address::Kind::Call) ||
+            (known.kind == Address::Kind::Call && kind == Address::Kind::Word);
+        if (takes_both) {
+            known.kind = Address::Kind::Call;
+            known.is_word_too = true;
+        }
+        if (takes_both || known.kind == kind) return true;
         return fail(quoted(name) + " needs a value");
     }
 

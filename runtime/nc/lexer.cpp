@@ -22,7 +22,7 @@ struct ModeName {
     std::string_view name;
     GivenWord::Mode mode;
 };
-constexpr std::array<ModeName, 10> kModes = {{{"AC", GivenWord::Mode::Absolute},
+constexpr std::array<ModeName, 15> kModes = {{{"AC", GivenWord::Mode::Absolute},
                                               {"IC", GivenWord::Mode::Incremental},
                                               {"DAC", GivenWord::Mode::DiameterAbsolute},
                                               {"DIC", GivenWord::Mode::DiameterIncremental},
@@ -31,6 +31,11 @@ constexpr std::array<ModeName, 10> kModes = {{{"AC", GivenWord::Mode::Absolute},
                                               {"DC", GivenWord::Mode::Shortest},
                                               {"ACP", GivenWord::Mode::Positive},
                                               {"ACN", GivenWord::Mode::Negative},
+                                              {"CAC", GivenWord::Mode::Indexed},
+                                              {"CIC", GivenWord::Mode::Indexed},
+                                              {"CDC", GivenWord::Mode::Indexed},
+                                              {"CACP", GivenWord::Mode::Indexed},
+                                              {"CACN", GivenWord::Mode::Indexed},
                                               // Without an acknowledgement of the machine.
                                               {"QU", GivenWord::Mode::Modal}}};
 
@@ -642,7 +647,7 @@ class Lexer {
         at_ = next;
         const Address& head = tables_.addresses[address];
         if (head.kind == Address::Kind::Call && peek() == '(') return take_call(address, begin);
-        if (head.kind == Address::Kind::Word) {
+        if (head.kind == Address::Kind::Word || head.is_word_too) {
             at_ = end;
             return add_word(address, begin);
         }

@@ -167,7 +167,12 @@ void LineReader::report(std::string_view line, const MatchFault& fault) {
             out.row = &diag::IsoNotSupported;
             out.arguments = {'`' + word + "` (" + tables_.forms[fault.form].unsupported + ')'};
             break;
-        case Kind::Mode: out.row = &diag::IsoModeMisplaced, out.arguments = {word}; break;
+        case Kind::Mode: {
+            const bool is_indexed = lexed_->words[fault.word].mode == GivenWord::Mode::Indexed;
+            out.row = is_indexed ? &diag::AxisNotIndexed : &diag::IsoModeMisplaced;
+            out.arguments = {word};
+            break;
+        }
         case Kind::Full: out.row = &diag::IsoTooManyWords; break;
     }
     report(line, out);

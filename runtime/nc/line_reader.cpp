@@ -35,8 +35,9 @@ LineReader::LineReader(const Dialect& dialect, std::string name, DiagnosticSink&
     const auto& threads = tables_.forms_of[static_cast<std::size_t>(Function::Thread)];
     feed_is_pitch_ = !threads.empty() && tables_.forms[threads[0]].feed_is_pitch;
     if (feed_is_pitch_) {
-        closely_read_.set(static_cast<std::size_t>(Function::Thread));
-        closely_read_.set(static_cast<std::size_t>(Function::ThreadIncreasing));
+        for (const Function thread : {Function::Thread, Function::ThreadIncreasing,
+                                      Function::ThreadArcCw, Function::ThreadArcCcw})
+            closely_read_.set(static_cast<std::size_t>(thread));
     }
     follow_units();
 }
@@ -512,7 +513,10 @@ bool LineReader::apply_claim(const Claim& claim, Block& block, std::string_view 
     std::optional<NumberFormat> lead;
     if (claim.is_lead || (invocation == nullptr && is_pitch(claim, block))) lead = lead_format(own);
     const NumberFormat& format = lead ? *lead : own;
-    const double meaning = word.is_computed
+    // A plain factor below 0: the digits are the number, whatever one without a point means.
+    const bool takes_digits = claim.plain_factor < 0;
+    const double meaning = takes_digits ? decimal.value
+                           : word.is_computed
                                ? rounded(decimal.value, format, claim.dimension)
                                : read_meaning(decimal, format, claim.dimension, units_);
     Decimal written = decimal;
@@ -520,7 +524,8 @@ bool LineReader::apply_claim(const Claim& claim, Block& block, std::string_view 
     const bool is_plain = claim.plain_factor > 0 && !decimal.has_point;
     const double factor = is_plain ? claim.plain_factor : claim.factor;
     const NumberFault fault =
-        check_read(written, lexed_->minus[claim.word], meaning, format, claim.dimension, units_);
+        check_read(written, lexed_->minus[claim.word], takes_digits ? 0 : meaning, format,
+                   claim.dimension, units_);
     if (fault != NumberFault::None) {
         const DiagnosticRow& row = fault == NumberFault::Point      ? diag::IsoPointNotAllowed
                                    : fault == NumberFault::Negative ? diag::IsoMinusNotAllowed
@@ -548,7 +553,7 @@ bool LineReader::is_pitch(const Claim& claim, const Block& block) const {
     if (static_cast<Slot>(claim.place) != Slot::Feed || !feed_is_pitch_) return false;
     const Function modal = modal_[static_cast<std::size_t>(Group::Motion)];
     const Function motion = block.motion != Function::None ? block.motion : modal;
-    return motion == Function::Thread || is_varying_thread(motion);
+    return motion == Function::Thread || is_varying_thread(motion) || is_arc_thread(motion);
 }
 
 /// A whole number that counts increments, or holds two parameters.

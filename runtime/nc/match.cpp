@@ -244,7 +244,9 @@ class Matcher {
             if (group == Group::Motion && is_in_cycle) return false;
             const bool is_said = group == Group::Motion && block_.motion != Function::None;
             const Function active = is_said ? block_.motion : active_of(group);
-            return active == needed || (active == Function::None && !has_slot);
+            // Data of the control are input only where a block has begun it.
+            const bool may_act = !has_slot && group != Group::DataInput;
+            return active == needed || (active == Function::None && may_act);
         });
     }
 
@@ -334,7 +336,9 @@ class Matcher {
                     refuse(fit, Fit::Answer::Value, i);
                 }
                 break;
-            case FormWord::Kind::Name: break;
+            case FormWord::Kind::Name:
+                if (word.argument_count != 0) refuse(fit, Fit::Answer::Value, i);
+                break;
             case FormWord::Kind::Value:
                 if (!word.has_value || word.is_text) refuse(fit, Fit::Answer::Value, i);
                 if (wanted.is_named_only && !wanted.is_placeholder && word.is_known &&
@@ -591,6 +595,7 @@ class Matcher {
     bool take_mode(GivenWord::Mode mode, Slot slot) {
         using Mode = GivenWord::Mode;
         if (mode == Mode::Modal) return true;
+        if (mode == Mode::Indexed) return false;  // no axis has a table of places
         if (mode >= Mode::Shortest) {
             if (slot < Slot::A || slot > Slot::C) return false;
             block_.set_rotary_way(static_cast<Axis>(slot),

@@ -28,6 +28,7 @@ struct GivenWord {
         Shortest,
         Positive,
         Negative,
+        Indexed,  // by the number of a place in a table
     };
     AddressId address = kNoAddress;
     bool has_value = false;

@@ -478,7 +478,8 @@ WordKind word_kind(const Dialect& dialect, std::string_view identifier) {
         case Address::Kind::Value:
         case Address::Kind::Code: return WordKind::Address;
         case Address::Kind::Word: return WordKind::Word;
-        case Address::Kind::Call: return WordKind::Call;
+        case Address::Kind::Call:
+            return tables.addresses[id].is_word_too ? WordKind::Word : WordKind::Call;
     }
     return WordKind::None;
 }

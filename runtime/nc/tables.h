@@ -63,6 +63,7 @@ struct Address {
     bool is_block_number = false;
     bool is_incremental = false;  // its words are distances: U on a lathe is a way along X
     bool is_coordinate = false;   // of a centre: counts as the axis words do, not from the start
+    bool is_word_too = false;     // of a call: it also stands by itself, without brackets
     NumberFormat format;
     std::vector<FormId> forms;  // that begin with it, any value (Value, Word, Call)
 };

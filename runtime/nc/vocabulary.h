@@ -51,8 +51,9 @@ enum class Group : std::uint8_t {
     Spinning,
     CompSystem,
     CompTurning,
+    DataInput,
 };
-inline constexpr std::size_t kGroups = 27;
+inline constexpr std::size_t kGroups = 28;
 
 /// What a number in a block measures; decides unit, number format and conversion.
 enum class Dimension : std::uint8_t {
@@ -98,6 +99,9 @@ constexpr bool is_varying_thread(Function f) {
 /// Motions whose centre word is a pitch.
 constexpr bool takes_pitch(Function f) {
     return is_tapping(f) || f == Function::Thread || is_varying_thread(f);
+}
+constexpr bool is_arc_thread(Function f) {
+    return f == Function::ThreadArcCw || f == Function::ThreadArcCcw;
 }
 constexpr bool is_arc(Function f) { return f == Function::ArcCw || f == Function::ArcCcw; }
 /// Functions that are read and executed, and neither written nor said in a source.

@@ -1,10 +1,12 @@
 %
 O0001
-(rule: F 3.4 G10 L3: tool life data are not executed)
-(expect: alarm  K5018 at 5:1)
+(rule: F 3.4 G10 L3 to G11: data of tool lives are read and have no effect; T inside selects no tool)
+(expect: warning K5578 at 7:1)
+(expect: path X10)
 G10L3
-P1L500
-T1H1D1
+P1L500Q1
+T5H1D1
 G11
+G00X10.
 M30
 %

@@ -1,9 +1,10 @@
 %
 O0001
-(rule: F 6.10 BPRNT writes bytes; Kadr prints text alone)
-(expect: alarm  K5018 at 6:1)
+(rule: F 6.10 BPRNT: of each value four bytes, the highest first: 1094861636 is 41424344 hexadecimal)
+(expect: print [XABCD])
 POPEN
-BPRNT[X#1[3]]
+#1=109486.1636
+BPRNT[X#1[4]]
 PCLOS
 M30
 %

@@ -1,0 +1,133 @@
+// arc_threads.cpp — threads along arcs: the spindle is geared to one axis of the plane, so the arc
+// becomes a chain of lines, each with the pitch that its direction asks for.
+// source: SINUMERIK reference 2.1 (G335, G336), FANUC reference 2.3 (G35, G36)
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "base/diagnostics/iso.h"
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Slot;
+using nc::SlotMask;
+using path::Command;
+using path::Op;
+using path::Vec3;
+
+namespace {
+
+Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
+
+/// How far the lines may leave the arc, mm: half of what a control rounds to.
+constexpr double kSagitta = 0.0005;
+
+/// A line of the chain that goes along the axis of the pitch by less than this part of its length
+/// would be faster than any spindle allows.
+constexpr double kLeastPart = 1e-3;
+
+int lines_of(const path::Arc& arc) {
+    const double radius = (arc.start - arc.center).norm();
+    const double step = 2 * std::acos(std::max(0.0, 1 - kSagitta / radius));
+    return std::max(1, static_cast<int>(std::ceil(arc.sweep / step)));
+}
+
+Vec3 place_at(const path::Arc& arc, double part) {
+    return part == 1 ? arc.end : path::point_at(arc, arc.sweep * part).position;
+}
+
+}  // namespace
+
+void Executor::thread_along_arc(const Block& block, const Target& target, const Actions& actions) {
+    const std::optional<path::Arc> arc = arc_of_thread(block, target);
+    if (!arc) return;
+    const std::optional<Lead> lead = lead_of_arc(block, arc->end - arc->start);
+    if (!lead) return;
+    if (!check_thread_spindle(block)) return;
+    leave_corners(diag::CornerNotContour);
+    if (ended_) return;
+    check_tool(block);
+    if (tool_.has_changed) activate_length(block, target.moved);
+    const int lines = lines_of(*arc);
+    const double whole = arc->end[lead->axis] - arc->start[lead->axis];
+    // The whole arc is looked at before the first of its lines is put out.
+    for (int i = 1; i <= lines; ++i) {
+        const Vec3 way = place_at(*arc, static_cast<double>(i) / lines) -
+                         place_at(*arc, static_cast<double>(i - 1) / lines);
+        if (way[lead->axis] * whole > 0 && std::abs(way[lead->axis]) > kLeastPart * way.norm())
+            continue;
+        report(diag::ThreadArcAcross, block).arg(kAxisNames[static_cast<std::size_t>(lead->axis)]);
+        return;
+    }
+    const Target begin{position_.here, position_.base, target.moved};
+    for (int i = 1; i <= lines && !ended_; ++i) {
+        const double part = static_cast<double>(i) / lines;
+        Target at = target;
+        if (i < lines) {
+            const Vec3 place = place_at(*arc, part);
+            for (std::size_t k = 0; k < kAxes; ++k) {
+                at.here[k] = k < 3 ? place[static_cast<Eigen::Index>(k)]
+                                   : begin.here[k] + part * (target.here[k] - begin.here[k]);
+            }
+            at.base = frames_.to_base(at.here);
+        }
+        if (!check_limits(block, at.base, at.moved)) return;
+        has_moved_ = true;
+        const Vec3 way = linear(at.here) - linear(position_.here);
+        const double length = (linear(at.base) - linear(position_.base)).norm();
+        Command& command = put(Op::Thread, block);
+        command.to = at.base;
+        command.moved = at.moved;
+        command.exact_stop = i == lines && (modal_.has_exact_stop || actions.exact_stop);
+        command.feed_mode = path::FeedMode::PerRevolution;
+        command.feed = lead->pitch * length / std::abs(way[lead->axis]);
+        command.lead_change = 0;
+        command.angle_deg = actions.thread_start_deg;
+        arrive(at);
+    }
+}
+
+/// The arc of the block in the programmed system; nothing if it was reported. Where the words of
+/// the centre are the pitch, the radius or the opening says which arc it is.
+std::optional<path::Arc> Executor::arc_of_thread(const Block& block, const Target& target) {
+    Block words = block;
+    if (!rules_.thread_pitch_is_feed) words.given &= ~SlotMask{nc::kCenterSlots};
+    const bool has_form =
+        (words.given & (nc::kCenterSlots | bit(Slot::Radius) | bit(Slot::Opening))) != 0;
+    if (!has_form) {
+        report(diag::ThreadArcForm, block)
+            .arg(rules_.thread_pitch_is_feed ? "centre or radius" : "radius or angle");
+        return std::nullopt;
+    }
+    const Function own = modal_.motion;
+    modal_.motion = own == Function::ThreadArcCw ? Function::ArcCw : Function::ArcCcw;
+    Target end = target;
+    auto arc = words.has(Slot::Opening) ? arc_by_opening(words, end) : resolve_arc(words, target);
+    modal_.motion = own;
+    return arc;
+}
+
+/// Along which axis the pitch is, and how large; nothing if it was reported.
+std::optional<Lead> Executor::lead_of_arc(const Block& block, const Vec3& way) {
+    Eigen::Index longest = 0;
+    way.cwiseAbs().maxCoeff(&longest);
+    const std::string_view name = kAxisNames[static_cast<std::size_t>(longest)];
+    if (rules_.thread_pitch_is_feed) {
+        if (modal_.has_feed && modal_.feed > 0) return Lead{modal_.feed, longest};
+        report(diag::ThreadPitchMissing, block).arg(name);
+        return std::nullopt;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto word = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + axis);
+        if (block.has(word) && block.at(word) > 0)
+            return Lead{block.at(word), static_cast<Eigen::Index>(axis)};
+    }
+    report(diag::ThreadPitchMissing, block).arg(name);
+    return std::nullopt;
+}
+
+}  // namespace kadr::interp

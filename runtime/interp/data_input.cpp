@@ -1,0 +1,65 @@
+// data_input.cpp — blocks that write data of the control: its parameters, the lives of its tools.
+//
+// A parameter that this run knows acts; of the others is said that they do not.
+// source: FANUC reference 3.4 (G10 L52, G10 L3), 3.1 (No.1006), 3.5 (No.3410)
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/diagnostics/iso.h"
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Invocation;
+
+namespace {
+
+/// A parameter of bits is written as eight digits, the highest bit first: 1000 is bit 3.
+bool bit_of(double digits, int bit) {
+    const double place = std::floor(std::abs(digits) / std::pow(10.0, bit));
+    return std::fmod(place, 10) != 0;
+}
+
+}  // namespace
+
+void Executor::write_parameter(const Block& block, const Invocation& invocation) {
+    constexpr std::int64_t kAxisKind = 1006;  // bit 3: the axis is programmed as a diameter
+    constexpr std::int64_t kArcTolerance = 3410;
+    constexpr int kDiameter = 3;
+    const std::int64_t number = block.number;
+    if (number < 0) {
+        report(diag::ParameterNumber, block, Function::ParameterData);
+        return;
+    }
+    const double value = block.argument(invocation, 1);
+    const bool has_axis = (invocation.given & 1u) != 0;
+    const auto axis =
+        has_axis ? axis_of(std::llround(block.argument(invocation, 0))) : std::optional<Axis>();
+    if (has_axis && !axis) {
+        report(diag::ParameterAxis, block, Function::ParameterData)
+            .arg(block.argument(invocation, 0));
+        return;
+    }
+    if (number == kAxisKind && axis == Axis::X) {
+        word_scale_[index(Axis::X)] = bit_of(value, kDiameter) ? 0.5 : 1;
+        return;
+    }
+    if (number == kArcTolerance && !has_axis) {
+        // Written in increments of a thousandth; with 0 nothing is checked.
+        rules_.arc_tolerance = value == 0 ? 1e6 : value * 0.001;
+        return;
+    }
+    if (std::ranges::find(told_parameters_, number) != told_parameters_.end()) return;
+    told_parameters_.push_back(number);
+    report(diag::ParameterIdle, block, Function::ParameterData).arg(number);
+}
+
+/// Lives of tools are the control's matter: no tool wears here.
+void Executor::tell_life_data(const Block& block) {
+    if (!std::exchange(told_life_, true)) report(diag::LifeDataIdle, block, Function::LifeData);
+}
+
+}  // namespace kadr::interp

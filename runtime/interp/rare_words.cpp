@@ -1,0 +1,133 @@
+// rare_words.cpp — rarer words of tools and places: a block without the tool's length, a feed for
+// each tooth, a measured length, positions that are set anew.
+// source: SINUMERIK reference 2.1 (group 9), 2.3; FANUC reference 2.2 (G37)
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "base/diagnostics/iso.h"
+#include "base/units.h"
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Invocation;
+using nc::Quantity;
+using nc::SlotMask;
+using path::Op;
+
+namespace {
+
+/// $TC_DPNT among the data of a tool on which nothing else depends.
+constexpr std::int64_t kTeeth = 100;
+
+}  // namespace
+
+/// The axes of the block go to its place with their bare spindle; the length acts again with the
+/// next motion of each.
+void Executor::move_without_length(const Block& block, const Target& target, bool exact_stop) {
+    if (orienting_.is_on || comp_.side != Function::RadiusCompOff) {
+        report(diag::IsoNotSupported, block, Function::LengthSuspend)
+            .arg(orienting_.is_on
+                     ? "a block without tool offsets under a transformation"
+                     : "a block without tool offsets under cutter radius compensation");
+        return;
+    }
+    if (modal_.motion != Function::Rapid && modal_.motion != Function::Line) {
+        report(diag::IsoNotSupported, block, Function::LengthSuspend)
+            .arg("a block without tool offsets that is no line");
+        return;
+    }
+    const ExtraTool extra = std::exchange(extra_, {});
+    const Tool::Source source = std::exchange(tool_.source, Tool::Source::None);
+    tool_.has_changed = true;
+    line(block, target, modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, exact_stop);
+    tool_.source = source;
+    extra_ = extra;
+    tool_.has_changed = true;
+}
+
+/// Where the axes stand gets other machine coordinates; no axis moves. What the machine itself
+/// knows, limits and fixed points, stays where it is.
+void Executor::preset_axes(const Block& block, const Invocation& invocation) {
+    if (orienting_.is_on || comp_.side != Function::RadiusCompOff || corners_.is_active()) {
+        report(diag::PresetMisplaced, block, Function::Preset)
+            .arg(orienting_.is_on ? "a transformation" : "cutter radius compensation");
+        return;
+    }
+    for (std::size_t i = 0; i < 6; i += 2) {
+        if ((invocation.given >> i & 1u) == 0) continue;
+        const double name = block.argument(invocation, i);
+        const auto axis = axis_of(std::llround(name));
+        if (!axis || name >= 0) {
+            report(diag::PresetAxis, block, Function::Preset);
+            return;
+        }
+        if ((invocation.given >> (i + 1) & 1u) == 0) {
+            report(diag::PresetValue, block, Function::Preset).arg(kAxisNames[index(*axis)]);
+            return;
+        }
+        const double wanted = block.argument(invocation, i + 1) * word_scale_[index(*axis)] *
+                              (is_rotary(*axis) || units_ != Function::Inch ? 1 : kMmPerInch);
+        const double now = *place_of(Quantity::MachinePosition, *axis);
+        frames_.preset(*axis, now - wanted);
+        preset_[index(*axis)] += now - wanted;
+    }
+    frame_changed();
+    if (!std::exchange(warned_preset_, true)) report(diag::PresetLimits, block, Function::Preset);
+}
+
+/// The feed of a tooth times the number of teeth is the feed of a turn.
+void Executor::set_tooth_feed(const Block& block, double feed) {
+    if (modal_.feed_mode != path::FeedMode::PerRevolution) {
+        report(diag::ToothFeedIdle, block, Function::ToothFeed);
+        return;
+    }
+    if (!(feed > 0)) {
+        report(diag::FeedNotPositive, block, Function::ToothFeed).arg(feed);
+        return;
+    }
+    tooth_feed_ = feed;
+    take_tooth_feed();
+    if (!(modal_.feed > 0)) report(diag::TeethUnknown, block, Function::ToothFeed);
+}
+
+/// The tool in the spindle, or its data, may have become others.
+void Executor::take_tooth_feed() {
+    if (tooth_feed_ == 0) return;
+    modal_.feed = tooth_feed_ * tool_offsets_.datum(tool_.current, kTeeth);
+    modal_.has_feed = true;
+}
+
+/// Here every tool has the length that its offset says: the tool comes to where the program expects
+/// the sensor, and the offset stays.
+void Executor::measure_length(const Block& block, const Invocation& invocation) {
+    const SlotMask targets = block.given & nc::kTargetSlots;
+    if ((targets & (targets - 1)) != 0 || targets == 0) {
+        report(diag::MeasureAxes, block, Function::MeasureLength);
+        return;
+    }
+    if ((invocation.given & 1u) != 0 || block.find(Function::LengthOffset) != nullptr) {
+        report(diag::MeasureOffsetBeside, block, Function::MeasureLength);
+        return;
+    }
+    if (tool_.source != Tool::Source::Offset || tool_.offset == 0) {
+        report(diag::MeasureOffsetMissing, block, Function::MeasureLength);
+        return;
+    }
+    if (comp_.side != Function::RadiusCompOff) {
+        report(diag::ProbeCompensated, block, Function::MeasureLength);
+        return;
+    }
+    if (modal_cycle_.is_active) {
+        report(diag::MotionInCycle, block, Function::MeasureLength).arg("measure_length");
+        return;
+    }
+    if (!check_axes(block, targets)) return;
+    if (!std::exchange(warned_measure_, true)) report(diag::MeasureFinds, block);
+    line(block, target_of(block, targets), Op::Rapid, true);
+}
+
+}  // namespace kadr::interp
