@@ -35,6 +35,22 @@ bool is_flat(const path::Cubic& cubic) {
            path::distance_to_line(cubic[2], cubic[0], cubic[3]) < kFlat;
 }
 
+/// As many lines a curve is to take the place of on average, or they stay lines. Where the points
+/// lie farther off a smooth course than the tolerance, curves would follow them in waves, whose
+/// bends the axes pass more slowly than the corners.
+constexpr std::size_t kLeastLines = 2;
+
+bool is_worth_it(const std::vector<path::PolylinePart>& parts) {
+    std::size_t curves = 0;
+    std::size_t lines = 0;
+    for (const path::PolylinePart& part : parts) {
+        if (part.is_line) continue;
+        ++curves;
+        lines += part.to - part.from;
+    }
+    return lines >= kLeastLines * curves;
+}
+
 /// Whether the command is a line that a run can begin with.
 bool is_short_line(const Command& command, double length) {
     const bool is_plain = command.op == Op::Line && (command.moved & ~kLinearXYZ) == 0 &&
@@ -110,14 +126,19 @@ void Compressor::fit(bool is_whole) {
     options.tolerance = lines_.front().compress;
     if (has_slope_) options.first_slope = slope_;
     if (!is_whole) options.ends = kEnds;
-    std::size_t done = 0;
-    for (const path::PolylinePart& part : path::fit_polyline(points_, options)) {
-        if (!is_whole && part.from >= kHalf) break;
-        const path::SplineShape shape = {3, {part.cubic[1], part.cubic[2]}};
-        put(part.from, part.to, part.is_line || is_flat(part.cubic) ? nullptr : &shape);
-        done = part.to;
-        slope_ = part.slope;
-        has_slope_ = !part.is_line;
+    std::vector<path::PolylinePart> parts = path::fit_polyline(points_, options);
+    if (!is_whole) std::erase_if(parts, [](const auto& part) { return part.from >= kHalf; });
+    const std::size_t done = parts.back().to;
+    if (is_worth_it(parts)) {
+        for (const path::PolylinePart& part : parts) {
+            const path::SplineShape shape = {3, {part.cubic[1], part.cubic[2]}};
+            put(part.from, part.to, part.is_line || is_flat(part.cubic) ? nullptr : &shape);
+        }
+        slope_ = parts.back().slope;
+        has_slope_ = !parts.back().is_line;
+    } else {
+        for (std::size_t i = 0; i < done; ++i) put(i, i + 1, nullptr);
+        has_slope_ = false;
     }
     lines_.erase(lines_.begin(), lines_.begin() + static_cast<std::ptrdiff_t>(done));
     points_.erase(points_.begin(), points_.begin() + static_cast<std::ptrdiff_t>(done));
