@@ -38,7 +38,7 @@ bool is_flat(const path::Cubic& cubic) {
 /// As many lines a curve is to take the place of on average, or they stay lines. Where the points
 /// lie farther off a smooth course than the tolerance, curves would follow them in waves, whose
 /// bends the axes pass more slowly than the corners.
-constexpr std::size_t kLeastLines = 2;
+constexpr std::size_t kLeastLines = 4;
 
 bool is_worth_it(const std::vector<path::PolylinePart>& parts) {
     std::size_t curves = 0;
