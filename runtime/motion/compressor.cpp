@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include <Eigen/Geometry>
+
 #include "path/polyline_fit.h"
 
 namespace kadr::motion {
@@ -35,20 +37,31 @@ bool is_flat(const path::Cubic& cubic) {
            path::distance_to_line(cubic[2], cubic[0], cubic[3]) < kFlat;
 }
 
-/// As many lines a curve is to take the place of on average, or they stay lines. Where the points
-/// lie farther off a smooth course than the tolerance, curves would follow them in waves, whose
-/// bends the axes pass more slowly than the corners.
-constexpr std::size_t kLeastLines = 4;
+/// As many lines a curve is to take the place of on average, or they stay lines; and where more
+/// than half of the curves are waves. Where the points lie farther off a smooth course than the
+/// tolerance, curves follow them in waves, whose bends the axes pass more slowly than the corners.
+constexpr std::size_t kLeastLines = 2;
+constexpr std::size_t kLeastLinesOfWaves = 4;
+
+/// Whether a span bends to one side and then to the other.
+bool is_wave(const path::Cubic& cubic) {
+    const Vec3 middle = cubic[2] - cubic[1];
+    const Vec3 first = (cubic[1] - cubic[0]).cross(middle);
+    return first.dot(middle.cross(cubic[3] - cubic[2])) < 0;
+}
 
 bool is_worth_it(const std::vector<path::PolylinePart>& parts) {
     std::size_t curves = 0;
+    std::size_t waves = 0;
     std::size_t lines = 0;
     for (const path::PolylinePart& part : parts) {
         if (part.is_line) continue;
         ++curves;
+        waves += is_wave(part.cubic) ? 1 : 0;
         lines += part.to - part.from;
     }
-    return lines >= kLeastLines * curves;
+    const bool are_waves = 2 * waves > curves;
+    return lines >= (are_waves ? kLeastLinesOfWaves : kLeastLines) * curves;
 }
 
 /// Whether the command is a line that a run can begin with.
