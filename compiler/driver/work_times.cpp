@@ -10,6 +10,7 @@ namespace kadr::driver {
 namespace {
 
 constexpr std::size_t kMostRows = 1 << 16;
+
 void add_to(WorkShare& share, const motion::Segment& segment, double length) {
     share.time += segment.duration;
     const bool cuts =
@@ -44,9 +45,24 @@ void WorkTimes::take_next_tool() {
 }
 
 WorkShare& WorkTimes::share_of(const motion::Segment& segment) {
+    const bool is_same = segment.line == last_line_ && segment.source == last_source_;
+    if (last_ != nullptr && is_same) return last_->share;
     WorkPlace place = places_.find(segment.line, segment.source);
-    std::string key = WorkPlaces::key_of(place);
-    return rows_.try_emplace(std::move(key), Row{std::move(place), {}}).first->second.share;
+    const std::uint64_t key = key_of(place);
+    last_ = &rows_.try_emplace(key, Row{std::move(place), {}}).first->second;
+    last_line_ = segment.line;
+    last_source_ = segment.source;
+    return last_->share;
+}
+
+/// Lines of the main text have their number; statements file and offset; others are counted.
+std::uint64_t WorkTimes::key_of(const WorkPlace& place) {
+    constexpr std::uint64_t kCalled = std::uint64_t{1} << 63;
+    const SourceRange& statement = place.statement;
+    if (statement.file.is_valid())
+        return (std::uint64_t{statement.file.index} + 1) << 32 | statement.begin;
+    if (place.called.empty()) return place.line;
+    return called_.try_emplace(place.called, kCalled + called_.size()).first->second;
 }
 
 void WorkTimes::forget_least() {
@@ -56,6 +72,7 @@ void WorkTimes::forget_least() {
     const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
     std::ranges::nth_element(times, middle);
     const double most = *middle;
+    last_ = nullptr;
     std::erase_if(rows_, [&](const auto& entry) { return entry.second.share.time <= most; });
 }
 

@@ -61,6 +61,7 @@ class WorkTimes {
     };
 
     WorkShare& share_of(const motion::Segment& segment);
+    std::uint64_t key_of(const WorkPlace& place);
     void take_next_tool();
     void forget_least();
     PlaceShare shown(const Row& row) const;
@@ -70,7 +71,14 @@ class WorkTimes {
     std::deque<std::int64_t> calls_;  // of tools, that are not planned yet
     std::vector<ToolShare> tools_ = {{}};
     std::size_t tool_at_ = 0;
-    std::unordered_map<std::string, Row> rows_;
+    // Keys of lines and statements that follow one another do so too: flat text fills the table
+    // from one end to the other.
+    std::unordered_map<std::uint64_t, Row> rows_;
+    std::unordered_map<std::string, std::uint64_t> called_;  // keys of lines of called programs
+    // Of the piece added last; nearly every motion comes as several.
+    Row* last_ = nullptr;
+    std::uint32_t last_line_ = 0;
+    SourceId last_source_;
 };
 
 /// Shows every command to the times on its way.

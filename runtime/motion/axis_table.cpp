@@ -100,6 +100,7 @@ PathLimits AxisTable::follower_limits(const Segment& piece, double wanted) const
         if (rate * limits.speed > axis.velocity) limits.speed = axis.velocity / rate;
         if (rate * limits.acceleration > axis.acceleration)
             limits.acceleration = axis.acceleration / rate;
+        if (rate * limits.jerk > axis.jerk) limits.jerk = axis.jerk / rate;
     }
     return limits;
 }
@@ -265,7 +266,13 @@ PathLimits AxisTable::limits(const Segment& piece, const AxisRates& start, doubl
         return helix_limits(*helix, piece, wanted);
     if (const auto* glide = std::get_if<path::Glide>(&piece.curve))
         return glide_limits(*glide, wanted);
-    if (path::bends_freely(piece.curve)) return spline_limits(motion::bend_of(piece.curve), wanted);
+    if (path::bends_freely(piece.curve)) {
+        const PathLimits beside = follower_limits(piece, wanted);
+        PathLimits limits = spline_limits(motion::bend_of(piece.curve), beside.speed);
+        limits.acceleration = std::min(limits.acceleration, beside.acceleration);
+        limits.jerk = std::min(limits.jerk, beside.jerk);
+        return limits;
+    }
     return line_limits(start, wanted);
 }
 
@@ -367,7 +374,10 @@ AxisTable::Loads AxisTable::loads(const Segment& piece, const AxisRates& start) 
     if (const std::optional<SplineBend> found = sampled_bend(piece.curve)) {
         const SplineBend& bend = *found;
         for (std::size_t i = 0; i < axes_.size(); ++i) {
-            if (axes_[i].coordinate >= 3) continue;
+            if (axes_[i].coordinate >= 3) {
+                loads.turning[i] = std::abs(start[i]);
+                continue;
+            }
             const auto c = static_cast<Eigen::Index>(axes_[i].coordinate);
             loads.rising[i] = bend.rate[c];
             loads.bend[i] = bend.bend[c];

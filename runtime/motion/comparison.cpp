@@ -129,6 +129,15 @@ class Walk {
         }
         finish(first_, second_, kind);
         finish(second_, first_, kind);
+        if (!result_.parting) look_at_ends();
+    }
+
+    /// Where both are through: along the way one may have come farther.
+    void look_at_ends() {
+        const double distance = (second_.end() - first_.end()).norm();
+        if (distance <= result_.greatest_distance) return;
+        result_.greatest_distance = distance;
+        result_.widest = {first_.end(), second_.end(), first_.line(), second_.line()};
     }
 
     /// What is left of the stretch of one when the other is through.

@@ -33,7 +33,7 @@ enum class Parting : std::uint8_t {
 
 struct Comparison {
     std::uint64_t stretches = 0;     // of motion without a stop or a change of its kind
-    double greatest_distance = 0;    // mm, of one tip from the way of the other
+    double greatest_distance = 0;    // mm, of one tip from the way of the other, or of two ends
     ComparedPlace widest;            // … there
     double greatest_feed_share = 0;  // of the difference of the feeds, of the greater one
     ComparedPlace fastest;           // … there

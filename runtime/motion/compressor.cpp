@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include <Eigen/Geometry>
+
 #include "path/polyline_fit.h"
 
 namespace kadr::motion {
@@ -33,6 +35,33 @@ constexpr double kFlat = 1e-6;
 bool is_flat(const path::Cubic& cubic) {
     return path::distance_to_line(cubic[1], cubic[0], cubic[3]) < kFlat &&
            path::distance_to_line(cubic[2], cubic[0], cubic[3]) < kFlat;
+}
+
+/// As many lines a curve is to take the place of on average, or they stay lines; and where more
+/// than half of the curves are waves. Where the points lie farther off a smooth course than the
+/// tolerance, curves follow them in waves, whose bends the axes pass more slowly than the corners.
+constexpr std::size_t kLeastLines = 2;
+constexpr std::size_t kLeastLinesOfWaves = 4;
+
+/// Whether a span bends to one side and then to the other.
+bool is_wave(const path::Cubic& cubic) {
+    const Vec3 middle = cubic[2] - cubic[1];
+    const Vec3 first = (cubic[1] - cubic[0]).cross(middle);
+    return first.dot(middle.cross(cubic[3] - cubic[2])) < 0;
+}
+
+bool is_worth_it(const std::vector<path::PolylinePart>& parts) {
+    std::size_t curves = 0;
+    std::size_t waves = 0;
+    std::size_t lines = 0;
+    for (const path::PolylinePart& part : parts) {
+        if (part.is_line) continue;
+        ++curves;
+        waves += is_wave(part.cubic) ? 1 : 0;
+        lines += part.to - part.from;
+    }
+    const bool are_waves = 2 * waves > curves;
+    return lines >= (are_waves ? kLeastLinesOfWaves : kLeastLines) * curves;
 }
 
 /// Whether the command is a line that a run can begin with.
@@ -110,14 +139,19 @@ void Compressor::fit(bool is_whole) {
     options.tolerance = lines_.front().compress;
     if (has_slope_) options.first_slope = slope_;
     if (!is_whole) options.ends = kEnds;
-    std::size_t done = 0;
-    for (const path::PolylinePart& part : path::fit_polyline(points_, options)) {
-        if (!is_whole && part.from >= kHalf) break;
-        const path::SplineShape shape = {3, {part.cubic[1], part.cubic[2]}};
-        put(part.from, part.to, part.is_line || is_flat(part.cubic) ? nullptr : &shape);
-        done = part.to;
-        slope_ = part.slope;
-        has_slope_ = !part.is_line;
+    std::vector<path::PolylinePart> parts = path::fit_polyline(points_, options);
+    if (!is_whole) std::erase_if(parts, [](const auto& part) { return part.from >= kHalf; });
+    const std::size_t done = parts.back().to;
+    if (is_worth_it(parts)) {
+        for (const path::PolylinePart& part : parts) {
+            const path::SplineShape shape = {3, {part.cubic[1], part.cubic[2]}};
+            put(part.from, part.to, part.is_line || is_flat(part.cubic) ? nullptr : &shape);
+        }
+        slope_ = parts.back().slope;
+        has_slope_ = !parts.back().is_line;
+    } else {
+        for (std::size_t i = 0; i < done; ++i) put(i, i + 1, nullptr);
+        has_slope_ = false;
     }
     lines_.erase(lines_.begin(), lines_.begin() + static_cast<std::ptrdiff_t>(done));
     points_.erase(points_.begin(), points_.begin() + static_cast<std::ptrdiff_t>(done));

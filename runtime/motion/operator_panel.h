@@ -15,6 +15,7 @@ namespace kadr::motion {
 struct Overrides {
     double feed = 1;
     double rapid = 1;
+    bool operator==(const Overrides&) const = default;
 };
 
 enum class OperatorAct : std::uint8_t { FeedOverride, RapidOverride, FeedHold, CycleStart };
@@ -34,12 +35,16 @@ class OperatorPanel {
   public:
     OperatorPanel(const std::vector<OperatorEvent>& events, const Overrides& at_start);
 
-    /// Anything was to be done at all.
+    /// Whether anything that is to be done can change what acts on the motion. If not, the run is
+    /// the same as without an operator.
     bool is_used() const { return is_used_; }
     /// When the next event acts, s; infinite if none is known.
     double next_time() const;
-    /// Does what is due at a time; false if nothing was.
+    /// Does what is due at a time; false if the panel stands as before.
     bool act_until(double time);
+    /// Does what comes until a time, as far as it leaves the panel as it stands: the motion need
+    /// not know. What comes at one moment counts together.
+    void pass_idle_until(double time);
     /// A block begins; -1: it has no number.
     void begin_block(std::uint32_t line, std::int32_t number, double time);
     /// Whether any event waits for a block.
@@ -55,7 +60,15 @@ class OperatorPanel {
     const std::vector<OperatorEvent>& ahead() const { return ahead_; }
 
   private:
+    /// What a person sees on the panel.
+    struct Standing {
+        Overrides dials;
+        bool is_held = false;
+        bool operator==(const Standing&) const = default;
+    };
+    Standing standing() const { return {dials_, is_held_}; }
     void act(const OperatorEvent& event);
+    bool changes_anything() const;
 
     std::vector<OperatorEvent> events_;  // at times of the program, sorted
     std::size_t next_ = 0;

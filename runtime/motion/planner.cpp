@@ -37,6 +37,8 @@ PlannerOptions Planner::State::prepared_for(const PlannerOptions& options) {
     if (panel.is_used()) {
         highest.feed_override = panel.highest().feed;
         highest.rapid_override = panel.highest().rapid;
+    } else {
+        highest.events.clear();
     }
     return highest;
 }
@@ -156,6 +158,7 @@ bool Planner::State::next(Segment& segment) {
         }
         --left;
         Piece& piece = pieces.front();
+        if (panel.waits_for_block()) note_block(piece);
         plan(piece, left == 0);
         const bool is_over = piece.awaits && !(piece.segment.duration > 0);
         if (!is_over) {

@@ -50,17 +50,14 @@ bool Planner::State::next_operated(Segment& segment) {
             continue;
         }
         Piece& piece = pieces.front();
-        if (piece.segment.line != line) {
-            line = piece.segment.line;
-            const bool is_asked = options.number_of && panel.waits_for_block();
-            panel.begin_block(line, is_asked ? options.number_of(line) : -1, totals.time);
-        }
+        note_block(piece);
         plan(piece, left == 1);
         if (piece.awaits && !(piece.segment.duration > 0)) {
             --left;
             pieces.pop_front();
             continue;
         }
+        panel.pass_idle_until(totals.time + piece.segment.duration - kSameTime);
         const double passed = std::max(0.0, panel.next_time() - totals.time);
         if (passed >= piece.segment.duration - kSameTime) {
             deliver(segment);
@@ -71,6 +68,14 @@ bool Planner::State::next_operated(Segment& segment) {
         }
     }
     return end();
+}
+
+/// Tells the panel if a block begins with the piece.
+void Planner::State::note_block(const Piece& piece) {
+    if (piece.segment.line == line) return;
+    line = piece.segment.line;
+    const bool is_asked = options.number_of && panel.waits_for_block();
+    panel.begin_block(line, is_asked ? options.number_of(line) : -1, totals.time);
 }
 
 /// Does what is due, and lets the look-ahead know.

@@ -57,6 +57,7 @@ struct Planner::State {
 
     // With an operator; in planner_operated.cpp.
     bool next_operated(Segment& segment);
+    void note_block(const Piece& piece);
     void obey_until(double time);
     void deliver(Segment& segment);
     bool must_wait();

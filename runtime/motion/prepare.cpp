@@ -284,10 +284,15 @@ void Preparer::State::emit_curves(const Command& command, const Segment& whole, 
                                   std::span<const path::Curve> curves) {
     Command share = command;
     Segment piece = whole;
+    double from = 0;
     for (const path::Curve& curve : curves) {
         if (has_ended) return;
         piece.curve = curve;
+        for (std::size_t k = 0; k < kFollowers; ++k) {
+            piece.follower_start[k] = whole.follower_start[k] + whole.follower_rate[k] * from;
+        }
         const double part = path::length(curve);
+        from += part;
         // Under inverse time the time of the block is shared out by length.
         if (command.feed_mode == path::FeedMode::InverseTime)
             share.feed = command.feed * length / part;

@@ -21,14 +21,7 @@ std::map<std::string_view, ModuleFactory>& factories() {
 /// Leaves a command out: it is counted, and neither moves nor takes time.
 class NoModule final : public CommandModule {
   public:
-    Command serve(const Command& command) override {
-        Command nothing;
-        nothing.op = path::Op::Message;
-        nothing.to = command.to;
-        nothing.source = command.source;
-        nothing.line = command.line;
-        return nothing;
-    }
+    std::vector<Command> serve(const Command&) override { return {}; }
 };
 
 bool is_everywhere(std::string_view name) {
@@ -70,13 +63,46 @@ ServedCommands::ServedCommands(Stream<Command>& commands, const machine::Machine
     }
 }
 
+// One pull takes from the stream behind once at most if it puts anything out: an alarm about a
+// command has to find the commands behind it not looked at.
 std::size_t ServedCommands::pull(std::span<Command> out) {
-    const std::size_t count = commands_.pull(out);
-    for (Command& command : out.first(count)) {
+    origins_.clear();
+    batch_first_ = put_;
+    taken_first_ = taken_;
+    std::size_t written = 0;
+    const auto put = [&](const Command& command) {
+        out[written++] = command;
+        origins_.push_back(taken_);
+    };
+    while (written < out.size()) {
+        if (answer_at_ < answers_.size()) {
+            put(answers_[answer_at_++]);
+            continue;
+        }
+        if (batch_at_ == batch_size_) {
+            if (written > 0) break;
+            batch_at_ = 0;
+            batch_size_ = commands_.pull(std::span(batch_).first(std::min(out.size(), kBatch)));
+            if (batch_size_ == 0) break;
+        }
+        const Command& command = batch_[batch_at_++];
+        ++taken_;
         CommandModule* module = serves_[static_cast<std::size_t>(command.op)];
-        if (module != nullptr) command = module->serve(command);
+        if (module == nullptr) {
+            put(command);
+            continue;
+        }
+        answers_ = module->serve(command);
+        answer_at_ = 0;
     }
-    return count;
+    put_ += written;
+    return written;
+}
+
+std::uint64_t ServedCommands::taken_for(std::uint64_t count) const {
+    if (count <= batch_first_) return taken_first_;
+    if (count > batch_first_ + origins_.size()) return taken_;
+    return origins_[static_cast<std::size_t>(count - batch_first_) - 1];
 }
 
 }  // namespace kadr::process

@@ -60,9 +60,12 @@ bool PlannedMotion::alarmed() const { return planner_.alarmed() || (front_ && fr
 std::uint64_t PlannedMotion::executed() const {
     const std::uint64_t planned = planner_.totals().commands;
     const bool is_refused = planner_.alarmed();
-    if (!front_) return is_refused ? planned - 1 : planned;
-    if (is_refused) return front_->taken_for(planned) - 1;
-    return front_->alarmed() ? front_->taken() - 1 : front_->taken();
+    std::uint64_t taken = planned;
+    if (front_) taken = is_refused ? front_->taken_for(planned) : front_->taken();
+    const bool is_last_refused = is_refused || (front_ && front_->alarmed());
+    // At the end modules may have answered the last commands with none.
+    if (served_) taken = is_last_refused ? served_->taken_for(taken) : served_->taken();
+    return is_last_refused ? taken - 1 : taken;
 }
 
 std::optional<std::uint64_t> PlannedMotion::pulses() const {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -54,6 +55,19 @@ TEST(Comparison, PiecesDoNotCount) {
     const Comparison result = compared(quarter(), halves);
     EXPECT_FALSE(result.parting);
     EXPECT_LT(result.greatest_distance, 1e-9);
+}
+
+// A stop that comes 2 um later on the same way is 2 um from the other.
+TEST(Comparison, EndsOfTheSameWayCount) {
+    const auto first = with_spindle({line_to({100, 0, 0}, kFeed)});
+    const auto second = with_spindle({line_to({100.002, 0, 0}, kFeed)});
+    for (const auto& [a, b] : {std::pair{first, second}, std::pair{second, first}}) {
+        const Comparison result = compared(a, b);
+        EXPECT_FALSE(result.parting);
+        EXPECT_NEAR(result.greatest_distance, 0.002, 1e-9);
+        EXPECT_EQ(result.widest.first_line, 2u);
+        EXPECT_NEAR(std::abs(result.widest.second[0] - result.widest.first[0]), 0.002, 1e-9);
+    }
 }
 
 // Chords of an arc are as far from it as their sagitta.

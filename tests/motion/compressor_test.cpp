@@ -126,6 +126,19 @@ double distance_to_polyline(const std::vector<Vec3>& points, const Vec3& place, 
     return least;
 }
 
+// Points that lie farther from a smooth course than the tolerance: curves through them would be
+// waves, slower than the corners between the lines.
+TEST(Compressor, LeavesWhatItCannotSmooth) {
+    std::vector<Vec3> points = {Vec3::Zero()};
+    for (int i = 1; i <= 300; ++i) points.emplace_back(0.5 * i, 0.02 * std::sin(7.3 * i * i), 0);
+    const auto lines = lines_over(points, 0.01);
+    EXPECT_EQ(compressed(lines).size(), lines.size());
+    const auto machine = smooth_machine();
+    auto plain = lines;
+    for (Command& line : plain) line.compress = 0;
+    EXPECT_LE(run(machine, lines).totals.time, run(machine, plain).totals.time);
+}
+
 TEST(Compressor, FewSpansWithinTheTolerance) {
     for (const Shape& shape : shapes()) {
         for (const double spacing : {0.02, 0.2}) {

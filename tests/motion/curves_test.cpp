@@ -1,5 +1,7 @@
 // Curves of programs in motion: polynomials of degree five, involutes, threads whose pitch changes.
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -70,6 +72,69 @@ TEST(CurveMotion, InvoluteTakesItsLengthAtTheFeed) {
         // On the curve: distance and angle about the centre belong together.
         const double t = std::sqrt(std::max(0.0, setpoint.tip.squaredNorm() / 100 - 1));
         EXPECT_LT((setpoint.tip - drawn(t)).norm(), 1e-8);
+    }
+}
+
+/// A, without end; velocity, acceleration and jerk.
+machine::MachineAxis rotary_axis(const Vec3& limits) {
+    machine::MachineAxis axis;
+    axis.name = "A";
+    axis.axis = Axis::A;
+    axis.is_rotary = true;
+    axis.lower = -kUnlimited;
+    axis.upper = kUnlimited;
+    axis.velocity = limits[0];
+    axis.acceleration = limits[1];
+    axis.jerk = limits[2];
+    return axis;
+}
+
+TEST(CurveMotion, FollowersGoOnFromStretchToStretch) {
+    // An involute is planned in stretches; a rotary axis beside it turns evenly over all of them.
+    auto machine = machine_of();
+    machine.axes.push_back(rotary_axis({10, 100, kUnlimited}));
+    Command bent = involute_to(4, 600);
+    bent.moved |= bit(Axis::A);
+    bent.to[index(Axis::A)] = 30;
+    const std::vector<Command> program = {rapid_to(drawn(1)), bent};
+    const double degree = std::numbers::pi / 180;
+    const double rate = 30 * degree / 75;  // rad/mm, on s = r·(16 − 1)/2 = 75 mm
+    double reached = 0;
+    std::size_t stretches = 0;
+    for (const Segment& segment : run(machine, program).segments) {
+        if (segment.line != 2) continue;
+        const double before = std::exchange(reached, reached + path::length(segment.curve));
+        EXPECT_NEAR(segment.follower_start[0], before * rate, 1e-9);
+        ++stretches;
+    }
+    EXPECT_GT(stretches, 1);
+    const auto setpoints = sample(machine, program);
+    EXPECT_NEAR(setpoints.back().axis[3], 30 * degree, 1e-12);
+    for (std::size_t i = 1; i < setpoints.size(); ++i) {
+        // 10 mm/s of feed in a tick of 1 ms, up to the rounding
+        EXPECT_LT(std::abs(setpoints[i].axis[3] - setpoints[i - 1].axis[3]), 0.01 * rate + 1e-9);
+    }
+}
+
+TEST(CurveMotion, FollowersKeepTheirLimits) {
+    // Three turns of a rotary axis beside the involute: it sets the pace, with each of its limits.
+    for (const double jerk : {kUnlimited, 300.0}) {
+        auto machine = machine_of(std::isfinite(jerk) ? kJerky : Dynamics{});
+        machine.axes.push_back(rotary_axis({4, 30, jerk}));
+        Command bent = involute_to(4, 30000);
+        bent.moved |= bit(Axis::A);
+        bent.to[index(Axis::A)] = 1080;
+        const std::vector<Command> program = {rapid_to(drawn(1)), bent};
+        const Motion result = run(machine, program);
+        // 6π rad at 4 rad/s at least
+        EXPECT_GT(result.totals.cutting_time, 6 * std::numbers::pi / 4);
+        TickWatch watch(machine, result.segments);
+        for (const Setpoint& setpoint : sample(machine, program)) watch.add(setpoint);
+        EXPECT_LE(watch.shares().velocity, 1.001);
+        EXPECT_LE(watch.shares().acceleration, 1.001);
+        if (std::isfinite(jerk)) {
+            EXPECT_LE(watch.shares().jerk, 1.001);
+        }
     }
 }
 

@@ -72,6 +72,43 @@ TEST(Operated, TimesOfALine) {
     }
 }
 
+/// Corners, arcs and splines at 100 mm/s, on the machine's limits here and there.
+std::vector<Command> bent_program() {
+    return {spline_to({40, 0, 0}, {10, 25, 0}, {30, 25, 0}, 6000),
+            spline_to({80, 0, 0}, {50, -25, 0}, {70, -25, 0}, 6000), line_to({80, 3, 0}, 6000),
+            test::rapid_to({0, 0, 0})};
+}
+
+TEST(Operated, WhatChangesNothingShiftsNothing) {
+    // A cycle start that follows no hold, and a hold that is taken back at once, are nothing too.
+    const OperatorEvent fall = feed_to(0.5, 0.9);
+    const std::vector<std::vector<OperatorEvent>> idle = {
+        {feed_to(1, 0.1), rapid_to(1, 0.2), start_at(0.3)},
+        {feed_to(1, 0.01, 2), feed_to(1, 0.3), feed_to(1, 1.1)},
+        {rapid_to(1, 0), feed_to(1, 0.05, 4)},
+    };
+    for (const machine::Machine& machine : {machine_of(), smooth_machine()}) {
+        const Motion plain = run(machine, bent_program(), {});
+        const Motion changed = run(machine, bent_program(), operated({fall}));
+        for (const auto& events : idle) {
+            const Motion same = run(machine, bent_program(), operated(events));
+            EXPECT_EQ(same.totals.time, plain.totals.time);
+            EXPECT_EQ(same.segments.size(), plain.segments.size());
+            auto more = events;
+            more.push_back(fall);
+            // … before 0.9 s; and what is as it stands then is nothing as well.
+            std::erase_if(more, [](const OperatorEvent& e) { return e.time > 1 || e.line > 2; });
+            more.push_back(feed_to(0.5, 0.95));
+            const Motion beside = run(machine, bent_program(), operated(more));
+            EXPECT_EQ(beside.totals.time, changed.totals.time);
+            EXPECT_EQ(beside.segments.size(), changed.segments.size());
+        }
+        const Motion held_not =
+            run(machine, bent_program(), operated({fall, hold_at(0.4), start_at(0.4)}));
+        EXPECT_EQ(held_not.totals.time, changed.totals.time);
+    }
+}
+
 TEST(Operated, SmoothRampsTakeTheirTime) {
     // 50000 mm/s³: from 100 to 0 in 2·sqrt(100/50000) s = 0.0894 s; from 100 to 50 in 0.0632 s.
     const double stop = 2 * std::sqrt(100.0 / 50000);

@@ -204,6 +204,19 @@ TEST(LookAheadOracle, JunctionSpeedsAtEveryDepth) {
     EXPECT_EQ(seen, 40);
 }
 
+TEST(LookAheadOracle, StopsAtEveryPoint) {
+    for (const json& entry : cases("lookahead.json")) {
+        SCOPED_TRACE(entry["id"].get<std::string>());
+        const json& in = entry["input"];
+        auto commands = polyline(in);
+        for (Command& command : commands) command.exact_stop = true;
+        const auto whole = run(machine_at_start(in), commands, corner_options(in));
+        EXPECT_NEAR(whole.totals.time,
+                    entry["expect"]["time_with_stop_at_every_point"].get<double>(),
+                    1e-5 * whole.totals.time);
+    }
+}
+
 TEST(LookAheadOracle, CornerLimits) {
     for (const json& entry : cases("lookahead.json")) {
         SCOPED_TRACE(entry["id"].get<std::string>());
@@ -289,6 +302,21 @@ TEST(SmoothOracle, EveryBlockByItself) {
         for (std::size_t i = 0; i + 1 < speeds.size(); ++i) {
             EXPECT_NEAR(speeds[i], expected["junction_speeds_envelope"][i].get<double>(), 1e-5);
         }
+    }
+}
+
+TEST(SmoothOracle, StopsAtEveryJunction) {
+    for (const json& entry : cases("lookahead_jerk.json")) {
+        if (entry["id"] == "reach_values") continue;
+        SCOPED_TRACE(entry["id"].get<std::string>());
+        double time = 0;
+        for (const Stretch& s : chain_of(entry["input"])) {
+            const auto profile =
+                seven_phases(s.length, 0, 0, {s.speed, s.acceleration, s.acceleration, s.jerk});
+            ASSERT_TRUE(profile.has_value());
+            time += profile->duration();
+        }
+        EXPECT_NEAR(time, entry["expect"]["T_stop_at_every_junction"].get<double>(), 1e-7 * time);
     }
 }
 

@@ -1,6 +1,8 @@
 // Who serves a command: nobody, the scanner, a module that is registered.
 #include "process/command_modules.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "process/planned_motion.h"
@@ -22,11 +24,11 @@ using path::Vec3;
 /// A press that strokes longer each time.
 class Press final : public CommandModule {
   public:
-    Command serve(const Command& command) override {
+    std::vector<Command> serve(const Command& command) override {
         Command stroke = command;
         stroke.op = Op::External;
         stroke.time = 0.1 * ++strokes_;
-        return stroke;
+        return {stroke};
     }
 
   private:
@@ -37,6 +39,32 @@ const ModuleRegistration kPress("press",
                                 [](const machine::Machine&) -> std::unique_ptr<CommandModule> {
                                     return std::make_unique<Press>();
                                 });
+
+/// Goes to every place by way of the place above it, in as many steps as the way has millimetres.
+class Stairs final : public CommandModule {
+  public:
+    std::vector<Command> serve(const Command& command) override {
+        std::vector<Command> steps;
+        const Vec3 to = {command.to[0], command.to[1], command.to[2]};
+        const int count = static_cast<int>(std::ceil((to - at_).norm()));
+        for (int i = 1; i <= count; ++i) {
+            Command& step = steps.emplace_back(command);
+            const Vec3 place = at_ + (to - at_) * i / count;
+            for (std::size_t k = 0; k < 3; ++k)
+                step.to[k] = place[static_cast<Eigen::Index>(k)] + (k == 2 && i < count ? 1 : 0);
+        }
+        at_ = to;
+        return steps;
+    }
+
+  private:
+    Vec3 at_ = Vec3::Zero();
+};
+
+const ModuleRegistration kStairs("stairs",
+                                 [](const machine::Machine&) -> std::unique_ptr<CommandModule> {
+                                     return std::make_unique<Stairs>();
+                                 });
 
 struct Done {
     std::vector<Segment> segments;
@@ -74,7 +102,7 @@ TEST(CommandModules, NoneCountsAndLeavesOut) {
     EXPECT_NEAR(plain.totals.dwell_time, 5, 1e-12);
     EXPECT_EQ(dry.totals.dwell_time, 0);
     EXPECT_EQ(dry.executed, plain.executed);
-    EXPECT_EQ(dry.totals.commands, 5u);
+    EXPECT_EQ(dry.executed, 5u);
     EXPECT_NEAR(dry.totals.length, 30, 1e-12);
     EXPECT_EQ(dry.setpoints.back().tip, Vec3(0, 10, 0));
 }
@@ -87,6 +115,45 @@ TEST(CommandModules, ARegisteredOneServesItsCommands) {
     EXPECT_EQ(done.totals.dwell_time, 0);
     EXPECT_NEAR(done.totals.external_time, 0.1 + 0.2, 1e-12);  // one press serves both
     EXPECT_EQ(done.setpoints.back().tip, Vec3(0, 10, 0));
+}
+
+// 0 to 1000 mm in one answer: more commands than any batch holds, in order, and at the same end.
+TEST(CommandModules, AnswerWithSeveralCommands) {
+    machine::Machine machine = motion::test::machine_of();
+    machine.pipeline.modules = {{Op::Line, "stairs", {}}};
+    Done done;
+    run(machine,
+        {line_to({0, 0, 0}, 600), line_to({3000, 0, 0}, 60000), dwell(1),
+         line_to({3000, 2, 0}, 600)},
+        done);
+    ASSERT_TRUE(done.diagnostics.all().empty());
+    EXPECT_EQ(done.executed, 4u);
+    std::vector<Vec3> ends;
+    for (const Segment& segment : done.segments) {
+        if (segment.kind == SegmentKind::Feed) ends.push_back(path::end(segment.curve));
+    }
+    ASSERT_EQ(ends.size(), 3000u + 2u);
+    EXPECT_EQ(ends[0], Vec3(1, 0, 1));
+    EXPECT_EQ(ends[1500], Vec3(1501, 0, 1));
+    EXPECT_EQ(ends[2999], Vec3(3000, 0, 0));
+    EXPECT_EQ(ends[3001], Vec3(3000, 2, 0));
+    EXPECT_NEAR(done.totals.dwell_time, 1, 1e-12);
+}
+
+// Y is missing: the third command of the program is refused, whatever the second was made of.
+TEST(CommandModules, CountTheCommandsOfTheProgram) {
+    for (const bool has_scanner : {false, true}) {
+        machine::Machine machine = motion::test::machine_of();
+        machine.axes[1].upper = 5;
+        if (has_scanner) machine.scanner = machine::Scanner{};
+        machine.pipeline.modules = {{Op::Line, "stairs", {}}, {Op::Dwell, "none", {}}};
+        Done done;
+        run(machine, {line_to({30, 0, 0}, 600), dwell(1), line_to({30, 10, 0}, 600), dwell(1)},
+            done);
+        EXPECT_EQ(done.diagnostics.all().size(), 1u);
+        EXPECT_EQ(done.executed, 2u);
+        EXPECT_EQ(done.setpoints.back().tip[1], 5);
+    }
 }
 
 TEST(CommandModules, TheScannerServesWaysWithoutItsFunctions) {
@@ -120,7 +187,8 @@ TEST(CommandModules, TheScannerServesWaysWithoutItsFunctions) {
 }
 
 TEST(CommandModules, AreKnownByName) {
-    EXPECT_EQ(module_names(), (std::vector<std::string_view>{"none", "press", "scanner"}));
+    EXPECT_EQ(module_names(),
+              (std::vector<std::string_view>{"none", "press", "scanner", "stairs"}));
     EXPECT_TRUE(is_module("scanner"));
     EXPECT_FALSE(is_module("Press"));
 }

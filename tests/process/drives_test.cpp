@@ -52,6 +52,7 @@ struct Told {
     double least_radius = 0;        // mm
     double least_before_peak = 0;   // A
     FacingSample peak;
+    double half_limit_current = 0;  // A, half way from the radius of the limit to the centre
     double return_time = 0;
 };
 
@@ -78,6 +79,11 @@ Told run(const machine::Drives& drives, const FacingPass& pass, const json& time
                 told.peak = sample;
                 told.least_before_peak = least;
             }
+        }
+        const double half_limit = pass.spindle.cutting_speed / (kTurn * pass.spindle.limit) / 2;
+        if (told.crossings.empty() && last && last->radius > half_limit &&
+            sample.radius <= half_limit) {
+            told.half_limit_current = sample.current;
         }
         last = sample;
     });
@@ -121,6 +127,7 @@ TEST(DrivesOracle, FacingPass) {
         near(got.peak.current, want["I_peak_near_centre"], tolerance["I_peak_rel"]);
         near(got.peak.radius / 1000, want["R_at_peak"], tolerance["R_at_peak_rel"]);
         near(got.least_before_peak, want["I_minimum_before_peak"], part);
+        near(got.half_limit_current, want["I_at_half_limit_radius"], part);
         const double start_load = drives.cutting_force * pass.radius / 1000;
         near(
             settled(drives.spindle, kTurn * pass.spindle.speed_at(pass.radius), start_load).current,
