@@ -21,7 +21,7 @@ namespace {
 constexpr std::string_view kTitlePlace = "{{kadr:title}}";
 constexpr std::string_view kDataPlace = "{{kadr:data}}";
 
-constexpr std::size_t kSampleBytes = 5'000'000;  // of all samples in a page, as text
+constexpr std::size_t kSampleBytes = 5'500'000;  // of all samples in a page, as text
 constexpr std::size_t kBlockBytes = 1'200'000;
 constexpr std::size_t kBlockColumns = 6;  // of four bytes; and the time, of eight
 

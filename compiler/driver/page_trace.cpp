@@ -14,8 +14,10 @@ namespace {
 // Tolerance of the first pass, mm and deg: a tenth of a pixel where a part of 100 mm fills a
 // screen.
 constexpr double kFirstTolerance = 0.01;
-// A read-out of the feed may be as far off, for each unit of the tolerance, mm/min: 5 at first.
-constexpr double kFeedShare = 500;
+// A read-out of the feed may be as far off in the first pass: 5 mm/min and 2 percent of it. Ramps
+// up and down in every block would else need more room than where the axes are.
+constexpr double kFeed = 5;
+constexpr double kFeedShare = 0.02;
 // The first joining of blocks: what passes in less cannot be seen, s.
 constexpr double kFirstBlock = 0.002;
 constexpr double kSameTool = 1e-6;  // mm
@@ -33,8 +35,9 @@ PageTrace::PageTrace(const machine::Machine& machine, std::size_t most_samples,
     KADR_ASSERT(most_samples >= 4 && most_blocks >= 4, "a page without room");
 }
 
-double PageTrace::column_tolerance(std::size_t i) const {
-    return i < kAxes ? step_ : step_ * kFeedShare;
+double PageTrace::column_tolerance(const Sample& sample, std::size_t i) const {
+    if (i < kAxes) return step_;
+    return step_ / kFirstTolerance * (kFeed + kFeedShare * sample.feed);
 }
 
 void PageTrace::add(const motion::Setpoint& setpoint) {
@@ -88,14 +91,15 @@ void PageTrace::narrow(const Sample& sample) {
     if (!(time > 0)) return;
     for (std::size_t i = 0; i < kColumns; ++i) {
         const double way = column(sample, i) - column(from, i);
-        lower_[i] = std::max(lower_[i], (way - column_tolerance(i)) / time);
-        upper_[i] = std::min(upper_[i], (way + column_tolerance(i)) / time);
+        lower_[i] = std::max(lower_[i], (way - column_tolerance(sample, i)) / time);
+        upper_[i] = std::min(upper_[i], (way + column_tolerance(sample, i)) / time);
     }
 }
 
-/// The same once more over what was kept, with twice the tolerance, until half of it has gone.
+/// The same once more over what was kept, with twice the tolerance, until a quarter of it has gone:
+/// more would be a loss, less would have to be done again too soon.
 void PageTrace::thin() {
-    while (samples_.size() > most_samples_ / 2) {
+    while (4 * samples_.size() > 3 * most_samples_) {
         step_ *= 2;
         tolerance_ += step_;
         const std::vector<Sample> kept = std::exchange(samples_, {});

@@ -78,7 +78,7 @@ class PageTrace {
     double column(const Sample& sample, std::size_t i) const {
         return i < kAxes ? sample.axis[i] : sample.feed;
     }
-    double column_tolerance(std::size_t i) const;
+    double column_tolerance(const Sample& sample, std::size_t i) const;
 
     const machine::Machine& machine_;
     std::size_t most_samples_;

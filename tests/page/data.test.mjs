@@ -1,6 +1,6 @@
 // What a page says of a run: the columns decode to the setpoints, times and lines belong together.
 import assert from 'node:assert/strict';
-import { after, test } from 'node:test';
+import { test } from 'node:test';
 import { decodeColumn, decodeRun } from '../../web/src/data.js';
 import { chainOf, forward } from '../../web/src/kinematics.js';
 import { nearestOnPath, pathOf, toolVectors } from '../../web/src/path.js';
@@ -11,7 +11,6 @@ import { Scratch, dataOf, kadr, rowsOf } from './kadr.mjs';
 import { kFiveAxes } from './programs.mjs';
 
 const scratch = new Scratch();
-after(() => scratch.remove());
 
 /** A run with its setpoints. */
 function recorded(text, machine, dialect = 'sinumerik', name = 'part.mpf') {
@@ -42,7 +41,7 @@ test('every setpoint of a run is met within the tolerance', () => {
     run.machine.axes.forEach(({ name }, i) => {
       assert.ok(Math.abs(axes[i] - row[name]) < tolerance + 2e-5, `${name} at ${row.t}: ${axes[i]} ${row[name]}`);
     });
-    assert.ok(Math.abs(feed - row.feed) < 5.01, `feed at ${row.t}: ${feed} ${row.feed}`);
+    assert.ok(Math.abs(feed - row.feed) < 5.01 + 0.02 * row.feed, `feed at ${row.t}: ${feed} ${row.feed}`);
     if (row.iso < 8) continue; // the transformation is on from line 4, and the tool is in from line 2
     transformed++;
     const block = timeline.blockAt(row.t + 1e-7);

@@ -12,6 +12,7 @@ if (!kBinary) throw new Error('KADR_BINARY names no program');
 export class Scratch {
   constructor() {
     this.folder = mkdtempSync(join(tmpdir(), 'kadr-page-test-'));
+    process.on('exit', () => rmSync(this.folder, { recursive: true, force: true }));
   }
   file(name) {
     return join(this.folder, name);
@@ -19,9 +20,6 @@ export class Scratch {
   save(name, text) {
     writeFileSync(this.file(name), text);
     return this.file(name);
-  }
-  remove() {
-    rmSync(this.folder, { recursive: true, force: true });
   }
 }
 

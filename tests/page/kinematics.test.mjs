@@ -1,6 +1,6 @@
 // The page's chain against Kadr's own: random positions of every stock machine with rotary axes.
 import assert from 'node:assert/strict';
-import { after, test } from 'node:test';
+import { test } from 'node:test';
 import { chainOf, forward, mapped, poleDistance } from '../../web/src/kinematics.js';
 import { Scratch, dataOf, kadr } from './kadr.mjs';
 
@@ -11,7 +11,6 @@ const kLength = 87.5;
 const kTolerance = 1e-9; // mm; what is printed has twelve decimals
 
 const scratch = new Scratch();
-after(() => scratch.remove());
 
 /** Seeded, so that every run has the same positions (mulberry32). */
 function random(seed) {
