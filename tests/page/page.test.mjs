@@ -261,7 +261,6 @@ const kOthers = {
   'head-cb': kFiveAxes,
   nutating: kFiveAxes,
   borer: 'T1 D1\nS500 M3\nG0 X0 Y0 Z300 B0\nG1 X50 Y20 F2000\nB45 F2000\nG1 X0\nM30\n',
-  mill: 'T1 D1\nS1000 M3\nG0 X0 Y0 Z5\nG1 Z-2 F800\nG1 X60\nG3 X60 Y40 CR=20\nG1 X0\nG0 Z50\nM30\n',
   lathe: 'G18 G90 G95\nS500 M3\nG0 X42 Z2\nG1 X30 F0.3\nG1 Z-25\nG1 X40 Z-40\nG1 Z-60\nG0 X60\nM30\n',
 };
 for (const [machine, text] of Object.entries(kOthers)) {
@@ -276,6 +275,20 @@ for (const [machine, text] of Object.entries(kOthers)) {
     await other.send('Page.close');
   });
 }
+
+test('a long path is drawn, too', async () => {
+  const other = await browser.newTab(kWidth, kHeight);
+  const zigzag = Array.from({ length: 2500 }, (_, i) => `G1 X${i % 2 ? 40 : 0} Y${i / 50} Z${(i % 7) / 10}`);
+  await other.open(pageOf('long', `T1 D1\nS500 M3\nF6000\n${zigzag.join('\n')}\nM30\n`, 'mill'));
+  assert.ok((await other.evaluate('kadr.path.count')) > 30000);
+  assert.equal(await other.evaluate('kadr.view.whole.isLineSegments2 === undefined'), true);
+  await other.evaluate('kadr.player.seek(kadr.timeline.end * 0.5)');
+  await other.settled();
+  const { kinds, drawn } = await coloursOfPicture('long', other);
+  assert.ok(kinds > 100 && drawn > 0.05, `${kinds} colours, ${drawn} of the picture`);
+  assert.deepEqual(other.complaints, []);
+  await other.send('Page.close');
+});
 
 test('an axis at its limit is marked', async () => {
   const other = await browser.newTab(kWidth, kHeight);

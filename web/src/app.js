@@ -22,6 +22,7 @@ class Page {
     this.readouts = new Readouts(document, run);
     this.program = new ProgramPanel(find('.program'), run, { onLine: (place) => this.#goToLine(place) });
     this.#fillHead();
+    this.path = pathOf(this.timeline, this.chain);
     this.view = this.#openView();
     this.#connect();
     this.player.seek(this.timeline.start);
@@ -42,7 +43,7 @@ class Page {
   /** The picture, or nothing: then numbers and program are there all the same. */
   #openView() {
     try {
-      const view = new View(find('canvas'), this.run, this.chain, this.timeline, pathOf(this.timeline, this.chain));
+      const view = new View(find('canvas'), this.run, this.chain, this.timeline, this.path);
       view.look('iso');
       return view;
     } catch (error) {

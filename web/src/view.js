@@ -10,6 +10,7 @@ import { Materials, buildMachine, uprightOf } from './machine.js';
 import { nearestOnPath, toolVectors } from './path.js';
 
 const kReach = 12; // px between a click and the path
+const kWideLines = 30000; // pieces of path
 const kVectors = 240; // tool vectors along the whole path, about
 
 /** Where the eye looks from, by the axis that goes up: X of a lathe, Y of a horizontal machine. */
@@ -18,6 +19,30 @@ const kEyes = [
   { iso: [1.3, 0.75, 1], top: [0, 1, 0.001], front: [0, 0, 1], side: [1, 0, 0] },
   { iso: [-0.9, -1.5, 1.05], top: [0, -0.001, 1], front: [0, -1, 0], side: [1, 0, 0] },
 ];
+
+/** A line of some pixels is made of triangles: of a long path that would be too many to be drawn. */
+function wideLine(positions, options) {
+  const geometry = new LineSegmentsGeometry();
+  if (positions.length > 0) geometry.setPositions(positions);
+  return new LineSegments2(geometry, new LineMaterial({ vertexColors: true, ...options }));
+}
+
+function thinLine(positions, { linewidth, ...options }) {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
+  return new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ vertexColors: true, ...options }));
+}
+
+function setColors(line, colors) {
+  if (line.isLineSegments2) line.geometry.setColors(colors);
+  else line.geometry.setAttribute('color', new THREE.BufferAttribute(colors, 3));
+}
+
+/** Shows so many of its pieces. */
+function setCount(line, count) {
+  if (line.isLineSegments2) line.geometry.instanceCount = count;
+  else line.geometry.setDrawRange(0, 2 * count);
+}
 
 export class View {
   /** Throws if the browser has no WebGL. */
@@ -104,7 +129,7 @@ export class View {
     this.tip.position.set(...state.tip);
     this.vector.position.set(...state.tip);
     this.vector.setDirection(new THREE.Vector3(...state.tool));
-    this.done.geometry.instanceCount = Math.max(index, 0);
+    setCount(this.done, index);
     this.done.visible = index > 0;
     this.invalidate();
   }
@@ -177,17 +202,15 @@ export class View {
     const positions = new Float32Array(6 * segments);
     for (let i = 0; i < segments; i++) positions.set(points.subarray(3 * i, 3 * i + 6), 6 * i);
     const line = (options) => {
-      const geometry = new LineSegmentsGeometry();
-      if (segments > 0) geometry.setPositions(positions);
-      const body = new LineSegments2(geometry, new LineMaterial({ vertexColors: true, ...options }));
+      const body = segments > kWideLines ? thinLine(positions, options) : wideLine(positions, options);
       body.frustumCulled = false;
+      body.visible = segments > 0;
       this.machine.workpiece.add(body);
       return body;
     };
     this.whole = line({ linewidth: 1.4, transparent: true, opacity: 0.45 });
     this.done = line({ linewidth: 2.6 });
     this.done.renderOrder = 1;
-    this.whole.visible = this.done.visible = segments > 0;
     this.coloring = 'block';
   }
 
@@ -207,8 +230,8 @@ export class View {
       const color = !isCut ? rapid : this.coloring === 'kind' ? feed : shades[block % shades.length];
       for (const at of [6 * i, 6 * i + 3]) color.toArray(colors, at);
     }
-    for (const body of [this.whole, this.done]) body.geometry.setColors(colors);
-    this.done.geometry.instanceCount = Math.max(this.index ?? 0, 0);
+    for (const body of [this.whole, this.done]) setColors(body, colors);
+    setCount(this.done, this.index ?? 0);
   }
 
   #addVector() {
