@@ -272,6 +272,9 @@ void Parser::add_run() {
         ->add_option("--curves", job.curves,
                      "position, velocity, acceleration, jerk of the axes over time; a drawing")
         ->type_name("OUT.svg");
+    command
+        ->add_option("--page", job.page, "the machine in motion beside its program, for a browser")
+        ->type_name("OUT.html");
     command->add_option("--window", curves_window_, "the part of the run that --curves shows")
         ->type_name("FROM..TO");
     command->add_option("--drive", job.drive, "spindle and feed drives over time; a drawing or CSV")

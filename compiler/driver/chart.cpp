@@ -54,21 +54,26 @@ Scale scale_of(const Chart& chart) {
 
 std::string label(double value) { return fmt::format("{:.10g}", round_to(value, 6)); }
 
+/// `least`: pixels that it is wide at least; 0: one that has no width is not drawn.
+void draw_band(std::string& out, const Scale& scale, const Chart& chart, const ChartBand& band,
+               const char* color, double least) {
+    const Frame& f = chart.frame;
+    const double from = scale.x(std::max(band.from, chart.lower));
+    const double width = std::max(scale.x(std::min(band.to, chart.upper)) - from, least);
+    if (!(width > 0)) return;
+    put(out, "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\"/>\n",
+        from, f.top, width, f.height, color);
+}
+
 void draw_grid(std::string& out, const Chart& chart, const Scale& scale) {
     const Frame& f = chart.frame;
     put(out,
         "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"#ffffff\" "
         "stroke=\"#c3c8cf\"/>\n",
         f.left, f.top, f.width, f.height);
-    for (const ChartBand& band : chart.bands) {
-        const double from = scale.x(std::max(band.from, chart.lower));
-        const double to = scale.x(std::min(band.to, chart.upper));
-        if (!(to > from)) continue;
-        put(out,
-            "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
-            "fill=\"#eff2f6\"/>\n",
-            from, f.top, to - from, f.height);
-    }
+    for (const ChartBand& band : chart.bands) draw_band(out, scale, chart, band, "#eff2f6", 0);
+    for (const ChartBand& band : chart.alerts)
+        draw_band(out, scale, chart, band, kAlertGround, 1.5);
     const auto across =
         grid_values(chart.lower, chart.upper, round_step(kGridAcross / scale.per_across));
     const double upper_up = scale.lower_up + f.height / scale.per_up;

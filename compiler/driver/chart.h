@@ -42,6 +42,7 @@ struct Chart {
     std::vector<ChartLine> lines;
     std::vector<ChartMark> marks;
     std::vector<ChartBand> bands;
+    std::vector<ChartBand> alerts;  // likewise, to be looked at
 };
 
 /// The number of a mark: a disc with its middle at this place.

@@ -196,9 +196,10 @@ std::unique_ptr<Execution> Execution::open(Session& session, const std::string& 
     execution->aside_ = aside;
     execution->machine_ = session.machine();
     if (execution->machine_ == nullptr) return nullptr;
-    const bool is_open = is_kadr_source(source, *text)
-                             ? execution->open_program(keep_source(session, source, *text))
-                             : execution->open_text(source, std::move(text));
+    const bool is_open =
+        is_kadr_source(source, *text)
+            ? execution->open_program(keep_source(session, source, *text), aside.tap)
+            : execution->open_text(source, std::move(text));
     if (!is_open) return nullptr;
     execution->connect_with_library();
     return execution;
@@ -231,6 +232,7 @@ bool Execution::open_text(const std::string& source, std::unique_ptr<FileText> t
     dialect_ = session_.chosen_dialect(guess);
     text_name_ = shown_name(source);
     file_ = std::move(text);
+    if (source == "-") file_->set_tap(aside_.tap);
     std::vector<std::string> folders;
     if (source != "-") {
         const std::filesystem::path folder = std::filesystem::path(source).parent_path();

@@ -44,6 +44,7 @@ struct Subject {
 /// What goes on beside an execution.
 struct Aside {
     Output* map = nullptr;                          // gets the source map of a Kadr program
+    std::function<void(std::string_view)> tap;      // gets text that is made, or comes by only once
     bool keeps_calls = false;                       // GeneratedText::calls_behind is asked
     std::function<void(const nc::Block&)> look_at;  // is shown every block that is read
     interp::LineWatch* watch = nullptr;  // is shown every line; then blocks are executed one by one

@@ -32,6 +32,7 @@ std::size_t FileText::fill() { return std::fread(piece_.data(), 1, piece_.size()
 std::string_view FileText::next() {
     if (!was_peeked_) filled_ = fill();
     was_peeked_ = false;
+    if (tap_) tap_({piece_.data(), filled_});
     return {piece_.data(), filled_};
 }
 

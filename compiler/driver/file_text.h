@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -23,6 +24,9 @@ class FileText final : public nc::TextSource {
     std::string_view next() override;
     bool seek(std::uint64_t offset) override;
 
+    /// Gets every piece that is taken; empty: nobody asks.
+    void set_tap(std::function<void(std::string_view)> tap) { tap_ = std::move(tap); }
+
     /// The first piece, without taking it.
     std::string_view peek() const { return {piece_.data(), filled_}; }
     /// Everything, for a source that turns out to be a Kadr program.
@@ -36,6 +40,7 @@ class FileText final : public nc::TextSource {
     std::vector<char> piece_;
     std::size_t filled_ = 0;
     bool was_peeked_ = true;
+    std::function<void(std::string_view)> tap_;
 };
 
 /// Whether a text is a Kadr program rather than ISO-7bit text: it has braces outside of what are

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "base/numbers.h"
 #include "base/units.h"
 #include "driver/chart.h"
 #include "driver/svg_text.h"
+#include "machine/kinematics.h"
 
 namespace kadr::driver {
 
@@ -17,6 +20,9 @@ using Span = MotionTrace::Span;
 
 constexpr std::size_t kMostBins = 1 << 13;
 constexpr std::size_t kMostBlocks = 400;  // that can be told apart on paper
+constexpr std::size_t kMostPoles = 200;
+// Nearer to the axis R1 the tool is at the pole: there R1 turns many times as fast as the tool.
+constexpr double kNearPole = rad_from_deg(0.5);
 
 void begin(Span& span, double value) { span = {value, value, value, value}; }
 
@@ -61,6 +67,7 @@ void MotionTrace::add(const motion::Setpoint& setpoint) {
         setpoint.time >= window_.from && (window_.to <= 0 || setpoint.time <= window_.to);
     if (!is_shown) return;
     keep_block(setpoint);
+    keep_pole(setpoint);
     keep(setpoint);
 }
 
@@ -82,6 +89,24 @@ void MotionTrace::keep_block(const motion::Setpoint& setpoint) {
     has_too_many_blocks_ = has_too_many_blocks_ || blocks_.size() == kMostBlocks;
     if (has_too_many_blocks_) blocks_.back().line = setpoint.line;
     else blocks_.push_back({setpoint.time, setpoint.line});
+}
+
+void MotionTrace::keep_pole(const motion::Setpoint& setpoint) {
+    if (!machine_.kinematics || !machine_.kinematics->chain.orients()) return;
+    const machine::Chain& chain = machine_.kinematics->chain;
+    path::Vec3 rotary = path::Vec3::Zero();
+    for (std::size_t k = 0; k < machine::kJoints; ++k) {
+        for (std::size_t i = 0; chain.has(k) && i < machine_.axes.size(); ++i) {
+            if (machine_.axes[i].axis == chain.joints[k].axis)
+                rotary[static_cast<Eigen::Index>(k)] = setpoint.axis[i];
+        }
+    }
+    const double tilt = machine::tilt_of(chain, machine::tool_vector(chain, rotary));
+    if (std::min(tilt, std::numbers::pi - tilt) > kNearPole) return;
+    const bool goes_on = !poles_.empty() && (setpoint.time < poles_.back().to + 1.5 * tick_ ||
+                                             poles_.size() == kMostPoles);
+    if (goes_on) poles_.back().to = setpoint.time;
+    else poles_.push_back({setpoint.time, setpoint.time});
 }
 
 void MotionTrace::halve() {
@@ -158,17 +183,56 @@ double limit_of(const machine::MachineAxis& axis, MotionTrace::Quantity quantity
     }
 }
 
-Chart axis_chart(const MotionTrace& trace, MotionTrace::Quantity quantity, const char* title) {
+/// The limits of an axis on either side, infinite where there is none.
+std::pair<double, double> limits_of(const machine::MachineAxis& axis,
+                                    MotionTrace::Quantity quantity) {
+    if (quantity == MotionTrace::Position) return {axis.lower, axis.upper};
+    const double limit = limit_of(axis, quantity);
+    return {-limit, limit};
+}
+
+/// Lines at the limits that a curve comes near to, in its colour.
+void add_limits(Chart& chart, const MotionTrace& trace, MotionTrace::Quantity quantity,
+                std::size_t i, const std::string& color) {
+    constexpr double kNear = 0.15;  // share of the way that the curve has, or of the limit
+    const machine::MachineAxis& axis = trace.machine().axes[i];
+    const double factor = factor_of(axis, quantity);
+    const auto [lower, upper] = limits_of(axis, quantity);
+    double least = 0, greatest = 0;
+    bool has_any = false;
+    for (const Bin& bin : trace.bins()) {
+        const Span& span = bin.axes[quantity][i];
+        least = has_any ? std::min(least, span.least) : span.least;
+        greatest = has_any ? std::max(greatest, span.greatest) : span.greatest;
+        has_any = true;
+    }
+    const double reach = kNear * (greatest - least);
+    const auto line_at = [&](double limit) {
+        if (!std::isfinite(limit) || !(greatest > least)) return;
+        const double from = trace.bins().front().time;
+        const double to = trace.bins().back().time;
+        chart.lines.push_back({{from, to}, {factor * limit, factor * limit}, color, {}, true});
+    };
+    if (least < lower + reach) line_at(lower);
+    if (greatest > upper - reach) line_at(upper);
+}
+
+Chart axis_chart(const MotionTrace& trace, MotionTrace::Quantity quantity, bool is_rotary) {
+    constexpr const char* kTitles[] = {"Position, {}", "Velocity, {}/min", "Acceleration, {}/s²",
+                                       "Jerk, {}/s³"};
     Chart chart;
-    chart.title = title;
+    chart.title = fmt::format(fmt::runtime(kTitles[quantity]), is_rotary ? "deg" : "mm");
     const std::vector<machine::MachineAxis>& axes = trace.machine().axes;
     for (std::size_t i = 0; i < axes.size(); ++i) {
+        if (axes[i].is_rotary != is_rotary) continue;
         const double factor = factor_of(axes[i], quantity);
         const double limit = limit_of(axes[i], quantity);
         ChartLine line{{}, {}, kColors[i % std::size(kColors)], axes[i].name, false};
         if (limit > 0 && std::isfinite(limit)) line.name += " (limit " + neat(factor * limit) + ')';
         for (const Bin& bin : trace.bins()) add_span(line, bin.time, bin.axes[quantity][i], factor);
+        const std::string color = line.color;
         chart.lines.push_back(std::move(line));
+        add_limits(chart, trace, quantity, i, color);
     }
     return chart;
 }
@@ -209,16 +273,28 @@ void draw_strip(std::string& out, const MotionTrace& trace, const Chart& chart) 
     }
 }
 
+/// What the red ground means.
+void draw_pole_legend(std::string& out, const Chart& chart) {
+    const Frame& f = chart.frame;
+    put(out,
+        "<rect x=\"{:.1f}\" y=\"46\" width=\"16\" height=\"12\" fill=\"{}\"/>\n"
+        "<text x=\"{:.1f}\" y=\"56\" font-size=\"11\" fill=\"{}\">tool along the first rotary axis "
+        "(pole)</text>\n",
+        f.right() - 246, kAlertGround, f.right() - 224, kSoft);
+}
+
 }  // namespace
 
 std::string motion_svg(const MotionTrace& trace, const MotionText& text) {
     std::vector<Chart> charts;
     charts.push_back(feed_chart(trace));
-    charts.push_back(axis_chart(trace, MotionTrace::Position, "Position, mm or deg"));
-    charts.push_back(axis_chart(trace, MotionTrace::Velocity, "Velocity, mm or deg per min"));
-    charts.push_back(
-        axis_chart(trace, MotionTrace::Acceleration, "Acceleration, mm or deg per s²"));
-    charts.push_back(axis_chart(trace, MotionTrace::Jerk, "Jerk, mm or deg per s³"));
+    for (const auto quantity : {MotionTrace::Position, MotionTrace::Velocity,
+                                MotionTrace::Acceleration, MotionTrace::Jerk}) {
+        for (const bool is_rotary : {false, true}) {
+            Chart chart = axis_chart(trace, quantity, is_rotary);
+            if (!chart.lines.empty()) charts.push_back(std::move(chart));
+        }
+    }
     const std::vector<Bin>& bins = trace.bins();
     const double from = bins.empty() ? 0 : bins.front().time;
     const double to = bins.size() < 2 ? from + 1 : bins.back().time;
@@ -228,6 +304,8 @@ std::string motion_svg(const MotionTrace& trace, const MotionText& text) {
         chart.lower = from;
         chart.upper = to;
         if (!trace.has_too_many_blocks()) chart.bands = bands_of(trace, to);
+        for (const MotionTrace::PoleSpan& pole : trace.poles())
+            chart.alerts.push_back({pole.from, pole.to});
         top += kHigh + kGap;
     }
     charts.back().across = "time, s";
@@ -235,6 +313,7 @@ std::string motion_svg(const MotionTrace& trace, const MotionText& text) {
     put_start(out, kLeft + kWide + 30, top + 14);
     put_paper(out, text.title);
     put_title(out, text.title, text.subtitle, text.warning);
+    if (!trace.poles().empty()) draw_pole_legend(out, charts.front());
     if (!trace.has_too_many_blocks()) draw_strip(out, trace, charts.front());
     for (const Chart& chart : charts) draw_chart(out, chart);
     return out + "</svg>\n";

@@ -32,6 +32,11 @@ class MotionTrace {
         Span programmed;                                        // … that was asked for
         std::array<std::array<Span, kAxes>, kQuantities> axes;  // mm or rad per s, s², s³
     };
+    /// While the tool stands along the rotary axis R1, or nearly so.
+    struct PoleSpan {
+        double from = 0;  // s
+        double to = 0;
+    };
     /// Where a block of the text begins to move.
     struct BlockStart {
         double time = 0;
@@ -46,6 +51,8 @@ class MotionTrace {
 
     const std::vector<Bin>& bins() const { return bins_; }
     const std::vector<BlockStart>& blocks() const { return blocks_; }
+    /// In their order; those that are too close to be told apart are one.
+    const std::vector<PoleSpan>& poles() const { return poles_; }
     /// There were more blocks than can be shown.
     bool has_too_many_blocks() const { return has_too_many_blocks_; }
     const machine::Machine& machine() const { return machine_; }
@@ -53,6 +60,7 @@ class MotionTrace {
   private:
     void keep(const motion::Setpoint& setpoint);
     void keep_block(const motion::Setpoint& setpoint);
+    void keep_pole(const motion::Setpoint& setpoint);
     void halve();
 
     const machine::Machine& machine_;
@@ -63,6 +71,7 @@ class MotionTrace {
     std::size_t pending_ = 0;  // of the last one, so far
     std::vector<BlockStart> blocks_;
     bool has_too_many_blocks_ = false;
+    std::vector<PoleSpan> poles_;
     bool has_any_ = false;
     std::array<std::array<double, kAxes>, kQuantities> now_{};
 };
@@ -73,7 +82,9 @@ struct MotionText {
     std::string warning;  // empty: none
 };
 
-/// The drawing as an SVG document: path speed, then a chart for each quantity with all axes.
+/// The drawing as an SVG document: path speed, then a chart for each quantity with all linear axes,
+/// and one with all rotary ones. Where a curve comes near a limit of its axis, the limit is a
+/// dashed line; where the tool is at the pole, the charts say so.
 std::string motion_svg(const MotionTrace& trace, const MotionText& text);
 
 }  // namespace kadr::driver

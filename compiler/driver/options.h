@@ -81,6 +81,7 @@ struct RunJob {
     std::string commands;
     std::string setpoints;
     std::string plot;
+    std::string page;          // a page that plays the machine
     std::string curves;        // position, velocity, acceleration, jerk over time, a drawing
     TimeWindow curves_window;  // … of this part of the run
     std::string drive;         // the drives over time, a drawing; rows if `.csv`

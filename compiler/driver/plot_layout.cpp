@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 namespace kadr::driver {
 
 namespace {
@@ -65,15 +67,17 @@ std::vector<double> grid_values(double lower, double upper, double step) {
     return values;
 }
 
-Vec3 View::towards_eye() const {
-    Vec3 right = Vec3::Zero();
-    Vec3 upwards = Vec3::Zero();
-    right[across] = 1;
-    upwards[up] = 1;
-    return Vec3(right.y() * upwards.z() - right.z() * upwards.y(),
-                right.z() * upwards.x() - right.x() * upwards.z(),
-                right.x() * upwards.y() - right.y() * upwards.x());
+Vec3 View::rightwards() const {
+    if (is_isometric) return Vec3(1, 1, 0).normalized();
+    return Vec3::Unit(across);
 }
+
+Vec3 View::upwards() const {
+    if (is_isometric) return Vec3(-1, 1, 2).normalized();
+    return Vec3::Unit(up);
+}
+
+Vec3 View::towards_eye() const { return rightwards().cross(upwards()); }
 
 namespace {
 
@@ -129,16 +133,53 @@ void place_three_views(Layout& layout) {
     layout.height = std::max(front.bottom(), layout.legend.bottom()) + kBottom;
 }
 
+/// Beside the others, as high as they are together.
+void place_isometric(Layout& layout) {
+    constexpr double kWidest = 760;
+    constexpr double kMargins = 40;  // pixels that stay free, both sides together
+    View view;
+    view.is_isometric = true;
+    view.name = "isometric";
+    Vec3 lower = Vec3::Constant(1e300);
+    Vec3 upper = -lower;
+    for (int corner = 0; corner < 8; ++corner) {
+        Vec3 at;
+        for (int axis = 0; axis < 3; ++axis)
+            at[axis] =
+                (corner >> axis & 1) != 0 ? layout.shown.upper[axis] : layout.shown.lower[axis];
+        const Vec3 seen(view.rightwards().dot(at), view.upwards().dot(at), 0);
+        lower = lower.cwiseMin(seen);
+        upper = upper.cwiseMax(seen);
+    }
+    const double height = layout.height - kTop - kBottom;
+    const Vec3 size = upper - lower;
+    view.scale = std::min((height - kMargins) / size.y(), (kWidest - kMargins) / size.x());
+    view.frame = {layout.width - kRight + kGap, kTop, size.x() * view.scale + kMargins, height};
+    view.lower_across = lower.x() - kMargins / 2 / view.scale;
+    view.lower_up = (lower.y() + upper.y()) / 2 - height / 2 / view.scale;
+    layout.width = view.frame.right() + kRight;
+    layout.views.push_back(view);
+}
+
 }  // namespace
 
-Layout lay_out(const PlotScene& scene) {
+double tool_length(const PlotScene& scene) {
+    constexpr double kShare = 0.12;  // of the largest side of the part
+    const Box& box = scene.feed_box().is_empty() ? scene.rapid_box() : scene.feed_box();
+    return kShare * std::max(box.largest_side(), 10.0);
+}
+
+Layout lay_out(const PlotScene& scene, std::span<const PlotTool> tools) {
     Layout layout;
     layout.shown = shown_box(scene);
+    const double length = tool_length(scene);
+    for (const PlotTool& tool : tools) layout.shown.add(tool.tip + length * tool.direction);
     const Box& cut = scene.feed_box();
     const bool is_turning = !cut.is_empty() && cut.lower.y() == cut.upper.y() &&
                             cut.lower.x() < cut.upper.x() && cut.lower.z() < cut.upper.z();
     if (is_turning) place_turning(layout);
     else place_three_views(layout);
+    if (!tools.empty()) place_isometric(layout);
     return layout;
 }
 

@@ -1,10 +1,12 @@
 // plot_layout.h — where things stand on the paper: views, scale, grid.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include "driver/plot_scene.h"
+#include "driver/plot_tools.h"
 
 namespace kadr::driver {
 
@@ -28,11 +30,21 @@ struct View {
     double scale = 1;         // pixels a mm
     std::string name;
     double up_said = 1;  // what a mm upwards is called: 2 where a radius is said as a diameter
+    /// Seen from above at the front, X to the right and Y into the depth, all three foreshortened
+    /// alike; `across` and `up` mean nothing then.
+    bool is_isometric = false;
 
     double x(double mm) const { return frame.left + (mm - lower_across) * scale; }
     double y(double mm) const { return frame.bottom() - (mm - lower_up) * scale; }
-    double x(const path::Vec3& point) const { return x(point[across]); }
-    double y(const path::Vec3& point) const { return y(point[up]); }
+    double x(const path::Vec3& point) const {
+        return x(is_isometric ? rightwards().dot(point) : point[across]);
+    }
+    double y(const path::Vec3& point) const {
+        return y(is_isometric ? upwards().dot(point) : point[up]);
+    }
+    /// The directions of the part that lie along the edges of the paper, unit vectors.
+    path::Vec3 rightwards() const;
+    path::Vec3 upwards() const;
     /// The direction out of the paper.
     path::Vec3 towards_eye() const;
 };
@@ -42,7 +54,8 @@ struct Layout {
     double height = 0;
     Box shown;                // what the views show, mm
     double grid = 10;         // mm between labelled lines
-    std::vector<View> views;  // the plan view; then front and side view, if there is depth
+    std::vector<View> views;  // the plan view; then front and side view, if there is depth;
+                              // then the isometric one, if it was asked for
     Frame legend;
 };
 
@@ -54,6 +67,11 @@ std::vector<double> grid_values(double lower, double upper, double step);
 
 /// Chooses one scale at which all views fit the paper. A path without Y is a turned part: it has
 /// one view, Z to the right and X upwards, as it lies in the chuck.
-Layout lay_out(const PlotScene& scene);
+///
+/// tools  along the path; with any of them there is an isometric view, and room for them in all
+Layout lay_out(const PlotScene& scene, std::span<const PlotTool> tools = {});
+
+/// How long a tool is drawn, mm.
+double tool_length(const PlotScene& scene);
 
 }  // namespace kadr::driver

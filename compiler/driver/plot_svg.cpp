@@ -70,11 +70,37 @@ void draw_labels(std::string& out, const View& view, double step) {
         f.left, f.top - 7, kInk, view.name);
 }
 
+/// Name, edge, and in a corner where the axes go.
+void draw_isometric_paper(std::string& out, const View& view) {
+    constexpr double kArrow = 34;   // pixels
+    constexpr double kCorner = 56;  // of the axes, from the edges of the frame
+    const Frame& f = view.frame;
+    put(out,
+        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" "
+        "stroke=\"#c3c8cf\"/>\n"
+        "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"12\" font-weight=\"600\" "
+        "fill=\"{}\">{}</text>\n",
+        f.left, f.top, f.width, f.height, f.left, f.top - 7, kInk, view.name);
+    for (int axis = 0; axis < 3; ++axis) {
+        const double across = kArrow * view.rightwards()[axis];
+        const double down = -kArrow * view.upwards()[axis];
+        const double x = f.left + kCorner;
+        const double y = f.bottom() - kCorner;
+        put(out,
+            "<path d=\"M{:.1f} {:.1f}l{:.1f} {:.1f}\" stroke=\"{}\" fill=\"none\" "
+            "marker-end=\"url(#tip)\"/>\n"
+            "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"11\" text-anchor=\"middle\" "
+            "fill=\"{}\">{}</text>\n",
+            x, y, across, down, kSoft, x + 1.4 * across, y + 1.4 * down + 4, kSoft, "XYZ"[axis]);
+    }
+}
+
 void draw_paper(std::string& out, const View& view, const Layout& layout) {
     const Frame& f = view.frame;
     put(out,
         "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"#ffffff\"/>\n",
         f.left, f.top, f.width, f.height);
+    if (view.is_isometric) return draw_isometric_paper(out, view);
     draw_lines(out, view, layout.grid / 5, "#f1f2f4", 0.8);
     draw_lines(out, view, layout.grid, "#dfe2e6", 1);
     draw_zero_lines(out, view);
@@ -292,8 +318,38 @@ void draw_marks(std::string& out, const View& view, const PlotScene& scene, bool
     if (apart) draw_name(out, view, end, "#b3261e", "end");
 }
 
-void draw_view(std::string& out, const Layout& layout, std::size_t index, const PlotScene& scene,
-               const std::vector<LegendEntry>& legend) {
+/// What the views show.
+struct Picture {
+    const PlotScene& scene;
+    const std::vector<LegendEntry>& legend;
+    std::span<const PlotTool> tools;
+};
+
+/// The tool as a line from the tip, where it has moved or turned enough since the last one.
+void draw_tools(std::string& out, const View& view, const Picture& picture) {
+    constexpr double kApart = 9;  // pixels between two of them, at either end
+    if (picture.tools.empty()) return;
+    const double length = tool_length(picture.scene);
+    double last_x = 0, last_y = 0, last_top_x = 0, last_top_y = 0;
+    bool has_any = false;
+    put(out, "<path class=\"tool\" d=\"");
+    for (const PlotTool& tool : picture.tools) {
+        const Vec3 top = tool.tip + length * tool.direction;
+        const double x = view.x(tool.tip), y = view.y(tool.tip);
+        const double top_x = view.x(top), top_y = view.y(top);
+        const bool is_near = std::hypot(x - last_x, y - last_y) < kApart &&
+                             std::hypot(top_x - last_top_x, top_y - last_top_y) < kApart;
+        if (has_any && is_near) continue;
+        has_any = true;
+        last_x = x, last_y = y, last_top_x = top_x, last_top_y = top_y;
+        put(out, "M{:.1f} {:.1f}L{:.1f} {:.1f}", x, y, top_x, top_y);
+    }
+    out += "\"/>\n";
+}
+
+void draw_view(std::string& out, const Layout& layout, std::size_t index, const Picture& picture) {
+    const PlotScene& scene = picture.scene;
+    const std::vector<LegendEntry>& legend = picture.legend;
     const View& view = layout.views[index];
     const Frame& f = view.frame;
     draw_paper(out, view, layout);
@@ -303,6 +359,7 @@ void draw_view(std::string& out, const Layout& layout, std::size_t index, const 
         "</clipPath>\n<g clip-path=\"url(#view{})\">\n",
         index, f.left, f.top, f.width, f.height, index);
     draw_path(out, view, scene, legend, PlotPiece::Kind::Rapid);
+    draw_tools(out, view, picture);
     draw_path(out, view, scene, legend, PlotPiece::Kind::Feed);
     if (!scene.pieces().empty()) draw_marks(out, view, scene, index == 0);
     out += "</g>\n";
@@ -310,8 +367,9 @@ void draw_view(std::string& out, const Layout& layout, std::size_t index, const 
 
 // ---------------------------------------------------------------------------------------- legend
 
-void draw_legend(std::string& out, const Layout& layout, const std::vector<LegendEntry>& legend,
-                 const PlotScene& scene, const PlotText& text, PlotColor color) {
+void draw_legend(std::string& out, const Layout& layout, const Picture& picture,
+                 const PlotText& text, PlotColor color) {
+    const PlotScene& scene = picture.scene;
     const double left = layout.legend.left;
     double y = layout.legend.top + 4;
     const auto row = [&](const std::string& style, const std::string& label) {
@@ -325,10 +383,11 @@ void draw_legend(std::string& out, const Layout& layout, const std::vector<Legen
         "fill=\"{}\">{}</text>\n",
         left, y, kInk,
         color == PlotColor::Feed ? "Feed, " + text.feed_unit : "Line of the program");
-    for (const LegendEntry& entry : legend) {
+    for (const LegendEntry& entry : picture.legend) {
         row("class=\"feed legend\" stroke=\"" + entry.color + '"', entry.label);
     }
     if (!scene.rapid_box().is_empty()) row("class=\"rapid\"", "rapid");
+    if (!picture.tools.empty()) row("class=\"tool\"", "tool, from its tip");
     y += 8;
     for (const std::string& line :
          {std::string("dimensions of the cut, mm"), "grid " + mm(layout.grid) + " mm"}) {
@@ -344,6 +403,7 @@ text { font-family: "Inter", "Segoe UI", "DejaVu Sans", "Liberation Sans", Arial
 .dot { stroke-width: 4.5; }
 .legend { stroke-width: 3; }
 .rapid { fill: none; stroke: #9aa3ad; stroke-width: 1; stroke-dasharray: 5 4; }
+.tool { fill: none; stroke: #b3261e; stroke-width: 0.7; opacity: 0.6; }
 .start { fill: #ffffff; stroke: #1e7d43; stroke-width: 2.2; }
 .end { fill: #b3261e; stroke: #ffffff; stroke-width: 1; }
 .mark { font-size: 12px; font-weight: 600; }
@@ -355,23 +415,25 @@ text { font-family: "Inter", "Segoe UI", "DejaVu Sans", "Liberation Sans", Arial
 
 }  // namespace
 
-std::string plot_svg(const PlotScene& scene, const PlotText& text, PlotColor color) {
-    Layout layout = lay_out(scene);
+std::string plot_svg(const PlotScene& scene, const PlotText& text, PlotColor color,
+                     std::span<const PlotTool> tools) {
+    Layout layout = lay_out(scene, tools);
     for (View& view : layout.views) {
-        if (!text.has_diameters || view.up != 0) continue;
+        if (!text.has_diameters || view.up != 0 || view.is_isometric) continue;
         view.up_said = 2;
         view.name += ", X as diameters";
     }
     const std::vector<LegendEntry> legend = legend_of(scene, color);
+    const Picture picture{scene, legend, tools};
     std::string out;
     put_start(out, layout.width, layout.height);
     put(out, "<title>{}</title>\n", escaped(text.title));
     out += kStyle;
     put(out, "<rect width=\"100%\" height=\"100%\" fill=\"#f7f8f9\"/>\n");
     put_title(out, text.title, text.subtitle, text.warning);
-    for (std::size_t i = 0; i < layout.views.size(); ++i) draw_view(out, layout, i, scene, legend);
+    for (std::size_t i = 0; i < layout.views.size(); ++i) draw_view(out, layout, i, picture);
     draw_dimensions(out, layout, scene.feed_box());
-    draw_legend(out, layout, legend, scene, text, color);
+    draw_legend(out, layout, picture, text, color);
     out += "</svg>\n";
     return out;
 }

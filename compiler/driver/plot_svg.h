@@ -2,10 +2,12 @@
 // legend.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "driver/options.h"
 #include "driver/plot_scene.h"
+#include "driver/plot_tools.h"
 
 namespace kadr::driver {
 
@@ -20,6 +22,9 @@ struct PlotText {
 /// The drawing as an SVG document. Views: plan X-Y, below it X-Z, beside it Z-Y, all to one scale,
 /// so that edges line up. Feeds (or lines) have colours with a legend; rapids are dashed; arcs
 /// stay arcs. Rapids far from the part are cut off at the frame.
-std::string plot_svg(const PlotScene& scene, const PlotText& text, PlotColor color);
+///
+/// tools  along the path, drawn where they have room; with any of them an isometric view is added
+std::string plot_svg(const PlotScene& scene, const PlotText& text, PlotColor color,
+                     std::span<const PlotTool> tools = {});
 
 }  // namespace kadr::driver

@@ -25,9 +25,11 @@
 #include "driver/motion_plot.h"
 #include "driver/operator_events.h"
 #include "driver/output.h"
+#include "driver/page_recorder.h"
 #include "driver/pipeline_stages.h"
 #include "driver/places.h"
 #include "driver/plot_svg.h"
+#include "driver/plot_tools.h"
 #include "driver/scanner_list.h"
 #include "driver/setpoints.h"
 #include "driver/summary.h"
@@ -49,6 +51,7 @@ struct Outputs {
     std::unique_ptr<Output> setpoints;
     std::unique_ptr<Output> plot;
     std::unique_ptr<Output> curves;
+    std::unique_ptr<Output> page;
     std::unique_ptr<Output> drive;
     std::unique_ptr<Output> scanner;
     std::unique_ptr<Output> variables;
@@ -58,10 +61,10 @@ struct Outputs {
     std::unique_ptr<Output> limits;
     std::unique_ptr<Output> summary;
 
-    std::array<Output*, 12> all() const {
-        return {commands.get(), setpoints.get(), plot.get(),      curves.get(),
-                drive.get(),    scanner.get(),   variables.get(), map.get(),
-                trace.get(),    print.get(),     limits.get(),    summary.get()};
+    std::array<Output*, 13> all() const {
+        return {commands.get(), setpoints.get(), plot.get(),      curves.get(), drive.get(),
+                scanner.get(),  page.get(),      variables.get(), map.get(),    trace.get(),
+                print.get(),    limits.get(),    summary.get()};
     }
 };
 
@@ -86,9 +89,9 @@ class PrintedLines final : public interp::Printer {
 
 bool asks_for_nothing(const RunJob& job) {
     return job.summary == SummaryFormat::None && job.commands.empty() && job.setpoints.empty() &&
-           job.plot.empty() && job.curves.empty() && job.drive.empty() && job.scanner.empty() &&
-           job.variables.empty() && job.limits.empty() && job.print.empty() && job.map.empty() &&
-           job.trace.empty() && job.breaks.empty();
+           job.plot.empty() && job.curves.empty() && job.page.empty() && job.drive.empty() &&
+           job.scanner.empty() && job.variables.empty() && job.limits.empty() &&
+           job.print.empty() && job.map.empty() && job.trace.empty() && job.breaks.empty();
 }
 
 /// Opens an output if it has a name. False: reported.
@@ -137,6 +140,8 @@ class Run {
     void finish(const RunFigures& figures);
     void write_plot(const RunFigures& figures);
     void write_curves(const RunFigures& figures);
+    void write_page(const RunFigures& figures);
+    std::string subtitle(const RunFigures& figures) const;
     bool open_events();
     bool suits_machine() const;
     bool open_drives();
@@ -158,6 +163,7 @@ class Run {
     std::vector<motion::OperatorEvent> events_;      // what the operator does
     std::map<std::uint32_t, std::int32_t> numbers_;  // of the lines of blocks that events name
     PlotScene scene_;
+    PlotTools tools_;                            // along the path that is drawn
     std::unique_ptr<process::DriveRun> drives_;  // null: nobody asked
     std::unique_ptr<DriveTable> drive_table_;    // null: they are drawn
     std::unique_ptr<ScannerText> scanner_;       // null: nobody asked
@@ -165,6 +171,7 @@ class Run {
     std::unique_ptr<WorkTimes> times_;          // null: nobody reads a summary
     std::unique_ptr<LimitReport> limits_;       // null: nobody asked
     std::unique_ptr<MotionTrace> motion_;       // null: nobody asked
+    std::unique_ptr<PageRecorder> page_;        // likewise
     std::unique_ptr<SetpointTable> table_;      // likewise
     std::atomic<std::uint64_t> setpoints_ = 0;  // progress is told by another thread
     std::uint64_t commands_ = 0;
@@ -173,10 +180,10 @@ class Run {
 bool Run::open_outputs(bool is_kadr) {
     Messages& messages = session_.messages();
     const bool has_summary = job_.summary != SummaryFormat::None || asks_for_nothing(job_);
-    const std::array<std::string, 12> names = {
+    const std::array<std::string, 13> names = {
         job_.commands, job_.setpoints, job_.plot,  job_.variables,         job_.map,
         job_.trace,    job_.print,     job_.drive, has_summary ? "-" : "", job_.curves,
-        job_.scanner,  job_.limits};
+        job_.scanner,  job_.limits,    job_.page};
     if (!are_outputs_apart(job_.source, names, messages)) return false;
     if (!job_.map.empty() && !is_kadr) {
         messages.report(diag::NoSourceMap).arg(job_.source);
@@ -193,7 +200,8 @@ bool Run::open_outputs(bool is_kadr) {
            open_if_named(outputs_.summary, names[8], messages) &&
            open_if_named(outputs_.curves, names[9], messages) &&
            open_if_named(outputs_.scanner, names[10], messages) &&
-           open_if_named(outputs_.limits, names[11], messages);
+           open_if_named(outputs_.limits, names[11], messages) &&
+           open_if_named(outputs_.page, names[12], messages);
 }
 
 void Run::draw(const motion::Segment& segment) {
@@ -204,6 +212,8 @@ void Run::draw(const motion::Segment& segment) {
                                       : segment.line;
     }
     scene_.add(segment, shade);
+    if (const auto& kinematics = execution_->machine().kinematics)
+        tools_.add(kinematics->chain, segment);
 }
 
 void Run::execute() {
@@ -250,6 +260,7 @@ void Run::execute() {
             if (drives_) drives_->add(segment);
             if (times_) times_->add(segment);
             if (limits_) limits_->add(segment);
+            if (page_) page_->add(segment);
             // For the setpoints, whose thread must not ask what is being executed.
             if (!interp::Program::is_in_main_text(segment.line))
                 segment.line = execution_->place_of(segment.line).line;
@@ -257,7 +268,7 @@ void Run::execute() {
         [&] {
             session_.tell({execution_->blocks(), setpoints_, motion.planned_time()});
         });
-    if (outputs_.setpoints || outputs_.curves) {
+    if (outputs_.setpoints || outputs_.curves || page_) {
         sample(segments, options.tick);
     } else {
         std::vector<motion::Segment> batch(kBatch);
@@ -295,6 +306,9 @@ void Run::write_setpoints(std::span<const motion::Setpoint> some) {
     if (motion_) {
         for (const motion::Setpoint& setpoint : some) motion_->add(setpoint);
     }
+    if (page_) {
+        for (const motion::Setpoint& setpoint : some) page_->add(setpoint);
+    }
     if (!table_) return;
     table_->write(some);
     setpoints_ += some.size();
@@ -331,6 +345,7 @@ void Run::finish(const RunFigures& figures) {
     if (limits_) limits_->write(*outputs_.limits, figures.source, figures.alarm);
     if (outputs_.plot) write_plot(figures);
     if (motion_) write_curves(figures);
+    if (page_) write_page(figures);
     if (drives_) finish_drives(figures);
     if (outputs_.variables) outputs_.variables->write(variables_json(execution_->variables()));
     if (outputs_.summary) {
@@ -343,22 +358,33 @@ void Run::finish(const RunFigures& figures) {
 void Run::write_curves(const RunFigures& figures) {
     MotionText text;
     text.title = figures.source + ": the axes over time";
-    text.subtitle =
-        figures.dialect + " · " + machine_title() + " · " + duration_text(figures.totals.time);
+    text.subtitle = subtitle(figures);
     if (motion_->has_too_many_blocks())
         text.subtitle += " · too many blocks to be marked, a shorter window shows them";
     if (!figures.alarm.empty()) text.warning = "not complete, ended by " + figures.alarm;
     outputs_.curves->write(motion_svg(*motion_, text));
 }
 
+void Run::write_page(const RunFigures& figures) {
+    PageHead head;
+    head.title = figures.source;
+    head.subtitle = subtitle(figures);
+    if (!figures.alarm.empty()) head.warning = "not complete, ended by " + figures.alarm;
+    page_->write(head, *outputs_.page);
+}
+
 void Run::write_plot(const RunFigures& figures) {
     PlotText text;
     text.title = figures.source;
-    text.subtitle =
-        figures.dialect + " · " + machine_title() + " · " + duration_text(figures.totals.time);
+    text.subtitle = subtitle(figures);
     text.has_diameters = execution_->machine().is_lathe;
     if (!figures.alarm.empty()) text.warning = "not complete, ended by " + figures.alarm;
-    outputs_.plot->write(plot_svg(scene_, text, job_.plot_color));
+    outputs_.plot->write(plot_svg(scene_, text, job_.plot_color, tools_.all()));
+}
+
+/// The control, the machine and how long it took.
+std::string Run::subtitle(const RunFigures& figures) const {
+    return figures.dialect + " · " + machine_title() + " · " + duration_text(figures.totals.time);
 }
 
 std::string Run::machine_title() const {
@@ -492,9 +518,11 @@ bool Run::open_execution(std::unique_ptr<FileText> text) {
     aside.map = outputs_.map.get();
     aside.keeps_calls = outputs_.summary != nullptr || outputs_.limits != nullptr;
     if (debugger_) debugger_->look_on(aside);
+    if (page_) page_->look_on(aside);
     aside.look_at = block_look();
     execution_ = Execution::open(session_, job_.source, std::move(text), aside);
     if (execution_ && debugger_) debugger_->follow(*execution_);
+    if (execution_ && page_) page_->follow(*execution_);
     return execution_ != nullptr;
 }
 
@@ -507,6 +535,10 @@ Status Run::perform() {
     if (is_watched) {
         debugger_ = Debugger::open(session_, job_, outputs_.trace.get());
         if (!debugger_) return refused();
+    }
+    if (outputs_.page) {
+        page_ = PageRecorder::open(session_);
+        if (!page_) return refused();
     }
     if (!open_execution(std::move(text))) return session_.status();
     if (!open_machine_output()) return refused();

@@ -24,6 +24,9 @@ Share share_below(const std::string& root) {
     share.machines = {
         (is_source_tree ? base / "runtime" / "machines" : base / "machines").string()};
     share.library = (base / "stdlib").string();
+    // Bundled when Kadr is built, so that a source tree does not have it.
+    share.page_template =
+        is_source_tree ? KADR_PAGE_TEMPLATE : (base / "web" / "page.html").string();
     return share;
 }
 

@@ -1,4 +1,5 @@
-// share.h — where Kadr's own files are: dialects, keyword languages, machines, standard library.
+// share.h — where Kadr's own files are: dialects, keyword languages, machines, standard library,
+// the template of pages.
 #pragma once
 
 #include <string>
@@ -11,7 +12,8 @@ struct Share {
     std::vector<std::string> dialects;
     std::vector<std::string> languages;
     std::vector<std::string> machines;
-    std::string library;  // the standard library
+    std::string library;        // the standard library
+    std::string page_template;  // of the page that plays a machine
 };
 
 /// Finds the shared files: the folder that the environment's KADR_SHARE names, else the one that

@@ -13,6 +13,7 @@ namespace kadr::driver {
 inline constexpr const char* kInk = "#2d3138";
 inline constexpr const char* kSoft = "#6d7480";
 inline constexpr const char* kAlert = "#b3261e";
+inline constexpr const char* kAlertGround = "#f9dcd9";
 
 template <typename... Arguments>
 void put(std::string& out, fmt::format_string<Arguments...> format, Arguments&&... arguments) {

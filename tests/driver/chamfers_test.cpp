@@ -113,7 +113,7 @@ std::vector<int> numbers_of(const std::string& program) {
 }
 
 TEST_F(Chamfers, AreCutAsDeepOnEveryMachine) {
-    const std::string program = KADR_ROOT "/examples/five-axis/chamfers.mpf";
+    const std::string program = KADR_ROOT "/examples/chamfers.mpf";
     const std::vector<int> numbers = numbers_of(read_file(program).value());
     for (const char* machine : {"trunnion-ac", "trunnion-bc", "head-ab", "mixed-cb"}) {
         SCOPED_TRACE(machine);
@@ -145,7 +145,7 @@ TEST_F(Chamfers, AreCutAsDeepOnEveryMachine) {
 }
 
 TEST_F(Chamfers, CommandsAreTheSameOnEveryMachineButForRotaryAxes) {
-    const std::string program = KADR_ROOT "/examples/five-axis/chamfers.mpf";
+    const std::string program = KADR_ROOT "/examples/chamfers.mpf";
     std::vector<std::vector<double>> first;
     for (const char* machine : {"trunnion-ac", "trunnion-bc", "head-ab", "mixed-cb"}) {
         SCOPED_TRACE(machine);

@@ -76,6 +76,58 @@ TEST(MotionTrace, ShowsItsWindowAndItsBlocks) {
     EXPECT_NE(svg.find(">3</text>"), std::string::npos) << "the block's line";
 }
 
+/// C on the table below A, as on a trunnion.
+machine::Machine trunnion() {
+    machine::Machine machine = one_axis();
+    for (const Axis axis : {Axis::A, Axis::C})
+        machine.axes.push_back(
+            {.name = axis == Axis::A ? "A" : "C", .axis = axis, .is_rotary = true});
+    for (machine::MachineAxis& axis : machine.axes) {
+        axis.lower = -1;
+        axis.upper = 2;
+        axis.velocity = axis.acceleration = axis.jerk = 1e9;
+    }
+    machine::Chain chain;
+    chain.joints[machine::kR1] = {.is_present = true, .axis = Axis::C};
+    chain.joints[machine::kR2] = {
+        .is_present = true, .axis = Axis::A, .direction = path::Vec3::UnitX()};
+    machine.kinematics = machine::Kinematics{.chain = *machine::prepare(chain)};
+    return machine;
+}
+
+TEST(MotionTrace, ShowsWhereTheToolIsAtThePole) {
+    const machine::Machine machine = trunnion();
+    MotionTrace trace(machine, kTick, {});
+    // A from -0.1 to 0.1 rad: 0.5 degrees on either side of 0 are 0.0873 of the way.
+    for (std::size_t i = 0; i <= 1000; ++i) {
+        motion::Setpoint setpoint = at(i, 0.001 * double(i));
+        setpoint.axis[1] = -0.1 + 0.0002 * double(i);
+        setpoint.axis[2] = 2 * kTick * double(i);  // to its limit
+        trace.add(setpoint);
+    }
+    ASSERT_EQ(trace.poles().size(), 1u);
+    EXPECT_NEAR(trace.poles()[0].from, 0.457, 0.001);
+    EXPECT_NEAR(trace.poles()[0].to, 0.543, 0.001);
+    const std::string svg = motion_svg(trace, {"a part", "a control", {}});
+    EXPECT_NE(svg.find("#f9dcd9"), std::string::npos) << "the ground of the pole";
+    EXPECT_NE(svg.find("(pole)"), std::string::npos);
+    EXPECT_NE(svg.find("Position, mm"), std::string::npos);
+    EXPECT_NE(svg.find("Position, deg"), std::string::npos);
+    EXPECT_NE(svg.find("Velocity, deg/min"), std::string::npos);
+    // Two charts of the speed, and linear and rotary of four quantities; the limit of C is dashed.
+    EXPECT_NE(svg.find("stroke-dasharray=\"5 3\""), std::string::npos);
+}
+
+TEST(MotionTrace, AMachineWithoutRotaryAxesHasNoPole) {
+    const machine::Machine machine = one_axis();
+    MotionTrace trace(machine, kTick, {});
+    for (std::size_t i = 0; i < 10; ++i) trace.add(at(i, double(i)));
+    EXPECT_TRUE(trace.poles().empty());
+    const std::string svg = motion_svg(trace, {"a part", "a control", {}});
+    EXPECT_EQ(svg.find("deg"), std::string::npos);
+    EXPECT_EQ(svg.find("#f9dcd9"), std::string::npos);
+}
+
 TEST(MotionTrace, TooManyBlocksAreNotMarked) {
     const machine::Machine machine = one_axis();
     MotionTrace trace(machine, kTick, {});

@@ -1,7 +1,9 @@
 // Plots: what is kept of a long path, and what a drawing shows.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -59,6 +61,54 @@ TEST_F(Plot, PointOnHelix) {
     const PlotArc helix{{0, 0, 0}, Vec3::UnitZ(), 2 * std::numbers::pi};
     const Vec3 point = point_on_arc(helix, {10, 0, 0}, {10, 0, 4}, 0.25);
     EXPECT_NEAR((point - Vec3(0, 10, 1)).norm(), 0, 1e-12);
+}
+
+TEST_F(Plot, ToolsAreDrawnAlongThePathInEveryView) {
+    rapid({0, 0, 0});
+    line({100, 0, 0}, 100);
+    line({100, 60, 20}, 100);
+    const std::string without = plot_svg(scene_, {}, PlotColor::Feed);
+    EXPECT_EQ(without.find("isometric"), std::string::npos);
+    std::vector<PlotTool> tools;
+    for (int i = 0; i <= 1000; ++i) tools.push_back({{0.1 * i, 0, 0}, Vec3(0, 0.6, 0.8)});
+    const Layout layout = lay_out(scene_, tools);
+    ASSERT_EQ(layout.views.size(), 4u);
+    // The tool is drawn 12 % of 100 mm long: the views have room for its end.
+    EXPECT_GE(layout.shown.upper.z(), 20);
+    EXPECT_GE(layout.shown.upper.y(), 60);
+    // X, Y and Z go to the right below, to the right above, and up; all in one scale.
+    const View& view = layout.views[3];
+    const auto step = [&](const Vec3& way) {
+        return std::pair(view.x(way) - view.x(Vec3::Zero()), view.y(Vec3::Zero()) - view.y(way));
+    };
+    const auto [x_right, x_up] = step(Vec3::UnitX());
+    const auto [y_right, y_up] = step(Vec3::UnitY());
+    const auto [z_right, z_up] = step(Vec3::UnitZ());
+    EXPECT_NEAR(x_right, y_right, 1e-9);
+    EXPECT_NEAR(x_up, -y_up, 1e-9);
+    EXPECT_NEAR(z_right, 0, 1e-9);
+    EXPECT_NEAR(z_up, std::hypot(x_right, x_up), 1e-9);
+    EXPECT_LT(x_up, 0);
+    EXPECT_GT(z_up, 0);
+    // Every corner of what is shown is on the paper of the view.
+    for (const Vec3& corner : {layout.shown.lower, layout.shown.upper}) {
+        EXPECT_GT(view.x(corner), view.frame.left);
+        EXPECT_LT(view.x(corner), view.frame.right());
+        EXPECT_GT(view.y(corner), view.frame.top);
+        EXPECT_LT(view.y(corner), view.frame.bottom());
+    }
+    const std::string svg = plot_svg(scene_, {}, PlotColor::Feed, tools);
+    EXPECT_NE(svg.find("isometric"), std::string::npos);
+    EXPECT_NE(svg.find("tool, from its tip"), std::string::npos);
+    std::size_t drawn = 0;
+    const std::string mark = "<path class=\"tool\" d=\"";
+    for (std::size_t from = svg.find(mark); from != std::string::npos;
+         from = svg.find(mark, from + 1)) {
+        const std::string one = svg.substr(from, svg.find("/>", from) - from);
+        drawn += static_cast<std::size_t>(std::ranges::count(one, 'M'));
+    }
+    EXPECT_GT(drawn, 100u);
+    EXPECT_LT(drawn, 400u) << "no more than have room";
 }
 
 TEST_F(Plot, LongPathsAreThinnedToWhatIsVisible) {

@@ -1,0 +1,73 @@
+#include "driver/page_recorder.h"
+
+#include <utility>
+
+#include "base/text.h"
+
+namespace kadr::driver {
+
+std::unique_ptr<PageRecorder> PageRecorder::open(Session& session) {
+    auto page = page_template(session);
+    if (!page) return nullptr;
+    return std::unique_ptr<PageRecorder>(new PageRecorder(session, std::move(*page)));
+}
+
+void PageRecorder::look_on(Aside& aside) {
+    constexpr std::size_t kMostText = 4'000'000;  // bytes; more than a page takes of it
+    aside.tap = [this](std::string_view piece) {
+        if (made_.size() < kMostText) made_ += piece;
+    };
+}
+
+void PageRecorder::follow(const Execution& execution) {
+    execution_ = &execution;
+    const machine::Machine& machine = execution.machine();
+    trace_ = std::make_unique<PageTrace>(machine, most_page_samples(machine), most_page_blocks());
+    const Program* program = execution.program();
+    if (program == nullptr) return;
+    const std::string name = session_.output_name(program->file);
+    texts_.append(texts_.index_of(name, true), session_.sources().text(program->file));
+}
+
+PagePlace PageRecorder::source_place(SourceId source) {
+    const SourceRange range = execution_->statement(source);
+    if (!range.file.is_valid()) return {};
+    const Sources& sources = session_.sources();
+    const std::int32_t text = texts_.index_of(session_.output_name(range.file), true);
+    if (texts_.all()[static_cast<std::size_t>(text)].text.empty())
+        texts_.append(text, sources.text(range.file));
+    return {text, sources.locate(range.file, range.begin).line};
+}
+
+void PageRecorder::add(const motion::Segment& segment) {
+    const bool is_known = has_block_ && segment.line == line_ && segment.source == statement_;
+    if (!is_known) {
+        has_block_ = true;
+        line_ = segment.line;
+        statement_ = segment.source;
+        const LinePlace place = execution_->place_of(segment.line);
+        block_.source = source_place(segment.source);
+        block_.iso = {texts_.index_of(place.file, false), place.line};
+    }
+    trace_->add(block_, segment);
+}
+
+/// The ISO-7bit texts, as far as they are not there yet.
+void PageRecorder::read_texts() {
+    for (std::size_t i = 0; i < texts_.all().size(); ++i) {
+        const PageTexts::Text& text = texts_.all()[i];
+        if (text.is_kadr || !text.text.empty()) continue;
+        const auto index = static_cast<std::int32_t>(i);
+        if (text.name == execution_->text_name() && !made_.empty()) texts_.append(index, made_);
+        else if (const auto read = read_file(text.name)) texts_.append(index, *read);
+    }
+}
+
+void PageRecorder::write(const PageHead& head, Output& out) {
+    trace_->finish();
+    texts_.index_of(execution_->text_name(), false);
+    read_texts();
+    out.write(page_html(page_, head, *trace_, texts_));
+}
+
+}  // namespace kadr::driver

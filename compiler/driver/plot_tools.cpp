@@ -1,0 +1,53 @@
+#include "driver/plot_tools.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.h"
+#include "motion/transformed.h"
+
+namespace kadr::driver {
+
+namespace {
+
+// Kept at most: more than a drawing has room for.
+constexpr std::size_t kMost = 40'000;
+// From one kept tool to the next within a piece, at most; neither is seen to jump then.
+constexpr double kTurn = rad_from_deg(3);
+constexpr double kWay = 2;      // mm
+constexpr double kParts = 100;  // of a piece, at most
+
+/// By how much a tool turns along a piece, rad; never less than it does.
+double turn_along(const motion::Segment& segment, double length) {
+    if (segment.turn.kind == path::Turning::Cone) return std::abs(segment.turn.rate) * length;
+    double rate = 0;
+    for (std::size_t i = 0; i < 3; ++i) rate += std::abs(segment.follower_rate[i]);
+    return rate * length;
+}
+
+}  // namespace
+
+void PlotTools::add(const machine::Chain& chain, const motion::Segment& segment) {
+    if (!segment.is_transformed() || segment.kind != motion::SegmentKind::Feed) return;
+    const double length = path::length(segment.curve);
+    const double way = segment.turns_only ? 0 : length;
+    const double wanted = std::max({1.0, turn_along(segment, length) / kTurn, way / kWay});
+    const auto parts = static_cast<int>(std::ceil(std::min(wanted, kParts)));
+    for (int i = 0; i <= parts; ++i) {
+        const double distance = length * i / parts;
+        append(
+            {path::position(segment.curve, distance), motion::tool_at(chain, segment, distance)});
+    }
+}
+
+void PlotTools::append(const PlotTool& tool) {
+    if (passed_++ % every_ != 0) return;
+    if (tools_.size() == kMost) {
+        for (std::size_t i = 0; 2 * i < tools_.size(); ++i) tools_[i] = tools_[2 * i];
+        tools_.resize(tools_.size() / 2);
+        every_ *= 2;
+    }
+    tools_.push_back(tool);
+}
+
+}  // namespace kadr::driver
