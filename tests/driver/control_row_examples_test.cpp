@@ -37,10 +37,11 @@ const std::set<std::string_view> kNotRun = {
     "K5251", "K5252",           // without the library; Kadr's own language
     "K5443", "K5262", "K5263",  // command lines
     "K5439", "K5440", "K5441",  // what takes long
+    "K5549",                    // every stock machine has Z
 };
-/// Rows whose right example is another command, an alarm on purpose, or calls a program that is not
-/// shown.
-const std::set<std::string_view> kOnlyWrong = {"K5451", "K5460", "K5476"};
+/// Rows whose right example is another command, an alarm on purpose, calls a program that is not
+/// shown, or is for another machine.
+const std::set<std::string_view> kOnlyWrong = {"K5451", "K5460", "K5476", "K5540", "K5541"};
 /// Rows about the end of the text.
 const std::set<std::string_view> kOwnEnd = {"K5260", "K5261"};
 
@@ -57,6 +58,11 @@ Control control_of(const std::string& example) {
     };
     if (has("HEIDENHAIN"))
         return {KADR_ROOT "/examples/dialects/heidenhain-iso.xml", ".i", mill, ""};
+    const std::string driven = "lathe-c.xml";
+    if (matches("^G(12|07)\\.1"))
+        return {"fanuc-lathe", ".nc", driven, "T0101\nG97 S1000 M3\nG98 F200\nG0 X100. Z50. C0\n"};
+    if (matches("^(TRANSMIT|TRACYL)") && !has("without"))
+        return {"sinumerik", ".mpf", driven, "T1 D1 M6\nS1000 M3\nG0 X100 Z50 C0 F200\n"};
     if (has("FANUC lathe") || matches("G7[0-6] [PUWR]"))
         return {"fanuc-lathe", ".nc", "lathe.xml",
                 "T0101\nG97 S1000 M3\nG99 F0.2\nG0 X100. Z50.\n"};
