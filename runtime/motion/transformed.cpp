@@ -70,22 +70,21 @@ std::array<double, kFollowers> followers_at(const Segment& piece, double distanc
 }
 
 /// … and the linear axes that belong to them.
-LogicalAxes complete(const Chain& chain, const Segment& piece, double distance,
+LogicalAxes complete(const Chain& chain, const Segment& piece, const Vec3& tip,
                      const std::array<double, kFollowers>& followers) {
     ChainPosition position;
     position.rotary = joints_of(chain, followers);
     position.parallel = parallels_of(followers);
-    const Vec3 linear = machine::inverse_linear(chain, path::position(piece.curve, distance),
-                                                position, tip_of(piece));
+    const Vec3 linear = machine::inverse_linear(chain, tip, position, tip_of(piece));
     LogicalAxes axes{linear[0], linear[1], linear[2]};
     std::ranges::copy(followers, axes.begin() + 3);
     return axes;
 }
 
 /// At the pole R1 has the place with which the tool gets there: a nutating head's still moves.
-Vec3 joints_on_way(const Chain& chain, const Segment& piece, double distance, Vec3 near) {
+Vec3 joints_on_way(const Chain& chain, const Segment& piece, double distance, const Vec3& direction,
+                   Vec3 near) {
     const path::Turn& turn = piece.turn;
-    const Vec3 direction = path::direction_at(turn, piece.curve, distance);
     const bool stands = turn.kind == path::Turning::Cone && turn.rate == 0;
     if (!stands && is_at_pole(chain, direction)) {
         const double inwards = distance > turn.length / 2 ? -1 : 1;
@@ -95,18 +94,28 @@ Vec3 joints_on_way(const Chain& chain, const Segment& piece, double distance, Ve
     return joints_for(chain, direction, near);
 }
 
-/// axes_at() with the joints going on from where they stand in `near`.
-LogicalAxes axes_near(const Chain& chain, const Segment& piece, double distance,
-                      const LogicalAxes& near) {
+/// placed_at() with the joints going on from where they stand in `near`.
+Placed placed_near(const Chain& chain, const Segment& piece, double distance, const Vec3& tip,
+                   const LogicalAxes& near) {
+    Placed placed;
     auto followers = followers_at(piece, distance);
     if (leads_tool(piece.turn)) {
         std::array<double, kFollowers> from{};
         std::copy(near.begin() + 3, near.end(), from.begin());
-        Vec3 rotary = joints_on_way(chain, piece, distance, joints_of(chain, from));
+        placed.tool = path::direction_at(piece.turn, piece.curve, distance);
+        Vec3 rotary = joints_on_way(chain, piece, distance, placed.tool, joints_of(chain, from));
         rotary[2] = joints_of(chain, followers)[2];
         put_joints(chain, rotary, followers);
+    } else {
+        placed.tool = machine::tool_vector(chain, joints_of(chain, followers));
     }
-    return complete(chain, piece, distance, followers);
+    placed.axes = complete(chain, piece, tip, followers);
+    return placed;
+}
+
+LogicalAxes axes_near(const Chain& chain, const Segment& piece, double distance,
+                      const LogicalAxes& near) {
+    return placed_near(chain, piece, distance, path::position(piece.curve, distance), near).axes;
 }
 
 LogicalAxes start_of(const Segment& piece) {
@@ -117,9 +126,8 @@ LogicalAxes start_of(const Segment& piece) {
 
 }  // namespace
 
-Vec3 tool_at(const Chain& chain, const Segment& piece, double distance) {
-    if (leads_tool(piece.turn)) return path::direction_at(piece.turn, piece.curve, distance);
-    return machine::tool_vector(chain, joints_of(chain, followers_at(piece, distance)));
+Placed placed_at(const Chain& chain, const Segment& piece, double distance, const Vec3& tip) {
+    return placed_near(chain, piece, distance, tip, start_of(piece));
 }
 
 LogicalAxes axes_at(const Chain& chain, const Segment& piece, double distance) {

@@ -29,12 +29,18 @@ path::Vec3 joints_of(const machine::Chain& chain, const std::array<double, kFoll
 void put_joints(const machine::Chain& chain, const path::Vec3& rotary,
                 std::array<double, kFollowers>& followers);
 
-/// Direction of the tool at a distance along a piece, from tip to holder; workpiece system.
-path::Vec3 tool_at(const machine::Chain& chain, const Segment& piece, double distance);
-
 /// Where all axes stand at a distance along a piece. A piece on which the tool goes a way of its
 /// own must be as short as even_parts() makes it.
 LogicalAxes axes_at(const machine::Chain& chain, const Segment& piece, double distance);
+
+/// … and the direction of the tool there, from tip to holder, in the workpiece system.
+struct Placed {
+    LogicalAxes axes{};
+    path::Vec3 tool = path::Vec3::UnitZ();
+};
+/// tip  of the piece at that distance
+Placed placed_at(const machine::Chain& chain, const Segment& piece, double distance,
+                 const path::Vec3& tip);
 
 /// Where the tip is for these axes; a tool as a segment carries it.
 path::Vec3 tip_at(const machine::Chain& chain, const LogicalAxes& axes, const path::Vec3& tool,
