@@ -126,7 +126,8 @@ std::string bowl_program(double length) {
     const auto count = static_cast<int>(kWay / length);
     char line[160];
     for (int i = 0; i < count; ++i) {
-        const double around = i * length / 60;
+        // To and fro: axes with limits do not turn without end.
+        const double around = 2.8 * std::asin(std::sin(i * length / 170));
         const double radius = 60 + 10 * std::sin(0.13 * around);
         const double x = radius * std::cos(around), y = radius * std::sin(around);
         std::snprintf(line, sizeof line, "N%d G1 X%.4f Y%.4f Z%.4f A3=%.8f B3=%.8f C3=1 F3000\n", i,

@@ -122,7 +122,7 @@ void PageTrace::finish() {
 }
 
 std::uint32_t PageTrace::tool_of(const motion::Segment& segment) {
-    const path::Vec3 tool = segment.tool_length * segment.tool;
+    const path::Vec3 tool = segment.carrier;
     const auto known = std::ranges::find_if(
         tools_, [&](const path::Vec3& other) { return (other - tool).norm() < kSameTool; });
     if (known != tools_.end()) return static_cast<std::uint32_t>(known - tools_.begin());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/units.h"
 #include "motion/transformed.h"
@@ -20,6 +21,7 @@ constexpr double kParts = 100;  // of a piece, at most
 /// By how much a tool turns along a piece, rad; never less than it does.
 double turn_along(const motion::Segment& segment, double length) {
     if (segment.turn.kind == path::Turning::Cone) return std::abs(segment.turn.rate) * length;
+    if (motion::leads_tool(segment.turn)) return std::numbers::pi;  // on a surface, or to a point
     double rate = 0;
     for (std::size_t i = 0; i < 3; ++i) rate += std::abs(segment.follower_rate[i]);
     return rate * length;
@@ -35,8 +37,9 @@ void PlotTools::add(const machine::Chain& chain, const motion::Segment& segment)
     const auto parts = static_cast<int>(std::ceil(std::min(wanted, kParts)));
     for (int i = 0; i <= parts; ++i) {
         const double distance = length * i / parts;
-        append(
-            {path::position(segment.curve, distance), motion::tool_at(chain, segment, distance)});
+        const motion::Placed placed = motion::placed_at(
+            chain, segment, distance, path::position(segment.curve, distance));
+        append({placed.tip, placed.tool});
     }
 }
 

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include <Eigen/Geometry>
+
 namespace kadr::machine {
 
 namespace {
@@ -26,6 +28,9 @@ constexpr int kSteps = 64;
 constexpr double kFinest = 1e-9;
 /// How finely the nearest place to a pole is looked for, in parts of the way.
 constexpr double kSamePlace = 1e-15;
+/// At the pole the solutions of both configurations are half a turn of R1 apart: one that is nearer
+/// than this is the nearer one, rad².
+constexpr double kSurelyNearest = 1;
 /// Leaving a pole, R1 is where it stands so far behind it, in parts of the way.
 constexpr double kBehindPole = 1e-7;
 
@@ -162,14 +167,22 @@ PathRefusal refusal_of(const Chain& chain, const FollowQuery& query, const Refus
 }  // namespace
 
 bool is_at_pole(const Chain& chain, const Vec3& direction) {
-    return chain.orients() && pole_distance(chain, direction) < kPoleWidth;
+    // Asked at every tick: so near to the pole the sine is the angle.
+    const Vec3 across = chain.joints[kR1].direction.cross(direction);
+    return chain.orients() && across.squaredNorm() < kPoleWidth * kPoleWidth;
 }
 
 Vec3 joints_for(const Chain& chain, const Vec3& direction, const Vec3& near) {
     const auto solutions = solve(chain, direction);
     if (!solutions) return near;
-    const bool from_pole = is_at_pole(chain, tool_vector(chain, near));
     const int configuration = configuration_of(chain, near);
+    for (const Solution& found : *solutions) {
+        if (found.configuration != configuration || found.is_pole) continue;
+        Vec3 turned = nearest_turns(found.rotary, near);
+        turned[2] = near[2];
+        if ((turned - near).squaredNorm() < kSurelyNearest) return turned;
+    }
+    const bool from_pole = is_at_pole(chain, tool_vector(chain, near));
     Vec3 best = near;
     double least = std::numeric_limits<double>::infinity();
     for (const Solution& found : *solutions) {

@@ -59,6 +59,7 @@ Mat3 matrix_of(const Vec3& axis, const Turn& turn) {
 
 /// Into (−π, π].
 double wrapped(double angle) {
+    if (angle > -kPi && angle <= kPi) return angle;  // nearly always, and the remainder is slow
     const double reduced = std::remainder(angle, 2 * kPi);
     return reduced <= -kPi ? kPi : reduced;
 }
@@ -230,7 +231,7 @@ std::optional<Solution> completed(const Chain& chain, const Candidate& candidate
     const Vec3 across = n1.cross(candidate.image);
     const double sine = across.dot(direction);  // n1·(v × w), of the parts across n1
     const double cosine = across.dot(n1.cross(direction));
-    const double length = std::hypot(sine, cosine);
+    const double length = std::sqrt(sine * sine + cosine * cosine);
     const Turn turn = is_pole || length == 0 ? Turn{} : Turn{sine / length, cosine / length};
     if ((turned(n1, turn, candidate.image) - direction).squaredNorm() > kPoleAngle * kPoleAngle * 4)
         return std::nullopt;

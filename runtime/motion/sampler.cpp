@@ -122,12 +122,11 @@ inline void Sampler::State::place(const Segment& segment, const path::Vec3& tip,
 /// The tip stays on its path, whatever the tool does.
 void Sampler::State::place_transformed(const Segment& segment, double distance,
                                        Setpoint& out) const {
-    const LogicalAxes axes = axes_at(*chain, segment, distance);
-    out.tool = tool_at(*chain, segment, distance);
-    if (segment.contact.kind != path::ContactKind::Tip)
-        out.tip = tip_at(*chain, axes, segment.carrier);
+    const Placed placed = placed_at(*chain, segment, distance, out.tip);
+    out.tip = placed.tip;
+    out.tool = placed.tool;
     std::size_t column = 0;
-    for (const std::size_t c : order) out.axis[column++] = axes[c];
+    for (const std::size_t c : order) out.axis[column++] = placed.axes[c];
     for (; column < kAxes; ++column) out.axis[column] = 0;
 }
 

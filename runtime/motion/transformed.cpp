@@ -71,17 +71,6 @@ std::array<double, kFollowers> followers_at(const Segment& piece, double distanc
 
 }  // namespace
 
-Vec3 tip_on(const Chain& chain, const Segment& piece, double distance, const Vec3& rotary) {
-    const path::Contact& contact = piece.contact;
-    if (contact.kind == path::ContactKind::Tip) return path::position(piece.curve, distance);
-    const path::CurvePoint at = path::evaluate(piece.curve, distance);
-    const double share = piece.turn.length > 0 ? distance / piece.turn.length : 0;
-    const Vec3 guide =
-        contact.kind == path::ContactKind::Side ? at.tangent : path::guide_at(contact, share);
-    const auto aside = path::tip_beside(contact, guide, machine::tool_vector(chain, rotary));
-    return aside ? Vec3(at.position + *aside) : at.position;  // that there is one was checked
-}
-
 Segment standing_at(const Segment& piece, double distance) {
     Segment still = piece;
     const path::CurvePoint at = path::evaluate(piece.curve, distance);
@@ -104,12 +93,11 @@ Segment standing_at(const Segment& piece, double distance) {
 namespace {
 
 /// … and the linear axes that belong to them.
-LogicalAxes complete(const Chain& chain, const Segment& piece, double distance,
+LogicalAxes complete(const Chain& chain, const Segment& piece, const Vec3& tip,
                      const std::array<double, kFollowers>& followers) {
     ChainPosition position;
     position.rotary = joints_of(chain, followers);
     position.parallel = parallels_of(followers);
-    const Vec3 tip = tip_on(chain, piece, distance, position.rotary);
     const Vec3 linear = machine::inverse_linear(chain, tip, position, tip_of(piece));
     LogicalAxes axes{linear[0], linear[1], linear[2]};
     std::ranges::copy(followers, axes.begin() + 3);
@@ -117,9 +105,9 @@ LogicalAxes complete(const Chain& chain, const Segment& piece, double distance,
 }
 
 /// At the pole R1 has the place with which the tool gets there: a nutating head's still moves.
-Vec3 joints_on_way(const Chain& chain, const Segment& piece, double distance, Vec3 near) {
+Vec3 joints_on_way(const Chain& chain, const Segment& piece, double distance, const Vec3& direction,
+                   Vec3 near) {
     const path::Turn& turn = piece.turn;
-    const Vec3 direction = path::direction_at(turn, piece.curve, distance);
     const bool stands = turn.kind == path::Turning::Cone && turn.rate == 0;
     if (!stands && is_at_pole(chain, direction)) {
         const double inwards = distance > turn.length / 2 ? -1 : 1;
@@ -131,32 +119,59 @@ Vec3 joints_on_way(const Chain& chain, const Segment& piece, double distance, Ve
 
 /// On a face or a cylinder the tool stands as it does, and a rotary axis follows the path. Where it
 /// turns alone, in the centre of a face, it is a follower like any other.
-LogicalAxes virtual_axes_near(const Segment& piece, double distance, const LogicalAxes& near) {
-    const Vec3 tip = path::position(piece.curve, distance);
-    LogicalAxes axes{};
+Placed virtual_near(const Segment& piece, double distance, const Vec3& tip,
+                    const LogicalAxes& near) {
+    Placed placed;
+    placed.tip = tip;
+    placed.tool = piece.tool;
+    LogicalAxes& axes = placed.axes;
     std::ranges::copy(followers_at(piece, distance), axes.begin() + 3);
-    const Vec3 real = path::real_place(piece.virtual_axes, tip) + piece.tool_length * piece.tool;
+    const Vec3 real = path::real_place(piece.virtual_axes, tip) + piece.carrier;
     for (std::size_t i = 0; i < 3; ++i) axes[i] = real[at(i)];
     const std::size_t rotary = index(piece.virtual_axes.rotary);
     const bool turns_alone = piece.follower_rate[rotary - 3] != 0;
     if (piece.virtual_axes.turns() && !turns_alone)
         axes[rotary] = path::rotary_at(piece.virtual_axes, tip, near[rotary]);
-    return axes;
+    return placed;
 }
 
-/// axes_at() with the joints going on from where they stand in `near`.
-LogicalAxes axes_near(const Chain& chain, const Segment& piece, double distance,
-                      const LogicalAxes& near) {
-    if (piece.virtual_axes.is_on()) return virtual_axes_near(piece, distance, near);
+/// From where the cutter touches to its tip.
+Vec3 tip_beside(const Segment& piece, double distance, const Vec3& place, const Vec3& tool) {
+    const path::Contact& contact = piece.contact;
+    const double share = piece.turn.length > 0 ? distance / piece.turn.length : 0;
+    const Vec3 guide = contact.kind == path::ContactKind::Side
+                           ? path::evaluate(piece.curve, distance).tangent
+                           : path::guide_at(contact, share);
+    const auto aside = path::tip_beside(contact, guide, tool);
+    return aside ? Vec3(place + *aside) : place;  // that there is one was checked
+}
+
+/// placed_at() with the joints going on from where they stand in `near`.
+Placed placed_near(const Chain& chain, const Segment& piece, double distance, const Vec3& place,
+                   const LogicalAxes& near) {
+    if (piece.virtual_axes.is_on()) return virtual_near(piece, distance, place, near);
+    Placed placed;
     auto followers = followers_at(piece, distance);
     if (leads_tool(piece.turn)) {
         std::array<double, kFollowers> from{};
         std::copy(near.begin() + 3, near.end(), from.begin());
-        Vec3 rotary = joints_on_way(chain, piece, distance, joints_of(chain, from));
+        placed.tool = path::direction_at(piece.turn, piece.curve, distance);
+        Vec3 rotary = joints_on_way(chain, piece, distance, placed.tool, joints_of(chain, from));
         rotary[2] = joints_of(chain, followers)[2];
         put_joints(chain, rotary, followers);
+    } else {
+        placed.tool = machine::tool_vector(chain, joints_of(chain, followers));
     }
-    return complete(chain, piece, distance, followers);
+    placed.tip = piece.contact.kind == path::ContactKind::Tip
+                     ? place
+                     : tip_beside(piece, distance, place, placed.tool);
+    placed.axes = complete(chain, piece, placed.tip, followers);
+    return placed;
+}
+
+LogicalAxes axes_near(const Chain& chain, const Segment& piece, double distance,
+                      const LogicalAxes& near) {
+    return placed_near(chain, piece, distance, path::position(piece.curve, distance), near).axes;
 }
 
 LogicalAxes start_of(const Segment& piece) {
@@ -167,10 +182,8 @@ LogicalAxes start_of(const Segment& piece) {
 
 }  // namespace
 
-Vec3 tool_at(const Chain& chain, const Segment& piece, double distance) {
-    if (piece.virtual_axes.is_on()) return piece.tool;
-    if (leads_tool(piece.turn)) return path::direction_at(piece.turn, piece.curve, distance);
-    return machine::tool_vector(chain, joints_of(chain, followers_at(piece, distance)));
+Placed placed_at(const Chain& chain, const Segment& piece, double distance, const Vec3& place) {
+    return placed_near(chain, piece, distance, place, start_of(piece));
 }
 
 LogicalAxes axes_at(const Chain& chain, const Segment& piece, double distance) {

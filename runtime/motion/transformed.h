@@ -29,20 +29,23 @@ path::Vec3 joints_of(const machine::Chain& chain, const std::array<double, kFoll
 void put_joints(const machine::Chain& chain, const path::Vec3& rotary,
                 std::array<double, kFollowers>& followers);
 
-/// Direction of the tool at a distance along a piece, from tip to holder; workpiece system.
-path::Vec3 tool_at(const machine::Chain& chain, const Segment& piece, double distance);
-
-/// Where the tip is at a distance along a piece whose rotary joints stand so: on its path, or
-/// beside it where the cutter touches there.
-path::Vec3 tip_on(const machine::Chain& chain, const Segment& piece, double distance,
-                  const path::Vec3& rotary);
-
 /// The piece as it stands at a distance: without path and without turn.
 Segment standing_at(const Segment& piece, double distance);
 
 /// Where all axes stand at a distance along a piece. A piece on which the tool goes a way of its
 /// own must be as short as even_parts() makes it.
 LogicalAxes axes_at(const machine::Chain& chain, const Segment& piece, double distance);
+
+/// … and where the tip is: on its path, or beside it where the cutter touches there; and the
+/// direction of the tool, from tip to holder. In the workpiece system.
+struct Placed {
+    LogicalAxes axes{};
+    path::Vec3 tip = path::Vec3::Zero();
+    path::Vec3 tool = path::Vec3::UnitZ();
+};
+/// place  of the curve of the piece at that distance
+Placed placed_at(const machine::Chain& chain, const Segment& piece, double distance,
+                 const path::Vec3& place);
 
 /// Where the tip is for these axes; Segment::carrier tells how the tool is carried at base.
 path::Vec3 tip_at(const machine::Chain& chain, const LogicalAxes& axes, const path::Vec3& carrier);

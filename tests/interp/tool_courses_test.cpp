@@ -228,6 +228,66 @@ TEST(ToolCourses, AxiomasAnglesAreZyz) {
     EXPECT_LT((rpy.at(0).direction - Vec3(0.739199, 0.280330, 0.612372)).norm(), 1e-6);
 }
 
+/// A head whose C cannot go the short way from 160 to 200 degrees, and whose A does not change the
+/// configuration.
+machine::Machine cramped(machine::PathRule rule) {
+    machine::Machine machine = free_head();
+    machine.kinematics->rule = rule;
+    for (machine::MachineAxis& axis : machine.axes) {
+        if (axis.axis == Axis::C) axis.lower = -(axis.upper = rad_from_deg(170));
+        if (axis.axis == Axis::A) axis.lower = 0, axis.upper = rad_from_deg(90);
+    }
+    return machine;
+}
+
+TEST(ToolCourses, AxiomaGoesTheWaysThatItsParameterAdmits) {
+    // A 5: 1 the shortest way only, 2 any way between axes, 3 any way, then between axes.
+    const std::string start = "TRAORI\nORIAXES\nG1 X0 A=30 C=160 F1000\n";
+    const double azimuth = rad_from_deg(200), tilt = rad_from_deg(30);
+    char block[160];
+    std::snprintf(block, sizeof block, "X10 A3=%.9f B3=%.9f C3=%.9f\nM30",
+                  std::sin(azimuth) * std::sin(tilt), -std::cos(azimuth) * std::sin(tilt),
+                  std::cos(tilt));
+    using machine::PathRule;
+    const struct {
+        PathRule rule;
+        std::string mode;
+        std::string alarm;
+    } rows[] = {
+        {PathRule::Shortest, "ORIAXES\n", "14112"},
+        {PathRule::Shortest, "ORIVECT\n", "14112"},
+        {PathRule::LongInAxisMode, "ORIAXES\n", ""},
+        {PathRule::LongInAxisMode, "ORIVECT\n", "14112"},
+        {PathRule::LongAlways, "ORIAXES\n", ""},
+        {PathRule::LongAlways, "ORIVECT\n", ""},
+    };
+    for (const auto& row : rows) {
+        SCOPED_TRACE(row.mode + std::to_string(static_cast<int>(row.rule)));
+        const Ran ran = read("axioma", "S1000 M3\n" + start + row.mode + block, cramped(row.rule));
+        EXPECT_EQ(alarms(ran), row.alarm);
+        EXPECT_EQ(ran.alarmed, !row.alarm.empty());
+        if (!row.alarm.empty()) {
+            EXPECT_EQ(ran.messages.at(0).row->code, "K5607");
+            continue;
+        }
+        const auto all = motions(ran);
+        ASSERT_EQ(all.size(), 2u);
+        EXPECT_NEAR(all[1].to[index(Axis::C)], -160, 1e-6);
+        EXPECT_EQ(all[1].turning, Turning::Axes);
+    }
+}
+
+TEST(ToolCourses, WithOneRotaryAxisAVectorIsRefusedAndTheTipIsHeld) {
+    machine::Machine machine = trunnion();
+    machine.kinematics->chain.joints[machine::kR1].is_present = false;
+    machine.kinematics->chain = machine::prepare(machine.kinematics->chain).value();
+    const Ran held = read("axioma", "S1000 M3\nTRAORI\nG1 X10 A=20 F1000\nM30", machine);
+    EXPECT_EQ(alarms(held), "");
+    const Ran refused = read("axioma", "S1000 M3\nTRAORI\nG1 X10 A3=1 C3=1 F1000\nM30", machine);
+    EXPECT_EQ(alarms(refused), "14112");
+    EXPECT_EQ(refused.messages.at(0).row->code, "K5606");
+}
+
 TEST(ToolCourses, ASecondPointLeadsTheTool) {
     const auto all =
         courses("ORICURVE\nG1 X0 Y0 Z0 XH=0 YH=0 ZH=100 F1000\nX50 XH=50 YH=40 ZH=80\nX100 XH=90");
