@@ -243,6 +243,10 @@ void Parser::add_expand() {
     command->add_option("SRC", source_, "Kadr program")->required();
     add_dialect(*command);
     command->add_option("-o,--output", line_.expand.output, "file for the text")->type_name("OUT");
+    command
+        ->add_option("-m,--machine", line_.options.machine,
+                     "machine for which tilted planes are worked out: a name or an XML file")
+        ->type_name("MACHINE");
     add_program(*command);
     add_expansion(*command);
 }

@@ -68,6 +68,7 @@ expand::ExpandOptions GeneratedText::expand_options(bool has_trace) const {
     return {.limits = limits,
             .native_cycles = options.native_cycles,
             .trace = has_trace,
+            .machine = [this] { return session_.machine(); },
             .stop = options.stop,
             .shown = options.shown};
 }

@@ -92,6 +92,8 @@ bool Expander::State::emit(const Instruction& instruction, const sema::Slot* reg
         return !is_block_limit(at) && keep_plan(plan, instruction, registers, at);
     if (is_between_places() && !may_stand_between(plan, instruction, at)) [[unlikely]]
         return false;
+    if (!plan.functions.empty() && is_about_tilt(plan)) [[unlikely]]
+        return emit_tilt(plan, instruction, registers, at);
     if (!plan.functions.empty() && needs_frame(plan)) [[unlikely]]
         return emit_frame(plan, instruction, registers, at);
     return emit_block(plan, instruction, registers, at);

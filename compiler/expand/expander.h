@@ -21,6 +21,11 @@
 #include "sema/check.h"
 #include "sema/code.h"
 
+namespace kadr::machine {
+struct Machine;
+struct Chain;
+}  // namespace kadr::machine
+
 namespace kadr::expand {
 
 struct Limits {
@@ -50,6 +55,9 @@ struct ExpandOptions {
     bool native_cycles = true;   // a call of a mapped cycle stays one block
     bool trace = false;          // keep a Trace for every block of the batch
     bool warns_of_cuts = false;  // without feed or tool, spindle off; of dives
+    /// The machine for which tilted planes are worked out where the target has no words for them;
+    /// asked when one is met, null if it cannot be loaded.
+    std::function<const machine::Machine*()> machine = nullptr;
     /// Whether the source allows this warning at this place; empty: nothing is allowed.
     std::function<bool(const DiagnosticRow&, const SourceRange&)> is_allowed = nullptr;
     const std::atomic<bool>* stop = nullptr;  // set from outside: the evaluation ends with an error

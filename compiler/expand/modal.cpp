@@ -183,6 +183,13 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
             known = 0;
             return;
         case Function::ReferenceReturn: known = 0; return;
+        case Function::Tilt:
+        case Function::TiltEuler:
+        case Function::TiltAlign:
+        case Function::TiltOff:  // another system, and the control alone knows where its axes go
+            known = 0;
+            lost_drift = static_cast<AxisMask>((1u << kAxes) - 1u);
+            return;
         case Function::OffsetToEdge:
         case Function::OffsetToMiddle: lose_corrected(block.argument(invocation, 1)); return;
         case Function::SetPosition: set_position(block, invocation); return;

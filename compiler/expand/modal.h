@@ -49,6 +49,11 @@ struct ModalState {
     bool is_stretched = false;  // the frame makes ellipses of the circles of some plane
     ProgramFrame scaled;        // the frame behind a scale in one that had none …
     ProgramFrame unscaled;      // … and that one: what is left when the scale is deleted
+    /// A tilted plane that acts: of the control, which has frames in it (Own) or none (Closed), or
+    /// a frame that stands for it.
+    enum class Tilt : std::uint8_t { None, Own, Closed, Resolved };
+    Tilt tilt = Tilt::None;
+    ProgramFrame tilt_frame;  // Resolved: the frame that is the plane
     SourceId frame_by;
     SourceId feed_by;
     SourceId speed_by;

@@ -169,6 +169,22 @@ struct Expander::State {
     bool fill_plan(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
                    std::uint32_t at);
 
+    // ---- tilting.cpp
+    bool is_about_tilt(const sema::Plan& plan) const;
+    bool emit_tilt(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
+                   std::uint32_t at);
+    bool plan_of_frame(const sema::Plan& plan, const Instruction& instruction,
+                       const Slot* registers, std::uint32_t at);
+    bool refuse_in_tilt(std::string_view what, std::uint32_t at);
+    bool read_plane(const sema::Plan& plan, const Instruction& instruction, const Slot* registers,
+                    std::uint32_t at, std::array<double, 6>& values);
+    bool say_euler(const std::array<double, 6>& values, SourceId source, std::uint32_t at,
+                   unsigned depth);
+    bool resolve_tilt(const std::array<double, 6>& values, SourceId source, std::uint32_t at,
+                      unsigned depth);
+    bool say_joints(const machine::Chain& chain, const path::Vec3& joints, SourceId source,
+                    std::uint32_t at, unsigned depth);
+
     // ---- input.cpp: what the control of the input dialect would have done
     /// Whether a function of the plan has no word in the target, but a frame says the same.
     bool needs_frame(const sema::Plan& plan) const;

@@ -408,7 +408,7 @@ void Executor::stand_at(const Block& block, const AxisValues& axes, bool tool_tu
     const Vec3 shift = length_shift_of(tool_.lengths);
     if (tool_turns || (shift - linear(length_shift_)).norm() > kSameLength) {
         set_length_shift(shift);
-        put_tool_length(block, tool_.axis).moved = 0;
+        put_tool_length(block, tool_.axis).moved = kLinearXYZ;
     }
     for (std::size_t i = 0; i < 3; ++i) position_.base[i] = axes[i] - length_shift_[i];
     frame_changed();

@@ -229,9 +229,9 @@ void Standing::set_tool_length(const Command& command, const AxisTable& axes) {
         tool_ = held_.normalized();
     }
     put_carrier(stays);
-    // Without an axis named, the system is another one: what was said of the axes is of the old
-    // one.
-    if (command.moved == 0) last_to_.fill(std::numeric_limits<double>::quiet_NaN());
+    // What was said of axes that all have another length now is of no use: a head has turned.
+    if ((command.moved & kLinearXYZ) == kLinearXYZ)
+        last_to_.fill(std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace kadr::motion

@@ -142,6 +142,10 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
             defer_length(block, invocation);
             modal_.position.forget();
             break;
+        case Function::Tilt:
+        case Function::TiltEuler:
+        case Function::TiltAlign:
+        case Function::TiltOff:
         case Function::WorkOffset:
         case Function::WorkOffsetData:
         case Function::ToolSelect: modal_.position.forget(); break;

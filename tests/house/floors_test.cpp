@@ -27,7 +27,7 @@ const std::map<std::string, std::set<std::string>> kFloors = {
     {"process", {"base", "path", "machine", "motion"}},
     {"syntax", {"base", "nc"}},
     {"sema", {"base", "nc", "syntax"}},
-    {"expand", {"base", "nc", "path", "syntax", "sema"}},
+    {"expand", {"base", "nc", "path", "machine", "syntax", "sema"}},
     {"driver",
      {"base", "nc", "path", "machine", "interp", "motion", "process", "syntax", "sema", "expand"}},
     {"repl",

@@ -1,0 +1,257 @@
+// tilting.cpp — tilted planes: in the words of the target, or as places of the rotary axes and a
+// zero point that has gone with the table.
+//
+// A control without such words moves its linear axes and nothing else. On a machine whose tables
+// alone turn, a plane to which the tool stands is then a shift and a rotation about Z; a head would
+// turn the tool's length away from Z, which takes a control that knows of it. Motion.md 7.2
+// and 7.3.
+#include <array>
+#include <cmath>
+
+#include "base/diagnostics/expand.h"
+#include "base/units.h"
+#include "expand/numbers.h"
+#include "expand/state.h"
+#include "machine/machine.h"
+#include "machine/orientation.h"
+#include "machine/tilted_plane.h"
+
+namespace kadr::expand {
+
+using machine::Mat3;
+using nc::Block;
+using nc::Function;
+using nc::Group;
+using path::Frame;
+using path::Vec3;
+
+namespace {
+
+/// What is left beside a rotation about Z is rounding.
+constexpr double kRounding = 1e-9;
+
+/// Angles of a resolved plane that differ from 0 by less are 0, deg.
+constexpr double kNoAngle = 1e-9;
+
+bool is_tilt(Function function) {
+    return function == Function::Tilt || function == Function::TiltOff;
+}
+
+/// What changes the system in which a plane was said.
+bool changes_frame(Function function) {
+    switch (function) {
+        case Function::Shift:
+        case Function::ShiftAdd:
+        case Function::Rotate:
+        case Function::RotateOff:
+        case Function::Scale:
+        case Function::ScaleOff:
+        case Function::Mirror:
+        case Function::MirrorOff:
+        case Function::WorkOffset:
+        case Function::SetPosition: return true;
+        default: return false;
+    }
+}
+
+double neat_angle(double angle_deg) { return std::fabs(angle_deg) < kNoAngle ? 0 : angle_deg; }
+
+}  // namespace
+
+/// Whether the plan says a tilted plane, or something that does not stand in one.
+bool Expander::State::is_about_tilt(const sema::Plan& plan) const {
+    for (const nc::Invocation& invocation : plan.functions) {
+        if (is_tilt(invocation.function)) return true;
+        if (modal.tilt != ModalState::Tilt::None && changes_frame(invocation.function)) return true;
+    }
+    return false;
+}
+
+bool Expander::State::emit_tilt(const sema::Plan& plan, const Instruction& instruction,
+                                const Slot* registers, std::uint32_t at) {
+    const Function function = plan.functions.front().function;
+    if (!is_tilt(function)) {
+        const bool may_change = modal.tilt == ModalState::Tilt::Own;
+        if (may_change && function != Function::WorkOffset && function != Function::SetPosition)
+            return plan_of_frame(plan, instruction, registers, at);
+        return refuse_in_tilt(nc::info(function).name, at);
+    }
+    if (!recordings.empty()) return refuse_block("a tilted plane", at);
+    const bool is_outermost = modal.tilt == ModalState::Tilt::Resolved
+                                  ? modal.frame == modal.tilt_frame
+                                  : modal.frame.is_identity();
+    if (!is_outermost) {
+        fault(diag::TiltInFrame, at).arg(nc::info(function).name);
+        return false;
+    }
+    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    if (function == Function::TiltOff) {
+        if (modal.tilt == ModalState::Tilt::None) return true;
+        if (modal.tilt == ModalState::Tilt::Resolved) {
+            write_frame({}, source, at, instruction.c);
+        } else if (!emit_block(plan, instruction, registers, at)) {
+            return false;
+        }
+        modal.tilt = ModalState::Tilt::None;
+        return !has_failed;
+    }
+    if (target.can_write(Function::Tilt)) {
+        if (!emit_block(plan, instruction, registers, at)) return false;
+        modal.tilt = ModalState::Tilt::Own;
+        return true;
+    }
+    std::array<double, 6> values{};
+    if (!read_plane(plan, instruction, registers, at, values)) return false;
+    if (target.can_write(Function::TiltEuler) && target.can_write(Function::TiltAlign))
+        return say_euler(values, source, at, instruction.c);
+    return resolve_tilt(values, source, at, instruction.c);
+}
+
+/// A frame inside of a plane, on a control that has frames in planes.
+bool Expander::State::plan_of_frame(const sema::Plan& plan, const Instruction& instruction,
+                                    const Slot* registers, std::uint32_t at) {
+    if (needs_frame(plan)) return emit_frame(plan, instruction, registers, at);
+    return emit_block(plan, instruction, registers, at);
+}
+
+/// Always false.
+bool Expander::State::refuse_in_tilt(std::string_view what, std::uint32_t at) {
+    fault(diag::FrameInTilt, at).arg(what).arg(target.name());
+    return false;
+}
+
+/// Origin, mm, and the angles about X, the new Y, the new Z, deg. False: it was reported.
+bool Expander::State::read_plane(const sema::Plan& plan, const Instruction& instruction,
+                                 const Slot* registers, std::uint32_t at,
+                                 std::array<double, 6>& values) {
+    const std::size_t first = plan.functions.front().first;
+    for (const auto& [place, value] : plan.arguments)
+        if (place >= first && place < first + values.size()) values[place - first] = value;
+    const Slot* numbers = registers + instruction.a;
+    for (std::size_t f = 0; f < plan.fillings.size(); ++f) {
+        const sema::Filling& filling = plan.fillings[f];
+        if (!filling.is_argument || filling.parameter >= values.size()) continue;
+        const double number = numbers[f].number;
+        if (!is_sane(number)) {
+            if (number != number) not_given({}, word_of(filling, at));
+            else math_fault(sema::MathFault::Overflow, at);
+            return false;
+        }
+        values[filling.parameter] = number;
+    }
+    return true;
+}
+
+/// By Euler angles, and the rotary axes in a block of its own.
+bool Expander::State::say_euler(const std::array<double, 6>& values, SourceId source,
+                                std::uint32_t at, unsigned depth) {
+    const auto add = [&](Function function, std::span<const double> arguments) {
+        if (has_failed || is_block_limit(at)) return;
+        Block& block = next_block(source);
+        nc::Invocation* invocation = block.add(function, arguments.size());
+        for (std::size_t i = 0; i < arguments.size(); ++i)
+            block.set_argument(*invocation, i, arguments[i]);
+        modal.take_functions(block);
+        if (options.trace) keep_trace(at, depth, source);
+    };
+    const Vec3 turns = Vec3(values[3], values[4], values[5]) * rad_from_deg(1);
+    const Vec3 euler = machine::euler_zxz_of(machine::rpy_xyz(turns))[0];
+    std::array<double, 6> said = values;
+    for (std::size_t i = 0; i < 3; ++i)
+        said[3 + i] = neat_angle(deg_from_rad(euler[static_cast<Eigen::Index>(i)]));
+    if (modal.tilt != ModalState::Tilt::None) add(Function::TiltOff, {});
+    add(Function::TiltEuler, said);
+    add(Function::TiltAlign, std::array{0.0});
+    modal.tilt = ModalState::Tilt::Closed;
+    return !has_failed;
+}
+
+/// The rotary axes go to their places, and the frame is that of the part on the turned tables.
+bool Expander::State::resolve_tilt(const std::array<double, 6>& values, SourceId source,
+                                   std::uint32_t at, unsigned depth) {
+    const machine::Machine* machine = options.machine ? options.machine() : nullptr;
+    if (machine == nullptr || !machine->kinematics) {
+        fault(diag::TiltNoMachine, at)
+            .arg(target.name())
+            .arg(machine == nullptr ? "" : machine->name)
+            .fix("name the machine: `-m MACHINE`");
+        return false;
+    }
+    const machine::Chain& chain = machine->kinematics->chain;
+    const std::size_t number = modal[Group::WorkOffsets] == Function::WorkOffset
+                                   ? static_cast<std::size_t>(modal.work_offset)
+                                   : 1;
+    if (number >= machine->work_offsets.size()) {
+        fault(diag::TiltNoZero, at).arg(machine->name).arg(number);
+        return false;
+    }
+    const AxisValues& offset = machine->work_offsets[number];
+    const Vec3 zero(offset[0], offset[1], offset[2]);
+    const Vec3 turns = Vec3(values[3], values[4], values[5]) * rad_from_deg(1);
+    const Mat3 plane = machine::rpy_xyz(turns);
+
+    machine::SwivelQuery query;
+    query.direction = plane.col(2);
+    query.rule = machine->kinematics->rule;
+    for (std::size_t k = 0; k < machine::kJoints; ++k) {
+        if (!chain.has(k)) continue;
+        const Axis axis = chain.joints[k].axis;
+        const auto slot = static_cast<Eigen::Index>(k);
+        if ((modal.known & bit(axis)) != 0)
+            query.start[slot] = rad_from_deg(modal.position[index(axis)]);
+        if (const machine::MachineAxis* limits = machine->find(axis))
+            query.limits[k] = {limits->lower, limits->upper};
+    }
+    const auto joints = machine::choose_swivel(chain, query);
+    if (!joints) {
+        fault(diag::TiltBeyond, at).arg(machine->name);
+        return false;
+    }
+    const bool head_turns =
+        (machine::tool_in_base(chain, *joints) - chain.tool_direction).norm() > kRounding;
+    if (head_turns) {
+        fault(diag::TiltOfHead, at).arg(target.name()).arg(machine->name);
+        return false;
+    }
+    const Vec3 origin(values[0], values[1], values[2]);
+    const Frame whole = machine::table_frame(chain, *joints) * path::translation(zero + origin) *
+                        Frame{plane, Vec3::Zero()};
+
+    ProgramFrame next;
+    for (std::size_t i = 0; i < 3; ++i) {
+        next.shift[i] = neat(whole.shift[static_cast<Eigen::Index>(i)] - offset[i]);
+        next.is_shifted[i] = next.shift[i] != 0;
+    }
+    next.plane = Function::PlaneXy;
+    next.angle_deg = neat_angle(deg_from_rad(std::atan2(whole.linear(1, 0), whole.linear(0, 0))));
+    if (!say_joints(chain, *joints, source, at, depth)) return false;
+    write_frame(next, source, at, depth);
+    modal.tilt = ModalState::Tilt::Resolved;
+    modal.tilt_frame = modal.frame;
+    return !has_failed;
+}
+
+/// A block at rapid that brings the rotary axes to their places; the modal motion stays.
+bool Expander::State::say_joints(const machine::Chain& chain, const Vec3& joints, SourceId source,
+                                 std::uint32_t at, unsigned depth) {
+    if (is_block_limit(at)) return false;
+    Block& block = next_block(source);
+    block.motion = Function::Rapid;
+    for (std::size_t k = 0; k < machine::kJoints; ++k) {
+        if (!chain.has(k)) continue;
+        const nc::Slot slot = nc::slot_of(chain.joints[k].axis);
+        block.set(slot, neat(neat_angle(deg_from_rad(joints[static_cast<Eigen::Index>(k)]))));
+        if (modal[Group::Distance] == Function::Incremental) block.absolute |= nc::bit(slot);
+    }
+    const Function motion = modal[Group::Motion];
+    modal.take_functions(block);
+    modal.take_words(block);
+    if (motion != Function::Rapid) {
+        modal.active[static_cast<std::size_t>(Group::Motion)] = motion;
+        modal.restate_motion = true;
+    }
+    if (options.trace) keep_trace(at, depth, source);
+    return true;
+}
+
+}  // namespace kadr::expand
