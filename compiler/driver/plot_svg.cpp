@@ -403,7 +403,6 @@ text { font-family: "Inter", "Segoe UI", "DejaVu Sans", "Liberation Sans", Arial
 .dot { stroke-width: 4.5; }
 .legend { stroke-width: 3; }
 .rapid { fill: none; stroke: #9aa3ad; stroke-width: 1; stroke-dasharray: 5 4; }
-.tool { fill: none; stroke: #b3261e; stroke-width: 0.7; opacity: 0.6; }
 .start { fill: #ffffff; stroke: #1e7d43; stroke-width: 2.2; }
 .end { fill: #b3261e; stroke: #ffffff; stroke-width: 1; }
 .mark { font-size: 12px; font-weight: 600; }
@@ -412,6 +411,9 @@ text { font-family: "Inter", "Segoe UI", "DejaVu Sans", "Liberation Sans", Arial
 </style>
 <defs><marker id="tip" viewBox="0 0 10 10" refX="10" refY="5" markerWidth="9" markerHeight="9" orient="auto-start-reverse"><path d="M0 2L10 5L0 8z" fill="#2d3138"/></marker></defs>
 )";
+
+constexpr const char* kToolStyle =
+    "<style>.tool { fill: none; stroke: #b3261e; stroke-width: 0.7; opacity: 0.6; }</style>\n";
 
 }  // namespace
 
@@ -429,6 +431,7 @@ std::string plot_svg(const PlotScene& scene, const PlotText& text, PlotColor col
     put_start(out, layout.width, layout.height);
     put(out, "<title>{}</title>\n", escaped(text.title));
     out += kStyle;
+    if (!tools.empty()) out += kToolStyle;
     put(out, "<rect width=\"100%\" height=\"100%\" fill=\"#f7f8f9\"/>\n");
     put_title(out, text.title, text.subtitle, text.warning);
     for (std::size_t i = 0; i < layout.views.size(); ++i) draw_view(out, layout, i, picture);
