@@ -232,8 +232,8 @@ TEST_P(OnStockMachines, AlongTheToolIsAlongTheTool) {
     EXPECT_NEAR((all[3].tip - all[2].tip).dot(all[1].tool), 0, 1e-8);
 }
 
-INSTANTIATE_TEST_SUITE_P(, OnStockMachines, testing::ValuesIn(kFiveAxes), [](const auto& info) {
-    std::string name = info.param;
+INSTANTIATE_TEST_SUITE_P(, OnStockMachines, testing::ValuesIn(kFiveAxes), [](const auto& test) {
+    std::string name = test.param;
     std::erase(name, '-');
     return name;
 });
