@@ -5,7 +5,6 @@
 #include <limits>
 #include <map>
 #include <numbers>
-#include <unordered_map>
 
 #include "base/diagnostics/driver.h"
 #include "base/diagnostics/machine.h"
@@ -13,6 +12,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "base/xml.h"
+#include "machine/described.h"
 #include "machine/element_reader.h"
 #include "machine/load_kinematics.h"
 #include "machine/load_pipeline.h"
@@ -197,23 +197,14 @@ class MachineBuilder {
         if (child.name == "cutting") read_cutting(child);
         if (child.name == "laser") read_laser(child);
         if (child.name == "function") read_function(child);
-        if (child.name == "scanner" && is_first("the scanner", child.range))
+        if (child.name == "scanner" && described_.is_first("the scanner", child.range))
             machine_.scanner = read_scanner(child, sources_, sink_);
-        if (child.name == "kinematics" && is_first("the chain of rotary axes", child.range))
+        if (child.name == "kinematics" &&
+            described_.is_first("the chain of rotary axes", child.range))
             kinematics_ = &child;
         // Read behind the others, which it refers to.
-        if (child.name == "pipeline" && is_first("the pipeline", child.range)) pipeline_ = &child;
-    }
-
-    /// True if `what` is new; else it has been reported.
-    bool is_first(const std::string& what, const SourceRange& place) {
-        const auto [first, is_new] = seen_.emplace(what, place);
-        if (!is_new) {
-            sink_.report(diag::MachineTwice, place)
-                .arg(what)
-                .note(first->second, "the first description");
-        }
-        return is_new;
+        if (child.name == "pipeline" && described_.is_first("the pipeline", child.range))
+            pipeline_ = &child;
     }
 
     void read_axis(const XmlElement& element) {
@@ -242,7 +233,8 @@ class MachineBuilder {
                               reader.quantity("home3", dimension.position),
                               reader.quantity("home4", dimension.position)};
         read_limits(reader, axis, dimension.position);
-        if (is_first("axis " + axis.name, reader.place("name"))) machine_.axes.push_back(axis);
+        if (described_.is_first("axis " + axis.name, reader.place("name")))
+            machine_.axes.push_back(axis);
     }
 
     void read_limits(const ElementReader& reader, MachineAxis& axis, Dimension dimension) {
@@ -280,8 +272,11 @@ class MachineBuilder {
         tool.length_x = reader.quantity("length_x", Dimension::Length).value_or(0);
         tool.radius = reader.magnitude("radius", Dimension::Length).value_or(0);
         tool.tip = static_cast<int>(reader.whole("tip", 0, 9).value_or(0));
-        if (!number || !is_first("tool " + std::to_string(*number), reader.place("number"))) return;
-        if (!tool.name.empty() && !is_first("a tool `" + tool.name + '`', reader.place("name")))
+        if (!number ||
+            !described_.is_first("tool " + std::to_string(*number), reader.place("number")))
+            return;
+        if (!tool.name.empty() &&
+            !described_.is_first("a tool `" + tool.name + '`', reader.place("name")))
             return;
         tool.number = *number;
         machine_.tools.push_back(tool);
@@ -308,7 +303,7 @@ class MachineBuilder {
         function.acts = static_cast<FunctionTime>(
             reader.choice("acts", kFunctionTimes).value_or(is_off ? 2 : 0));
         function.waits = reader.choice("waits", kYesNo).value_or(0) == 0;
-        if (is_first("function " + text, reader.place("code")))
+        if (described_.is_first("function " + text, reader.place("code")))
             machine_.functions.push_back(function);
     }
 
@@ -345,7 +340,8 @@ class MachineBuilder {
                     .arg(kAxisNames[i]);
             }
         }
-        if (!number || !is_first("offset " + std::to_string(*number), reader.place("number"))) {
+        if (!number ||
+            !described_.is_first("offset " + std::to_string(*number), reader.place("number"))) {
             return;
         }
         const auto place = static_cast<std::size_t>(*number);
@@ -365,7 +361,7 @@ class MachineBuilder {
 
     // Values that are wrong have been reported; 1 stands for them until the file is refused.
     void read_spindle_drive(const XmlElement& element) {
-        if (!is_first("the spindle drive", element.range)) return;
+        if (!described_.is_first("the spindle drive", element.range)) return;
         const ElementReader reader(element, sink_);
         SpindleDrive& drive = drives_.spindle;
         drive.inertia = reader.positive("inertia", Dimension::Inertia).value_or(1);
@@ -379,7 +375,7 @@ class MachineBuilder {
     }
 
     void read_feed_drive(const XmlElement& element) {
-        if (!is_first("the feed drive", element.range)) return;
+        if (!described_.is_first("the feed drive", element.range)) return;
         const ElementReader reader(element, sink_);
         FeedDrive& drive = drives_.feed;
         drive.gain = reader.positive("gain", Dimension::Rate).value_or(1);
@@ -389,13 +385,13 @@ class MachineBuilder {
     }
 
     void read_cutting(const XmlElement& element) {
-        if (!is_first("the cutting load", element.range)) return;
+        if (!described_.is_first("the cutting load", element.range)) return;
         const ElementReader reader(element, sink_);
         drives_.cutting_force = reader.magnitude("force", Dimension::Force).value_or(0);
     }
 
     void read_laser(const XmlElement& element) {
-        if (!is_first("the laser", element.range)) return;
+        if (!described_.is_first("the laser", element.range)) return;
         const ElementReader reader(element, sink_);
         Laser laser;
         laser.pulse = reader.positive("pulse", Dimension::Frequency).value_or(0);
@@ -426,7 +422,7 @@ class MachineBuilder {
     bool has_spindle_drive_ = false;
     bool has_feed_drive_ = false;
     const XmlElement* pipeline_ = nullptr;
-    std::unordered_map<std::string, SourceRange> seen_;  // what has been described, and where
+    Described described_{sink_};
 };
 
 /// Counts the errors that pass on their way to the real sink.

@@ -1,10 +1,10 @@
 #include "machine/load_pipeline.h"
 
 #include <cmath>
-#include <map>
 
 #include "base/diagnostics/machine.h"
 #include "base/numbers.h"
+#include "machine/described.h"
 #include "machine/element_reader.h"
 #include "machine/setpoint_columns.h"
 #include "path/op_names.h"
@@ -81,16 +81,6 @@ class PipelineReader {
         if (given) value = static_cast<std::size_t>(*given);
     }
 
-    bool is_first(const std::string& what, const SourceRange& place) {
-        const auto [first, is_new] = seen_.emplace(what, place);
-        if (!is_new) {
-            sink_.report(diag::MachineTwice, place)
-                .arg(what)
-                .note(first->second, "the first description");
-        }
-        return is_new;
-    }
-
     void read_row(const XmlElement& element) {
         const ElementReader reader(element, sink_);
         if (!reader.has("command") || !reader.has("by")) return;
@@ -105,7 +95,7 @@ class PipelineReader {
             if (better) message.fix(reader.place("command"), *better, "the command is called so");
             return;
         }
-        if (!is_first("who serves `" + name + '`', reader.place("command"))) return;
+        if (!described_.is_first("who serves `" + name + '`', reader.place("command"))) return;
         const std::string module = reader.text("by");
         if (module == kNoModule && serving != Serving::Time) {
             sink_.report(diag::PipelineMotion, reader.place("by")).arg(name);
@@ -125,7 +115,7 @@ class PipelineReader {
     }
 
     void read_translate(const XmlElement& element) {
-        if (!is_first("the stage `translate`", element.range)) return;
+        if (!described_.is_first("the stage `translate`", element.range)) return;
         const ElementReader reader(element, sink_);
         PipelineStage& stage = pipeline_.translate;
         stage.period = reader.positive("period", Dimension::Time).value_or(0);
@@ -135,7 +125,7 @@ class PipelineReader {
 
     /// A stage that works in whole ticks.
     void read_ticked(const XmlElement& element, PipelineStage& stage, const std::string& name) {
-        if (!is_first("the stage `" + name + '`', element.range)) return;
+        if (!described_.is_first("the stage `" + name + '`', element.range)) return;
         const ElementReader reader(element, sink_);
         set(stage.queue, reader.whole("queue", 1, kMostQueue));
         const auto period = reader.positive("period", Dimension::Time);
@@ -182,7 +172,7 @@ class PipelineReader {
                 sink_.report(diag::PipelineColumn, word.range).arg(word.text).arg(known_columns());
                 continue;
             }
-            if (is_first("the column `" + word.text + '`', word.range))
+            if (described_.is_first("the column `" + word.text + '`', word.range))
                 pipeline_.setpoints.columns.push_back(word.text);
         }
     }
@@ -198,7 +188,7 @@ class PipelineReader {
     const Machine& machine_;
     DiagnosticSink& sink_;
     Pipeline pipeline_;
-    std::map<std::string, SourceRange> seen_;
+    Described described_{sink_};
 };
 
 }  // namespace

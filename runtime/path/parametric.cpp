@@ -5,6 +5,7 @@
 
 #include "base/assert.h"
 #include "path/helix.h"
+#include "path/parameter_point.h"
 #include "path/quadrature.h"
 
 namespace kadr::path {
@@ -128,18 +129,8 @@ Vec3 position(const Parametric& curve, double s) {
 }
 
 CurvePoint curvature_at(const Parametric& curve, double u) {
-    const SplinePoint point = point_at(curve, u);
-    if (!(point.first.norm() > kStands * curve.length)) {
-        // It stands: the direction is that of the way on, or of the way there at the end.
-        const double beside = u < 0.5 ? u + 1e-3 : u - 1e-3;
-        const Vec3 way = (point_at(curve, beside).position - point.position) * (u < 0.5 ? 1 : -1);
-        const double size = way.norm();
-        return {point.position, size > 0 ? Vec3(way / size) : Vec3(Vec3::Zero()), Vec3::Zero()};
-    }
-    const double square = point.first.squaredNorm();
-    const Vec3 tangent = point.first / std::sqrt(square);
-    // d²C/ds² is the part of C'' across the tangent, divided by |C'|².
-    return {point.position, tangent, (point.second - point.second.dot(tangent) * tangent) / square};
+    return parameter_point([&](double at) { return point_at(curve, at); }, u,
+                           kStands * curve.length);
 }
 
 CurvePoint evaluate(const Parametric& curve, double s) {

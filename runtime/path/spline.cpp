@@ -7,6 +7,7 @@
 #include "path/casteljau.h"
 #include "path/helix.h"
 #include "path/homogeneous.h"
+#include "path/parameter_point.h"
 #include "path/quadrature.h"
 
 namespace kadr::path {
@@ -215,19 +216,8 @@ Vec3 position(const Bezier<N>& spline, double s) {
 
 template <std::size_t N>
 CurvePoint curvature_at(const Bezier<N>& spline, double u) {
-    SplinePoint point = point_at(spline, u);
-    const double least = kStands * polygon<N>(spline.poles);
-    if (!(point.first.norm() > least)) {
-        // It stands: the direction is that of the way on, or of the way there at the end.
-        const double beside = u < 0.5 ? u + 1e-3 : u - 1e-3;
-        const Vec3 way = (point_at(spline, beside).position - point.position) * (u < 0.5 ? 1 : -1);
-        const double size = way.norm();
-        return {point.position, size > 0 ? Vec3(way / size) : Vec3(Vec3::Zero()), Vec3::Zero()};
-    }
-    const double square = point.first.squaredNorm();
-    const Vec3 tangent = point.first / std::sqrt(square);
-    // d²C/ds² is the part of C'' across the tangent, divided by |C'|².
-    return {point.position, tangent, (point.second - point.second.dot(tangent) * tangent) / square};
+    return parameter_point([&](double at) { return point_at(spline, at); }, u,
+                           kStands * polygon<N>(spline.poles));
 }
 
 template <std::size_t N>

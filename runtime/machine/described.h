@@ -1,0 +1,32 @@
+// described.h — what a machine file has described already, and where.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "base/diagnostic.h"
+#include "base/diagnostics/machine.h"
+
+namespace kadr::machine {
+
+class Described {
+  public:
+    explicit Described(DiagnosticSink& sink) : sink_(sink) {}
+
+    /// True if `what` is new; else it has been reported, with the place of the first description.
+    bool is_first(const std::string& what, const SourceRange& place) {
+        const auto [first, is_new] = seen_.emplace(what, place);
+        if (!is_new) {
+            sink_.report(diag::MachineTwice, place)
+                .arg(what)
+                .note(first->second, "the first description");
+        }
+        return is_new;
+    }
+
+  private:
+    DiagnosticSink& sink_;
+    std::map<std::string, SourceRange> seen_;
+};
+
+}  // namespace kadr::machine
