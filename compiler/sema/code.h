@@ -177,9 +177,10 @@ enum class FrameChange : std::uint8_t { Shift, Rotate, Scale, Mirror };
 
 /// Which modal state a `with` or `preserves` concerns: bit i is nc::Group i, then:
 using ModalMask = std::uint32_t;
-inline constexpr ModalMask kFrameBit = 1u << 24;
-inline constexpr ModalMask kFeedBit = 1u << 25;
-inline constexpr ModalMask kSpeedBit = 1u << 26;
+inline constexpr ModalMask kFrameBit = 1u << nc::kGroups;
+inline constexpr ModalMask kFeedBit = kFrameBit << 1;
+inline constexpr ModalMask kSpeedBit = kFrameBit << 2;
+static_assert(kSpeedBit != 0, "a group for which the mask has no bit");
 constexpr ModalMask group_bit(nc::Group group) { return 1u << static_cast<unsigned>(group); }
 
 /// One value of a block that is known only when the program runs, in the order of the registers.

@@ -1,8 +1,8 @@
 // frames.h — the frames in force: work offset, set position, programmable frame.
 //
-// base = table : tables : set shift + base frame : work offset : tool frame : tilted plane : programmable
-// frame (programmed point). Keeps the product and its inverse ready, so that a block pays for
-// frames only when one changes.
+// base = table : tables : set shift + base frame : work offset : tool frame : tilted plane :
+// programmable frame (programmed point). Keeps the product and its inverse ready, so that a block
+// pays for frames only when one changes.
 #pragma once
 
 #include <array>

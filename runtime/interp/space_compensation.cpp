@@ -11,8 +11,8 @@
 #include "base/units.h"
 #include "machine/following.h"
 #include "machine/kinematics.h"
-#include "path/turn.h"
 #include "path/curve_of.h"
+#include "path/turn.h"
 
 namespace kadr::interp {
 
@@ -127,8 +127,7 @@ std::optional<CompAlarm> SpaceCompensation::end_block(const nc::Block& block) {
             fresh_.clear();
             return alarm(fault, place);
         }
-        has_moved =
-            has_moved || (linear(here_) - before).norm() > kStill || place.op == Op::Arc;
+        has_moved = has_moved || (linear(here_) - before).norm() > kStill || place.op == Op::Arc;
     }
     fresh_.clear();
     if (has_moved || (!last_ && !approach_)) {
@@ -333,8 +332,8 @@ SpaceCompensation::Fault SpaceCompensation::meet(Side& a, Side& b, const Vec3& t
 
 /// Around the corner on an arc, or to where both lines meet if they are extended.
 void SpaceCompensation::join_outside(Side& next, const Corner& corner) {
-    const bool turns = std::ranges::any_of(
-        waiting_, [&](const Command& command) { return turns_tool(command); });
+    const bool turns =
+        std::ranges::any_of(waiting_, [&](const Command& command) { return turns_tool(command); });
     const bool are_even = last_->is_line() && next.is_line() && !last_->turns() && !next.turns();
     if (settings_.extends_lines && are_even && !turns && std::abs(corner.turn) <= settings_.limit) {
         extend(next, corner);

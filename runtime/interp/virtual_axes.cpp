@@ -144,8 +144,7 @@ void Executor::begin_virtual(const Block& block, const Invocation& invocation) {
     if (rules_.virtual_is_narrow && virtual_.axes.is_on())
         return refuse_virtual(block, invocation.function);
     if (comp_.side != Function::RadiusCompOff) {
-        report(diag::TransformationComp, block, invocation.function)
-            .arg(nc::info(invocation.function).name);
+        report(diag::VirtualComp, block, invocation.function);
         return;
     }
     end_virtual(block);
@@ -172,8 +171,7 @@ void Executor::end_virtual(const Block& block) {
     if (!virtual_.axes.is_on()) return;
     if (comp_.side != Function::RadiusCompOff) {
         const bool is_face = virtual_.axes.kind == VirtualKind::Face;
-        report(diag::TransformationComp, block, is_face ? Function::TcpOff : virtual_.said)
-            .arg(is_face ? "tcp_off" : nc::info(virtual_.said).name);
+        report(diag::VirtualComp, block, is_face ? Function::TcpOff : virtual_.said);
         return;
     }
     leave_corners(diag::CornerWithoutMotion);

@@ -8,12 +8,11 @@ namespace kadr::nc {
 namespace {
 
 constexpr std::array<std::string_view, kGroups> kGroupNames = {
-    "once",           "motion",      "plane",         "units",         "distance",
-    "feed_mode",      "speed_mode",  "radius_comp",   "length_comp",   "path_mode",
-    "work_offsets",   "spindle",     "coolant",       "cycle_mode",    "cycle_return",
-    "comp_start",     "comp_corner", "comp_check",    "diameter",      "compressor",
-    "transformation", "turning",     "orient_angles", "orient_system", "spinning",
-    "comp_system",    "comp_turning", "data_input"};
+    "once",       "motion",      "plane",          "units",      "distance",      "feed_mode",
+    "speed_mode", "radius_comp", "length_comp",    "path_mode",  "work_offsets",  "spindle",
+    "coolant",    "cycle_mode",  "cycle_return",   "comp_start", "comp_corner",   "comp_check",
+    "diameter",   "compressor",  "transformation", "turning",    "orient_angles", "orient_system",
+    "spinning",   "comp_system", "comp_turning",   "data_input"};
 
 constexpr std::array<std::string_view, 9> kDimensionNames = {
     "number", "count", "length", "angle", "time", "feed", "speed", "factor", "text"};

@@ -119,7 +119,7 @@ struct Command {
     Lean lean;                       // Surface
     // … whose path is that of the place where the cutter touches: one; else none.
     std::vector<ContactMotion> contact;
-    VirtualAxes virtual_axes;        // in which the motion is told; the tool does not turn then
+    VirtualAxes virtual_axes;  // in which the motion is told; the tool does not turn then
 
     double feed = 0;            // mm/min, mm/rev or 1/min, as feed_mode says; of a thread mm/rev
     double lead_change = 0;     // Thread: by how much `feed` changes in a turn, mm/rev

@@ -19,6 +19,7 @@
 //   machine: lathe           it runs on a lathe: X is a diameter, the tools are
 //                            1 a point, 2 a nose of 0.4, 3 a groove tool of 4 mm
 //   machine: driven          a lathe with driven tools: X, Z and C without end, no Y
+//   machine: five-axis       a table that tilts about X (A) and turns about Z in it (C)
 // Programs that are called stand in the same file, or in the folder `called` beside it.
 // What is not told must not happen: a program without `alarm` ends without one.
 #include "base/diagnostics/control.h"
@@ -38,7 +39,7 @@
 #include "driver/program_files.h"
 #include "driver/session.h"
 #include "interp/program.h"
-#include "tests/interp/bench.h"
+#include "tests/interp/five_axis_bench.h"
 
 namespace kadr::interp {
 namespace {
@@ -80,6 +81,7 @@ struct Expected {
     std::uint16_t skip_levels = 0;
     bool is_of_lathe = false;
     bool has_driven_tools = false;
+    bool has_five_axes = false;
     bool has_rule = false;
 };
 
@@ -106,6 +108,7 @@ Expected parse(const std::string& text) {
             expected.skip_levels = static_cast<std::uint16_t>(1u << std::stoi(level));
         expected.is_of_lathe |= value_of("machine: ") == "lathe";
         expected.has_driven_tools |= value_of("machine: ") == "driven";
+        expected.has_five_axes |= value_of("machine: ") == "five-axis";
         const std::string value = value_of("expect: ");
         if (value.empty()) continue;
         if (value.starts_with("to ")) {
@@ -280,7 +283,7 @@ void drive_tools(machine::Machine& machine) {
 
 Outcome run_program(const nc::Dialect& dialect, const std::string& text, const Expected& expected,
                     const fs::path& folder, bool can_seek) {
-    machine::Machine machine = mill();
+    machine::Machine machine = expected.has_five_axes ? trunnion() : mill();
     machine.work_offsets = {{}, {}, {10, 20, 30}};
     machine.tools[0].length = 0;
     machine.is_lathe = expected.is_of_lathe || is_of_lathe(dialect);

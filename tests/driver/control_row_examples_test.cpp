@@ -70,10 +70,11 @@ Control control_of(const std::string& example) {
         has("FANUC") ||
         matches("#[0-9]|G6[567]|M98|M198|^O[0-9]|[A-Z]-?[0-9]*\\.(\\s|$)|IF\\[|WHILE\\[|DPRNT");
     const bool has_centre = has("G43.4") || has("G43.5");
-    const std::string machine = has("nutating")                                    ? "nutating.xml"
-                                : has("three rotary axes")                         ? "six-axis.xml"
-                                : has("TRAORI\n") || has("trunnion") || has_centre ? "trunnion-ac.xml"
-                                                                                   : mill;
+    const std::string machine = has("nutating")            ? "nutating.xml"
+                                : has("three rotary axes") ? "six-axis.xml"
+                                : has("TRAORI\n") || has("trunnion") || has_centre
+                                    ? "trunnion-ac.xml"
+                                    : mill;
     if (is_fanuc && !has("SINUMERIK"))
         return {"fanuc", ".nc", machine, "T1 M6\nS1000 M3\nG0 X0 Y0 Z50. F200.\n"};
     return {"sinumerik", ".mpf", machine, "T1 D1 M6\nS1000 M3\nG0 X0 Y0 Z50 F200\n",

@@ -105,7 +105,7 @@ motion::Segment piece(double time, motion::SegmentKind kind, double length = 0) 
     motion::Segment segment;
     segment.start_time = time;
     segment.kind = kind;
-    segment.tool_length = length;
+    segment.carrier = length * path::Vec3::UnitZ();
     return segment;
 }
 

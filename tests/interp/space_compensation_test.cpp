@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -15,10 +16,7 @@ namespace {
 using path::Vec3;
 
 std::vector<path::Command> motions(const std::string& text) {
-    const Ran ran = read(
-        "sinumerik",
-        "$TC_DP1[1,1]=120\n$TC_DP3[1,1]=50\n$TC_DP6[1,1]=5\nT1 D1 M6\nS1000 M3\n" + text + "\nM30",
-        trunnion());
+    const Ran ran = read("sinumerik", "G500\nT1 D1 M6\nS1000 M3\n" + text + "\nM30", trunnion());
     EXPECT_EQ(alarms(ran), "") << text;
     std::vector<path::Command> found;
     for (const path::Command& command : ran.commands) {
@@ -143,8 +141,7 @@ struct Refused {
 class SpaceCompensationRefuses : public testing::TestWithParam<Refused> {};
 
 TEST_P(SpaceCompensationRefuses, WithItsRow) {
-    const Ran ran =
-        read("sinumerik", "$TC_DP6[1,1]=5\nT1 D1 M6\nS1000 M3\n" + GetParam().text, trunnion());
+    const Ran ran = read("sinumerik", "T1 D1 M6\nS1000 M3\n" + GetParam().text, trunnion());
     EXPECT_TRUE(ran.alarmed);
     ASSERT_EQ(ran.messages.size(), 1u) << GetParam().text;
     EXPECT_EQ(ran.messages[0].row->code, GetParam().code) << GetParam().text;
@@ -155,10 +152,10 @@ INSTANTIATE_TEST_SUITE_P(
     , SpaceCompensationRefuses,
     testing::Values(Refused{"TRAORI\nCUT3DC\nG1 G42 X10 F100\nX20\nZ-10", "K5680", "10759"},
                     Refused{"TRAORI\nCUT3DC\nG1 G41 X10 F100\nX40\nA3=-1 C3=5\nG3 X20 Y20 CR=20",
-                            "K5681", ""},
-                    Refused{"TRAORI\nCUT3DC KONT\nG1 G42 X10 F100", "K5682", ""},
-                    Refused{"TRAORI\nCUT3DC\nG2 G42 X10 CR=8 F100", "K5283", "10753"},
-                    Refused{"TRAORI\nCUT3DC\nG1 G41 X10 F100\nX40\nY2\nX0", "K5286", "10751"}));
+                            "K5681", "K5681"},
+                    Refused{"TRAORI\nCUT3DC KONT\nG1 G42 X10 F100", "K5682", "K5682"},
+                    Refused{"TRAORI\nCUT3DC\nG2 G42 X10 CR=8 F100", "K5272", "10753"},
+                    Refused{"TRAORI\nCUT3DC\nG1 G41 X10 F100\nX40\nY2\nX0", "K5277", "10751"}));
 
 }  // namespace
 }  // namespace kadr::interp

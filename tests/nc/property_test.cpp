@@ -362,6 +362,24 @@ bool goes_to_reference(const Block& block, const Block& meant, const Invocation&
     return true;
 }
 
+/// Whether the block says a tilted plane, or its end, as the control reads it: its own cycle for
+/// planes, or the code that ends a rotation as well.
+bool says_tilt(const Block& block, const Block& meant, const Invocation& plane) {
+    const Invocation* swivel = block.find(Function::Swivel);
+    if (plane.function == Function::TiltOff)
+        return block.find(Function::RotateOff) != nullptr || (swivel && swivel->given == 0);
+    if (plane.function != Function::Tilt || swivel == nullptr) return false;
+    const auto said = info(Function::Swivel).parameters;
+    const auto asked = info(Function::Tilt).parameters;
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        const auto same = std::ranges::find(said, asked[i].name, &Parameter::name);
+        const auto place = static_cast<std::size_t>(same - said.begin());
+        const double difference = block.argument(*swivel, place) - meant.argument(plane, i, 0);
+        if (std::fabs(difference) > kHalfIncrement) return false;
+    }
+    return true;
+}
+
 /// The first field of `meant` that none of the blocks has; empty: all of them are there.
 std::string lost_field(const Block& meant, std::span<const Block> blocks, const Dialect& dialect) {
     ModalFunctions modal = dialect.tables().power_on;
@@ -404,7 +422,7 @@ std::string lost_field(const Block& meant, std::span<const Block> blocks, const 
             // Distances of 0 on the way to the reference point are the axes that go there.
             if (found == nullptr && function == Function::ReferencePoint)
                 return goes_to_reference(b, meant, invocation);
-            if (found == nullptr) return false;
+            if (found == nullptr) return says_tilt(b, meant, invocation);
             for (std::size_t p = 0; p < kMaxArguments && p < 32; ++p) {
                 if ((invocation.given & found->given) >> p % 32 & 1u) {
                     if (std::fabs(meant.argument(invocation, p) - b.argument(*found, p)) >

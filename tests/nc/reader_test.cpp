@@ -287,7 +287,7 @@ TEST(Reader, WordsWithoutEffectAreAccepted) {
         {{"G40G49G80G69G50G15",
           "radius_comp_off | length_comp_off | cycle_off | rotate_off | scale_off | polar_off"},
          {"G08 P1\nG01 X1.", "line X1"}});
-    expect_blocks("sinumerik", {{"G1 SOFT G601 X5 CUT2D", "line X5"}, {"STOPRE", ""}});
+    expect_blocks("sinumerik", {{"G1 SOFT G601 X5 CDOF2", "line X5"}, {"STOPRE", ""}});
     // A word of arcs beside a cycle is not passed over.
     EXPECT_EQ(testing::codes(read_blocks(shipped("fanuc"), "G81 X1. Z-5. R2. J3.").messages),
               "K5010");
