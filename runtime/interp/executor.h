@@ -376,7 +376,7 @@ class Executor {
     std::optional<path::Frame> plane_by_angles(const nc::Block& block,
                                                const nc::Invocation& invocation);
     void tilt_by_blocks(const nc::Block& block, const nc::Invocation& invocation);
-    std::optional<path::Frame> plane_by_blocks(const nc::Block& block, const Tilting::Said& said);
+    std::optional<path::Frame> plane_by_blocks(const nc::Block& block, const SaidPlane& said);
     std::optional<path::Vec3> origin_of_plane(const nc::Block& block,
                                               const nc::Invocation& invocation, std::size_t first);
     bool begin_plane(const nc::Block& block, const nc::Invocation& invocation, bool is_added);

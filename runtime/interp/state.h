@@ -163,6 +163,16 @@ struct ToolWords {
     }
 };
 
+/// What the blocks of one tilted plane have said so far, if it takes several.
+struct SaidPlane {
+    nc::Function by = nc::Function::None;
+    bool is_added = false;
+    unsigned next = 0;  // number of the block that has to come
+    std::array<path::Vec3, 4> values{};
+    path::Vec3 origin = path::Vec3::Zero();
+    double turn = 0;  // rad
+};
+
 /// A tilted working plane, and how the rotary axes stand to it.
 struct Tilting {
     bool is_on = false;      // a plane acts
@@ -170,17 +180,7 @@ struct Tilting {
     bool on_tables = false;  // … or the frames do so alone
     path::Vec3 joints = path::Vec3::Zero();  // R1, R2, Ψ there, rad
     bool warned_turned = false;
-
-    /// What the blocks of one plane have said so far, if it takes several.
-    struct Said {
-        nc::Function by = nc::Function::None;
-        bool is_added = false;
-        unsigned next = 0;  // number of the block that has to come
-        std::array<path::Vec3, 4> values{};
-        path::Vec3 origin = path::Vec3::Zero();
-        double turn = 0;  // rad
-    };
-    std::optional<Said> open;
+    std::optional<SaidPlane> open;
 };
 
 /// The face, the cylinder or the inclined slide in whose coordinates the program is told.

@@ -66,6 +66,7 @@ std::string_view words_of(machine::PlaneFault fault) {
 std::optional<std::array<Axis, 3>> axes_in_order(double digits) {
     std::array<Axis, 3> order{};
     unsigned seen = 0;
+    if (!(digits >= 123 && digits <= 321)) return std::nullopt;
     auto rest = static_cast<std::int64_t>(digits);
     for (std::size_t i = 3; i-- > 0; rest /= 10) {
         const auto digit = static_cast<std::size_t>(rest % 10);
@@ -73,7 +74,7 @@ std::optional<std::array<Axis, 3>> axes_in_order(double digits) {
         order[i] = static_cast<Axis>(digit - 1);
         seen |= 1u << digit;
     }
-    if (rest != 0 || seen != 0b1110u) return std::nullopt;
+    if (seen != 0b1110u) return std::nullopt;
     return order;
 }
 
@@ -169,7 +170,7 @@ void Executor::tilt_by_blocks(const Block& block, const Invocation& invocation) 
         tilting_.open->is_added = is_added;
         tilting_.open->next = is_by_points && number == 0 ? 0 : 1;
     }
-    Tilting::Said& said = *tilting_.open;
+    SaidPlane& said = *tilting_.open;
     if (said.by != invocation.function || said.is_added != is_added || number != said.next) {
         report(diag::TiltFormat, block, invocation.function)
             .arg("its blocks do not stand in their order");
@@ -193,7 +194,7 @@ void Executor::tilt_by_blocks(const Block& block, const Invocation& invocation) 
     if (machine_.kinematics) carry(block, joints_of(position_.base));
 }
 
-std::optional<Frame> Executor::plane_by_blocks(const Block& block, const Tilting::Said& said) {
+std::optional<Frame> Executor::plane_by_blocks(const Block& block, const SaidPlane& said) {
     const std::array<Vec3, 3> points = {said.values[1], said.values[2], said.values[3]};
     const bool is_by_points = said.by == Function::TiltPoint;
     const auto plane = is_by_points
