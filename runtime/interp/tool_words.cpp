@@ -25,9 +25,11 @@ bool is_cone(Function turning) {
            turning == Function::TurnConeOver || turning == Function::TurnConeOn;
 }
 
-std::array<std::size_t, 2> two_counts(const Block& block, const nc::Invocation& invocation) {
-    return {static_cast<std::size_t>(block.argument(invocation, 0)),
-            static_cast<std::size_t>(block.argument(invocation, 1))};
+/// A count that a form of the dialect says; what is none is beyond all of them.
+std::size_t count_of(const Block& block, const nc::Invocation& invocation, std::size_t place) {
+    constexpr double kMost = 9;
+    const double value = block.argument(invocation, place);
+    return static_cast<std::size_t>(value >= 0 && value < kMost ? value : kMost);
 }
 
 }  // namespace
@@ -41,7 +43,7 @@ void Executor::take_orientation(const Block& block, const nc::Invocation& invoca
     }
     ToolWords& tool = actions.tool;
     const auto component = [&](ToolWords::Triple& triple) {
-        const std::size_t part = two_counts(block, invocation)[0];
+        const std::size_t part = count_of(block, invocation, 0);
         if (part < 3) triple.set(part, block.argument(invocation, 1));
     };
     switch (invocation.function) {
@@ -51,7 +53,8 @@ void Executor::take_orientation(const Block& block, const nc::Invocation& invoca
         case Function::ToolBetween: return component(tool.between);
         case Function::ToolPoint: return component(tool.point);
         case Function::SurfaceNormal: {
-            const auto [end, part] = two_counts(block, invocation);
+            const std::size_t end = count_of(block, invocation, 0);
+            const std::size_t part = count_of(block, invocation, 1);
             if (end < 2 && part < 3) tool.normals[end].set(part, block.argument(invocation, 2));
             return;
         }

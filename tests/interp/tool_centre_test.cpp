@@ -34,7 +34,7 @@ Vec3 place_of(const path::Command& command) {
 
 /// Where X, Y and Z of the machine stand at the end of a command.
 Vec3 axes_of(const path::Command& command, double length) {
-    const machine::Chain& chain = trunnion().kinematics->chain;
+    const machine::Chain chain = trunnion().kinematics->chain;
     const machine::ChainPosition position{
         Vec3::Zero(),
         Vec3::Zero(),
@@ -98,7 +98,7 @@ TEST(ToolCentre, VectorsTurnWithTheWorkpiece) {
     // With the table turned by 90 degrees, X of the program is another direction of the workpiece.
     const auto all = fanuc("G00 C90.\nG43.5 H01\nG01 X10. I1. K1. F500.");
     ASSERT_EQ(all.size(), 3u);
-    const machine::Chain& chain = trunnion().kinematics->chain;
+    const machine::Chain chain = trunnion().kinematics->chain;
     const machine::Mat3 table = machine::rotation_of(chain, {rad_from_deg(90), 0, 0});
     const Vec3 wanted = table * Vec3(1, 0, 1).normalized();
     EXPECT_LT((all[2].direction - wanted).norm(), 1e-12);
