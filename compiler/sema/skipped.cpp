@@ -40,6 +40,7 @@ bool stays_unsaid(nc::Function function) {
         case Function::BlendFeedDistance:
         case Function::BlendRapidDistance:
         case Function::PathTolerance:
+        case Function::OrientTolerance:
         case Function::CyclePreset:
         case Function::CycleModal:
         case Function::Cycle: return true;

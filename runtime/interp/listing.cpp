@@ -241,6 +241,8 @@ void append_smoothing(std::string& out, const Command& command) {
         const bool by_distance = blending.kind == path::BlendKind::Distance;
         append_field(out, by_distance ? "blend_distance" : "blend_tolerance", blending.size);
         if (blending.with_tangents) out += ",\"blend_tangents\":true";
+        if (command.turning != path::Turning::None && std::isfinite(blending.orientation))
+            append_field(out, "blend_orientation", deg_from_rad(blending.orientation));
     }
     if (command.compress > 0) append_field(out, "compress", command.compress);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/diagnostics/iso.h"
+#include "base/units.h"
 #include "interp/executor.h"
 
 namespace kadr::interp {
@@ -24,6 +25,10 @@ void Executor::choose_smoothing(const Block& block, const nc::Invocation& invoca
         smoothing_.tolerance = size < 0 ? std::nullopt : std::optional(size);
         return;
     }
+    if (invocation.function == Function::OrientTolerance) {
+        smoothing_.orientation = size < 0 ? std::nullopt : std::optional(rad_from_deg(size));
+        return;
+    }
     if (size < 0) report(diag::BlendDistanceNegative, block, invocation.function).arg(size);
     const bool is_rapid = invocation.function == Function::BlendRapidDistance;
     (is_rapid ? smoothing_.rapid_distance : smoothing_.feed_distance) = std::max(size, 0.0);
@@ -31,15 +36,15 @@ void Executor::choose_smoothing(const Block& block, const nc::Invocation& invoca
 
 /// How the corner behind a motion of this block is rounded.
 path::Blending Executor::blending(Op op) const {
-    // The curves around corners do not know how the tool turns.
-    if (is_transformed()) return {};
+    if (virtual_.axes.is_on()) return {};
     if (modal_.blend == Function::None || !path::is_motion(op)) return {};
     if (modal_.blend == Function::BlendDistance) {
         return {BlendKind::Distance, false,
                 op == Op::Rapid ? smoothing_.rapid_distance : smoothing_.feed_distance};
     }
     return {BlendKind::Tolerance, modal_.blend == Function::BlendSmooth,
-            smoothing_.tolerance.value_or(machine_.corner_tolerance)};
+            smoothing_.tolerance.value_or(machine_.corner_tolerance),
+            smoothing_.orientation.value_or(machine_.orientation_tolerance)};
 }
 
 /// Within which tolerance a motion of this block may become a part of a curve; 0: not at all. The

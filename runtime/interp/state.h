@@ -102,7 +102,8 @@ struct SoftState {
 struct Smoothing {
     double feed_distance = 0;
     double rapid_distance = 0;
-    std::optional<double> tolerance;  // nothing: as the machine has it
+    std::optional<double> tolerance;    // mm; nothing: as the machine has it
+    std::optional<double> orientation;  // rad; likewise
     bool compresses = false;
 };
 

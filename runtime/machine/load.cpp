@@ -47,6 +47,7 @@ const XmlShape& machine_shape() {
           "orient_time",
           "tool_change_time",
           "corner_tolerance",
+          "orientation_tolerance",
           "compressor_tolerance"},
          {"axis", "tool", "offset", "spindle_drive", "feed_drive", "cutting", "laser", "function",
           "scanner", "kinematics", "pipeline"}},
@@ -176,6 +177,8 @@ class MachineBuilder {
             reader.magnitude("tool_change_time", Dimension::Time).value_or(0);
         machine_.corner_tolerance = reader.magnitude("corner_tolerance", Dimension::Length)
                                         .value_or(machine_.corner_tolerance);
+        machine_.orientation_tolerance = reader.magnitude("orientation_tolerance", Dimension::Angle)
+                                             .value_or(machine_.orientation_tolerance);
         machine_.compressor_tolerance = reader.magnitude("compressor_tolerance", Dimension::Length)
                                             .value_or(machine_.compressor_tolerance);
     }

@@ -9,6 +9,7 @@
 
 #include "base/axes.h"
 #include "base/diagnostic.h"
+#include "base/units.h"
 #include "machine/chain.h"
 #include "machine/pipeline_data.h"
 #include "machine/process_data.h"
@@ -60,8 +61,9 @@ inline constexpr double kLongestTick = 1;
 struct Machine {
     std::string name;
     std::string title;
-    double tick = 0.001;                 // s, interpolation period, up to kLongestTick
-    double corner_tolerance = 0.05;      // mm, of rounded corners if the program says none
+    double tick = 0.001;             // s, interpolation period, up to kLongestTick
+    double corner_tolerance = 0.05;  // mm, of rounded corners if the program says none
+    double orientation_tolerance = rad_from_deg(0.05);  // rad, of the tool at rounded corners
     double compressor_tolerance = 0.01;  // mm, of compressed lines if the program says none
     double max_feed = 0;                 // mm/s, path; 0: no limit of its own
     double max_speed = 0;                // rev/s of the spindle; 0: no limit

@@ -234,8 +234,11 @@ void Preparer::State::move(const Command& command) {
     segment.source = command.source;
     const double length = standing.lay_path(command, target, segment);
     if (segment.is_transformed() && length > 0) {
-        release();
-        emit_transformed(command, segment, target);
+        const double from = round_corner(command, segment, length);
+        if (!has_ended && !hold(command, segment, length, from)) {
+            if (from > 0) emit_rest(command, segment, length, from);
+            else emit_transformed(command, segment, target);
+        }
     } else if (length > 0 && is_possible(command, segment, length)) {
         const double from = round_corner(command, segment, length);
         if (!hold(command, segment, length, from)) {

@@ -12,6 +12,7 @@
 #include "motion/prepare_state.h"
 #include "motion/rounding.h"
 #include "motion/smooth_profile.h"
+#include "motion/turned_corner.h"
 
 namespace kadr::motion {
 
@@ -41,6 +42,30 @@ double time_lost(double speed, double way, const PathLimits& limits) {
            smooth_ramp_length(speed, limits.speed, ramp) / limits.speed;
 }
 
+/// A curve around a corner, and the corner as it is.
+struct Alternative {
+    double way = 0;       // mm of the curve on either side
+    double on_curve = 0;  // speed there
+    double at_corner = 0;
+    double half = 0;  // of the shorter one of both motions, mm
+};
+
+/// Whether the curve takes less time than the corner.
+bool saves_time(const Alternative& curve, const std::array<PathLimits, 2>& beside) {
+    const double most = std::min(beside[0].speed, beside[1].speed);
+    double saved = 0;
+    for (PathLimits limits : beside) {
+        // Ramps end in the middles of both motions.
+        const double from = std::max(curve.on_curve, curve.at_corner);
+        limits.speed =
+            std::min(limits.speed, std::sqrt(from * from + 2 * limits.acceleration * curve.half));
+        saved -= time_lost(curve.on_curve, curve.way, limits);
+        if (curve.at_corner < most) limits.acceleration *= kRampBesideJump;
+        saved += time_lost(curve.at_corner, 0, limits);
+    }
+    return saved > 0;
+}
+
 constexpr bool is_rounded(Op op) {
     return op == Op::Rapid || op == Op::Line || op == Op::Arc || op == Op::Spline ||
            op == Op::Involute || op == Op::Parametric;
@@ -58,13 +83,13 @@ std::optional<double> Preparer::State::feed_of(const Command& command, const Seg
     return *feed * options.feed_override;
 }
 
-/// Whether there can be a curve before or behind a motion. Axes beside X, Y, Z have no curve, and
-/// the pulses of a laser burn the programmed points.
+/// Whether there can be a curve before or behind a motion. Axes beside X, Y, Z have no curve but
+/// those that turn the tool, and the pulses of a laser burn the programmed points.
 bool Preparer::State::can_be_rounded(const Command& command, const Segment& segment,
                                      double length) const {
-    return is_rounded(command.op) && !has_pulses() && !segment.turns_only &&
-           segment.followers == 0 && !segment.is_transformed() &&
-           feed_of(command, segment, length).has_value();
+    if (!is_rounded(command.op) || has_pulses() || segment.turns_only) return false;
+    const bool is_free = segment.is_transformed() ? is_one_way(segment) : segment.followers == 0;
+    return is_free && feed_of(command, segment, length).has_value();
 }
 
 /// Keeps a motion until the next one is known; false if nothing is asked for behind it.
@@ -85,7 +110,17 @@ bool Preparer::State::hold(const Command& command, const Segment& segment, doubl
 void Preparer::State::release() {
     if (!held.is_held) return;
     held.is_held = false;
-    emit_part(held.command, held.segment, held.length, {held.from, held.length});
+    emit_rest(held.command, held.segment, held.length, held.from);
+}
+
+/// A motion from a place on its way on.
+void Preparer::State::emit_rest(const Command& command, const Segment& whole, double length,
+                                double from) {
+    if (whole.is_transformed()) {
+        emit_way(command, TurningWay(axes.chain(), whole).part(from, length), length);
+    } else {
+        emit_part(command, whole, length, {from, length});
+    }
     end_command();
 }
 
@@ -94,7 +129,11 @@ void Preparer::State::release() {
 double Preparer::State::round_corner(const Command& command, const Segment& segment,
                                      double length) {
     if (!held.is_held) return 0;
-    if (!can_be_rounded(command, segment, length)) return release(), 0;
+    const bool is_transformed = segment.is_transformed();
+    if (!can_be_rounded(command, segment, length) ||
+        held.segment.is_transformed() != is_transformed)
+        return release(), 0;
+    if (is_transformed) return round_turned_corner(command, segment, length);
     const auto found =
         rounding({held.segment.curve, held.command.blending}, {segment.curve, command.blending});
     if (!found) return release(), 0;
@@ -106,23 +145,45 @@ double Preparer::State::round_corner(const Command& command, const Segment& segm
     const double on_curve =
         std::min(least_speed(before, held.segment, most), least_speed(behind, segment, most));
     const double at_corner = corner_estimate(held.segment, segment, beside);
-    const double half = std::min(held.length, length) / 2;
-    double saved = 0;
-    for (PathLimits limits : beside) {
-        // Ramps end in the middles of both motions.
-        const double from = std::max(on_curve, at_corner);
-        limits.speed =
-            std::min(limits.speed, std::sqrt(from * from + 2 * limits.acceleration * half));
-        saved -= time_lost(on_curve, found->way, limits);
-        if (at_corner < most) limits.acceleration *= kRampBesideJump;
-        saved += time_lost(at_corner, 0, limits);
-    }
-    if (!(saved > 0)) return release(), 0;
+    if (!saves_time({found->way, on_curve, at_corner, std::min(held.length, length) / 2}, beside))
+        return release(), 0;
     held.is_held = false;
     emit_part(held.command, held.segment, held.length, {held.from, held.length - found->way});
     emit_curves(held.command, held.segment, held.length, before);
     end_command();
     emit_curves(command, segment, length, behind);
+    return found->way;
+}
+
+/// The same on which the tool turns: its way is rounded, too.
+double Preparer::State::round_turned_corner(const Command& command, const Segment& segment,
+                                            double length) {
+    if (held.segment.carrier != segment.carrier) return release(), 0;
+    const TurningWay before(axes.chain(), held.segment);
+    const TurningWay behind(axes.chain(), segment);
+    const auto found =
+        turned_rounding(axes.chain(), before, held.command.blending, behind, command.blending);
+    if (!found) return release(), 0;
+    const Segment tail = before.part(held.length - found->way, held.length);
+    const Segment head = behind.part(0, found->way);
+    const std::array<PathLimits, 2> beside = {limits_on(held.command, tail, found->way),
+                                              limits_on(command, head, found->way)};
+    double on_curve = std::min(beside[0].speed, beside[1].speed);
+    for (const Segment& piece : found->pieces)
+        on_curve = std::min(on_curve, axes.limits(piece, axes.start_rates(piece), on_curve).speed);
+    const double at_corner = corner_estimate(tail, head, beside);
+    if (!saves_time({found->way, on_curve, at_corner, std::min(held.length, length) / 2}, beside))
+        return release(), 0;
+    held.is_held = false;
+    if (const double to = held.length - found->way; to - held.from > kStill)
+        emit_way(held.command, before.part(held.from, to), held.length);
+    for (std::size_t i = 0; i < found->pieces.size(); ++i) {
+        if (i == 2) end_command();
+        const bool is_before = i < 2;
+        if (!has_ended)
+            emit_way(is_before ? held.command : command, found->pieces[i],
+                     is_before ? held.length : length);
+    }
     return found->way;
 }
 

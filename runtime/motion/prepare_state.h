@@ -120,6 +120,9 @@ struct Preparer::State {
     bool hold(const path::Command& command, const Segment& segment, double length, double from);
     void release();
     double round_corner(const path::Command& command, const Segment& segment, double length);
+    double round_turned_corner(const path::Command& command, const Segment& segment, double length);
+    void emit_rest(const path::Command& command, const Segment& whole, double length, double from);
+    bool is_one_way(const Segment& whole) const;  // prepare_transformed.cpp
     PathLimits limits_on(const path::Command& command, const Segment& segment, double length) const;
     double least_speed(std::span<const path::Curve> curves, const Segment& whole,
                        double most) const;

@@ -161,6 +161,18 @@ void Preparer::State::emit_transformed(const Command& command, const Segment& wh
     end_command();
 }
 
+/// Whether a motion is led from its start to its end without a pole, at which R1 may have to turn,
+/// and by no other axes than those that hold the tip.
+bool Preparer::State::is_one_way(const Segment& whole) const {
+    if (whole.virtual_axes.is_on() || whole.contact.kind != path::ContactKind::Tip) return false;
+    if ((whole.followers & ~kRotaryABC) != 0) return false;
+    const Chain& chain = axes.chain();
+    if (!leads_tool(whole.turn)) return true;
+    const double tolerance = std::max(machine.kinematics->pole_tolerance, machine::kPoleWidth);
+    if (legs_of(chain, whole, tolerance).size() != 1) return false;
+    return !starts_at_pole(chain, whole) && !is_at_pole(chain, end_of(whole));
+}
+
 /// R1 turns to another place as fast as it can while the tip stands.
 void Preparer::State::turn_at_pole(const Command& command, const Segment& at, const Vec3& to) {
     const Chain& chain = axes.chain();

@@ -5,6 +5,7 @@
 // question.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "path/command.h"
@@ -12,6 +13,9 @@
 #include "path/transition.h"
 
 namespace kadr::motion {
+
+/// Less of a way, mm, is a corner.
+inline constexpr double kLeastWay = 1e-4;
 
 /// A motion beside the corner: its whole way, and what the program asks for behind it.
 struct RoundedSide {
@@ -23,6 +27,38 @@ struct Rounding {
     double way = 0;          // mm of the path on either side of the corner
     path::Transition curve;  // two pieces before the middle, two behind it
 };
+
+/// Where two curves meet, and what a curve around that place would be like.
+class RoundedCorner {
+  public:
+    /// before, behind  have to live as long
+    RoundedCorner(const path::Curve& before, const path::Curve& behind);
+
+    /// Whether the direction jumps, or, if that counts, the curvature.
+    bool is_corner(bool with_curvature) const;
+    /// So far the curve may begin before the corner, mm: half of each side; nothing if the path
+    /// turns back.
+    std::optional<double> most_way() const;
+    path::Transition curve(double way) const;
+    /// How far it leaves the path, mm.
+    double deviation(double way) const;
+
+  private:
+    const path::Curve& before_;
+    const path::Curve& behind_;
+    double length_;
+    path::CurvePoint in_;
+    path::CurvePoint out_;
+};
+
+/// The longest way up to `most` of which no more than all of a tolerance is used, or nearly the
+/// longest; 0 if there is none.
+///
+/// used  part of the tolerance that a way takes, known to a fiftieth
+double longest_way(const std::function<double(double)>& used, double most);
+
+/// How far from a corner its curve begins by a blending that says a distance.
+double distance_of(const path::Blending& before, const path::Blending& behind);
 
 /// The curve around the corner between two motions.
 ///

@@ -160,6 +160,8 @@ Placed placed_near(const Chain& chain, const Segment& piece, double distance, co
         rotary[2] = joints_of(chain, followers)[2];
         put_joints(chain, rotary, followers);
     } else {
+        if (piece.turn.kind == path::Turning::Joints)
+            put_joints(chain, path::position(piece.turn.joints, distance), followers);
         placed.tool = machine::tool_vector(chain, joints_of(chain, followers));
     }
     placed.tip = piece.contact.kind == path::ContactKind::Tip
@@ -168,6 +170,8 @@ Placed placed_near(const Chain& chain, const Segment& piece, double distance, co
     placed.axes = complete(chain, piece, placed.tip, followers);
     return placed;
 }
+
+}  // namespace
 
 LogicalAxes axes_near(const Chain& chain, const Segment& piece, double distance,
                       const LogicalAxes& near) {
@@ -179,8 +183,6 @@ LogicalAxes start_of(const Segment& piece) {
     std::ranges::copy(piece.follower_start, axes.begin() + 3);
     return axes;
 }
-
-}  // namespace
 
 Placed placed_at(const Chain& chain, const Segment& piece, double distance, const Vec3& place) {
     return placed_near(chain, piece, distance, place, start_of(piece));

@@ -43,6 +43,12 @@ struct Placed {
     path::Vec3 tip = path::Vec3::Zero();
     path::Vec3 tool = path::Vec3::UnitZ();
 };
+/// The same, gone on to from axes that stand somewhere near on the piece.
+LogicalAxes axes_near(const machine::Chain& chain, const Segment& piece, double distance,
+                      const LogicalAxes& near);
+/// Where the axes stand where the piece begins; the linear ones are 0.
+LogicalAxes start_of(const Segment& piece);
+
 /// place  of the curve of the piece at that distance
 Placed placed_at(const machine::Chain& chain, const Segment& piece, double distance,
                  const path::Vec3& place);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -68,6 +69,8 @@ struct Blending {
     BlendKind kind = BlendKind::None;
     bool with_tangents = false;  // also where only the curvature jumps
     double size = 0;             // mm
+    /// So far the tool's direction may leave the programmed one meanwhile, rad.
+    double orientation = std::numeric_limits<double>::infinity();
 
     friend bool operator==(const Blending&, const Blending&) = default;
 };

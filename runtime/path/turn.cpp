@@ -29,6 +29,7 @@ Vec3 along_point(const Turn& turn, const Curve& curve, double distance) {
 Vec3 direction_at(const Turn& turn, const Curve& curve, double distance) {
     switch (turn.kind) {
         case Turning::None:
+        case Turning::Joints:
         case Turning::Axes: return turn.start;
         case Turning::Cone: return turned(turn, distance);
         case Turning::Surface: {
@@ -44,6 +45,7 @@ Vec3 direction_at(const Turn& turn, const Curve& curve, double distance) {
 Turn part_of(const Turn& turn, double from, double to) {
     Turn part = turn;
     part.length = to - from;
+    if (turn.kind == Turning::Joints) part.joints = path::part(turn.joints, from, to);
     part.start =
         turn.kind == Turning::Point ? Vec3(turn.start + from * turn.axis) : turned(turn, from);
     return part;

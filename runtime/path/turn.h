@@ -21,10 +21,12 @@ struct Turn {
     Vec3 axis = Vec3::Zero();
     double rate = 0;  // Cone, Surface: rad per unit of path
     Lean lean;        // Surface
+    /// Joints: the rotary axes as three coordinates, rad.
+    Glide joints{{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}, 0};
 };
 
-/// Direction of the tool at a distance along a piece, from tip to holder: unit vector. Of Axes it
-/// is the chain's matter; there the answer is `start`.
+/// Direction of the tool at a distance along a piece, from tip to holder: unit vector. Of Joints
+/// and Axes it is the chain's matter; there the answer is `start`.
 ///
 /// curve  way of the tip over the piece, of any parameter of the length `turn.length`
 Vec3 direction_at(const Turn& turn, const Curve& curve, double distance);

@@ -8,6 +8,7 @@ namespace kadr::path {
 /// How the tool turns while the transformation of the machine holds its tip on the path.
 enum class Turning : std::uint8_t {
     None,     // no transformation: every axis goes as `to` says
+    Joints,   // the rotary axes go along a cubic of the path: around a corner that is rounded
     Axes,     // the rotary axes go in proportion to the path
     Cone,     // the tool goes about an axis in space, in proportion to the path; square to the
               // axis that is a great circle

@@ -26,15 +26,16 @@ TEST(Smoothing, CommandsCarryWhatIsAskedForBehindThem) {
     });
     EXPECT_EQ(ran.codes(), "");
     const machine::Machine machine = mill();
+    const double leaning = machine.orientation_tolerance;
     const std::vector<Blending> expected = {
         none,
         {BlendKind::Distance, false, 0},
         {BlendKind::Distance, false, 0.5},
         {BlendKind::Distance, false, 2},
-        {BlendKind::Tolerance, false, machine.corner_tolerance},
-        {BlendKind::Tolerance, false, 0.02},
-        {BlendKind::Tolerance, true, 0.02},
-        {BlendKind::Tolerance, true, machine.corner_tolerance},
+        {BlendKind::Tolerance, false, machine.corner_tolerance, leaning},
+        {BlendKind::Tolerance, false, 0.02, leaning},
+        {BlendKind::Tolerance, true, 0.02, leaning},
+        {BlendKind::Tolerance, true, machine.corner_tolerance, leaning},
         none,
         {BlendKind::Distance, false, 0.5},
         none,
@@ -44,6 +45,20 @@ TEST(Smoothing, CommandsCarryWhatIsAskedForBehindThem) {
         EXPECT_EQ(ran.commands[i].blending, expected[i]) << i;
         EXPECT_EQ(ran.commands[i].exact_stop, i == 0 || i == 10) << i;
     }
+}
+
+TEST(Smoothing, HowFarTheToolMayLeanIsSaidInDegrees) {
+    const Ran ran = run({
+        fn(Function::BlendTolerance).motion(Function::Line).x(1).f(100),
+        fn(Function::OrientTolerance, {{0, 0.5}}).x(2),
+        fn(Function::OrientTolerance, {{0, -1}}).x(3),
+    });
+    EXPECT_EQ(ran.codes(), "");
+    const double leaning = mill().orientation_tolerance;
+    ASSERT_EQ(ran.commands.size(), 3u);
+    EXPECT_EQ(ran.commands[0].blending.orientation, leaning);
+    EXPECT_NEAR(ran.commands[1].blending.orientation, rad_from_deg(0.5), 1e-15);
+    EXPECT_EQ(ran.commands[2].blending.orientation, leaning);
 }
 
 TEST(Smoothing, LinesAtFeedAreCompressed) {

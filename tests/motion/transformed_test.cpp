@@ -438,5 +438,133 @@ TEST(Transformed, ToolsFollowTheTangentOfAnArc) {
     }
 }
 
+// ---------------------------------------------------------------- rounded corners
+
+/// Lines of five millimetres along X while the tool goes round a cone in great circles: the tip has
+/// no corner, the rotary axes have one at every end of a block.
+std::vector<Command> turning_in_chords(const machine::Machine& machine,
+                                       const path::Blending& blending) {
+    Program program(machine);
+    program.go_fast({0, 0, 0}, direction(20, 40));
+    for (int i = 1; i <= 40; ++i) {
+        program.go({5.0 * i, 0, 0}, direction(20 + 4 * i, 40), 5000);
+        program.commands.back().blending = blending;
+    }
+    return program.commands;
+}
+
+path::Blending within(double tolerance, double orientation_deg) {
+    return {path::BlendKind::Tolerance, false, tolerance, rad_from_deg(orientation_deg)};
+}
+
+/// The angle between a tool and the great circle between two others, both ends included, rad.
+double beside_circle(const Vec3& tool, const Vec3& from, const Vec3& to) {
+    double least = std::min(path::angle_between(tool, from), path::angle_between(tool, to));
+    const Vec3 across = from.cross(to);
+    if (across.norm() == 0) return least;
+    const Vec3 nearest = (tool - tool.dot(across) / across.squaredNorm() * across).normalized();
+    const bool is_between =
+        from.cross(nearest).dot(across) > 0 && nearest.cross(to).dot(across) > 0;
+    return is_between ? std::min(least, path::angle_between(tool, nearest)) : least;
+}
+
+TEST(TurnedCorner, TheToolTurnsEvenlyWithinItsTolerance) {
+    const std::vector<machine::Machine> machines = every_class();
+    for (const machine::Machine& machine : machines) {
+        SCOPED_TRACE(&machine - machines.data());
+        const std::vector<Command> sharp = turning_in_chords(machine, {});
+        const double tolerance = rad_from_deg(0.1);
+        const std::vector<Command> commands = turning_in_chords(machine, within(0.05, 0.1));
+        const Motion before = run(machine, sharp);
+        const Motion motion = run(machine, commands);
+        ASSERT_FALSE(motion.alarmed);
+        EXPECT_LT(motion.segments.back().end_time(), 0.9 * before.segments.back().end_time());
+        TickWatch watch(machine, motion.segments);
+        double most = 0;
+        for (const Setpoint& setpoint : sample(machine, commands)) {
+            watch.add(setpoint);
+            const machine::Pose pose = pose_of(machine, setpoint, 0);
+            ASSERT_LT((pose.tip - setpoint.tip).norm(), 1e-9);
+            if (setpoint.line < 2) continue;
+            ASSERT_LT(std::hypot(setpoint.tip.y(), setpoint.tip.z()), 1e-9);
+            const Vec3 tool = pose.rotation * Vec3::UnitZ();
+            double least = 1;
+            for (std::size_t k = setpoint.line - 1; k <= setpoint.line + 1 && k <= 40; ++k) {
+                least = std::min(least, beside_circle(tool, direction(20 + 4 * double(k - 1), 40),
+                                                      direction(20 + 4 * double(k), 40)));
+            }
+            most = std::max(most, least);
+        }
+        EXPECT_LT(most, tolerance);
+        EXPECT_GT(most, tolerance / 20);
+        EXPECT_LT(watch.shares().velocity, 1.001);
+        EXPECT_LT(watch.shares().acceleration, 1.001);
+        EXPECT_LT(watch.shares().jerk, 1.001);
+    }
+}
+
+TEST(TurnedCorner, CornersOfTheTipAreRoundedToo) {
+    const machine::Machine machine = table_table();
+    Program program(machine);
+    program.go_fast({0, 0, 0}, direction(30, 30));
+    program.go({40, 0, 0}, direction(40, 35), 6000);
+    program.commands.back().blending = within(0.1, 1);
+    program.go({40, 40, 0}, direction(60, 30), 6000);
+    const Motion motion = run(machine, program.commands);
+    double nearest = 100;
+    TickWatch watch(machine, motion.segments);
+    for (const Setpoint& setpoint : sample(machine, program.commands)) {
+        watch.add(setpoint);
+        nearest = std::min(nearest, (setpoint.tip - Vec3(40, 0, 0)).norm());
+    }
+    EXPECT_GT(nearest, 0.05);
+    EXPECT_LT(nearest, 0.1);
+    EXPECT_LT(watch.shares().acceleration, 1.001);
+}
+
+RC_GTEST_PROP(TurnedCorner, KeepsTolerancesAndLimits, ()) {
+    const std::vector<machine::Machine> machines = every_class();
+    const machine::Machine& machine = machines[*rc::gen::inRange<std::size_t>(0, machines.size())];
+    std::vector<Command> commands = any_turning_program(machine);
+    const double tolerance = *rc::gen::element(0.01, 0.1, 2.0);
+    const bool by_distance = *rc::gen::element(true, false);
+    const path::Blending blending =
+        by_distance ? path::Blending{path::BlendKind::Distance, false, tolerance}
+                    : within(tolerance, *rc::gen::element(0.02, 0.5));
+    for (Command& command : commands) command.blending = blending;
+    const Motion motion = run(machine, commands);
+    RC_ASSERT(!motion.alarmed);
+    TickWatch watch(machine, motion.segments);
+    const auto tip_of = [&](std::size_t i) {
+        return Vec3(commands[i].to[0], commands[i].to[1], commands[i].to[2]);
+    };
+    Vec3 last = tip_of(0);
+    for (const Setpoint& setpoint : sample(machine, commands)) {
+        watch.add(setpoint);
+        last = setpoint.tip;
+        const machine::Pose pose = pose_of(machine, setpoint, 0);
+        RC_ASSERT((pose.tip - setpoint.tip).norm() < 1e-6 * kMicrometre);
+        RC_ASSERT((pose.rotation * Vec3::UnitZ() - setpoint.tool).norm() < 1e-9);
+        const std::size_t line = setpoint.line - 1;
+        if (line < 1) continue;
+        double least = 1e9;
+        for (std::size_t k = std::max<std::size_t>(line, 2) - 1;
+             k < std::min(line + 2, commands.size()); ++k) {
+            const Vec3 way = tip_of(k) - tip_of(k - 1);
+            const double f =
+                way.norm() > 0
+                    ? std::clamp((setpoint.tip - tip_of(k - 1)).dot(way) / way.squaredNorm(), 0.0,
+                                 1.0)
+                    : 0;
+            least = std::min(least, (setpoint.tip - tip_of(k - 1) - f * way).norm());
+        }
+        RC_ASSERT(least < tolerance + 1e-9);
+    }
+    RC_ASSERT(watch.shares().velocity < 1.001);
+    RC_ASSERT(watch.shares().acceleration < 1.001);
+    RC_ASSERT(watch.shares().jerk < 1.001);
+    RC_ASSERT((last - tip_of(commands.size() - 1)).norm() < 1e-9);
+}
+
 }  // namespace
 }  // namespace kadr::motion::test

@@ -1,0 +1,199 @@
+#include "motion/turned_corner.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "machine/orientation.h"
+
+namespace kadr::motion {
+
+namespace {
+
+using machine::Chain;
+using path::CurvePoint;
+using path::Vec3;
+
+/// Between two nodes of a way no rotary axis turns farther, rad.
+constexpr double kNodeTurn = 0.2;
+/// A swing of R1 near the pole may be cut as finely as this, in parts of the way.
+constexpr double kFinest = 1e-9;
+
+/// The derivatives of the rotary axes come from places so far apart, in parts of the path to the
+/// next end of the motion.
+constexpr double kStencil = 1.0 / 64;
+/// Speeds of the rotary axes that differ by less, rad/mm, go on.
+constexpr double kSameRate = 1e-7;
+
+/// Samples of each of the four pieces for how far the tool is from its programmed direction.
+constexpr int kSamples = 4;
+
+double most_turn(const LogicalAxes& a, const LogicalAxes& b) {
+    double most = 0;
+    for (std::size_t i = 3; i < kAxes; ++i) most = std::max(most, std::abs(a[i] - b[i]));
+    return most;
+}
+
+}  // namespace
+
+// ------------------------------------------------------------------------------ the way
+
+TurningWay::TurningWay(const Chain& chain, const Segment& whole) : chain_(&chain), whole_(&whole) {
+    const double length = whole.turn.length;
+    nodes_.push_back({0, axes_near(chain, whole, 0, start_of(whole))});
+    double step = length / 8;
+    while (nodes_.back().distance < length) {
+        const Node& last = nodes_.back();
+        const double left = length - last.distance;
+        const double next = left < step * (1 + kFinest) ? length : last.distance + step;
+        const LogicalAxes there = axes_near(chain, whole, next, last.axes);
+        if (most_turn(there, last.axes) > kNodeTurn && step > kFinest * length) {
+            step /= 2;
+            continue;
+        }
+        nodes_.push_back({next, there});
+        step = std::min(2 * step, length / 8);
+    }
+}
+
+LogicalAxes TurningWay::axes(double distance) const {
+    auto next = std::ranges::upper_bound(nodes_, distance, {}, &Node::distance);
+    if (next != nodes_.begin()) --next;
+    return axes_near(*chain_, *whole_, distance, next->axes);
+}
+
+Vec3 TurningWay::joints_at(double distance) const {
+    const LogicalAxes there = axes(distance);
+    std::array<double, kFollowers> followers{};
+    std::copy(there.begin() + 3, there.end(), followers.begin());
+    return joints_of(*chain_, followers);
+}
+
+/// Central differences of the fourth order.
+CurvePoint TurningWay::joints(double distance) const {
+    const double h = kStencil * std::min(distance, whole_->turn.length - distance);
+    const Vec3 here = joints_at(distance);
+    const Vec3 far_before = joints_at(distance - 2 * h);
+    const Vec3 before = joints_at(distance - h);
+    const Vec3 behind = joints_at(distance + h);
+    const Vec3 far_behind = joints_at(distance + 2 * h);
+    const Vec3 rate = (far_before - far_behind + 8 * (behind - before)) / (12 * h);
+    const Vec3 bend = (16 * (before + behind) - far_before - far_behind - 30 * here) / (12 * h * h);
+    return {here, rate, bend};
+}
+
+Vec3 TurningWay::tool(double distance) const {
+    return machine::tool_vector(*chain_, joints_at(distance));
+}
+
+Segment TurningWay::part(double from, double to) const {
+    Segment piece = part_of(*whole_, from, to);
+    const LogicalAxes start = axes(from);
+    std::copy(start.begin() + 3, start.end(), piece.follower_start.begin());
+    return piece;
+}
+
+// ------------------------------------------------------------------------------ the corner
+
+namespace {
+
+class TurnedCorner {
+  public:
+    TurnedCorner(const Chain& chain, const TurningWay& before, const TurningWay& behind)
+        : chain_(chain),
+          before_(before),
+          behind_(behind),
+          length_(before.whole().turn.length),
+          tip_(before.whole().curve, behind.whole().curve) {}
+
+    path::Transition joints(double way) const {
+        return path::transition_between(before_.joints(length_ - way), behind_.joints(way), way);
+    }
+
+    /// Whether the rotary axes go on with the speed that they have, on `way` beside the corner.
+    bool turns_evenly(double way) const {
+        const double beside = way / 16;
+        const CurvePoint in = before_.joints(length_ - beside);
+        const CurvePoint out = behind_.joints(beside);
+        const Vec3 at_corner = in.tangent + beside * in.curvature;
+        return (at_corner - (out.tangent - beside * out.curvature)).norm() < kSameRate;
+    }
+
+    /// How far the tool is from the direction that it has on the programmed way, rad.
+    double leaning(double way) const {
+        const path::Transition curve = joints(way);
+        double most = 0;
+        double from = 0;
+        for (const path::Glide& glide : curve) {
+            for (int k = 1; k <= kSamples; ++k) {
+                const double s = glide.length * k / kSamples;
+                const double along = from + s;
+                const Vec3 programmed = along < way ? before_.tool(length_ - way + along)
+                                                    : behind_.tool(std::min(along - way, 2 * way));
+                const Vec3 tool = machine::tool_vector(chain_, path::position(glide, s));
+                most = std::max(most, path::angle_between(programmed, tool));
+            }
+            from += glide.length;
+        }
+        return most;
+    }
+
+    TurnedRounding pieces(double way) const {
+        const path::Transition tip = tip_.curve(way);
+        const path::Transition turn = joints(way);
+        TurnedRounding found;
+        found.way = way;
+        const std::array<Segment, 2> sides = {before_.part(length_ - way, length_),
+                                              behind_.part(0, way)};
+        std::array<double, 2> from{};
+        for (std::size_t i = 0; i < found.pieces.size(); ++i) {
+            const std::size_t side = i / 2;
+            Segment& piece = found.pieces[i];
+            piece = part_of(sides[side], from[side], from[side] + tip[i].length);
+            from[side] += tip[i].length;
+            piece.curve = tip[i];
+            piece.turn = {};
+            piece.turn.kind = path::Turning::Joints;
+            piece.turn.length = tip[i].length;
+            piece.turn.joints = turn[i];
+            put_joints(chain_, path::start(turn[i]), piece.follower_start);
+            for (const machine::RotaryJoint& joint : chain_.joints)
+                if (joint.is_present) piece.follower_rate[index(joint.axis) - 3] = 0;
+        }
+        return found;
+    }
+
+    const RoundedCorner& tip() const { return tip_; }
+
+  private:
+    const Chain& chain_;
+    const TurningWay& before_;
+    const TurningWay& behind_;
+    double length_;
+    RoundedCorner tip_;
+};
+
+}  // namespace
+
+std::optional<TurnedRounding> turned_rounding(const Chain& chain, const TurningWay& before,
+                                              const path::Blending& wish, const TurningWay& behind,
+                                              const path::Blending& wish_behind) {
+    const TurnedCorner corner(chain, before, behind);
+    const std::optional<double> most = corner.tip().most_way();
+    if (!most) return std::nullopt;
+    if (!corner.tip().is_corner(wish.with_tangents) && corner.turns_evenly(*most))
+        return std::nullopt;
+    const bool by_distance = wish.kind == path::BlendKind::Distance;
+    const double way =
+        by_distance ? std::min(*most, distance_of(wish, wish_behind))
+                    : longest_way(
+                          [&](double candidate) {
+                              const double used = corner.tip().deviation(candidate) / wish.size;
+                              if (std::isinf(wish.orientation)) return used;
+                              return std::max(used, corner.leaning(candidate) / wish.orientation);
+                          },
+                          *most);
+    if (way < kLeastWay) return std::nullopt;
+    return corner.pieces(way);
+}
+
+}  // namespace kadr::motion
