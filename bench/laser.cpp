@@ -3,20 +3,10 @@
 //
 //   bench_laser          prints the table as Markdown, with the CPU time of the synchronised plan
 #include <cstdio>
-#include <ctime>
 #include <string>
 
+#include "bench/cpu_time.h"
 #include "bench/laser_points.h"
-
-namespace {
-
-double cpu_time() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
-}
-
-}  // namespace
 
 int main() {
     using namespace kadr::bench;

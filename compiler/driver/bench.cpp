@@ -76,7 +76,7 @@ std::unique_ptr<Recording> Bench::perform(const CallUnderTest& call, const std::
     if (execution) {
         CommandTap tap(*execution, [&](const path::Command& command) { recording->add(command); });
         motion::PlannerOptions options;
-        options.place_of = [&](std::uint32_t line, SourceId) { return execution->place_of(line); };
+        execution->place_messages(options);
         motion::Planner planner(tap, *machine, options, execution->sink());
         std::vector<motion::Segment> batch(64);
         while (const std::size_t count = planner.pull(batch)) {

@@ -41,9 +41,7 @@ class Side {
         if (!execution_) return false;
         motion::PlannerOptions options;
         options.tick = session_.options().tick.value_or(0);
-        options.place_of = [this](std::uint32_t line, SourceId) {
-            return execution_->place_of(line);
-        };
+        execution_->place_messages(options);
         motion_ = std::make_unique<process::PlannedMotion>(*execution_, execution_->machine(),
                                                            options, execution_->sink());
         return true;

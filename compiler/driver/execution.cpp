@@ -9,12 +9,17 @@
 #include "base/diagnostics/driver.h"
 #include "base/diagnostics/iso.h"
 #include "base/text.h"
+#include "motion/pipeline.h"
 
 namespace kadr::driver {
 
 namespace {
 
 constexpr const char* kDefaultDialect = "iso";
+
+/// Lines that a message of the motion can show: what the compensation and the look-ahead hold back,
+/// with the lines between that move nothing. As many as LineMap knows.
+constexpr std::size_t kShownLines = std::size_t{1} << 14;
 
 /// Whether a dialect's list of suffixes, "mpf spf", has this one; case does not count.
 bool has_suffix(std::string_view list, std::string_view suffix) {
@@ -317,7 +322,7 @@ bool Execution::came_too_late() {
     is_late_ = true;
     // A loop without blocks was cut in the middle.
     const std::uint64_t line = reader_->stopped() ? reader_->line() : last_line_;
-    sink_->report(diag::TimeIsUp, place_of(static_cast<std::uint32_t>(line)))
+    sink_->report(diag::TimeIsUp, shown_place(static_cast<std::uint32_t>(line), {}))
         .arg(deadline_.seconds())
         .arg(static_cast<std::size_t>(blocks()));
     return true;
@@ -360,5 +365,22 @@ std::uint64_t Execution::statement_lines() const {
 }
 
 LinePlace Execution::place_of(std::uint32_t line) const { return reader_->place(line); }
+
+/// A line with its text, at the word of the axis if it has one.
+LinePlace Execution::shown_place(std::uint32_t line, std::optional<Axis> axis) const {
+    std::optional<nc::Slot> slot;
+    if (axis) slot = static_cast<nc::Slot>(index(*axis));
+    return reader_->shown_place(line, slot);
+}
+
+void Execution::place_messages(motion::PlannerOptions& options) {
+    reader_->keep_lines(std::max(kShownLines, 2 * options.lookahead));
+    options.place_of = [this](const motion::AskedPlace& asked) {
+        motion::ShownPlace shown{shown_place(asked.line, asked.axis), {}};
+        // The source of generated text is a statement, which StatementNotes tells.
+        if (!generated_) shown.calls = reader_->calls(asked.source);
+        return shown;
+    };
+}
 
 }  // namespace kadr::driver

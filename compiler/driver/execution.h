@@ -19,6 +19,10 @@
 #include "interp/interpreter.h"
 #include "interp/program.h"
 
+namespace kadr::motion {
+struct PlannerOptions;
+}
+
 namespace kadr::driver {
 
 /// Opens a source, `-` for standard input. Null: it cannot be read, which is reported as wrong
@@ -95,8 +99,11 @@ class Execution final : public Stream<path::Command> {
     const std::string& text_name() const { return text_name_; }
     /// The statement behind a command, invalid for ISO-7bit text.
     SourceRange statement(SourceId source) const;
-    /// A line (Command::line) for messages of the motion; of a program that was called its file.
+    /// A line (Command::line) as its file and its number there.
     LinePlace place_of(std::uint32_t line) const;
+    /// Lets messages of the motion show the lines that they are about and the calls that led to
+    /// them. Before the first command is pulled.
+    void place_messages(motion::PlannerOptions& options);
     /// Where messages about the text go: it adds the statement of the Kadr program.
     DiagnosticSink& sink();
     /// Lines of the text that a statement of the Kadr program made, so far.
@@ -113,6 +120,7 @@ class Execution final : public Stream<path::Command> {
     void connect_with_library();
     void connect(DiagnosticSink& sink);
     bool came_too_late();
+    LinePlace shown_place(std::uint32_t line, std::optional<Axis> axis) const;
 
     Session& session_;
     Aside aside_;

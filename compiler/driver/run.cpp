@@ -248,7 +248,7 @@ void Run::execute() {
         return found == numbers_.end() ? -1 : found->second;
     };
     if (limits_) options.tell_loss = [this](const motion::SpeedLoss& loss) { limits_->lose(loss); };
-    options.place_of = [this](std::uint32_t line, SourceId) { return execution_->place_of(line); };
+    execution_->place_messages(options);
     process::PlannedMotion motion(tap, machine, options, execution_->sink(),
                                   [this](const process::StartedList& list) {
                                       if (scanner_) scanner_->write(list);

@@ -173,9 +173,7 @@ void execute(driver::Execution& execution, Outcome& outcome, LineKeeper& keeper,
     });
     motion::PlannerOptions planner_options;
     planner_options.tick = options.tick.value_or(0);
-    planner_options.place_of = [&execution](std::uint32_t line, SourceId) {
-        return execution.place_of(line);
-    };
+    execution.place_messages(planner_options);
     process::PlannedMotion motion(tap, execution.machine(), planner_options, execution.sink());
     std::vector<motion::Segment> batch(kBatch);
     while (const std::size_t count = motion.pull(batch)) {

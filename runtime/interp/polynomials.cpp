@@ -2,7 +2,9 @@
 //
 // With a denominator all polynomials are divided by it; an axis that is only told where to go moves
 // evenly with the parameter all the same. The polynomials become control points of a rational
-// curve, which the frame maps as it maps any points.
+// curve, which the frame maps as it maps any points. Axes beside X, Y and Z go evenly with the
+// parameter as well: a command lets them go evenly with the way, so the curve is cut until both
+// are the same.
 // source: SINUMERIK reference 4.5
 #include <algorithm>
 #include <array>
@@ -38,6 +40,10 @@ using Terms = std::array<double, kTerms>;
 /// to zero makes ways that no machine has.
 constexpr double kLeastWeight = 1e-6;
 constexpr int kMostCuts = 16;
+
+/// What an axis that follows may be off, mm or deg: an increment of most controls.
+constexpr double kFollowed = 1e-3;
+constexpr int kMostFollowedCuts = 10;
 
 Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
 
@@ -99,20 +105,33 @@ std::array<std::vector<Pole>, 2> halves(std::vector<Pole> poles) {
     return halves;
 }
 
+/// Of the whole, the curve between two parameters.
+struct Piece {
+    std::vector<Pole> poles;  // homogeneous
+    double from = 0;
+    double to = 1;
+};
+
+std::array<Piece, 2> halves(const Piece& piece) {
+    auto [before, behind] = halves(piece.poles);
+    const double middle = (piece.from + piece.to) / 2;
+    return {Piece{std::move(before), piece.from, middle},
+            Piece{std::move(behind), middle, piece.to}};
+}
+
 /// Cuts a curve until the weights of all its control points are positive.
-bool cut_to_positive(const std::vector<Pole>& poles, int cuts,
-                     std::vector<std::vector<Pole>>& out) {
+bool cut_to_positive(const Piece& piece, int cuts, std::vector<Piece>& out) {
+    const std::vector<Pole>& poles = piece.poles;
     if (!(poles.front()[3] > kLeastWeight) || !(poles.back()[3] > kLeastWeight)) return false;
     const bool is_positive =
         std::ranges::all_of(poles, [](const Pole& pole) { return pole[3] > kLeastWeight; });
     if (is_positive) {
-        out.push_back(poles);
+        out.push_back(piece);
         return true;
     }
     if (cuts == 0) return false;
-    return std::ranges::all_of(halves(poles), [&](const std::vector<Pole>& half) {
-        return cut_to_positive(half, cuts - 1, out);
-    });
+    return std::ranges::all_of(
+        halves(piece), [&](const Piece& half) { return cut_to_positive(half, cuts - 1, out); });
 }
 
 path::SplineSpan span_of(const std::vector<Pole>& poles, const path::Frame& frame) {
@@ -124,6 +143,74 @@ path::SplineSpan span_of(const std::vector<Pole>& poles, const path::Frame& fram
     for (std::size_t i = 0; i < poles.size(); ++i) span.shape.weights[i] = poles[i][3];
     for (std::size_t i = 1; i + 1 < poles.size(); ++i) span.shape.inner[i - 1] = point(poles[i]);
     return span;
+}
+
+/// How the length of a span grows with its parameter.
+struct SpanLength {
+    double whole = 0;   // mm
+    double uneven = 0;  // greatest difference between the shares of parameter and length
+};
+
+template <typename Bent>
+SpanLength span_length(const Bent& curve) {
+    SpanLength length{curve.length, 0};
+    for (std::size_t i = 0; i < Bent::kParts && curve.length > 0; ++i) {
+        const double share = static_cast<double>(i + 1) / static_cast<double>(Bent::kParts);
+        length.uneven = std::max(length.uneven, std::abs(curve.reached[i] / curve.length - share));
+    }
+    return length;
+}
+
+SpanLength span_length(const path::SplineSpan& span) {
+    return span.shape.degree > 3 ? span_length(path::make_quintic(span.start, span.end, span.shape))
+                                 : span_length(path::make_spline(span.start, span.end, span.shape));
+}
+
+/// Cuts pieces until axes that go by `way` over the whole parameter are nowhere further than
+/// kFollowed from where the parameter wants them.
+void cut_evenly(const Piece& piece, double way, const path::Frame& frame, int cuts,
+                std::vector<Piece>& out) {
+    const double own_way = way * (piece.to - piece.from);
+    if (cuts == 0 || span_length(span_of(piece.poles, frame)).uneven * own_way <= kFollowed) {
+        out.push_back(piece);
+        return;
+    }
+    for (const Piece& half : halves(piece)) cut_evenly(half, way, frame, cuts - 1, out);
+}
+
+/// A span, and what its command says beside it.
+struct SaidSpan {
+    path::SplineSpan span;
+    PoleBlock said;
+};
+
+/// The pieces as spans, which begin and end where the block does.
+///
+/// shares_time  the feed is that of the block's time, which the pieces share by their lengths
+std::vector<SaidSpan> said_spans(const std::vector<Piece>& pieces, const path::Frame& frame,
+                                 const AxisValues& from, const PoleBlock& said, bool shares_time) {
+    std::vector<SaidSpan> spans;
+    std::vector<double> lengths;
+    double whole = 0;
+    for (const Piece& piece : pieces) {
+        SaidSpan& span = spans.emplace_back(SaidSpan{span_of(piece.poles, frame), said});
+        for (std::size_t i = 3; i < kAxes && &piece != &pieces.back(); ++i)
+            span.said.to[i] = from[i] + (said.to[i] - from[i]) * piece.to;
+    }
+    spans.front().span.start = linear(from);
+    spans.back().span.end = linear(said.to);
+    if (!shares_time || spans.size() == 1) return spans;
+    for (const SaidSpan& span : spans) whole += lengths.emplace_back(span_length(span.span).whole);
+    for (std::size_t i = 0; i < spans.size(); ++i)
+        if (lengths[i] > 0) spans[i].said.feed = said.feed * whole / lengths[i];
+    return spans;
+}
+
+/// The greatest way of an axis beside X, Y and Z, mm or deg.
+double greatest_other_way(const AxisValues& from, const AxisValues& to) {
+    double way = 0;
+    for (std::size_t i = 3; i < kAxes; ++i) way = std::max(way, std::abs(to[i] - from[i]));
+    return way;
 }
 
 const Invocation* polynomial_of(const Block& block, std::size_t axis) {
@@ -151,12 +238,12 @@ std::optional<Target> Executor::end_of_polynomials(const Block& block) {
         places.set(slot, block.argument(*own, 1));
     }
     const SlotMask targets = places.given & nc::kTargetSlots;
-    if (const SlotMask others = targets & ~SlotMask{kXyz}; others != 0) {
+    if (const SlotMask others = targets & ~SlotMask{kXyz}; others != 0 && is_transformed()) {
         const auto other = static_cast<Slot>(std::countr_zero(others));
         report(diag::PolynomialBeside, block, other).arg(nc::slot_name(other));
         return std::nullopt;
     }
-    if (!check_axes(block, targets)) return std::nullopt;
+    if (!check_axes(block, targets) || !check_rotary_ways(block)) return std::nullopt;
     return target_of(places, targets);
 }
 
@@ -206,27 +293,29 @@ void Executor::polynomial(const Block& block, bool exact_stop) {
             poles[j][static_cast<Eigen::Index>(i)] = bernstein(axes[i], degree, j);
         poles[j][3] = bernstein(weight, degree, j);
     }
-    std::vector<std::vector<Pole>> pieces;
-    if (!cut_to_positive(poles, kMostCuts, pieces)) {
+    std::vector<Piece> positive;
+    if (!cut_to_positive({std::move(poles)}, kMostCuts, positive)) {
         report(diag::PolynomialZero, block);
         return;
     }
+    const double way = greatest_other_way(position_.base, target->base);
+    std::vector<Piece> pieces;
+    for (const Piece& piece : positive)
+        cut_evenly(piece, way, frames_.total(), kMostFollowedCuts, pieces);
     if (tool_.has_changed) activate_length(block, target->moved);
     if (!check_limits(block, target->base, target->moved)) return;
-    const Vec3 start = linear(position_.base);
-    for (std::size_t i = 0; i < pieces.size() && !ended_; ++i) {
-        path::SplineSpan span = span_of(pieces[i], frames_.total());
-        const bool is_last = i + 1 == pieces.size();
-        if (i == 0) span.start = start;
-        if (is_last) span.end = linear(target->base);
-        put_span(span, {block.line, block.source, modal_.feed, target->base}, target->moved,
-                 is_last && exact_stop);
-        if (is_last && degree > 1) came_from_ = span.shape.inner[degree - 2];
-        if (is_last && degree == 1) came_from_ = span.start;
+    const PoleBlock said{block.line, block.source, modal_.feed, target->base};
+    const bool shares_time = modal_.feed_mode == path::FeedMode::InverseTime;
+    const std::vector<SaidSpan> spans =
+        said_spans(pieces, frames_.total(), position_.base, said, shares_time);
+    for (std::size_t i = 0; i < spans.size() && !ended_; ++i) {
+        const bool is_last = i + 1 == spans.size();
+        put_span(spans[i].span, spans[i].said, target->moved, is_last && exact_stop);
     }
     if (ended_) return;
-    const Vec3 came_from = came_from_;
     arrive(*target);
+    const path::SplineSpan& last = spans.back().span;
+    const Vec3 came_from = degree > 1 ? last.shape.inner[degree - 2] : last.start;
     if (came_from != linear(target->base)) came_from_ = came_from;
 }
 

@@ -40,6 +40,7 @@ Program::State::State(const nc::Dialect& dialect_, nc::TextSource& text, std::st
       variables(dialect_, lines),
       evaluator(language.rules, variables.globals(), variables.level(), variables),
       codes(variables, lines) {
+    kept.keep_earlier(options.kept_lines);
     auto main = std::make_unique<Frame>();
     main->unit = &units.main();
     main->text.name = std::move(name);
@@ -50,8 +51,8 @@ Program::State::State(const nc::Dialect& dialect_, nc::TextSource& text, std::st
     variables.ask_programs([this](std::int64_t level) { return name_at(level); },
                            [this](std::string_view asked) { return has_program(asked); });
     lines.add_notes([this](DiagnosticBuilder& message) {
-        for (const nc::CallSite* site = frame->site.get(); site != nullptr; site = site->from.get())
-            message.note(site->place, "called here");
+        for (LinePlace& call : nc::places_of(frame->site.get()))
+            message.note(std::move(call), "called here");
     });
 }
 
@@ -282,11 +283,19 @@ Program::State::Done Program::State::end_of_text() {
     return Done::Nothing;
 }
 
+/// Gives the block the number of the call that its program runs in.
+void Program::State::name_call(Block& block) {
+    if (recent_calls.find(frame->site_number) != frame->site.get())
+        frame->site_number = recent_calls.add(frame->site);
+    block.source = frame->site_number;
+}
+
 void Program::State::deliver(Block& block, std::string_view text_of_line, std::uint64_t number,
                              bool again) {
     ProgramText& in = text();
     block.line = units.line_id(in, number);
     kept.add(block.line, number, text_of_line, &in.name, frame->site);
+    if (frame->site) name_call(block);
     frame->has_executed = true;
     turns = 0;
     if (block.kind == Block::Kind::Nc && !is_left_out(block)) ++blocks;
@@ -717,6 +726,16 @@ LinePlace Program::place(std::uint32_t line) const {
     place.file = found.text->name;
     place.line = static_cast<std::uint32_t>(found.number);
     return place;
+}
+void Program::keep_lines(std::size_t lines) { state_->kept.keep_earlier(lines); }
+LinePlace Program::shown_place(std::uint32_t line, std::optional<nc::Slot> slot) const {
+    Block block{};
+    block.line = line;
+    LinePlace found = slot ? state_->kept.place(block, *slot) : state_->kept.place(block);
+    return found.text.empty() ? place(line) : found;
+}
+std::vector<LinePlace> Program::calls(SourceId source) const {
+    return nc::places_of(state_->recent_calls.find(source));
 }
 bool Program::failed() const { return state_->has_visible_fault; }
 bool Program::stopped() const { return state_->was_stopped; }

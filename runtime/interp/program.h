@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct ProgramOptions {
     std::uint64_t max_blocks = 0;                  // statements and blocks; asked at statements
                                                    // alone, 0: no limit
     std::size_t kept_text = std::size_t{4} << 20;  // bytes kept of a text that cannot be read again
+    std::size_t kept_lines = 1u << 12;  // before the latest batch, that messages can show
     std::function<bool()>
         is_over;  // asked now and then: whether the program has to end; may be empty
     ProgramFiles* files = nullptr;  // programs that do not stand in the text
@@ -59,6 +61,9 @@ class Program final : public Stream<nc::Block>, public nc::BlockPlaces {
 
     /// From here on lines are only read, for their mistakes: nothing is worked out, no jump goes.
     void check_only();
+    /// Messages come later than usual: so many lines (ProgramOptions::kept_lines) are kept for
+    /// them.
+    void keep_lines(std::size_t lines);
     /// Who executes the blocks. Without one, asking for its state is an alarm.
     void follow(ControlState& state);
     /// Who gets the lines that the program prints; it outlives the run.
@@ -75,6 +80,12 @@ class Program final : public Stream<nc::Block>, public nc::BlockPlaces {
     std::vector<LinePlace> calls(const nc::Block& block) const override;
     /// Where a line of a block (Block::line) stands: its file and its number there.
     LinePlace place(std::uint32_t line) const;
+    /// The same with its text and the word that set the slot, else the first one, while the line is
+    /// among the latest (ProgramOptions::kept_lines); without them for an older one.
+    LinePlace shown_place(std::uint32_t line, std::optional<nc::Slot> slot) const;
+    /// The calls that have led to a block with this Block::source, the nearest first. A block of a
+    /// program that was called has the number of the call there, any other has none.
+    std::vector<LinePlace> calls(SourceId source) const;
     /// Whether such a line is one of the text that was begun with; it then is its number.
     static bool is_in_main_text(std::uint32_t line) { return line < (std::uint32_t{1} << 31); }
     bool failed() const override;

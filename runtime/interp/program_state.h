@@ -17,6 +17,7 @@
 #include "interp/evaluator.h"
 #include "interp/program.h"
 #include "interp/program_units.h"
+#include "interp/recent_calls.h"
 #include "interp/text_macros.h"
 #include "nc/kept_lines.h"
 #include "nc/line_reader.h"
@@ -90,6 +91,7 @@ struct Frame {
     bool has_executed = false;     // something besides declarations
     bool has_given_words = false;  // of the line: its call is next
     std::shared_ptr<const nc::CallSite> site;
+    SourceId site_number;   // of the site among the recent ones
     PreparedCall call;      // that has begun it
     std::int64_t left = 1;  // passes, this one included
     bool saves = false;
@@ -123,6 +125,7 @@ struct Program::State {
     DiagnosticSink& sink;
     nc::LineReader lines;
     nc::KeptLines kept;
+    RecentCalls recent_calls;
     ProgramUnits units;
     ControlVariables variables;
     /// As they were where the program ended, if programs behind it are read for their mistakes.
@@ -200,6 +203,7 @@ struct Program::State {
     CompiledLine* line_at(const LinePosition& position);
     void compile(CompiledLine& line, nc::Block& out);
     void compile_language(CompiledLine& line);
+    void name_call(nc::Block& block);
     void deliver(nc::Block& block, std::string_view text, std::uint64_t number, bool again);
     void end_after(nc::Block& block);
     bool is_left_out(const nc::Block& block) const;

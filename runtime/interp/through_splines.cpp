@@ -1,5 +1,8 @@
 // through_splines.cpp — splines through points: their blocks are collected, their spans executed as
 // soon as they are known.
+//
+// X, Y and Z make the spline, which is what SPLINEPATH says if nobody says it; from point to point
+// every other axis goes in proportion to the way (SPATH; SINUMERIK reference 4.4).
 #include <bit>
 
 #include <Eigen/Geometry>
@@ -54,11 +57,13 @@ bool Executor::continues_through(const Block& block) const {
 
 /// A block with a position under such a function.
 void Executor::go_through(const Block& block, SlotMask targets) {
-    if (const SlotMask others = targets & ~SlotMask{kXyz}; others != 0) {
+    const SlotMask others = targets & ~SlotMask{kXyz};
+    const auto refuse_others = [&] {
         const auto other = static_cast<Slot>(std::countr_zero(others));
         report(diag::SplineAxis, block, other).arg(nc::slot_name(other));
-        return;
-    }
+    };
+    if (others != 0 && is_transformed()) return refuse_others();
+    if (!check_axes(block, targets) || !check_rotary_ways(block)) return;
     if (!check_feed(block, "spline")) return;
     if (!through_ && !start_through(block)) return;
     spline_end_.line = block.line;
@@ -66,7 +71,10 @@ void Executor::go_through(const Block& block, SlotMask targets) {
     const Target target = target_of(block, targets);
     if (!check_limits(block, target.base, target.moved)) return;
     if (!through_->spline.add_point(linear(target.base))) {
-        report(diag::SplinePointRepeated, block);
+        // An axis has no way of the spline to follow.
+        const bool is_followed = others != 0 && target.base != position_.base;
+        if (is_followed) refuse_others();
+        else report(diag::SplinePointRepeated, block);
         return;
     }
     through_->moved = static_cast<AxisMask>(through_->moved | target.moved);

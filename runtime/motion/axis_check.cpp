@@ -22,17 +22,6 @@ std::string shown(const machine::MachineAxis& axis, double position) {
 
 }  // namespace
 
-LinePlace place_of(std::uint32_t line, SourceId source, const PlannerOptions& options) {
-    if (options.place_of) return options.place_of(line, source);
-    LinePlace place;
-    place.line = line;
-    return place;
-}
-
-LinePlace place_of(const path::Command& command, const PlannerOptions& options) {
-    return place_of(command.line, command.source, options);
-}
-
 AxisCheck::AxisCheck(const machine::Machine& machine, const AxisTable& axes,
                      const PlannerOptions& options, DiagnosticSink& sink)
     : machine_(machine), axes_(axes), options_(options), sink_(sink) {
@@ -74,7 +63,8 @@ bool AxisCheck::has_all_axes(const path::Command& command, const Segment& piece,
         has_all = false;
         if (is_reported_[i]) continue;
         is_reported_[i] = true;
-        sink_.report(diag::AxisNotOnMachine, place_of(command, options_))
+        report(sink_, diag::AxisNotOnMachine, {command.line, command.source, axis},
+               options_.place_of)
             .arg(kAxisNames[i])
             .arg(machine_.name);
     }
@@ -94,7 +84,8 @@ bool AxisCheck::keeps_limits(const path::Command& command, const AxisTable::Trav
         keeps_all = false;
         if (is_outside_[i]) continue;
         is_outside_[i] = true;
-        sink_.report(diag::AxisBeyondLimit, place_of(command, options_))
+        report(sink_, diag::AxisBeyondLimit, {command.line, command.source, axis.axis},
+               options_.place_of)
             .arg(axis.name)
             .arg(shown(axis, above ? reached.upper[i] : reached.lower[i]))
             .arg(shown(axis, above ? axis.upper : axis.lower));

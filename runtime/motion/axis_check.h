@@ -15,11 +15,6 @@
 
 namespace kadr::motion {
 
-/// The place of a line of the ISO-7bit text, or of a command, as the caller of the planner tells
-/// it.
-LinePlace place_of(std::uint32_t line, SourceId source, const PlannerOptions& options);
-LinePlace place_of(const path::Command& command, const PlannerOptions& options);
-
 class AxisCheck {
   public:
     /// References outlive the check.

@@ -26,6 +26,7 @@
 #include "machine/machine.h"
 #include "motion/operator_panel.h"
 #include "motion/plc.h"
+#include "motion/report.h"
 #include "motion/segment.h"
 #include "motion/speed_loss.h"
 #include "path/command.h"
@@ -91,8 +92,7 @@ struct PlannerOptions {
     std::array<double, kAxes>
         velocity_jump{};        // per machine axis, mm/s or rad/s; 0: what the ramps leave
     bool stop_at_alarm = true;  // false: report and go on with a sensible value
-    /// The place of a line of the ISO-7bit text, for messages; may be empty.
-    std::function<LinePlace(std::uint32_t line, SourceId source)> place_of;
+    PlaceOf place_of;           // for messages; may be empty
 };
 
 /// Plans commands into segments with look-ahead. Memory is bounded by the look-ahead, whatever the

@@ -123,10 +123,12 @@ bool Planner::State::wait(Segment& segment) {
     start.acceleration = 0;
     if (std::isinf(panel.next_time())) {
         const bool is_rapid = std::isfinite(pieces.front().rapid_asked);
-        sink.report(diag::StandsForEver, place_of(next.line, next.source, options))
+        report(sink, diag::StandsForEver, AskedPlace{next.line, next.source, {}}, options.place_of)
             .arg(panel.is_held() ? "feed hold"
                  : is_rapid      ? "a rapid override of 0 %"
-                                 : "a feed override of 0 %");
+                                 : "a feed override of 0 %")
+            .fix(panel.is_held() ? "let cycle start follow at a later time"
+                                 : "let an override above 0 % follow at a later time");
         is_stuck = true;
         return false;
     }

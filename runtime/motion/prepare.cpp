@@ -169,7 +169,7 @@ void Preparer::State::set_spindle(const Command& command) {
     }
     spindle.speed = speed_from_rpm(command.speed);
     if (spindle.is_turning && machine.max_speed > 0 && spindle.speed > machine.max_speed) {
-        sink.report(diag::SpindleTooFast, place_of(command, options))
+        report(sink, diag::SpindleTooFast, command, options.place_of)
             .arg(command.speed)
             .arg(round_to(rpm_from_speed(machine.max_speed), 3));
     }
@@ -182,7 +182,7 @@ void Preparer::State::dwell(const Command& command) {
         if (turns > 0) {
             duration = command.revolutions / turns;
         } else {
-            sink.report(diag::DwellWithoutSpindle, place_of(command, options))
+            report(sink, diag::DwellWithoutSpindle, command, options.place_of)
                 .arg(command.revolutions);
             alarm_raised();
         }
@@ -431,9 +431,10 @@ void Preparer::State::ask(const Command& command, Piece& piece) const {
 
 /// The axes cannot follow the spindle: the thread would get another pitch.
 void Preparer::State::report_thread_speed(const Command& command, double feed, double most) {
-    sink.report(diag::ThreadTooFast, place_of(command, options))
+    report(sink, diag::ThreadTooFast, command, options.place_of)
         .arg(round_to(mm_min_from_feed(feed), 3))
-        .arg(round_to(mm_min_from_feed(most), 3));
+        .arg(round_to(mm_min_from_feed(most), 3))
+        .fix("a slower spindle cuts the same thread");
     alarm_raised();
 }
 
@@ -445,8 +446,8 @@ double Preparer::State::programmed_feed(const Command& command, const Segment& s
     if (feed) return *feed;
     const bool no_feed = feed.error() == FeedFault::NoFeed;
     if (!feed_reported) {
-        sink.report(no_feed ? diag::MotionWithoutFeed : diag::FeedWithoutSpindle,
-                    place_of(command, options));
+        report(sink, no_feed ? diag::MotionWithoutFeed : diag::FeedWithoutSpindle, command,
+               options.place_of);
     }
     feed_reported = true;
     alarm_raised();

@@ -1,10 +1,13 @@
 #include "nc/kept_lines.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace kadr::nc {
 
 namespace {
+
+constexpr std::size_t kChunk = 1024;  // lines, at least, that are forgotten together
 
 /// The word of the line that `is_wanted` accepts; else the first word, else the whole line.
 template <typename IsWanted>
@@ -25,27 +28,71 @@ Span find_word(const DialectTables& tables, std::string_view line, IsWanted is_w
 
 }  // namespace
 
-template <typename IsWanted>
-LinePlace KeptLines::place_word(const Block& block, IsWanted is_wanted) const {
-    const auto kept = find(block);
-    if (kept == lines_.end()) return reader_.place({}, block.line, {});
-    const std::string_view line = std::string_view(text_).substr(kept->offset, kept->length);
-    const std::string& file = kept->file != nullptr ? *kept->file : reader_.text().name;
-    return LineReader::place(file, line, kept->number,
-                             find_word(reader_.tables(), line, is_wanted));
+std::vector<LinePlace> places_of(const CallSite* nearest) {
+    std::vector<LinePlace> places;
+    for (const CallSite* call = nearest; call != nullptr; call = call->from.get())
+        places.push_back(call->place);
+    return places;
 }
 
-std::vector<KeptLines::Line>::const_iterator KeptLines::find(const Block& block) const {
-    return std::ranges::find(lines_, block.line, &Line::id);
+/// Buffers go round: once warm, nothing is allocated.
+void KeptLines::clear() {
+    if (most_earlier_ > 0 && now_.lines.size() < kChunk) {
+        batch_ = now_.lines.size();
+        return;
+    }
+    batch_ = 0;
+    if (most_earlier_ > 0) {
+        count_earlier_ += now_.lines.size();
+        earlier_.push_back(std::exchange(now_, {}));
+    }
+    if (!earlier_.empty() && count_earlier_ - earlier_.front().lines.size() >= most_earlier_) {
+        count_earlier_ -= earlier_.front().lines.size();
+        now_ = std::move(earlier_.front());
+        earlier_.pop_front();
+    }
+    now_.lines.clear();
+    now_.text.clear();
+}
+
+/// The line of the latest batch, the first of several with this id; else of an earlier one.
+KeptLines::Found KeptLines::find(std::uint32_t id) const {
+    for (std::size_t i = batch_; i < now_.lines.size(); ++i) {
+        const Line& line = now_.lines[i];
+        if (line.id == id)
+            return {&line, std::string_view(now_.text).substr(line.offset, line.length)};
+    }
+    return find_earlier(id);
+}
+
+/// The latest one before the batch.
+KeptLines::Found KeptLines::find_earlier(std::uint32_t id) const {
+    const auto find_in = [id](const Chunk& chunk, std::size_t count) -> Found {
+        while (count > 0) {
+            const Line& line = chunk.lines[--count];
+            if (line.id == id)
+                return {&line, std::string_view(chunk.text).substr(line.offset, line.length)};
+        }
+        return {};
+    };
+    Found found = find_in(now_, batch_);
+    for (auto chunk = earlier_.rbegin(); found.line == nullptr && chunk != earlier_.rend(); ++chunk)
+        found = find_in(*chunk, chunk->lines.size());
+    return found;
+}
+
+template <typename IsWanted>
+LinePlace KeptLines::place_word(const Block& block, IsWanted is_wanted) const {
+    const Found kept = find(block.line);
+    if (kept.line == nullptr) return reader_.place({}, block.line, {});
+    const std::string& file = kept.line->file != nullptr ? *kept.line->file : reader_.text().name;
+    return LineReader::place(file, kept.text, kept.line->number,
+                             find_word(reader_.tables(), kept.text, is_wanted));
 }
 
 std::vector<LinePlace> KeptLines::calls(const Block& block) const {
-    std::vector<LinePlace> places;
-    const auto kept = find(block);
-    if (kept == lines_.end()) return places;
-    for (const CallSite* call = kept->calls.get(); call != nullptr; call = call->from.get())
-        places.push_back(call->place);
-    return places;
+    const Found kept = find(block.line);
+    return kept.line == nullptr ? std::vector<LinePlace>() : places_of(kept.line->calls.get());
 }
 
 LinePlace KeptLines::place(const Block& block) const {

@@ -8,7 +8,6 @@
 #include "base/diagnostics/machine.h"
 #include "base/numbers.h"
 #include "base/units.h"
-#include "motion/axis_check.h"
 #include "motion/feed.h"
 
 namespace kadr::process {
@@ -175,7 +174,7 @@ void ScannerCommands::switch_off(const Command& command) {
     const double away = (beam_at_.tip() - axes_at_.tip()).norm();
     if (away > kSamePlace) {
         refuse([this, command, away] {
-            sink_.report(diag::ScannerAway, motion::place_of(command, options_))
+            motion::report(sink_, diag::ScannerAway, command, options_.place_of)
                 .arg(round_to(away, 6))
                 .fix("jump to the place where the scanner was switched on");
         });
@@ -244,8 +243,8 @@ void ScannerCommands::mark(const Command& command, ScanMotion motion, double len
     if (!feed) {
         const bool no_feed = feed.error() == motion::FeedFault::NoFeed;
         return refuse([this, command, no_feed] {
-            sink_.report(no_feed ? diag::MotionWithoutFeed : diag::FeedWithoutSpindle,
-                         motion::place_of(command, options_));
+            motion::report(sink_, no_feed ? diag::MotionWithoutFeed : diag::FeedWithoutSpindle,
+                           command, options_.place_of);
         });
     }
     const double speed = std::min(*feed, scanner_.mark_speed);
@@ -263,7 +262,7 @@ void ScannerCommands::put_motion(const Command& command, ScanMotion motion, doub
         const Vec3 place =
             path::position(motion.segment.curve, step.share * path::length(motion.segment.curve));
         return refuse([this, command, place, outside] {
-            sink_.report(diag::ScannerField, motion::place_of(command, options_))
+            motion::report(sink_, diag::ScannerField, command, options_.place_of)
                 .arg(round_to(place.x(), 3))
                 .arg(round_to(place.y(), 3))
                 .arg(round_to(outside, 3));
@@ -278,7 +277,7 @@ void ScannerCommands::scan_dwell(const Command& command) {
         const double turns = spindle_.speed_at(axes_at_.tip()[0]);
         if (!(turns > 0)) {
             return refuse([this, command] {
-                sink_.report(diag::DwellWithoutSpindle, motion::place_of(command, options_))
+                motion::report(sink_, diag::DwellWithoutSpindle, command, options_.place_of)
                     .arg(command.revolutions);
             });
         }
@@ -303,14 +302,14 @@ bool ScannerCommands::keeps_axes(const Command& command, const Segment& segment,
         moved_axis(target, segment, beam_at_.tip(), path::bounds(segment.curve));
     if (axis.empty()) return true;
     refuse([this, command, axis] {
-        sink_.report(diag::ScannerAxis, motion::place_of(command, options_)).arg(axis);
+        motion::report(sink_, diag::ScannerAxis, command, options_.place_of).arg(axis);
     });
     return false;
 }
 
 void ScannerCommands::refuse_busy(const Command& command, const char* what) {
     refuse([this, command, what] {
-        sink_.report(diag::ScannerBusy, motion::place_of(command, options_)).arg(what);
+        motion::report(sink_, diag::ScannerBusy, command, options_.place_of).arg(what);
     });
 }
 

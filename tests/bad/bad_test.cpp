@@ -11,6 +11,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -182,6 +183,34 @@ TEST_P(BadInput, GivesTheRightMessage) {
         EXPECT_EQ(content_of(out), before);
     }
     fs::remove(out);
+}
+
+/// A message that has a place shows the line there, and marks it; but for an end that is missing,
+/// where nothing stands.
+TEST_P(BadInput, ShowsTheLineWithACaret) {
+    const fs::path file = GetParam();
+    const Case wanted = parse_case(file);
+    std::optional<School> school;
+    if (file.parent_path().filename() == "languages") school.emplace(file);
+    const fs::path out = kadr::testing::scratch(file.stem().string() + ".out");
+    std::vector<std::string> words =
+        command_line(wanted.arguments, file, out, school ? &*school : nullptr);
+    words.resize(words.size() - 2);  // as text
+    std::istringstream lines(run_process(words).err);
+    fs::remove(out);
+    static const std::regex kPlace(":[0-9]+:[0-9]+: (error|alarm|warning)\\[");
+    static const std::regex kShown("^ *[0-9]+ \\| .*");
+    std::string line;
+    while (std::getline(lines, line)) {
+        const bool is_missing_end = line.find("alarm[PS5010]") != std::string::npos;
+        if (is_missing_end || !std::regex_search(line, kPlace)) continue;
+        std::string shown;
+        std::string mark;
+        std::getline(lines, shown);
+        std::getline(lines, mark);
+        EXPECT_TRUE(std::regex_match(shown, kShown)) << line << '\n' << shown;
+        EXPECT_NE(mark.find('^'), std::string::npos) << line << '\n' << shown << '\n' << mark;
+    }
 }
 
 std::vector<fs::path> all_cases() {

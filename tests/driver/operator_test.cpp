@@ -149,7 +149,7 @@ TEST_F(Operator, EventsFromAFile) {
 TEST_F(Operator, WhatCannotBe) {
     const ProcessResult forever = kadr({"run", file("line.nc"), "-d", "fanuc", "--hold", "5s"});
     EXPECT_EQ(forever.status, 3);
-    EXPECT_NE(forever.err.find("line.nc:4:1: alarm[K6210]"), std::string::npos) << forever.err;
+    EXPECT_NE(forever.err.find("line.nc:4:5: alarm[K6210]"), std::string::npos) << forever.err;
     summary({"--hold", "N99..1s"});
     EXPECT_NE(said_.find("warning[K6213]: no motion begins at N99"), std::string::npos) << said_;
     const ProcessResult pulses =

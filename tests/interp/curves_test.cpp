@@ -162,13 +162,40 @@ TEST(ThroughSplines, AreTheSameInAnyFrame) {
     EXPECT_EQ(incremental.listing(), absolute.listing());
 }
 
+/// Every span leads the other axes to what its block says; the curve is that without them.
+TEST(ThroughSplines, OtherAxesComeAlongFromPointToPoint) {
+    for (const Function function : {Function::AkimaSpline, Function::CubicSpline}) {
+        const auto spans_with = [&](double c) {
+            const auto turned = [c](Words words, double share) {
+                return c == 0 ? words : words.set(Slot::C, c * share);
+            };
+            const Ran ran = run({line().x(0).y(0).f(500), turned(through(function).x(10).y(10), 1),
+                                 at(20, 0), turned(at(30, 10), -2), at(40, 0), line().x(50)});
+            EXPECT_EQ(ran.codes(), "");
+            return of(ran, Op::Spline);
+        };
+        const auto plain = spans_with(0);
+        const auto led = spans_with(20);
+        ASSERT_EQ(led.size(), 4u);
+        ASSERT_EQ(plain.size(), 4u);
+        const std::array<double, 4> wanted = {20, 20, -40, -40};
+        for (std::size_t i = 0; i < led.size(); ++i) {
+            EXPECT_EQ(led[i].to[index(Axis::C)], wanted[i]) << i;
+            EXPECT_EQ(place(led[i]), place(plain[i])) << i;
+            EXPECT_EQ(led[i].spline.inner[0], plain[i].spline.inner[0]) << i;
+            EXPECT_EQ(led[i].spline.inner[1], plain[i].spline.inner[1]) << i;
+        }
+    }
+}
+
 TEST(ThroughSplines, WhatIsWrong) {
     const Words first = through(Function::CubicSpline).x(10).y(10);
     EXPECT_EQ(codes({first, at(10, 10), at(20, 0)}), "K5480");
     EXPECT_EQ(codes({start_end(first, 1, 2), at(20, 0)}), "K5481");
     EXPECT_EQ(codes({start_end(first, 1, 2), at(20, 0), fn(Function::CoolantFlood)}), "K5481");
     EXPECT_EQ(run({start_end(first, 2, 1).f(500), at(20, 0)}).codes(), "K5481");
-    EXPECT_EQ(codes({Words(first).set(Slot::C, 20)}), "K5207");
+    EXPECT_EQ(codes({Words(first).set(Slot::C, 20), Words().set(Slot::C, 30)}), "K5207");
+    EXPECT_EQ(codes({Words(first).set(Slot::B, 20)}), "K5230");
     EXPECT_EQ(codes({Words(first).x(2500)}).substr(0, 2), "K5");
     // A curve leaves the limits where its points do not.
     EXPECT_EQ(
@@ -268,6 +295,54 @@ TEST(Polynomials, ChainInTheirDirection) {
               1);
 }
 
+/// C goes evenly with the parameter, and each command evenly with its way: at every place along
+/// every command both are the same but for a thousandth of a degree.
+TEST(Polynomials, OtherAxesGoEvenlyWithTheParameter) {
+    // x = 10·q, y = 40·q²: the way to q is that of a parabola, far from even.
+    Words words = poly().set(Slot::C, 90);
+    axis(words, 1, 10);
+    axis(words, 2, 40, {40});
+    const Ran ran = run({line().x(0).y(0).f(500), words});
+    EXPECT_EQ(ran.codes(), "");
+    const auto spans = of(ran, Op::Spline);
+    ASSERT_GT(spans.size(), 8u);
+    EXPECT_LT(spans.size(), 300u);
+    Vec3 from(0, 0, 0);
+    double turned = 0;
+    for (const path::Command& command : spans) {
+        const auto curve = path::make_spline(from, place(command), command.spline);
+        const double to = command.to[index(Axis::C)];
+        for (int i = 0; i <= 16; ++i) {
+            const double share = i / 16.0;
+            const double q = path::position(curve, share * curve.length)[0] / 10;
+            EXPECT_NEAR(turned + share * (to - turned), 90 * q, 1.1e-3);
+        }
+        from = place(command);
+        turned = to;
+    }
+    EXPECT_EQ(turned, 90);
+    EXPECT_EQ(from, Vec3(10, 40, 0));
+    // Without a curve there is nothing to be cut.
+    EXPECT_EQ(
+        of(run({line().x(0).y(0).f(500), poly().x(5).y(5).set(Slot::C, 90)}), Op::Spline).size(),
+        1u);
+}
+
+/// A block that lasts a time of its own does so in however many commands.
+TEST(Polynomials, UnderInverseTimeThePiecesShareTheTime) {
+    Words words = poly().set(Slot::C, 90).fn(Function::FeedInverseTime).f(2);
+    axis(words, 1, 10);
+    axis(words, 2, 40, {40});
+    const Ran ran = run({line().x(0).y(0).f(500), words});
+    EXPECT_EQ(ran.codes(), "");
+    double minutes = 0;
+    for (const path::Command& command : of(ran, Op::Spline)) {
+        EXPECT_EQ(command.feed_mode, path::FeedMode::InverseTime);
+        minutes += 1 / command.feed;
+    }
+    EXPECT_NEAR(minutes, 0.5, 1e-9);
+}
+
 TEST(Polynomials, WhatIsWrong) {
     const auto with = [](const std::function<void(Words&)>& more) {
         Words words = poly();
@@ -285,7 +360,8 @@ TEST(Polynomials, WhatIsWrong) {
     EXPECT_EQ(with([](Words& w) { w.fn(Function::PolynomialWeight, {{0, -1}}); }), "K5484");
     // 1 − 4q + 4q² touches zero in the middle.
     EXPECT_EQ(with([](Words& w) { w.fn(Function::PolynomialWeight, {{0, 1}, {1, 4}}); }), "K5484");
-    EXPECT_EQ(with([](Words& w) { w.set(Slot::C, 20); }), "K5485");
+    EXPECT_EQ(with([](Words& w) { w.set(Slot::C, 20); }), "");
+    EXPECT_EQ(with([](Words& w) { w.set(Slot::B, 20); }), "K5230");
     EXPECT_EQ(with([](Words& w) { w.x(20); }), "K5493");
     EXPECT_EQ(with([](Words& w) { axis(w, 2, 2500); }).substr(0, 2), "K5");
 }

@@ -521,15 +521,19 @@ TEST(PlannerMistakes, SpindleStands) {
 
 TEST(PlannerMistakes, PlaceComesFromTheCaller) {
     PlannerOptions options;
-    options.place_of = [](std::uint32_t line, SourceId) {
-        LinePlace place;
-        place.file = "part.mpf";
-        place.line = line + 100;
+    options.place_of = [](const AskedPlace& asked) {
+        ShownPlace place;
+        place.line.file = "part.mpf";
+        place.line.line = asked.line + 100;
+        place.calls.push_back({"main.mpf", 7, 1, 4, "PART"});
         return place;
     };
     const Motion result = run(machine_of(), {line_to({10, 0, 0}, 0)}, options);
     EXPECT_EQ(result.diagnostics.all().at(0).line.value().file, "part.mpf");
     EXPECT_EQ(result.diagnostics.all().at(0).line.value().line, 101u);
+    ASSERT_EQ(result.diagnostics.all().at(0).notes.size(), 1u);
+    EXPECT_EQ(result.diagnostics.all().at(0).notes[0].line.value().file, "main.mpf");
+    EXPECT_EQ(result.diagnostics.all().at(0).notes[0].text, "called here");
 }
 
 }  // namespace

@@ -43,6 +43,13 @@ TEST(Arc, CasesOfTheOracle) {
         }
         ASSERT_TRUE(arc);
         EXPECT_NEAR(arc->sweep, test["u_range"][1].get<double>(), 1e-9);
+        EXPECT_NEAR(arc->sweep, expected["sweep_rad"].get<double>(), 1e-9);
+        EXPECT_LT((arc->center - vec3(expected["center"])).norm(), 1e-9);
+        EXPECT_NEAR(shape_of(*arc).start_radius, expected["radius_start"].get<double>(), 1e-9);
+        EXPECT_NEAR(shape_of(*arc).end_radius, expected["radius_end"].get<double>(), 1e-9);
+        if (expected.contains("axis")) {
+            EXPECT_LT((arc->normal - vec3(expected["axis"])).norm(), 1e-9);
+        }
         for (const Json& sample : expected["samples"]) {
             const ArcPoint point = point_at(*arc, sample["u"]);
             EXPECT_LT((point.position - vec3(sample["C"])).norm(), 1e-9);

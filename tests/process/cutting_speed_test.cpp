@@ -25,6 +25,7 @@ TEST(CuttingSpeedOracle, SpeedsAccelerationsAndTimes) {
     int samples = 0;
     for (const json& entry : data["cases"]) {
         SCOPED_TRACE(entry["id"].get<std::string>());
+        EXPECT_EQ(entry["kind"], "facing_pass");
         const json& in = entry["input"];
         const json& expected = entry["expect"];
         const motion::Spindle spindle = spindle_of(in["V_m_min"], in["n_max_rpm"]);

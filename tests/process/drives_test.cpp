@@ -53,6 +53,7 @@ struct Told {
     double least_before_peak = 0;   // A
     FacingSample peak;
     double half_limit_current = 0;  // A, half way from the radius of the limit to the centre
+    double half_limit_radius = 0;   // mm, of the sample there
     double return_time = 0;
 };
 
@@ -84,6 +85,7 @@ Told run(const machine::Drives& drives, const FacingPass& pass, const json& time
         if (told.crossings.empty() && last && last->radius > half_limit &&
             sample.radius <= half_limit) {
             told.half_limit_current = sample.current;
+            told.half_limit_radius = sample.radius;
         }
         last = sample;
     });
@@ -128,6 +130,8 @@ TEST(DrivesOracle, FacingPass) {
         near(got.peak.radius / 1000, want["R_at_peak"], tolerance["R_at_peak_rel"]);
         near(got.least_before_peak, want["I_minimum_before_peak"], part);
         near(got.half_limit_current, want["I_at_half_limit_radius"], part);
+        // Of the last step in front of it, or the first behind: a step of either is some µm.
+        near(got.half_limit_radius / 1000, want["R_half_limit"], 1e-3);
         const double start_load = drives.cutting_force * pass.radius / 1000;
         near(
             settled(drives.spindle, kTurn * pass.spindle.speed_at(pass.radius), start_load).current,

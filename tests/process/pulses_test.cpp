@@ -50,6 +50,9 @@ TEST(PulseOracle, ArithmeticOfTheExample) {
         const auto ticks = static_cast<std::int64_t>(std::ceil(time->least / 0.001 - 1e-9));
         EXPECT_EQ(machine::pulse_at_or_after(clock, ticks),
                   row["periods_stop_model"].get<std::int64_t>());
+        const auto intervals = static_cast<double>(machine::pulse_at_or_after(clock, ticks));
+        EXPECT_NEAR(1000 * (intervals * 0.001 * static_cast<double>(clock.nominal) - time->least),
+                    row["idle_wait_ms_to_nominal"].get<double>(), 1e-7);
         EXPECT_NEAR(d / feed * 1000, row["constant_feed_time_ms"].get<double>(), 1e-9);
     }
     // From rest to rest in one window, in two; from rest with a free end.
@@ -194,9 +197,13 @@ TEST(PulseOracle, RunsTakeTheFewestIntervals) {
                 clock, static_cast<std::int64_t>(std::ceil(time / tick - 1e-9)));
         }
         EXPECT_EQ(stopping, entry["expect"]["periods_stop_at_each_point"].get<std::int64_t>());
+        const double interval = static_cast<double>(clock.nominal) * tick;
+        EXPECT_NEAR(static_cast<double>(stopping) * interval,
+                    entry["expect"]["time_stop_s"].get<double>(), 1e-9);
         const auto best = entry["expect"]["periods_best_found"].get<double>();
         const auto got = static_cast<double>(intervals_of(clock, legs, tick));
         RecordProperty("periods_" + entry["id"].get<std::string>(), std::to_string(got));
+        EXPECT_NEAR(best * interval, entry["expect"]["time_best_nominal_s"].get<double>(), 1e-9);
         EXPECT_LE(got, 1.03 * best + 1);
         EXPECT_GE(got, 0.97 * best - 1);
         EXPECT_LE(got, static_cast<double>(stopping));
@@ -224,6 +231,14 @@ TEST(PulseOracle, StopModelOfPointSets) {
             EXPECT_NEAR(static_cast<double>(all) * 0.025,
                         file["time_stop_at_each_point_s"].get<double>(), 1e-9)
                 << file.dump();
+            // The same numbers of jumps and of stops, as our sets have them: some of what stopping
+            // costs is saved, and no point goes without a pulse of its own.
+            const auto points = file["points"].get<int>();
+            const auto per = [points](const json& count) { return points / count.get<double>(); };
+            const bench::LaserTimes times =
+                bench::times_of({1, points, 0, 0, per(file["jumps"]), per(file["stops"])});
+            EXPECT_GT(times.synchronised, 0.025 * points);
+            EXPECT_LT(times.synchronised, 0.7 * times.stopping);
         }
     }
 }
@@ -252,6 +267,53 @@ TEST(PulseOracle, AFileOfTable2) {
                         rows[i]["calibrated_points_per_jump_of_2mm"].get<double>(), 1e-3);
             EXPECT_NEAR(mine.points_per_stop, rows[i]["calibrated_points_per_stop"].get<double>(),
                         1e-3);
+        }
+    }
+}
+
+/// What the oracle works out of the paper's table, from the numbers that the bench has of it: every
+/// point costs 2 + e intervals with stops and 1 + e + c without, the same e and c in all files.
+TEST(PulseOracle, TwoConstantsForTable2) {
+    constexpr double kInterval = 0.025;
+    double points = 0, paper_old = 0, paper_new = 0;
+    for (const bench::LaserFile& file : bench::kTable2) {
+        points += file.points;
+        paper_old += file.paper_old;
+        paper_new += file.paper_new;
+    }
+    const double e = paper_old / (points * kInterval) - 2;
+    const double c = paper_new / (points * kInterval) - 1 - e;
+    const json cases = oracle("laser_sync.json")["cases"];
+    for (const json& entry : cases) {
+        if (entry["kind"] != "table2_model") continue;
+        const json& expected = entry["expect"];
+        EXPECT_NEAR(e, expected["e_extra_periods_per_point_jumps"].get<double>(), 1e-9);
+        EXPECT_NEAR(c, expected["c_extra_periods_per_point_corners"].get<double>(), 1e-9);
+        for (std::size_t i = 0; i < bench::kTable2.size(); ++i) {
+            const bench::LaserFile& file = bench::kTable2[i];
+            const json& row = expected["rows"][i];
+            SCOPED_TRACE(row.dump());
+            const auto near = [&row](const char* column, double got) {
+                EXPECT_NEAR(got, row[column].get<double>(), 1e-9 * std::abs(got)) << column;
+            };
+            const double all = file.points * kInterval;  // s, a pulse at every point
+            near("bound_old_2_periods_s", 2 * all);
+            near("bound_new_1_period_s", all);
+            near("periods_per_point_old", file.paper_old / all);
+            near("periods_per_point_new", file.paper_new / all);
+            near("model_old_s", (2 + e) * all);
+            near("model_new_s", (1 + e + c) * all);
+            near("ratio_old", (2 + e) * all / file.paper_old);
+            near("ratio_new", (1 + e + c) * all / file.paper_new);
+            near("saving_paper", 1 - file.paper_new / file.paper_old);
+            // The table as printed has minutes and seconds.
+            const json& printed = entry["input"]["files"][i];
+            const auto seconds = [](const std::string& text) {
+                const std::size_t colon = text.find(':');
+                return 60 * std::stod(text.substr(0, colon)) + std::stod(text.substr(colon + 1));
+            };
+            EXPECT_EQ(seconds(printed["old"]), file.paper_old);
+            EXPECT_EQ(seconds(printed["new"]), file.paper_new);
         }
     }
 }

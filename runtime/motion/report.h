@@ -1,0 +1,39 @@
+// report.h — messages of the motion at their place in the text.
+//
+// The motion knows a command's line and source as numbers. What stands there, and which calls have
+// led to it, knows who gave the commands.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "base/axes.h"
+#include "base/diagnostic.h"
+#include "path/command.h"
+
+namespace kadr::motion {
+
+/// Of what a message tells.
+struct AskedPlace {
+    std::uint32_t line = 0;    // Command::line
+    SourceId source;           // Command::source
+    std::optional<Axis> axis;  // whose word shows it best, if the line has one
+};
+
+struct ShownPlace {
+    LinePlace line;
+    std::vector<LinePlace> calls;  // that have led to the line, the nearest first
+};
+
+using PlaceOf = std::function<ShownPlace(const AskedPlace&)>;
+
+/// Begins a message. `place_of` may be empty: then there is nothing but the line's number.
+DiagnosticBuilder report(DiagnosticSink& sink, const DiagnosticRow& row, const AskedPlace& place,
+                         const PlaceOf& place_of);
+/// The same about a command.
+DiagnosticBuilder report(DiagnosticSink& sink, const DiagnosticRow& row,
+                         const path::Command& command, const PlaceOf& place_of);
+
+}  // namespace kadr::motion
