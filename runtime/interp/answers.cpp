@@ -197,6 +197,7 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
             const auto i = static_cast<std::size_t>(first);
             return i < work_offsets_.size() ? work_offsets_[i].shift[index(*axis)] : 0.0;
         }
+        case Quantity::Transformation: return is_transformed() ? 1 : 0;
         case Quantity::ActiveWorkOffset: return number(work_offset_);
         case Quantity::ActiveAdditionalOffset:
             return number(std::max<std::int64_t>(0, work_offset_ - 6));
@@ -357,6 +358,15 @@ std::optional<std::int64_t> Executor::axis_number(Axis axis) const {
     return found - machine_.axes.begin() + 1;
 }
 
+/// From the base system to the programmed one; S 6.1.
+ControlFrame Executor::total_frame() const {
+    const ControlFrame outside = chain(frames_.base(), frames_.work_offset());
+    if (!frames_.is_swivelled()) return chain(outside, frames_.programmable());
+    const ControlFrame planes = plain_frame(frames_.tool_frame() * frames_.tilt());
+    return chain(plain_frame(frames_.tables()),
+                 chain(outside, chain(planes, frames_.programmable())));
+}
+
 std::optional<ControlFrame> Executor::frame(Quantity quantity, std::int64_t number) {
     switch (quantity) {
         case Quantity::SettableFrame: {
@@ -367,8 +377,7 @@ std::optional<ControlFrame> Executor::frame(Quantity quantity, std::int64_t numb
         case Quantity::ActiveFrame: return frames_.work_offset();
         case Quantity::BaseFrame: return frames_.base();
         case Quantity::ProgrammableFrame: return frames_.programmable();
-        case Quantity::TotalFrame:
-            return chain(chain(frames_.base(), frames_.work_offset()), frames_.programmable());
+        case Quantity::TotalFrame: return total_frame();
         default: return std::nullopt;
     }
 }

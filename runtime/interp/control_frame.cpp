@@ -48,6 +48,13 @@ Frame ControlFrame::whole() const { return {linear, linear_of(shift) + linear_of
 
 // ---------------------------------------------------------------- constants
 
+ControlFrame plain_frame(const Frame& of) {
+    ControlFrame frame;
+    for (std::size_t i = 0; i < 3; ++i) frame.shift[i] = of.shift[static_cast<Eigen::Index>(i)];
+    frame.linear = of.linear;
+    return frame;
+}
+
 ControlFrame shift_frame(std::span<const AxisAndValue> shifts) {
     ControlFrame frame;
     for (const auto& [axis, value] : shifts) frame.shift[index(axis)] = value;

@@ -29,6 +29,8 @@ struct AxisAndValue {
     double value = 0;
 };
 
+/// A frame of space alone, with nothing of it as a fine part or a mirror.
+ControlFrame plain_frame(const path::Frame& frame);
 ControlFrame shift_frame(std::span<const AxisAndValue> shifts);  // mm, deg
 ControlFrame fine_frame(std::span<const AxisAndValue> shifts);
 /// Roll, pitch and yaw, deg, whatever their order: about Z, the new Y, the new X.

@@ -167,6 +167,7 @@ class Executor {
     std::optional<double> quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second);
     ControlState::Write set_quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second,
                                      double value, bool acts_at_once);  // offsets.cpp
+    ControlFrame total_frame() const;
     std::optional<ControlFrame> frame(nc::Quantity quantity, std::int64_t number);
     ControlState::Write set_frame(nc::Quantity quantity, std::int64_t number,
                                   const ControlFrame& frame, bool acts_at_once);  // offsets.cpp
@@ -313,6 +314,9 @@ class Executor {
 
     // orienting.cpp: the machine's transformation
     void switch_transformation(const nc::Block& block, const nc::Invocation& invocation);
+    std::array<std::size_t, 2> joints_in_order() const;
+    bool refuses_in_spline(const nc::Block& block, nc::Function function);
+    bool refuses_lone_axis(const nc::Block& block, nc::SlotMask targets);
     void begin_length_transformation(const nc::Block& block, const nc::Invocation& invocation,
                                      Actions& actions);
     void end_length_transformation(Actions& actions);

@@ -78,6 +78,9 @@ class Frames {
     /// A frame along the tool, outside of the tilted plane; nothing: none.
     void set_tool_frame(const std::optional<path::Frame>& frame);
     bool has_tool_frame() const { return has_tool_frame_; }
+    const path::Frame& tool_frame() const { return tool_frame_; }
+    /// Whether one of the three frames above is not nothing.
+    bool is_swivelled() const { return is_swivelled_; }
     /// From the tool frame inwards: tilted plane and programmable frame.
     path::Frame inside_tool_frame() const;
     /// From the base system, without tables, to the work offset.

@@ -148,6 +148,7 @@ void Executor::move(const Block& block, const Actions& actions) {
         return;
     }
     if (!check_axes(block, targets) || !check_rotary_ways(block)) return;
+    if (actions.at_rapid && refuses_lone_axis(block, targets)) return;
     if ((unplaced_ & targets) != 0) [[unlikely]]
         check_place(block, targets);
     if (actions.machine_coordinates) return move_in_machine_coordinates(block);
@@ -367,7 +368,13 @@ void Executor::rapid_to_machine_position(const Block& block, const AxisValues& t
 /// A way to a reference point, or from there; none of them stands among the holes of a cycle.
 void Executor::refer(const Block& block, const nc::Invocation& invocation) {
     if (is_transformed()) {
-        report(diag::TransformationMotion, block, invocation.function).arg("a reference point");
+        const bool is_fixed =
+            invocation.function == Function::ReferencePoint && block.argument(invocation, 0, 1) > 1;
+        if (is_fixed) {
+            report(diag::TransformationMotion, block, invocation.function).arg("a fixed point");
+        } else {
+            report(diag::TransformationReference, block, invocation.function);
+        }
         return;
     }
     if (modal_cycle_.is_active) {

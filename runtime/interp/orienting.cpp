@@ -2,6 +2,8 @@
 //
 // How the tool turns under it is tool_words.cpp's and tool_turns.cpp's matter; where the axes go
 // on the way motion's (motion/transformed.h).
+#include <bit>
+
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
 #include "interp/executor.h"
@@ -12,6 +14,7 @@ namespace kadr::interp {
 using machine::Chain;
 using nc::Block;
 using nc::Function;
+using nc::SlotMask;
 using path::Vec3;
 
 namespace {
@@ -55,6 +58,15 @@ Vec3 Executor::joints_of(const AxisValues& base) const {
     return joints;
 }
 
+/// The joints as the control counts its rotary axes 1 and 2. Of a head or a table alone axis 1
+/// carries axis 2; of both, axis 1 is the head's. S 6.5, 7.1.
+std::array<std::size_t, 2> Executor::joints_in_order() const {
+    const Chain& chain = machine_.kinematics->chain;
+    const bool both_on_head = chain.joints[machine::kR1].side == machine::Side::Head;
+    if (both_on_head || !chain.has(machine::kR2)) return {machine::kR1, machine::kR2};
+    return {machine::kR2, machine::kR1};
+}
+
 AxisMask Executor::joint_axes() const {
     AxisMask axes = 0;
     for (const machine::RotaryJoint& joint : machine_.kinematics->chain.joints)
@@ -86,7 +98,7 @@ void Executor::switch_transformation(const Block& block, const nc::Invocation& i
         report(diag::NoTransformation, block, invocation.function).arg(machine_.name);
         return;
     }
-    if (is_wanted == orienting_.is_on) return;
+    if (is_wanted == orienting_.is_on || refuses_in_spline(block, invocation.function)) return;
     if (comp_.side != Function::RadiusCompOff) {
         report(diag::TransformationComp, block, invocation.function)
             .arg(nc::info(invocation.function).name);
@@ -110,6 +122,31 @@ void Executor::switch_transformation(const Block& block, const nc::Invocation& i
     position_.here = position_.programmed = frames_.from_base(position_.base);
     came_from_ = tip;
     if (!is_wanted && tilting_.is_on) carry(block, joints_of(position_.base));
+}
+
+/// Whether the program says a spline, in which no other coordinate system begins; it was reported
+/// then. S 7.1: 14402.
+bool Executor::refuses_in_spline(const Block& block, Function function) {
+    switch (modal_.motion) {
+        case Function::Spline:
+        case Function::AkimaSpline:
+        case Function::CubicSpline: break;
+        default: return false;
+    }
+    report(diag::TransformationSpline, block, function).arg(nc::info(function).name);
+    return true;
+}
+
+/// Whether an axis that the transformation moves is to move by itself; it was reported then.
+/// S 7.1: 17610.
+bool Executor::refuses_lone_axis(const Block& block, SlotMask targets) {
+    const auto moved = static_cast<AxisMask>(targets & kLinearXYZ);
+    // Where a transformation is a kind of length compensation a rapid is one like any other.
+    if (moved == 0 || !is_transformed() || orienting_.has_length) return false;
+    const auto first = static_cast<std::size_t>(std::countr_zero(moved));
+    report(diag::TransformationAxis, block, nc::slot_of(static_cast<Axis>(first)))
+        .arg(kAxisNames[first]);
+    return true;
 }
 
 // ------------------------------------------------------------------------------ with a length

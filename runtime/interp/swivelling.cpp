@@ -117,15 +117,11 @@ void Executor::swivel(const Block& block, const Invocation& invocation) {
     if (!ended_) carry(block, *joints);
 }
 
-/// Where the rotary axes 1 and 2 of the swivel data are to stand, rad. Of a head or a table alone
-/// axis 1 carries axis 2; of both, axis 1 is the head's. S 6.5.
+/// Where the rotary axes 1 and 2 of the swivel data are to stand, rad. S 6.5.
 Vec3 Executor::direct_joints(const Block& block, const Invocation& invocation) const {
     const machine::Chain& chain = machine_.kinematics->chain;
-    const bool both_on_head = chain.joints[machine::kR1].side == machine::Side::Head;
-    const bool first_is_r1 = both_on_head || !chain.has(machine::kR2);
     Vec3 joints = joints_of(position_.base);
-    const std::array<std::size_t, 2> order = {first_is_r1 ? machine::kR1 : machine::kR2,
-                                              first_is_r1 ? machine::kR2 : machine::kR1};
+    const std::array<std::size_t, 2> order = joints_in_order();
     for (std::size_t i = 0; i < 2; ++i) {
         if (chain.has(order[i]))
             joints[static_cast<Eigen::Index>(order[i])] =

@@ -544,7 +544,8 @@ void Executor::reset_orientation(const Block& block, const nc::Invocation& invoc
     Target target{position_.here, position_.base, static_cast<AxisMask>(kLinearXYZ | joint_axes())};
     Vec3 joints = Vec3::Zero();
     std::size_t place = 0;
-    for (std::size_t k = 0; k < machine::kJoints; ++k) {
+    const auto [first, second] = joints_in_order();
+    for (const std::size_t k : {first, second, machine::kPsi}) {
         if (!chain.has(k)) continue;
         joints[static_cast<Eigen::Index>(k)] = rad_from_deg(block.argument(invocation, place++));
     }

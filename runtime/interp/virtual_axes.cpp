@@ -147,6 +147,7 @@ void Executor::begin_virtual(const Block& block, const Invocation& invocation) {
         report(diag::VirtualComp, block, invocation.function);
         return;
     }
+    if (refuses_in_spline(block, invocation.function)) return;
     end_virtual(block);
     leave_corners(diag::CornerWithoutMotion);
     if (ended_) return;

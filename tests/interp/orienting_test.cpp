@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"TRAORI\nG1 X10 C3=-1 F100", "14120", "K5605"},
                     Refused{"TRAORI\nG1 X10 A3=1 C3=-1 F100", "14112", "K5607"},
                     Refused{"TRAORI\nSUPA G0 Z0", "17620", "K5609"},
-                    Refused{"TRAORI\nG74 Z1=0", "17620", "K5609"},
+                    Refused{"TRAORI\nG74 Z1=0", "17630", "K5585"},
                     Refused{"T1 D1 M6\nS1000 M3\nG1 G41 X10 F100\nX20\nTRAORI", "14400", "K5608"}));
 
 TEST(Orienting, MachineWithoutKinematicsHasNoTransformation) {

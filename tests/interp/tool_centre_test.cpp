@@ -146,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"G43.4 H01\nG68 X0. Y0. R30.", "PS5421", "K5611"},
                     Refused{"G43.4 H01\nG81 X10. Z-5. R2. F100.", "PS5421", "K5611"},
                     Refused{"G43.4 H01\nG53 Z0.", "PS5421", "K5609"},
-                    Refused{"G43.4 H01\nG28 Z0.", "PS5421", "K5609"},
+                    Refused{"G43.4 H01\nG28 Z0.", "PS5421", "K5585"},
                     Refused{"G43.5 H01\nG02 X10. Y0. R5. F100.", "PS5421", "K5612"},
                     Refused{"G43.5 H01\nG01 X10. K1. A20. F100.", "PS5421", "K5603"},
                     Refused{"G43.5 H01\nG01 X10. K0. F100.", "PS5421", "K5604"},

@@ -1,0 +1,52 @@
+#include "tests/control/control_machines.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "tests/interp/five_axis_bench.h"
+
+namespace kadr::interp {
+namespace {
+
+/// No Y, and a C that turns without end.
+void drive_tools(machine::Machine& machine) {
+    std::erase_if(machine.axes, [](const auto& axis) { return axis.axis == Axis::Y; });
+    machine::MachineAxis& turning = machine.axes.back();
+    turning.lower = -std::numeric_limits<double>::infinity();
+    turning.upper = std::numeric_limits<double>::infinity();
+    machine.is_lathe = true;
+    for (machine::ToolData& tool : machine.tools) tool.length = 0;
+}
+
+/// Noses of 0 and 0.4 mm, a groove tool of 4 mm.
+void clamp_turning_tools(machine::Machine& machine) {
+    machine.is_lathe = true;
+    machine.tools = {{.number = 1, .length = 0, .radius = 0, .name = "POINT"},
+                     {.number = 2, .length = 0, .radius = 0.4, .name = "NOSE"},
+                     {.number = 3, .length = 0, .radius = 2, .name = "GROOVE"}};
+}
+
+machine::Machine stock(const std::string& name) {
+    Sources sources;
+    DiagnosticList messages;
+    auto machine = machine::load_machine(name, {KADR_ROOT "/runtime/machines"}, sources, messages);
+    EXPECT_TRUE(machine.has_value()) << name;
+    return machine ? std::move(*machine) : mill();
+}
+
+}  // namespace
+
+machine::Machine machine_named(const std::string& name, bool control_is_of_lathe) {
+    const bool is_own = name.empty() || name == "lathe" || name == "driven";
+    machine::Machine machine = is_own ? mill() : name == "five-axis" ? trunnion() : stock(name);
+    machine.work_offsets = {{}, {}, {10, 20, 30}};
+    machine.tools[0].length = 0;
+    machine.is_lathe = control_is_of_lathe;
+    if (name == "lathe") clamp_turning_tools(machine);
+    if (name == "driven") drive_tools(machine);
+    return machine;
+}
+
+}  // namespace kadr::interp

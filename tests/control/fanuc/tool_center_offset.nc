@@ -1,0 +1,11 @@
+%
+O0001
+(rule: F 4.7 PS5421: G55 inside of G43.4)
+(machine: five-axis)
+(expect: alarm PS5421 K5611 at 9:1)
+T1M06
+S1000M03
+G43.4H1
+G55
+M30
+%
