@@ -4,6 +4,10 @@
 // begins where the tool is, block i brings pole i and the width of span i; both ends are clamped.
 // As knots: the first block repeats the place of the tool as the first pole, every pole has a knot,
 // and degree + 1 further knots close the spline.
+//
+// X, Y and Z make the way. The other axes have poles in the same blocks, of the same knots and
+// weights: at the end of every span each is where its own spline is, and between they go in
+// proportion to the way.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +25,7 @@ struct PoleBlock {
     std::uint32_t line = 0;
     SourceId source;
     double feed = 0;
-    AxisValues to{};  // of the pole, base coordinates
+    AxisValues to{};  // of the pole, or of the end of the span, base coordinates
 };
 
 /// A span, and the block that completed it.
@@ -56,7 +60,13 @@ class SplineRun {
     int degree_;
     bool by_knots_;
     bool is_finished_ = false;
+    std::optional<path::NurbsFault> add_to_all(double knot);
+
     path::SplineSpans spans_;
+    path::SplineSpans rotary_;      // … of A, B, C as a place
+    path::SplineSpans parallel_;    // … of U, V, W
+    AxisValues first_{};            // of the first pole
+    AxisMask led_ = 0;              // axes of which poles differ from it
     double knot_ = 0;               // the sum of the intervals
     double known_knot_ = 0;         // the latest that a clamped end does not replace
     std::deque<double> waiting_;    // knots that a clamped end would replace

@@ -81,12 +81,15 @@ void Executor::set_spline_degree(const Block& block, const nc::Invocation& invoc
 /// A block under the spline function: a pole, a knot or both.
 void Executor::spline(const Block& block) {
     const SlotMask targets = block.given & nc::kTargetSlots;
-    if ((targets & ~SlotMask{kXyz}) != 0) {
-        const auto other = static_cast<nc::Slot>(std::countr_zero(targets & ~SlotMask{kXyz}));
+    const std::optional<double> knot = word(block, Function::SplineKnot);
+    const SlotMask others = targets & ~SlotMask{kXyz};
+    const bool leads_others = !is_transformed() && !knot && !(spline_ && spline_->is_by_knots());
+    if (others != 0 && !leads_others) {
+        const auto other = static_cast<nc::Slot>(std::countr_zero(others));
         report(diag::SplineAxis, block, other).arg(nc::slot_name(other));
         return;
     }
-    const std::optional<double> knot = word(block, Function::SplineKnot);
+    if (!check_axes(block, targets) || !check_rotary_ways(block)) return;
     if (!spline_ && !start_spline(block, knot.has_value())) return;
     spline_end_.line = block.line;
     spline_end_.source = block.source;
@@ -113,7 +116,8 @@ bool Executor::start_spline(const Block& block, bool by_knots) {
     if (!check_feed(block, "spline")) return false;
     if (tool_.has_changed) activate_length(block, kXyz);
     spline_.emplace(spline_degree_, by_knots);
-    if (!by_knots) spline_->add_pole(linear(position_.base), 1, {});
+    if (!by_knots)
+        spline_->add_pole(linear(position_.base), 1, {block.line, block.source, 0, position_.base});
     return true;
 }
 
@@ -128,6 +132,9 @@ bool Executor::add_pole(const Block& block, SlotMask targets) {
     }
     const Target target = target_of(block, targets);
     const Vec3 pole = linear(target.base);
+    // Poles of X, Y and Z may lie where the axes never go; those of the others are held to theirs.
+    if (!check_limits(block, target.base, static_cast<AxisMask>(target.moved & ~kXyz)))
+        return false;
     const bool is_start = spline_->poles() == 0;
     if (is_start && (pole - linear(position_.base)).norm() > kSamePlace) {
         report(diag::SplineStart, block).arg(round_to((pole - linear(position_.base)).norm(), 4));

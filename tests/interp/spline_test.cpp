@@ -54,6 +54,32 @@ TEST(Splines, IntervalsAndKnotsAreTheSame) {
     EXPECT_EQ(spans[1].line, 6u);
 }
 
+/// An axis that has poles as X has them is, at the end of every span, where X is.
+TEST(Splines, OtherAxesHaveThePolesOfTheirBlocks) {
+    const std::vector<double> x = {10, 15, 40, 30, 70, 75};
+    const std::vector<double> widths = {1, 2, 0.5, 3, 1, 1};
+    std::vector<Block> plain = {line().x(0).y(0).f(500), begin(3)};
+    std::vector<Block> led = plain;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        Words words = by_interval(x[i], i % 2 == 0 ? 10.0 : 0.0, widths[i]);
+        words.fn(Function::SplineWeight, {{0, 1 + 0.2 * static_cast<double>(i)}});
+        plain.push_back(words);
+        led.push_back(words.set(Slot::C, 2 * x[i]));
+    }
+    const Ran with = run(led);
+    EXPECT_EQ(with.codes(), "");
+    const auto spans = splines(with);
+    const auto without = splines(run(plain));
+    ASSERT_EQ(spans.size(), 4u);
+    ASSERT_EQ(without.size(), 4u);
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+        EXPECT_EQ(spans[i].to[0], without[i].to[0]);
+        EXPECT_NEAR(spans[i].to[index(Axis::C)], 2 * spans[i].to[0], 1e-9) << i;
+        EXPECT_EQ(without[i].to[index(Axis::C)], 0) << i;
+    }
+    EXPECT_EQ(spans.back().to[index(Axis::C)], 150);
+}
+
 TEST(Splines, ClampedWhateverTheLastIntervalsSay) {
     const auto listing = [](double second_last, double last) {
         return run({line().x(0).y(0).f(500), begin(3), by_interval(10, 10, 1),
@@ -134,7 +160,10 @@ TEST(Splines, WhatIsWrong) {
     Words weightless = pole(10, 10);
     weightless.fn(Function::SplineWeight, {{0, 0}});
     EXPECT_EQ(codes({begin(2), weightless, pole(20, 0)}), "K5206");
-    EXPECT_EQ(codes({begin(2), pole(10, 10).set(Slot::C, 20), pole(20, 0)}), "K5207");
+    EXPECT_EQ(codes({begin(2), pole(10, 10).set(Slot::B, 20), pole(20, 0)}), "K5230");
+    EXPECT_EQ(codes({begin(1).x(0).y(0).fn(Function::SplineKnot, {{0, 0}}),
+                     by_knot(10, 0, 0).set(Slot::C, 20)}),
+              "K5207");
     // Beyond the limit of X between the poles; the poles themselves may be beyond it.
     EXPECT_EQ(codes({begin(2), pole(1500, 0), pole(0, 100)}), "");
     EXPECT_EQ(codes({begin(2), pole(2500, 0), pole(0, 100)}).substr(0, 2), "K5");
