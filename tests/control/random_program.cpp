@@ -600,7 +600,16 @@ class ProgramText {
         return spelling_.variable + std::to_string(variable);
     }
     void assign(std::size_t variable, const std::string& value) {
-        line(name(variable) + (is_kadr() ? " = " : "=") + value);
+        say(name(variable) + (is_kadr() ? " = " : "=") + value);
+    }
+    /// A block; SINUMERIK executes one of some as a text that the program makes.
+    void say(const std::string& text) {
+        constexpr int kOfSome = 5;
+        constexpr std::size_t kLongest = 150;  // characters of a text: 200, and more are an alarm
+        const bool is_made = language_ == Language::Sinumerik && ++said_ % kOfSome == 0;
+        if (!is_made || text.size() > kLongest) return line(text);
+        const std::size_t half = text.size() / 2;
+        line("EXECSTRING(\"" + text.substr(0, half) + "\"<<\"" + text.substr(half) + "\")");
     }
 
     std::string new_label() {
@@ -758,7 +767,7 @@ class ProgramText {
                 text += word(std::string(1, "XYZ"[axis]), statement.values[next++]);
         }
         if (statement.has_feed) text += word("F", statement.values[next]);
-        line(text);
+        say(text);
     }
 
     void arc(const Statement& statement) {
@@ -784,6 +793,7 @@ class ProgramText {
     ExpressionText expressions_;
     std::string out_;
     int labels_ = 0;
+    int said_ = 0;
     std::vector<std::string> leave_;  // labels behind the loops that are open
 };
 
