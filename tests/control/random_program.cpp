@@ -59,7 +59,8 @@ Expression any_expression(int levels) {
         case 8: return of(Kind::Remainder, {whole_below(), number(whole(1, 9))});
         case 9: return of(Kind::Negate, {below()});
         case 10: return of(maybe() ? Kind::Sine : Kind::Cosine, {below()});
-        case 11: return of(Kind::Tangent, {below()});
+        // Kadr works a constant out where nobody goes, too, and a right angle has no tangent.
+        case 11: return of(Kind::Tangent, {of(Kind::Add, {below(), variable(1)})});
         case 12:
             return of(Kind::Arctangent,
                       {of(Kind::Add, {of(Kind::Amount, {any_leaf()}), number(1)}), below()});
