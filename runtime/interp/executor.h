@@ -315,6 +315,7 @@ class Executor {
     // orienting.cpp: the machine's transformation
     void switch_transformation(const nc::Block& block, const nc::Invocation& invocation);
     std::array<std::size_t, 2> joints_in_order() const;
+    bool lacks_axis_for_direction(const nc::Block& block);
     bool refuses_in_spline(const nc::Block& block, nc::Function function);
     bool refuses_lone_axis(const nc::Block& block, nc::SlotMask targets);
     void begin_length_transformation(const nc::Block& block, const nc::Invocation& invocation,

@@ -95,6 +95,7 @@ bool Executor::orient(const Block& block, const Actions& actions, Target& target
     if (is_led || waits) course_ = tool;
     if (!is_led) {
         if (tool.says_direction()) {
+            if (lacks_axis_for_direction(block)) return false;
             const std::optional<Vec3> to = wanted_direction(block, tool);
             if (!to || !turn_to(block, tool, *to, target)) return false;
         } else if (orienting_.has_length && !turn_by_axes(block, target)) {

@@ -100,6 +100,16 @@ bool Executor::turns_in_two_ways(const Block& block, const ToolWords& tool) {
     return true;
 }
 
+/// Whether the machine has one rotary axis, and the control wants two for a direction of the tool;
+/// it was reported then. A 2.4.
+bool Executor::lacks_axis_for_direction(const Block& block) {
+    const machine::Chain& chain = machine_.kinematics->chain;
+    const bool has_both = chain.has(machine::kR1) && chain.has(machine::kR2);
+    if (has_both || !rules_.direction_needs_two_axes) return false;
+    report(diag::OrientationBeyond, block).arg("it has one rotary axis");
+    return true;
+}
+
 /// Whether the tool is led by a surface in every block.
 bool Executor::leans_on_surface() const {
     return orienting_.turning == Function::TurnSurface && !rules_.surface_words_at_end;

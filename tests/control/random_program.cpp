@@ -59,7 +59,8 @@ Expression any_expression(int levels) {
         case 8: return of(Kind::Remainder, {whole_below(), number(whole(1, 9))});
         case 9: return of(Kind::Negate, {below()});
         case 10: return of(maybe() ? Kind::Sine : Kind::Cosine, {below()});
-        case 11: return of(Kind::Tangent, {below()});
+        // Kadr works a constant out where nobody goes, too, and a right angle has no tangent.
+        case 11: return of(Kind::Tangent, {of(Kind::Add, {below(), variable(1)})});
         case 12:
             return of(Kind::Arctangent,
                       {of(Kind::Add, {of(Kind::Amount, {any_leaf()}), number(1)}), below()});
@@ -600,7 +601,16 @@ class ProgramText {
         return spelling_.variable + std::to_string(variable);
     }
     void assign(std::size_t variable, const std::string& value) {
-        line(name(variable) + (is_kadr() ? " = " : "=") + value);
+        say(name(variable) + (is_kadr() ? " = " : "=") + value);
+    }
+    /// A block; SINUMERIK executes one of some as a text that the program makes.
+    void say(const std::string& text) {
+        constexpr int kOfSome = 5;
+        constexpr std::size_t kLongest = 150;  // characters of a text: 200, and more are an alarm
+        const bool is_made = language_ == Language::Sinumerik && ++said_ % kOfSome == 0;
+        if (!is_made || text.size() > kLongest) return line(text);
+        const std::size_t half = text.size() / 2;
+        line("EXECSTRING(\"" + text.substr(0, half) + "\"<<\"" + text.substr(half) + "\")");
     }
 
     std::string new_label() {
@@ -758,7 +768,7 @@ class ProgramText {
                 text += word(std::string(1, "XYZ"[axis]), statement.values[next++]);
         }
         if (statement.has_feed) text += word("F", statement.values[next]);
-        line(text);
+        say(text);
     }
 
     void arc(const Statement& statement) {
@@ -784,6 +794,7 @@ class ProgramText {
     ExpressionText expressions_;
     std::string out_;
     int labels_ = 0;
+    int said_ = 0;
     std::vector<std::string> leave_;  // labels behind the loops that are open
 };
 
