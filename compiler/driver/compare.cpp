@@ -50,6 +50,10 @@ class Side {
     Status status() const { return session_.status(); }
     process::PlannedMotion& motion() { return *motion_; }
     motion::Totals totals() const { return motion_->totals(); }
+    const machine::Chain& chain() const {
+        const auto& kinematics = execution_->machine().kinematics;
+        return kinematics ? kinematics->chain : motion::kNoChain;
+    }
     /// Plans what is left, for its time.
     void finish() {
         std::vector<motion::Segment> batch(kBatch);
@@ -170,7 +174,8 @@ Status compare(Session& session, const CompareJob& job) {
     for (Side* side : sides) {
         if (!side->open()) return side->status() == Status::Done ? Status::Failed : side->status();
     }
-    const Comparison result = motion::compare(first.motion(), second.motion(), job.tolerance);
+    const Comparison result =
+        motion::compare(first.motion(), second.motion(), job.tolerance, first.chain());
     for (Side* side : sides) side->finish();
     const Status status = session.status();
     if (status != Status::Done) return status;

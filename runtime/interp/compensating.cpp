@@ -49,7 +49,21 @@ void Executor::choose_comp(const Block& block, const Invocation& invocation, Act
         case Function::CompAllowance: comp_.allowance = block.argument(invocation, 0); break;
         case Function::CompInPlane:
         case Function::CompBySide:
-            comp_.is_by_side = invocation.function == Function::CompBySide;
+        case Function::CompByFace:
+        case Function::CompByFaceInFrame:
+        case Function::CompByFaceInPlane: comp_.system = invocation.function; break;
+        case Function::SideCompLeft:
+        case Function::SideCompRight:
+            if (!check_side_comp(block, invocation.function)) return;
+            comp_.is_by_side_code = true;
+            actions.radius_comp = invocation.function == Function::SideCompLeft
+                                      ? Function::RadiusCompLeft
+                                      : Function::RadiusCompRight;
+            break;
+        case Function::RadiusCompLeft:
+        case Function::RadiusCompRight:
+            comp_.is_by_side_code = false;
+            actions.radius_comp = invocation.function;
             break;
         case Function::CompTurnOnArc:
         case Function::CompTurnBefore:
@@ -74,12 +88,15 @@ void Executor::act_on_comp(const Block& block, const Actions& actions) {
                    {}});
         return;
     }
-    if (actions.radius_comp != Function::None && actions.radius_comp != comp_.side) {
+    // A surface has one side: there both words are the same.
+    const bool is_other_side = actions.radius_comp != comp_.side && !comp_.acts_on_faces();
+    if (actions.radius_comp != Function::None && is_other_side) {
         begin_comp(block, actions.radius_comp);
         return;
     }
     if (comp_.side == Function::RadiusCompOff) return;
-    send_comp(comp_change(block, CompChange::Kind::Set));
+    const CompChange change = comp_change(block, CompChange::Kind::Set);
+    if (!ended_) send_comp(change);
 }
 
 /// A direction of the programmed system as one in the plane of the base system; none: it has no
@@ -171,7 +188,6 @@ void Executor::change_space_comp(const CompChange& change) {
         case CompChange::Kind::Leave: space_comp_.leave(); break;
         case CompChange::Kind::Set:
             if (change.space) space_comp_.set_settings(*change.space);
-            space_comp_.set_cutter(change.distance, change.depth);
             break;
         case CompChange::Kind::Begin:
             // From one side to the other, or from the plane: the contour so far ends here.
@@ -183,7 +199,6 @@ void Executor::change_space_comp(const CompChange& change) {
                 return;
             }
             space_comp_.begin(*change.space, change.here);
-            space_comp_.set_cutter(change.distance, change.depth);
             break;
         case CompChange::Kind::KeepVector:
         case CompChange::Kind::RoundCorner:
@@ -192,10 +207,15 @@ void Executor::change_space_comp(const CompChange& change) {
     }
 }
 
-/// Of the tool, from tip to holder: as the transformation has it, else square to the plane.
+/// Of the tool, from tip to holder: as the transformation has it, else square to the plane; or as
+/// the program has said that it stays.
 path::Vec3 Executor::tool_direction() const {
     if (orienting_.is_on)
         return machine::tool_vector(machine_.kinematics->chain, joints_of(position_.base));
+    if (comp_.acting == Function::CompByFaceInPlane)
+        return path::unit(path::axes_of(modal_.plane).normal);
+    if (comp_.acting == Function::CompByFaceInFrame)
+        return frames_.total().direction(path::Vec3::UnitZ()).normalized();
     return frames_.total().direction(path::unit(path::axes_of(modal_.plane).normal)).normalized();
 }
 
@@ -203,6 +223,8 @@ SpaceCompSettings Executor::space_comp_settings() const {
     SpaceCompSettings settings;
     if (orienting_.is_on) settings.chain = &machine_.kinematics->chain;
     settings.direction = tool_direction();
+    settings.cutter.contact.kind = path::ContactKind::Side;
+    settings.cutter.contact.depth = comp_.depth;
     settings.extends_lines = comp_settings().corners.outside == path::OutsideCorner::Intersection;
     settings.limit = rad_from_deg(rules_.comp_corner_limit);
     settings.turns_on_arc = comp_.turns_on_arc;
@@ -217,11 +239,14 @@ void Executor::begin_comp(const Block& block, Function side) {
         report(diag::CompWithoutTool, block, comp_.side);
         return;
     }
-    if (comp_.is_by_side && comp_settings().start == CompStart::Around) {
+    comp_.acting = comp_.chosen();
+    if (comp_.acting != Function::CompInPlane && comp_settings().start == CompStart::Around) {
         report(diag::CompSpaceStart, block, comp_.side);
         return;
     }
-    send_comp(comp_change(block, CompChange::Kind::Begin));
+    if (!is_tool_constant(block)) return;
+    CompChange change = comp_change(block, CompChange::Kind::Begin);
+    if (!ended_) send_comp(change);
 }
 
 CompChange Executor::comp_change(const Block& block, CompChange::Kind kind) {
@@ -233,15 +258,16 @@ CompChange Executor::comp_change(const Block& block, CompChange::Kind kind) {
     take_comp_tool(block, comp_offset().value_or(0), change);
     if (is_in_space(kind)) {
         change.space = space_comp_settings();
-        change.distance = -change.distance;
-        change.depth = comp_.depth;
+        change.space->cutter.contact.radius = -change.distance;
+        if (const auto cutter = face_cutter_now(block)) change.space->cutter = *cutter;
     }
     return change;
 }
 
 /// What is chosen counts where the compensation begins.
 bool Executor::is_in_space(CompChange::Kind kind) const {
-    return kind == CompChange::Kind::Begin ? comp_.is_by_side : space_comp_.is_on();
+    return kind == CompChange::Kind::Begin ? comp_.acting != Function::CompInPlane
+                                           : space_comp_.is_on();
 }
 
 CompSettings Executor::comp_settings() const {

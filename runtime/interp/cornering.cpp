@@ -96,6 +96,10 @@ void Executor::wish_corner(const Block& block, const Actions& actions) {
 /// The size counts in the programmed system, the commands are of the base system.
 void Executor::put_wish(const Block& block, CornerWish wish) {
     if (!(wish.size > 0)) return;
+    if (comp_.acts_on_faces()) {
+        report(diag::IsoNotSupported, block).arg("a chamfer or a rounding on a surface");
+        return;
+    }
     if (frames_.is_stretched(modal_.plane)) {
         if (!wish.is_modal) report(diag::ArcStretched, block);
         return;

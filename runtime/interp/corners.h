@@ -61,8 +61,7 @@ struct CompChange {
     std::optional<path::Vec2> direction = {};     // Leave, RoundCorner
     path::Command motion = {};                    // RoundCorner
     path::Vec2 aside = path::Vec2::Zero();        // Begin, Set: see Compensation::set_aside
-    std::optional<SpaceCompSettings> space = {};  // Begin, Set: in space, `distance` to the right
-    double depth = 0;                             // … see SpaceCompensation::set_cutter
+    std::optional<SpaceCompSettings> space = {};  // Begin, Set: in space
 };
 
 class Corners {

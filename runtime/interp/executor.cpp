@@ -481,6 +481,11 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::CompAllowance:
         case Function::CompInPlane:
         case Function::CompBySide:
+        case Function::CompByFace:
+        case Function::CompByFaceInFrame:
+        case Function::CompByFaceInPlane:
+        case Function::SideCompLeft:
+        case Function::SideCompRight:
         case Function::CompTurnOnArc:
         case Function::CompTurnBefore:
         case Function::CompDepth:
@@ -1194,6 +1199,9 @@ Command& Executor::put(Op op, const Block& block) {
     command.to = position_.base;
     command.turning = path::Turning::None;
     command.contact.clear();
+    const bool reaches_comp = space_comp_.is_on() || corners_.is_active();
+    if (comp_.acts_on_faces() && reaches_comp && path::is_motion(op))
+        command.contact.push_back({face_, path::Vec3::Zero(), path::Vec3::Zero()});
     command.virtual_axes = {};
     if (is_transformed()) put_turn(command);
     command.text.clear();

@@ -358,6 +358,7 @@ class Executor {
                      Target& target);
     std::optional<path::Vec3> lean_on(const nc::Block& block, const path::Vec3& normal,
                                       const path::Vec3& tangent, const path::Lean& lean);
+    bool surface_leads_end() const;
     std::optional<std::array<path::Vec3, 2>> normals_of(const nc::Block& block,
                                                         const ToolWords& tool);
     bool lead_by_surface(const nc::Block& block, const ToolWords& tool, const path::Curve& curve,
@@ -569,6 +570,13 @@ class Executor {
                       const Target& target, bool exact_stop);
     void report_involute(const nc::Block& block, path::InvoluteFault fault);
 
+    // surfaces.cpp
+    std::optional<SpaceCutter> face_cutter_now(const nc::Block& block);
+    bool is_tool_constant(const nc::Block& block);
+    bool lay_face(const nc::Block& block, const ToolWords& tool);
+    bool check_side_comp(const nc::Block& block, nc::Function function);
+    bool check_side_arc(const nc::Block& block);
+
     // curves.cpp
     void move_along_curve(const nc::Block& block, const nc::Invocation& call);
 
@@ -695,7 +703,9 @@ class Executor {
     Tilting tilting_;
     NextTurn next_turn_;
     std::optional<ToolWords> course_;  // of the block: waits until its path is known
+    path::Contact face_;               // normals of the surface along the block, of a Face
     bool warned_spin_ = false;
+    bool warned_shape_ = false;
     Virtual virtual_;
     /// Where the commands that are out have led the tip and the rotary axis.
     struct Followed {

@@ -135,8 +135,17 @@ void append_contact(std::string& out, const path::ContactMotion& motion) {
     out += ']';
     append_key(out, "radius");
     append_number(out, motion.contact.radius);
-    append_key(out, "depth");
+    const bool is_face = motion.contact.kind == path::ContactKind::Face;
+    append_key(out, is_face ? "edge" : "depth");
     append_number(out, motion.contact.depth);
+    if (!is_face) return;
+    const path::Vec3 end = path::guide_at(motion.contact, 1);
+    append_key(out, "normals");
+    out += '[';
+    append_numbers(out, {motion.contact.guide.data(), 3});
+    out += ',';
+    append_numbers(out, {end.data(), 3});
+    out += ']';
 }
 
 /// In which coordinates the place is told.

@@ -95,7 +95,8 @@ void Executor::move(const Block& block, const Actions& actions) {
     SlotMask arc_words = block.given & kArcSlots;
     // They have told where the compensation ends.
     if (arc_words != 0 && leave_direction(block)) arc_words &= ~nc::kCenterSlots;
-    if (actions.soft != nullptr && (space_comp_.is_on() || comp_.is_by_side)) {
+    if (actions.soft != nullptr &&
+        (space_comp_.is_on() || comp_.chosen() != Function::CompInPlane)) {
         report(diag::CompSpaceStart, block, actions.soft->function);
         return;
     }
@@ -155,6 +156,7 @@ void Executor::move(const Block& block, const Actions& actions) {
 
     Target target = target_of(block, targets);
     if (orienting_.is_on && !orient(block, actions, target)) return;
+    if (comp_.takes_faces() && !lay_face(block, actions.tool)) return;
     if (tilting_.carries || tilting_.on_tables) {
         // In the base system every linear axis may move, whatever the block names.
         target.moved = static_cast<AxisMask>(target.moved | (axes_ & kLinearXYZ));

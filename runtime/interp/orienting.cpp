@@ -210,6 +210,11 @@ void Executor::end_length_transformation(Actions& actions) {
 /// F 4.7: PS5421.
 bool Executor::refuses_under_tcp(const Block& block, Function function) {
     if (!orienting_.has_length || cycle_blocks_) return false;
+    const bool is_by_side = comp_.side != Function::RadiusCompOff && comp_.is_by_side_code;
+    if (is_by_side && nc::info(function).group == nc::Group::LengthComp) {
+        report(diag::SideCompOrder, block, function).arg(nc::info(function).name);
+        return true;
+    }
     switch (function) {
         case Function::RadiusCompLeft:
         case Function::RadiusCompRight:

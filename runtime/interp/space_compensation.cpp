@@ -9,6 +9,7 @@
 
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
+#include "interp/space_compensation_parts.h"
 #include "machine/following.h"
 #include "machine/kinematics.h"
 #include "path/curve_of.h"
@@ -25,39 +26,10 @@ using std::numbers::pi;
 
 namespace {
 
-// Sine of the change of direction below which a corner is none.
-constexpr double kSmooth = 1e-7;
 // Directions that differ by rounding.
 constexpr double kSameTool = 1e-12;
-// Ways shorter than this are none: rounding of frames, mm.
-constexpr double kStill = 1e-9;
 
 bool is_straight(Op op) { return op == Op::Line || op == Op::Rapid; }
-
-Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
-
-void set_linear(AxisValues& values, const Vec3& at) {
-    for (std::size_t i = 0; i < 3; ++i) values[i] = at[static_cast<Eigen::Index>(i)];
-}
-
-bool is_same_place(const AxisValues& a, const AxisValues& b) {
-    for (std::size_t i = 0; i < kAxes; ++i) {
-        if (std::abs(a[i] - b[i]) > path::kSamePoint) return false;
-    }
-    return true;
-}
-
-/// A command that is to be another one in the same block.
-Command like(const Command& model, Op op) {
-    Command command = model;
-    command.op = op;
-    command.exact_stop = false;
-    command.turns = 0;
-    command.curve.clear();
-    command.contact.clear();
-    if (command.turning != path::Turning::None) command.turning = path::Turning::Axes;
-    return command;
-}
 
 /// By so much a vector turns about an axis to become another, −π … π, both square to it.
 double angle_about(const Vec3& axis, const Vec3& from, const Vec3& to) {
@@ -65,22 +37,6 @@ double angle_about(const Vec3& axis, const Vec3& from, const Vec3& to) {
 }
 
 }  // namespace
-
-/// Where one side ends and the next one begins.
-struct SpaceCompensation::Corner {
-    Vec3 place;
-    Vec3 first;  // tangents
-    Vec3 second;
-    Vec3 tool;        // at the end of the first side …
-    Vec3 behind;      // … and at the start of the second
-    double turn = 0;  // of the tangents, rad, seen from the holder: positive to the left
-
-    bool is_smooth() const { return first.dot(second) > 0 && first.cross(second).norm() < kSmooth; }
-    Vec3 axis() const {
-        const Vec3 across = first.cross(second);
-        return across.norm() > kSmooth ? Vec3(across.normalized()) : tool;
-    }
-};
 
 // ------------------------------------------------------------------------------ on and off
 
@@ -93,11 +49,6 @@ void SpaceCompensation::begin(const SpaceCompSettings& settings, const AxisValue
     last_.reset();
     empty_blocks_ = 0;
     state_ = State::Starting;
-}
-
-void SpaceCompensation::set_cutter(double radius, double depth) {
-    radius_ = radius;
-    depth_ = depth;
 }
 
 void SpaceCompensation::leave() { state_ = state_ == State::On ? State::Leaving : State::Off; }
@@ -149,12 +100,16 @@ bool SpaceCompensation::turns_tool(const Command& command) const {
 
 /// What is wrong at a corner is told of the side before it.
 CompAlarm SpaceCompensation::alarm(Fault fault, const Command& command) const {
-    const bool is_corner = fault == &diag::CompCollision || fault == &diag::CompNoIntersection;
+    const bool is_corner = fault == &diag::CompCollision || fault == &diag::CompNoIntersection ||
+                           fault == &diag::CompFaceCorner;
     const Command& place = is_corner && last_ ? last_->command : command;
     return {fault, place.source, place.line};
 }
 
 SpaceCompensation::Fault SpaceCompensation::take(Command& command) {
+    // What is touched is told of a way beside it, and of none that leads there or stands.
+    if (!command.contact.empty() && (state_ != State::On || command.is_unshifted))
+        command.contact.clear();
     if (path::is_motion(command.op) && command.is_unshifted) {
         if (const Fault fault = finish()) return fault;
         if (state_ == State::On) state_ = State::Starting;
@@ -177,6 +132,7 @@ SpaceCompensation::Fault SpaceCompensation::take_motion(Command& command) {
     if (path::length(way) <= kStill) {
         // Only the tool turns, or other axes move.
         here_ = command.to;
+        command.contact.clear();
         tool_ = tool_behind(command);
         if (approach_ || last_) {
             waiting_.push_back(std::move(command));
@@ -212,21 +168,33 @@ SpaceCompensation::Fault SpaceCompensation::follow(Command& command, path::Curve
     side.from = here_;
     side.from_tool = tool_;
     side.to_tool = tool_behind(command);
-    side.radius = radius_;
-    side.depth = depth_;
+    side.contact = settings_.cutter.contact;
     here_ = command.to;
     tool_ = side.to_tool;
+    std::optional<Contact> face;
+    if (!command.contact.empty()) face = command.contact.front().contact;
+    command.contact.clear();
     side.command = std::move(command);
+    if (settings_.cutter.is_on_faces()) {
+        if (!face) return &diag::CompMotion;
+        if (const Fault fault = take_face(*face, side)) return fault;
+    } else if (const Fault fault = check_side(side)) {
+        return fault;
+    }
+    if (const Fault fault = approach_ ? enter(side) : last_ ? join(side) : nullptr) return fault;
+    last_ = std::move(side);
+    return nullptr;
+}
+
+SpaceCompensation::Fault SpaceCompensation::check_side(const Side& side) const {
     // Without the machine's transformation nobody holds the tip on another way.
     if (settings_.chain == nullptr && !keeps_kind(side)) return &diag::CompMotion;
     for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
         const path::CurvePoint at = side.at(share);
         const auto aside = path::beside(at.tangent, tool_on(side, share));
         if (!aside) return &diag::CompAlongTool;
-        if (at.curvature.dot(*aside) * side.radius >= 1) return &diag::CompArcTooSmall;
+        if (at.curvature.dot(*aside) * side.contact.radius >= 1) return &diag::CompArcTooSmall;
     }
-    if (const Fault fault = approach_ ? enter(side) : last_ ? join(side) : nullptr) return fault;
-    last_ = std::move(side);
     return nullptr;
 }
 
@@ -234,16 +202,20 @@ SpaceCompensation::Fault SpaceCompensation::follow(Command& command, path::Curve
 SpaceCompensation::Fault SpaceCompensation::enter(const Side& first) {
     Command command = std::move(*approach_);
     approach_.reset();
-    const Vec3 tangent = first.at(0).tangent;
-    const auto aside = path::tip_beside(pivot(tangent), tangent, tool_behind(command));
+    const Contact contact = standing(guide_on(first, 0));
+    const Vec3 tool = tool_behind(command);
+    auto aside = path::tip_beside(contact, contact.guide, tool);
+    if (!aside && first.contact.kind == ContactKind::Face)
+        aside = path::tip_square(first.contact, tool);
     if (!aside) return &diag::CompAlongTool;
     set_linear(command.to, linear(command.to) + *aside);
     put(std::move(command));
-    emit_waiting(pivot(tangent), linear(first.from));
+    emit_waiting(contact, linear(first.from));
     return nullptr;
 }
 
 SpaceCompensation::Fault SpaceCompensation::join(Side& next) {
+    if (next.contact.kind == ContactKind::Face) return join_faces(next);
     const path::CurvePoint end = last_->at(1);
     Corner corner{end.position, end.tangent, next.at(0).tangent, last_->to_tool, next.from_tool};
     const auto first = path::beside(corner.first, corner.tool);
@@ -252,10 +224,10 @@ SpaceCompensation::Fault SpaceCompensation::join(Side& next) {
     corner.turn = angle_about(corner.tool, *first, *second);
     if (corner.is_smooth()) {
         emit(*last_);
-        emit_waiting(pivot(corner.first), corner.place);
+        emit_waiting(standing(corner.first), corner.place);
         return nullptr;
     }
-    if (corner.turn * radius_ < 0 && std::abs(corner.turn) < pi - kSmooth)
+    if (corner.turn * settings_.cutter.contact.radius < 0 && std::abs(corner.turn) < pi - kSmooth)
         return join_inside(next, corner);
     join_outside(next, corner);
     return nullptr;
@@ -272,7 +244,8 @@ SpaceCompensation::Fault SpaceCompensation::join_inside(Side& next, const Corner
             const Vec3 m1 = *path::beside(corner.first, tool);
             const Vec3 m2 = *path::beside(corner.second, tool);
             const Vec3& along = is_first ? corner.first : corner.second;
-            const double across = std::abs(side.radius) * (m1 - m2).norm() / (m1 + m2).norm();
+            const double across =
+                std::abs(side.contact.radius) * (m1 - m2).norm() / (m1 + m2).norm();
             const double share = across / along.cross(tool).norm() / side.length();
             (is_first ? side.end : side.begin) = is_first ? 1 - share : share;
         };
@@ -281,30 +254,30 @@ SpaceCompensation::Fault SpaceCompensation::join_inside(Side& next, const Corner
             return &diag::CompAlongTool;
         shorten(*last_, corner.tool, true);
         shorten(next, corner.behind, false);
-    } else if (const Fault fault = meet(*last_, next, corner.tool)) {
-        return fault;
+    } else {
+        const Vec3 across = corner.tool.unitOrthogonal();
+        if (const Fault fault = meet(*last_, next, {across, corner.tool.cross(across)}))
+            return fault;
     }
     if (last_->end <= last_->begin || next.begin >= 1) return &diag::CompCollision;
     emit(*last_);
-    Contact contact = pivot(corner.first);
+    Contact contact = standing(corner.first);
     contact.kind = ContactKind::Corner;
     contact.axis = corner.second;
     emit_waiting(contact, corner.place);
     return nullptr;
 }
 
-/// Where the tips of both sides meet, seen along the tool.
-SpaceCompensation::Fault SpaceCompensation::meet(Side& a, Side& b, const Vec3& tool) const {
+/// Where the tips of both sides meet, seen so.
+SpaceCompensation::Fault SpaceCompensation::meet(Side& a, Side& b, const View& view) const {
     constexpr int kMostSteps = 40;
     constexpr double kStep = 1e-6;
-    const Vec3 u = tool.unitOrthogonal();
-    const Vec3 v = tool.cross(u);
     const auto apart = [&](double end, double begin) -> std::optional<Eigen::Vector2d> {
         const auto first = tip_on(a, end);
         const auto second = tip_on(b, begin);
         if (!first || !second) return std::nullopt;
         const Vec3 gap = *first - *second;
-        return Eigen::Vector2d(gap.dot(u), gap.dot(v));
+        return Eigen::Vector2d(gap.dot(view.across), gap.dot(view.along));
     };
     double end = 1;
     double begin = 0;
@@ -340,7 +313,7 @@ void SpaceCompensation::join_outside(Side& next, const Corner& corner) {
         return;
     }
     emit(*last_);
-    Contact contact = pivot(corner.first);
+    Contact contact = standing(corner.first);
     if (turns && settings_.turns_on_arc) {
         contact.axis = corner.axis();
         contact.turn =
@@ -352,15 +325,16 @@ void SpaceCompensation::join_outside(Side& next, const Corner& corner) {
     const auto to = path::beside(corner.second, corner.behind);
     if (!from || !to) return;  // the next side says it
     const double turn = std::abs(angle_about(corner.behind, *from, *to));
-    emit_arc(next.command, corner.place, *from, *to, radius_ > 0 ? turn : -turn);
+    emit_arc(next.command, corner.place, *from, *to,
+             settings_.cutter.contact.radius > 0 ? turn : -turn);
 }
 
 void SpaceCompensation::extend(Side& next, const Corner& corner) {
-    const double across = std::abs(radius_ * std::tan(corner.turn / 2));
+    const double across = std::abs(settings_.cutter.contact.radius * std::tan(corner.turn / 2));
     last_->end = 1 + across / corner.first.cross(corner.tool).norm() / last_->length();
     next.begin = -across / corner.second.cross(corner.tool).norm() / next.length();
     emit(*last_);
-    emit_waiting(pivot(corner.first), corner.place);
+    emit_waiting(standing(corner.first), corner.place);
 }
 
 /// The contour ends here, square to it.
@@ -374,9 +348,10 @@ SpaceCompensation::Fault SpaceCompensation::finish() {
         waiting_.clear();
         return nullptr;
     }
-    const path::CurvePoint end = last_->at(1);
+    const Vec3 guide = guide_on(*last_, 1);
+    const Vec3 end = last_->at(1).position;
     emit(*last_);
-    emit_waiting(pivot(end.tangent), end.position);
+    emit_waiting(standing(guide), end);
     last_.reset();
     return nullptr;
 }
@@ -392,37 +367,56 @@ path::CurvePoint SpaceCompensation::Side::at(double share) const {
     return point;
 }
 
-/// Whether the tip's way is of the same kind: a line, or an arc square to a tool that does not
-/// turn.
+/// Whether the tip's way is of the same kind: of a side a line, or an arc square to a tool that
+/// does not turn; on a surface that does not turn either, any.
 bool SpaceCompensation::keeps_kind(const Side& side) {
+    if (side.turns()) return false;
+    if (side.contact.kind == ContactKind::Face) return side.contact.turn == 0;
     const bool is_square_arc =
         side.command.op == Op::Arc && std::abs(side.command.normal.dot(side.from_tool)) > 1 - 1e-9;
-    return !side.turns() && (side.is_line() || is_square_arc);
+    return side.is_line() || is_square_arc;
 }
 
-Vec3 SpaceCompensation::tool_on(const Side& side, double share) const {
-    if (side.command.turning > path::Turning::Axes)
-        return path::direction_at(turn_of(side), side.way, share * side.length());
-    if (!side.turns()) return side.from_tool;
+/// Of the tool at a share of a motion that begins with the axes and the tool so.
+Vec3 SpaceCompensation::tool_along(const Command& command, const AxisValues& from,
+                                   const Vec3& from_tool, const path::Curve& way,
+                                   double share) const {
+    if (settings_.chain == nullptr) return from_tool;
+    const double length = std::holds_alternative<path::Point>(way) ? 1 : path::length(way);
+    if (command.turning > path::Turning::Axes)
+        return path::direction_at(turn_of(command, from_tool, length), way, share * length);
     const machine::Chain& chain = *settings_.chain;
     Vec3 joints = Vec3::Zero();
     for (std::size_t k = 0; k < machine::kJoints; ++k) {
         if (!chain.has(k)) continue;
         const std::size_t i = index(chain.joints[k].axis);
         joints[static_cast<Eigen::Index>(k)] =
-            rad_from_deg(side.from[i] + share * (side.command.to[i] - side.from[i]));
+            rad_from_deg(from[i] + share * (command.to[i] - from[i]));
     }
     return machine::tool_vector(chain, joints);
 }
 
+Vec3 SpaceCompensation::tool_on(const Side& side, double share) const {
+    if (side.command.turning <= path::Turning::Axes && !side.turns()) return side.from_tool;
+    return tool_along(side.command, side.from, side.from_tool, side.way, share);
+}
+
+/// Of the contour its tangent, of a surface its normal.
+Vec3 SpaceCompensation::guide_on(const Side& side, double share) const {
+    if (side.contact.kind == ContactKind::Face) return path::guide_at(side.contact, share);
+    return side.at(share).tangent;
+}
+
+std::optional<Vec3> SpaceCompensation::aside_on(const Side& side, double share) const {
+    return path::tip_or_limit(share, [&](double at) {
+        return path::tip_beside(side.contact, guide_on(side, at), tool_on(side, at));
+    });
+}
+
 std::optional<Vec3> SpaceCompensation::tip_on(const Side& side, double share) const {
-    const path::CurvePoint at = side.at(share);
-    Contact contact = pivot(at.tangent);
-    contact.radius = side.radius;
-    contact.depth = side.depth;
-    const auto aside = path::tip_beside(contact, at.tangent, tool_on(side, share));
+    const auto aside = aside_on(side, share);
     if (!aside) return std::nullopt;
-    return at.position + *aside;
+    return side.at(share).position + *aside;
 }
 
 /// Where tip and other axes are; on a cone the rotary ones follow the tool.
@@ -449,14 +443,14 @@ AxisValues SpaceCompensation::axes_on(const Side& side, double share) const {
     return axes;
 }
 
-/// How the tool turns on a side, by the length of its way.
-path::Turn SpaceCompensation::turn_of(const Side& side) {
-    const Command& command = side.command;
-    const double share = 1 / side.length();
+/// How the tool turns on a way of this length.
+path::Turn SpaceCompensation::turn_of(const Command& command, const Vec3& from_tool,
+                                      double length) {
+    const double share = 1 / length;
     path::Turn turn;
     turn.kind = command.turning;
-    turn.length = side.length();
-    turn.start = turn.kind == path::Turning::Cone ? side.from_tool : command.turn_from;
+    turn.length = length;
+    turn.start = turn.kind == path::Turning::Cone ? from_tool : command.turn_from;
     turn.axis =
         turn.kind == path::Turning::Point ? Vec3(share * command.turn_axis) : command.turn_axis;
     turn.rate = share * command.turn_angle;
@@ -468,25 +462,24 @@ path::Turn SpaceCompensation::turn_of(const Side& side) {
 void SpaceCompensation::cut_turn(const Side& side, Command& command) {
     const double length = side.length();
     const double part = side.end - side.begin;
-    command.turn_from = path::part_of(turn_of(side), side.begin * length, side.end * length).start;
+    const path::Turn whole = turn_of(side.command, side.from_tool, length);
+    command.turn_from = path::part_of(whole, side.begin * length, side.end * length).start;
     command.turn_angle *= part;
     if (command.turning == path::Turning::Point) command.turn_axis *= part;
 }
 
-/// The cutter as it stands at a place of the contour.
-Contact SpaceCompensation::pivot(const Vec3& tangent) const {
-    Contact contact;
-    contact.kind = ContactKind::Pivot;
-    contact.guide = tangent;
+/// The cutter as it stands at a place of the contour or of the surface.
+Contact SpaceCompensation::standing(const Vec3& guide) const {
+    Contact contact = settings_.cutter.contact;
+    if (contact.kind == ContactKind::Side) contact.kind = ContactKind::Pivot;
+    contact.guide = guide;
     contact.axis = Vec3::UnitZ();
-    contact.radius = radius_;
-    contact.depth = depth_;
     return contact;
 }
 
 // ------------------------------------------------------------------------------ commands out
 
-/// A line or an arc square to a tool that keeps its direction stays what it is.
+/// A way that is only shifted, or an arc about the tool, stays what it is.
 void SpaceCompensation::emit(Side& side) {
     const AxisValues start = axes_on(side, side.begin);
     if (!is_same_place(start, shown_)) emit_line_to(side.command, start, tool_on(side, side.begin));
@@ -495,14 +488,19 @@ void SpaceCompensation::emit(Side& side) {
     const Vec3 tool = tool_on(side, side.end);
     const double part = side.end - side.begin;
     if (keeps_kind(side)) {
-        command.center -= side.depth * side.from_tool;
+        command.center += side.contact.kind == ContactKind::Face
+                              ? aside_on(side, 0).value_or(Vec3::Zero())
+                              : Vec3(-side.contact.depth * side.from_tool);
         command.sweep *= part;
+    } else if (settings_.chain == nullptr) {
+        return emit_splines(side.command, side.from, [&](double share) {
+            return tip_on(side, side.begin + share * part).value_or(Vec3::Zero());
+        });
     } else {
         path::ContactMotion motion;
-        motion.contact = pivot(Vec3::Zero());
-        motion.contact.kind = ContactKind::Side;
-        motion.contact.radius = side.radius;
-        motion.contact.depth = side.depth;
+        motion.contact = side.contact;
+        motion.contact.guide = path::guide_at(side.contact, side.begin);
+        motion.contact.turn *= part;
         motion.from = linear(side.from);
         motion.to = linear(command.to);
         motion.begin = side.begin;
@@ -534,15 +532,23 @@ void SpaceCompensation::emit_waiting(Contact contact, const Vec3& at) {
         const double angle = std::acos(std::clamp(shown_tool_.dot(command.direction), -1.0, 1.0));
         contact.turn = angles > 0 ? whole * angle / angles : 0;
         emit_turn(std::move(command), contact, at);
-        if (contact.kind == ContactKind::Pivot) contact.guide = path::guide_at(contact, 1);
+        if (contact.kind != ContactKind::Corner) contact.guide = path::guide_at(contact, 1);
     }
     waiting_.clear();
 }
 
 /// The tool turns about the place that it touches.
-void SpaceCompensation::emit_turn(Command command, const Contact& contact, const Vec3& at) {
-    const auto start = path::tip_beside(contact, contact.guide, shown_tool_);
-    const auto end = path::tip_beside(contact, path::guide_at(contact, 1), command.direction);
+void SpaceCompensation::emit_turn(Command command, Contact contact, const Vec3& at) {
+    const AxisValues before = shown_;
+    const Vec3 tool = shown_tool_;
+    const auto aside = [&](double share) {
+        return path::tip_beside(contact, path::guide_at(contact, share),
+                                tool_along(command, before, tool, path::Point{at}, share));
+    };
+    const bool is_square = contact.kind == ContactKind::Face && !path::tip_or_limit(0.5, aside);
+    if (is_square) contact.radius = contact.depth;
+    const auto start = path::tip_or_limit(0, aside);
+    const auto end = path::tip_or_limit(1, aside);
     if (start) {
         AxisValues from = shown_;
         set_linear(from, at + *start);
@@ -560,18 +566,19 @@ void SpaceCompensation::emit_turn(Command command, const Contact& contact, const
 void SpaceCompensation::emit_arc(const Command& model, const Vec3& at, const Vec3& from,
                                  const Vec3& to, double turn) {
     const Vec3 tool = shown_tool_;
-    const Vec3 center = at - depth_ * tool;
-    if (std::abs(turn * radius_) < path::kSamePoint) return;
+    const double radius = settings_.cutter.contact.radius;
+    const Vec3 center = at - settings_.cutter.contact.depth * tool;
+    if (std::abs(turn * radius) < path::kSamePoint) return;
     AxisValues end = shown_;
     if (model.op == Op::Rapid) {
         const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(turn) / (pi / 2))));
         const double half = turn / parts / 2;
         for (int i = 0; i < parts; ++i) {
             const Vec3 arm = Eigen::AngleAxisd((2 * i + 1) * half, tool) * from;
-            set_linear(end, center + radius_ / std::cos(half) * arm);
+            set_linear(end, center + radius / std::cos(half) * arm);
             emit_line_to(model, end, tool);
         }
-        set_linear(end, center + radius_ * to);
+        set_linear(end, center + radius * to);
         return emit_line_to(model, end, tool);
     }
     Command command = like(model, Op::Arc);
@@ -579,7 +586,7 @@ void SpaceCompensation::emit_arc(const Command& model, const Vec3& at, const Vec
     command.normal = turn > 0 ? tool : Vec3(-tool);
     command.sweep = std::abs(turn);
     command.is_clockwise = command.normal.dot(path::unit(path::axes_of(command.plane).normal)) < 0;
-    set_linear(end, center + radius_ * to);
+    set_linear(end, center + radius * to);
     command.to = end;
     command.direction = tool;
     put(std::move(command));

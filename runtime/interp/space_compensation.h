@@ -1,11 +1,14 @@
-// space_compensation.h — compensation of the cutter in space: commands of the place where its side
-// touches the contour in, commands of its tip out, a block later (S 5.3, motion.md §8.2).
+// space_compensation.h — compensation of the cutter in space: commands of the place where it
+// touches in, commands of its tip out, a block later (S 5.3, motion.md §8.2, §8.3).
 //
-// The tool may turn while it goes along and at corners. Where it does, the tip's way is no line and
-// no arc: the command says where the cutter touches (path/contact.h), and motion finds the tip at
-// every tick.
+// Its side touches a contour, or its end a surface whose normals the commands bring along. The tool
+// may turn while it goes along and at corners, and so may a surface. Where they do, the tip's way
+// is no line and no arc: the command says where the cutter touches (path/contact.h), and motion
+// finds the tip at every tick. Without a transformation that holds it there the way is given as
+// splines. What is different on surfaces is in space_compensation_faces.cpp.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -18,7 +21,17 @@
 
 namespace kadr::interp {
 
+/// The cutter as it touches.
+struct SpaceCutter {
+    path::Contact contact;  // a Side, positive to the right of the contour, or a Face; of what is
+                            // touched it knows nothing
+    double flank = 0;       // of a Face: between the cutter's side and its axis, rad
+
+    bool is_on_faces() const { return contact.kind == path::ContactKind::Face; }
+};
+
 struct SpaceCompSettings {
+    SpaceCutter cutter;
     const machine::Chain* chain = nullptr;       // null: the tool keeps its direction
     path::Vec3 direction = path::Vec3::UnitZ();  // of the tool where the compensation begins
     bool extends_lines = false;  // at a corner around which the cutter goes, until they meet …
@@ -34,12 +47,8 @@ class SpaceCompensation {
 
     /// Compensation begins with the next line. `here` is where the tip is.
     void begin(const SpaceCompSettings& settings, const AxisValues& here);
-    void set_settings(const SpaceCompSettings& settings) { settings_ = settings; }
     /// From the next block on.
-    ///
-    /// radius  mm, positive where the cutter goes to the right of the contour
-    /// depth   how far the tip is below the place that touches, mm
-    void set_cutter(double radius, double depth);
+    void set_settings(const SpaceCompSettings& settings) { settings_ = settings; }
     /// The next line leaves the contour.
     void leave();
 
@@ -71,10 +80,9 @@ class SpaceCompensation {
         path::Curve way;
         path::Vec3 from_tool;  // directions at its ends
         path::Vec3 to_tool;
-        AxisValues from{};  // where the contour and the rotary axes begin
-        double radius = 0;
-        double depth = 0;
-        double begin = 0;  // shares of the way that its corners leave
+        AxisValues from{};      // where the contour and the rotary axes begin
+        path::Contact contact;  // of a Face with its normals
+        double begin = 0;       // shares of the way that its corners leave
         double end = 1;
 
         double length() const { return path::length(way); }
@@ -86,30 +94,55 @@ class SpaceCompensation {
     };
     struct Corner;  // between two of them
 
+    /// Directions in the base system at which sides meet, seen square to both.
+    struct View {
+        path::Vec3 across;
+        path::Vec3 along;
+    };
+
     Fault take(path::Command& command);
     Fault take_motion(path::Command& command);
     Fault follow(path::Command& command, path::Curve way);
+    Fault check_side(const Side& side) const;
     Fault enter(const Side& first);
     Fault join(Side& next);
     Fault join_inside(Side& next, const Corner& corner);
     void join_outside(Side& next, const Corner& corner);
-    Fault meet(Side& a, Side& b, const path::Vec3& tool) const;
+    Fault meet(Side& a, Side& b, const View& view) const;
     Fault finish();
     void extend(Side& next, const Corner& corner);
+
+    // space_compensation_faces.cpp
+    using WayOfTip = std::function<path::Vec3(double share)>;
+    Fault take_face(const path::Contact& face, Side& side) const;
+    Fault check_tilts(Side& side) const;
+    Fault check_bends(const Side& side) const;
+    double tilt_on(const Side& side, double share) const;
+    double least_tilt(const Side& side, double from, double to) const;
+    Fault join_faces(Side& next);
+    Fault join_hollow(Side& next, const Corner& corner);
+    void roll(const Side& next, const path::Vec3& from, const path::Vec3& at);
+    void roll_part(const path::Contact& contact, const Side& next, const path::Vec3& at);
+    void emit_splines(const path::Command& model, const AxisValues& from, const WayOfTip& tip);
 
     path::Vec3 tool_behind(const path::Command& command) const;
     bool turns_tool(const path::Command& command) const;
     static bool keeps_kind(const Side& side);
-    static path::Turn turn_of(const Side& side);
+    static path::Turn turn_of(const path::Command& command, const path::Vec3& from_tool,
+                              double length);
     static void cut_turn(const Side& side, path::Command& command);
+    path::Vec3 tool_along(const path::Command& command, const AxisValues& from,
+                          const path::Vec3& from_tool, const path::Curve& way, double share) const;
     path::Vec3 tool_on(const Side& side, double share) const;
+    path::Vec3 guide_on(const Side& side, double share) const;
+    std::optional<path::Vec3> aside_on(const Side& side, double share) const;
     std::optional<path::Vec3> tip_on(const Side& side, double share) const;
     AxisValues axes_on(const Side& side, double share) const;
-    path::Contact pivot(const path::Vec3& tangent) const;
+    path::Contact standing(const path::Vec3& guide) const;
 
     void emit(Side& side);
     void emit_waiting(path::Contact contact, const path::Vec3& at);
-    void emit_turn(path::Command command, const path::Contact& contact, const path::Vec3& at);
+    void emit_turn(path::Command command, path::Contact contact, const path::Vec3& at);
     void emit_arc(const path::Command& model, const path::Vec3& at, const path::Vec3& from,
                   const path::Vec3& to, double turn);
     void emit_line_to(const path::Command& model, const AxisValues& to, const path::Vec3& tool);
@@ -118,8 +151,6 @@ class SpaceCompensation {
 
     State state_ = State::Off;
     SpaceCompSettings settings_;
-    double radius_ = 0;
-    double depth_ = 0;
     AxisValues here_{};  // programmed, behind what was taken …
     path::Vec3 tool_ = path::Vec3::UnitZ();
     AxisValues shown_{};  // … and where the tip is behind what was let go

@@ -86,9 +86,21 @@ struct RadiusCompState {
     std::optional<std::int64_t> feed;  // CompFeed by number; nothing: as the control begins
     double pointed = 0;                // of arcs about corners, percent
     double allowance = 0;              // mm
-    bool is_by_side = false;           // in space; else in the working plane
-    bool turns_on_arc = true;          // in space: blocks at corners that only turn the tool
-    double depth = 0;                  // in space: of the contour above the tip, mm
+    nc::Function system = nc::Function::CompInPlane;  // chosen for where it begins next …
+    bool is_by_side_code = false;                     // … unless its own code says by the side
+    nc::Function acting = nc::Function::CompInPlane;  // where it has begun
+    bool turns_on_arc = true;  // in space: blocks at corners that only turn the tool
+    double depth = 0;          // in space: of the contour above the tip, mm
+
+    nc::Function chosen() const { return is_by_side_code ? nc::Function::CompBySide : system; }
+    static bool is_on_faces(nc::Function system) {
+        return system != nc::Function::CompInPlane && system != nc::Function::CompBySide;
+    }
+    bool acts_on_faces() const {
+        return side != nc::Function::RadiusCompOff && is_on_faces(acting);
+    }
+    /// Whether the surface normals of blocks are the cutter's matter.
+    bool takes_faces() const { return acts_on_faces() || is_on_faces(chosen()); }
 };
 
 /// What the program has chosen for soft approaches and retracts.

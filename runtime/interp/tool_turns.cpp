@@ -89,8 +89,9 @@ bool Executor::orient(const Block& block, const Actions& actions, Target& target
         report(diag::TcpArc, block, modal_.motion);
         return false;
     }
+    if (!check_side_arc(block)) return false;
     const bool is_led = leans_on_surface() || tool.point.is_said() || tool.lead ||
-                        (rules_.surface_words_at_end && tool.says_surface());
+                        (surface_leads_end() && tool.says_surface());
     const bool waits = spins_with_path(tool);
     if (is_led || waits) course_ = tool;
     if (!is_led) {
@@ -310,7 +311,7 @@ bool Executor::lay_course(const Block& block, const path::Curve& curve, Target& 
         if (!lead_by_point(block, tool, curve, target)) return false;
     } else if (tool.lead) {
         if (!lean_at_end(block, tool, curve, target)) return false;
-    } else if (leans_on_surface() || tool.says_surface()) {
+    } else if (leans_on_surface() || (surface_leads_end() && tool.says_surface())) {
         if (!lead_by_surface(block, tool, curve, target)) return false;
     }
     if (!lay_spin(block, tool, target, &curve)) return false;
@@ -350,7 +351,12 @@ std::optional<Vec3> Executor::lean_on(const Block& block, const Vec3& normal, co
 std::optional<std::array<Vec3, 2>> Executor::normals_of(const Block& block, const ToolWords& tool) {
     std::array<Vec3, 2> normals;
     const auto said = [&](std::size_t i) {
-        return direction_in_base(block, tool.normals[i].vector(), Function::SurfaceNormal);
+        const Vec3 normal = tool.normals[i].vector();
+        const bool is_none = comp_.takes_faces() && normal.isZero(0);
+        if (!is_none) return direction_in_base(block, normal, Function::SurfaceNormal);
+        report(diag::CompFaceNormal, block, Function::SurfaceNormal)
+            .arg("all its components are zero");
+        return std::optional<Vec3>();
     };
     const bool has_start = tool.normals[0].is_said();
     const bool has_end = tool.normals[1].is_said();

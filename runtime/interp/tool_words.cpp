@@ -36,7 +36,8 @@ std::size_t count_of(const Block& block, const nc::Invocation& invocation, std::
 
 void Executor::take_orientation(const Block& block, const nc::Invocation& invocation,
                                 Actions& actions) {
-    if (!orienting_.is_on) {
+    const bool is_of_cutter = invocation.function == Function::SurfaceNormal && comp_.takes_faces();
+    if (!orienting_.is_on && !is_of_cutter) {
         report(diag::OrientationAlone, block, invocation.function)
             .arg(nc::info(invocation.function).name);
         return;
@@ -87,7 +88,8 @@ bool Executor::turns_in_two_ways(const Block& block, const ToolWords& tool) {
     const bool has_axes = (block.given & joint_axes()) != 0;
     const bool has_vector = tool.vector.is_said();
     const bool has_angles = tool.angles.is_said();
-    const bool has_surface = tool.says_surface();
+    const bool leads = leans_on_surface() || surface_leads_end() || !comp_.takes_faces();
+    const bool has_surface = leads && tool.says_surface();
     const DiagnosticRow* row = has_vector && has_angles  ? &diag::OrientVectorAngles
                                : has_vector && has_axes  ? &diag::OrientVectorAxes
                                : has_angles && has_axes  ? &diag::OrientAnglesAxes
@@ -115,11 +117,18 @@ bool Executor::leans_on_surface() const {
     return orienting_.turning == Function::TurnSurface && !rules_.surface_words_at_end;
 }
 
+/// Whether surface words of a block say how the tool stands at its end. Where a cutter is
+/// compensated on the surface they are of the surface alone.
+bool Executor::surface_leads_end() const {
+    return rules_.surface_words_at_end && !comp_.takes_faces();
+}
+
 /// Words that the way on which the tool turns has no place for: nothing may be lost silently.
 bool Executor::has_idle_words(const Block& block, const ToolWords& tool) {
     const Function turning = orienting_.turning;
     const bool is_about_axis = turning == Function::TurnConeCw || turning == Function::TurnConeCcw;
-    const bool takes_surface = turning == Function::TurnSurface || rules_.surface_words_at_end;
+    const bool takes_surface =
+        turning == Function::TurnSurface || rules_.surface_words_at_end || comp_.takes_faces();
     const struct {
         bool is_idle;
         Function word;

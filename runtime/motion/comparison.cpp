@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "motion/transformed.h"
 #include "path/curve.h"
 
 namespace kadr::motion {
@@ -16,19 +17,38 @@ constexpr std::size_t kBatch = 32;
 constexpr double kStep = 0.1;        // mm along the way between two looks
 constexpr double kParts = 4;         // looks at every piece, however short
 constexpr double kNothing = 1e-9;    // mm: rounding of lengths
+constexpr double kStanding = 1e-6;   // of a tip's way, of that of the place that touches
 constexpr double kSameTime = 1e-6;   // s
 constexpr double kSameAngle = 1e-4;  // rad, 0.006 deg; mm of a parallel axis
 
 /// A motion, and how far along it the walk has come.
 class Walker {
   public:
-    explicit Walker(Stream<Segment>& segments) : segments_(segments) { settle(); }
+    Walker(Stream<Segment>& segments, const machine::Chain& chain)
+        : segments_(segments), chain_(chain) {
+        settle();
+    }
 
     bool is_over() const { return at_ == size_; }
     const Segment& segment() const { return batch_[at_]; }
     double rest() const { return length_ - along_; }
     double length() const { return length_; }
-    path::CurvePoint here() const { return path::evaluate(segment().curve, along_); }
+    /// Where the tip is, and its direction.
+    path::CurvePoint here() const {
+        path::CurvePoint point = path::evaluate(segment().curve, along_);
+        if (!is_touching()) return point;
+        point.position = tip_at(along_);
+        const Vec3 slope = slope_of_tip();
+        if (slope.norm() > kStanding) point.tangent = slope.normalized();
+        return point;
+    }
+    /// How far the tip goes for each millimetre of the path. Where it stands, all the same: the
+    /// walk is to come to an end.
+    double pace() const {
+        if (!is_touching()) return 1;
+        const double pace = slope_of_tip().norm();
+        return pace > kStanding ? pace : 1;
+    }
     double follower(std::size_t i) const {
         return segment().follower_start[i] + segment().follower_rate[i] * along_;
     }
@@ -45,7 +65,7 @@ class Walker {
         return true;
     }
     void next() {
-        end_ = path::end(segment().curve);
+        end_ = is_touching() ? tip_at(length_) : path::end(segment().curve);
         line_ = segment().line;
         ++at_;
         settle();
@@ -67,7 +87,20 @@ class Walker {
         }
     }
 
+    bool is_touching() const { return segment().contact.kind != path::ContactKind::Tip; }
+    Vec3 tip_at(double along) const {
+        return placed_at(chain_, segment(), along, path::position(segment().curve, along)).tip;
+    }
+    /// By the path.
+    Vec3 slope_of_tip() const {
+        const double step = 1e-4 * length_;
+        const double before = std::max(0.0, along_ - step);
+        const double behind = std::min(length_, along_ + step);
+        return (tip_at(behind) - tip_at(before)) / (behind - before);
+    }
+
     Stream<Segment>& segments_;
+    const machine::Chain& chain_;
     std::vector<Segment> batch_ = std::vector<Segment>(kBatch);
     std::size_t at_ = 0;
     std::size_t size_ = 0;
@@ -79,8 +112,9 @@ class Walker {
 
 class Walk {
   public:
-    Walk(Stream<Segment>& first, Stream<Segment>& second, double tolerance)
-        : first_(first), second_(second), tolerance_(tolerance) {}
+    Walk(Stream<Segment>& first, Stream<Segment>& second, double tolerance,
+         const machine::Chain& chain)
+        : first_(first, chain), second_(second, chain), tolerance_(tolerance) {}
 
     Comparison go() {
         while (!first_.is_over() && !second_.is_over() && !result_.parting) {
@@ -120,12 +154,16 @@ class Walk {
         while (first_.goes_on(kind) && second_.goes_on(kind)) {
             const double ahead = look();
             if (result_.parting) return;
-            const double step = std::min({kStep, first_.rest(), second_.rest(),
-                                          first_.length() / kParts, second_.length() / kParts});
+            // Of the tips: where what is touched is the path, that is longer or shorter.
+            const double pace = first_.pace();
+            const double other = second_.pace();
+            const double step =
+                std::min({kStep, pace * first_.rest(), other * second_.rest(),
+                          pace * first_.length() / kParts, other * second_.length() / kParts});
             // A step leads both to an end of a piece if there is one; what lies behind it is seen
             // at the next look.
-            first_.advance(step);
-            second_.advance(std::max(0.0, step - ahead));
+            first_.advance(step / pace);
+            second_.advance(std::max(0.0, step - ahead) / other);
         }
         finish(first_, second_, kind);
         finish(second_, first_, kind);
@@ -196,8 +234,9 @@ class Walk {
 
 }  // namespace
 
-Comparison compare(Stream<Segment>& first, Stream<Segment>& second, double tolerance) {
-    return Walk(first, second, tolerance).go();
+Comparison compare(Stream<Segment>& first, Stream<Segment>& second, double tolerance,
+                   const machine::Chain& chain) {
+    return Walk(first, second, tolerance, chain).go();
 }
 
 }  // namespace kadr::motion

@@ -44,6 +44,9 @@ struct Comparison {
 /// Walks both to the end, or to where they part.
 ///
 /// tolerance  mm; tips farther apart than this part the motions
-Comparison compare(Stream<Segment>& first, Stream<Segment>& second, double tolerance);
+/// chain      of the machine on which both run: where a path is that of the place that the cutter
+///            touches, it tells the tip
+Comparison compare(Stream<Segment>& first, Stream<Segment>& second, double tolerance,
+                   const machine::Chain& chain = kNoChain);
 
 }  // namespace kadr::motion

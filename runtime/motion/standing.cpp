@@ -49,12 +49,10 @@ path::Curve touched_way(const Command& command, const path::ContactMotion& motio
     return path::part(whole, motion.begin * length, motion.end * length);
 }
 
-/// While the contact stands, the arc that the side of the cutter draws about it is the path.
-double pivot_length(const Command& command) {
-    if (command.contact.empty()) return 0;
-    const path::Contact& contact = command.contact.front().contact;
-    if (contact.kind != path::ContactKind::Pivot) return 0;
-    return std::abs(contact.turn * contact.radius);
+/// While the contact stands, the way of the tip about it is the path.
+double pivot_length(const Command& command, const path::Curve& touched) {
+    if (command.contact.empty() || !std::holds_alternative<path::Point>(touched)) return 0;
+    return path::way_about(command.contact.front().contact, command.direction);
 }
 
 }  // namespace
@@ -135,7 +133,7 @@ Standing::Target Standing::target_of(const Command& command) const {
 double Standing::lay_path(const Command& command, const Target& target, Segment& segment) const {
     segment.curve = command.contact.empty() ? path::curve_of(command, tip_, target.tip)
                                             : touched_way(command, command.contact.front());
-    double length = std::max(path::length(segment.curve), pivot_length(command));
+    double length = std::max(path::length(segment.curve), pivot_length(command, segment.curve));
     if (target.followers != followers_) lay_followers(target, length, segment);
     if (segment.is_transformed()) lay_turn(command, length, segment);
     return length > kStill ? length : 0;
@@ -154,7 +152,7 @@ void Standing::lay_turn(const Command& command, double& length, Segment& segment
         const Vec3 from = machine::tool_vector(*chain_, joints_of(*chain_, followers_));
         const bool stands = std::holds_alternative<path::Point>(segment.curve);
         const bool is_parallel = (segment.followers & ~kRotaryABC) != 0;
-        if (stands && !is_parallel && pivot_length(command) <= kStill) {
+        if (stands && !is_parallel && pivot_length(command, segment.curve) <= kStill) {
             const double before = length;
             length = deg_from_rad(turned_angle(command, from));
             segment.turns_only = true;

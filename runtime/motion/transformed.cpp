@@ -135,14 +135,31 @@ Placed virtual_near(const Segment& piece, double distance, const Vec3& tip,
     return placed;
 }
 
-/// From where the cutter touches to its tip.
-Vec3 tip_beside(const Segment& piece, double distance, const Vec3& place, const Vec3& tool) {
+Vec3 tool_at(const Chain& chain, const Segment& piece, double distance) {
+    if (leads_tool(piece.turn)) return path::direction_at(piece.turn, piece.curve, distance);
+    return machine::tool_vector(chain, joints_of(chain, followers_at(piece, distance)));
+}
+
+std::optional<Vec3> aside_at(const Segment& piece, double distance, const Vec3& tool) {
     const path::Contact& contact = piece.contact;
     const double share = piece.turn.length > 0 ? distance / piece.turn.length : 0;
     const Vec3 guide = contact.kind == path::ContactKind::Side
                            ? path::evaluate(piece.curve, distance).tangent
                            : path::guide_at(contact, share);
-    const auto aside = path::tip_beside(contact, guide, tool);
+    return path::tip_beside(contact, guide, tool);
+}
+
+/// From where the cutter touches to its tip.
+Vec3 tip_beside(const Chain& chain, const Segment& piece, double distance, const Vec3& place,
+                const Vec3& tool) {
+    if (const auto aside = aside_at(piece, distance, tool)) [[likely]]
+        return place + *aside;
+    const double length = piece.turn.length;
+    if (length == 0) return place + path::tip_square(piece.contact, tool);
+    const auto aside = path::tip_or_limit(distance / length, [&](double share) {
+        const double at = share * length;
+        return aside_at(piece, at, tool_at(chain, piece, at));
+    });
     return aside ? Vec3(place + *aside) : place;  // that there is one was checked
 }
 
@@ -166,7 +183,7 @@ Placed placed_near(const Chain& chain, const Segment& piece, double distance, co
     }
     placed.tip = piece.contact.kind == path::ContactKind::Tip
                      ? place
-                     : tip_beside(piece, distance, place, placed.tool);
+                     : tip_beside(chain, piece, distance, place, placed.tool);
     placed.axes = complete(chain, piece, placed.tip, followers);
     return placed;
 }

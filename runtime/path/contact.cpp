@@ -28,11 +28,13 @@ std::optional<Vec3> between(const Contact& contact, const Vec3& tool) {
 
 /// The edge is a torus: its tube touches along the normal, its middle circle lies square to the
 /// tool.
-Vec3 off_face(const Contact& contact, const Vec3& normal, const Vec3& tool) {
+std::optional<Vec3> off_face(const Contact& contact, const Vec3& normal, const Vec3& tool) {
+    const Vec3 off = (contact.depth + contact.allowance) * normal - contact.depth * tool;
+    const double across = contact.radius - contact.depth;
+    if (across == 0) return off;  // a ball, or a face square to the tool
     const auto outwards = unit_or_none(normal - normal.dot(tool) * tool);
-    const Vec3 across =
-        outwards ? Vec3((contact.radius - contact.depth) * *outwards) : Vec3(Vec3::Zero());
-    return contact.depth * normal + across - contact.depth * tool;
+    if (!outwards) return std::nullopt;
+    return off + across * *outwards;
 }
 
 }  // namespace
@@ -57,6 +59,28 @@ std::optional<Vec3> tip_beside(const Contact& contact, const Vec3& guide, const 
 Vec3 guide_at(const Contact& contact, double share) {
     if (contact.turn == 0) return contact.guide;
     return Eigen::AngleAxisd(share * contact.turn, contact.axis) * contact.guide;
+}
+
+Vec3 tip_square(const Contact& contact, const Vec3& tool) { return contact.allowance * tool; }
+
+double way_about(const Contact& contact, const Vec3& tool) {
+    if (contact.kind == ContactKind::Pivot) return std::abs(contact.turn * contact.radius);
+    if (contact.kind != ContactKind::Face || contact.turn == 0) return 0;
+    constexpr int kChords = 16;
+    const auto aside = [&](double share) {
+        return tip_or_limit(
+                   share,
+                   [&](double at) { return tip_beside(contact, guide_at(contact, at), tool); })
+            .value_or(Vec3::Zero());
+    };
+    double way = 0;
+    Vec3 last = aside(0);
+    for (int i = 1; i <= kChords; ++i) {
+        const Vec3 next = aside(static_cast<double>(i) / kChords);
+        way += (next - last).norm();
+        last = next;
+    }
+    return way;
 }
 
 }  // namespace kadr::path

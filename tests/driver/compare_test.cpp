@@ -51,4 +51,28 @@ TEST_F(Compare, RefusesWhatItCannotCompare) {
     EXPECT_EQ(result.out, "");
 }
 
+/// Where a path is that of the place that a cutter touches, its tip is what counts.
+TEST_F(Compare, ACutterOnASurfaceIsComparedByItsTip) {
+    const auto milled = [](const std::string& radius) {
+        return "$TC_DP1[1,1]=110 $TC_DP6[1,1]=" + radius +
+               "\nT1 D1 M6\nS6000 M3 F1500\nTRAORI\nR1=30*SIN(40) R2=30*COS(40)-30\n"
+               "G0 X-40 Y0 Z20\nCUT3DF\nG18\nG1 G41 X=-R1 Z=R2\n"
+               "G3 X=R1 I=AC(0) K=AC(-30) A4=-SIN(40) C4=COS(40) A5=SIN(40) C5=COS(40)\n"
+               "G1 G40 X60 Z30\nM30\n";
+    };
+    save("five.mpf", milled("5"));
+    save("six.mpf", milled("6"));
+    save("tip.mpf",
+         "$TC_DP6[1,1]=5\nT1 D1 M6\nS6000 M3 F1500\nTRAORI\nR1=35*SIN(40) R2=35*COS(40)-35\n"
+         "G0 X-40 Y0 Z20\nG18\nG1 X=-R1 Z=R2\nG3 X=R1 I=AC(0) K=AC(-35)\nG1 X60 Z30\nM30\n");
+    const auto compared = [&](const char* other) {
+        return kadr({"compare", file("five.mpf"), file(other), "-d", "sinumerik", "-d", "sinumerik",
+                     "-m", "trunnion-ac"});
+    };
+    EXPECT_EQ(compared("five.mpf").status, 0);
+    const auto same = compared("tip.mpf");
+    EXPECT_EQ(same.status, 0) << same.out << same.err;
+    EXPECT_EQ(compared("six.mpf").status, 1);
+}
+
 }  // namespace

@@ -72,6 +72,7 @@ Control control_of(const std::string& example) {
     const bool has_centre = has("G43.4") || has("G43.5");
     const std::string machine = has("nutating")            ? "nutating.xml"
                                 : has("three rotary axes") ? "six-axis.xml"
+                                : has("mixed")             ? "mixed-cb.xml"
                                 : has("TRAORI\n") || has("trunnion") || has_centre
                                     ? "trunnion-ac.xml"
                                     : mill;

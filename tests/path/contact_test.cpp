@@ -105,5 +105,67 @@ TEST(Contact, TheGuideTurnsEvenly) {
     EXPECT_LT((guide_at(contact, 0.5) - Vec3(1, 1, 0).normalized()).norm(), 1e-12);
 }
 
+Contact face(double radius, double edge) {
+    Contact contact;
+    contact.kind = ContactKind::Face;
+    contact.radius = radius;
+    contact.depth = edge;
+    return contact;
+}
+
+TEST(Contact, AnAllowanceLiftsTheTipAlongTheNormal) {
+    const Vec3 normal = Vec3(0.3, -0.2, 1).normalized();
+    const Vec3 tool = Vec3(0.1, 0.5, 1).normalized();
+    Contact contact = face(5, 2);
+    const Vec3 none = *tip_beside(contact, normal, tool);
+    contact.allowance = 0.3;
+    EXPECT_LT((*tip_beside(contact, normal, tool) - none - 0.3 * normal).norm(), 1e-12);
+    EXPECT_LT((tip_square(contact, tool) - 0.3 * tool).norm(), 1e-12);
+}
+
+/// A face that lies square to the tool touches with all of it; a ball with its one place.
+TEST(Contact, AFaceSquareToTheToolHasNoPlaceThatTouches) {
+    EXPECT_FALSE(tip_beside(face(5, 2), Vec3::UnitZ(), Vec3::UnitZ()));
+    EXPECT_LT(tip_beside(face(5, 5), Vec3::UnitZ(), Vec3::UnitZ())->norm(), 1e-12);
+}
+
+/// … and where it comes to lie so the tip is as it is beside: a nanometre per millimetre of radius.
+TEST(Contact, WhereAFaceComesToLieSquareTheTipIsALimit) {
+    for (const double turn : {1.0, 0.03, 1e-3, 1e-5}) {
+        SCOPED_TRACE(turn);
+        Contact contact = face(5, 1);
+        contact.guide = Vec3::UnitZ();
+        contact.axis = Vec3::UnitY();
+        contact.turn = turn;
+        const auto aside = [&](double share) {
+            return tip_beside(contact, guide_at(contact, share), Vec3::UnitZ());
+        };
+        const auto limit = tip_or_limit(0, aside);
+        ASSERT_TRUE(limit);
+        EXPECT_LT((*limit - Vec3(4, 0, 0)).norm(), 5e-6);
+        EXPECT_EQ(*tip_or_limit(0.5, aside), *aside(0.5));
+    }
+    EXPECT_FALSE(tip_or_limit(0, [](double) { return std::optional<Vec3>(); }));
+}
+
+/// Around an edge the tip of a ball goes an arc of its radius, that of a flat face half a turn of
+/// its own where the edge lies under the tool's middle.
+TEST(Contact, TheTipGoesAboutAStandingContact) {
+    Contact contact = face(5, 5);
+    contact.guide = Vec3(-0.5, 0, 1).normalized();
+    contact.axis = Vec3::UnitY();
+    contact.turn = 0.8;
+    EXPECT_NEAR(way_about(contact, Vec3::UnitZ()), 5 * 0.8, 2e-3);
+    contact.kind = ContactKind::Pivot;
+    EXPECT_NEAR(way_about(contact, Vec3::UnitZ()), 5 * 0.8, 1e-12);
+    contact = face(5, 0);
+    contact.guide = Vec3(-0.5, 0, 1).normalized();
+    contact.axis = Vec3::UnitZ();
+    contact.turn = std::numbers::pi;
+    EXPECT_NEAR(way_about(contact, Vec3::UnitZ()), 5 * std::numbers::pi, 0.05);
+    contact.turn = 0;
+    EXPECT_EQ(way_about(contact, Vec3::UnitZ()), 0);
+}
+
 }  // namespace
 }  // namespace kadr::path

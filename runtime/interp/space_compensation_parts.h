@@ -1,0 +1,58 @@
+// space_compensation_parts.h — what both files of SpaceCompensation work with; nobody else.
+#pragma once
+
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "interp/space_compensation.h"
+
+namespace kadr::interp {
+
+// Sine of the change of direction below which a corner is none.
+inline constexpr double kSmooth = 1e-7;
+// Ways shorter than this are none: rounding of frames, mm.
+inline constexpr double kStill = 1e-9;
+
+inline path::Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
+
+inline void set_linear(AxisValues& values, const path::Vec3& at) {
+    for (std::size_t i = 0; i < 3; ++i) values[i] = at[static_cast<Eigen::Index>(i)];
+}
+
+inline bool is_same_place(const AxisValues& a, const AxisValues& b) {
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        if (std::abs(a[i] - b[i]) > path::kSamePoint) return false;
+    }
+    return true;
+}
+
+/// A command that is to be another one in the same block.
+inline path::Command like(const path::Command& model, path::Op op) {
+    path::Command command = model;
+    command.op = op;
+    command.exact_stop = false;
+    command.turns = 0;
+    command.curve.clear();
+    command.contact.clear();
+    if (command.turning != path::Turning::None) command.turning = path::Turning::Axes;
+    return command;
+}
+
+/// Where one side ends and the next one begins.
+struct SpaceCompensation::Corner {
+    path::Vec3 place;
+    path::Vec3 first;  // tangents
+    path::Vec3 second;
+    path::Vec3 tool;    // at the end of the first side …
+    path::Vec3 behind;  // … and at the start of the second
+    double turn = 0;    // of the tangents, rad, seen from the holder: positive to the left
+
+    bool is_smooth() const { return first.dot(second) > 0 && first.cross(second).norm() < kSmooth; }
+    path::Vec3 axis() const {
+        const path::Vec3 across = first.cross(second);
+        return across.norm() > kSmooth ? path::Vec3(across.normalized()) : tool;
+    }
+};
+
+}  // namespace kadr::interp

@@ -1,0 +1,96 @@
+// surfaces.cpp — milling with the end of a cutter: which cutter it is, and how the surface lies
+// that a block's normals say (S 5.3, 7.3).
+#include <numbers>
+
+#include "base/diagnostics/iso.h"
+#include "interp/executor.h"
+#include "interp/face_cutter.h"
+#include "machine/kinematics.h"
+#include "machine/orientation.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using path::Vec3;
+
+/// The cutter that acts, as it touches surfaces; nothing where it touches none, or it was reported.
+std::optional<SpaceCutter> Executor::face_cutter_now(const Block& block) {
+    if (!comp_.acts_on_faces()) return std::nullopt;
+    const std::int64_t number = comp_offset().value_or(0);
+    const auto found = face_cutter(tool_offsets_, number, extra_.radius);
+    if (!found) {
+        report(diag::CompFaceTool, block, comp_.side)
+            .arg(found.error() == FaceCutterFault::EdgeTooLarge
+                     ? "its edge is rounded with more than its radius, or with less than nothing"
+                     : "its side leans by 90 degrees and more, or inwards");
+        return std::nullopt;
+    }
+    if (!found->is_known && number != 0 && !warned_shape_) {
+        warned_shape_ = true;
+        report(diag::CompFaceShape, block, comp_.side).arg(tool_offsets_.type(number));
+    }
+    SpaceCutter cutter;
+    cutter.contact.kind = path::ContactKind::Face;
+    cutter.contact.radius = found->radius;
+    cutter.contact.depth = found->edge;
+    cutter.contact.allowance = comp_.allowance;
+    cutter.flank = found->flank;
+    return cutter;
+}
+
+/// Where the program has said that the tool keeps its direction, nothing may turn it.
+bool Executor::is_tool_constant(const Block& block) {
+    const bool is_constant =
+        comp_.acting == Function::CompByFaceInFrame || comp_.acting == Function::CompByFaceInPlane;
+    if (!is_constant || !orienting_.is_on) return true;
+    report(diag::CompFaceTurned, block, comp_.side);
+    return false;
+}
+
+/// How the surface lies along the block, for the cutter on it. False: it was reported.
+bool Executor::lay_face(const Block& block, const ToolWords& tool) {
+    const auto normals = normals_of(block, tool);
+    if (!normals) return false;
+    const auto arc = machine::great_circle((*normals)[0], (*normals)[1]);
+    if (!arc) {
+        report(diag::CompFaceNormal, block, Function::SurfaceNormal)
+            .arg("at the end of the block it points the other way than at its start");
+        return false;
+    }
+    face_ = {};
+    face_.kind = path::ContactKind::Face;
+    face_.guide = (*normals)[0];
+    face_.axis = arc->axis;
+    face_.turn = arc->turn;
+    // Where the tool is led by the surface too, that is still to be asked where the block before
+    // ended.
+    if (!leans_on_surface()) orienting_.normal = (*normals)[1];
+    return true;
+}
+
+/// Whether a code by which the side of the cutter is compensated stands where the control takes it.
+/// F 4.4: inside the tool centre point control, which ends after it.
+bool Executor::check_side_comp(const Block& block, Function function) {
+    if (orienting_.has_length) return true;
+    report(diag::SideCompAlone, block, function);
+    return false;
+}
+
+/// F 4.4: with a tool and a table that turn, lines and positioning only.
+bool Executor::check_side_arc(const Block& block) {
+    const bool is_on = comp_.side != Function::RadiusCompOff && comp_.is_by_side_code;
+    if (!is_on || !is_arc(modal_.motion)) return true;
+    const machine::Chain& chain = machine_.kinematics->chain;
+    bool turns_tool = false;
+    bool turns_table = false;
+    for (const machine::RotaryJoint& joint : chain.joints) {
+        turns_tool |= joint.is_present && joint.side == machine::Side::Head;
+        turns_table |= joint.is_present && joint.side == machine::Side::Table;
+    }
+    if (!turns_tool || !turns_table) return true;
+    report(diag::SideCompArc, block, modal_.motion);
+    return false;
+}
+
+}  // namespace kadr::interp
