@@ -220,12 +220,14 @@ TEST_F(OnEveryMill, InAGrooveBothSidesAreKeptTo) {
     }
 }
 
-/// Three axes: the tool stands, the sphere turns under it. Over the pole a face slides.
+/// Three axes: the tool stands, the sphere turns under it. Over the pole a face slides. The plane
+/// stays, for the length of the tool lies across it.
 TEST_F(OnEveryMill, ThreeAxesKeepToTheSphereToo) {
     const std::string text =
-        "R1=30*SIN(50) R2=30*COS(50)-30\nG0 X40 Y0 Z20\nCUT3DFF\nG18\nG1 G41 X=R1 Y0 Z=R2\n"
-        "G2 X0 Z0 I=AC(0) K=AC(-30) A4=SIN(50) C4=COS(50) C5=1 ; on it\n"
-        "G2 X=-R1 Z=R2 I=AC(0) K=AC(-30) A5=-SIN(50) C5=COS(50) ; on it\nG1 G40 X-60 Z30";
+        "R1=30*SIN(50) R2=30*COS(50)-30 R3=30*SIN(25) R4=30*COS(25)-30\nG0 X40 Y0 Z20\nCUT3DFF\nG1 "
+        "G41 X=R1 Y0 Z=R2\n"
+        "CIP X0 Z0 I1=R3 K1=R4 A4=SIN(50) C4=COS(50) C5=1 ; on it\n"
+        "CIP X=-R1 Z=R2 I1=-R3 K1=R4 A5=-SIN(50) C5=COS(50) ; on it\nG1 G40 X-60 Z30";
     // The splines keep to a nanometre.
     expect_clear(text, {"mill", "trunnion-ac"}, 0, 2e-6, above_sphere);
 }
