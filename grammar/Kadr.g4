@@ -95,7 +95,7 @@ statement
     | Const variable                                                      # constantStatement
     | variable                                                            # variableStatement
     | Contour Identifier '=' block ';'                                    # contourStatement
-    | skip? word+ (point word*)? ';'                                      # wordsStatement
+    | skip? word+ (point word* (point word*)?)? ';'                                # wordsStatement
     | With modal (','? modal)* block                                      # withStatement
     | Note expression ';'                                                 # noteStatement
     | Raw (RawText | expression ';')                                      # rawStatement
@@ -137,8 +137,8 @@ wordValue
     | expression                                                          # plainValue
     ;
 
-// The target of `G1 p;`. It begins with a name or a `{`, so that it cannot continue the value of
-// the word before it.
+// The target of `G1 p;`, and `orient(…)` beside it. Each begins with a name or a `{`, so that it
+// cannot continue the value of the word before it.
 point : pointStart (('+' | '-' | '*' | '/') operand)* ;
 
 pointStart

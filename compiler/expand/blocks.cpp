@@ -92,6 +92,9 @@ bool Expander::State::emit(const Instruction& instruction, const sema::Slot* reg
         return !is_block_limit(at) && keep_plan(plan, instruction, registers, at);
     if (is_between_places() && !may_stand_between(plan, instruction, at)) [[unlikely]]
         return false;
+    if (!plan.functions.empty() || modal.tcp != ModalState::Tcp::Off) {
+        if (const std::optional<bool> is_done = take_tool(plan, instruction, at)) return *is_done;
+    }
     if (!plan.functions.empty() && is_about_tilt(plan)) [[unlikely]]
         return emit_tilt(plan, instruction, registers, at);
     if (!plan.functions.empty() && needs_frame(plan)) [[unlikely]]
@@ -257,6 +260,7 @@ bool Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instr
         return false;
     if (nc::is_arc(modal[Group::Motion]) && recordings.empty() && !has_radius(block, at))
         return false;
+    if (modal.tcp != ModalState::Tcp::Off && !may_lead(block, at)) return false;
     if (modal.diameter_due != Function::None && recordings.empty()) [[unlikely]]
         say_diameter(block);
     if (options.warns_of_cuts && !modal.warned_of_rapid && recordings.empty())

@@ -652,7 +652,8 @@ bool Expander::State::finish_followed(Block& block, const FollowedBlock& next,
             return false;
         }
     }
-    if (recordings.empty() && !may_move(block, where)) {
+    const bool leads = modal.tcp != ModalState::Tcp::Off && recordings.empty();
+    if ((recordings.empty() && !may_move(block, where)) || (leads && !may_lead(block, where))) {
         drop_block(block);
         return false;
     }

@@ -65,6 +65,7 @@ bool Expander::State::change_frame(const Instruction& instruction, const sema::S
                                    std::uint32_t at) {
     if (!recordings.empty()) return refuse_block("a frame", at);
     if (modal.tilt == ModalState::Tilt::Closed) return refuse_in_tilt("a frame", at);
+    if (modal.tcp == ModalState::Tcp::Length) return refuse_under_tcp("a frame", at);
     const sema::Slot* values = registers + instruction.a;
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     const auto change = static_cast<sema::FrameChange>(instruction.b);

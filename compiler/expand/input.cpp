@@ -212,6 +212,7 @@ bool Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t 
         if (!takes) return false;
     }
     if ((customs & custom::kCoreOffsets) != 0 && !take_core_offsets(block, at)) return false;
+    if ((customs & custom::kDirection) != 0 && !settle_direction(block, at)) return false;
     // Cycles of the source are calls of the library's, so these have nothing to do in the target.
     for (std::size_t i = block.function_count; i-- > 0;) {
         const Function function = block.functions[i].function;

@@ -28,6 +28,7 @@ ModalState ModalState::at_start(const sema::FunctionCode& entry) {
     set(Group::Coolant, Function::CoolantOff);
     set(Group::CycleMode, Function::CycleOff);
     set(Group::CycleReturn, Function::CycleReturnInitial);
+    set(Group::Transformation, Function::TcpOff);
     if (entry.has_diameters) {
         set(Group::Diameter, Function::DiameterOn);
         state.is_diameter = true;
@@ -189,7 +190,15 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
         case Function::TiltOff:  // another system, and the control alone knows where its axes go
             known = 0;
             lost_drift = static_cast<AxisMask>((1u << kAxes) - 1u);
+            is_turned = true;
             return;
+        case Function::TcpOn:
+        case Function::TcpOff:
+        case Function::TcpLength:
+        case Function::TcpVector:  // the tip in the workpiece has other coordinates than the axes
+            known &= static_cast<AxisMask>(~kLinearXYZ);
+            lost_drift |= kLinearXYZ;
+            break;
         case Function::OffsetToEdge:
         case Function::OffsetToMiddle: lose_corrected(block.argument(invocation, 1)); return;
         case Function::SetPosition: set_position(block, invocation); return;
@@ -321,6 +330,7 @@ void ModalState::take_words(const nc::Block& block) {
     }
     nc::SlotMask targets = block.given & nc::kTargetSlots;
     if (targets == 0) return;
+    if ((targets & (bit(Axis::A) | bit(Axis::B) | bit(Axis::C))) != 0) note_rotary(block);
     // The operator may leave the block out: then they have gone nowhere.
     if (block.skip >= 0) lost_drift |= has_drift & static_cast<AxisMask>(targets);
     else if ((has_drift | lost_drift | unplaced) != 0) forget_drift(static_cast<AxisMask>(targets));
@@ -353,6 +363,20 @@ void ModalState::take_words(const nc::Block& block) {
             position[i] = block.values[i];
             known = static_cast<AxisMask>(known | bit);
         }
+    }
+}
+
+/// Rotary axes that a block names, all of them at 0, stand there; which others the machine has
+/// nobody knows here.
+void ModalState::note_rotary(const nc::Block& block) {
+    const bool is_incremental = (*this)[nc::Group::Distance] == Function::Incremental;
+    is_turned = false;
+    for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
+        const nc::Slot slot = nc::slot_of(axis);
+        if (!block.has(slot)) continue;
+        const bool is_distance = (block.incremental & nc::bit(slot)) != 0 ||
+                                 (is_incremental && (block.absolute & nc::bit(slot)) == 0);
+        is_turned = is_turned || is_distance || block.at(slot) != 0;
     }
 }
 

@@ -54,6 +54,13 @@ struct ModalState {
     enum class Tilt : std::uint8_t { None, Own, Closed, Resolved };
     Tilt tilt = Tilt::None;
     ProgramFrame tilt_frame;  // Resolved: the frame that is the plane
+    /// Tool centre point control: by functions of its own, or as a kind of tool length.
+    enum class Tcp : std::uint8_t { Off, Own, Length };
+    Tcp tcp = Tcp::Off;
+    double tcp_offset = 0;  // Length: number of the offset
+    nc::Function before_tcp = nc::Function::LengthCompOff;
+    bool is_leaning = false;  // the tool has been turned away from Z under it
+    bool is_turned = false;   // rotary axes may stand elsewhere than at 0
     SourceId frame_by;
     SourceId feed_by;
     SourceId speed_by;
@@ -130,6 +137,7 @@ struct ModalState {
     void set_position(const nc::Block& block, const nc::Invocation& invocation);
     void change_tool(SourceId source);
     void set_diameter(bool is_on);
+    void note_rotary(const nc::Block& block);
     void choose_compensation(nc::Function side, int skip, SourceId source);
     void lose_corrected(double axis);
     void note_drift(std::size_t axis, bool is_known, double by);

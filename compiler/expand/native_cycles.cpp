@@ -75,7 +75,7 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
         compensated_cycle(*frame.function);
         return true;
     }
-    if (!options.native_cycles) return false;
+    if (!options.native_cycles || modal.tcp == ModalState::Tcp::Length) return false;
     if (is_between_places() && frame.return_to > 0) {
         cycle_active("another cycle", frame.return_to - 1);
         return true;

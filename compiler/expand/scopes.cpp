@@ -19,12 +19,17 @@ bool Expander::State::leave_with(SourceId source, std::uint32_t at, unsigned dep
 bool Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint32_t at,
                                unsigned depth) {
     const ModalState& before = scope.before;
+    const sema::ModalMask transformation = sema::group_bit(Group::Transformation);
+    if ((scope.mask & transformation) != 0 && !set_back_tcp(before, source, at, depth))
+        return false;
     if ((scope.mask & sema::kFrameBit) != 0) {
+        if (modal.tcp == ModalState::Tcp::Length && !(before.frame == modal.frame))
+            return refuse_under_tcp("the end of a frame", at);
         write_frame(before.frame, source, at, depth);
         if (has_failed) return false;
     }
     // Another feed mode forgets F, so F goes back with it.
-    sema::ModalMask mask = scope.mask;
+    sema::ModalMask mask = scope.mask & ~transformation;
     if ((mask & sema::group_bit(Group::FeedMode)) != 0) mask |= sema::kFeedBit;
     if ((mask & sema::group_bit(Group::SpeedMode)) != 0) mask |= sema::kSpeedBit;
     const sema::ModalMask changed = difference(before, modal, mask) & ~sema::kFrameBit;

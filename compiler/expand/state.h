@@ -1,6 +1,7 @@
 // state.h — a running program: registers, calls, modal state, the batch that is being filled.
 //
-// The chapters: vm.cpp (the instructions), blocks.cpp (blocks, frames, `with`), input.cpp and
+// The chapters: vm.cpp (the instructions), blocks.cpp (blocks, frames, `with`), tilting.cpp and
+// orienting.cpp (planes and directions of five axes), input.cpp and
 // cycles.cpp (blocks written the way of another control), contours.cpp,
 // unknown.cpp (modal state that is not known), curves.cpp, faults.cpp (errors with the call stack),
 // start.cpp (programs, parameters), tests.cpp, text_format.cpp. For the room expand only.
@@ -184,6 +185,23 @@ struct Expander::State {
                       unsigned depth);
     bool say_joints(const machine::Chain& chain, const path::Vec3& joints, SourceId source,
                     std::uint32_t at, unsigned depth);
+
+    // ---- orienting.cpp
+    void say_function(nc::Function function, std::span<const double> arguments, SourceId source,
+                      std::uint32_t at, unsigned depth);
+    std::optional<bool> take_tool(const sema::Plan& plan, const Instruction& instruction,
+                                  std::uint32_t at);
+    bool refuse_under_tcp(std::string_view what, std::uint32_t at);
+    std::string tcp_hindrance() const;
+    std::optional<double> length_number() const;
+    bool begin_tcp(std::span<const nc::Invocation> said, SourceId source, std::uint32_t at,
+                   unsigned depth);
+    bool choose_turning(nc::Function turning, SourceId source, std::uint32_t at, unsigned depth);
+    bool end_tcp(SourceId source, std::uint32_t at, unsigned depth);
+    bool set_back_tcp(const ModalState& before, SourceId source, std::uint32_t at, unsigned depth);
+    bool leads_tool(std::uint32_t at);
+    bool settle_direction(nc::Block& block, std::uint32_t at);
+    bool may_lead(const nc::Block& block, std::uint32_t at);
 
     // ---- input.cpp: what the control of the input dialect would have done
     /// Whether a function of the plan has no word in the target, but a frame says the same.

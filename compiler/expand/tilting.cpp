@@ -146,13 +146,7 @@ bool Expander::State::read_plane(const sema::Plan& plan, const Instruction& inst
 bool Expander::State::say_euler(const std::array<double, 6>& values, SourceId source,
                                 std::uint32_t at, unsigned depth) {
     const auto add = [&](Function function, std::span<const double> arguments) {
-        if (has_failed || is_block_limit(at)) return;
-        Block& block = next_block(source);
-        nc::Invocation* invocation = block.add(function, arguments.size());
-        for (std::size_t i = 0; i < arguments.size(); ++i)
-            block.set_argument(*invocation, i, arguments[i]);
-        modal.take_functions(block);
-        if (options.trace) keep_trace(at, depth, source);
+        say_function(function, arguments, source, at, depth);
     };
     const Vec3 turns = Vec3(values[3], values[4], values[5]) * rad_from_deg(1);
     const Vec3 euler = machine::euler_zxz_of(machine::rpy_xyz(turns))[0];

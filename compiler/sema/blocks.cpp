@@ -173,6 +173,7 @@ std::uint32_t Checker::customs_of(const Plan& plan, std::span<const Word> words)
         add(group == nc::Group::CycleMode || group == nc::Group::CycleReturn, custom::kCycleWords);
         add(invocation.function == nc::Function::MirrorOff, custom::kMirrorAxes);
         add(invocation.function == nc::Function::TapRigid, custom::kCycleWords);
+        add(invocation.function == nc::Function::ToolVector, custom::kDirection);
         const bool is_offset = invocation.function == nc::Function::LengthCompOn ||
                                invocation.function == nc::Function::LengthCompOff ||
                                invocation.function == nc::Function::ToolEdge;
@@ -618,8 +619,9 @@ Value Checker::target_value(ExprId point, std::span<const Word> words) {
     return convert(value, types::kPoint, range, "the target");
 }
 
-bool Checker::emit_words(std::span<const Word> words, ExprId point, const SourceRange& range,
-                         std::int8_t skip, std::uint32_t customs) {
+bool Checker::emit_words(std::span<const Word> words, const Behind& behind,
+                         const SourceRange& range, std::int8_t skip, std::uint32_t customs) {
+    const ExprId point = behind.point;
     const Reg mark = emit_.mark();
     std::optional<nc::BlockPlan> planned;
     Plan plan;
@@ -645,7 +647,9 @@ bool Checker::emit_words(std::span<const Word> words, ExprId point, const Source
         if (skip >= 0) check_skipped(plan, words);
     }
     const std::size_t holes = planned ? planned->holes.size() : 0;
-    const Reg first = emit_.take(std::max<unsigned>(1, static_cast<unsigned>(holes)));
+    constexpr std::size_t kDirection = 3;
+    const std::size_t values = holes + (behind.orient.is_valid() ? kDirection : 0);
+    const Reg first = emit_.take(std::max<unsigned>(1, static_cast<unsigned>(values)));
     for (std::size_t i = 0; i < holes; ++i) {
         const nc::Hole& hole = planned->holes[i];
         const Word& word = words[hole.word];
@@ -663,6 +667,11 @@ bool Checker::emit_words(std::span<const Word> words, ExprId point, const Source
                 report(diag::TargetTwice, point_range);
             }
         }
+    }
+    if (behind.orient.is_valid()) {
+        const Expr& orient = ast()[behind.orient];
+        emit_.set_place(orient.range);
+        if (direction(orient, static_cast<Reg>(first + holes))) add_direction(plan, orient.range);
     }
     emit_.set_place(range);
     const std::optional<SourceCycle> cycle =
@@ -703,7 +712,7 @@ void Checker::words_statement(const Stmt& stmt) {
     if (is_modal_call(ast().word_run(stmt.words))) return modal_call(stmt);
     if (const Word* times = repeats_of(ast().word_run(stmt.words)))
         return repeat_places(stmt, *times);
-    emit_words(ast().word_run(stmt.words), stmt.expression[0], stmt.range, stmt.skip);
+    emit_words(ast().word_run(stmt.words), behind_words(stmt), stmt.range, stmt.skip);
 }
 
 }  // namespace kadr::sema

@@ -15,14 +15,14 @@ using syntax::ExprKind;
 
 namespace {
 
-constexpr std::array<std::string_view, 46> kNames = {
-    "abs",      "acos",    "asin",    "atan",         "atan2",         "attempt",  "begun_near",
-    "cbrt",     "ceil",    "cos",     "crossings",    "dialect",       "dialects", "diameter",
-    "distance", "execute", "exp",     "expect_error", "floor",         "follow",   "follow_start",
-    "hypot",    "image",   "inside",  "int",          "intersections", "length",   "ln",
-    "log",      "log10",   "max",     "min",          "mod",           "nearest",  "offset",
-    "pow",      "real",    "reverse", "round",        "sign",          "sin",      "sqrt",
-    "table",    "tan",     "text",    "trunc",
+constexpr std::array<std::string_view, 48> kNames = {
+    "abs",      "acos",    "asin",   "atan",         "atan2",         "attempt",  "begun_near",
+    "cbrt",     "ceil",    "cos",    "crossings",    "dialect",       "dialects", "diameter",
+    "distance", "execute", "exp",    "expect_error", "floor",         "follow",   "follow_start",
+    "hypot",    "image",   "inside", "int",          "intersections", "length",   "ln",
+    "log",      "log10",   "max",    "min",          "mod",           "nearest",  "offset",
+    "orient",   "pow",     "real",   "reverse",      "round",         "sign",     "sin",
+    "sqrt",     "table",   "tan",    "tcp",          "text",          "trunc",
 };
 
 }  // namespace
@@ -388,6 +388,8 @@ std::optional<Value> Checker::builtin(std::string_view name, const Expr& expr, R
             .fix("name the struct that takes it: `image<picture>(…)`");
         return error_value();
     }
+    if (name == "orient") return orient_call(expr);
+    if (name == "tcp") return tcp_call(expr);
     if (name == "distance") return distance_call(expr);
     if (name == "diameter") return length_as(types::kDiameter, expr, name);
     if (name == "length") return length_as(types::kLengthType, expr, name);

@@ -358,7 +358,13 @@ class Checker {
     // blocks.cpp
     void words_statement(const syntax::Stmt& stmt);
     Value target_value(syntax::ExprId point, std::span<const syntax::Word> words);
-    bool emit_words(std::span<const syntax::Word> words, syntax::ExprId point,
+    /// What stands behind the words of a block: a point to which it goes, and how the tool stands.
+    struct Behind {
+        syntax::ExprId point;
+        syntax::ExprId orient;
+    };
+    Behind behind_words(const syntax::Stmt& stmt);
+    bool emit_words(std::span<const syntax::Word> words, const Behind& behind,
                     const SourceRange& range, std::int8_t skip = -1, std::uint32_t customs = 0);
     void check_skipped(const Plan& plan, std::span<const syntax::Word> words);
     std::optional<nc::BlockPlan> plan_words(std::span<const syntax::Word> words);
@@ -391,6 +397,16 @@ class Checker {
                      const syntax::Expr& expr);
     void frame_call(syntax::ExprId id);
     std::string word_text(const syntax::Word& word) const;
+
+    // orienting.cpp
+    bool is_orient(syntax::ExprId id);
+    bool direction(const syntax::Expr& expr, Reg first);
+    bool direction_of_parts(std::span<const syntax::ExprId> bound, Reg first);
+    bool direction_of_angles(std::span<const syntax::ExprId> bound, const SourceRange& range,
+                             Reg first);
+    bool add_direction(Plan& plan, const SourceRange& range);
+    Value orient_call(const syntax::Expr& expr);
+    Value tcp_call(const syntax::Expr& expr);
 
     // cycle_blocks.cpp
     void load_cycles(std::uint32_t module);

@@ -213,7 +213,7 @@ void Checker::repeat_places(const Stmt& stmt, const Word& times) {
         return;
     }
     const std::size_t errors = sink_.errors;
-    emit_words(words, stmt.expression[0], stmt.range, stmt.skip, custom::kRepeats);
+    emit_words(words, behind_words(stmt), stmt.range, stmt.skip, custom::kRepeats);
     for (int i = 1; i < static_cast<int>(times.number) && errors == sink_.errors; ++i)
         emit_words(place, {}, stmt.range, stmt.skip, custom::kRepeats);
 }

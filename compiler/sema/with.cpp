@@ -111,6 +111,10 @@ void Checker::frame_call(ExprId id) {
     const std::string_view name =
         callee.kind == ExprKind::Name ? text(callee.text) : std::string_view();
     const auto change = frame_change(name);
+    if (expr.kind == ExprKind::Call && name == "tcp") {
+        tcp_call(expr);
+        return;
+    }
     if (expr.kind == ExprKind::Call && !change) {
         if (const nc::FunctionInfo* function = modal_function(name)) {
             call_vocabulary(*function, expr);
@@ -162,6 +166,7 @@ ModalMask Checker::with_mask(const Stmt& stmt) {
         if (expr.kind != ExprKind::Call || ast()[expr.child[0]].kind != ExprKind::Name) continue;
         const std::string_view name = text(ast()[expr.child[0]].text);
         if (frame_change(name)) mask |= kFrameBit;
+        else if (name == "tcp") mask |= group_bit(nc::Group::Transformation);
         else if (const nc::FunctionInfo* function = modal_function(name))
             mask |= group_bit(function->group);
     }

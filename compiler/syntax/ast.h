@@ -193,15 +193,15 @@ enum class StmtKind : std::uint8_t {
     Case,     // expressions: list of values (empty: default); statements: list
     Break,
     Continue,
-    Return,   // expression[0], may be invalid
-    Words,    // an NC block: words; expression[0]: a point given behind the words (`G1 p;`), may be
-              // invalid
-    With,     // words: list of modal words; expressions: list of frame calls; statement[0] body
-    Note,     // expression[0]: text of a comment in the output
-    Raw,      // expression[0]: text that goes through, may hold several lines
-    Units,    // text: "mm" or "inch"
-    Require,  // expression[0] condition; expression[1] text, may be invalid
-    Assert,   // as Require
+    Return,  // expression[0], may be invalid
+    Words,   // an NC block: words; expression: a point given behind the words (`G1 p;`) and how the
+             // tool stands (`orient(…)`), in whatever order; both may be invalid
+    With,    // words: list of modal words; expressions: list of frame calls; statement[0] body
+    Note,    // expression[0]: text of a comment in the output
+    Raw,     // expression[0]: text that goes through, may hold several lines
+    Units,   // text: "mm" or "inch"
+    Require,    // expression[0] condition; expression[1] text, may be invalid
+    Assert,     // as Require
     ErrorStmt,  // expression[0] text
     WarnStmt,   // expression[0] text
     Close,      // `close;` in a contour

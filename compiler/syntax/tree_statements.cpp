@@ -235,7 +235,8 @@ void TreeBuilder::words_statement(Stmt& stmt, KadrParser::WordsStatementContext&
     std::vector<Word> words;
     for (KadrParser::WordContext* one : context.word()) words.push_back(word(*one));
     stmt.words = list(words);
-    if (context.point() != nullptr) stmt.expression[0] = point(*context.point());
+    const std::vector<KadrParser::PointContext*> points = context.point();
+    for (std::size_t i = 0; i < points.size(); ++i) stmt.expression[i] = point(*points[i]);
 }
 
 void TreeBuilder::with_statement(Stmt& stmt, KadrParser::WithStatementContext& context) {

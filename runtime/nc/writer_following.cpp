@@ -150,6 +150,13 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
         case Function::WorkOffsetData:
         case Function::ToolSelect: modal_.position.forget(); break;
         case Function::LengthOffset: change_length(block); break;
+        case Function::TcpOn:
+        case Function::TcpOff: modal_.position.forget(); break;
+        case Function::TcpLength:
+        case Function::TcpVector:
+            std::erase_if(pending_, [](const Pending& p) { return p.deferred->axis >= 0; });
+            modal_.position.forget();
+            break;
         case Function::LengthCompOn:
         case Function::LengthCompOff:
             // Said by the program itself: nothing of the tool's own waits any longer.

@@ -87,7 +87,7 @@ void expect_limits(const machine::Machine& machine, const std::vector<path::Comm
 
 /// The machine that the text of an example tells to choose; else the mill.
 std::string machine_of(const std::string& text) {
-    for (const char* name : {"lathe", "laser", "scanner"}) {
+    for (const char* name : {"lathe", "laser", "scanner", "trunnion-ac"}) {
         if (text.find(std::string("-m ") + name) != std::string::npos) return name;
     }
     return "mill";

@@ -23,8 +23,8 @@ struct MadeControl {
     std::vector<std::string_view> cannot_say;
 };
 inline const std::vector<MadeControl> kMadeControls = {
-    {"haas", {"frames", "probe"}},
-    {"heidenhain-iso", {"housing", "cycle_tap", "frames", "probe"}},
+    {"haas", {"frames", "orientation", "probe"}},
+    {"heidenhain-iso", {"housing", "cycle_tap", "frames", "orientation", "probe"}},
 };
 
 /// A Kadr program and the machine that it is made for.
@@ -40,14 +40,20 @@ struct Part {
     }
 };
 
-/// Programs of a folder. A lathe part says `-m lathe` in its head comment.
+/// The machine that the head comment of a program runs it on: `-m lathe`, or with five axes.
+inline std::string machine_of(const std::string& text) {
+    for (const char* machine : {"lathe", "trunnion-ac"})
+        if (text.find(std::string("-m ") + machine) != std::string::npos) return machine;
+    return "mill";
+}
+
+/// Programs of a folder.
 inline std::vector<Part> parts_of(const fs::path& folder) {
     std::vector<Part> parts;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
         if (entry.path().extension() != ".kadr") continue;
         const std::string text = kadr::read_file(entry.path()).value_or("");
-        const bool is_lathe = text.find("-m lathe") != std::string::npos;
-        parts.push_back({entry.path(), is_lathe ? "lathe" : "mill"});
+        parts.push_back({entry.path(), machine_of(text)});
     }
     std::sort(parts.begin(), parts.end(),
               [](const Part& a, const Part& b) { return a.source < b.source; });

@@ -27,6 +27,23 @@ bool stands_still(const json& command, const std::vector<json>& before) {
     return last != before.rend() && (*last)["to"] == command["to"];
 }
 
+/// Behind the end of tool centre point control the same place has other numbers; a control to which
+/// that is a kind of tool length says it by a rapid along which no axis moves. With a table that
+/// has turned only A, C and the height can be held against each other.
+bool ends_tool_centre(const json& command, const std::vector<json>& before) {
+    if (command["op"] != "rapid" || command.contains("tool") || before.empty()) return false;
+    const json& last = before.back();
+    if (!last.contains("tool") || !last.contains("to")) return false;
+    const auto stays = [&](const char* axis) {
+        return std::fabs(command["to"].value(axis, 0.0) - last["to"].value(axis, 0.0)) < kRounding;
+    };
+    const auto radius = [](const json& to) {
+        return std::hypot(to.value("X", 0.0), to.value("Y", 0.0));
+    };
+    return stays("A") && stays("C") && stays("Z") &&
+           std::fabs(radius(command["to"]) - radius(last["to"])) < kRounding;
+}
+
 /// What the spindle does while the tool moves at rapid is the control's: only the last word before
 /// a cut counts. Behind rigid tapping one control stops it, another lets it turn with the tap's
 /// speed.
@@ -55,7 +72,7 @@ std::vector<json> commands_of(const Part& part, const std::string& dialect,
         command.erase("iso");   // another text has other line numbers
         command.erase("text");  // a control may know capital letters only
         command.erase("src");   // of a cycle: its call, or its own statements
-        if (stands_still(command, commands)) continue;
+        if (stands_still(command, commands) || ends_tool_centre(command, commands)) continue;
         commands.push_back(std::move(command));
     }
     join_spindle_words(commands);
@@ -282,7 +299,9 @@ TEST_P(SameMotion, OnControlsMadeByTheDocument) {
             std::find(missing.begin(), missing.end(), GetParam().name()) != missing.end();
         EXPECT_EQ(result.status != 0, is_missing) << result.err;
         if (result.status != 0) {
-            EXPECT_NE(result.err.find("K4201"), std::string::npos) << result.err;
+            const bool is_said = result.err.find("K4201") != std::string::npos ||
+                                 result.err.find("K3271") != std::string::npos;
+            EXPECT_TRUE(is_said) << result.err;
             continue;
         }
         if (has_spline) continue;

@@ -54,6 +54,15 @@ void expect_solution(const Chain& chain, const Solution& solution, const json& e
     EXPECT_LT((linear - test::xyz(expected)).norm(), 1e-5);
 }
 
+/// Of R2 of a machine of the oracles.
+Limits second_limits(const json& name) {
+    const json machines = test::oracle("kinematics.json")["machines"];
+    for (const json& machine : machines)
+        if (machine["name"] == name) return test::limits(machine["R2"]["limits"]);
+    ADD_FAILURE() << name;
+    return {};
+}
+
 TEST(Kinematics, InverseOracle) {
     test::for_each_case(
         "kinematics.json", "inverse", 63, [](const json& input, const json& expect) {
@@ -66,8 +75,13 @@ TEST(Kinematics, InverseOracle) {
             }
             const json& expected = expect["solutions_in_(-180,180]"];
             ASSERT_EQ(solutions->count, expected.size());
+            const Limits second = second_limits(input["machine"]);
             for (std::size_t i = 0; i < expected.size(); ++i) {
                 expect_solution(chain, (*solutions)[i], expected[i], input);
+                const double tilt = (*solutions)[i].rotary[kR2];
+                constexpr double kOnLimit = 1e-9;  // rad: some stand on it
+                EXPECT_EQ(second.lower - kOnLimit <= tilt && tilt <= second.upper + kOnLimit,
+                          expected[i]["R2_within_limits"].get<bool>());
                 EXPECT_EQ((*solutions)[i].is_pole, expected[i]["R1_free"].get<bool>());
                 EXPECT_EQ((*solutions)[i].is_pole, expect["singular"].get<bool>());
             }
@@ -142,6 +156,19 @@ TEST(Kinematics, ZeroPointOracle) {
         position.rotary[kR1] = test::rad(input["B"]);
         const Vec3 zero = {number(input["part_zero_X"]), 12.5, number(input["part_zero_Z"])};
         const Vec3 turned = inverse_linear(chain, zero, position, Vec3::Zero());
+        // By hand: from the axis of the table, as a radius and its angle from Z towards X.
+        const Vec3 before = zero - table.point;
+        const Vec3 behind = turned - table.point;
+        EXPECT_NEAR(before.x(), expect["dX"].get<double>(), 1e-9);
+        EXPECT_NEAR(before.z(), expect["dZ"].get<double>(), 1e-9);
+        EXPECT_NEAR(std::hypot(behind.x(), behind.z()), expect["R"].get<double>(), 1e-9);
+        const auto expect_angle = [](const Vec3& radius, const json& angle_deg) {
+            if (std::hypot(radius.x(), radius.z()) < 1e-9) return;  // on the axis there is none
+            EXPECT_LT(test::apart(std::atan2(radius.x(), radius.z()), test::rad(angle_deg)),
+                      rad_from_deg(1e-9));
+        };
+        expect_angle(before, expect["alpha_deg"]);
+        expect_angle(behind, expect["gamma_deg"]);
         EXPECT_NEAR(turned.x(), expect["new_X"].get<double>(), 1e-9);
         EXPECT_NEAR(turned.y(), 12.5, 1e-12);
         EXPECT_NEAR(turned.z(), expect["new_Z"].get<double>(), 1e-9);

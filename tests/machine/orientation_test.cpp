@@ -111,6 +111,7 @@ TEST(Orientation, GreatCircleOracle) {
     for_each_case("ORIVECT", 7, [](const json& in, const json& expect) {
         const auto arc = great_circle(unit(in["start"]), unit(in["end"]));
         if (expect.contains("outcome")) {
+            EXPECT_EQ(expect["reason"], "plane undefined");
             EXPECT_EQ(arc.error(), OrientationFault::Antiparallel);
             return;
         }

@@ -26,7 +26,10 @@ TEST(PathChoice, Oracle) {
         query.limits[kR2] = test::limits(input["limits_R2"]);
         const auto end = choose_path(chain, query);
         ASSERT_EQ(end.has_value(), expect["outcome"] == "ok");
-        if (!end) return;
+        if (!end) {
+            EXPECT_EQ(expect["reason"], "no reachable configuration");
+            return;
+        }
         EXPECT_EQ(end->mode, mode_of(expect["mode_used"]));
         EXPECT_EQ(end->configuration, expect["config"].get<int>());
         EXPECT_NEAR(end->rotary[kR1], test::rad(expect["R1_end"]), test::kAngleTolerance);

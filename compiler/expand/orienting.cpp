@@ -1,0 +1,342 @@
+// orienting.cpp — tool centre point control and the tool's direction, in the words that the target
+// has for them.
+//
+// Some controls switch it by functions of its own and take vectors under it (SINUMERIK, AxiOMA); to
+// others it is a kind of tool length compensation (FANUC's G43.5), inside of which they take
+// little. The language is the same for both: directions are those of the workpiece, and switching
+// moves no axis.
+#include <algorithm>
+#include <cmath>
+
+#include "base/diagnostics/expand.h"
+#include "base/numbers.h"
+#include "expand/numbers.h"
+#include "expand/state.h"
+#include "nc/tables.h"
+
+namespace kadr::expand {
+
+using nc::Block;
+using nc::Function;
+using nc::Group;
+using path::Vec3;
+using Tcp = ModalState::Tcp;
+
+namespace {
+
+/// Digits behind the point of a unit vector that hold a direction to 1e-7 rad, a tenth of what a
+/// millimetre is off at the end of a long tool.
+constexpr int kDirectionDigits = 7;
+
+/// Controls have nine digits.
+constexpr double kMostDigits = 1e9;
+
+/// Components of a unit vector that are nothing but rounding.
+constexpr double kRounding = 1e-12;
+
+constexpr AxisMask kRotary = bit(Axis::A) | bit(Axis::B) | bit(Axis::C);
+
+/// What ends or moves the system under tool centre point control, on every control.
+bool is_outside_tcp(Function function) {
+    switch (function) {
+        case Function::Tool:
+        case Function::ToolChange:
+        case Function::MachineCoordinates:
+        case Function::ReferencePoint:
+        case Function::ReferenceReturn:
+        case Function::Tilt:
+        case Function::TiltEuler:
+        case Function::TiltAlign:
+        case Function::TiltOff: return true;
+        default: return false;
+    }
+}
+
+/// … and what a control refuses besides to which it is a kind of tool length.
+///
+/// source       F 4.7: PS5421
+bool is_outside_length(Function function) {
+    switch (function) {
+        case Function::RadiusCompLeft:
+        case Function::RadiusCompRight:
+        case Function::WorkOffset:
+        case Function::WorkOffsetData:
+        case Function::Shift:
+        case Function::ShiftAdd:
+        case Function::Rotate:
+        case Function::RotateOff:
+        case Function::Scale:
+        case Function::ScaleOff:
+        case Function::Mirror:
+        case Function::MirrorOff:
+        case Function::SetPosition:
+        case Function::LengthCompOn:
+        case Function::LengthCompOff:
+        case Function::LengthOffset:
+        case Function::ToolEdge:
+        case Function::Probe:
+        case Function::Cycle: return true;
+        default: return false;
+    }
+}
+
+bool is_straight(Function motion) { return motion == Function::Rapid || motion == Function::Line; }
+
+bool names_rotary(const sema::Plan& plan) {
+    const auto is_rotary = [](std::size_t slot) {
+        return slot < kAxes && (kRotary >> slot & 1u) != 0;
+    };
+    return (plan.given & kRotary) != 0 ||
+           std::ranges::any_of(plan.fillings, [&](const sema::Filling& filling) {
+               return !filling.is_argument && is_rotary(filling.place);
+           });
+}
+
+/// Digits behind the point that the control writes of a direction.
+int digits_of(const nc::DialectTables& tables) {
+    for (const nc::FormId id : tables.forms_of[static_cast<std::size_t>(Function::ToolVector)]) {
+        const nc::Form& form = tables.forms[id];
+        if (!form.is_written) continue;
+        for (const nc::FormWord& word : form.words)
+            if (word.kind == nc::FormWord::Kind::Value)
+                return tables.addresses[word.address].format.decimals;
+    }
+    return kDirectionDigits;
+}
+
+/// The direction in numbers that the control writes without loss: as it was said if they are, else
+/// of a length that shows enough digits.
+Vec3 written(const Vec3& said, int digits) {
+    const double unit = std::pow(10.0, digits);
+    const auto is_whole = [&](double value) {
+        return round_to(value, digits) == value && std::fabs(value) * unit < kMostDigits;
+    };
+    if (is_whole(said.x()) && is_whole(said.y()) && is_whole(said.z())) return said;
+    Vec3 direction = said.normalized();
+    for (Eigen::Index i = 0; i < 3; ++i)
+        if (std::fabs(direction[i]) < kRounding) direction[i] = 0;
+    return direction * std::pow(10.0, std::max(0, kDirectionDigits - digits));
+}
+
+}  // namespace
+
+/// A block of nothing but one function; what is NaN is not given.
+void Expander::State::say_function(Function function, std::span<const double> arguments,
+                                   SourceId source, std::uint32_t at, unsigned depth) {
+    if (has_failed || is_block_limit(at)) return;
+    Block& block = next_block(source);
+    nc::Invocation* invocation = block.add(function, arguments.size());
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+        if (arguments[i] == arguments[i]) block.set_argument(*invocation, i, arguments[i]);
+    modal.take_functions(block);
+    if (options.trace) keep_trace(at, depth, source);
+}
+
+/// Tool centre point control, its ways and directions, and what must not stand under it. Nothing:
+/// the block is like any other.
+std::optional<bool> Expander::State::take_tool(const sema::Plan& plan,
+                                               const Instruction& instruction, std::uint32_t at) {
+    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    for (const nc::Invocation& invocation : plan.functions) {
+        const Function function = invocation.function;
+        switch (function) {
+            case Function::TcpOn: return begin_tcp(plan.functions, source, at, instruction.c);
+            case Function::TcpOff: return end_tcp(source, at, instruction.c);
+            case Function::TurnPlane:
+            case Function::TurnAxes:
+                if (target.can_write(function) || !target.can_write(Function::TcpVector)) break;
+                return choose_turning(function, source, at, instruction.c);
+            case Function::ToolVector:
+                if (!leads_tool(at)) return false;
+                break;
+            default: break;
+        }
+        const bool is_outside =
+            modal.tcp != Tcp::Off &&
+            (is_outside_tcp(function) || (modal.tcp == Tcp::Length && is_outside_length(function)));
+        if (is_outside) return refuse_under_tcp(nc::info(function).name, at);
+    }
+    if (modal.tcp == Tcp::Length && names_rotary(plan))
+        return refuse_under_tcp("a place of a rotary axis", at);
+    return std::nullopt;
+}
+
+/// Always false.
+bool Expander::State::refuse_under_tcp(std::string_view what, std::uint32_t at) {
+    DiagnosticBuilder builder = fault(diag::InsideTcp, at);
+    builder.arg(what).arg(target.name());
+    const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::Transformation)];
+    if (by.is_valid() && by.index < code.statements.size())
+        builder.note(code.statements[by.index], "it began here");
+    builder.fix("end it before: `tcp(off)`");
+    return false;
+}
+
+/// Why tool centre point control cannot begin here; empty: it can.
+std::string Expander::State::tcp_hindrance() const {
+    if (modal.tilt != ModalState::Tilt::None) return "inside of a tilted plane";
+    if (ModalState::compensates(modal[Group::RadiusComp]))
+        return "under cutter radius compensation";
+    if (target.can_write(Function::TcpOn)) return "";
+    // What follows is of controls to which it is a kind of tool length.
+    const ProgramFrame& frame = modal.frame;
+    if (frame.angle_deg != 0 || frame.has_scale() || frame.has_mirror())
+        return "inside of a rotation, a scale or a mirror";
+    if (!length_number())
+        return "without a tool, whose length " + std::string(target.name()) + " takes for it";
+    if (modal.is_turned)
+        return "where the rotary axes have turned: " + std::string(target.name()) +
+               " counts from how the table lies here, others from the place 0";
+    return "";
+}
+
+/// The number of the offset that has the tool's length.
+std::optional<double> Expander::State::length_number() const {
+    if (modal[Group::LengthComp] == Function::LengthCompOn && modal.has_length_offset)
+        return modal.length_offset;
+    if (modal.has_tool_in) return modal.tool_in;
+    return std::nullopt;
+}
+
+/// said         functions of the block; those beside TcpOn say ways and systems
+bool Expander::State::begin_tcp(std::span<const nc::Invocation> said, SourceId source,
+                                std::uint32_t at, unsigned depth) {
+    const bool is_lost = (modal.lost & sema::group_bit(Group::Transformation)) != 0;
+    if (modal.tcp != Tcp::Off && !is_lost) return true;
+    const bool has_own = target.can_write(Function::TcpOn);
+    if (!has_own && !target.can_write(Function::TcpVector)) {
+        fault(diag::TcpMissing, at).arg(target.name());
+        return false;
+    }
+    if (const std::string why = tcp_hindrance(); !why.empty()) {
+        DiagnosticBuilder builder = fault(diag::TcpBegin, at);
+        builder.arg(why);
+        if (modal.is_turned && !has_own)
+            builder.fix("bring the rotary axes to 0 before: `G0 A=0 C=0`");
+        return false;
+    }
+    Function turning = modal[Group::Turning];
+    for (const nc::Invocation& invocation : said)
+        if (nc::info(invocation.function).group == Group::Turning) turning = invocation.function;
+    if (has_own) {
+        say_function(Function::TcpOn, {}, source, at, depth);
+        for (const nc::Invocation& invocation : said) {
+            if (invocation.function != Function::TcpOn && target.can_write(invocation.function))
+                say_function(invocation.function, {}, source, at, depth);
+        }
+        modal.tcp = Tcp::Own;
+        return !has_failed;
+    }
+    modal.before_tcp = modal[Group::LengthComp];
+    modal.tcp_offset = *length_number();
+    modal.tcp = Tcp::Length;
+    modal.is_leaning = false;
+    modal.active[static_cast<std::size_t>(Group::Transformation)] = Function::TcpOn;
+    modal.changed_by[static_cast<std::size_t>(Group::Transformation)] = source;
+    modal.lost &= ~sema::group_bit(Group::Transformation);
+    return choose_turning(turning, source, at, depth);
+}
+
+/// Great circles or the rotary axes in proportion, on a control that says so with the length.
+bool Expander::State::choose_turning(Function turning, SourceId source, std::uint32_t at,
+                                     unsigned depth) {
+    modal.active[static_cast<std::size_t>(Group::Turning)] = turning;
+    if (modal.tcp != Tcp::Length) return true;
+    const double plane = turning == Function::TurnAxes ? 0 : 1;
+    say_function(Function::TcpVector, std::array{modal.tcp_offset, plane}, source, at, depth);
+    return !has_failed;
+}
+
+/// No axis moves. A control to which it is a kind of tool length goes over to the plain length: to
+/// end it alone would travel the length towards the part.
+bool Expander::State::end_tcp(SourceId source, std::uint32_t at, unsigned depth) {
+    if (modal.tcp != Tcp::Length) {
+        modal.tcp = Tcp::Off;
+        if (target.can_write(Function::TcpOff))
+            say_function(Function::TcpOff, {}, source, at, depth);
+        return !has_failed;
+    }
+    if (modal.is_leaning) {
+        fault(diag::TcpLeaning, at)
+            .arg(target.name())
+            .fix("let it stand along Z before: `orient(k: 1)`");
+        return false;
+    }
+    say_function(Function::LengthCompOn, std::array{modal.tcp_offset}, source, at, depth);
+    modal.tcp = Tcp::Off;
+    modal.active[static_cast<std::size_t>(Group::LengthComp)] = modal.before_tcp;
+    modal.active[static_cast<std::size_t>(Group::Transformation)] = Function::TcpOff;
+    modal.changed_by[static_cast<std::size_t>(Group::Transformation)] = source;
+    return !has_failed;
+}
+
+/// What a `with` found: on or off.
+bool Expander::State::set_back_tcp(const ModalState& before, SourceId source, std::uint32_t at,
+                                   unsigned depth) {
+    constexpr auto kGroup = static_cast<std::size_t>(Group::Transformation);
+    const bool is_same = before.active[kGroup] == modal.active[kGroup] && before.tcp == modal.tcp;
+    if (is_same) return true;
+    if (before.active[kGroup] == Function::None) {
+        fault(diag::StateUnknown, at).arg(nc::group_name(Group::Transformation));
+        return false;
+    }
+    return before.tcp == Tcp::Off ? end_tcp(source, at, depth) : begin_tcp({}, source, at, depth);
+}
+
+/// Whether a direction of the tool acts here; false: it was reported.
+bool Expander::State::leads_tool(std::uint32_t at) {
+    const bool is_lost = (modal.lost & sema::group_bit(Group::Transformation)) != 0;
+    if (is_lost)
+        return state_lost("whether tool centre point control acts", "say `tcp(on)` before it", at);
+    if (modal.tcp != Tcp::Off || modal[Group::LengthComp] == Function::TcpVector) return true;
+    fault(diag::OrientAlone, at).fix("say `tcp(on)` before it");
+    return false;
+}
+
+/// The direction that a block says, in numbers that the target writes. False: it was reported.
+bool Expander::State::settle_direction(Block& block, std::uint32_t at) {
+    const auto each = [&](const auto& act) {
+        for (std::size_t i = 0; i < block.function_count; ++i) {
+            nc::Invocation& part = block.functions[i];
+            const double component = block.argument(part, 0, -1);
+            if (part.function == Function::ToolVector && component >= 0 && component <= 2)
+                act(part, static_cast<Eigen::Index>(component));
+        }
+    };
+    Vec3 said = Vec3::Zero();
+    each([&](const nc::Invocation& part, Eigen::Index i) { said[i] = block.argument(part, 1); });
+    if (said.norm() < kRounding) {
+        fault(diag::OrientZero, at);
+        return false;
+    }
+    const Vec3 direction = written(said, digits_of(target.tables()));
+    each([&](nc::Invocation& part, Eigen::Index i) { block.set_argument(part, 1, direction[i]); });
+    const double aside = std::hypot(direction.x(), direction.y());
+    modal.is_leaning = !(direction.z() > 0) || aside > kRounding * direction.z();
+    modal.is_turned = true;
+    modal.known &= static_cast<AxisMask>(~kRotary);
+    if (modal.restate_motion && block.motion == Function::None) {
+        block.motion = modal[Group::Motion];
+        modal.restate_motion = false;
+    }
+    return true;
+}
+
+/// Whether the motion of a block may stand under tool centre point control; false: it was reported.
+bool Expander::State::may_lead(const Block& block, std::uint32_t at) {
+    const Function motion = modal[Group::Motion];
+    if (motion == Function::None || is_straight(motion)) return true;
+    const bool moves = (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0;
+    if (!moves && block.find(Function::ToolVector) != nullptr) {
+        fault(diag::OrientMotion, at).arg(nc::info(motion).name);
+        return false;
+    }
+    if (!moves || modal.tcp != Tcp::Length) return true;
+    fault(diag::TcpMotion, at)
+        .arg(nc::info(motion).name)
+        .arg(target.name())
+        .fix("lines within a tolerance: `follow(…, tolerance: 5um, arcs: false)` of a curve");
+    return false;
+}
+
+}  // namespace kadr::expand

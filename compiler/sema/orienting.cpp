@@ -1,0 +1,229 @@
+// orienting.cpp — how the tool stands: `orient(…)`, by itself and behind the words of a block, and
+// `tcp(on)`, under which it acts.
+//
+// Whatever the program says, a block gets the direction from the tip to the holder, which every
+// control with such words takes; angles are worked out here.
+#include <algorithm>
+#include <array>
+
+#include "base/diagnostics/expand.h"
+#include "base/diagnostics/sema.h"
+#include "sema/arithmetic.h"
+#include "sema/checker.h"
+
+namespace kadr::sema {
+
+using nc::Function;
+using syntax::Expr;
+using syntax::ExprId;
+using syntax::ExprKind;
+using syntax::Operator;
+
+namespace {
+
+/// What `orient` takes: the direction by its components, or turned about X by `a`, the new Y by
+/// `b`.
+constexpr std::array<std::string_view, 5> kOrientNames = {"i", "j", "k", "a", "b"};
+constexpr std::size_t kComponents = 3;
+
+}  // namespace
+
+/// Whether the expression is a call of `orient`, and of no function of the program.
+bool Checker::is_orient(ExprId id) {
+    if (!id.is_valid() || ast()[id].kind != ExprKind::Call) return false;
+    const Expr& callee = ast()[ast()[id].child[0]];
+    if (callee.kind != ExprKind::Name || text(callee.text) != "orient") return false;
+    const Found found = find("orient");
+    return found.symbol < 0 && found.name == nullptr;
+}
+
+/// One point and one `orient(…)`, in whatever order.
+Checker::Behind Checker::behind_words(const syntax::Stmt& stmt) {
+    Behind behind;
+    for (const ExprId id : stmt.expression) {
+        if (!id.is_valid()) continue;
+        const bool is_direction = is_orient(id);
+        ExprId& place = is_direction ? behind.orient : behind.point;
+        if (!place.is_valid()) {
+            place = id;
+            continue;
+        }
+        report(diag::BehindWordsTwice, ast()[id].range)
+            .arg(sources_.text(ast()[id].range))
+            .arg(is_direction ? "direction" : "point");
+    }
+    return behind;
+}
+
+/// The direction that a call of `orient` says, in the registers from `first`. False: it was
+/// reported.
+bool Checker::direction(const Expr& expr, Reg first) {
+    const auto bound = bind_arguments(expr, "orient", kOrientNames, {});
+    if (!bound) return false;
+    const auto is_said = [&](std::size_t i) { return (*bound)[i].is_valid(); };
+    const bool by_parts = is_said(0) || is_said(1) || is_said(2);
+    const bool by_angles = is_said(3) || is_said(4);
+    if (by_parts == by_angles) {
+        report(diag::OrientArguments, expr.range)
+            .arg(by_parts ? "components and angles" : "no direction")
+            .fix(
+                "say the direction from the tip to the holder, `orient(i: 0.5, k: 1)`, or its "
+                "angles, `orient(b: 30deg)`");
+        return false;
+    }
+    const Reg mark = emit_.mark();
+    const bool is_good = by_parts ? direction_of_parts(*bound, first)
+                                  : direction_of_angles(*bound, expr.range, first);
+    emit_.release_to(mark);
+    return is_good;
+}
+
+/// Numbers or lengths of any size; what is not said is 0.
+bool Checker::direction_of_parts(std::span<const ExprId> bound, Reg first) {
+    for (std::size_t i = 0; i < kComponents; ++i) {
+        const auto reg = static_cast<Reg>(first + i);
+        if (!bound[i].is_valid()) {
+            emit_.emit_number(Op::LoadF, reg, 0, 0);
+            continue;
+        }
+        const std::optional<Value> argument = numeric_argument(bound[i], "orient");
+        if (!argument) return false;
+        const Value value = to_real(*argument);
+        const TypeInfo& info = type_info(value.type);
+        const bool is_component =
+            info.kind == Kind::Real && (info.quantity.is_number() || info.quantity == kLength);
+        if (!is_component) {
+            report(diag::DimensionMismatch, ast()[bound[i]].range)
+                .arg(kOrientNames[i])
+                .arg("number")
+                .arg(type_name(value.type));
+            return false;
+        }
+        copy_value(value, reg);
+    }
+    return true;
+}
+
+/// Where Z comes to, turned about X by a, then about the new Y by b: as Z of a tilted plane.
+///
+/// source  Rx(a)·Ry(b)·z = (sin b, −sin a·cos b, cos a·cos b)
+bool Checker::direction_of_angles(std::span<const ExprId> bound, const SourceRange& range,
+                                  Reg first) {
+    std::array<Value, 2> sines;
+    std::array<Value, 2> cosines;
+    const auto figure = [&](Op op, const Value& angle) {
+        if (angle.is_constant()) {
+            const double number = angle.constant.number;
+            return constant_number(op == Op::SinDeg ? sin_deg(number) : cos_deg(number),
+                                   types::kReal);
+        }
+        const Reg reg = emit_.take(1);
+        emit_.emit(op, reg, angle.reg);
+        return in_registers(types::kReal, reg);
+    };
+    for (std::size_t i = 0; i < 2; ++i) {
+        const ExprId id = bound[kComponents + i];
+        Value angle = constant_number(0, types::kAngleType);
+        if (id.is_valid()) {
+            const std::optional<Value> argument = numeric_argument(id, "orient");
+            if (!argument) return false;
+            angle = convert(*argument, types::kAngleType, ast()[id].range,
+                            kOrientNames[kComponents + i]);
+            if (is_error(angle)) return false;
+        }
+        sines[i] = figure(Op::SinDeg, angle);
+        cosines[i] = figure(Op::CosDeg, angle);
+    }
+    const auto times = [&](const Value& a, const Value& b) {
+        return emit_reals(Operator::Multiply, a, b, types::kReal, kNoReg, range);
+    };
+    copy_value(sines[1], first);
+    copy_value(times(times(sines[0], constant_number(-1, types::kReal)), cosines[1]),
+               static_cast<Reg>(first + 1));
+    copy_value(times(cosines[0], cosines[1]), static_cast<Reg>(first + 2));
+    return true;
+}
+
+/// Adds the components to a plan; their values stand in registers behind those of its fillings.
+/// False: it was reported.
+bool Checker::add_direction(Plan& plan, const SourceRange& range) {
+    const bool has_room =
+        plan.functions.size() + kComponents <= nc::kMaxInvocations &&
+        std::size_t{plan.argument_count} + 2 * kComponents <= nc::kMaxArguments &&
+        std::ranges::none_of(plan.functions, [](const nc::Invocation& said) {
+            return said.function == Function::Cycle || said.function == Function::ToolVector;
+        });
+    if (!has_room) {
+        report(diag::OrientBlock, range);
+        return false;
+    }
+    plan.customs |= custom::kDirection;
+    for (std::size_t i = 0; i < kComponents; ++i) {
+        nc::Invocation invocation;
+        invocation.function = Function::ToolVector;
+        invocation.first = plan.argument_count;
+        invocation.given = 1;
+        plan.arguments.emplace_back(plan.argument_count, static_cast<double>(i));
+        Filling filling;
+        filling.is_argument = true;
+        filling.place = static_cast<std::uint8_t>(plan.argument_count + 1);
+        filling.invocation = static_cast<std::uint8_t>(plan.functions.size());
+        filling.parameter = 1;
+        plan.fillings.push_back(filling);
+        plan.functions.push_back(invocation);
+        plan.argument_count = static_cast<std::uint8_t>(plan.argument_count + 2);
+    }
+    return true;
+}
+
+/// `orient(…);`: the tool turns while its tip stands.
+Value Checker::orient_call(const Expr& expr) {
+    const Reg mark = emit_.mark();
+    const Reg first = emit_.take(kComponents);
+    emit_.set_place(expr.range);
+    if (direction(expr, first)) {
+        Plan plan;
+        emit_.set_place(expr.range);
+        if (add_direction(plan, expr.range)) emit_plan(std::move(plan), first, 0, expr.range);
+    }
+    emit_.release_to(mark);
+    return in_registers(types::kVoid, 0);
+}
+
+/// `tcp(on)`: with the ways and the system that hold where nothing else is said, so that every
+/// control begins alike. `tcp(off)`.
+Value Checker::tcp_call(const Expr& expr) {
+    const auto items = ast().exprs(expr.list);
+    std::string_view word;
+    if (items.size() == 1) {
+        const Expr& item = ast()[items[0]];
+        const bool is_named = item.kind == ExprKind::Argument && !item.text.is_empty();
+        const Expr& value = item.kind == ExprKind::Argument ? ast()[item.child[0]] : item;
+        if (!is_named && value.kind == ExprKind::Name) word = text(value.text);
+    }
+    if (word != "on" && word != "off") {
+        report(diag::TcpArgument, expr.range).fix("`tcp(on)` or `tcp(off)`");
+        return in_registers(types::kVoid, 0);
+    }
+    Plan plan;
+    const auto add = [&](Function function) {
+        nc::Invocation invocation;
+        invocation.function = function;
+        plan.functions.push_back(invocation);
+    };
+    if (word == "off") {
+        add(Function::TcpOff);
+    } else {
+        add(Function::TcpOn);
+        add(Function::OrientInWork);
+        add(Function::TurnPlane);
+    }
+    const Reg mark = emit_.mark();
+    const Reg first = emit_.take(1);
+    emit_.set_place(expr.range);
+    emit_plan(std::move(plan), first, 0, expr.range);
+    emit_.release_to(mark);
+    return in_registers(types::kVoid, 0);
+}
+
+}  // namespace kadr::sema
