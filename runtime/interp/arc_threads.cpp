@@ -8,6 +8,7 @@
 
 #include "base/diagnostics/iso.h"
 #include "interp/executor.h"
+#include "interp/linear.h"
 
 namespace kadr::interp {
 
@@ -20,8 +21,6 @@ using path::Op;
 using path::Vec3;
 
 namespace {
-
-Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
 
 /// How far the lines may leave the arc, mm: half of what a control rounds to.
 constexpr double kSagitta = 0.0005;

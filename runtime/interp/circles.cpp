@@ -8,6 +8,7 @@
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
 #include "interp/executor.h"
+#include "interp/linear.h"
 
 namespace kadr::interp {
 
@@ -20,8 +21,6 @@ using path::Vec3;
 using std::numbers::pi;
 
 namespace {
-
-Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
 
 /// Opening angles below this are none, deg: a thousandth of the finest increment of angles.
 constexpr double kLeastOpening = 1e-6;

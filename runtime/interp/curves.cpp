@@ -5,6 +5,7 @@
 #include "base/diagnostics/machine.h"
 #include "base/units.h"
 #include "interp/executor.h"
+#include "interp/linear.h"
 #include "path/contour.h"
 #include "path/curve.h"
 #include "path/curve_registry.h"
@@ -20,10 +21,6 @@ using path::Op;
 using path::Vec3;
 
 namespace {
-
-constexpr AxisMask kXyz = bit(Axis::X) | bit(Axis::Y) | bit(Axis::Z);
-
-Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
 
 /// As the seam says them: canonical units.
 double canonical(double value, nc::Dimension dimension) {
@@ -104,7 +101,7 @@ void Executor::move_along_curve(const Block& block, const nc::Invocation& call) 
     if (!check_feed(block, "curve")) return;
     leave_corners(diag::CornerNotContour);
     if (ended_) return;
-    if (tool_.has_changed) activate_length(block, kXyz);
+    if (tool_.has_changed) activate_length(block, kLinearXYZ);
     const Vec3 start = linear(position_.base);
     const path::Parametric curve = path::make_parametric(start, path::end_of(shape, start), shape);
     if (!(curve.length > path::kSamePoint)) return refuse("it has no length");

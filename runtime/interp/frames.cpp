@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "base/assert.h"
+#include "interp/linear.h"
 
 namespace kadr::interp {
 
@@ -17,8 +18,6 @@ namespace {
 /// More steps than this come only from a loop that adds frames; controls that do so can delete
 /// nothing but the whole, so the oldest two may become one.
 constexpr std::size_t kMaxSteps = 64;
-
-Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
 
 Vec3 vector_of(const FrameWords& words) {
     return {words.values[0], words.values[1], words.values[2]};

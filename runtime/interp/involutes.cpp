@@ -7,6 +7,7 @@
 #include "base/numbers.h"
 #include "base/units.h"
 #include "interp/executor.h"
+#include "interp/linear.h"
 #include "path/curve.h"
 
 namespace kadr::interp {
@@ -17,12 +18,6 @@ using nc::Slot;
 using nc::SlotMask;
 using path::InvoluteFault;
 using path::Vec3;
-
-namespace {
-
-Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
-
-}  // namespace
 
 void Executor::involute(const Block& block, const Target& programmed, bool exact_stop) {
     if (!check_feed(block, "involute")) return;

@@ -7,6 +7,7 @@
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
 #include "interp/executor.h"
+#include "interp/linear.h"
 #include "machine/kinematics.h"
 
 namespace kadr::interp {
@@ -18,8 +19,6 @@ using nc::SlotMask;
 using path::Vec3;
 
 namespace {
-
-Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
 
 /// The joints of one side of the machine; those of the other stand at 0.
 Vec3 joints_on(const Chain& chain, machine::Side side, const Vec3& joints) {

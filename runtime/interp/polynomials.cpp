@@ -14,6 +14,7 @@
 
 #include "base/diagnostics/iso.h"
 #include "interp/executor.h"
+#include "interp/linear.h"
 #include "path/curve.h"
 
 namespace kadr::interp {
@@ -28,7 +29,7 @@ using path::Vec3;
 
 namespace {
 
-constexpr AxisMask kXyz = bit(Axis::X) | bit(Axis::Y) | bit(Axis::Z);
+constexpr AxisMask kLinearXYZ = bit(Axis::X) | bit(Axis::Y) | bit(Axis::Z);
 constexpr std::size_t kMostDegree = 5;
 
 /// One more: a line times a denominator of the highest degree.
@@ -44,8 +45,6 @@ constexpr int kMostCuts = 16;
 /// What an axis that follows may be off, mm or deg: an increment of most controls.
 constexpr double kFollowed = 1e-3;
 constexpr int kMostFollowedCuts = 10;
-
-Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
 
 /// The terms from `begin`, through `end`, with the coefficients from the second on as the
 /// invocation has them behind parameter `first`.
@@ -238,7 +237,7 @@ std::optional<Target> Executor::end_of_polynomials(const Block& block) {
         places.set(slot, block.argument(*own, 1));
     }
     const SlotMask targets = places.given & nc::kTargetSlots;
-    if (const SlotMask others = targets & ~SlotMask{kXyz}; others != 0 && is_transformed()) {
+    if (const SlotMask others = targets & ~SlotMask{kLinearXYZ}; others != 0 && is_transformed()) {
         const auto other = static_cast<Slot>(std::countr_zero(others));
         report(diag::PolynomialBeside, block, other).arg(nc::slot_name(other));
         return std::nullopt;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/units.h"
+#include "interp/linear.h"
 #include "path/arc.h"
 
 namespace kadr::interp {
@@ -12,12 +13,6 @@ namespace kadr::interp {
 using path::FeedMode;
 using path::Op;
 using path::Vec3;
-
-namespace {
-
-Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
-
-}  // namespace
 
 /// The axes stand, and their place gets the coordinates of the next motion.
 void RunClock::follow_virtual(const path::VirtualAxes& axes) {

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "interp/linear.h"
 #include "interp/space_compensation.h"
 
 namespace kadr::interp {
@@ -13,12 +14,6 @@ namespace kadr::interp {
 inline constexpr double kSmooth = 1e-7;
 // Ways shorter than this are none: rounding of frames, mm.
 inline constexpr double kStill = 1e-9;
-
-inline path::Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
-
-inline void set_linear(AxisValues& values, const path::Vec3& at) {
-    for (std::size_t i = 0; i < 3; ++i) values[i] = at[static_cast<Eigen::Index>(i)];
-}
 
 inline bool is_same_place(const AxisValues& a, const AxisValues& b) {
     for (std::size_t i = 0; i < kAxes; ++i) {

@@ -5,6 +5,7 @@
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "interp/executor.h"
+#include "interp/linear.h"
 #include "path/curve.h"
 
 namespace kadr::interp {
@@ -19,12 +20,8 @@ using path::Vec3;
 
 namespace {
 
-constexpr AxisMask kXyz = bit(Axis::X) | bit(Axis::Y) | bit(Axis::Z);
-
 /// The first pole of a spline by knots is where the tool is, as far as texts can say it, mm.
 constexpr double kSamePlace = 0.002;
-
-Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
 
 bool is_spline_word(Function function) {
     return function == Function::SplineDegree || function == Function::SplineWeight ||
@@ -82,7 +79,7 @@ void Executor::set_spline_degree(const Block& block, const nc::Invocation& invoc
 void Executor::spline(const Block& block) {
     const SlotMask targets = block.given & nc::kTargetSlots;
     const std::optional<double> knot = word(block, Function::SplineKnot);
-    const SlotMask others = targets & ~SlotMask{kXyz};
+    const SlotMask others = targets & ~SlotMask{kLinearXYZ};
     const bool leads_others = !is_transformed() && !knot && !(spline_ && spline_->is_by_knots());
     if (others != 0 && !leads_others) {
         const auto other = static_cast<nc::Slot>(std::countr_zero(others));
@@ -114,7 +111,7 @@ bool Executor::start_spline(const Block& block, bool by_knots) {
         return false;
     }
     if (!check_feed(block, "spline")) return false;
-    if (tool_.has_changed) activate_length(block, kXyz);
+    if (tool_.has_changed) activate_length(block, kLinearXYZ);
     spline_.emplace(spline_degree_, by_knots);
     if (!by_knots)
         spline_->add_pole(linear(position_.base), 1, {block.line, block.source, 0, position_.base});
@@ -133,7 +130,7 @@ bool Executor::add_pole(const Block& block, SlotMask targets) {
     const Target target = target_of(block, targets);
     const Vec3 pole = linear(target.base);
     // Poles of X, Y and Z may lie where the axes never go; those of the others are held to theirs.
-    if (!check_limits(block, target.base, static_cast<AxisMask>(target.moved & ~kXyz)))
+    if (!check_limits(block, target.base, static_cast<AxisMask>(target.moved & ~kLinearXYZ)))
         return false;
     const bool is_start = spline_->poles() == 0;
     if (is_start && (pole - linear(position_.base)).norm() > kSamePlace) {

@@ -22,6 +22,9 @@ struct Modal {
     nc::Function blend = nc::Function::None;  // how corners are rounded
     bool has_feed = false;
     double feed = 0;  // unit of the feed mode
+
+    /// Sets what a member of a modal group says; false if the function is no such member.
+    bool set(nc::Function function);
 };
 
 /// Where the tool tip stands. Lengths mm, angles deg; X of a lathe is a radius here.

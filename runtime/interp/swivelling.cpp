@@ -11,6 +11,7 @@
 #include "base/numbers.h"
 #include "base/units.h"
 #include "interp/executor.h"
+#include "interp/linear.h"
 #include "machine/tilted_plane.h"
 
 namespace kadr::interp {
@@ -45,8 +46,6 @@ Vec3 three(const Block& block, const Invocation& invocation, std::size_t first) 
     return {block.argument(invocation, first), block.argument(invocation, first + 1),
             block.argument(invocation, first + 2)};
 }
-
-Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
 
 /// A digit of a decimal number, the units being the first.
 int digit(double number, int place) {

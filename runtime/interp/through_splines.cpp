@@ -9,6 +9,7 @@
 
 #include "base/diagnostics/iso.h"
 #include "interp/executor.h"
+#include "interp/linear.h"
 #include "path/curve.h"
 
 namespace kadr::interp {
@@ -21,10 +22,6 @@ using path::SplineEnd;
 using path::Vec3;
 
 namespace {
-
-constexpr AxisMask kXyz = bit(Axis::X) | bit(Axis::Y) | bit(Axis::Z);
-
-Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
 
 /// Direction of a way, if it is one.
 std::optional<Vec3> direction_of(const Vec3& way) {
@@ -57,7 +54,7 @@ bool Executor::continues_through(const Block& block) const {
 
 /// A block with a position under such a function.
 void Executor::go_through(const Block& block, SlotMask targets) {
-    const SlotMask others = targets & ~SlotMask{kXyz};
+    const SlotMask others = targets & ~SlotMask{kLinearXYZ};
     const auto refuse_others = [&] {
         const auto other = static_cast<Slot>(std::countr_zero(others));
         report(diag::SplineAxis, block, other).arg(nc::slot_name(other));
@@ -95,7 +92,7 @@ bool Executor::start_through(const Block& block) {
         }
         start.tangent = *direction;
     }
-    if (tool_.has_changed) activate_length(block, kXyz);
+    if (tool_.has_changed) activate_length(block, kLinearXYZ);
     const bool is_akima = modal_.motion == Function::AkimaSpline;
     const auto kind = is_akima ? path::ThroughKind::Akima : path::ThroughKind::CubicSpline;
     through_.emplace(

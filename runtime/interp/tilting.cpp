@@ -14,6 +14,7 @@
 #include "base/numbers.h"
 #include "base/units.h"
 #include "interp/executor.h"
+#include "interp/linear.h"
 #include "machine/orientation.h"
 #include "machine/tilted_plane.h"
 
@@ -37,8 +38,6 @@ constexpr double kSameLength = 1e-9;
 
 /// How far the two vectors of a plane may be from a right angle; F No.11220 (unsure).
 constexpr double kSquareTolerance = rad_from_deg(5);
-
-Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
 
 /// Three parameters that stand beside each other; what is not given is 0.
 Vec3 three(const Block& block, const Invocation& invocation, std::size_t first) {

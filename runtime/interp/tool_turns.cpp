@@ -14,6 +14,7 @@
 #include "base/numbers.h"
 #include "base/units.h"
 #include "interp/executor.h"
+#include "interp/linear.h"
 #include "machine/following.h"
 #include "machine/orientation.h"
 
@@ -38,8 +39,6 @@ constexpr double kSameStart = 1e-9;
 constexpr double kOnCone = 0.1 * std::numbers::pi / 180;
 
 std::string degrees(double angle) { return format_shortest(round_to(deg_from_rad(angle), 4)); }
-
-Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
 
 std::string_view words_of(machine::CandidateFault fault) {
     using machine::CandidateFault;

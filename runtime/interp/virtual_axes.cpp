@@ -14,6 +14,7 @@
 #include "base/numbers.h"
 #include "base/units.h"
 #include "interp/executor.h"
+#include "interp/linear.h"
 #include "path/curve_of.h"
 #include "path/face_poles.h"
 
@@ -37,12 +38,6 @@ constexpr double kBeside = 0.0005;
 constexpr double kAtZero = 0.0005;
 /// Turning by less at the pole is rounding, rad.
 constexpr double kSameTurn = 1e-6;
-
-Vec3 linear(const AxisValues& values) { return {values[0], values[1], values[2]}; }
-
-void set_linear(AxisValues& values, const Vec3& place) {
-    for (std::size_t i = 0; i < 3; ++i) values[i] = place[static_cast<Eigen::Index>(i)];
-}
 
 /// Linear axis along which a rotary one turns.
 Axis axis_along(Axis rotary) {

@@ -1,0 +1,303 @@
+// arcs.cpp — arcs as the words of a block say them, and as the frame makes them.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include <Eigen/Geometry>
+
+#include "base/diagnostics/iso.h"
+#include "base/numbers.h"
+#include "interp/block_words.h"
+#include "interp/executor.h"
+#include "interp/linear.h"
+#include "path/helix.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Slot;
+using nc::SlotMask;
+using path::Command;
+using path::FeedMode;
+using path::Op;
+using path::Vec3;
+
+namespace {
+
+/// How much longer the way of a helix is than the arc that it is over.
+double length_by_arc(const path::Arc& arc) {
+    const double height = arc.normal.dot(arc.end - arc.start);
+    const Vec3 to = arc.end - arc.center - height * arc.normal;
+    const double radius = ((arc.start - arc.center).norm() + to.norm()) / 2;
+    return std::hypot(radius * arc.sweep, height) / (radius * arc.sweep);
+}
+
+}  // namespace
+
+void Executor::arc(const Block& block, const Target& target, bool exact_stop) {
+    if (!check_feed(block, "arc")) return;
+    if (frames_.is_stretched(modal_.plane)) return stretched_arc(block, target, exact_stop);
+    const bool has_opening = block.has(Slot::Opening);
+    const bool has_form = (block.given & (nc::kCenterSlots | bit(Slot::Radius))) != 0;
+    if (!has_form && !has_opening && rules_.arc_without_center == ArcWithoutCenter::Line) {
+        return line(block, target, Op::Line, exact_stop);
+    }
+    if (tool_.has_changed) activate_length(block, target.moved);
+    if (const SlotMask through = block.given & nc::kThroughSlots; through != 0) {
+        report_arc_words(block, through);
+        return;
+    }
+    Target end = target;
+    const std::optional<path::Arc> resolved =
+        has_opening ? arc_by_opening(block, end) : resolve_arc(block, target);
+    if (resolved) put_arc(block, *resolved, end, exact_stop);
+}
+
+/// An arc of the programmed system becomes one of the base system, and a command. A frame that
+/// mirrors turns the arc round, which the product of two directions across its axis shows.
+void Executor::put_arc(const Block& block, const path::Arc& programmed, const Target& target,
+                       bool exact_stop) {
+    const path::PlaneAxes plane = path::axes_of(modal_.plane);
+    const Vec3 third = path::unit(plane.normal);
+    const path::Frame& frame = frames_.total();
+    const double side = programmed.normal.dot(third);
+    const bool is_tilted = std::abs(side) < 1 - 1e-12;
+    const Vec3 first = is_tilted ? programmed.normal.unitOrthogonal() : path::unit(plane.first);
+    const Vec3 second =
+        is_tilted ? Vec3(programmed.normal.cross(first)) : Vec3(side * path::unit(plane.second));
+    const path::Arc arc{linear(position_.base), linear(target.base), frame(programmed.center),
+                        frame.direction(first).cross(frame.direction(second)).normalized(),
+                        programmed.sweep};
+    put_base_arc(block, arc, target, exact_stop);
+}
+
+/// Under unequal factors: an arc by its radius between the scaled ends, where the control makes
+/// one.
+void Executor::stretched_arc(const Block& block, const Target& target, bool exact_stop) {
+    const SlotMask thirds = bit(nc::slot_of(path::axes_of(modal_.plane).normal));
+    const bool is_helix = !block.has(Slot::Radius) && (block.given & thirds) != 0;
+    if (!rules_.arc_radius_scaled_by_larger || frames_.is_tilted(modal_.plane) || is_helix) {
+        report(diag::ArcStretched, block, modal_.motion);
+        return;
+    }
+    if (!block.has(Slot::Radius)) return stretched_arc_about_center(block, target, exact_stop);
+    const std::optional<int> turns = turns_of(block);
+    if (!turns) return;
+    if (tool_.has_changed) activate_length(block, target.moved);
+    const path::ArcEnds ends{linear(position_.base), linear(target.base)};
+    const bool is_cw = (modal_.motion == Function::ArcCw) != frames_.is_mirrored(modal_.plane);
+    const Result<path::Arc, path::ArcFault> arc =
+        path::arc_of_radius(ends, block.at(Slot::Radius) * frames_.larger_factor(modal_.plane),
+                            {modal_.plane, is_cw, *turns});
+    if (!arc) return report_radius_arc(block, arc.error(), ends);
+    put_base_arc(block, *arc, target, exact_stop);
+}
+
+/// Centre and end are scaled each by its axis; the arc goes about the centre to the direction of
+/// the end, and a line to the end itself.
+void Executor::stretched_arc_about_center(const Block& block, const Target& target,
+                                          bool exact_stop) {
+    const std::optional<Vec3> programmed = center_of_arc(block, linear(position_.here));
+    if (!programmed) return;
+    const Vec3 third = path::unit(path::axes_of(modal_.plane).normal);
+    const Vec3 start = linear(position_.base);
+    Vec3 center = frames_.total()(*programmed);
+    center += (start - center).dot(third) * third;
+    const Vec3 out = start - center;
+    const Vec3 to_end = linear(target.base) - center;
+    const bool has_radius = out.norm() > path::kSamePoint && to_end.norm() > path::kSamePoint;
+    if (!has_radius) {
+        report(diag::ArcCenterMissing, block, modal_.motion);
+        return;
+    }
+    if (tool_.has_changed) activate_length(block, target.moved);
+    const bool is_cw = (modal_.motion == Function::ArcCw) != frames_.is_mirrored(modal_.plane);
+    const Vec3 normal = is_cw ? Vec3(-third) : third;
+    double sweep = std::atan2(normal.dot(out.cross(to_end)), out.dot(to_end));
+    if (sweep <= 0) sweep += 2 * std::numbers::pi;
+    const path::Arc arc{start, center + to_end.normalized() * out.norm(), center, normal, sweep};
+    Target turned = target;
+    for (std::size_t i = 0; i < 3; ++i) turned.base[i] = arc.end[static_cast<Eigen::Index>(i)];
+    turned.here = frames_.from_base(turned.base);
+    const bool is_on_arc = (arc.end - linear(target.base)).norm() < path::kSamePoint;
+    put_base_arc(block, arc, turned, exact_stop && is_on_arc);
+    if (!is_on_arc && !ended_) line(block, target, Op::Line, exact_stop);
+}
+
+/// An arc of the base system as a command.
+void Executor::put_base_arc(const Block& block, const path::Arc& arc, const Target& programmed,
+                            bool exact_stop) {
+    const Vec3 third = path::unit(path::axes_of(modal_.plane).normal);
+    Target target = programmed;
+    if (course_) {
+        const path::Curve way =
+            path::make_helix(arc.start, arc.end, arc.center, arc.normal, arc.sweep);
+        if (!lay_course(block, way, target)) return;
+    }
+    if (!check_arc_limits(block, arc, target)) return;
+
+    Command& command = put(Op::Arc, block);
+    command.to = target.base;
+    command.moved = target.moved;
+    command.exact_stop = exact_stop;
+    command.center = arc.center;
+    command.normal = arc.normal;
+    command.sweep = arc.sweep;
+    command.is_clockwise = arc.normal.dot(third) < 0;
+    command.turns = block.has(Slot::Turns) ? block.at(Slot::Turns) : 0;
+    command.feed = modal_.feed;
+    // F = feed/radius, and the length is radius · sweep: the time is sweep/F.
+    if (modal_.feed_mode == FeedMode::InverseTime && rules_.inverse_time_arc_by_radius) {
+        command.feed = modal_.feed / arc.sweep;
+    }
+    if (modal_.feed_mode != FeedMode::InverseTime && rules_.helix_feed_along_arc) {
+        command.feed *= length_by_arc(arc);
+    }
+    arrive(target);
+    came_from_ = arc.end - arc.normal.cross(arc.end - arc.center);
+}
+
+/// Where a centre stays, the block as if it had said it: an arc has the one that was said last, if
+/// it says no radius; words that stand beside no arc have done all that they do.
+const Block& Executor::with_center(const Block& block) {
+    if (!acts(block)) return block;
+    const SlotMask said = block.given & nc::kCenterSlots;
+    for (std::size_t i = 0; i < center_.size(); ++i) {
+        const Slot slot = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + i);
+        if ((said & bit(slot)) == 0) continue;
+        const double from = (block.absolute & bit(slot)) != 0 ? 0 : position_.here[i];
+        center_[i] = from + block.at(slot);
+    }
+    const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
+    const bool is_moved = (block.given & nc::kTargetSlots) != 0 || block.motion != Function::None;
+    const bool turns = is_arc(motion) && is_moved;
+    if (turns && block.has(Slot::Radius)) return block;
+    if (!turns && said == 0) return block;
+    centered_ = block;
+    centered_.given &= ~nc::kCenterSlots;
+    if (!turns) return centered_;
+    const path::PlaneAxes plane = path::axes_of(modal_.plane);
+    for (const Axis axis : {plane.first, plane.second}) {
+        const Slot slot = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + index(axis));
+        if (!center_[index(axis)]) continue;
+        centered_.set(slot, *center_[index(axis)]);
+        centered_.absolute |= bit(slot);
+    }
+    return centered_;
+}
+
+/// The programmed radius; half of the chord where the control forgives that it lacks so little.
+double Executor::radius_of(const Block& block, const path::ArcEnds& ends) const {
+    const double radius = block.at(Slot::Radius);
+    if (!rules_.arc_radius_may_fall_short) return radius;
+    const Vec3 way = ends.end - ends.start;
+    const Vec3 normal = path::unit(path::axes_of(modal_.plane).normal);
+    const double half = (way - normal * way.dot(normal)).norm() / 2;
+    const double size = std::abs(radius);
+    const double slack = std::max(rules_.arc_tolerance, rules_.arc_tolerance_factor * size);
+    return size < half && half - size <= slack ? std::copysign(half, radius) : radius;
+}
+
+/// The arc in the programmed system; nothing if it was reported, or if there is nothing to move.
+std::optional<path::Arc> Executor::resolve_arc(const Block& block, const Target& target) {
+    const bool has_center = (block.given & nc::kCenterSlots) != 0;
+    const std::optional<int> turns = turns_of(block);
+    if (!turns) return std::nullopt;
+    const path::ArcEnds ends{linear(position_.here), linear(target.here)};
+    const path::ArcTurning turning{modal_.plane, modal_.motion == Function::ArcCw, *turns};
+    if (block.has(Slot::Radius)) {
+        if (has_center && !rules_.arc_radius_wins) {
+            report(diag::ArcCenterAndRadius, block, Slot::Radius);
+            return std::nullopt;
+        }
+        const Result<path::Arc, path::ArcFault> arc =
+            path::arc_of_radius(ends, radius_of(block, ends), turning);
+        if (arc) return *arc;
+        report_radius_arc(block, arc.error(), ends);
+        return std::nullopt;
+    }
+    const std::optional<Vec3> center = center_of_arc(block, ends.start);
+    if (!center) return std::nullopt;
+    const path::ArcTolerance tolerance{rules_.arc_tolerance, rules_.arc_tolerance_factor,
+                                       rules_.arc_error == ArcError::ShiftCenter
+                                           ? path::RadiusError::ShiftCenter
+                                           : path::RadiusError::Spread};
+    const Result<path::Arc, path::ArcFault> arc =
+        path::arc_about_center(ends, *center, turning, tolerance);
+    if (arc) return *arc;
+    report_center_arc(block, arc.error(), ends, *center);
+    return std::nullopt;
+}
+
+/// Additional full turns; nothing if they were reported.
+std::optional<int> Executor::turns_of(const Block& block) {
+    const double turns = block.has(Slot::Turns) ? block.at(Slot::Turns) : 0;
+    if (turns == std::floor(turns) && turns >= 0 && turns <= path::kMaxTurns)
+        return static_cast<int>(turns);
+    report(diag::ArcTurnsInvalid, block, Slot::Turns).arg(turns);
+    return std::nullopt;
+}
+
+/// The centre that the words say, in the programmed system; nothing if it was reported.
+std::optional<Vec3> Executor::center_of_arc(const Block& block, const Vec3& start) {
+    const Slot across = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) +
+                                          index(path::axes_of(modal_.plane).normal));
+    if (block.has(across)) {
+        report(diag::ArcCenterOutsidePlane, block, across).arg(slot_word(across));
+        return std::nullopt;
+    }
+    Vec3 center = start;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Slot slot = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + i);
+        if (!block.has(slot)) continue;
+        double& value = center[static_cast<Eigen::Index>(i)];
+        value = (block.absolute & bit(slot)) != 0 ? block.at(slot) : value + block.at(slot);
+    }
+    return center;
+}
+
+void Executor::report_radius_arc(const Block& block, path::ArcFault fault,
+                                 const path::ArcEnds& ends) {
+    const Vec3 way = ends.end - ends.start;
+    if (fault == path::ArcFault::RadiusTooSmall) {
+        const double height = way.dot(path::unit(path::axes_of(modal_.plane).normal));
+        const double chord = std::sqrt(std::max(0.0, way.squaredNorm() - height * height));
+        report(diag::ArcRadiusTooSmall, block, Slot::Radius)
+            .arg(round_to(block.at(Slot::Radius), 6))
+            .arg(round_to(chord, 6));
+        return;
+    }
+    const bool moves = way.norm() > 0;  // along the axis of a helix
+    if (!moves && rules_.arc_radius_without_chord == ArcWithoutChord::NoMotion) return;
+    report(diag::ArcWithoutChord, block, Slot::Radius);
+}
+
+void Executor::report_center_arc(const Block& block, path::ArcFault fault,
+                                 const path::ArcEnds& ends, const Vec3& center) {
+    const SlotMask centers = block.given & nc::kCenterSlots;
+    if (fault == path::ArcFault::NoRadius) {
+        if (centers == 0) {
+            report(diag::ArcCenterMissing, block, block.motion);
+        } else {
+            report(diag::ArcCenterMissing, block, first_slot(centers));
+        }
+        return;
+    }
+    const Vec3 normal = path::unit(path::axes_of(modal_.plane).normal);
+    const Vec3 from = ends.start - center;
+    const Vec3 to = ends.end - center;
+    report(diag::ArcEndOffCircle, block, first_slot(centers))
+        .arg(round_to((from - from.dot(normal) * normal).norm(), 6))
+        .arg(round_to((to - to.dot(normal) * normal).norm(), 6));
+}
+
+void Executor::warn_arc_word(const Block& block, SlotMask words) {
+    const Slot slot = first_slot(words);
+    report(diag::ArcWordUnused, block, slot)
+        .arg(slot_word(slot))
+        .arg(modal_.motion == Function::Rapid ? "rapid" : "line");
+}
+
+}  // namespace kadr::interp

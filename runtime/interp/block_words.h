@@ -1,0 +1,63 @@
+// block_words.h — what several parts of the executor read out of the words of a block.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+
+#include "interp/frames.h"
+#include "nc/block.h"
+#include "path/command.h"
+
+namespace kadr::interp {
+
+/// The first parameter of a function, which counts or numbers something.
+inline std::int64_t count_of(const nc::Block& block, const nc::Invocation& invocation) {
+    return std::llround(block.argument(invocation, 0));
+}
+
+/// slots  not empty
+inline nc::Slot first_slot(nc::SlotMask slots) {
+    return static_cast<nc::Slot>(std::countr_zero(slots));
+}
+
+/// What a message calls the word of an arc, where all dialects have the same one.
+inline std::string_view slot_word(nc::Slot slot) {
+    switch (slot) {
+        case nc::Slot::CenterX: return "I";
+        case nc::Slot::CenterY: return "J";
+        case nc::Slot::CenterZ: return "K";
+        case nc::Slot::Radius: return "radius";
+        case nc::Slot::Turns: return "turns";
+        default: return nc::slot_name(slot);
+    }
+}
+
+inline bool is_running(path::SpindleMode mode) {
+    return mode == path::SpindleMode::Cw || mode == path::SpindleMode::Ccw;
+}
+
+inline bool is_involute(nc::Function motion) {
+    return motion == nc::Function::InvoluteCw || motion == nc::Function::InvoluteCcw;
+}
+
+/// Motions of which the words of an arc say something.
+inline bool is_circle(nc::Function motion) {
+    return is_arc(motion) || is_involute(motion) || motion == nc::Function::ArcThrough ||
+           motion == nc::Function::ArcTangent;
+}
+
+/// X, Y, Z of a frame function, from its parameter `first` on.
+///
+/// x_scale  0.5 where X is a diameter
+inline FrameWords frame_words(const nc::Block& block, const nc::Invocation& invocation,
+                              std::size_t first, double x_scale) {
+    FrameWords words;
+    for (std::size_t i = 0; i < 3; ++i) words.values[i] = block.argument(invocation, first + i);
+    words.values[0] *= x_scale;
+    words.given = invocation.given >> first & 0b111u;
+    return words;
+}
+
+}  // namespace kadr::interp

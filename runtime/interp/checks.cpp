@@ -1,0 +1,220 @@
+// checks.cpp — what a block needs before it moves, and how far the axes may go.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include "base/diagnostics/iso.h"
+#include "base/numbers.h"
+#include "interp/block_words.h"
+#include "interp/executor.h"
+#include "path/helix.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Slot;
+using nc::SlotMask;
+using path::FeedMode;
+using path::SpindleMode;
+using path::Vec3;
+
+namespace {
+
+/// Rounding of the text and of frames: an axis may stand this far behind its limit.
+constexpr double kLimitSlack = 1e-6;  // mm, deg
+
+}  // namespace
+
+bool Executor::check_axes(const Block& block, SlotMask targets) {
+    SlotMask missing = targets & ~SlotMask{axes_};
+    if (virtual_.axes.turns()) {
+        missing &= ~bit(nc::slot_of(virtual_.axes.virtual_axis()));
+        if (const Slot turning = nc::slot_of(virtual_.axes.rotary); (targets & bit(turning)) != 0) {
+            report(diag::VirtualRotary, block, turning).arg(nc::slot_name(turning));
+            return false;
+        }
+    }
+    if (missing == 0) return true;
+    const Slot slot = first_slot(missing);
+    report(diag::AxisMissing, block, slot).arg(kAxisNames[static_cast<std::size_t>(slot)]);
+    return false;
+}
+
+/// Between the code that gears the spindle and the tapping cycle no axis moves.
+bool Executor::check_rigid_tap(const Block& block, SlotMask targets) {
+    if (!taps_rigidly_ || targets == 0 || cycle_blocks_) return true;
+    if (block.find(Function::TapRigid) != nullptr) return true;
+    report(diag::TapMoveBefore, block, first_slot(targets));
+    return false;
+}
+
+bool Executor::check_feed(const Block& block, std::string_view what) {
+    if (!modal_.has_feed) {
+        report(diag::FeedMissing, block).arg(what);
+        return false;
+    }
+    if (!(modal_.feed > 0)) {
+        const double feed = modal_.feed;
+        (block.has(Slot::Feed) ? report(diag::FeedNotPositive, block, Slot::Feed)
+                               : report(diag::FeedNotPositive, block))
+            .arg(feed);
+        return false;
+    }
+    if (modal_.feed_mode == FeedMode::InverseTime && rules_.inverse_time_feed_in_every_block &&
+        !block.has(Slot::Feed)) {
+        report(diag::InverseTimeFeedMissing, block);
+        return false;
+    }
+    if (spindle_.mode == SpindleMode::Cw || spindle_.mode == SpindleMode::Ccw) {
+        check_tool(block);
+        return true;
+    }
+    if (modal_.feed_mode == FeedMode::PerRevolution) {
+        report(diag::RevolutionFeedStands, block);
+        return false;
+    }
+    // The beam of a scanner comes with its marks.
+    if (!warned_spindle_stopped_ && !is_scanning_) {
+        warned_spindle_stopped_ = true;
+        report(diag::FeedWithSpindleStopped, block);
+    }
+    return true;
+}
+
+/// A probe must not turn, so the spindle may stand; a feed per revolution would wait for ever then.
+bool Executor::check_probe(const Block& block) {
+    const bool turns = spindle_.mode == SpindleMode::Cw || spindle_.mode == SpindleMode::Ccw;
+    const bool has_feed = modal_.has_feed && modal_.feed > 0;
+    if (!turns && has_feed && modal_.feed_mode == FeedMode::PerMinute) return true;
+    return check_feed(block, "probing move");
+}
+
+/// A rapid that dives below the workpiece zero of a mill while the spindle stands. On a lathe, and
+/// in another plane, Z is not the way into the workpiece.
+void Executor::check_rapid(const Block& block, const Target& target) {
+    constexpr auto kZ = static_cast<std::size_t>(Axis::Z);
+    const bool stands = spindle_.mode == SpindleMode::Stop;
+    const bool dives = (target.moved >> kZ & 1u) != 0 && target.here[kZ] < 0 &&
+                       target.here[kZ] < position_.here[kZ];
+    const bool is_mill = word_scale_[0] == 1 && modal_.plane == path::Plane::Xy;
+    if (warned_rapid_ || !stands || !dives || !is_mill) return;
+    warned_rapid_ = true;
+    report(diag::RapidBelowPlane, block, Slot::Z).arg(round_to(target.here[kZ], 4));
+}
+
+/// A cut on a machine that changes tools, with whatever turns in the spindle.
+void Executor::check_tool(const Block& block) {
+    if (has_called_tool_ || !options_.asks_for_tool || machine_.tool_change_time == 0 ||
+        tool_.current != 0)
+        return;
+    has_called_tool_ = true;  // said once
+    report(diag::ToolNeverCalled, block);
+}
+
+void Executor::check_units(const Block& block, nc::Function units) {
+    const bool changes = units_ != nc::Function::None && units_ != units;
+    const std::string_view acts = comp_.side != nc::Function::RadiusCompOff
+                                      ? "cutter radius compensation"
+                                  : frames_.is_rotated() ? "a rotation"
+                                  : frames_.is_scaled()  ? "a scaling"
+                                                         : "";
+    if (changes && rules_.comp_is_innermost && !acts.empty()) {
+        report(diag::UnitsInside, block, units)
+            .arg(units == nc::Function::Inch ? "inches" : "millimetres")
+            .arg(acts);
+        return;
+    }
+    if (changes && has_moved_ && !warned_units_) {
+        warned_units_ = true;
+        const bool to_inch = units == nc::Function::Inch;
+        report(diag::UnitsMixed, block, units)
+            .arg(to_inch ? "millimetres" : "inches")
+            .arg(to_inch ? "inches" : "millimetres");
+    }
+    units_ = units;
+}
+
+bool Executor::check_limits(const Block& block, const AxisValues& base, AxisMask moved) {
+    // Where the axes go under a transformation is worked out along the way (motion/axis_check.h).
+    if (is_transformed()) return !area_.acts() || check_area(block, base, moved);
+    return check_machine_limits(block, base, moved) &&
+           (!area_.acts() || check_area(block, base, moved));
+}
+
+/// Whether the tip is inside of the working area that the program has set.
+bool Executor::check_area(const Block& block, const AxisValues& base, AxisMask moved) {
+    const AxisMask axes =
+        frames_.is_shift() ? moved : static_cast<AxisMask>(moved | (axes_ & kLinearXYZ));
+    const std::optional<WorkArea::Excess> excess = area_.excess(base, axes);
+    if (!excess) return true;
+    const Slot word = nc::slot_of(excess->axis);
+    (block.has(word) ? report(diag::AreaLeft, block, word) : report(diag::AreaLeft, block))
+        .arg(kAxisNames[index(excess->axis)])
+        .arg(round_to(excess->at, 6))
+        .arg(round_to(excess->limit, 6));
+    return false;
+}
+
+bool Executor::check_machine_limits(const Block& block, const AxisValues& base, AxisMask moved) {
+    const AxisMask axes =
+        frames_.is_shift() ? moved : static_cast<AxisMask>(moved | (axes_ & kLinearXYZ));
+    for (AxisMask rest = axes; rest != 0; rest = static_cast<AxisMask>(rest & (rest - 1))) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+        const double at = base[i] + length_shift_[i];
+        if (at < lower_[i] - kLimitSlack || at > upper_[i] + kLimitSlack) {
+            report_limit(block, static_cast<Axis>(i), at);
+            return false;
+        }
+    }
+    return true;
+}
+
+bool Executor::check_arc_limits(const Block& block, const path::Arc& arc, const Target& target) {
+    if (!check_limits(block, target.base, target.moved)) return false;
+    // Far from every limit, which is nearly always, the whole circle is the quick answer.
+    const path::ArcShape shape = path::shape_of(arc);
+    if (is_transformed()) return true;
+    const double reach = std::max(shape.start_radius, shape.end_radius) + std::abs(shape.height);
+    bool is_far = !area_.acts();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double center = arc.center[static_cast<Eigen::Index>(i)] + length_shift_[i];
+        is_far &= center - reach >= lower_[i] && center + reach <= upper_[i];
+    }
+    if (is_far) return true;
+    return check_box(block, path::bounds(path::make_helix(arc.start, arc.end, arc.center,
+                                                          arc.normal, arc.sweep)));
+}
+
+bool Executor::check_box(const Block& block, const path::Box& box) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto k = static_cast<Eigen::Index>(i);
+        for (const double edge : {box.lower[k], box.upper[k]}) {
+            const double at = edge + length_shift_[i];
+            if (at >= lower_[i] - kLimitSlack && at <= upper_[i] + kLimitSlack) continue;
+            report_limit(block, static_cast<Axis>(i), at);
+            return false;
+        }
+    }
+    if (!area_.acts()) return true;
+    const auto corner = [](const Vec3& at) {
+        AxisValues values{};
+        for (std::size_t i = 0; i < 3; ++i) values[i] = at[static_cast<Eigen::Index>(i)];
+        return values;
+    };
+    return check_area(block, corner(box.lower), kLinearXYZ) &&
+           check_area(block, corner(box.upper), kLinearXYZ);
+}
+
+void Executor::report_limit(const Block& block, Axis axis, double at) {
+    const std::size_t i = index(axis);
+    const double limit = at < lower_[i] ? lower_[i] : upper_[i];
+    DiagnosticBuilder builder = block.has(nc::slot_of(axis))
+                                    ? report(diag::AxisLimit, block, nc::slot_of(axis))
+                                    : report(diag::AxisLimit, block);
+    builder.arg(kAxisNames[i]).arg(round_to(at, 6)).arg(round_to(limit, 6));
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,162 @@
+// feed_spindle.cpp — feed, cutting speed and spindle, with their limits; coolant.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "base/diagnostics/control.h"
+#include "base/diagnostics/iso.h"
+#include "interp/block_words.h"
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Invocation;
+using nc::Slot;
+using path::Command;
+using path::FeedMode;
+using path::Op;
+using path::SpindleMode;
+
+void Executor::select_feed_mode(FeedMode mode) {
+    if (mode != modal_.feed_mode && rules_.feed_deleted_on_mode_change) {
+        modal_.has_feed = false;
+        tooth_feed_ = 0;
+    }
+    modal_.feed_mode = mode;
+}
+
+void Executor::set_feed(const Block& block) {
+    modal_.feed = block.at(Slot::Feed);
+    modal_.has_feed = true;
+    tooth_feed_ = 0;
+}
+
+void Executor::program_speed(const Block& block) {
+    (spindle_.has_cutting_speed ? spindle_.cutting_speed : spindle_.speed) = block.at(Slot::Speed);
+}
+
+/// The spindle keeps the speed that it has at this moment.
+void Executor::leave_cutting_speed() {
+    if (!spindle_.has_cutting_speed) return;
+    spindle_.has_cutting_speed = false;
+    const double speed = turning_speed();
+    if (std::isfinite(speed)) spindle_.speed = speed;  // in the centre without a limit: as before
+}
+
+/// Speed under constant cutting speed where the tool is, rpm; infinite in the centre without a
+/// limit.
+double Executor::turning_speed() const {
+    const double diameter = 2 * std::abs(position_.here[index(Axis::X)]);
+    double highest = machine_.max_speed > 0 ? rpm_from_speed(machine_.max_speed)
+                                            : std::numeric_limits<double>::infinity();
+    if (highest_speed() > 0) highest = std::min(highest, highest_speed());
+    const double mm_min = 1000 * spindle_.cutting_speed;
+    return std::min(mm_min / (std::numbers::pi * diameter), highest);
+}
+
+void Executor::set_speed_limit(const Block& block, const Invocation& invocation) {
+    const double limit = block.argument(invocation, 0);
+    if (!(limit > 0)) {
+        report(diag::SpeedLimitInvalid, block, Function::SpeedLimit).arg(limit);
+        return;
+    }
+    const double before = highest_speed();
+    spindle_.limit = limit;
+    tell_speed_limit(block, before);
+}
+
+/// The limit that acts under constant cutting speed, rpm; 0: none.
+double Executor::highest_speed() const {
+    if (spindle_.limit == 0 || spindle_.most == 0) return std::max(spindle_.limit, spindle_.most);
+    return std::min(spindle_.limit, spindle_.most);
+}
+
+void Executor::tell_speed_limit(const Block& block, double before) {
+    const double now = highest_speed();
+    if (now != before) put(Op::SpeedLimit, block).speed = now;
+}
+
+void Executor::set_speed_bound(const Block& block, const Invocation& invocation) {
+    const bool is_upper = count_of(block, invocation) != 0;
+    const double bound = block.argument(invocation, 1);
+    if (bound < 0 || (is_upper && bound == 0)) {
+        report(diag::SpeedLimitInvalid, block, invocation.function).arg(bound);
+        return;
+    }
+    const double before = highest_speed();
+    (is_upper ? spindle_.most : spindle_.least) = bound;
+    tell_speed_limit(block, before);
+}
+
+/// The programmed speed within the bounds of the spindle, rpm; said once of each speed.
+double Executor::bounded_speed(const Block& block) {
+    const double wanted = spindle_.speed;
+    if (!(wanted > 0)) return wanted;
+    double speed = std::max(wanted, spindle_.least);
+    if (spindle_.most > 0) speed = std::min(speed, spindle_.most);
+    if (speed != wanted && wanted != warned_bound_) {
+        warned_bound_ = wanted;
+        report(diag::SpeedBounded, block).arg(wanted).arg(speed);
+    }
+    return speed;
+}
+
+void Executor::set_area_limit(const Block& block, const Invocation& invocation) {
+    constexpr std::size_t kFirst = 1;
+    const FrameWords words = frame_words(block, invocation, kFirst, word_scale_[index(Axis::X)]);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (words.has(i))
+            area_.set(static_cast<Axis>(i), count_of(block, invocation) != 0, words.values[i]);
+    }
+}
+
+/// Tells the motion side what has become of the spindle, if anything has.
+void Executor::update_spindle(const Block& block) {
+    owes_speed_ = false;
+    const bool runs = is_running(spindle_.mode);
+    const bool is_bounded = runs && !spindle_.has_cutting_speed;
+    const double speed = spindle_.has_cutting_speed ? spindle_.cutting_speed
+                         : is_bounded               ? bounded_speed(block)
+                                                    : spindle_.speed;
+    const Spindle::Told now{spindle_.mode, runs ? speed : 0, runs && spindle_.has_cutting_speed};
+    if (now == spindle_.told) return;
+    if (runs && !(speed > 0)) report(diag::SpindleWithoutSpeed, block);
+    spindle_.told = now;
+    Command& command = put(Op::Spindle, block);
+    command.spindle = now.mode;
+    command.speed = now.speed;
+    command.cutting_speed = now.has_cutting_speed;
+    command.angle_deg = 0;
+}
+
+void Executor::orient_spindle(const Block& block, const Invocation& invocation) {
+    constexpr std::size_t kBy = 1;
+    double angle = block.argument(invocation, 0);
+    if ((invocation.given >> kBy & 1u) != 0) {
+        if (spindle_.mode != SpindleMode::Orient) {
+            report(diag::SpindleAngleUnknown, block, invocation.function);
+            return;
+        }
+        angle = std::fmod(spindle_.angle_deg + block.argument(invocation, kBy), 360);
+        if (angle < 0) angle += 360;
+    }
+    spindle_.angle_deg = angle;
+    spindle_.mode = SpindleMode::Orient;
+    spindle_.told = {SpindleMode::Orient, 0, false};
+    Command& command = put(Op::Spindle, block);
+    command.spindle = SpindleMode::Orient;
+    command.speed = 0;
+    command.cutting_speed = false;
+    command.angle_deg = angle;
+}
+
+void Executor::set_coolant(const Block& block, path::CoolantMode mode) {
+    if (mode == coolant_) return;
+    coolant_ = mode;
+    put(Op::Coolant, block).coolant = mode;
+}
+
+}  // namespace kadr::interp

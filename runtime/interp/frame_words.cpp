@@ -1,0 +1,134 @@
+// frame_words.cpp — words of frames: work offsets, shifts, rotations, scales.
+#include <algorithm>
+
+#include "base/assert.h"
+#include "base/diagnostics/control.h"
+#include "base/diagnostics/iso.h"
+#include "base/units.h"
+#include "interp/block_words.h"
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Invocation;
+using path::Op;
+
+void Executor::select_work_offset(const Block& block, std::int64_t number) {
+    if (number < 0 || number > rules_.work_offsets) {
+        report(diag::WorkOffsetUnknown, block, Function::WorkOffset).arg(number);
+        return;
+    }
+    frames_.select_work_offset(work_offset_frame(number));
+    work_offset_ = number;
+    frame_changed();
+}
+
+void Executor::apply_frame(const Block& block, const Invocation& invocation) {
+    const bool is_set = invocation.function == Function::SetPosition ||
+                        invocation.function == Function::PositionReset;
+    if (is_set && modal_cycle_.is_active) {
+        report(diag::SetPositionInCycle, block, invocation.function);
+        return;
+    }
+    const double x_scale = rules_.shift_in_diameter ? word_scale_[index(Axis::X)] : 1;
+    const FrameWords words = frame_words(block, invocation, 0, x_scale);
+    switch (invocation.function) {
+        case Function::Shift: frames_.shift(words); break;
+        case Function::ShiftAdd: frames_.shift_add(words); break;
+        case Function::ShiftCoarse: frames_.set_coarse(words); break;
+        case Function::ShiftFine: frames_.set_fine(words); break;
+        case Function::RotateSpace:
+        case Function::RotateSolid: rotate_in_space(block, invocation); break;
+        case Function::Rotate:
+            frames_.rotate(plane_in(block),
+                           rad_from_deg(block.argument(invocation, 0, rules_.rotation_angle)),
+                           center_of(block, invocation));
+            break;
+        case Function::Scale: scale(block, invocation); break;
+        case Function::ScaleOff: frames_.scale_off(); break;
+        case Function::RotateOff:
+            if (rules_.place_behind_rotation && frames_.is_rotated()) unplaced_ = plane_mask();
+            frames_.rotate_off();
+            if (rules_.rotation_off_ends_tilt) end_tilt(block);
+            break;
+        case Function::Mirror: frames_.mirror(words); break;
+        case Function::MirrorOff: frames_.mirror_off(static_cast<AxisMask>(words.given)); break;
+        case Function::SetPosition:
+            frames_.set_position(words, position_.here, position_.base);
+            break;
+        case Function::PositionReset:
+            frames_.reset_position(static_cast<AxisMask>(words.given));
+            break;
+        default: KADR_ASSERT(false, "not a function of frames");
+    }
+    frame_changed();
+    for (std::size_t i = 0; is_set && i < 3; ++i) {
+        if (words.has(i)) position_.programmed[i] = position_.here[i];
+    }
+}
+
+/// Center of a rotation or a scaling; it stands behind their first parameter.
+FrameWords Executor::center_of(const Block& block, const Invocation& invocation) const {
+    constexpr std::size_t kFirst = 1;
+    const double x_scale = rules_.shift_in_diameter ? word_scale_[index(Axis::X)] : 1;
+    FrameWords center = frame_words(block, invocation, kFirst, x_scale);
+    for (std::size_t i = 0; rules_.frame_center_at_tool && i < 3; ++i) {
+        if (!center.has(i)) center.values[i] = position_.here[i];
+    }
+    return center;
+}
+
+/// About X, Y and Z, as far as they are named.
+void Executor::rotate_in_space(const Block& block, const Invocation& invocation) {
+    std::vector<AxisAndValue> angles;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if ((invocation.given >> i & 1u) != 0)
+            angles.push_back({static_cast<Axis>(i), block.argument(invocation, i)});
+    }
+    if (invocation.function == Function::RotateSpace) {
+        frames_.turn(rotation_frame(angles).linear);
+    } else if (angles.size() <= 2) {
+        frames_.turn(solid_frame(angles).linear);
+    } else {
+        report(diag::SolidAngles, block, invocation.function).arg(angles.size());
+    }
+}
+
+/// One factor, or one for each axis; the axes that nothing is said of keep their size.
+void Executor::scale(const Block& block, const Invocation& invocation) {
+    constexpr std::size_t kFactors = 4;
+    const double all = block.argument(invocation, 0, 1);
+    path::Vec3 factors;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double factor = block.argument(invocation, kFactors + i, all);
+        if (factor == 0) {
+            report(diag::ScaleInvalid, block, Function::Scale).arg(factor);
+            return;
+        }
+        factors[static_cast<Eigen::Index>(i)] = factor;
+    }
+    frames_.scale(factors, center_of(block, invocation));
+}
+
+/// What it does the machine file says, or the machine builder alone knows; then each is said once.
+void Executor::pass_machine_function(const Block& block, std::int64_t number) {
+    if (const auto& scanner = machine_.scanner) {
+        if (number == scanner->on_function || number == scanner->off_function) {
+            is_scanning_ = number == scanner->on_function;
+            put(is_scanning_ ? Op::ScannerOn : Op::ScannerOff, block);
+            return;
+        }
+    }
+    if (machine_.find_function(number) != nullptr) return;  // it takes time, which is known
+    if (std::ranges::find(known_machine_functions_, number) != known_machine_functions_.end())
+        return;
+    known_machine_functions_.push_back(number);
+    report(diag::MachineFunctionPassed, block, Function::MachineFunction).arg(number);
+}
+
+/// No axis moves when a frame changes, but the tool has other coordinates now.
+void Executor::frame_changed() { position_.here = frames_.from_base(position_.base); }
+
+}  // namespace kadr::interp

@@ -1,0 +1,565 @@
+// functions.cpp — what each function of a block does to the state of the control.
+#include <algorithm>
+#include <cmath>
+
+#include "base/diagnostics/control.h"
+#include "base/diagnostics/iso.h"
+#include "interp/block_words.h"
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Group;
+using nc::Invocation;
+using nc::Slot;
+using path::Command;
+using path::FeedMode;
+using path::Op;
+using path::Plane;
+using path::SpindleMode;
+
+namespace {
+
+/// What a control fixes before a tilted plane.
+bool is_before_tilt(Function function) {
+    switch (function) {
+        case Function::WorkOffset:
+        case Function::Shift:
+        case Function::ReferencePoint:
+        case Function::ReferenceReturn:
+        case Function::ReferenceCheck:
+        case Function::ReferenceLeave:
+        case Function::PositionReset:
+        case Function::SetPosition: return true;
+        default: return false;
+    }
+}
+
+}  // namespace
+
+Actions Executor::apply_functions(const Block& block) {
+    Actions actions;
+    const auto apply = [&](bool is_plane) {
+        for (std::size_t i = 0; i < block.function_count && !ended_; ++i) {
+            const Invocation& invocation = block.functions[i];
+            const bool sets_plane = nc::info(invocation.function).group == Group::Plane;
+            if (sets_plane == is_plane) apply_function(block, invocation, actions);
+        }
+    };
+    if (block.find(Function::Rotate) != nullptr) {
+        // A rotation turns in the plane of its block, wherever that is said.
+        apply(true);
+        apply(false);
+        return actions;
+    }
+    for (std::size_t i = 0; i < block.function_count && !ended_; ++i) {
+        apply_function(block, block.functions[i], actions);
+    }
+    return actions;
+}
+
+/// Whether the function would change, inside a rotation, what the control fixes before it.
+bool Executor::is_too_late(Function function) const {
+    if (!rules_.rotation_is_innermost) return false;
+    if (tilting_.is_on && is_before_tilt(function)) return true;
+    if (!frames_.is_rotated()) return false;
+    switch (function) {
+        case Function::WorkOffset:
+        case Function::Shift:
+        case Function::ShiftAdd:
+        case Function::Mirror:
+        case Function::MirrorOff:
+        case Function::Scale:
+        case Function::ReferencePoint:
+        case Function::ReferenceReturn:
+        case Function::ReferenceCheck:
+        case Function::ReferenceLeave:
+        case Function::MachineCoordinates:
+        case Function::PositionReset:
+        case Function::Tilt:
+        case Function::TiltEuler:
+        case Function::TiltPlane:
+        case Function::TiltPoint:
+        case Function::TiltVector:
+        case Function::TiltAlongTool:
+        case Function::SetPosition: return true;
+        default: return is_other_plane(function);
+    }
+}
+
+bool Executor::is_other_plane(Function function) const {
+    switch (function) {
+        case Function::PlaneXy: return modal_.plane != Plane::Xy;
+        case Function::PlaneZx: return modal_.plane != Plane::Zx;
+        case Function::PlaneYz: return modal_.plane != Plane::Yz;
+        default: return false;
+    }
+}
+
+/// Whether cutter radius compensation must have ended before the function.
+bool Executor::needs_comp_off(const Block& block, Function function) const {
+    const bool acts =
+        comp_.side != Function::RadiusCompOff && block.find(Function::RadiusCompOff) == nullptr;
+    if (!rules_.comp_is_innermost || !acts || cycle_blocks_) return false;
+    switch (function) {
+        case Function::Rotate:
+        case Function::Shift:
+        case Function::ShiftAdd:
+        case Function::PositionReset:
+        case Function::SetPosition:
+        case Function::ReferencePoint:
+        case Function::ReferenceReturn:
+        case Function::ReferenceCheck:
+        case Function::ReferenceLeave: return true;
+        default: return false;
+    }
+}
+
+void Executor::apply_function(const Block& block, const Invocation& invocation, Actions& actions) {
+    if (needs_comp_off(block, invocation.function)) {
+        report(diag::CompFrame, block, invocation.function).arg(nc::info(invocation.function).name);
+        return;
+    }
+    if (taps_rigidly_ && !cycle_blocks_ && is_other_plane(invocation.function)) {
+        report(diag::TapPlane, block, invocation.function);
+        return;
+    }
+    if (is_too_late(invocation.function)) {
+        report(diag::FrameInsideRotation, block, invocation.function)
+            .arg(nc::info(invocation.function).name);
+        return;
+    }
+    if (orienting_.has_length && refuses_under_tcp(block, invocation.function)) return;
+    switch (invocation.function) {
+        case Function::None: break;
+        case Function::Inch:  // lengths have become mm in the reader
+        case Function::Metric: check_units(block, invocation.function); break;
+
+        case Function::Rapid:
+        case Function::Line:
+        case Function::ArcCw:
+        case Function::ArcCcw:
+        case Function::TapIn:
+        case Function::TapOut:
+        case Function::Spline:
+        case Function::AkimaSpline:
+        case Function::CubicSpline:
+        case Function::Polynomial:
+        case Function::InvoluteCw:
+        case Function::InvoluteCcw:
+        case Function::ThreadIncreasing:
+        case Function::ThreadDecreasing:
+        case Function::Thread:
+        case Function::ThreadArcCw:
+        case Function::ThreadArcCcw:
+        case Function::PlaneXy:
+        case Function::PlaneZx:
+        case Function::PlaneYz:
+        case Function::Absolute:
+        case Function::Incremental:
+        case Function::ExactStop:
+        case Function::ContinuousPath:
+        case Function::BlendDistance:
+        case Function::BlendTolerance:
+        case Function::BlendSmooth:
+        case Function::ArcThrough:
+        case Function::ArcTangent:
+            if (nc::info(invocation.function).group == Group::Plane) {
+                change_plane(invocation.function);
+                // Where a tool's lengths act may depend on the plane.
+                tool_.has_changed |= wanted_lengths() != tool_.lengths;
+            }
+            modal_.set(invocation.function);
+            break;
+
+        case Function::FeedPerMinute: select_feed_mode(FeedMode::PerMinute); break;
+        case Function::FeedPerRevolution: select_feed_mode(FeedMode::PerRevolution); break;
+        case Function::FeedInverseTime: select_feed_mode(FeedMode::InverseTime); break;
+        case Function::CuttingSpeedOn: spindle_.has_cutting_speed = true; break;
+        case Function::CuttingSpeedOff: leave_cutting_speed(); break;
+        case Function::SpeedLimit: actions.limit = &invocation; break;
+
+        case Function::RadiusCompOff:
+        case Function::RadiusCompLeft:
+        case Function::RadiusCompRight:
+        case Function::RadiusOffset:
+        case Function::CompStartNormal:
+        case Function::CompStartAround:
+        case Function::CompStartTangent:
+        case Function::CompStartSmooth:
+        case Function::CompCornerArc:
+        case Function::CompCornerIntersection:
+        case Function::CompCornerPointed:
+        case Function::CompCheckOn:
+        case Function::CompCheckOff:
+        case Function::CompAllowance:
+        case Function::CompInPlane:
+        case Function::CompBySide:
+        case Function::CompByFace:
+        case Function::CompByFaceInFrame:
+        case Function::CompByFaceInPlane:
+        case Function::SideCompLeft:
+        case Function::SideCompRight:
+        case Function::CompTurnOnArc:
+        case Function::CompTurnBefore:
+        case Function::CompDepth:
+            // Roughing works along the programmed shape; where it is followed, it is compensated.
+            if (!keeps_shape()) choose_comp(block, invocation, actions);
+            break;
+        case Function::CompKeepVector:
+        case Function::CompCornerHere:
+            if (comp_.side == Function::RadiusCompOff) {
+                report(diag::CompNoVector, block, invocation.function);
+                return;
+            }
+            if (!is_comp_in_plane(block, invocation.function)) return;
+            actions.keeps_vector |= invocation.function == Function::CompKeepVector;
+            if (invocation.function == Function::CompCornerHere) actions.comp_corner = &invocation;
+            break;
+        case Function::SoftApproach:
+        case Function::SoftRetract:
+            if (actions.soft != nullptr || soft_approach_.is_active()) {
+                report(diag::SoftTwice, block, invocation.function);
+                return;
+            }
+            if (machine_.is_lathe) {
+                report(diag::IsoNotSupported, block).arg("a soft approach on a lathe");
+                return;
+            }
+            actions.soft = &invocation;
+            break;
+        case Function::SoftRadius:  // beside the approach, in soft_moves.cpp
+        case Function::SoftClearance:
+        case Function::SoftFeed: break;
+        case Function::SoftSide:
+            soft_.side = static_cast<SoftState::Side>(
+                std::clamp<std::int64_t>(count_of(block, invocation), 0, 3));
+            break;
+        case Function::CompFeed:
+            comp_.feed = std::clamp<std::int64_t>(count_of(block, invocation), 0, 2);
+            actions.comp_changed |= comp_.side != Function::RadiusCompOff;
+            break;
+        case Function::FeedOnce: actions.feed_once = block.argument(invocation, 0); break;
+        case Function::AreaLimit: set_area_limit(block, invocation); break;
+        case Function::AreaOn:
+        case Function::AreaOff: area_.switch_on(invocation.function == Function::AreaOn); break;
+        case Function::SpeedBound: set_speed_bound(block, invocation); break;
+        case Function::CompPause:
+        case Function::CompResume:
+            if (comp_.side != Function::RadiusCompOff && !keeps_shape()) {
+                if (!is_comp_in_plane(block, invocation.function)) return;
+                send_comp({invocation.function == Function::CompPause ? CompChange::Kind::Pause
+                                                                      : CompChange::Kind::Resume,
+                           {},
+                           modal_.plane,
+                           0,
+                           position_.base,
+                           {},
+                           {}});
+            }
+            break;
+        case Function::SoftSteps: soft_.in_steps = count_of(block, invocation) != 0; break;
+        case Function::TcpLength:
+        case Function::TcpVector: begin_length_transformation(block, invocation, actions); break;
+        case Function::LengthCompOn:
+        case Function::LengthCompMinus:
+            if (orienting_.has_length) end_length_transformation(actions);
+            tool_.is_taken_off = invocation.function == Function::LengthCompMinus;
+            if ((invocation.given & 1u) != 0) tool_.offset = count_of(block, invocation);
+            set_length_source(Tool::Source::Offset, actions);
+            break;
+        case Function::LengthCompOff:
+            if (orienting_.has_length) end_length_transformation(actions);
+            set_length_source(Tool::Source::None, actions);
+            break;
+        case Function::LengthOffset:
+            tool_.offset = count_of(block, invocation);
+            if (tool_.source == Tool::Source::Offset) {
+                set_length_source(Tool::Source::Offset, actions);
+            }
+            break;
+        case Function::ToolEdge:
+            warn_of_edge(block, count_of(block, invocation));
+            set_length_source(
+                count_of(block, invocation) == 0 ? Tool::Source::None : Tool::Source::Edge,
+                actions);
+            if (!keeps_shape()) actions.comp_changed |= comp_.side != Function::RadiusCompOff;
+            break;
+        case Function::ToolSelect:
+            tool_.selected = tool_number(block, invocation);
+            actions.tool_change |= selects_at_once();
+            if ((invocation.given & 2u) != 0) {
+                // The offset of a turret's station has length, radius and tip.
+                tool_.offset = tool_.radius_offset = std::llround(block.argument(invocation, 1));
+                set_length_source(tool_.offset == 0 ? Tool::Source::None : Tool::Source::Offset,
+                                  actions);
+            }
+            break;
+        case Function::ToolChange: actions.tool_change = true; break;
+        case Function::Tool:
+            tool_.selected = tool_number(block, invocation);
+            actions.tool_change = true;
+            set_length_source(Tool::Source::Edge, actions);
+            break;
+
+        case Function::TcpOn:
+        case Function::TcpOff:
+            end_virtual(block);
+            if (!ended_) switch_transformation(block, invocation);
+            break;
+        case Function::FaceOn:
+        case Function::CylinderOn:
+        case Function::InclinedOn: begin_virtual(block, invocation); break;
+        case Function::TurnPlane:
+        case Function::TurnAxes:
+        case Function::TurnSurface:
+        case Function::TurnConeCw:
+        case Function::TurnConeCcw:
+        case Function::TurnConeOver:
+        case Function::TurnConeOn:
+        case Function::TurnPoint: orienting_.turning = invocation.function; break;
+        case Function::AnglesEuler:
+        case Function::AnglesZyz:
+        case Function::AnglesRpy:
+        case Function::AnglesXyz: orienting_.angles = invocation.function; break;
+        case Function::SpinFixed:
+        case Function::SpinPlane:
+        case Function::SpinTurn:
+        case Function::SpinPath: orienting_.spin = invocation.function; break;
+        case Function::OrientInWork:
+        case Function::OrientInBase:
+            orienting_.is_in_base = invocation.function == Function::OrientInBase;
+            break;
+        case Function::OrientReset: actions.orient_reset = &invocation; break;
+        case Function::ToolVector:
+        case Function::ToolAngle:
+        case Function::ToolLead:
+        case Function::LeanLead:
+        case Function::LeanTilt:
+        case Function::SurfaceNormal:
+        case Function::ConeAxis:
+        case Function::ConeOpening:
+        case Function::ToolBetween:
+        case Function::ToolPoint:
+        case Function::ToolSpin: take_orientation(block, invocation, actions); break;
+
+        case Function::Tilt:
+        case Function::TiltEuler:
+        case Function::TiltPlane:
+            tilt(block, invocation);
+            if (invocation.function == Function::Tilt) actions.align = &invocation;
+            break;
+        case Function::TiltPoint:
+        case Function::TiltVector: tilt_by_blocks(block, invocation); break;
+        case Function::TiltAlongTool: tilt_along_tool(block, invocation); break;
+        case Function::TiltAlign:
+        case Function::TiltAlignTip: actions.align = &invocation; break;
+        case Function::TiltOff: end_tilt(block); break;
+        case Function::Swivel: swivel(block, invocation); break;
+        case Function::ToolFrame: frame_along_tool(block, invocation); break;
+        case Function::ToolFrameOff:
+            frames_.set_tool_frame(std::nullopt);
+            frame_changed();
+            position_.programmed = position_.here;
+            break;
+        case Function::TableFrame:
+        case Function::TableFrameOff:
+            follow_tables(block, invocation.function == Function::TableFrame);
+            break;
+
+        case Function::SplineDegree: set_spline_degree(block, invocation); break;
+        case Function::SplineWeight:  // beside the pole, in splines.cpp
+        case Function::SplineInterval:
+        case Function::SplineKnot:
+        case Function::PolynomialAxis:  // in polynomials.cpp
+        case Function::PolynomialWeight:
+        case Function::PolynomialRange:
+        case Function::ThreadChange: break;  // beside the pitch, in motion.cpp
+        case Function::SplineStart:
+        case Function::SplineEnd: choose_spline_end(block, invocation); break;
+
+        case Function::ExactStopOnce: actions.exact_stop = true; break;
+        case Function::BlendFeedDistance:
+        case Function::BlendRapidDistance:
+        case Function::PathTolerance:
+        case Function::OrientTolerance:
+        case Function::CompressOn:
+        case Function::CompressOff: choose_smoothing(block, invocation); break;
+        case Function::MachineCoordinates: actions.machine_coordinates = true; break;
+        case Function::LengthSuspend: actions.suspends_length = true; break;
+        case Function::Preset: actions.preset = &invocation; break;
+        case Function::ToothFeed: actions.tooth_feed = block.argument(invocation, 0); break;
+        case Function::MeasureLength: actions.measure = &invocation; break;
+        case Function::ParameterInput:
+        case Function::LifeInput:
+        case Function::DataInputOff: break;  // the reader reads their blocks so
+        case Function::ParameterData: write_parameter(block, invocation); break;
+        case Function::LifeData: tell_life_data(block); break;
+        case Function::ReferencePoint:
+        case Function::ReferenceReturn:
+        case Function::ReferenceCheck:
+        case Function::ReferenceLeave: actions.reference = &invocation; break;
+        case Function::RapidOnce: actions.at_rapid = true; break;
+        case Function::WayOffset: actions.way_offset = block.argument(invocation, 0); break;
+        case Function::TapFloating: actions.taps = true; break;
+        case Function::Probe: actions.probes = true; break;
+        // Here the part lies where the program expects it, and every probe finds it.
+        case Function::ProbeCheck:
+        case Function::ProbeClear:
+        case Function::ProbeKeep:
+        case Function::OffsetToEdge:
+        case Function::OffsetToMiddle: break;
+        case Function::ThreadStart: actions.thread_start_deg = block.argument(invocation, 0); break;
+        case Function::TapRigid: taps_rigidly_ = true; break;
+        case Function::DiameterOn:
+        case Function::DiameterOff:
+        case Function::DiameterAbsolute:
+            word_scale_[index(Axis::X)] = invocation.function == Function::DiameterOff ? 1 : 0.5;
+            diameter_is_absolute_ = invocation.function == Function::DiameterAbsolute;
+            break;
+        case Function::Pole: set_pole(block, invocation); break;
+        case Function::PolarOn: switch_polar(true); break;
+        case Function::PolarOff: switch_polar(false); break;
+        case Function::CornerChamfer:
+        case Function::CornerRound:
+        case Function::CornerRoundModal:
+        case Function::CornerFeed:
+        case Function::CornerFeedModal: choose_corner(block, invocation, actions); break;
+        case Function::ContourAngle: actions.angle = &invocation; break;
+        case Function::MachineFunction:
+            pass_machine_function(block, count_of(block, invocation));
+            break;
+        case Function::WorkOffset: select_work_offset(block, count_of(block, invocation)); break;
+        case Function::WorkOffsetData:
+        case Function::LatheOffsetData:
+        case Function::ToolOffsetData: actions.data = &invocation; break;
+        case Function::Shift:
+        case Function::ShiftAdd:
+        case Function::ShiftCoarse:
+        case Function::ShiftFine:
+        case Function::Rotate:
+        case Function::RotateSpace:
+        case Function::RotateSolid:
+        case Function::RotateOff:
+        case Function::Scale:
+        case Function::ScaleOff:
+        case Function::Mirror:
+        case Function::MirrorOff:
+        case Function::PositionReset:
+        case Function::SetPosition: apply_frame(block, invocation); break;
+
+        case Function::SpindleCw:
+        case Function::SpindleCcw:
+        case Function::SpindleStop: actions.spindle = invocation.function; break;
+        case Function::SpindleOrient: actions.orient = &invocation; break;
+        case Function::CoolantFlood: actions.flood = true; break;
+        case Function::CoolantMist: actions.mist = true; break;
+        case Function::CoolantOff: actions.coolant_off = true; break;
+
+        case Function::Dwell: actions.dwell = &invocation; break;
+        case Function::Stop:
+        case Function::OptionalStop: actions.stop = invocation.function; break;
+        case Function::End:
+        case Function::EndRewind: actions.end = invocation.function; break;
+        case Function::Message: actions.message = &invocation; break;
+
+        case Function::CycleOff:
+            actions.cycle_is_cancelled = actions.cycle != nullptr;
+            if (actions.cycle == nullptr) modal_cycle_.is_active = taps_rigidly_ = false;
+            break;
+        case Function::CycleCall: actions.calls_defined = true; break;
+        case Function::CycleModal: actions.calls_behind_motions = true; break;
+        case Function::CycleWords: {
+            CycleWords& words = actions.cycle_words;
+            if ((invocation.given & 1u) != 0) words.stroke = block.argument(invocation, 0);
+            if ((invocation.given & 2u) != 0) words.dwell = block.argument(invocation, 1);
+            if ((invocation.given & 4u) != 0) words.times = block.argument(invocation, 2);
+            break;
+        }
+        case Function::CycleReturnInitial: returns_to_retract_ = false; break;
+        case Function::CycleReturnRetract: returns_to_retract_ = true; break;
+        case Function::CyclePreset: preset_cycle(block, invocation); break;
+        case Function::Cycle: actions.cycle = &invocation; break;
+    }
+}
+
+/// A pole belongs to its plane.
+void Executor::change_plane(Function plane) {
+    const Plane before = modal_.plane;
+    modal_.set(plane);
+    if (modal_.plane == before) return;
+    polar_.pole = path::Vec2::Zero();
+    polar_.angle_deg = 0;
+}
+
+void Executor::act_before_motion(const Block& block, const Actions& actions) {
+    if (actions.data != nullptr) write_data(block, *actions.data);
+    if (actions.tool_change) change_tool(block);
+    if (actions.comp_changed) act_on_comp(block, actions);
+    if (actions.keeps_vector)
+        send_comp({CompChange::Kind::KeepVector, {}, modal_.plane, 0, position_.base, {}, {}});
+    if (actions.comp_corner != nullptr) round_comp_corner(block, *actions.comp_corner);
+    if (ended_) return;
+    if (actions.limit != nullptr) set_speed_limit(block, *actions.limit);
+    if (block.has(Slot::Speed)) program_speed(block);
+    if (spindle_.has_cutting_speed && !(spindle_.cutting_speed > 0) &&
+        block.find(Function::CuttingSpeedOn) != nullptr) {
+        report(diag::CuttingSpeedMissing, block, Function::CuttingSpeedOn);
+        return;
+    }
+    // What was said of a standing spindle is said anew when it stands again.
+    if (actions.spindle != Function::None) warned_spindle_stopped_ = warned_rapid_ = false;
+    if (actions.spindle == Function::SpindleCw) spindle_.mode = SpindleMode::Cw;
+    if (actions.spindle == Function::SpindleCcw) spindle_.mode = SpindleMode::Ccw;
+    if (!rules_.stops_after_motion) stop_spindle_and_coolant(block, actions);
+    update_spindle(block);
+    if (actions.orient != nullptr) orient_spindle(block, *actions.orient);
+    if (actions.flood) set_coolant(block, path::CoolantMode::Flood);
+    if (actions.mist) set_coolant(block, path::CoolantMode::Mist);
+    issue_functions(block, actions, Side::Before);
+    if (actions.message != nullptr) put(Op::Message, block).text = block.text;
+    if (actions.dwell != nullptr) dwell(block, *actions.dwell);
+    if (actions.align != nullptr && !ended_) align(block, *actions.align);
+}
+
+void Executor::act_after_motion(const Block& block, const Actions& actions) {
+    if (rules_.stops_after_motion) stop_spindle_and_coolant(block, actions);
+    issue_functions(block, actions, Side::Behind);
+    if (actions.stop == Function::Stop) put(Op::Stop, block);
+    if (actions.stop == Function::OptionalStop && options_.optional_stop) {
+        put(Op::OptionalStop, block);
+    }
+    if (actions.end != Function::None) {
+        put(Op::End, block);
+        ended_ = true;
+    }
+}
+
+void Executor::stop_spindle_and_coolant(const Block& block, const Actions& actions) {
+    if (actions.spindle == Function::SpindleStop) {
+        spindle_.mode = SpindleMode::Stop;
+        update_spindle(block);
+    }
+    if (actions.coolant_off) set_coolant(block, path::CoolantMode::Off);
+}
+
+void Executor::dwell(const Block& block, const Invocation& invocation) {
+    const double time = block.argument(invocation, 0);
+    const double revolutions = block.argument(invocation, 1);
+    if (time < 0 || revolutions < 0) {
+        report(diag::DwellInvalid, block, Function::Dwell).arg("it is negative");
+        return;
+    }
+    if (revolutions > 0 && !is_running(spindle_.mode)) {
+        report(diag::DwellInvalid, block, Function::Dwell).arg("the spindle stands");
+        return;
+    }
+    if (time == 0 && revolutions == 0) return;
+    Command& command = put(Op::Dwell, block);
+    command.time = time;
+    command.revolutions = revolutions;
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,201 @@
+// reference_points.cpp — ways to places of the machine: machine coordinates and reference points.
+#include <bit>
+#include <cmath>
+
+#include "base/diagnostics/iso.h"
+#include "base/numbers.h"
+#include "interp/block_words.h"
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::SlotMask;
+using path::Command;
+using path::Op;
+
+/// Machine coordinates are coordinates of the spindle nose: neither frames nor, on most controls,
+/// the tool length act.
+void Executor::move_in_machine_coordinates(const Block& block) {
+    if (is_transformed()) {
+        report(diag::TransformationMotion, block, Function::MachineCoordinates)
+            .arg("a place in machine coordinates");
+        return;
+    }
+    if (rules_.machine_coordinates_need_absolute && modal_.is_incremental) {
+        report(diag::MachineCoordinatesIgnored, block, Function::MachineCoordinates);
+        return;
+    }
+    if (is_arc(modal_.motion) && !rules_.machine_coordinates_rapid) {
+        report(diag::ArcInMachineCoordinates, block, Function::MachineCoordinates);
+        return;
+    }
+    if (frames_.has_base()) {
+        report(diag::IsoNotSupported, block, Function::MachineCoordinates)
+            .arg("machine coordinates while a base frame acts");
+        return;
+    }
+    const bool is_rapid = rules_.machine_coordinates_rapid || modal_.motion == Function::Rapid;
+    if (!is_rapid && !check_feed(block, "line")) return;
+
+    const SlotMask targets = block.given & nc::kTargetSlots;
+    if (rules_.machine_coordinates_keep_length && tool_.has_changed) {
+        activate_length(block, static_cast<AxisMask>(targets));
+    }
+    const AxisValues length = rules_.machine_coordinates_keep_length ? AxisValues{} : length_shift_;
+    AxisValues to = position_.base;
+    for (std::size_t i = 0; i < kAxes; ++i) to[i] += length[i];
+    const SlotMask incremental = modal_.is_incremental ? ~block.absolute : block.incremental;
+    for (SlotMask rest = targets; rest != 0; rest &= rest - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+        const double value = block.values[i] * word_scale_[i];
+        to[i] = (incremental >> i & 1u) != 0 ? to[i] + value : value;
+    }
+    Target target{{}, to, static_cast<AxisMask>(targets)};
+    for (std::size_t i = 0; i < kAxes; ++i) target.base[i] -= length[i];
+    target.here = frames_.from_base(target.base);
+    if (!check_limits(block, target.base, target.moved)) return;
+
+    Command& command = put(is_rapid ? Op::Rapid : Op::Line, block);
+    command.to = to;
+    command.moved = target.moved;
+    // Without a tool length in force the tip and the machine have the same coordinates.
+    command.machine_coordinates =
+        !rules_.machine_coordinates_keep_length || length_shift_ == AxisValues{};
+    command.is_unshifted = true;
+    command.exact_stop = true;
+    command.feed = is_rapid ? 0 : modal_.feed;
+    arrive(target);
+}
+
+/// To a place in machine coordinates, `to` of all axes; `moved` are the ones that it names.
+void Executor::rapid_to_machine_position(const Block& block, const AxisValues& to, AxisMask moved) {
+    Target target{{}, to, moved};
+    for (std::size_t i = 0; i < kAxes; ++i) target.base[i] -= length_shift_[i];
+    target.here = frames_.from_base(target.base);
+    if (!check_machine_limits(block, target.base, target.moved)) return;
+    Command& command = put(Op::Rapid, block);
+    command.to = to;
+    command.moved = moved;
+    command.machine_coordinates = true;
+    command.is_unshifted = true;
+    command.exact_stop = true;
+    command.feed = 0;
+    arrive(target);
+}
+
+/// A way to a reference point, or from there; none of them stands among the holes of a cycle.
+void Executor::refer(const Block& block, const nc::Invocation& invocation) {
+    if (is_transformed()) {
+        const bool is_fixed =
+            invocation.function == Function::ReferencePoint && block.argument(invocation, 0, 1) > 1;
+        if (is_fixed) {
+            report(diag::TransformationMotion, block, invocation.function).arg("a fixed point");
+        } else {
+            report(diag::TransformationReference, block, invocation.function);
+        }
+        return;
+    }
+    if (modal_cycle_.is_active) {
+        report(diag::ReferenceInCycle, block, invocation.function);
+        return;
+    }
+    switch (invocation.function) {
+        case Function::ReferenceCheck: return check_reference(block);
+        case Function::ReferenceLeave: return leave_reference(block);
+        default: return return_to_reference(block, invocation);
+    }
+}
+
+/// To the programmed place, which must be the reference point of the axes that are named.
+void Executor::check_reference(const Block& block) {
+    constexpr double kWidth = 0.0005;  // mm, deg: half an increment
+    const SlotMask targets = block.given & nc::kTargetSlots;
+    if (targets == 0 || !check_axes(block, targets)) return;
+    line(block, target_of(block, targets), Op::Rapid, true);
+    for (std::size_t i = 0; i < kAxes && !ended_; ++i) {
+        if ((targets >> i & 1u) == 0) continue;
+        const double at = position_.base[i] + length_shift_[i];
+        if (std::abs(at - reference_points_[0][i]) <= kWidth) continue;
+        report(diag::ReferenceMissed, block, Function::ReferenceCheck)
+            .arg(kAxisNames[i])
+            .arg(round_to(at, 4))
+            .arg(round_to(reference_points_[0][i], 4));
+    }
+}
+
+/// Over the place over which the axes went to their reference point, to the programmed one. A
+/// distance counts from the place between.
+void Executor::leave_reference(const Block& block) {
+    const SlotMask targets = block.given & nc::kTargetSlots;
+    if (targets == 0 || !check_axes(block, targets)) return;
+    Target over{position_.here, {}, static_cast<AxisMask>(targets)};
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        if ((targets >> i & 1u) == 0) continue;
+        if ((has_left_ >> i & 1u) == 0) {
+            report(diag::ReferenceNoPlace, block, Function::ReferenceLeave).arg(kAxisNames[i]);
+            return;
+        }
+        over.here[i] = left_over_[i];
+    }
+    over.base = frames_.to_base(over.here);
+    if (over.base != position_.base) line(block, over, Op::Rapid, true);
+    if (!ended_) line(block, target_of(block, targets), Op::Rapid, true);
+}
+
+/// Makes the ways longer by the radius offset, so many times. False: that is not possible, and it
+/// was said.
+bool Executor::offset_ways(const Block& block, double times, Target& target) {
+    if (comp_.side != Function::RadiusCompOff) {
+        report(diag::WayOffsetCompensated, block, Function::WayOffset);
+        return false;
+    }
+    if (is_circle(modal_.motion)) {
+        report(diag::IsoNotSupported, block, Function::WayOffset)
+            .arg("an arc whose ends are moved by an offset");
+        return false;
+    }
+    const double offset = times * tool_offsets_.radius(tool_.radius_offset);
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        if ((target.moved >> i & 1u) == 0) continue;
+        target.here[i] += target.here[i] < position_.here[i] ? -offset : offset;
+    }
+    target.base = frames_.to_base(target.here);
+    return true;
+}
+
+/// Over the programmed place, if the block names one and the tool is not there, to the reference
+/// point of the axes that are named.
+void Executor::return_to_reference(const Block& block, const nc::Invocation& invocation) {
+    const SlotMask targets = block.given & nc::kTargetSlots;
+    auto moved = static_cast<AxisMask>(targets);
+    if (invocation.function == Function::ReferencePoint) {
+        moved = static_cast<AxisMask>(invocation.given >> 1 & 0b111u);
+    } else if (!check_axes(block, targets)) {
+        return;
+    }
+    const double number = block.argument(invocation, 0, 1);
+    const auto point = static_cast<std::size_t>(number - 1);
+    if (!(number >= 1) || point >= machine::kReferencePoints ||
+        (moved & ~has_reference_point_[point]) != 0) {
+        report(diag::ReferenceUnknown, block, invocation.function).arg(number);
+        return;
+    }
+    if (targets != 0) {
+        const Target over = target_of(block, targets);
+        if (over.base != position_.base) line(block, over, Op::Rapid, true);
+        if (ended_) return;
+    }
+    AxisValues to = position_.base;
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        to[i] += length_shift_[i];
+        if ((moved >> i & 1u) != 0) to[i] = reference_points_[point][i];
+    }
+    for (std::size_t i = 0; i < kAxes; ++i)
+        if ((moved >> i & 1u) != 0) left_over_[i] = position_.here[i];
+    has_left_ = static_cast<AxisMask>(has_left_ | moved);
+    if (moved != 0) rapid_to_machine_position(block, to, moved);
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,136 @@
+// threads.cpp — lines with the spindle geared to them: taps and threads.
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include "base/diagnostics/iso.h"
+#include "base/numbers.h"
+#include "interp/block_words.h"
+#include "interp/executor.h"
+#include "interp/linear.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Slot;
+using nc::SlotMask;
+using path::Command;
+using path::FeedMode;
+using path::Op;
+using path::SpindleMode;
+using path::Vec3;
+
+/// A line with the spindle geared to it, in as out: the spindle turns as the sign of the pitch
+/// says, and stands at the end with the axis.
+void Executor::tap(const Block& block, const Target& target) {
+    const SlotMask words = block.given & nc::kCenterSlots;
+    const double pitch = words == 0 ? 0 : block.at(first_slot(words));
+    if (pitch == 0) {
+        (words == 0 ? report(diag::TapPitchMissing, block)
+                    : report(diag::TapPitchMissing, block, first_slot(words)));
+        return;
+    }
+    if (spindle_.has_cutting_speed || !(spindle_.speed > 0)) {
+        report(diag::TapSpeedMissing, block);
+        return;
+    }
+    if (tool_.has_changed) activate_length(block, target.moved);
+    if (!check_limits(block, target.base, target.moved)) return;
+    const bool is_cw = (pitch > 0) == (modal_.motion == Function::TapIn);
+    spindle_.mode = is_cw ? SpindleMode::Cw : SpindleMode::Ccw;
+    update_spindle(block);
+    Command& command = put(Op::Line, block);
+    command.to = target.base;
+    command.moved = target.moved;
+    command.feed_mode = FeedMode::PerRevolution;
+    command.feed = std::abs(pitch);
+    command.exact_stop = true;
+    arrive(target);
+    spindle_.mode = SpindleMode::Stop;
+    update_spindle(block);
+}
+
+/// A line geared to the spindle as it turns. Its pitch counts along the axis of the longer way, so
+/// a turn takes the tool so much farther along the line as that is longer.
+void Executor::thread(const Block& block, const Target& target, const Actions& actions) {
+    const Vec3 way = linear(target.here) - linear(position_.here);
+    const std::optional<double> pitch = thread_pitch(block, way);
+    if (!pitch) return;
+    const double along = way.cwiseAbs().maxCoeff();
+    const std::optional<double> change = thread_change(block, *pitch, along);
+    if (!change) return;
+    if (!check_thread_spindle(block)) return;
+    check_tool(block);
+    if (tool_.has_changed) activate_length(block, target.moved);
+    if (!check_limits(block, target.base, target.moved)) return;
+    has_moved_ = true;
+    Command& command = put(Op::Thread, block);
+    command.to = target.base;
+    command.moved = target.moved;
+    command.exact_stop = modal_.has_exact_stop || actions.exact_stop;
+    command.feed_mode = FeedMode::PerRevolution;
+    const double length = (linear(target.base) - linear(position_.base)).norm();
+    const double by_way = along > 0 ? length / along : 1;
+    command.feed = *pitch * by_way;
+    command.lead_change = *change * by_way;
+    command.angle_deg = actions.thread_start_deg;
+    arrive(target);
+}
+
+/// False: the spindle, which the thread is geared to, stands, and it was said.
+bool Executor::check_thread_spindle(const Block& block) {
+    if (spindle_.mode != SpindleMode::Cw && spindle_.mode != SpindleMode::Ccw) {
+        report(diag::RevolutionFeedStands, block);
+        return false;
+    }
+    if (spindle_.has_cutting_speed && !warned_thread_speed_) {
+        warned_thread_speed_ = true;
+        report(diag::ThreadUnderCuttingSpeed, block);
+    }
+    return true;
+}
+
+/// By how much the pitch changes in a turn; 0 of an even thread. In a turn the tool goes by the
+/// pitch, so its square changes by twice the change times the way: it must not come to zero.
+std::optional<double> Executor::thread_change(const Block& block, double pitch, double way) {
+    if (!is_varying_thread(modal_.motion)) return 0;
+    const nc::Invocation* const word = block.find(Function::ThreadChange);
+    if (word == nullptr) {
+        report(diag::ThreadChangeMissing, block);
+        return std::nullopt;
+    }
+    const double said = block.argument(*word, 0);
+    const double change = modal_.motion == Function::ThreadDecreasing ? -said : said;
+    if (pitch * pitch + 2 * change * way > 0) return change;
+    report(diag::ThreadPitchVanishes, block, Function::ThreadChange)
+        .arg(round_to(pitch * pitch / (-2 * change), 4));
+    return std::nullopt;
+}
+
+/// The pitch that the block or, on some controls, F says; nothing if it was reported missing.
+std::optional<double> Executor::thread_pitch(const Block& block, const Vec3& way) {
+    constexpr double kEqualWays = 1e-6;  // mm: at 45 degrees either axis will do
+    const SlotMask words = block.given & nc::kCenterSlots;
+    Eigen::Index longest = 0;
+    const double most = way.cwiseAbs().maxCoeff(&longest);
+    const std::string_view name = kAxisNames[static_cast<std::size_t>(longest)];
+    // The blocks of a cycle are neutral ones: they say it in a word.
+    if (rules_.thread_pitch_is_feed && !cycle_blocks_) {
+        if (words != 0) warn_arc_word(block, words);
+        if (modal_.has_feed && modal_.feed > 0) return modal_.feed;
+        report(diag::ThreadPitchMissing, block).arg(name);
+        return std::nullopt;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto word = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + axis);
+        const bool is_long = std::abs(way[static_cast<Eigen::Index>(axis)]) >= most - kEqualWays;
+        if (is_long && block.has(word) && block.at(word) > 0) return block.at(word);
+    }
+    (words == 0 ? report(diag::ThreadPitchMissing, block)
+                : report(diag::ThreadPitchMissing, block, first_slot(words)))
+        .arg(name);
+    return std::nullopt;
+}
+
+}  // namespace kadr::interp

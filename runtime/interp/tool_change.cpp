@@ -1,0 +1,80 @@
+// tool_change.cpp — which tool is called, and its change.
+#include <algorithm>
+
+#include "base/diagnostics/control.h"
+#include "base/diagnostics/iso.h"
+#include "interp/block_words.h"
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Invocation;
+using path::Op;
+using path::SpindleMode;
+
+void Executor::set_length_source(Tool::Source source, Actions& actions) {
+    tool_.source = source;
+    tool_.has_changed = true;
+    actions.length_changed = true;
+}
+
+/// Of a tool one cutting edge is kept.
+void Executor::warn_of_edge(const Block& block, std::int64_t edge) {
+    if (edge <= 1 || warned_edge_) return;
+    warned_edge_ = true;
+    report(diag::EdgeUnknown, block, Function::ToolEdge).arg(edge);
+}
+
+std::int64_t Executor::tool_number(const Block& block, const Invocation& invocation) {
+    if ((invocation.given & 1u) != 0 || block.text.empty()) return count_of(block, invocation);
+    const auto named = std::find_if(machine_.tools.begin(), machine_.tools.end(),
+                                    [&](const auto& tool) { return tool.name == block.text; });
+    if (named != machine_.tools.end()) return named->number;
+    return unlisted_tool(block);
+}
+
+/// The number inside the control of a tool by a name that the table does not have: they count on
+/// from the table's, in the order in which the program names them.
+std::int64_t Executor::unlisted_tool(const Block& block) {
+    std::int64_t last = 0;
+    for (const machine::ToolData& tool : machine_.tools) last = std::max(last, tool.number);
+    const auto known = std::find(unlisted_tools_.begin(), unlisted_tools_.end(), block.text);
+    const std::int64_t number = last + 1 + (known - unlisted_tools_.begin());
+    if (known != unlisted_tools_.end()) return number;
+    unlisted_tools_.emplace_back(block.text);
+    unknown_tools_.push_back(number);
+    report(diag::ToolUnknown, block).arg(block.text);
+    return number;
+}
+
+bool Executor::selects_at_once() const {
+    return rules_.tool_select_changes == ToolSelectChanges::Yes ||
+           (rules_.tool_select_changes == ToolSelectChanges::Lathe && machine_.is_lathe);
+}
+
+void Executor::change_tool(const Block& block) {
+    const bool is_other = tool_.selected != tool_.current;
+    if (is_other && rules_.comp_keeps_tool && comp_.side != Function::RadiusCompOff) {
+        report(diag::CompToolChange, block);
+        return;
+    }
+    if (tool_.selected != tool_.current) {
+        tool_.current = tool_.selected;
+        extra_ = {};
+        put(Op::Tool, block).tool = tool_.current;
+    }
+    if (rules_.tool_change_stops_spindle && !machine_.is_lathe) {
+        spindle_.mode = SpindleMode::Stop;
+        warned_spindle_stopped_ = warned_rapid_ = false;
+        update_spindle(block);
+    }
+    // What the block says of the edge itself is said.
+    if (rules_.tool_change_activates_length && block.find(Function::ToolEdge) == nullptr)
+        tool_.source = Tool::Source::Edge;
+    tool_.has_changed |= tool_.source == Tool::Source::Edge;
+    take_tooth_feed();
+}
+
+}  // namespace kadr::interp

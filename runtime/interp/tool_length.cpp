@@ -1,0 +1,148 @@
+// tool_length.cpp — the length of the tool: along which axis it acts, and when it moves the axes.
+#include <algorithm>
+
+#include "base/diagnostics/iso.h"
+#include "interp/executor.h"
+#include "machine/tilted_plane.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using path::Command;
+using path::Op;
+using path::Vec3;
+
+namespace {
+
+path::Plane plane_with_normal(Axis axis) {
+    switch (axis) {
+        case Axis::X: return path::Plane::Yz;
+        case Axis::Y: return path::Plane::Zx;
+        default: return path::Plane::Xy;
+    }
+}
+
+}  // namespace
+
+/// The axis along which the chief length of the tool lies.
+Axis Executor::wanted_length_axis() const {
+    const bool is_turned =
+        tool_.source != Tool::Source::None && tool_offsets_.is_turning(tool_.length_number());
+    if (is_turned || rules_.length_axis == LengthAxis::Z) return Axis::Z;
+    return path::axes_of(modal_.plane).normal;
+}
+
+/// What should be added to X, Y, Z; S 5.1.
+Vec3 Executor::wanted_lengths() const {
+    Vec3 lengths = Vec3::Zero();
+    const std::int64_t number = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
+    if (number == 0) return lengths;
+    const auto put = [&](Axis axis, std::size_t part) {
+        const double extra = extra_.lengths[static_cast<Eigen::Index>(part) - 1];
+        if ((axes_ & bit(axis)) != 0)
+            lengths[static_cast<Eigen::Index>(index(axis))] =
+                tool_offsets_.length(part, number) + extra;
+    };
+    const bool goes_by_plane = rules_.length_axis == LengthAxis::Plane;
+    if (tool_offsets_.is_turning(number)) {
+        // Lengths of a machine's tool are told by their axes.
+        const bool is_typed = tool_offsets_.type(number) != 0;
+        const auto axes = path::axes_of(goes_by_plane && is_typed ? modal_.plane : path::Plane::Zx);
+        put(axes.second, 1);
+        put(axes.first, 2);
+        put(axes.normal, 3);
+    } else if (goes_by_plane) {
+        const auto axes = path::axes_of(modal_.plane);
+        put(axes.normal, 1);
+        put(axes.second, 2);
+        put(axes.first, 3);
+    } else {
+        put(Axis::Z, 1);
+    }
+    lengths += extra_.along;
+    const bool is_taken_off = tool_.source == Tool::Source::Offset && tool_.is_taken_off;
+    return is_taken_off ? Vec3(-lengths) : lengths;
+}
+
+/// A machine without a tool table has no lengths; a table with a gap is likely a mistake.
+void Executor::check_length_known(const Block& block) {
+    const std::int64_t number = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
+    if (number == 0 || machine_.tools.empty() || tool_offsets_.is_known(number)) return;
+    if (std::find(unknown_tools_.begin(), unknown_tools_.end(), number) != unknown_tools_.end())
+        return;
+    unknown_tools_.push_back(number);
+    report(diag::ToolUnknown, block).arg(number);
+}
+
+/// A length that was selected acts along an axis with the first motion of that axis: the motion
+/// side is told just before it, and only if the length is another one than before.
+void Executor::activate_length(const Block& block, AxisMask moved) {
+    const Axis axis = wanted_length_axis();
+    if ((moved & bit(axis)) != 0) check_length_known(block);
+    const Vec3 wanted = wanted_lengths();
+    Vec3 lengths = tool_.lengths;
+    AxisMask changed = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto at = static_cast<Eigen::Index>(i);
+        if ((moved >> i & 1u) == 0 || lengths[at] == wanted[at]) continue;
+        lengths[at] = wanted[at];
+        changed = static_cast<AxisMask>(changed | 1u << i);
+    }
+    tool_.has_changed = lengths != wanted;
+    if (changed == 0) return;
+    tool_.lengths = lengths;
+    tool_.axis = axis;
+    set_length_shift(length_shift_of(lengths));
+    put_tool_length(block, axis).moved = changed;
+}
+
+/// Tells the motion side what lies between the tip and what the linear axes carry.
+Command& Executor::put_tool_length(const Block& block, Axis axis) {
+    const Vec3 carried = tilting_.carries ? length_shift_of(tool_.lengths) : tool_.lengths;
+    const auto chief = static_cast<Eigen::Index>(index(axis));
+    Command& command = put(Op::ToolLength, block);
+    command.plane = plane_with_normal(axis);
+    command.tool = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
+    command.length = carried[chief];
+    command.aside = carried;
+    command.aside[chief] = 0;
+    command.is_swivelled = tilting_.carries;
+    if (tilting_.carries)
+        command.direction = machine::tool_in_base(machine_.kinematics->chain, tilting_.joints);
+    return command;
+}
+
+/// `G43 H1` in a block without axis words: the programmed position stays, so the machine axis moves
+/// by the change of the length, in the active kind of motion.
+void Executor::move_length_alone(const Block& block) {
+    if (!rules_.length_moves_alone) return;
+    const Vec3 wanted = wanted_lengths();
+    AxisMask changed = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto at = static_cast<Eigen::Index>(i);
+        if (wanted[at] != tool_.lengths[at]) changed = static_cast<AxisMask>(changed | 1u << i);
+    }
+    if (changed == 0) {
+        check_length_known(block);
+        return;
+    }
+    line(block, {position_.here, position_.base, changed},
+         modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, modal_.has_exact_stop);
+}
+
+/// A transformation with a length was switched in a block without axis words: the place in the
+/// program stays, and so the axes move.
+void Executor::move_behind_switch(const Block& block) {
+    if (!rules_.length_moves_alone) return;
+    const AxisMask moved =
+        orienting_.is_on ? static_cast<AxisMask>(kLinearXYZ | joint_axes()) : kLinearXYZ;
+    if (orienting_.is_on) {
+        next_turn_ = {};
+        settle_turn({position_.here, position_.base, moved});
+    }
+    line(block, {position_.here, position_.base, moved},
+         modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, modal_.has_exact_stop);
+}
+
+}  // namespace kadr::interp
