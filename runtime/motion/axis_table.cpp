@@ -444,16 +444,16 @@ AxisTable::Peaks AxisTable::peaks(const Segment& piece, const Loads& loads) cons
 void AxisTable::measure_cell(const Segment& piece, const BentCell& cell, Peaks& peaks) const {
     const Profile& profile = piece.profile;
     const bool rests = profile.entry_speed == 0 && profile.exit_speed == 0;
-    const path::Vec3 loads =
+    const AxisValues loads =
         rests ? greatest_load(cell, profile.acceleration, profile.peak_speed * profile.peak_speed)
               : load_between(cell, profile.entry_speed, profile.exit_speed);
     for (std::size_t i = 0; i < axes_.size(); ++i) {
-        if (axes_[i].coordinate >= 3) continue;
-        const auto c = static_cast<Eigen::Index>(axes_[i].coordinate);
-        const double rate =
-            std::min(1.0, std::max(std::abs(cell.entry.along[c]), std::abs(cell.exit.along[c])) *
-                              axes_[i].acceleration);
-        peaks.velocity[i] = std::min(peaks.velocity[i], rate * profile.peak_speed);
+        const std::size_t c = axes_[i].coordinate;
+        if (c >= 3 && !piece.is_transformed()) continue;
+        const double rate = std::max(std::abs(cell.entry.along[c]), std::abs(cell.exit.along[c])) *
+                            axes_[i].acceleration;
+        const double most = piece.is_transformed() ? rate : std::min(1.0, rate);
+        peaks.velocity[i] = std::min(peaks.velocity[i], most * profile.peak_speed);
         peaks.acceleration[i] = std::min(peaks.acceleration[i], loads[c] * axes_[i].acceleration);
     }
 }

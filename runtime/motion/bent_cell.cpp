@@ -33,23 +33,31 @@ struct HalfPlane {
     double a = 0;
     double b = 0;
 };
-using HalfPlanes = std::array<HalfPlane, 14>;
+struct HalfPlanes {
+    std::array<HalfPlane, 4 * kAxes + 2> planes;
+    std::size_t count = 0;
+
+    /// −1 ≤ a·x + b·y ≤ 1
+    void add(double a, double b) {
+        planes[count++] = {a, b};
+        planes[count++] = {-a, -b};
+    }
+    const HalfPlane* begin() const { return planes.data(); }
+    const HalfPlane* end() const { return planes.data() + count; }
+};
 
 HalfPlanes planes_of(const BentCell& cell) {
     HalfPlanes planes;
     const double h = 0.5 / cell.length;
-    std::size_t n = 0;
-    const auto add = [&](double a, double b) {
-        planes[n++] = {a, b};
-        planes[n++] = {-a, -b};
-    };
-    for (int i = 0; i < 3; ++i) {
-        const double into = h * cell.entry.along[i];
-        const double out = h * cell.exit.along[i];
-        add(cell.entry.across[i] - into, into);
-        add(-out, cell.exit.across[i] + out);
+    const BentCell::End& entry = cell.entry;
+    const BentCell::End& exit = cell.exit;
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        const double into = h * entry.along[i];
+        const double out = h * exit.along[i];
+        if (into != 0 || entry.across[i] != 0) planes.add(entry.across[i] - into, into);
+        if (out != 0 || exit.across[i] != 0) planes.add(-out, exit.across[i] + out);
     }
-    add(-h / cell.acceleration, h / cell.acceleration);
+    planes.add(-h / cell.acceleration, h / cell.acceleration);
     return planes;
 }
 
@@ -144,13 +152,14 @@ std::optional<BentCell> cell_of(const path::Curve& part, double length, const Li
         if (std::isfinite(limit)) strongest = std::max(strongest, limit);
     }
     for (int i = 0; i < 3; ++i) {
+        const auto axis = static_cast<std::size_t>(i);
         const double most = limits.acceleration[i];
         const double room = std::max(kLeastRoom, 1 - kReserve * difference * strongest / most);
         const double share = 1 / (room * most);
-        cell.entry.along[i] = first.tangent[i] * share;
-        cell.exit.along[i] = last.tangent[i] * share;
-        cell.entry.across[i] = first.curvature[i] * share;
-        cell.exit.across[i] = last.curvature[i] * share;
+        cell.entry.along[axis] = first.tangent[i] * share;
+        cell.exit.along[axis] = last.tangent[i] * share;
+        cell.entry.across[axis] = first.curvature[i] * share;
+        cell.exit.across[axis] = last.curvature[i] * share;
         const double rate =
             std::max(std::abs(first.tangent[i]), std::abs(last.tangent[i])) + 2 * difference;
         if (rate * cell.speed > limits.velocity[i]) cell.speed = limits.velocity[i] / rate;
@@ -163,7 +172,8 @@ namespace {
 /// With so much acceleration along a cell it can be run from rest to rest.
 double resting_acceleration(const BentCell& cell) {
     // In the middle v² = a·length; p and c are taken where they are greatest.
-    return 1 / std::max(1 / cell.acceleration, greatest_load(cell, 1, cell.length).maxCoeff());
+    return 1 /
+           std::max(1 / cell.acceleration, std::ranges::max(greatest_load(cell, 1, cell.length)));
 }
 
 }  // namespace
@@ -196,10 +206,13 @@ Profile profile_over(const BentCell& cell, double entry, double exit) {
 /// Seidel's way: the half-planes come one by one, and where the best point so far is cut off, the
 /// best one lies on the new border.
 double entry_square(const BentCell& cell, double entry_most, double exit_most) {
-    const HalfPlanes planes = planes_of(cell);
+    const HalfPlanes halves = planes_of(cell);
+    const auto& planes = halves.planes;
+    entry_most = std::min(entry_most, cell.entry.speed * cell.entry.speed);
+    exit_most = std::min(exit_most, cell.exit.speed * cell.exit.speed);
     double x = entry_most;
     double y = exit_most;
-    for (std::size_t i = 0; i < planes.size(); ++i) {
+    for (std::size_t i = 0; i < halves.count; ++i) {
         const auto [a, b] = planes[i];
         if (a * x + b * y <= 1 + kRounding) continue;
         // Points of the border: (a, b)/(a² + b²) + t·(−b, a).
@@ -224,25 +237,34 @@ double entry_square(const BentCell& cell, double entry_most, double exit_most) {
 
 double exit_square(const BentCell& cell, double entry, double exit_most) {
     // There is an exit speed for this entry speed, so the greatest is where a border falls.
-    Interval range{0, exit_most};
+    Interval range{0, std::min(exit_most, cell.exit.speed * cell.exit.speed)};
     for (const auto& [a, b] : planes_of(cell)) range.cut(b, 1 + kRounding - a * entry);
     return std::max(0.0, range.high);
 }
 
-Vec3 load_between(const BentCell& cell, double entry_speed, double exit_speed) {
+AxisValues load_between(const BentCell& cell, double entry_speed, double exit_speed) {
     const double entry = entry_speed * entry_speed;
     const double exit = exit_speed * exit_speed;
     const double a = (exit - entry) / (2 * cell.length);
-    const Vec3 into = cell.entry.along * a + cell.entry.across * entry;
-    const Vec3 out = cell.exit.along * a + cell.exit.across * exit;
-    return into.cwiseAbs().cwiseMax(out.cwiseAbs());
+    AxisValues loads{};
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        const double into = cell.entry.along[i] * a + cell.entry.across[i] * entry;
+        const double out = cell.exit.along[i] * a + cell.exit.across[i] * exit;
+        loads[i] = std::max(std::abs(into), std::abs(out));
+    }
+    return loads;
 }
 
-Vec3 greatest_load(const BentCell& cell, double acceleration, double square) {
-    const auto at = [&](const BentCell::End& end) {
-        return Vec3(acceleration * end.along.cwiseAbs() + square * end.across.cwiseAbs());
-    };
-    return at(cell.entry).cwiseMax(at(cell.exit));
+AxisValues greatest_load(const BentCell& cell, double acceleration, double square) {
+    AxisValues loads{};
+    for (const BentCell::End* end : {&cell.entry, &cell.exit}) {
+        for (std::size_t i = 0; i < kAxes; ++i) {
+            const double load =
+                acceleration * std::abs(end->along[i]) + square * std::abs(end->across[i]);
+            loads[i] = std::max(loads[i], load);
+        }
+    }
+    return loads;
 }
 
 }  // namespace kadr::motion

@@ -4,6 +4,7 @@
 // is linear in the distance, and p and c nearly are: what holds at both ends holds between them but
 // for a remainder, which the limits leave. Fixed shares for turning and for speeding up, as on a
 // whole arc, are then not needed; the axis that turns the path is not the one that speeds it up.
+// Under a transformation the same holds of every axis, with its own p and c (transformed_cells.h).
 //
 // Knows the two ends of one cell; the speeds over many are lookahead.h's. Speeds are squared.
 //
@@ -14,6 +15,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/axes.h"
 #include "motion/profile.h"
 #include "path/curve.h"
 
@@ -31,10 +33,11 @@ struct CellWishes {
 };
 
 struct BentCell {
-    /// p and c in parts of what the axis may accelerate.
+    /// p and c of every logical axis in parts of what it may accelerate; 0 where there is none.
     struct End {
-        path::Vec3 along = path::Vec3::Zero();
-        path::Vec3 across = path::Vec3::Zero();
+        AxisValues along{};
+        AxisValues across{};
+        double speed = std::numeric_limits<double>::infinity();  // limit there
     };
     double length = 0;        // > 0
     double speed = 0;         // limit inside, not squared
@@ -65,9 +68,9 @@ double entry_square(const BentCell& cell, double entry_most, double exit_most);
 /// The greatest exit speed up to `exit_most`; all squared.
 double exit_square(const BentCell& cell, double entry, double exit_most);
 
-/// Greatest acceleration of each linear axis, in parts of its limit: between two speeds, and at
+/// Greatest acceleration of each axis, in parts of its limit: between two speeds, and at
 /// most if the acceleration and the squared speed are not above those given.
-path::Vec3 load_between(const BentCell& cell, double entry_speed, double exit_speed);
-path::Vec3 greatest_load(const BentCell& cell, double acceleration, double square);
+AxisValues load_between(const BentCell& cell, double entry_speed, double exit_speed);
+AxisValues greatest_load(const BentCell& cell, double acceleration, double square);
 
 }  // namespace kadr::motion

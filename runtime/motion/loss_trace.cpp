@@ -93,8 +93,7 @@ LossReason LossTrace::reason_of(const Piece& piece, double speed) const {
 
 /// At which the bend alone takes all that an axis has at an end of a cell.
 double LossTrace::bend_speed(const BentCell& cell) const {
-    const double across =
-        std::max(cell.entry.across.cwiseAbs().maxCoeff(), cell.exit.across.cwiseAbs().maxCoeff());
+    const double across = std::ranges::max(greatest_load(cell, 0, 1));
     return across > 0 ? 1 / std::sqrt(across) : kInfinity;
 }
 

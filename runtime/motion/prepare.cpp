@@ -12,6 +12,7 @@
 #include "motion/feed.h"
 #include "motion/prepare_state.h"
 #include "motion/spline_pieces.h"
+#include "motion/transformed_cells.h"
 
 namespace kadr::motion {
 
@@ -329,16 +330,20 @@ void Preparer::State::emit_parts(const Command& command, const Segment& whole, d
     }
 }
 
+/// Whether the pieces of a motion may be cells at all.
+bool Preparer::State::allows_cells(const Command& command) const {
+    // The pulses of a laser time whole blocks.
+    if (axes.limits_jerk() || command.op == Op::Thread || has_pulses()) return false;
+    // A cell has one course of its speed, which an event would break.
+    if (!options.events.empty()) return false;
+    return command.feed_mode == path::FeedMode::PerMinute;
+}
+
 /// Where a bent piece is cut into cells: nowhere unless its bend takes so much of an axis that
 /// fixed shares would cost time.
 std::vector<double> Preparer::State::cells_in(const Command& command, const Segment& whole,
                                               double length) {
-    // The pulses of a laser time whole blocks.
-    if (axes.limits_jerk() || command.op == Op::Thread) return {};
-    if (has_pulses()) return {};
-    // A cell has one course of its speed, which an event would break.
-    if (!options.events.empty()) return {};
-    if (command.feed_mode != path::FeedMode::PerMinute) return {};
+    if (!allows_cells(command)) return {};
     const auto feed = path_feed(command, whole, length, spindle);
     if (!feed) return {};
     const AxisRates start = axes.start_rates(whole);
@@ -366,13 +371,12 @@ void Preparer::State::emit_cells(const Command& command, const Segment& whole,
                                  const std::vector<double>& bounds) {
     for (std::size_t i = 0; i + 1 < bounds.size() && !has_ended; ++i) {
         const Segment part = part_of(whole, bounds[i], bounds[i + 1]);
-        emit(command, part, path::length(part.curve), true);
+        emit(command, part, path::length(part.curve), {.as_cell = true});
     }
 }
 
-/// `as_cell`: if it is even enough, and no corner is beside it.
 void Preparer::State::emit(const Command& command, const Segment& segment, double length,
-                           bool as_cell) {
+                           const Emission& how) {
     double programmed = programmed_feed(command, segment, length);
     if (has_ended) return;
     double feed = wanted_feed(command, segment, programmed);
@@ -403,11 +407,16 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     piece.turning_acceleration = limits.turning_acceleration;
     piece.programmed = programmed;
     if (!options.events.empty()) ask(command, piece);
-    piece.entry_limit = corner_speed(segment, in, limits.acceleration);
+    piece.entry_limit = how.is_inside ? kInfinity : corner_speed(segment, in, limits.acceleration);
     piece.rates = in;
     piece.loads = axes.loads(segment, in);
     take_corner(piece);
-    if (as_cell && piece.ramp == 1) {
+    if (how.as_cell && piece.ramp == 1 && segment.is_transformed()) {
+        const double most = segment.kind == SegmentKind::Rapid ? kInfinity : feed;
+        const auto cell = cell_on(AxisCourse(axes.chain(), segment), axes.bounds(), most);
+        piece.is_cell = cell.has_value();
+        if (cell) piece.cell = *cell;
+    } else if (how.as_cell && piece.ramp == 1) {
         const PathLimits followers = axes.follower_limits(segment, feed);
         const auto cell = cell_of(segment.curve, length, axes.linear_limits(), followers.speed);
         piece.is_cell = cell.has_value();

@@ -19,6 +19,8 @@ constexpr double kSharedRamp = 0.5;  // half and half
 // Corners of equal distance below a tick weigh up to 1.125 times as much as their mean.
 constexpr double kCrowding = 1.125;
 constexpr double kStraight = 1e-9;  // as in corner.cpp
+// A corner that could be passed so many times faster than the pieces beside it is none.
+constexpr double kNoCorner = 1e4;
 
 // Jumps of the curvature of equal distance below the width of the bell weigh up to 1.05 times as
 // much as their mean.
@@ -51,6 +53,8 @@ double Preparer::State::corner_speed(const Segment& segment, const AxisRates& in
 /// the ramps makes the approach faster, what is left to the jump the corner: the quicker of two
 /// ways to share is taken.
 void Preparer::State::take_corner(Piece& piece) const {
+    if (piece.entry_limit > kNoCorner * std::min(last.speed, piece.speed))
+        piece.entry_limit = kInfinity;
     const bool is_jump_given =
         std::ranges::any_of(options.velocity_jump, [](double given) { return given > 0; });
     const bool is_free = options.corner_rule != CornerRule::AxisJump || is_jump_given ||

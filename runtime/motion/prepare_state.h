@@ -49,6 +49,12 @@ struct HeldMotion {
     double from = 0;    // so much of it the curve around the corner before it has taken
 };
 
+/// What is known of a piece when it is emitted.
+struct Emission {
+    bool as_cell = false;    // if it is even enough, and no corner is beside it
+    bool is_inside = false;  // of a way that goes on evenly from the piece before
+};
+
 /// A part of a motion's way, between two lengths.
 struct WayPart {
     double from = 0;
@@ -94,11 +100,12 @@ struct Preparer::State {
     void emit_parts(const path::Command& command, const Segment& whole, double length, int parts);
     /// prepare_threads.cpp
     void emit_varying_thread(const path::Command& command, const Segment& whole, double length);
+    bool allows_cells(const path::Command& command) const;
     std::vector<double> cells_in(const path::Command& command, const Segment& whole, double length);
     void emit_cells(const path::Command& command, const Segment& whole,
                     const std::vector<double>& bounds);
     void emit(const path::Command& command, const Segment& segment, double length,
-              bool as_cell = false);
+              const Emission& how = {});
     void report_thread_speed(const path::Command& command, double feed, double most);
     double programmed_feed(const path::Command& command, const Segment& segment, double length);
     double wanted_feed(const path::Command& command, const Segment& segment,

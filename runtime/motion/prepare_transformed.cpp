@@ -216,7 +216,10 @@ std::optional<LogicalAxes> Preparer::State::emit_way(const Command& command, con
                                                      double length) {
     const Chain& chain = axes.chain();
     const double wanted = feed_of(command, leg, leg.turn.length).value_or(kInfinity);
-    const std::vector<Segment> parts = even_parts(chain, leg, axes.bounds(), {wanted, tick});
+    const bool is_rapid = leg.kind == SegmentKind::Rapid;
+    const bool as_cells = allows_cells(command) && (!is_rapid || options.rapid_override == 1);
+    const std::vector<Segment> parts =
+        even_parts(chain, leg, axes.bounds(), {wanted, tick, as_cells});
     for (const Segment& part : parts) {
         if (!is_possible(command, part, part.turn.length)) return std::nullopt;
         if (!has_ended) check.widen_travel();
@@ -226,7 +229,9 @@ std::optional<LogicalAxes> Preparer::State::emit_way(const Command& command, con
         if (has_ended) return std::nullopt;
         if (command.feed_mode == path::FeedMode::InverseTime)
             share.feed = command.feed * length / part.turn.length;
-        emit(share, part, part.turn.length);
+        // Between two parts the axes go on evenly: the ends of their courses differ by rounding.
+        const bool is_inside = as_cells && &part != &parts.front();
+        emit(share, part, part.turn.length, {.as_cell = as_cells, .is_inside = is_inside});
     }
     return axes_at(chain, parts.back(), parts.back().turn.length);
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "motion/transformed_cells.h"
+
 namespace kadr::motion {
 
 namespace {
@@ -25,6 +27,7 @@ constexpr double kEvenBend = 1.5;
 constexpr double kSlightBend = 0.3;
 // … and this part more or less of it is no error of a course.
 constexpr double kCourseError = 0.01;
+constexpr double kCourseErrorOfCell = 5e-4;
 // … nor so much of the way that the axis goes: a swing between two nodes would stand out.
 constexpr double kCourseShare = 2e-4;
 constexpr double kSlightError = 1e-9;  // mm, rad: of which that is not asked
@@ -326,10 +329,11 @@ bool is_continuous(const Chain& chain, const Segment& piece) {
 /// the ends: there it is 30 and 64 times what it is an eighth of the way inside, per step² and
 /// step³.
 bool is_exact(const Chain& chain, const Segment& piece, const AxisCourse& course,
-              const AxisBounds& bounds, double speed, double tick) {
+              const AxisBounds& bounds, double speed, const PartWishes& wishes) {
     if (std::isinf(speed)) return true;
+    const double slight = wishes.as_cells ? kCourseErrorOfCell : kCourseError;
     const double time = piece.turn.length / kIntervals / speed;  // of a step
-    const bool passes_in_a_tick = piece.turn.length < tick * speed;
+    const bool passes_in_a_tick = piece.turn.length < wishes.time * speed;
     for (const double u : {0.125, 0.875}) {
         const LogicalAxes exact = axes_at(chain, piece, u * piece.turn.length);
         for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -339,8 +343,8 @@ bool is_exact(const Chain& chain, const Segment& piece, const AxisCourse& course
                                std::abs(course.position(axis, 0.5) - course.position(axis, 0));
             if (error > std::max(kCourseShare * way, kSlightError)) return false;
             if (passes_in_a_tick) continue;
-            if (30 * error > kCourseError * bounds.acceleration[axis] * time * time) return false;
-            if (64 * error > kCourseError * bounds.jerk[axis] * time * time * time) return false;
+            if (30 * error > slight * bounds.acceleration[axis] * time * time) return false;
+            if (64 * error > slight * bounds.jerk[axis] * time * time * time) return false;
         }
     }
     return true;
@@ -365,8 +369,11 @@ bool is_even(const Chain& chain, const Segment& piece, const AxisBounds& bounds,
     }
     const bool is_slow = slowness.most * wishes.speed > 1;  // the velocity of an axis limits it
     const double speed = is_slow ? 1 / slowness.most : wishes.speed;
-    if (!is_exact(chain, piece, course, bounds, speed, wishes.time)) return false;
+    if (!is_exact(chain, piece, course, bounds, speed, wishes)) return false;
     if (piece.turn.length < wishes.time * speed) return true;
+    if (wishes.as_cells)
+        return is_nearly_straight(course, bounds, wishes.speed) ||
+               cell_on(course, bounds, wishes.speed).has_value();
     if (is_slow && slowness.most > kEvenRate * slowness.least) return false;
     const bool is_slight = std::isinf(speed) || stiffness.most * speed * speed < kSlightBend;
     return is_slight || stiffness.most <= kEvenBend * stiffness.least;

@@ -61,6 +61,7 @@ class AxisCourse {
   public:
     AxisCourse(const machine::Chain& chain, const Segment& piece);
 
+    double length() const { return length_; }
     double position(std::size_t axis, double u) const;
     double rate(std::size_t axis, double u) const;   // dq/ds
     double bend(std::size_t axis, double u) const;   // d²q/ds²
@@ -80,13 +81,14 @@ struct AxisBounds {
 };
 
 struct PartWishes {
-    double speed = 0;  // along the path, may be infinite
-    double time = 0;   // s; a part that takes less may be uneven
+    double speed = 0;       // along the path, may be infinite
+    double time = 0;        // s; a part that takes less may be uneven
+    bool as_cells = false;  // the parts are to be cells (transformed_cells.h)
 };
 
-/// A piece as parts, in order, so that one speed suits each of them and its AxisCourse is exact to
-/// far below a thousandth of a millimetre. `follower_start` of each is where the one before it
-/// ends.
+/// A piece as parts, in order, so that one speed suits each of them, or that each is a cell, and
+/// its AxisCourse is exact to far below a thousandth of a millimetre. `follower_start` of each is
+/// where the one before it ends.
 std::vector<Segment> even_parts(const machine::Chain& chain, const Segment& whole,
                                 const AxisBounds& bounds, const PartWishes& wishes);
 
