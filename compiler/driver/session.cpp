@@ -10,6 +10,7 @@ namespace kadr::driver {
 namespace {
 
 constexpr const char* kStockMachine = "mill";
+constexpr const char* kStockLathe = "lathe";
 
 /// Loads on first use; a failure is remembered too, so that it is reported once.
 template <typename T, typename Load>
@@ -76,13 +77,19 @@ const syntax::KeywordTable* Session::keywords(const std::string& name_or_file,
     });
 }
 
+std::string Session::stock_machine() {
+    if (options_.dialect.empty()) return kStockMachine;
+    const nc::Dialect* control = dialect(options_.dialect);
+    return control != nullptr && control->is_of_lathe() ? kStockLathe : kStockMachine;
+}
+
 const machine::Machine* Session::machine() {
     if (!machine_was_loaded_) {
         machine_was_loaded_ = true;
         const bool is_option = !options_.machine.empty();
         OriginSink sink(messages_, {}, is_option ? "-m" : "");
         std::optional<machine::Machine> fresh = machine::load_machine(
-            is_option ? options_.machine : kStockMachine, share_.machines, sources_, sink);
+            is_option ? options_.machine : stock_machine(), share_.machines, sources_, sink);
         if (fresh && !has_modules(*fresh, sink)) fresh.reset();
         if (!fresh) mark_usage();
         if (fresh) machine_ = std::make_unique<machine::Machine>(std::move(*fresh));

@@ -53,7 +53,9 @@ class Session {
                                          const SourceRange& place = {});
     /// The dialect of the options or, if they name none, `otherwise`. A failure is wrong usage.
     const nc::Dialect* chosen_dialect(const std::string& otherwise);
-    /// The machine of the options, or the stock mill; null, with messages, if it has mistakes.
+    /// The stock machine for the dialect of the options: a lathe for the control of a lathe.
+    std::string stock_machine();
+    /// The machine of the options, or the stock one; null, with messages, if it has mistakes.
     const machine::Machine* machine();
 
     /// Called now and then while a long command works.

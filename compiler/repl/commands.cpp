@@ -42,6 +42,12 @@ std::string write_whole(const std::string& path, std::string_view text) {
     return said;
 }
 
+std::string stock_machine(const driver::Options& options, const driver::Share& share) {
+    Sources sources;
+    driver::Messages messages(sources, {}, [](std::string_view) {});
+    return driver::Session(options, share, sources, messages).stock_machine();
+}
+
 /// The program in its canonical layout; as it is if that cannot be had.
 std::string laid_out(const driver::Options& options, const driver::Share& share,
                      std::string program) {
@@ -158,7 +164,8 @@ struct Commands {
     void machine(std::string_view name) {
         if (name.empty()) {
             const std::string& chosen = prompt.options_.machine;
-            return prompt.write((chosen.empty() ? "mill" : chosen) + '\n');
+            return prompt.write(
+                (chosen.empty() ? stock_machine(prompt.options_, prompt.share_) : chosen) + '\n');
         }
         change(prompt.options_.machine, name);
     }

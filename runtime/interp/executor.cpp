@@ -32,7 +32,8 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
                    const InterpreterOptions& options, DiagnosticSink& sink)
     : dialect_(dialect),
       machine_(machine),
-      tool_offsets_(machine),
+      is_lathe_(machine.is_lathe || dialect.is_of_lathe()),
+      tool_offsets_(machine, is_lathe_),
       places_(places),
       cycles_(cycles),
       options_(options),
@@ -43,7 +44,6 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
     lower_.fill(-std::numeric_limits<double>::infinity());
     upper_.fill(std::numeric_limits<double>::infinity());
     word_scale_.fill(1);
-    is_lathe_ = machine.is_lathe || dialect.power_on(Group::Diameter) == Function::DiameterOn;
     if (is_lathe_) word_scale_[index(Axis::X)] = 0.5;
     for (const machine::MachineAxis& axis : machine.axes) {
         const auto degrees = [&](double value) {

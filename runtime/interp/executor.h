@@ -660,6 +660,7 @@ class Executor {
     const machine::Machine& machine_;
     std::vector<ControlFrame> work_offsets_;  // as the machine has them, until the program sets one
     std::int64_t work_offset_ = 0;            // that acts
+    const bool is_lathe_;  // the machine is one, or the control is a lathe's
     ToolOffsets tool_offsets_;
     const nc::BlockPlaces* places_;
     CycleExpander* cycles_;
@@ -751,7 +752,6 @@ class Executor {
     AxisMask unplaced_ = 0;      // axes that want a place behind the end of a rotation
 
     // Of the machine, by logical axis; deg for rotary axes.
-    bool is_lathe_ = false;  // the machine is one, or the control is a lathe's
     AxisMask axes_ = 0;
     AxisValues lower_{};
     AxisValues upper_{};

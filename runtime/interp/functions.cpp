@@ -224,7 +224,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
                 report(diag::SoftTwice, block, invocation.function);
                 return;
             }
-            if (machine_.is_lathe) {
+            if (is_lathe_) {
                 report(diag::IsoNotSupported, block).arg("a soft approach on a lathe");
                 return;
             }

@@ -51,7 +51,7 @@ std::int64_t Executor::unlisted_tool(const Block& block) {
 
 bool Executor::selects_at_once() const {
     return rules_.tool_select_changes == ToolSelectChanges::Yes ||
-           (rules_.tool_select_changes == ToolSelectChanges::Lathe && machine_.is_lathe);
+           (rules_.tool_select_changes == ToolSelectChanges::Lathe && is_lathe_);
 }
 
 void Executor::change_tool(const Block& block) {
@@ -65,7 +65,7 @@ void Executor::change_tool(const Block& block) {
         extra_ = {};
         put(Op::Tool, block).tool = tool_.current;
     }
-    if (rules_.tool_change_stops_spindle && !machine_.is_lathe) {
+    if (rules_.tool_change_stops_spindle && !is_lathe_) {
         spindle_.mode = SpindleMode::Stop;
         warned_spindle_stopped_ = warned_rapid_ = false;
         update_spindle(block);

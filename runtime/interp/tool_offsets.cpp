@@ -10,7 +10,7 @@ std::size_t place_of(Column column) { return static_cast<std::size_t>(column); }
 
 }  // namespace
 
-ToolOffsets::ToolOffsets(const machine::Machine& machine) : is_lathe_(machine.is_lathe) {
+ToolOffsets::ToolOffsets(const machine::Machine& machine, bool is_lathe) : is_lathe_(is_lathe) {
     for (const machine::ToolData& tool : machine.tools) {
         auto& offset = offsets_[tool.number];
         offset[place_of(is_lathe_ ? Column::Second : Column::First)] = tool.length;

@@ -33,7 +33,8 @@ class ToolOffsets {
         Type,  // 0: nobody has said it
     };
 
-    explicit ToolOffsets(const machine::Machine& machine);
+    /// is_lathe  the machine is one, or the control is a lathe's
+    ToolOffsets(const machine::Machine& machine, bool is_lathe);
 
     /// The column that a quantity is of this offset.
     std::optional<Column> column_of(nc::Quantity quantity, std::int64_t number) const;

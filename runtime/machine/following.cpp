@@ -31,7 +31,7 @@ constexpr double kSamePlace = 1e-15;
 /// At the pole the solutions of both configurations are half a turn of R1 apart: one that is nearer
 /// than this is the nearer one, rad².
 constexpr double kSurelyNearest = 1;
-/// Leaving a pole, R1 is where it stands so far behind it, in parts of the way.
+/// Leaving a pole, R1 is where it stands so far behind it at least, in parts of the way.
 constexpr double kBehindPole = 1e-7;
 
 /// The value that differs by whole turns and is nearest.
@@ -78,6 +78,14 @@ double nearest_to_pole(const Chain& chain, const Course& course, double from, do
         }
     }
     return (from + to) / 2;
+}
+
+/// A place behind a pole, or behind the beginning, where R1 has a meaning again.
+double place_behind(const Chain& chain, const Course& course, double fraction) {
+    double behind = kBehindPole;
+    while (2 * behind < 1 - fraction && is_at_pole(chain, course(fraction + behind)))
+        behind *= 2;
+    return fraction + behind;
 }
 
 struct Refused {
@@ -129,7 +137,7 @@ class Walk {
     /// R1 where the course leaves a pole, in both configurations, nearest to where it stands.
     std::vector<Vec3> ways_out(double fraction, const Vec3& joints) const {
         std::vector<Vec3> found;
-        const auto solutions = solve(chain_, course_(fraction + kBehindPole));
+        const auto solutions = solve(chain_, course_(place_behind(chain_, course_, fraction)));
         if (!solutions) return found;
         for (const Solution& solution : *solutions) {
             Vec3 start = joints;
@@ -226,12 +234,11 @@ std::vector<PolePassage> pole_passages(const Chain& chain, const Course& course,
 
 Vec3 joints_before(const Chain& chain, const Course& course, const Vec3& to) {
     Vec3 joints = to;
-    for (int i = kSteps - 1; i >= 0; --i) {
-        // The last step ends beside the pole, where R1 still has its meaning.
-        const double part = std::max(static_cast<double>(i) / kSteps, kBehindPole);
-        joints = joints_for(chain, course(part), joints);
-    }
-    return joints;
+    for (int i = kSteps - 1; i > 0; --i)
+        joints = joints_for(chain, course(static_cast<double>(i) / kSteps), joints);
+    // The last step ends beside the pole, where R1 still has its meaning.
+    const bool begins_there = is_at_pole(chain, course(0));
+    return joints_for(chain, course(begins_there ? place_behind(chain, course, 0) : 0), joints);
 }
 
 Result<PathEnd, PathRefusal> follow(const Chain& chain, const FollowQuery& query,

@@ -418,8 +418,10 @@ double first_along_great_circle(const Chain& chain, const Vec3& from_rotary,
     const Vec3 to = n1.cross(tool_vector(chain, to_rotary));
     // The azimuth of a great circle shorter than half of one changes by less than half a turn.
     const double azimuth = std::atan2(n1.dot(from.cross(to)), from.dot(to));
-    const double by_second =
+    double by_second =
         azimuth_by_second(chain, to_rotary[kR2]) - azimuth_by_second(chain, from_rotary[kR2]);
+    // Where the configurations meet half a turn may have either sign; the other end tells which.
+    if (std::abs(by_second) > kPi) by_second -= std::copysign(2 * kPi, by_second);
     return chain.joints[kR1].sign * (azimuth - by_second);
 }
 

@@ -118,10 +118,30 @@ class Choice {
         starts_at_pole_ = chain_.joints[kR1].direction.cross(from).norm() < kUnchanged;
         ends_at_pole_ = solutions[0].is_pole;
         if (starts_at_pole_ || ends_at_pole_ || query_.mode == PathMode::Axis) return;
-        passes_pole_ = pole_approach(chain_, from, end_direction_).distance < query_.pole_tolerance;
+        const PoleApproach approach = pole_approach(chain_, from, end_direction_);
+        const bool is_near = approach.distance < query_.pole_tolerance;
+        const double angle =
+            std::atan2(from.cross(end_direction_).norm(), from.dot(end_direction_));
+        const double margin = std::min(approach.fraction, 1 - approach.fraction) * angle;
+        begins_or_ends_near_ = is_near && margin < kUnchanged;
+        passes_pole_ = is_near && !begins_or_ends_near_;
+        crosses_gap_ = crosses_gap(chain_, from, end_direction_);
     }
 
     void collect(const Solutions& solutions, PathMode mode) {
+        passes_pole_ = passes_pole_ && mode == PathMode::Vector;
+        gather(solutions, mode);
+        if (!begins_or_ends_near_ || mode == PathMode::Axis) return;
+        // Beside the pole R1 may have to swing round. Rather it turns there by less than a quarter,
+        // into the other configuration if need be.
+        const bool swings =
+            found_.count == 0 || std::abs(found_.all[0].rotary[kR1] - query_.start[kR1]) > kPi / 2;
+        if (!swings) return;
+        passes_pole_ = true;
+        gather(solutions, mode);
+    }
+
+    void gather(const Solutions& solutions, PathMode mode) {
         refusal_ = PathRefusal{};
         found_.count = 0;
         for (const Solution& solution : solutions) {
@@ -149,7 +169,7 @@ class Choice {
         }
         const bool follows = mode == PathMode::Vector && chain_.orients();
         if (follows && !starts_at_pole_ && !ends_at_pole_ && !passes_pole_)
-            return follow(end, wanted.configuration);
+            return follow(end, wanted);
         if (follows && passes_pole_) {
             if (const auto refused = check_pole(wanted.configuration)) return refused;
         }
@@ -172,9 +192,12 @@ class Choice {
     }
 
     /// The great circle leads to one end only: the one reached without a jump.
-    std::optional<CandidateRefusal> follow(Vec3 end, int configuration) {
-        if (configuration != start_configuration_)
+    std::optional<CandidateRefusal> follow(Vec3 end, const Solution& wanted) {
+        const int configuration = wanted.configuration;
+        // Where the configurations meet, both lead to it.
+        if (configuration != start_configuration_ && !wanted.is_equator)
             return outside(CandidateFault::OtherConfiguration, kR2, end[kR2]);
+        if (crosses_gap_) return outside(CandidateFault::NoSolution, kR2, end[kR2]);
         const double second = nearest_turn(end[kR2], query_.start[kR2]);
         if (std::abs(second - end[kR2]) > kEqualWay)
             return outside(CandidateFault::SecondOutside, kR2, second);
@@ -351,6 +374,8 @@ class Choice {
     bool starts_at_pole_ = false;
     bool ends_at_pole_ = false;
     bool passes_pole_ = false;
+    bool begins_or_ends_near_ = false;  // to the pole, and does not pass it in between
+    bool crosses_gap_ = false;          // the great circle, what the axes cannot reach
     Candidates found_;
     PathRefusal refusal_;
 };
@@ -367,6 +392,27 @@ PathQuery query_for(const Chain& chain, const Vec3& direction) {
 
 Result<PathEnd, PathRefusal> choose_path(const Chain& chain, const PathQuery& query) {
     return Choice(chain, query).decide();
+}
+
+bool crosses_gap(const Chain& chain, const Vec3& from, const Vec3& to) {
+    if (!chain.orients()) return false;
+    const TiltReach reach = tilt_reach(chain);
+    const Vec3& n1 = chain.joints[kR1].direction;
+    auto [least, most] = std::minmax({tilt_of(chain, from), tilt_of(chain, to)});
+    const Vec3 across = from.cross(to);
+    const double sine = across.norm();
+    if (sine > kPoleAngle) {
+        const double angle = std::atan2(sine, from.dot(to));
+        const Vec3 ahead = (across / sine).cross(from);
+        const double nearest = std::atan2(n1.dot(ahead), n1.dot(from));
+        for (const double t : {nearest, nearest + kPi, nearest - kPi}) {
+            if (t <= 0 || t >= angle) continue;
+            const double tilt = tilt_of(chain, std::cos(t) * from + std::sin(t) * ahead);
+            least = std::min(least, tilt);
+            most = std::max(most, tilt);
+        }
+    }
+    return least < reach.lower - kUnchanged || most > reach.upper + kUnchanged;
 }
 
 PoleApproach pole_approach(const Chain& chain, const Vec3& from, const Vec3& to) {

@@ -103,6 +103,10 @@ struct PathRefusal {
 ///          great circle from the start
 Result<PathEnd, PathRefusal> choose_path(const Chain& chain, const PathQuery& query);
 
+/// Whether the shorter great circle between two directions leads through some that no position of
+/// the axes has: beside R1 where the axes are not exactly square to each other.
+bool crosses_gap(const Chain& chain, const Vec3& from, const Vec3& to);
+
 /// How near the great circle between two directions comes to the axis R1, on either side of it.
 struct PoleApproach {
     double distance = 0;  // rad, of the nearest point between both ends, these included

@@ -234,15 +234,16 @@ void Preparer::State::move(const Command& command) {
     segment.line = command.line;
     segment.source = command.source;
     const double length = standing.lay_path(command, target, segment);
+    const Arrival arrival{length, joints_of(axes.chain(), target.followers)};
     if (segment.is_transformed() && length > 0) {
-        const double from = round_corner(command, segment, length);
-        if (!has_ended && !hold(command, segment, length, from)) {
+        const double from = round_corner(command, segment, arrival);
+        if (!has_ended && !hold(command, segment, arrival, from)) {
             if (from > 0) emit_rest(command, segment, length, from);
             else emit_transformed(command, segment, target);
         }
     } else if (length > 0 && is_possible(command, segment, length)) {
-        const double from = round_corner(command, segment, length);
-        if (!hold(command, segment, length, from)) {
+        const double from = round_corner(command, segment, arrival);
+        if (!hold(command, segment, arrival, from)) {
             emit_part(command, segment, length, {from, length});
             end_command();
         }

@@ -86,22 +86,23 @@ std::optional<double> Preparer::State::feed_of(const Command& command, const Seg
 /// Whether there can be a curve before or behind a motion. Axes beside X, Y, Z have no curve but
 /// those that turn the tool, and the pulses of a laser burn the programmed points.
 bool Preparer::State::can_be_rounded(const Command& command, const Segment& segment,
-                                     double length) const {
+                                     const Arrival& arrival) const {
     if (!is_rounded(command.op) || has_pulses() || segment.turns_only) return false;
-    const bool is_free = segment.is_transformed() ? is_one_way(segment) : segment.followers == 0;
-    return is_free && feed_of(command, segment, length).has_value();
+    const bool is_free =
+        segment.is_transformed() ? is_one_way(segment, arrival.joints) : segment.followers == 0;
+    return is_free && feed_of(command, segment, arrival.length).has_value();
 }
 
 /// Keeps a motion until the next one is known; false if nothing is asked for behind it.
-bool Preparer::State::hold(const Command& command, const Segment& segment, double length,
+bool Preparer::State::hold(const Command& command, const Segment& segment, const Arrival& arrival,
                            double from) {
     const path::Blending& wish = command.blending;
     if (wish.kind == path::BlendKind::None || command.exact_stop || !(wish.size > 0)) return false;
-    if (!can_be_rounded(command, segment, length)) return false;
+    if (!can_be_rounded(command, segment, arrival)) return false;
     held.is_held = true;
     held.command = command;
     held.segment = segment;
-    held.length = length;
+    held.length = arrival.length;
     held.from = from;
     return true;
 }
@@ -127,10 +128,11 @@ void Preparer::State::emit_rest(const Command& command, const Segment& whole, do
 /// The motion that waits goes on, and the curve around the corner behind it if there is one.
 /// Returns how much of the next motion the curve has taken.
 double Preparer::State::round_corner(const Command& command, const Segment& segment,
-                                     double length) {
+                                     const Arrival& arrival) {
     if (!held.is_held) return 0;
+    const double length = arrival.length;
     const bool is_transformed = segment.is_transformed();
-    if (!can_be_rounded(command, segment, length) ||
+    if (!can_be_rounded(command, segment, arrival) ||
         held.segment.is_transformed() != is_transformed)
         return release(), 0;
     if (is_transformed) return round_turned_corner(command, segment, length);

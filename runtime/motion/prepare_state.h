@@ -55,6 +55,12 @@ struct Emission {
     bool is_inside = false;  // of a way that goes on evenly from the piece before
 };
 
+/// Where a motion ends.
+struct Arrival {
+    double length = 0;                       // of its path
+    path::Vec3 joints = path::Vec3::Zero();  // under a transformation, rad
+};
+
 /// A part of a motion's way, between two lengths.
 struct WayPart {
     double from = 0;
@@ -123,13 +129,16 @@ struct Preparer::State {
     std::optional<double> feed_of(const path::Command& command, const Segment& segment,
                                   double length) const;
     bool has_pulses() const { return machine.laser && machine.laser->pulse > 0; }
-    bool can_be_rounded(const path::Command& command, const Segment& segment, double length) const;
-    bool hold(const path::Command& command, const Segment& segment, double length, double from);
+    bool can_be_rounded(const path::Command& command, const Segment& segment,
+                        const Arrival& arrival) const;
+    bool hold(const path::Command& command, const Segment& segment, const Arrival& arrival,
+              double from);
     void release();
-    double round_corner(const path::Command& command, const Segment& segment, double length);
+    double round_corner(const path::Command& command, const Segment& segment,
+                        const Arrival& arrival);
     double round_turned_corner(const path::Command& command, const Segment& segment, double length);
     void emit_rest(const path::Command& command, const Segment& whole, double length, double from);
-    bool is_one_way(const Segment& whole) const;  // prepare_transformed.cpp
+    bool is_one_way(const Segment& whole, const path::Vec3& to) const;  // prepare_transformed.cpp
     PathLimits limits_on(const path::Command& command, const Segment& segment, double length) const;
     double least_speed(std::span<const path::Curve> curves, const Segment& whole,
                        double most) const;

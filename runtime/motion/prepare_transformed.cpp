@@ -10,9 +10,11 @@
 
 #include <Eigen/Geometry>
 
+#include "base/assert.h"
 #include "base/units.h"
 #include "motion/prepare_state.h"
 #include "motion/transformed.h"
+#include "motion/turned_corner.h"
 
 namespace kadr::motion {
 
@@ -29,8 +31,18 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // So far the joints may be from where a motion should end, rad: rounding of degrees.
 constexpr double kSameJoint = 1e-8;
+// … and so far, where they followed a great circle all along, rad: the rest is another turn, or
+// another way round the pole.
+constexpr double kFollowed = 1e-5;
+// So far the tool may be from where a motion should end, rad; beside the pole R1 is known less
+// well.
+constexpr double kSameDirection = 1e-5;
 // A cone as wide as this is a great circle: what its axis is not square to the tool, rad.
 constexpr double kSquare = 1e-9;
+// At the edge of what the axes cannot reach R1 swings as at a pole. A gap up to so many times the
+// tolerance, as axes have that are measured out of square, is passed at so many times its width.
+constexpr double kSmallGap = 4;
+constexpr double kBesideGap = 1.5;
 
 /// So far along a motion the tool stands at the pole of R1.
 struct Passage {
@@ -74,15 +86,25 @@ machine::Course course_of(const Segment& leg) {
     };
 }
 
-/// A great circle that comes near enough to a pole is led through it.
-std::vector<Segment> legs_of_circle(const Chain& chain, const Segment& whole, double tolerance) {
-    const Vec3 first = chain.joints[machine::kR1].direction;
-    std::vector<Passage> passages;
-    for (const Vec3& pole : {first, Vec3(-first)}) {
-        if (const auto found = passage_of(whole.turn, pole, tolerance)) passages.push_back(*found);
-    }
-    if (passages.empty()) return {whole};
-    std::ranges::sort(passages, {}, &Passage::distance);
+/// Whether the axes come to the end of a great circle by following it all along.
+bool is_followed(const Chain& chain, const Segment& whole, const Vec3& to) {
+    const Vec3 from = joints_of(chain, whole.follower_start);
+    const Vec3 end = end_of(whole);
+    if (is_at_pole(chain, whole.turn.start) || is_at_pole(chain, end)) return true;
+    if (machine::crosses_gap(chain, whole.turn.start, end)) return false;
+    const double way = machine::first_along_great_circle(chain, from, to);
+    if (machine::configuration_of(chain, from) == machine::configuration_of(chain, to) &&
+        std::abs(from[0] + way - to[0]) < kFollowed)
+        return true;
+    // Where the configurations meet, the formula may not tell.
+    const LogicalAxes axes = TurningWay(chain, whole).end();
+    std::array<double, kFollowers> followers{};
+    std::copy(axes.begin() + 3, axes.end(), followers.begin());
+    return (joints_of(chain, followers) - to).head<2>().norm() < kFollowed;
+}
+
+/// A great circle that passes near enough to a pole is led through it.
+std::vector<Segment> legs_through(const Segment& whole, const std::vector<Passage>& passages) {
     std::vector<Segment> legs;
     double from = 0;
     Vec3 direction = whole.turn.start;
@@ -98,25 +120,98 @@ std::vector<Segment> legs_of_circle(const Chain& chain, const Segment& whole, do
     return legs;
 }
 
+/// The part of a great circle that is nearer to a pole than this, rad; nothing if there is none.
+std::optional<WayPart> part_beside(const Turn& turn, const Vec3& pole, double width) {
+    const double a = turn.start.dot(pole);
+    const double b = turn.axis.cross(turn.start).dot(pole);
+    const double ahead = std::hypot(a, b);  // cosine of the least distance on the whole circle
+    if (ahead < std::cos(width)) return std::nullopt;
+    const double half = std::acos(std::min(1.0, std::cos(width) / ahead));
+    const double whole = turn.rate * turn.length;
+    double middle = std::atan2(b, a);
+    middle -= 2 * std::numbers::pi * std::round((middle - whole / 2) / (2 * std::numbers::pi));
+    const double from = std::clamp((middle - half) / whole, 0.0, 1.0);
+    const double to = std::clamp((middle + half) / whole, 0.0, 1.0);
+    if (from == to) return std::nullopt;
+    return WayPart{std::min(from, to) * turn.length, std::max(from, to) * turn.length};
+}
+
+/// Where a great circle begins or ends beside a pole, or where no axes can be at the pole, they run
+/// evenly there from one configuration to the other, or R1 round: nowhere farther from the circle
+/// than its distance from the pole.
+std::vector<Segment> legs_beside(const Chain& chain, const Segment& whole, double width) {
+    if (width == 0) return {whole};
+    const Vec3 first = chain.joints[machine::kR1].direction;
+    std::vector<WayPart> beside;
+    for (const Vec3& pole : {first, Vec3(-first)})
+        if (const auto part = part_beside(whole.turn, pole, width)) beside.push_back(*part);
+    std::ranges::sort(beside, {}, &WayPart::from);
+    std::vector<Segment> legs;
+    double from = 0;
+    for (WayPart& part : beside) {
+        if (part.from - from > kStill) legs.push_back(part_of(whole, from, part.from));
+        else part.from = from;
+        if (whole.turn.length - part.to < kStill) part.to = whole.turn.length;
+        legs.push_back(part_of(whole, part.from, part.to));
+        legs.back().turn.kind = Turning::Axes;
+        from = part.to;
+    }
+    if (whole.turn.length - from > kStill) legs.push_back(part_of(whole, from, whole.turn.length));
+    return legs;
+}
+
+std::vector<Segment> legs_of_circle(const Chain& chain, const Segment& whole, const Vec3& to,
+                                    double tolerance) {
+    const Vec3 first = chain.joints[machine::kR1].direction;
+    const double gap = machine::tilt_reach(chain).lower;
+    if (gap > machine::kPoleWidth) {
+        const bool is_small = gap < kSmallGap * tolerance;
+        const double width = is_followed(chain, whole, to) ? 0 : tolerance;
+        return legs_beside(chain, whole, is_small ? std::max(width, kBesideGap * gap) : width);
+    }
+    std::vector<Passage> passages;
+    for (const Vec3& pole : {first, Vec3(-first)}) {
+        if (const auto found = passage_of(whole.turn, pole, tolerance)) passages.push_back(*found);
+    }
+    std::ranges::sort(passages, {}, &Passage::distance);
+    if (!passages.empty()) return legs_through(whole, passages);
+    if (is_followed(chain, whole, to)) return {whole};
+    return legs_beside(chain, whole, tolerance);
+}
+
 /// The motion between poles; one leg if it passes none.
-std::vector<Segment> legs_of(const Chain& chain, const Segment& whole, double tolerance) {
+///
+/// to  where the joints are to be at its end
+std::vector<Segment> legs_of(const Chain& chain, const Segment& whole, const Vec3& to,
+                             double tolerance) {
     const Turn& turn = whole.turn;
     if (!leads_tool(turn) || !chain.orients()) return {whole};
     if (turn.kind == Turning::Cone) {
         if (turn.rate == 0) return {whole};
         if (std::abs(turn.axis.dot(turn.start)) < kSquare)
-            return legs_of_circle(chain, whole, tolerance);
+            return legs_of_circle(chain, whole, to, tolerance);
     }
     std::vector<Segment> legs;
     double from = 0;
     for (const auto& passage :
          machine::pole_passages(chain, course_of(whole), machine::kPoleWidth)) {
-        const double to = passage.fraction * turn.length;
-        legs.push_back(part_of(whole, from, to));
-        from = to;
+        const double place = passage.fraction * turn.length;
+        legs.push_back(part_of(whole, from, place));
+        from = place;
     }
     legs.push_back(part_of(whole, from, turn.length));
     return legs;
+}
+
+/// The joints go from here to there in proportion to the way of the leg.
+void run_evenly(const Chain& chain, const Vec3& from, const Vec3& to, Segment& leg) {
+    std::array<double, kFollowers> rates{};
+    put_joints(chain, (to - from) / leg.turn.length, rates);
+    for (std::size_t k = 0; k < machine::kJoints; ++k) {
+        if (!chain.has(k)) continue;
+        const std::size_t follower = index(chain.joints[k].axis) - 3;
+        leg.follower_rate[follower] = rates[follower];
+    }
 }
 
 /// Whether the tool leaves the pole in this leg.
@@ -135,11 +230,17 @@ void Preparer::State::emit_transformed(const Command& command, const Segment& wh
     const double tolerance = std::max(machine.kinematics->pole_tolerance, machine::kPoleWidth);
     const Vec3 to = joints_of(chain, target.followers);
     Vec3 joints = joints_of(chain, whole.follower_start);
-    std::vector<Segment> legs = legs_of(chain, whole, tolerance);
+    std::vector<Segment> legs = legs_of(chain, whole, to, tolerance);
     for (std::size_t i = 0; i < legs.size() && !has_ended; ++i) {
         Segment& leg = legs[i];
         put_joints(chain, joints, leg.follower_start);
-        if (starts_at_pole(chain, leg)) {
+        const bool is_beside = leads_tool(whole.turn) && !leads_tool(leg.turn);
+        if (is_beside) {
+            const bool is_last = i + 1 == legs.size();
+            run_evenly(chain, joints,
+                       is_last ? to : machine::joints_before(chain, course_of(legs[i + 1]), to),
+                       leg);
+        } else if (starts_at_pole(chain, leg)) {
             // Only behind the last pole the end of the motion says how it is left.
             const Vec3 wanted =
                 i + 1 == legs.size() ? machine::joints_before(chain, course_of(leg), to) : joints;
@@ -152,6 +253,9 @@ void Preparer::State::emit_transformed(const Command& command, const Segment& wh
     if (has_ended) return;
     // An end at the pole leaves R1 free: it goes where the program knows it.
     if (std::abs(joints[0] - to[0]) > kSameJoint && !legs.empty()) {
+        const double off =
+            std::abs(joints[0] - to[0]) * std::sin(machine::tilt_of(chain, end_of(whole)));
+        KADR_ASSERT(std::abs(off) < kSameDirection, "the tool stands as the block says");
         Segment end = standing_at(legs.back(), legs.back().turn.length);
         put_joints(chain, joints, end.follower_start);
         turn_at_pole(command, end, {to[0], joints[1], joints[2]});
@@ -163,13 +267,16 @@ void Preparer::State::emit_transformed(const Command& command, const Segment& wh
 
 /// Whether a motion is led from its start to its end without a pole, at which R1 may have to turn,
 /// and by no other axes than those that hold the tip.
-bool Preparer::State::is_one_way(const Segment& whole) const {
+///
+/// to  where the joints are to be at its end
+bool Preparer::State::is_one_way(const Segment& whole, const Vec3& to) const {
     if (whole.virtual_axes.is_on() || whole.contact.kind != path::ContactKind::Tip) return false;
     if ((whole.followers & ~kRotaryABC) != 0) return false;
     const Chain& chain = axes.chain();
     if (!leads_tool(whole.turn)) return true;
     const double tolerance = std::max(machine.kinematics->pole_tolerance, machine::kPoleWidth);
-    if (legs_of(chain, whole, tolerance).size() != 1) return false;
+    const std::vector<Segment> legs = legs_of(chain, whole, to, tolerance);
+    if (legs.size() != 1 || !leads_tool(legs[0].turn)) return false;
     return !starts_at_pole(chain, whole) && !is_at_pole(chain, end_of(whole));
 }
 

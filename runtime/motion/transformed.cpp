@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/Geometry>
+
 #include "motion/transformed_cells.h"
 
 namespace kadr::motion {
@@ -14,7 +16,8 @@ using machine::Chain;
 using machine::ChainPosition;
 using path::Vec3;
 
-// Beside the pole by so much of the piece R1 has the place with which the tool gets there.
+// Beside the pole by so much, rad, and by so much of the piece, R1 has a place that tells where it
+// is at the pole.
 constexpr double kBesidePole = 1e-6;
 
 // Differences of places that are rounding, mm and rad.
@@ -31,6 +34,10 @@ constexpr double kCourseErrorOfCell = 5e-4;
 // … nor so much of the way that the axis goes: a swing between two nodes would stand out.
 constexpr double kCourseShare = 2e-4;
 constexpr double kSlightError = 1e-9;  // mm, rad: of which that is not asked
+// The error of the rate at the ends of a course, per step, is so often that an eighth of the way
+// inside, and may be this part of a velocity.
+constexpr double kEndRate = 7.3;
+constexpr double kVelocityError = 5e-4;
 // More parts a motion has not; the rest is taken as it comes.
 constexpr std::size_t kMostParts = 2048;
 // Between two nodes of a course no joint turns farther, rad.
@@ -107,17 +114,31 @@ LogicalAxes complete(const Chain& chain, const Segment& piece, const Vec3& tip,
     return axes;
 }
 
-/// At the pole R1 has the place with which the tool gets there: a nutating head's still moves.
+/// At the pole R1 has the place with which the tool gets there: a nutating head's still moves. From
+/// two places beside it, since so near to the pole the rounding of a direction would turn R1.
+double first_at_pole(const Chain& chain, const Segment& piece, double distance, const Vec3& near) {
+    const path::Turn& turn = piece.turn;
+    const double inwards = distance > turn.length / 2 ? -1 : 1;
+    const auto beside = [&](double step) {
+        return path::direction_at(turn, piece.curve, distance + inwards * step);
+    };
+    const Vec3& axis = chain.joints[machine::kR1].direction;
+    double step = kBesidePole * turn.length;
+    while (step < turn.length / 4 && axis.cross(beside(step)).norm() < kBesidePole) step *= 2;
+    const Vec3 farther = joints_for(chain, beside(2 * step), near);
+    const Vec3 nearer = joints_for(chain, beside(step), farther);
+    return 2 * nearer[0] - farther[0];
+}
+
 Vec3 joints_on_way(const Chain& chain, const Segment& piece, double distance, const Vec3& direction,
                    Vec3 near) {
     const path::Turn& turn = piece.turn;
     const bool stands = turn.kind == path::Turning::Cone && turn.rate == 0;
-    if (!stands && is_at_pole(chain, direction)) {
-        const double inwards = distance > turn.length / 2 ? -1 : 1;
-        const double beside = distance + inwards * kBesidePole * turn.length;
-        near[0] = joints_for(chain, path::direction_at(turn, piece.curve, beside), near)[0];
-    }
-    return joints_for(chain, direction, near);
+    if (stands || !is_at_pole(chain, direction)) return joints_for(chain, direction, near);
+    near[0] = first_at_pole(chain, piece, distance, near);
+    Vec3 joints = joints_for(chain, direction, near);
+    joints[0] = near[0];
+    return joints;
 }
 
 /// On a face or a cylinder the tool stands as it does, and a rotary axis follows the path. Where it
@@ -343,6 +364,7 @@ bool is_exact(const Chain& chain, const Segment& piece, const AxisCourse& course
                                std::abs(course.position(axis, 0.5) - course.position(axis, 0));
             if (error > std::max(kCourseShare * way, kSlightError)) return false;
             if (passes_in_a_tick) continue;
+            if (kEndRate * error > kVelocityError * bounds.velocity[axis] * time) return false;
             if (30 * error > slight * bounds.acceleration[axis] * time * time) return false;
             if (64 * error > slight * bounds.jerk[axis] * time * time * time) return false;
         }

@@ -106,6 +106,8 @@ class Dialect {
     bool can_write(Function function) const;
     /// Member of a modal group at power-on; None if the dialect does not say.
     Function power_on(Group group) const;
+    /// Whether the control is a lathe's: X is a diameter at power-on.
+    bool is_of_lathe() const { return power_on(Group::Diameter) == Function::DiameterOn; }
     /// The control's alarm for a diagnostic row; nothing if the dialect names none.
     /// `detail`: what the message says in words that are not the row's, where that decides.
     std::optional<AlarmText> alarm(const DiagnosticRow& row, std::string_view detail = {}) const;

@@ -3,7 +3,9 @@
 namespace kadr::machine {
 namespace {
 
+using test::chain_of;
 using test::json;
+using test::rad;
 
 PathMode mode_of(const json& word) { return word == "vector" ? PathMode::Vector : PathMode::Axis; }
 
@@ -214,6 +216,53 @@ TEST(PathChoice, NearPolesAreLedThrough) {
     EXPECT_TRUE(through->switches_at_pole);
     EXPECT_NEAR(deg_from_rad(through->rotary[kR1]), -0.1, 1e-9);
     EXPECT_NEAR(deg_from_rad(through->rotary[kR2]), -40, 1e-9);
+}
+
+/// A block that begins within the tolerance of the pole, but beside it, follows its great circle
+/// unless R1 would swing round by more than a quarter: then the other configuration is nearer.
+TEST(PathChoice, BesideThePoleTheNearerConfigurationIsTaken) {
+    const Chain chain = chain_of("T_CB_head");
+    for (const double aside : {1e-6, 1e-4, 8e-4}) {
+        for (const double azimuth : {0.0, 40.0, 170.0, 180.0}) {
+            PathQuery query =
+                query_for(chain, Vec3(std::sin(0.5) * std::cos(rad(azimuth)),
+                                      std::sin(0.5) * std::sin(rad(azimuth)), std::cos(0.5)));
+            query.start = Vec3(0, aside, 0);  // C 0: the tool leans to +X
+            query.mode = PathMode::Vector;
+            query.pole_tolerance = rad(0.05);
+            const auto end = choose_path(chain, query);
+            ASSERT_TRUE(end.has_value());
+            EXPECT_LE(std::abs(end->rotary[kR1]), rad(90) + 1e-9) << aside << ' ' << azimuth;
+            EXPECT_EQ(end->configuration == configuration_of(chain, query.start), azimuth < 90);
+            EXPECT_LT(
+                (tool_vector(chain, end->rotary) - query.rotation * chain.tool_direction).norm(),
+                1e-9);
+        }
+    }
+}
+
+/// Axes that are out of square do not reach the directions nearest to R1, however few they are.
+TEST(PathChoice, GapsOnTheWayAreRefusedOrPassed) {
+    for (const double gap : {1e-5, 1e-3, 0.03}) {
+        Chain chain;
+        chain.joints[kR1] = {true,         Axis::C, Side::Table, Vec3(gap, 0, 1).normalized(),
+                             Vec3::Zero(), 1};
+        chain.joints[kR2] = {true, Axis::A, Side::Table, Vec3::UnitX(), Vec3::Zero(), 1};
+        chain = prepare(chain).value();
+        const Vec3 from = Vec3(gap + 0.3, 0.1, 1).normalized();
+        const Vec3 to = Vec3(gap - 0.3, -0.1, 1).normalized();
+        EXPECT_TRUE(crosses_gap(chain, from, to));
+        EXPECT_FALSE(crosses_gap(chain, from, Vec3(gap + 0.3, -0.1, 1).normalized()));
+        PathQuery query = query_for(chain, to);
+        query.start = solve(chain, from)->all[0].rotary;
+        query.mode = PathMode::Vector;
+        query.pole_tolerance = rad(0.05);
+        EXPECT_TRUE(choose_path(chain, query).has_value()) << gap;  // it is led past the axis
+        query.pole_tolerance = 0;
+        const auto refused = choose_path(chain, query);
+        ASSERT_FALSE(refused.has_value()) << gap;
+        EXPECT_EQ(refused.error().fault, PathFault::NoCandidate);
+    }
 }
 
 TEST(PathChoice, PoleApproachIsTheNearestPoint) {

@@ -94,9 +94,10 @@ class Program {
         machine::PathQuery query = machine::query_for(chain_, tool);
         query.start = joints_;
         query.mode = turning == Turning::Cone ? machine::PathMode::Vector : machine::PathMode::Axis;
-        query.pole_tolerance = 1e-7;
+        query.pole_tolerance = std::max(machine_.kinematics->pole_tolerance, 1e-7);
         const auto chosen = machine::choose_path(chain_, query);
-        RC_PRE(chosen.has_value() && chosen->mode == query.mode);
+        RC_PRE(chosen.has_value());
+        RC_PRE(chosen->mode == query.mode);
         Command command = line_to(tip, feed);
         command.turning = turning;
         command.direction = tool;
@@ -564,6 +565,76 @@ RC_GTEST_PROP(TurnedCorner, KeepsTolerancesAndLimits, ()) {
     RC_ASSERT(watch.shares().acceleration < 1.001);
     RC_ASSERT(watch.shares().jerk < 1.001);
     RC_ASSERT((last - tip_of(commands.size() - 1)).norm() < 1e-9);
+}
+
+/// A table whose C axis is out of square with A by so much, rad: directions nearer to C than that
+/// no axes reach.
+machine::Machine out_of_square(double gap) {
+    return five_axes({Axis::C, Side::Table, Vec3(gap, 0, 1).normalized(), {12, -7, 3}},
+                     {Axis::A, Side::Table, Vec3::UnitX(), {3, 5, -60}}, 0.02);
+}
+
+/// A direction as programs have them that lead the tool upright and past it.
+Vec3 near_upright(const Vec3& before) {
+    // Programs have six digits.
+    const double small = std::pow(10.0, any_number(-60, -5) / 10.0);
+    const double azimuth = any_number(-180, 180);
+    const Vec3 aside = small * Vec3(std::cos(azimuth), std::sin(azimuth), 0);
+    switch (*rc::gen::inRange(0, 5)) {
+        case 0: return Vec3::UnitZ();
+        case 1: return (Vec3::UnitZ() + aside).normalized();
+        case 2: {  // to the other side of the pole
+            const double share = any_number(2, 10) / 10.0;
+            return Vec3(-share * before.x(), -share * before.y(), before.z()).normalized();
+        }
+        case 3: return (Vec3(-before.x(), -before.y(), before.z()) + aside).normalized();
+        default: return direction(any_number(-180, 180), any_number(1, 50));
+    }
+}
+
+/// Through the pole, past it, from it and to it, also where the axes are not square to each other:
+/// the tool stands as the block says at its end, no farther beside the great circle in between than
+/// the tolerance of the pole or the gap round it asks for, and no axis jumps.
+RC_GTEST_PROP(NearThePole, ToolAndAxesGoOn, ()) {
+    std::vector<machine::Machine> machines = every_class();
+    for (const double gap : {1e-5, 2e-4, 8e-4}) machines.push_back(out_of_square(gap));
+    machine::Machine machine = machines[*rc::gen::inRange<std::size_t>(0, machines.size())];
+    const double tolerance = rad_from_deg(0.05);
+    machine.kinematics->pole_tolerance = tolerance;
+    const bool is_rounded = *rc::gen::element(true, false);
+    Program program(machine);
+    Vec3 tip(0, 0, 0);
+    Vec3 tool = near_upright(direction(20, 30));
+    program.go_fast(tip, tool);
+    const int count = *rc::gen::inRange(1, 8);
+    std::vector<Vec3> tools = {tool};
+    for (int i = 0; i < count; ++i) {
+        tool = near_upright(tool);
+        RC_PRE(tool.cross(tools.back()).norm() > 1e-6);
+        tip += *rc::gen::element(0.0, 0.3, 20.0) * any_point(1);
+        program.go(tip, tool, any_number(500, 10000));
+        if (is_rounded) program.commands.back().blending = within(0.05, 0.02);
+        tools.push_back(tool);
+    }
+    const Motion motion = run(machine, program.commands);
+    RC_ASSERT(!motion.alarmed);
+    TickWatch watch(machine, motion.segments);
+    const double gap = machine::tilt_reach(machine.kinematics->chain).lower;
+    const double most = 2 * std::max(tolerance, 1.5 * gap) + (is_rounded ? rad_from_deg(0.02) : 0);
+    Vec3 last = Vec3::Zero();
+    for (const Setpoint& setpoint : sample(machine, program.commands)) {
+        watch.add(setpoint);
+        const machine::Pose pose = pose_of(machine, setpoint, 0);
+        RC_ASSERT((pose.tip - setpoint.tip).norm() < 1e-6 * kMicrometre);
+        last = pose.rotation * Vec3::UnitZ();
+        const std::size_t k = setpoint.line - 1;
+        if (k < 1 || is_rounded) continue;
+        const Vec3 normal = tools[k - 1].cross(tools[k]).normalized();
+        RC_ASSERT(std::abs(last.dot(normal)) < most);
+    }
+    RC_ASSERT((last - tools.back()).norm() < 1e-7);
+    RC_ASSERT(watch.shares().velocity < 1.001);
+    RC_ASSERT(watch.shares().acceleration < 1.001);
 }
 
 }  // namespace
