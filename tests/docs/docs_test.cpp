@@ -3,6 +3,7 @@
 #include <regex>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -362,6 +363,66 @@ TEST_F(Docs, EveryAttributeOfTheSchemaIsInThePageOnDialects) {
         EXPECT_NE(schema.find(said, place), schema.npos) << line;
     }
     EXPECT_GT(rows, 30);
+}
+
+/// Goes through a page: files that it shows are written, commands are run, and a text right behind
+/// commands is what the last of them says. Returns how many texts there were.
+int texts_of_page(const std::string& page) {
+    std::error_code is_there_already;
+    fs::create_symlink(KADR_ROOT "/examples", "examples", is_there_already);
+    int texts = 0;
+    bool was_command = false;
+    std::string said;
+    for (const Fence& fence : fences(page)) {
+        const std::vector<std::string> info = words_of(fence.info);
+        if (info.size() == 2) {
+            EXPECT_TRUE(kadr::write_file_whole(info[1], fence.text));
+        }
+        if (was_command && fence.info == "text") {
+            ++texts;
+            EXPECT_EQ(said, fence.text) << page << ':' << fence.line;
+        }
+        was_command = fence.info == "sh";
+        std::istringstream in(was_command ? fence.text : "");
+        for (std::string line; std::getline(in, line);) {
+            std::vector<std::string> words = words_of(line);
+            words[0] = KADR_BINARY;
+            const ProcessResult result = run_process(words);
+            EXPECT_EQ(result.status, 0) << page << ": " << line << '\n' << result.err;
+            EXPECT_EQ(result.err, "") << page << ": " << line;
+            said = result.out;
+        }
+    }
+    return texts;
+}
+
+TEST_F(Docs, ThePagesOnMotionAndFiveAxesShowWhatIsSaid) {
+    EXPECT_EQ(texts_of_page("docs/motion.md"), 2);
+    EXPECT_EQ(texts_of_page("docs/five-axes.md"), 2);
+}
+
+/// The curves of the page's steps with rounded corners, and the drives of the facing pass.
+TEST_F(Docs, PicturesOfMotionAreWhatIsDrawnToday) {
+    std::string steps;
+    for (const Fence& fence : fences("docs/motion.md")) {
+        if (fence.info == "iso steps.mpf") steps = fence.text;
+    }
+    const std::size_t mode = steps.find("G64");
+    ASSERT_NE(mode, std::string::npos);
+    ASSERT_TRUE(kadr::write_file_whole("steps.mpf", steps.replace(mode, 3, "G642 CTOL=0.1")));
+    const ProcessResult corner =
+        run_process({KADR_BINARY, "run", "steps.mpf", "-d", "sinumerik", "--curves",
+                     "motion_corner.svg", "--window", "4s..4.6s"});
+    EXPECT_EQ(corner.status, 0) << corner.err;
+    const ProcessResult face =
+        run_process({KADR_BINARY, "run", KADR_ROOT "/examples/face.kadr", "-d", "sinumerik", "-m",
+                     "lathe", "--drive", "motion_face.svg"});
+    EXPECT_EQ(face.status, 0) << face.err;
+    for (const char* file : {"motion_corner.svg", "motion_face.svg"}) {
+        const std::string name = file;
+        EXPECT_TRUE(kadr::read_file(name) == kadr::read_file(KADR_ROOT "/docs/pictures/" + name))
+            << name << ": run scripts/pictures and look at it";
+    }
 }
 
 }  // namespace
