@@ -176,6 +176,9 @@ class Executor {
     std::optional<std::int64_t> axis_number(Axis axis) const;
     double word_factor(std::int64_t axis) const;
     bool is_compensated() const { return is_any_comp_on() || soft_approach_.is_active(); }
+    bool is_at_place() const;
+    void leave_place();
+    void leave_pattern();
     void keep_frames() { kept_frames_.push_back({frames_, work_offset_}); }
     void restore_frames(bool is_wanted);
 
@@ -627,10 +630,11 @@ class Executor {
     bool was_refused(const nc::Block& block);
     void refuse_cycle(const nc::Block& block, std::string_view words);
     bool check_surroundings(const nc::Block& block, const ModalCycle& call);
-    void complete_surroundings(ModalCycle& call) const;
+    void complete_surroundings(ModalCycle& call, bool calls_program) const;
     void begin_pattern(const nc::Block& block, std::unique_ptr<Stream<nc::Block>> places);
     void go_to_next_place();
     void finish_pattern();
+    bool calls_program_at(const nc::Block& block) const;
     void return_to_level();
     void take_ends(const nc::Block& block, ModalCycle& call) const;
     void complete_ends(ModalCycle& call) const;
@@ -795,9 +799,11 @@ class Executor {
         BlockQueue places;
         nc::Block caller;
         Modal modal_before;
+        bool calls_program = false;
+        bool is_held = false;  // while the program that is called there runs
     };
-    std::optional<PatternRun> pattern_;
-    nc::Block place_{};  // of the pattern, at its caller's place in the text
+    std::vector<PatternRun> patterns_;  // a program that is called at places may hold another one
+    nc::Block place_{};                 // of the pattern, at its caller's place in the text
     std::array<std::optional<double>, 3> center_;  // that stays, in the programmed system
     nc::Block centered_{};                         // a block with it
     nc::Block remapped_{};  // a block of the cycle, in another plane than X-Y

@@ -112,6 +112,9 @@ class Interpreter final : public Stream<path::Command>, public ControlState {
     std::optional<std::int64_t> axis_number(Axis axis) const override;
     double word_factor(std::int64_t axis) const override;
     bool is_compensated() const override;
+    bool is_at_place() const override;
+    void leave_place() override;
+    void leave_pattern() override;
     void keep_frames() override;
     void restore_frames(bool is_wanted) override;
 

@@ -70,6 +70,8 @@ std::size_t Program::State::pull(std::span<Block> out) {
         const bool had_fault = lines.failed();
         const Done done = step(block);
         if (done == Done::Block) ++given;
+        // The interpreter goes to a place before the program does there what it does.
+        if (frame->at_places && given > 0) return given;
         variables.set_in_step(given == 0);
         if (done == Done::Wait) return given;
         if (lines.failed() && !had_fault) {
@@ -155,6 +157,7 @@ bool Program::State::shows(std::string_view text) {
 
 Program::State::Done Program::State::step(Block& out) {
     if (due) return begin_due();
+    if (frame->at_places && !is_only_checking) return go_on_at_places(out);
     if (frame->call.to && frame->here == *frame->call.to) frame->is_returning = true;
     if (frame->is_returning) return finish_return(out);
     if (lines.has_ended()) return end_of_text();
@@ -739,6 +742,10 @@ std::vector<LinePlace> Program::calls(SourceId source) const {
 }
 bool Program::failed() const { return state_->has_visible_fault; }
 bool Program::stopped() const { return state_->was_stopped; }
+bool Program::calls_at_places(const Block& block) const {
+    const std::optional<CallsAtPlaces>& calls = state_->frame->at_places;
+    return calls && calls->line == block.line;
+}
 bool Program::is_behind_fault(const Block& block) const {
     static_cast<void>(block);
     return state_->has_visible_fault;

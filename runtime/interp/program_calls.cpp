@@ -654,7 +654,11 @@ void Program::State::call_behind(const Block& block, std::string_view text_of_li
         return;
     }
     const PreparedCall* const active = active_modal_call();
-    if (active == nullptr || is_left_out(block) || !moves(block)) return;
+    if (active == nullptr || is_left_out(block)) return;
+    const bool is_pattern = interpreter != nullptr && block.find(Function::Cycle) != nullptr &&
+                            goes_to_places(dialect.cycles()[block.cycle]);
+    if (is_pattern) return call_at_places(block, *active, text_of_line, number);
+    if (!moves(block)) return;
     due = *active;
     due->site = std::make_shared<nc::CallSite>(
         nc::CallSite{lines.place(text_of_line, number, {0, 1}), frame->site});
@@ -860,6 +864,7 @@ Program::State::Done Program::State::finish_return(Block& out) {
         const std::unique_ptr<Frame> left = std::move(frames.back());
         frames.pop_back();
         resume_frame(*frames.back());
+        leave_places(*left);
         note_returned(*left);
         if (left->saves) interpreter->restore_frames(true);
         if (left->call.is_shape) out.add(Function::CycleCall);
@@ -872,6 +877,7 @@ Program::State::Done Program::State::finish_return(Block& out) {
     }
     if (target) {
         ++turns;
+        leave_places(*frame);
         leave_open(target->line);
         frame->here = target->line;
         frame->next_line = nullptr;

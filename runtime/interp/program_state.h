@@ -1,8 +1,9 @@
 // program_state.h — a program while it runs: calls that have not returned, and where each stands.
 // Internal to interp.
 //
-// Told in chapters: program.cpp (the order of lines, statements, jumps, structures), and
-// program_calls.cpp (calls, modal calls, returns).
+// Told in chapters: program.cpp (the order of lines, statements, jumps, structures),
+// program_calls.cpp (calls, modal calls, returns), and program_places.cpp (modal calls at the
+// places of a pattern).
 #pragma once
 
 #include <map>
@@ -76,6 +77,15 @@ struct ReturnedVariable {
     ControlVariable before;  // the call
 };
 
+/// A modal call that is made at the places of a pattern.
+struct CallsAtPlaces {
+    PreparedCall call;
+    std::uint32_t line = 0;    // Block::line of the pattern
+    std::uint64_t number = 0;  // … in its text
+    nc::ModalFunctions modal_before{};
+    bool has_called = false;  // at the place where the tool stands
+};
+
 /// A program that runs: the main program, or one that was called.
 struct Frame {
     ProgramUnit* unit = nullptr;
@@ -99,6 +109,7 @@ struct Frame {
     bool is_in_code_call = false;  // codes that call programs mean what they are here
     bool is_external = false;
     TextMacros macros;
+    std::optional<CallsAtPlaces> at_places;     // while the tool goes from place to place
     std::vector<ReturnedVariable> references;   // noted if somebody looks on
     std::size_t modal_limit = ~std::size_t{0};  // modal calls below this one act here
     // How it ends.
@@ -300,6 +311,10 @@ struct Program::State {
     nc::LineContext context() const;
     void call_behind(const nc::Block& block, std::string_view text, std::uint64_t number);
     Done begin_due();
+    void call_at_places(const nc::Block& block, const PreparedCall& active, std::string_view text,
+                        std::uint64_t number);
+    Done go_on_at_places(nc::Block& out);
+    void leave_places(Frame& of);
     Done call_with_block(CompiledLine& line);
     void check_call(CompiledLine& line, const nc::ControlStatement& statement);
     Done check_external(CompiledLine& line, const nc::ControlStatement& statement);
