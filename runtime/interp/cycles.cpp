@@ -588,7 +588,8 @@ bool Executor::check_surroundings(const Block& block, const ModalCycle& call) {
 /// 19), and whether a cycle is called at the places of a pattern.
 void Executor::complete_surroundings(ModalCycle& call, bool calls_program) const {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
-    set_argument(call, find_parameter(info, "tool_d"), 2 * tool_offsets_.radius(tool_.current));
+    set_argument(call, find_parameter(info, "tool_d"),
+                 2 * tool_offsets_.radius(tool_.edge_number()));
     const bool calls = calls_program || call_behind_motions_ || modal_cycle_.is_active;
     set_argument(call, find_parameter(info, kPatternParameter), calls ? 1 : 0);
     const path::Plane plane = cycle_plane();

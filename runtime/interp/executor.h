@@ -191,6 +191,9 @@ class Executor {
     std::optional<double> calendar(nc::Quantity quantity);
     std::optional<double> tool_datum(std::int64_t number) const;
     ControlState::Write set_extra(nc::Quantity quantity, std::int64_t first, double value);
+    bool has_edge(std::int64_t tool, std::int64_t edge) const;
+    ControlState::Write set_edge_offset(nc::Quantity quantity, std::int64_t tool, std::int64_t edge,
+                                        double value);
     bool set_tool_datum(std::int64_t number, std::int64_t datum_and_edge, double value);
     double timer(std::int64_t number);
     void set_timer(std::int64_t number, double value);
@@ -243,7 +246,8 @@ class Executor {
     void set_length_source(Tool::Source source, Actions& actions);
     std::int64_t tool_number(const nc::Block& block, const nc::Invocation& invocation);
     std::int64_t unlisted_tool(const nc::Block& block);
-    void warn_of_edge(const nc::Block& block, std::int64_t edge);
+    void take_edge(const nc::Block& block);
+    void check_edge(const nc::Block& block);
     std::string name_of_tool(std::int64_t number) const;
     void change_tool(const nc::Block& block);
     void select_work_offset(const nc::Block& block, std::int64_t number);
@@ -741,7 +745,7 @@ class Executor {
     bool warned_units_ = false;
     nc::Function units_ = nc::Function::None;  // that the program said last
     std::vector<std::int64_t> unknown_tools_;  // each is reported once
-    bool warned_edge_ = false;
+    std::vector<std::int64_t> unknown_edges_;  // that were told
     bool owes_speed_ = false;  // the motion side was not told of a new speed of the spindle
     std::vector<std::string> unlisted_tools_;  // names of tools that the table does not have
     std::vector<std::int64_t> unknown_radii_;
