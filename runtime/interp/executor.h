@@ -332,6 +332,7 @@ class Executor {
     path::Vec3 joints_of(const AxisValues& base) const;
     AxisMask joint_axes() const;
     AxisValues machine_axes() const;
+    AxisValues machine_axes_at(const AxisValues& base) const;
 
     // tool_words.cpp: what a block says of the tool
     void take_orientation(const nc::Block& block, const nc::Invocation& invocation,

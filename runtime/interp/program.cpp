@@ -156,6 +156,7 @@ bool Program::State::shows(std::string_view text) {
 }
 
 Program::State::Done Program::State::step(Block& out) {
+    if (!written_data.empty() && given == 0) tell_data();
     if (due) return begin_due();
     if (frame->at_places && !is_only_checking) return go_on_at_places(out);
     if (frame->call.to && frame->here == *frame->call.to) frame->is_returning = true;
@@ -168,7 +169,8 @@ Program::State::Done Program::State::step(Block& out) {
         has_ended = true;
         return Done::Nothing;
     }
-    if (watch != nullptr && !shows(line->text)) return Done::Nothing;
+    if (watch != nullptr && !shows(line->as_written.empty() ? line->text : line->as_written))
+        return Done::Nothing;
     lines.begin(frame->here.line);
     frame->goes_on = line->place.next;
     const Done done = run(*line, out);
@@ -210,8 +212,8 @@ Program::State::Done Program::State::first_time(Block& out) {
     std::string_view text;
     bool is_too_long = false;
     if (!source().next(text, is_too_long)) return end_of_text();
-    text = with_macros(text);
     if (watch != nullptr && !shows(text)) return Done::Nothing;
+    text = with_macros(text);
     const LinePosition next{source().offset(), frame->here.line + 1};
     frame->goes_on = next;
     most_line = std::max(most_line, frame->here.line);
@@ -309,6 +311,7 @@ void Program::State::deliver(Block& block, std::string_view text_of_line, std::u
             LineFault{&diag::RepeatedBlocks, {0, 1}, {std::to_string(options.max_repeated)}});
         has_ended = true;
     }
+    if (variables.notes_changes() && block.function_count != 0) note_data(block);
     if (!modal_calls.empty()) call_behind(block, text_of_line, number);
     if (block.function_count != 0) end_after(block);
 }
@@ -405,6 +408,7 @@ CompiledLine* Program::State::line_at(const LinePosition& position) {
                    .first->second.get();
     }
     line->text = with_macros(text);
+    if (watch != nullptr && line->text != text) line->as_written = text;
     line->place = {position, {source().offset(), position.line + 1}};
     line->kind = CompiledLine::Kind::New;
     line->next = nullptr;

@@ -158,6 +158,12 @@ struct Program::State {
         Place place;
     };
     std::optional<ModalShape> modal_shape;
+    std::vector<ControlVariable> written_data;  // that the last block may write, before it
+    struct WrittenOffset {
+        bool is_of_tool = false;
+        std::int64_t number = 0;
+    };
+    WrittenOffset data_written;      // … and whose they are
     bool keeps_modal_calls = false;  // the block that begins one ends those of cycles
     CompiledLine scratch;
     /// A text that is executed as a block, and how many of its statements are through.
@@ -262,6 +268,10 @@ struct Program::State {
                   int decimals = -1);
     Done truth(CompiledLine& line, const nc::Expression& expression, bool& out);
     Done store(CompiledLine& line, const nc::Reference& reference, const Value& value);
+    void note_data(const nc::Block& block);
+    void tell_data();
+    ControlVariables::Fault store_noted(const CompiledLine& line, const nc::Reference& reference,
+                                        std::span<const std::int64_t> indices, const Value& value);
     Done count_on(CompiledLine& line, OpenStructure& loop, bool& goes_on_looping);
     bool resolve(CompiledLine& line, const nc::JumpTarget& target, LineTarget& out, Done& done);
     void warn_of_twin(const CompiledLine& line, const nc::Span& span, const LineTarget& target,

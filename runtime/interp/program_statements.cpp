@@ -112,8 +112,7 @@ Program::State::Done Program::State::store(CompiledLine& line, const nc::Referen
         }
     }
     if (variables.must_wait(reference.load, indices)) return Done::Wait;
-    const ControlVariables::Fault fault =
-        variables.store(reference.load, indices, value, evaluator.content(value));
+    const ControlVariables::Fault fault = store_noted(line, reference, indices, value);
     if (fault.row == nullptr) return Done::Nothing;
     return fail(line, *fault.row, reference.span, fault.arguments);
 }
