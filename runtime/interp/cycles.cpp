@@ -130,7 +130,10 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
 
 /// The cycle that is called wherever an axis has moved; its place in the text is the motion's.
 void Executor::call_behind_motion(const Block& block) {
-    if (ended_ || cycle_blocks_ || shape_ || (block.given & nc::kTargetSlots) == 0) return;
+    // An axis that moves by itself goes along no path.
+    const bool is_path =
+        (block.given & nc::kTargetSlots) != 0 && block.find(Function::RapidOnce) == nullptr;
+    if (ended_ || cycle_blocks_ || shape_ || !is_path) return;
     Block call = *call_behind_motions_;
     call.line = block.line;
     call.source = block.source;

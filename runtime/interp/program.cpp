@@ -589,6 +589,7 @@ Program::State::Done Program::State::let_axis_move_alone(CompiledLine& line, Blo
                     lines.place(line.text, line.place.line.line, line.line.axes[0].axis.span));
     }
     if (out.find(Function::RapidOnce) == nullptr) out.add(Function::RapidOnce, 0);
+    moves_alone = true;
     return Done::Block;
 }
 

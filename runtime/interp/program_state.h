@@ -158,6 +158,7 @@ struct Program::State {
         Place place;
     };
     std::optional<ModalShape> modal_shape;
+    bool moves_alone = false;                   // an axis of the block, beside the path
     std::vector<ControlVariable> written_data;  // that the last block may write, before it
     struct WrittenOffset {
         bool is_of_tool = false;
