@@ -291,6 +291,12 @@ std::optional<nc::ValueType> ControlVariables::type_of(std::string_view name) co
     return std::nullopt;
 }
 
+std::string ControlVariables::word_of(nc::Operation operation) const {
+    const auto form =
+        std::ranges::find(language_.functions, operation, &nc::FunctionForm::operation);
+    return form == language_.functions.end() ? std::string(info(operation).name) : form->name;
+}
+
 bool ControlVariables::has_program(std::string_view name) {
     return is_program_ && is_program_(name);
 }
@@ -497,11 +503,6 @@ ControlVariable ControlVariables::shown_in(const Store& store, std::size_t slot,
 /// A frame by its constants, as a program would write it: `CTRANS(X,10):CROT(Z,30)`.
 std::string ControlVariables::written(const ControlFrame& frame) const {
     std::string out;
-    const auto name_of_constant = [this](nc::Operation operation) -> std::string {
-        const auto form =
-            std::ranges::find(language_.functions, operation, &nc::FunctionForm::operation);
-        return form == language_.functions.end() ? std::string(info(operation).name) : form->name;
-    };
     const auto add = [&](nc::Operation operation, nc::FramePart part, double neutral) {
         std::string pairs;
         for (std::size_t i = 0; i < kAxes; ++i) {
@@ -513,7 +514,7 @@ std::string ControlVariables::written(const ControlFrame& frame) const {
             append_shortest(pairs, round_to(value, 9));
         }
         if (pairs.empty()) return;
-        out += (out.empty() ? "" : ":") + name_of_constant(operation) + language_.open + pairs +
+        out += (out.empty() ? "" : ":") + word_of(operation) + language_.open + pairs +
                language_.close;
     };
     add(nc::Operation::FrameShift, nc::FramePart::Shift, 0);
@@ -521,8 +522,7 @@ std::string ControlVariables::written(const ControlFrame& frame) const {
     add(nc::Operation::FrameRotation, nc::FramePart::Rotation, 0);
     add(nc::Operation::FrameScale, nc::FramePart::Scale, 1);
     add(nc::Operation::FrameMirror, nc::FramePart::Mirror, 0);
-    if (out.empty())
-        out = name_of_constant(nc::Operation::FrameShift) + language_.open + language_.close;
+    if (out.empty()) out = word_of(nc::Operation::FrameShift) + language_.open + language_.close;
     return out;
 }
 
