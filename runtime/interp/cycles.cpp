@@ -458,6 +458,7 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
     if (spindle_.mode == path::SpindleMode::Cw) request.spindle = Function::SpindleCw;
     if (spindle_.mode == path::SpindleMode::Ccw) request.spindle = Function::SpindleCcw;
     request.source = block.source;
+    if (places_ != nullptr) request.place = places_->place(origin(block));
     // Without a shape it is the plane alone, in which turning cycles work.
     const CycleShape plane_of_lathe{{}, modal_.plane, true};
     const bool lies_flat = is_lathe_ && !cycle_is_across_;

@@ -45,6 +45,7 @@ struct CycleCall {
     double speed = 0;                           // of the spindle, rpm
     nc::Function spindle = nc::Function::None;  // how it turns; None: it does not
     SourceId source;
+    std::optional<LinePlace> place;     // of the block that calls it; nothing: nobody knows
     const CycleShape* shape = nullptr;  // of a cycle that takes one
     bool x_is_diameter = true;          // X of the position, and of the words that act
 };

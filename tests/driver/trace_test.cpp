@@ -417,6 +417,19 @@ TEST_F(TraceTest, MachineStandsBesideTheContour) {
     EXPECT_EQ(edges, (std::vector<std::string>{"[null,0]", "[0,1]", "[1,0]", "[0,1]"}));
 }
 
+/// A cycle's warnings stand where the program calls it; the library's place is a note.
+TEST_F(TraceTest, WarningsOfCyclesNameTheProgram) {
+    save(
+        "warns.mpf",
+        "T1 D1 M6\nS100 M3 F100\nG0 X0 Y0 Z20\nCYCLE81(20,0,2,-5,6)\nHOLES1(0,0,0,10,10,2)\nM30\n");
+    const ProcessResult result = kadr({"run", file("warns.mpf"), "-d", "sinumerik"});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_NE(result.err.find("warns.mpf:4:1: warning[K3304]"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("warns.mpf:5:1: warning[K3304]"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("note: inside the cycle `hole_drill`"), std::string::npos)
+        << result.err;
+}
+
 /// Subprograms with numbers, as their head writes them and by the number alone.
 TEST_F(TraceTest, SubprogramsAreFoundByTheirNumbers) {
     save("calls.nc",
