@@ -18,12 +18,14 @@ namespace fs = std::filesystem;
 /// Blocks of one cycle call; each bears the source of the call.
 class CycleBlocks final : public Stream<nc::Block> {
   public:
-    CycleBlocks(const Program& library, const nc::Dialect& dialect, SourceId source,
-                DiagnosticSink& sink)
+    CycleBlocks(const Program& library, const nc::Dialect& dialect, const interp::CycleCall& call,
+                CycleMessages& sink)
         // Only moves: the control's own cycle is what is being executed.
         : expander_(*library.code, dialect, {.limits = {}, .native_cycles = false, .trace = false},
                     sink),
-          source_(source) {}
+          source_(call.source),
+          messages_(sink),
+          caller_{std::string(call.name), call.place} {}
 
     bool start(const interp::CycleCall& call) {
         expand::Expander::Surroundings at{.position = call.position,
@@ -36,11 +38,16 @@ class CycleBlocks final : public Stream<nc::Block> {
             at.plane = call.shape->plane;
             at.is_diameter = call.shape->is_diameter;
         }
-        return expander_.start_cycle(call.name, call.arguments, call.given, at);
+        messages_.follow(caller_);
+        const bool has_started = expander_.start_cycle(call.name, call.arguments, call.given, at);
+        messages_.follow_nobody();
+        return has_started;
     }
 
     std::size_t pull(std::span<nc::Block> out) override {
+        messages_.follow(caller_);
         const std::size_t count = expander_.pull(out);
+        messages_.follow_nobody();
         for (nc::Block& block : out.first(count)) block.source = source_;
         return count;
     }
@@ -48,6 +55,8 @@ class CycleBlocks final : public Stream<nc::Block> {
   private:
     expand::Expander expander_;
     SourceId source_;
+    CycleMessages& messages_;
+    CycleMessages::Caller caller_;
 };
 
 bool has_cycle(const Program& program, std::string_view name) {
@@ -72,7 +81,16 @@ std::vector<std::string> cycle_files(const std::string& library) {
 }
 
 void CycleMessages::take(Diagnostic diagnostic) {
-    if (diagnostic.severity == Severity::Warning) return next_->take(std::move(diagnostic));
+    if (diagnostic.severity == Severity::Warning) {
+        if (caller_ != nullptr && caller_->place) {
+            Diagnostic::Note inside{diagnostic.range, std::move(diagnostic.line),
+                                    "inside the cycle `" + caller_->cycle + '`'};
+            diagnostic.notes.insert(diagnostic.notes.begin(), std::move(inside));
+            diagnostic.line = caller_->place;
+            diagnostic.range = {};
+        }
+        return next_->take(std::move(diagnostic));
+    }
     if (!refusal_) refusal_ = diagnostic.message();
 }
 
@@ -104,7 +122,7 @@ std::unique_ptr<Stream<nc::Block>> LibraryCycles::expand(const interp::CycleCall
         return nullptr;
     }
     messages_.forget();
-    auto blocks = std::make_unique<CycleBlocks>(*library, dialect_, call.source, messages_);
+    auto blocks = std::make_unique<CycleBlocks>(*library, dialect_, call, messages_);
     if (!blocks->start(call)) return nullptr;
     return blocks;
 }

@@ -17,17 +17,26 @@ namespace kadr::driver {
 std::vector<std::string> cycle_files(const std::string& library);
 
 /// Keeps the first mistake that a cycle finds in its parameters: its place is the library's, and
-/// who called the cycle knows a better one. Passes on everything else.
+/// who called the cycle knows a better one. Passes on everything else; warnings stand where the
+/// cycle is called, and the library's place is told behind.
 class CycleMessages final : public DiagnosticSink {
   public:
     explicit CycleMessages(DiagnosticSink& next) : next_(&next) {}
     void take(Diagnostic diagnostic) override;
     void pass_on_to(DiagnosticSink& next) { next_ = &next; }
     void forget() { refusal_.reset(); }
+    /// The cycle that runs from here on.
+    struct Caller {
+        std::string cycle;
+        std::optional<LinePlace> place;
+    };
+    void follow(const Caller& caller) { caller_ = &caller; }
+    void follow_nobody() { caller_ = nullptr; }
     const std::optional<std::string>& refusal() const { return refusal_; }
 
   private:
     DiagnosticSink* next_;
+    const Caller* caller_ = nullptr;
     std::optional<std::string> refusal_;
 };
 

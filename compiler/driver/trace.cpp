@@ -111,17 +111,27 @@ std::string json_code(std::string_view code) { return code.empty() ? "null" : js
 }  // namespace
 
 std::vector<ModalEntry> modal_entries(const interp::Snapshot& now) {
-    return {{"feed", "F", now.feed ? json_number(*now.feed) : "null"},
-            {"speed", "S", json_number(now.speed)},
-            {"spindle", "spindle", std::string(spindle_word(now.spindle))},
-            {"tool", "tool", count_text(now.tool)},
-            {"selected_tool", "T", count_text(now.selected_tool)},
-            {"length_offset", "H", count_text(now.length_offset)},
-            {"radius_offset", "D", count_text(now.radius_offset)},
-            {"tool_length", "length", json_number(now.tool_length)},
-            {"work_offset", "offset", count_text(now.work_offset)},
-            {"coolant", "coolant", std::string(coolant_word(now.coolant))},
-            {"cycle", "cycle", now.cycle.empty() ? "null" : json_string(now.cycle)}};
+    std::vector<ModalEntry> out = {
+        {"feed", "F", now.feed ? json_number(*now.feed) : "null"},
+        {"speed", "S", json_number(now.speed)},
+        {"spindle", "spindle", std::string(spindle_word(now.spindle))},
+        {"tool", "tool", count_text(now.tool)},
+        {"selected_tool", "T", count_text(now.selected_tool)},
+    };
+    // Where D calls an edge of the tool there are no numbers of offsets.
+    if (now.edge) {
+        out.push_back({"edge", "D", count_text(*now.edge)});
+    } else {
+        out.push_back({"length_offset", "H", count_text(now.length_offset)});
+        out.push_back({"radius_offset", "D", count_text(now.radius_offset)});
+    }
+    const ModalEntry rest[] = {
+        {"tool_length", "length", json_number(now.tool_length)},
+        {"work_offset", "offset", count_text(now.work_offset)},
+        {"coolant", "coolant", std::string(coolant_word(now.coolant))},
+        {"cycle", "cycle", now.cycle.empty() ? "null" : json_string(now.cycle)}};
+    out.insert(out.end(), std::begin(rest), std::end(rest));
+    return out;
 }
 
 std::string json_value(const interp::ControlVariable& variable) {

@@ -133,7 +133,9 @@ std::optional<double> Executor::calendar(Quantity quantity) {
 /// As SINUMERIK counts the data of a tool; S 5.1.
 std::optional<double> Executor::tool_datum(std::int64_t number) const {
     using Column = ToolOffsets::Column;
-    const auto of = [this](Column column) { return tool_offsets_.value(column, tool_.current); };
+    const auto of = [this](Column column) {
+        return tool_offsets_.value(column, tool_.edge_number());
+    };
     switch (number) {
         case 1: return of(Column::Type);
         case 2: return of(Column::Tip);
@@ -152,7 +154,7 @@ std::optional<double> Executor::tool_datum(std::int64_t number) const {
     }
     constexpr std::int64_t kMost = 25;
     if (number < 1 || number > kMost) return std::nullopt;
-    return tool_offsets_.datum(tool_.current, number);
+    return tool_offsets_.datum(tool_.edge_number(), number);
 }
 
 double Executor::timer(std::int64_t number) {
@@ -218,7 +220,7 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::SelectedTool: return number(tool_.selected);
         case Quantity::LengthOffset: return number(tool_.offset);
         case Quantity::RadiusOffset: return number(tool_.radius_offset);
-        case Quantity::ToolEdge: return tool_.source == Tool::Source::Edge ? 1 : 0;
+        case Quantity::ToolEdge: return number(tool_.source == Tool::Source::Edge ? tool_.edge : 0);
         case Quantity::ToolPart:
             if (first < 1 || first > 3) return std::nullopt;
             return tool_.source == Tool::Source::None
@@ -228,12 +230,12 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
                              extra_.lengths[static_cast<Eigen::Index>(first) - 1];
         case Quantity::Timer: return timer(first);
         case Quantity::CuttingTime: run_time(); return cutting_time_;
-        case Quantity::ToolRadius: return tool_offsets_.radius(tool_.current) + extra_.radius;
+        case Quantity::ToolRadius: return tool_offsets_.radius(tool_.edge_number()) + extra_.radius;
         case Quantity::ActiveToolDatum: return tool_datum(first);
         case Quantity::ToolDatum:
-            if (first < 1 || first > rules_.tool_offsets || second % nc::kDatum > 1)
-                return std::nullopt;
-            return tool_offsets_.datum(first, second / nc::kDatum);
+            if (!has_edge(first, second % nc::kDatum)) return std::nullopt;
+            return tool_offsets_.datum(ToolOffsets::of_edge(first, second % nc::kDatum),
+                                       second / nc::kDatum);
         case Quantity::FirstExtraLength: return extra_.lengths[0];
         case Quantity::ExtraLength:
             if (first < 1 || first > 3) return std::nullopt;
@@ -268,14 +270,14 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::ThirdBase:
         case Quantity::ToolTip:
         case Quantity::ToolType: {
-            // Of a tool the first cutting edge is known.
-            if (first < 1 || first > rules_.tool_offsets || second > 1) return std::nullopt;
+            if (!has_edge(first, second)) return std::nullopt;
             const bool is_cross =
                 quantity == Quantity::CrossGeometry || quantity == Quantity::CrossWear;
-            return tool_offsets_.value(*tool_offsets_.column_of(quantity, first), first) /
+            const std::int64_t at = ToolOffsets::of_edge(first, second);
+            return tool_offsets_.value(*tool_offsets_.column_of(quantity, at), at) /
                    (is_cross ? word_scale_[index(Axis::X)] : 1);
         }
-        case Quantity::EdgeCount: return tool_offsets_.is_known(first) ? 1 : 0;
+        case Quantity::EdgeCount: return number(tool_offsets_.edges(first));
         case Quantity::RadiusAllowance: return comp_.allowance;
         case Quantity::ProbePosition: {
             const auto axis = axis_of(first);

@@ -302,7 +302,7 @@ CompSettings Executor::comp_settings() const {
 std::optional<std::int64_t> Executor::comp_offset() const {
     if (rules_.comp_radius_by_offset || tool_.radius_offset != 0) return tool_.radius_offset;
     if (tool_.source == Tool::Source::None || tool_.current == 0) return std::nullopt;
-    return tool_.current;
+    return tool_.edge_number();
 }
 
 /// How far beside the contour the cutter's centre goes, positive to the left: a frame that mirrors
@@ -317,7 +317,7 @@ void Executor::take_comp_tool(const Block& block, std::int64_t number, CompChang
     if ((radius == 0 || has_no_tip) && number != 0 && !is_known_gap) {
         unknown_radii_.push_back(number);
         report(has_no_tip ? diag::CompTipUnknown : diag::CompRadiusUnknown, block, comp_.side)
-            .arg(number);
+            .arg(ToolOffsets::tool_of(number));
     }
     const bool is_left =
         (comp_.side == Function::RadiusCompLeft) != frames_.is_mirrored(modal_.plane);

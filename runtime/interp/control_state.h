@@ -49,6 +49,12 @@ class ControlState {
     virtual void keep_frames() = 0;
     /// Goes back to those that were kept last; `is_wanted` false: only forgets them.
     virtual void restore_frames(bool is_wanted) = 0;
+    /// Whether the tool stands at a place of a pattern, where a program is to be called.
+    virtual bool is_at_place() const = 0;
+    /// Behind the block that is next the tool goes on to the next place.
+    virtual void leave_place() = 0;
+    /// … to none: the program goes elsewhere.
+    virtual void leave_pattern() = 0;
 };
 
 }  // namespace kadr::interp

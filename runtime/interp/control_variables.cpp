@@ -114,7 +114,10 @@ const nc::Symbol& ControlVariables::declare(nc::Symbol symbol) {
     symbol.slot = static_cast<std::uint32_t>(store.values.size());
     store.grow(symbol.slot + std::size_t{symbol.count()});
     bind(*level_, std::move(symbol), store);
-    return level_->symbols.all().back();
+    const nc::Symbol& added = level_->symbols.all().back();
+    if (changes_ != nullptr && added.dimensions == 0)
+        note_change({}, shown_in(store, added.slot, &added));
+    return added;
 }
 
 void ControlVariables::bind(Level& level, nc::Symbol symbol, Store& store) {
@@ -286,6 +289,12 @@ std::optional<nc::ValueType> ControlVariables::type_of(std::string_view name) co
         if (range != nullptr) return range->type;
     }
     return std::nullopt;
+}
+
+std::string ControlVariables::word_of(nc::Operation operation) const {
+    const auto form =
+        std::ranges::find(language_.functions, operation, &nc::FunctionForm::operation);
+    return form == language_.functions.end() ? std::string(info(operation).name) : form->name;
 }
 
 bool ControlVariables::has_program(std::string_view name) {
@@ -478,6 +487,11 @@ ControlVariable ControlVariables::shown_in(const Store& store, std::size_t slot,
                            ? name_in(store, slot)
                            : element_name(*symbol, static_cast<std::uint32_t>(slot) - symbol->slot,
                                           language_.index_open, language_.index_close);
+    // Where nothing is vacant, what was declared begins with the zero of its type.
+    const bool begins_with_zero =
+        symbol != nullptr && value.is_vacant() && !language_.rules.has_vacant &&
+        symbol->type != nc::ValueType::Frame && symbol->type != nc::ValueType::Axis;
+    if (begins_with_zero) return shown(std::move(name), Value::of(0, symbol->type), {});
     if (value.is_frame()) return shown(std::move(name), value, written(store.frames[value.text]));
     if (const auto axis = value.axis())
         return shown(std::move(name), value, kAxisNames[index(*axis)]);
@@ -489,11 +503,6 @@ ControlVariable ControlVariables::shown_in(const Store& store, std::size_t slot,
 /// A frame by its constants, as a program would write it: `CTRANS(X,10):CROT(Z,30)`.
 std::string ControlVariables::written(const ControlFrame& frame) const {
     std::string out;
-    const auto name_of_constant = [this](nc::Operation operation) -> std::string {
-        const auto form =
-            std::ranges::find(language_.functions, operation, &nc::FunctionForm::operation);
-        return form == language_.functions.end() ? std::string(info(operation).name) : form->name;
-    };
     const auto add = [&](nc::Operation operation, nc::FramePart part, double neutral) {
         std::string pairs;
         for (std::size_t i = 0; i < kAxes; ++i) {
@@ -505,7 +514,7 @@ std::string ControlVariables::written(const ControlFrame& frame) const {
             append_shortest(pairs, round_to(value, 9));
         }
         if (pairs.empty()) return;
-        out += (out.empty() ? "" : ":") + name_of_constant(operation) + language_.open + pairs +
+        out += (out.empty() ? "" : ":") + word_of(operation) + language_.open + pairs +
                language_.close;
     };
     add(nc::Operation::FrameShift, nc::FramePart::Shift, 0);
@@ -513,8 +522,7 @@ std::string ControlVariables::written(const ControlFrame& frame) const {
     add(nc::Operation::FrameRotation, nc::FramePart::Rotation, 0);
     add(nc::Operation::FrameScale, nc::FramePart::Scale, 1);
     add(nc::Operation::FrameMirror, nc::FramePart::Mirror, 0);
-    if (out.empty())
-        out = name_of_constant(nc::Operation::FrameShift) + language_.open + language_.close;
+    if (out.empty()) out = word_of(nc::Operation::FrameShift) + language_.open + language_.close;
     return out;
 }
 
@@ -847,8 +855,12 @@ std::vector<ControlVariable> ControlVariables::list() const {
     for (const nc::Symbol& symbol : level_->symbols.all()) {
         const Store& store = *level_->stores[level_->symbols.index_of(symbol)];
         for (std::uint32_t i = 0; i < symbol.count(); ++i) {
-            if (store.values[symbol.slot + i].is_vacant()) continue;
-            out.push_back(shown_in(store, symbol.slot + i, &symbol));
+            ControlVariable variable = shown_in(store, symbol.slot + i, &symbol);
+            // Of an array those are told that were set.
+            const bool is_told = symbol.dimensions == 0
+                                     ? variable.kind != ControlVariable::Kind::Vacant
+                                     : !store.values[symbol.slot + i].is_vacant();
+            if (is_told) out.push_back(std::move(variable));
         }
     }
     return out;

@@ -55,6 +55,7 @@ class ControlVariables final : public Variables {
     bool has_name(std::string_view name) const override { return type_of(name).has_value(); }
     std::optional<nc::ValueType> type_of(std::string_view name) const override;
     bool has_program(std::string_view name) override;
+    std::string word_of(nc::Operation operation) const override;
     bool set_element(const nc::Symbol& symbol, std::uint32_t element, double value) override;
 
     const Store& globals() const { return globals_; }
@@ -100,6 +101,13 @@ class ControlVariables final : public Variables {
     ControlVariable shown_at(const VariablePlace& place) const {
         return shown_in(*place.store, place.slot, place.symbol);
     }
+    /// Whether it is no variable that holds something, but the control's own state.
+    bool is_state(const nc::Instruction& target, std::span<const std::int64_t> indices) const;
+    /// Variables of the language that show the data of an offset by number: those of the work
+    /// offset, or those of the tool offset; each quantity once.
+    std::vector<ControlVariable> shown_data(bool is_of_tool, std::int64_t number);
+    ControlVariable shown_state(const nc::Instruction& target,
+                                std::span<const std::int64_t> indices, std::string name);
     /// The code of a group of the dialect that acts: the one said last, if what it says still acts.
     const nc::Form* active_form(std::size_t group) const;
 

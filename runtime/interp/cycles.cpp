@@ -21,8 +21,6 @@ namespace {
 
 constexpr std::size_t kCycleBatch = 16;
 
-/// A cycle that has it is a pattern of places: whether another one is called at each.
-constexpr std::string_view kPatternParameter = "calls";
 /// … and this one of a cycle whose tool axis is X of a lathe.
 constexpr std::string_view kAcrossParameter = "across";
 
@@ -98,7 +96,7 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
     complete_call(call);
     cycle_is_across_ = is_lathe_ && find_parameter(info, kAcrossParameter).has_value();
     if (!check_surroundings(block, call)) return;
-    complete_surroundings(call);
+    complete_surroundings(call, calls_program_at(block));
     take_ends(block, call);
     complete_ends(call);
     take_letter(block, call);
@@ -132,13 +130,16 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
 
 /// The cycle that is called wherever an axis has moved; its place in the text is the motion's.
 void Executor::call_behind_motion(const Block& block) {
-    if (ended_ || cycle_blocks_ || shape_ || (block.given & nc::kTargetSlots) == 0) return;
+    // An axis that moves by itself goes along no path.
+    const bool is_path =
+        (block.given & nc::kTargetSlots) != 0 && block.find(Function::RapidOnce) == nullptr;
+    if (ended_ || cycle_blocks_ || shape_ || !is_path) return;
     Block call = *call_behind_motions_;
     call.line = block.line;
     call.source = block.source;
     call.given = 0;
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
-    if (names_shape(info) && pattern_) {  // its contour follows no motion to a place
+    if (names_shape(info) && !patterns_.empty()) {  // its contour follows no motion to a place
         report(diag::CycleUnavailable, call, Function::Cycle).arg(info.name);
         return;
     }
@@ -457,6 +458,7 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
     if (spindle_.mode == path::SpindleMode::Cw) request.spindle = Function::SpindleCw;
     if (spindle_.mode == path::SpindleMode::Ccw) request.spindle = Function::SpindleCcw;
     request.source = block.source;
+    if (places_ != nullptr) request.place = places_->place(origin(block));
     // Without a shape it is the plane alone, in which turning cycles work.
     const CycleShape plane_of_lathe{{}, modal_.plane, true};
     const bool lies_flat = is_lathe_ && !cycle_is_across_;
@@ -588,10 +590,11 @@ bool Executor::check_surroundings(const Block& block, const ModalCycle& call) {
 
 /// What a call does not say because the control knows it: the cutter's diameter, the plane (17 to
 /// 19), and whether a cycle is called at the places of a pattern.
-void Executor::complete_surroundings(ModalCycle& call) const {
+void Executor::complete_surroundings(ModalCycle& call, bool calls_program) const {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
-    set_argument(call, find_parameter(info, "tool_d"), 2 * tool_offsets_.radius(tool_.current));
-    const bool calls = call_behind_motions_ || modal_cycle_.is_active;
+    set_argument(call, find_parameter(info, "tool_d"),
+                 2 * tool_offsets_.radius(tool_.edge_number()));
+    const bool calls = calls_program || call_behind_motions_ || modal_cycle_.is_active;
     set_argument(call, find_parameter(info, kPatternParameter), calls ? 1 : 0);
     const path::Plane plane = cycle_plane();
     set_argument(call, find_parameter(info, "plane"),

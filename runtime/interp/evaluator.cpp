@@ -295,7 +295,7 @@ bool Evaluator::real(Value& out, double number) {
 
 bool Evaluator::operate(const Instruction& instruction, int decimals) {
     const Operation operation = instruction.operation;
-    name_ = info(operation).name;
+    operation_ = operation;
     size_ -= instruction.count;
     Value* const a = &stack_[size_];
     const Value& b = a[1];
@@ -461,7 +461,7 @@ bool Evaluator::function(Operation operation, Value* a, int decimals) {
     const double x = a->number;
     const bool was_whole = a->is_whole();
     const auto out_of_range = [&] {
-        return fail(diag::ArgumentRange, {std::string(name_), shown(x)});
+        return fail(diag::ArgumentRange, {variables_.word_of(operation_), shown(x)});
     };
     const auto whole_result = [&](double number) {
         if (!rules_.has_types || std::fabs(number) > 2147483647.0) return real(*a, number);
@@ -528,7 +528,7 @@ bool Evaluator::function(Operation operation, Value* a, int decimals) {
             }
             return real(*a, static_cast<double>(result));
         }
-        default: return fail(diag::ExpressionSyntax, {std::string(name_)});
+        default: return fail(diag::ExpressionSyntax, {variables_.word_of(operation_)});
     }
 }
 
@@ -536,7 +536,7 @@ bool Evaluator::arc_function(Operation operation, Value* a) {
     const double x = a->number;
     const bool is_outside = operation != Operation::Arctangent &&
                             operation != Operation::ArctangentOfTwo && std::fabs(x) > 1;
-    if (is_outside) return fail(diag::ArgumentRange, {std::string(name_), shown(x)});
+    if (is_outside) return fail(diag::ArgumentRange, {variables_.word_of(operation_), shown(x)});
     double angle = 0;
     int range = 0;
     switch (operation) {
@@ -690,7 +690,8 @@ bool Evaluator::plane_rotation(Value* a) {
             across = kAcross[static_cast<std::size_t>(plane) - 1];
         }
     }
-    if (!across) return fail(diag::ArgumentRange, {std::string(name_), shown(a[0].number)});
+    if (!across)
+        return fail(diag::ArgumentRange, {variables_.word_of(operation_), shown(a[0].number)});
     if (!a[1].is_number())
         return fail(diag::TypesDiffer, {"a component of a frame", std::string(kind_name(a[1]))});
     if (index(*across) >= 3)

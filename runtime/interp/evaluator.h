@@ -45,6 +45,8 @@ class Variables {
     virtual bool has_name(std::string_view name) const = 0;
     /// What such a variable holds; nothing: there is none.
     virtual std::optional<nc::ValueType> type_of(std::string_view name) const = 0;
+    /// How the control writes an operation.
+    virtual std::string word_of(nc::Operation operation) const = 0;
     /// Whether a program has it.
     virtual bool has_program(std::string_view name) = 0;
     /// Sets one element of a variable that the program has declared; false: its type takes no real.
@@ -146,7 +148,7 @@ class Evaluator {
     std::deque<ControlFrame> frames_;
     nc::LineFault fault_;
     nc::Span place_;
-    std::string_view name_;  // of the operation, for messages
+    nc::Operation operation_{};  // that runs, for messages
     bool is_later_ = false;
 };
 

@@ -87,7 +87,7 @@ bool Evaluator::set_element(const nc::Symbol& symbol, std::uint32_t element, dou
 bool Evaluator::circle_through(Value* a) {
     const double count = a[1].number;
     if (!a[1].is_number() || (count != 3 && count != 4))
-        return fail(diag::ArgumentRange, {std::string(name_), written(a[1])});
+        return fail(diag::ArgumentRange, {variables_.word_of(operation_), written(a[1])});
     const auto points = static_cast<std::uint32_t>(count);
     const nc::Symbol* from = variable_itself(a[0], 2 * points, "the points");
     const nc::Symbol* to =

@@ -100,7 +100,7 @@ void Executor::execute_next() {
         }
         return;
     }
-    if (pattern_) return go_to_next_place();
+    if (!patterns_.empty() && !patterns_.back().is_held) return go_to_next_place();
     const Block* block = program_.next();
     if (block == nullptr) return end_of_blocks();
     if (places_ != nullptr && places_->is_behind_fault(*block)) {

@@ -176,6 +176,9 @@ class Executor {
     std::optional<std::int64_t> axis_number(Axis axis) const;
     double word_factor(std::int64_t axis) const;
     bool is_compensated() const { return is_any_comp_on() || soft_approach_.is_active(); }
+    bool is_at_place() const;
+    void leave_place();
+    void leave_pattern();
     void keep_frames() { kept_frames_.push_back({frames_, work_offset_}); }
     void restore_frames(bool is_wanted);
 
@@ -188,6 +191,9 @@ class Executor {
     std::optional<double> calendar(nc::Quantity quantity);
     std::optional<double> tool_datum(std::int64_t number) const;
     ControlState::Write set_extra(nc::Quantity quantity, std::int64_t first, double value);
+    bool has_edge(std::int64_t tool, std::int64_t edge) const;
+    ControlState::Write set_edge_offset(nc::Quantity quantity, std::int64_t tool, std::int64_t edge,
+                                        double value);
     bool set_tool_datum(std::int64_t number, std::int64_t datum_and_edge, double value);
     double timer(std::int64_t number);
     void set_timer(std::int64_t number, double value);
@@ -240,7 +246,8 @@ class Executor {
     void set_length_source(Tool::Source source, Actions& actions);
     std::int64_t tool_number(const nc::Block& block, const nc::Invocation& invocation);
     std::int64_t unlisted_tool(const nc::Block& block);
-    void warn_of_edge(const nc::Block& block, std::int64_t edge);
+    void take_edge(const nc::Block& block);
+    void check_edge(const nc::Block& block);
     std::string name_of_tool(std::int64_t number) const;
     void change_tool(const nc::Block& block);
     void select_work_offset(const nc::Block& block, std::int64_t number);
@@ -325,6 +332,7 @@ class Executor {
     path::Vec3 joints_of(const AxisValues& base) const;
     AxisMask joint_axes() const;
     AxisValues machine_axes() const;
+    AxisValues machine_axes_at(const AxisValues& base) const;
 
     // tool_words.cpp: what a block says of the tool
     void take_orientation(const nc::Block& block, const nc::Invocation& invocation,
@@ -627,10 +635,11 @@ class Executor {
     bool was_refused(const nc::Block& block);
     void refuse_cycle(const nc::Block& block, std::string_view words);
     bool check_surroundings(const nc::Block& block, const ModalCycle& call);
-    void complete_surroundings(ModalCycle& call) const;
+    void complete_surroundings(ModalCycle& call, bool calls_program) const;
     void begin_pattern(const nc::Block& block, std::unique_ptr<Stream<nc::Block>> places);
     void go_to_next_place();
     void finish_pattern();
+    bool calls_program_at(const nc::Block& block) const;
     void return_to_level();
     void take_ends(const nc::Block& block, ModalCycle& call) const;
     void complete_ends(ModalCycle& call) const;
@@ -738,7 +747,7 @@ class Executor {
     bool warned_units_ = false;
     nc::Function units_ = nc::Function::None;  // that the program said last
     std::vector<std::int64_t> unknown_tools_;  // each is reported once
-    bool warned_edge_ = false;
+    std::vector<std::int64_t> unknown_edges_;  // that were told
     bool owes_speed_ = false;  // the motion side was not told of a new speed of the spindle
     std::vector<std::string> unlisted_tools_;  // names of tools that the table does not have
     std::vector<std::int64_t> unknown_radii_;
@@ -795,9 +804,11 @@ class Executor {
         BlockQueue places;
         nc::Block caller;
         Modal modal_before;
+        bool calls_program = false;
+        bool is_held = false;  // while the program that is called there runs
     };
-    std::optional<PatternRun> pattern_;
-    nc::Block place_{};  // of the pattern, at its caller's place in the text
+    std::vector<PatternRun> patterns_;  // a program that is called at places may hold another one
+    nc::Block place_{};                 // of the pattern, at its caller's place in the text
     std::array<std::optional<double>, 3> center_;  // that stays, in the programmed system
     nc::Block centered_{};                         // a block with it
     nc::Block remapped_{};  // a block of the cycle, in another plane than X-Y

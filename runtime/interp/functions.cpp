@@ -281,7 +281,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             }
             break;
         case Function::ToolEdge:
-            warn_of_edge(block, count_of(block, invocation));
+            tool_.edge_called = count_of(block, invocation);
             set_length_source(
                 count_of(block, invocation) == 0 ? Tool::Source::None : Tool::Source::Edge,
                 actions);
@@ -497,6 +497,7 @@ void Executor::change_plane(Function plane) {
 void Executor::act_before_motion(const Block& block, const Actions& actions) {
     if (actions.data != nullptr) write_data(block, *actions.data);
     if (actions.tool_change) change_tool(block);
+    if (tool_.edge_called != 0 && !ended_) take_edge(block);
     if (actions.comp_changed) act_on_comp(block, actions);
     if (actions.keeps_vector)
         send_comp({CompChange::Kind::KeepVector, {}, modal_.plane, 0, position_.base, {}, {}});

@@ -41,6 +41,9 @@ ControlState::Write Interpreter::set_frame(nc::Quantity quantity, std::int64_t n
 }
 bool Interpreter::is_length(std::int64_t axis) const { return state_->executor.is_length(axis); }
 bool Interpreter::is_compensated() const { return state_->executor.is_compensated(); }
+bool Interpreter::is_at_place() const { return state_->executor.is_at_place(); }
+void Interpreter::leave_place() { state_->executor.leave_place(); }
+void Interpreter::leave_pattern() { state_->executor.leave_pattern(); }
 void Interpreter::keep_frames() { state_->executor.keep_frames(); }
 void Interpreter::restore_frames(bool is_wanted) { state_->executor.restore_frames(is_wanted); }
 std::optional<std::string> Interpreter::text(nc::Quantity quantity, std::int64_t index) {

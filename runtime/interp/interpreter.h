@@ -45,6 +45,7 @@ struct CycleCall {
     double speed = 0;                           // of the spindle, rpm
     nc::Function spindle = nc::Function::None;  // how it turns; None: it does not
     SourceId source;
+    std::optional<LinePlace> place;     // of the block that calls it; nothing: nobody knows
     const CycleShape* shape = nullptr;  // of a cycle that takes one
     bool x_is_diameter = true;          // X of the position, and of the words that act
 };
@@ -112,6 +113,9 @@ class Interpreter final : public Stream<path::Command>, public ControlState {
     std::optional<std::int64_t> axis_number(Axis axis) const override;
     double word_factor(std::int64_t axis) const override;
     bool is_compensated() const override;
+    bool is_at_place() const override;
+    void leave_place() override;
+    void leave_pattern() override;
     void keep_frames() override;
     void restore_frames(bool is_wanted) override;
 

@@ -58,9 +58,7 @@ Write Executor::set_quantity(Quantity quantity, std::int64_t first, std::int64_t
         case Quantity::ThirdWear:
         case Quantity::FirstBase:
         case Quantity::SecondBase:
-        case Quantity::ThirdBase:
-            if (second > 1) return Write::NoPlace;
-            return set_tool_offset(*tool_offsets_.column_of(quantity, first), first, value);
+        case Quantity::ThirdBase: return set_edge_offset(quantity, first, second, value);
         case Quantity::CrossGeometry:
         case Quantity::CrossWear:
             return set_tool_offset(*tool_offsets_.column_of(quantity, first), first,
@@ -85,7 +83,7 @@ Write Executor::set_quantity(Quantity quantity, std::int64_t first, std::int64_t
 /// The spindle gets the speed at which the tool's radius moves so fast, m/min; the motion side is
 /// told with the next block.
 Write Executor::set_edge_speed(double value) {
-    const double radius = tool_offsets_.radius(tool_.current) + extra_.radius;
+    const double radius = tool_offsets_.radius(tool_.edge_number()) + extra_.radius;
     if (!(radius > 0) || !(value > 0)) return Write::NoPlace;
     constexpr double kMmPerM = 1000;
     spindle_.speed = kMmPerM * value / (2 * std::numbers::pi * radius);
@@ -119,8 +117,20 @@ Write Executor::set_frame(Quantity quantity, std::int64_t number, const ControlF
     return Write::Done;
 }
 
+/// Whether there may be such a tool and such an edge of it; an edge that is not said is 0.
+bool Executor::has_edge(std::int64_t tool, std::int64_t edge) const {
+    return tool >= 1 && tool <= rules_.tool_offsets && edge >= 0 && edge <= ToolOffsets::kMostEdges;
+}
+
+Write Executor::set_edge_offset(Quantity quantity, std::int64_t tool, std::int64_t edge,
+                                double value) {
+    if (!has_edge(tool, edge)) return Write::NoPlace;
+    const std::int64_t number = ToolOffsets::of_edge(tool, edge);
+    return set_tool_offset(*tool_offsets_.column_of(quantity, number), number, value);
+}
+
 Write Executor::set_tool_offset(ToolOffsets::Column column, std::int64_t number, double value) {
-    if (number < 1 || number > rules_.tool_offsets) return Write::NoPlace;
+    if (number < 1 || ToolOffsets::tool_of(number) > rules_.tool_offsets) return Write::NoPlace;
     const double mm_per_unit = units_ == Function::Inch ? kMmPerInch / 10 : 1;
     constexpr double kRounding = 1e-9;  // of a value that was worked out in inches
     if (rules_.most_tool_offset > 0 &&
@@ -134,11 +144,11 @@ Write Executor::set_tool_offset(ToolOffsets::Column column, std::int64_t number,
     return Write::Done;
 }
 
-/// `datum_and_edge`: the number of the datum a thousand times, and the cutting edge, of which the
-/// first is known.
+/// `datum_and_edge`: the number of the datum a thousand times, and the cutting edge.
 bool Executor::set_tool_datum(std::int64_t number, std::int64_t datum_and_edge, double value) {
-    if (number < 1 || number > rules_.tool_offsets || datum_and_edge % nc::kDatum > 1) return false;
-    tool_offsets_.set_datum(number, datum_and_edge / nc::kDatum, value);
+    const std::int64_t edge = datum_and_edge % nc::kDatum;
+    if (!has_edge(number, edge)) return false;
+    tool_offsets_.set_datum(ToolOffsets::of_edge(number, edge), datum_and_edge / nc::kDatum, value);
     return true;
 }
 

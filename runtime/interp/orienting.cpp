@@ -74,8 +74,10 @@ AxisMask Executor::joint_axes() const {
 }
 
 /// Where the axes of the machine stand.
-AxisValues Executor::machine_axes() const {
-    AxisValues axes = position_.base;
+AxisValues Executor::machine_axes() const { return machine_axes_at(position_.base); }
+
+AxisValues Executor::machine_axes_at(const AxisValues& base) const {
+    AxisValues axes = base;
     if (virtual_.axes.is_on()) {
         const Vec3 real = path::real_place(virtual_.axes, linear(axes));
         for (std::size_t k = 0; k < 3; ++k) axes[k] = real[static_cast<Eigen::Index>(k)];

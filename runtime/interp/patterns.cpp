@@ -21,26 +21,49 @@ void Executor::begin_pattern(const Block& block, std::unique_ptr<Stream<Block>> 
     leave_corners(diag::CornerWithoutMotion);
     if (ended_) return;
     Stream<Block>& stream = *places;
-    pattern_.emplace(PatternRun{std::move(places), BlockQueue(stream, kPlaceBatch), block, modal_});
+    patterns_.push_back({std::move(places), BlockQueue(stream, kPlaceBatch), block, modal_,
+                         calls_program_at(block), false});
     modal_.is_incremental = false;
     modal_.motion = Function::Rapid;
 }
 
 void Executor::go_to_next_place() {
-    const Block* const place = pattern_->places.next();
+    PatternRun& pattern = patterns_.back();
+    const Block* const place = pattern.places.next();
     if (place == nullptr) return finish_pattern();
     place_ = in_plane_of_cycle(*place);
-    place_.line = pattern_->caller.line;
+    place_.line = pattern.caller.line;
+    pattern.is_held = pattern.calls_program;
     // A modal cycle is repeated by places; a motion code would end it.
     if (modal_cycle_.is_active) place_.motion = Function::None;
     execute(place_);
 }
 
+/// Behind the places the codes act that acted before them. A feed that was set there stays.
 void Executor::finish_pattern() {
-    const Block caller = pattern_->caller;
-    modal_ = pattern_->modal_before;
-    pattern_.reset();
+    const PatternRun& pattern = patterns_.back();
+    const Block caller = pattern.caller;
+    Modal after = pattern.modal_before;
+    if (pattern.calls_program) {
+        after.feed = modal_.feed;
+        after.has_feed = modal_.has_feed;
+    }
+    modal_ = after;
+    patterns_.pop_back();
     was_refused(caller);
+}
+
+/// Whether the program of the text is called at the places of this block, and not a cycle.
+bool Executor::calls_program_at(const Block& block) const {
+    return places_ != nullptr && places_->calls_at_places(block);
+}
+
+bool Executor::is_at_place() const { return !patterns_.empty() && patterns_.back().is_held; }
+
+void Executor::leave_place() { patterns_.back().is_held = false; }
+
+void Executor::leave_pattern() {
+    if (!patterns_.empty()) finish_pattern();
 }
 
 }  // namespace kadr::interp

@@ -70,6 +70,8 @@ std::size_t Program::State::pull(std::span<Block> out) {
         const bool had_fault = lines.failed();
         const Done done = step(block);
         if (done == Done::Block) ++given;
+        // The interpreter goes to a place before the program does there what it does.
+        if (frame->at_places && given > 0) return given;
         variables.set_in_step(given == 0);
         if (done == Done::Wait) return given;
         if (lines.failed() && !had_fault) {
@@ -154,7 +156,9 @@ bool Program::State::shows(std::string_view text) {
 }
 
 Program::State::Done Program::State::step(Block& out) {
+    if (!written_data.empty() && given == 0) tell_data();
     if (due) return begin_due();
+    if (frame->at_places && !is_only_checking) return go_on_at_places(out);
     if (frame->call.to && frame->here == *frame->call.to) frame->is_returning = true;
     if (frame->is_returning) return finish_return(out);
     if (lines.has_ended()) return end_of_text();
@@ -165,7 +169,8 @@ Program::State::Done Program::State::step(Block& out) {
         has_ended = true;
         return Done::Nothing;
     }
-    if (watch != nullptr && !shows(line->text)) return Done::Nothing;
+    if (watch != nullptr && !shows(line->as_written.empty() ? line->text : line->as_written))
+        return Done::Nothing;
     lines.begin(frame->here.line);
     frame->goes_on = line->place.next;
     const Done done = run(*line, out);
@@ -207,8 +212,8 @@ Program::State::Done Program::State::first_time(Block& out) {
     std::string_view text;
     bool is_too_long = false;
     if (!source().next(text, is_too_long)) return end_of_text();
-    text = with_macros(text);
     if (watch != nullptr && !shows(text)) return Done::Nothing;
+    text = with_macros(text);
     const LinePosition next{source().offset(), frame->here.line + 1};
     frame->goes_on = next;
     most_line = std::max(most_line, frame->here.line);
@@ -306,6 +311,7 @@ void Program::State::deliver(Block& block, std::string_view text_of_line, std::u
             LineFault{&diag::RepeatedBlocks, {0, 1}, {std::to_string(options.max_repeated)}});
         has_ended = true;
     }
+    if (variables.notes_changes() && block.function_count != 0) note_data(block);
     if (!modal_calls.empty()) call_behind(block, text_of_line, number);
     if (block.function_count != 0) end_after(block);
 }
@@ -402,6 +408,7 @@ CompiledLine* Program::State::line_at(const LinePosition& position) {
                    .first->second.get();
     }
     line->text = with_macros(text);
+    if (watch != nullptr && line->text != text) line->as_written = text;
     line->place = {position, {source().offset(), position.line + 1}};
     line->kind = CompiledLine::Kind::New;
     line->next = nullptr;
@@ -582,6 +589,7 @@ Program::State::Done Program::State::let_axis_move_alone(CompiledLine& line, Blo
                     lines.place(line.text, line.place.line.line, line.line.axes[0].axis.span));
     }
     if (out.find(Function::RapidOnce) == nullptr) out.add(Function::RapidOnce, 0);
+    moves_alone = true;
     return Done::Block;
 }
 
@@ -739,6 +747,10 @@ std::vector<LinePlace> Program::calls(SourceId source) const {
 }
 bool Program::failed() const { return state_->has_visible_fault; }
 bool Program::stopped() const { return state_->was_stopped; }
+bool Program::calls_at_places(const Block& block) const {
+    const std::optional<CallsAtPlaces>& calls = state_->frame->at_places;
+    return calls && calls->line == block.line;
+}
 bool Program::is_behind_fault(const Block& block) const {
     static_cast<void>(block);
     return state_->has_visible_fault;

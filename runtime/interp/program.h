@@ -90,6 +90,7 @@ class Program final : public Stream<nc::Block>, public nc::BlockPlaces {
     static bool is_in_main_text(std::uint32_t line) { return line < (std::uint32_t{1} << 31); }
     bool failed() const override;
     bool stopped() const override;
+    bool calls_at_places(const nc::Block& block) const override;
     bool is_behind_fault(const nc::Block& block) const override;
     std::uint64_t lines() const override;
     /// Whether a line could not be read, or an alarm came up, even if nobody has come to it yet.

@@ -1,6 +1,7 @@
 // Programs that call each other: subprograms and macros, modal calls, returns.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
@@ -647,6 +648,7 @@ nc::LineContext Program::State::context() const {
 /// Behind a block that moves an axis the modal call is made.
 void Program::State::call_behind(const Block& block, std::string_view text_of_line,
                                  std::uint64_t number) {
+    const bool is_path = !std::exchange(moves_alone, false);
     if (is_only_checking) return;
     if (block.find(Function::CycleModal) != nullptr) {
         if (!keeps_modal_calls) modal_calls.clear();
@@ -654,7 +656,11 @@ void Program::State::call_behind(const Block& block, std::string_view text_of_li
         return;
     }
     const PreparedCall* const active = active_modal_call();
-    if (active == nullptr || is_left_out(block) || !moves(block)) return;
+    if (active == nullptr || is_left_out(block)) return;
+    const bool is_pattern = interpreter != nullptr && block.find(Function::Cycle) != nullptr &&
+                            goes_to_places(dialect.cycles()[block.cycle]);
+    if (is_pattern) return call_at_places(block, *active, text_of_line, number);
+    if (!moves(block) || !is_path) return;
     due = *active;
     due->site = std::make_shared<nc::CallSite>(
         nc::CallSite{lines.place(text_of_line, number, {0, 1}), frame->site});
@@ -706,7 +712,8 @@ void Program::State::follow_modal_shape(const Block& block) {
     const bool is_in_shape = std::ranges::any_of(
         frames, [](const std::unique_ptr<Frame>& each) { return each->call.is_shape; });
     if (is_only_checking || has_ended || is_in_shape || due) return;
-    if ((block.given & kPlaces) == 0 || is_left_out(block)) return;
+    const bool is_alone = block.find(Function::RapidOnce) != nullptr;
+    if ((block.given & kPlaces) == 0 || is_alone || is_left_out(block)) return;
     const ModalShape shape = *modal_shape;
     follow_named_shape(shape.block, shape.text, shape.place);
 }
@@ -860,6 +867,7 @@ Program::State::Done Program::State::finish_return(Block& out) {
         const std::unique_ptr<Frame> left = std::move(frames.back());
         frames.pop_back();
         resume_frame(*frames.back());
+        leave_places(*left);
         note_returned(*left);
         if (left->saves) interpreter->restore_frames(true);
         if (left->call.is_shape) out.add(Function::CycleCall);
@@ -872,6 +880,7 @@ Program::State::Done Program::State::finish_return(Block& out) {
     }
     if (target) {
         ++turns;
+        leave_places(*frame);
         leave_open(target->line);
         frame->here = target->line;
         frame->next_line = nullptr;

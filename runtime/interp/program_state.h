@@ -1,8 +1,9 @@
 // program_state.h — a program while it runs: calls that have not returned, and where each stands.
 // Internal to interp.
 //
-// Told in chapters: program.cpp (the order of lines, statements, jumps, structures), and
-// program_calls.cpp (calls, modal calls, returns).
+// Told in chapters: program.cpp (the order of lines, statements, jumps, structures),
+// program_calls.cpp (calls, modal calls, returns), and program_places.cpp (modal calls at the
+// places of a pattern).
 #pragma once
 
 #include <map>
@@ -76,6 +77,15 @@ struct ReturnedVariable {
     ControlVariable before;  // the call
 };
 
+/// A modal call that is made at the places of a pattern.
+struct CallsAtPlaces {
+    PreparedCall call;
+    std::uint32_t line = 0;    // Block::line of the pattern
+    std::uint64_t number = 0;  // … in its text
+    nc::ModalFunctions modal_before{};
+    bool has_called = false;  // at the place where the tool stands
+};
+
 /// A program that runs: the main program, or one that was called.
 struct Frame {
     ProgramUnit* unit = nullptr;
@@ -99,6 +109,7 @@ struct Frame {
     bool is_in_code_call = false;  // codes that call programs mean what they are here
     bool is_external = false;
     TextMacros macros;
+    std::optional<CallsAtPlaces> at_places;     // while the tool goes from place to place
     std::vector<ReturnedVariable> references;   // noted if somebody looks on
     std::size_t modal_limit = ~std::size_t{0};  // modal calls below this one act here
     // How it ends.
@@ -147,6 +158,13 @@ struct Program::State {
         Place place;
     };
     std::optional<ModalShape> modal_shape;
+    bool moves_alone = false;                   // an axis of the block, beside the path
+    std::vector<ControlVariable> written_data;  // that the last block may write, before it
+    struct WrittenOffset {
+        bool is_of_tool = false;
+        std::int64_t number = 0;
+    };
+    WrittenOffset data_written;      // … and whose they are
     bool keeps_modal_calls = false;  // the block that begins one ends those of cycles
     CompiledLine scratch;
     /// A text that is executed as a block, and how many of its statements are through.
@@ -251,6 +269,10 @@ struct Program::State {
                   int decimals = -1);
     Done truth(CompiledLine& line, const nc::Expression& expression, bool& out);
     Done store(CompiledLine& line, const nc::Reference& reference, const Value& value);
+    void note_data(const nc::Block& block);
+    void tell_data();
+    ControlVariables::Fault store_noted(const CompiledLine& line, const nc::Reference& reference,
+                                        std::span<const std::int64_t> indices, const Value& value);
     Done count_on(CompiledLine& line, OpenStructure& loop, bool& goes_on_looping);
     bool resolve(CompiledLine& line, const nc::JumpTarget& target, LineTarget& out, Done& done);
     void warn_of_twin(const CompiledLine& line, const nc::Span& span, const LineTarget& target,
@@ -300,6 +322,10 @@ struct Program::State {
     nc::LineContext context() const;
     void call_behind(const nc::Block& block, std::string_view text, std::uint64_t number);
     Done begin_due();
+    void call_at_places(const nc::Block& block, const PreparedCall& active, std::string_view text,
+                        std::uint64_t number);
+    Done go_on_at_places(nc::Block& out);
+    void leave_places(Frame& of);
     Done call_with_block(CompiledLine& line);
     void check_call(CompiledLine& line, const nc::ControlStatement& statement);
     Done check_external(CompiledLine& line, const nc::ControlStatement& statement);

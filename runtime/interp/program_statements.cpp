@@ -112,9 +112,15 @@ Program::State::Done Program::State::store(CompiledLine& line, const nc::Referen
         }
     }
     if (variables.must_wait(reference.load, indices)) return Done::Wait;
-    const ControlVariables::Fault fault =
-        variables.store(reference.load, indices, value, evaluator.content(value));
+    ControlVariables::Fault fault = store_noted(line, reference, indices, value);
     if (fault.row == nullptr) return Done::Nothing;
+    // The control's own state has the name that the program says.
+    const bool is_state = reference.load.kind == nc::Instruction::Kind::System;
+    const auto quantity = static_cast<nc::Quantity>(reference.load.index);
+    if (is_state && !fault.arguments.empty() && fault.arguments[0] == info(quantity).name) {
+        fault.arguments[0] =
+            line.text.substr(reference.span.begin, reference.span.end - reference.span.begin);
+    }
     return fail(line, *fault.row, reference.span, fault.arguments);
 }
 

@@ -17,6 +17,7 @@ namespace kadr::interp {
 /// A line that runs more than once.
 struct CompiledLine {
     std::string text;
+    std::string as_written;  // if names or words in it stood for other text
     Place place;
     enum class Kind : std::uint8_t {
         New,       // nobody has looked at it

@@ -97,7 +97,7 @@ void Executor::set_tooth_feed(const Block& block, double feed) {
 /// The tool in the spindle, or its data, may have become others.
 void Executor::take_tooth_feed() {
     if (tooth_feed_ == 0) return;
-    modal_.feed = tooth_feed_ * tool_offsets_.datum(tool_.current, kTeeth);
+    modal_.feed = tooth_feed_ * tool_offsets_.datum(tool_.edge_number(), kTeeth);
     modal_.has_feed = true;
 }
 

@@ -7,7 +7,10 @@ namespace kadr::interp {
 Snapshot Executor::snapshot() const {
     Snapshot now;
     now.axes = axes_;
-    const AxisValues machine = machine_axes();
+    // Beside a contour the axes stand where the blocks have sent them that are settled.
+    const AxisValues machine = space_comp_.is_on()     ? machine_axes_at(space_comp_.place())
+                               : compensation_.is_on() ? machine_axes_at(compensation_.place())
+                                                       : machine_axes();
     for (std::size_t i = 0; i < kAxes; ++i) {
         now.work[i] = position_.here[i] / word_scale_[i];
         now.machine[i] = machine[i];
@@ -21,6 +24,8 @@ Snapshot Executor::snapshot() const {
     now.selected_tool = tool_.selected;
     now.length_offset = tool_.source == Tool::Source::Offset ? tool_.offset : 0;
     now.radius_offset = tool_.radius_offset;
+    if (dialect_.can_write(nc::Function::ToolEdge))
+        now.edge = tool_.source == Tool::Source::Edge ? tool_.edge : 0;
     now.tool_length = tool_.lengths[static_cast<Eigen::Index>(index(tool_.axis))];
     now.work_offset = work_offset_;
     now.coolant = coolant_;

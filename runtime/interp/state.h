@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/axes.h"
+#include "interp/tool_offsets.h"
 #include "nc/block.h"
 #include "path/command.h"
 #include "path/contour.h"
@@ -65,12 +66,18 @@ struct Tool {
     bool is_taken_off = false;       // … and whether it counts the other way
     bool has_changed = false;        // the length that should act has to be looked up
     std::int64_t radius_offset = 0;  // number of the radius offset for compensation
+    std::int64_t edge = 1;           // of the tool in the spindle
+    std::int64_t edge_called = 0;    // … that a block has said, for the tool that is selected
 
     path::Vec3 lengths = path::Vec3::Zero();  // in force along X, Y, Z, mm
     Axis axis = Axis::Z;                      // along which the chief one of them lies
 
-    /// Number of the tool or offset whose length should act.
-    std::int64_t length_number() const { return source == Source::Edge ? current : offset; }
+    /// Number of the tool in the spindle with its edge, as ToolOffsets counts.
+    std::int64_t edge_number() const {
+        return current == 0 ? 0 : ToolOffsets::of_edge(current, edge);
+    }
+    /// Number of the edge or offset whose length should act.
+    std::int64_t length_number() const { return source == Source::Edge ? edge_number() : offset; }
 };
 
 /// What the program adds to the data of the tool in the spindle, mm.

@@ -1,5 +1,6 @@
 // tool_change.cpp — which tool is called, and its change.
 #include <algorithm>
+#include <utility>
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
@@ -20,11 +21,26 @@ void Executor::set_length_source(Tool::Source source, Actions& actions) {
     actions.length_changed = true;
 }
 
-/// Of a tool one cutting edge is kept.
-void Executor::warn_of_edge(const Block& block, std::int64_t edge) {
-    if (edge <= 1 || warned_edge_) return;
-    warned_edge_ = true;
-    report(diag::EdgeUnknown, block, Function::ToolEdge).arg(edge);
+/// The edge that was said last is of the tool that was selected last: of one that is not in the
+/// spindle yet it acts when it comes there.
+void Executor::take_edge(const Block& block) {
+    if (tool_.selected != tool_.current) return;
+    tool_.edge = std::exchange(tool_.edge_called, 0);
+    check_edge(block);
+}
+
+/// A tool whose data are known has no others; of one that is not known only the edge is told.
+void Executor::check_edge(const Block& block) {
+    const std::int64_t number = tool_.edge_number();
+    if (tool_.current == 0 || tool_.edge == 1 || tool_offsets_.is_known(number)) return;
+    const bool is_known_tool = tool_offsets_.edges(tool_.current) > 0;
+    if (is_known_tool) {
+        report(diag::EdgeMissing, block, Function::ToolEdge).arg(tool_.current).arg(tool_.edge);
+        return;
+    }
+    if (std::ranges::find(unknown_edges_, number) != unknown_edges_.end()) return;
+    unknown_edges_.push_back(number);
+    report(diag::EdgeUnknown, block, Function::ToolEdge).arg(tool_.edge).arg(tool_.current);
 }
 
 std::int64_t Executor::tool_number(const Block& block, const Invocation& invocation) {
@@ -62,6 +78,7 @@ void Executor::change_tool(const Block& block) {
     }
     if (tool_.selected != tool_.current) {
         tool_.current = tool_.selected;
+        tool_.edge = 1;
         extra_ = {};
         put(Op::Tool, block).tool = tool_.current;
     }

@@ -69,10 +69,11 @@ Vec3 Executor::wanted_lengths() const {
 void Executor::check_length_known(const Block& block) {
     const std::int64_t number = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
     if (number == 0 || machine_.tools.empty() || tool_offsets_.is_known(number)) return;
-    if (std::find(unknown_tools_.begin(), unknown_tools_.end(), number) != unknown_tools_.end())
+    const std::int64_t tool = ToolOffsets::tool_of(number);
+    if (std::find(unknown_tools_.begin(), unknown_tools_.end(), tool) != unknown_tools_.end())
         return;
-    unknown_tools_.push_back(number);
-    report(diag::ToolUnknown, block).arg(number);
+    unknown_tools_.push_back(tool);
+    report(diag::ToolUnknown, block).arg(tool);
 }
 
 /// A length that was selected acts along an axis with the first motion of that axis: the motion
@@ -103,7 +104,8 @@ Command& Executor::put_tool_length(const Block& block, Axis axis) {
     const auto chief = static_cast<Eigen::Index>(index(axis));
     Command& command = put(Op::ToolLength, block);
     command.plane = plane_with_normal(axis);
-    command.tool = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
+    const std::int64_t number = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
+    command.tool = ToolOffsets::tool_of(number);
     command.length = carried[chief];
     command.aside = carried;
     command.aside[chief] = 0;

@@ -20,6 +20,14 @@ ToolOffsets::ToolOffsets(const machine::Machine& machine, bool is_lathe) : is_la
     }
 }
 
+std::int64_t ToolOffsets::edges(std::int64_t tool) const {
+    std::int64_t count = 0;
+    for (std::int64_t edge = 1; edge <= kMostEdges; ++edge) {
+        if (is_known(of_edge(tool, edge))) ++count;
+    }
+    return count;
+}
+
 bool ToolOffsets::is_turning(std::int64_t number) const {
     constexpr int kTurning = 5;  // types 500 to 599; S 5.1
     const int kind = type(number);

@@ -1,5 +1,8 @@
 // tool_offsets.h — the offsets of tools by number: as the machine has them, and as the program has
 // written them since. The run's own copy; the machine's file is never changed.
+//
+// Where tools have several cutting edges each has an offset of its own. The first has the number of
+// the tool, the others one that `of_edge` gives; offsets that only have a number are first ones.
 #pragma once
 
 #include <array>
@@ -33,6 +36,14 @@ class ToolOffsets {
         Type,  // 0: nobody has said it
     };
 
+    static constexpr std::int64_t kMostEdges = 12;  // S 2.3
+    /// The number of an edge's offset; edge 0 counts as the first.
+    static constexpr std::int64_t of_edge(std::int64_t tool, std::int64_t edge) {
+        return edge <= 1 ? tool : tool + (edge - 1) * kEdge;
+    }
+    static constexpr std::int64_t tool_of(std::int64_t number) { return number % kEdge; }
+    static constexpr std::int64_t edge_of(std::int64_t number) { return number / kEdge + 1; }
+
     /// is_lathe  the machine is one, or the control is a lathe's
     ToolOffsets(const machine::Machine& machine, bool is_lathe);
 
@@ -42,6 +53,8 @@ class ToolOffsets {
     Column column_at(std::int64_t place, std::int64_t number) const;
     /// The machine has a tool of this number, or the program has written its offset.
     bool is_known(std::int64_t number) const { return offsets_.contains(number); }
+    /// How many of the tool's edges have data.
+    std::int64_t edges(std::int64_t tool) const;
     /// The tool has lengths along X and Z: its type says so, or the machine is a lathe.
     bool is_turning(std::int64_t number) const;
     /// mm; 0 of an offset that nobody has set.
@@ -59,6 +72,7 @@ class ToolOffsets {
   private:
     int whole(Column column, std::int64_t number) const;
 
+    static constexpr std::int64_t kEdge = std::int64_t{1} << 32;  // more than tools have numbers
     static constexpr std::size_t kColumns = 13;
     std::map<std::int64_t, std::array<double, kColumns>> offsets_;
     std::map<std::pair<std::int64_t, std::int64_t>, double> data_;  // by tool and datum

@@ -818,14 +818,10 @@ class Lexer {
             if (peek() == ',') {
                 ++at_;
             } else if (peek() != ')') {
-                return at_ < line_.size() ? fail_here(diag::IsoSyntax)
-                                          : fail(diag::IsoSyntax, begin, line_.size(),
-                                                 {std::string(line_.substr(begin))});
+                return fail_here(at_ < line_.size() ? diag::IsoSyntax : diag::CloseBracketMissing);
             }
         }
-        if (at_ >= line_.size()) {
-            return fail(diag::IsoSyntax, begin, line_.size(), {std::string(line_.substr(begin))});
-        }
+        if (at_ >= line_.size()) return fail_here(diag::CloseBracketMissing);
         ++at_;
         add_word(address, begin);
         GivenWord& word = out_.words.back();

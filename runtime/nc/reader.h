@@ -45,6 +45,11 @@ class BlockPlaces {
     virtual bool failed() const = 0;
     /// Whether the blocks ended where somebody wanted them to, in front of more.
     virtual bool stopped() const { return false; }
+    /// Whether a program of the text is called at the places of this block, which is a pattern.
+    virtual bool calls_at_places(const Block& block) const {
+        static_cast<void>(block);
+        return false;
+    }
     /// Whether the control stopped at a mistake before this block.
     virtual bool is_behind_fault(const Block& block) const = 0;
     virtual std::uint64_t lines() const = 0;  // read so far

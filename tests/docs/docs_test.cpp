@@ -351,6 +351,7 @@ TEST_F(Docs, EveryAttributeOfTheSchemaIsInThePageOnDialects) {
     EXPECT_GT(attributes, 150);
     const std::size_t table = page.find("## 11. Further attributes");
     ASSERT_NE(table, page.npos);
+    EXPECT_EQ(page.find("## 11. Further attributes", table + 1), page.npos);
     std::istringstream lines(page.substr(table));
     const std::regex row(R"re(\| `(\w+)` \| `.*` \| (.*) \|)re");
     int rows = 0;

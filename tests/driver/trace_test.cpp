@@ -351,9 +351,83 @@ TEST_F(TraceTest, CountersHaveTheirNames) {
             changes.push_back(step["variables"].dump());
     }
     ASSERT_EQ(changes.size(), 3u);
-    EXPECT_EQ(changes[0], R"({"COUNT":[null,0]})");
+    EXPECT_EQ(changes[0], "{}");  // declared with 0
     EXPECT_EQ(changes[1], R"({"COUNT":[0,1]})");
     EXPECT_EQ(changes[2], R"({"COUNT":[1,2]})");
+}
+
+/// What a program writes into the control is shown as the program names it.
+TEST_F(TraceTest, WrittenStateIsShown) {
+    save("state.mpf",
+         "DEF INT CNT\nDEF REAL LIST[3]\nR1=2\n$TC_DP6[1,R1]=5\n$P_UIFR[1]=CTRANS(X,10)\n"
+         "$P_UIFR[1,X,TR]=20\n$P_PFRAME=CTRANS(Y,3)\nCNT=0\nLIST[1]=2\nM30\n");
+    save("state.nc",
+         "%\nO0001\n#5221=5.\n#2001=3.\nG10 L2 P1 Y9.\nG10 L10 P1 R4.\nSETVN 510[ABC]\n"
+         "#100=0\nWHILE[#100LT2]DO1\n[#ABC]=#100\n#100=#100+1\nEND1\nM30\n%\n");
+    struct Row {
+        const char* file;
+        const char* dialect;
+        const char* text;
+        const char* variables;
+    };
+    for (const Row& row :
+         {Row{"state.mpf", "sinumerik", "DEF INT CNT", R"json({"CNT":[null,0]})json"},
+          Row{"state.mpf", "sinumerik", "DEF REAL LIST[3]", "{}"},
+          Row{"state.mpf", "sinumerik", "$TC_DP6[1,R1]=5", R"json({"$TC_DP6[1,2]":[0,5]})json"},
+          Row{"state.mpf", "sinumerik", "$P_UIFR[1]=CTRANS(X,10)",
+              R"json({"$P_UIFR[1]":["CTRANS()","CTRANS(X,10)"]})json"},
+          Row{"state.mpf", "sinumerik", "$P_UIFR[1,X,TR]=20",
+              R"json({"$P_UIFR[1,X,TR]":[10,20]})json"},
+          Row{"state.mpf", "sinumerik", "$P_PFRAME=CTRANS(Y,3)",
+              R"json({"$P_PFRAME":["CTRANS()","CTRANS(Y,3)"]})json"},
+          Row{"state.mpf", "sinumerik", "CNT=0", "{}"},
+          Row{"state.mpf", "sinumerik", "LIST[1]=2", R"json({"LIST[1]":[0,2]})json"},
+          Row{"state.nc", "fanuc", "#5221=5.", R"json({"#5221":[0,5]})json"},
+          Row{"state.nc", "fanuc", "#2001=3.", R"json({"#2001":[0,3]})json"},
+          Row{"state.nc", "fanuc", "G10 L2 P1 Y9.", R"json({"#2601":[0,9]})json"},
+          Row{"state.nc", "fanuc", "G10 L10 P1 R4.", R"json({"#2201":[0,4]})json"},
+          Row{"state.nc", "fanuc", "[#ABC]=#100", R"json({"#510":[0,1]})json"}}) {
+        SCOPED_TRACE(row.text);
+        std::string found = "no such row";
+        for (const json& step : traced({file(row.file), "-d", row.dialect})) {
+            if (step["text"] == row.text) found = step["variables"].dump();
+        }
+        EXPECT_EQ(found, row.variables);
+    }
+}
+
+/// Under compensation the end of a block is known with the next one: the machine stands where the
+/// blocks before have sent it. Tool R5, left: (20,0) to (20,30) is (15,0) to (15,30).
+TEST_F(TraceTest, MachineStandsBesideTheContour) {
+    save("comp.mpf",
+         "$TC_DP6[1,1]=5\nT1 M6\nD0\nD1\nG0 X0 Y0 Z0\nS100 M3\nG41 G1 X20 F100\nY30\nY40\n"
+         "G40 X0\nM30\n");
+    std::vector<std::string> machine;
+    std::vector<std::string> edges;
+    for (const json& step : traced({file("comp.mpf"), "-d", "sinumerik"})) {
+        const json& at = step["machine"];
+        machine.push_back(at["X"].dump() + " " + at["Y"].dump());
+        if (step["modal"].contains("edge")) edges.push_back(step["modal"]["edge"].dump());
+    }
+    ASSERT_EQ(machine.size(), 12u);
+    EXPECT_EQ(machine[7], "0 0");
+    EXPECT_EQ(machine[8], "15 0");
+    EXPECT_EQ(machine[9], "15 30");
+    EXPECT_EQ(machine[11], "0 40");
+    EXPECT_EQ(edges, (std::vector<std::string>{"[null,0]", "[0,1]", "[1,0]", "[0,1]"}));
+}
+
+/// A cycle's warnings stand where the program calls it; the library's place is a note.
+TEST_F(TraceTest, WarningsOfCyclesNameTheProgram) {
+    save(
+        "warns.mpf",
+        "T1 D1 M6\nS100 M3 F100\nG0 X0 Y0 Z20\nCYCLE81(20,0,2,-5,6)\nHOLES1(0,0,0,10,10,2)\nM30\n");
+    const ProcessResult result = kadr({"run", file("warns.mpf"), "-d", "sinumerik"});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_NE(result.err.find("warns.mpf:4:1: warning[K3304]"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("warns.mpf:5:1: warning[K3304]"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("note: inside the cycle `hole_drill`"), std::string::npos)
+        << result.err;
 }
 
 /// Subprograms with numbers, as their head writes them and by the number alone.

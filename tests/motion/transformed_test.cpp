@@ -576,8 +576,8 @@ machine::Machine out_of_square(double gap) {
 
 /// A direction as programs have them that lead the tool upright and past it.
 Vec3 near_upright(const Vec3& before) {
-    // Programs have six digits.
-    const double small = std::pow(10.0, any_number(-60, -5) / 10.0);
+    // Nearer to the pole the rounding of a double would be seen in R1.
+    const double small = std::pow(10.0, any_number(-50, -5) / 10.0);
     const double azimuth = any_number(-180, 180);
     const Vec3 aside = small * Vec3(std::cos(azimuth), std::sin(azimuth), 0);
     switch (*rc::gen::inRange(0, 5)) {

@@ -6,5 +6,5 @@ G0 X0 Y0 Z5. F500
 G81 Z10. R2.
 M30
 %
-(expect: 6:1 K5253 the bottom at Z 10 mm must lie below the retract plane at Z 2 mm)
+(expect: 6:1 K5253 the bottom at Z 10 mm must lie below Z 2 mm, where the feed begins)
 (exit: 3)
