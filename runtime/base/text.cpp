@@ -90,6 +90,7 @@ std::optional<std::string_view> nearest_name(std::string_view wrong,
     std::size_t best = std::max<std::size_t>(1, (wrong.size() + 1) / 3) + 1;
     std::optional<std::string_view> nearest;
     for (std::size_t i = 0; i < count; ++i) {
+        if (upper_ascii(candidates[i]) == upper_ascii(wrong)) return candidates[i];
         const std::size_t distance = edit_distance(wrong, candidates[i]);
         if (distance < best) {
             best = distance;

@@ -178,7 +178,7 @@ void Executor::change_comp(const CompChange& change) {
 bool Executor::is_comp_in_plane(const Block& block, Function function) {
     if (!space_comp_.is_on()) return true;
     report(diag::IsoNotSupported, block, function)
-        .arg(std::string(nc::info(function).name) + " beside a contour in space");
+        .arg(word_of(block, function) + " beside a contour in space");
     return false;
 }
 

@@ -306,6 +306,31 @@ DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block,
     return note_calls(report(row, places_->place(block, function)), block);
 }
 
+namespace {
+
+/// Characters of a text; columns count them, not bytes.
+std::string characters(std::string_view text, std::size_t first, std::size_t count) {
+    const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; };
+    std::string found;
+    std::size_t at = 0;
+    for (const char c : text) {
+        at += begins(c) ? 1 : 0;
+        if (at > first && at <= first + count) found += c;
+    }
+    return found;
+}
+
+}  // namespace
+
+std::string Executor::word_of(const Block& block, Function function) const {
+    const std::string name(nc::info(function).name);
+    const bool is_said = block.motion == function || block.find(function) != nullptr;
+    if (places_ == nullptr || cycle_blocks_ || !is_said) return name;
+    const LinePlace place = places_->place(block, function);
+    const std::string word = characters(place.text, place.column - 1, place.length);
+    return word.empty() ? name : word;
+}
+
 /// Adds where the program of the block was called.
 DiagnosticBuilder Executor::note_calls(DiagnosticBuilder builder, const Block& block) const {
     if (places_ == nullptr) return builder;

@@ -661,6 +661,8 @@ class Executor {
     DiagnosticBuilder report(const DiagnosticRow& row, const nc::Block& block,
                              nc::Function function);
     DiagnosticBuilder report(const DiagnosticRow& row, LinePlace place);
+    /// A function as the text of the block says it; by the vocabulary where no text does.
+    std::string word_of(const nc::Block& block, nc::Function function) const;
     DiagnosticBuilder note_calls(DiagnosticBuilder builder, const nc::Block& block) const;
     /// The block in the text that is being executed: `block`, or the one that called the cycle.
     const nc::Block& origin(const nc::Block& block) const;
@@ -669,7 +671,7 @@ class Executor {
     const machine::Machine& machine_;
     std::vector<ControlFrame> work_offsets_;  // as the machine has them, until the program sets one
     std::int64_t work_offset_ = 0;            // that acts
-    const bool is_lathe_;  // the machine is one, or the control is a lathe's
+    const bool is_lathe_;                     // the machine is one, or the control is a lathe's
     ToolOffsets tool_offsets_;
     const nc::BlockPlaces* places_;
     CycleExpander* cycles_;

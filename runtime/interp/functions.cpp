@@ -119,7 +119,8 @@ bool Executor::needs_comp_off(const Block& block, Function function) const {
 
 void Executor::apply_function(const Block& block, const Invocation& invocation, Actions& actions) {
     if (needs_comp_off(block, invocation.function)) {
-        report(diag::CompFrame, block, invocation.function).arg(nc::info(invocation.function).name);
+        report(diag::CompFrame, block, invocation.function)
+            .arg(word_of(block, invocation.function));
         return;
     }
     if (taps_rigidly_ && !cycle_blocks_ && is_other_plane(invocation.function)) {
@@ -128,7 +129,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
     }
     if (is_too_late(invocation.function)) {
         report(diag::FrameInsideRotation, block, invocation.function)
-            .arg(nc::info(invocation.function).name);
+            .arg(word_of(block, invocation.function));
         return;
     }
     if (orienting_.has_length && refuses_under_tcp(block, invocation.function)) return;

@@ -63,7 +63,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     const bool is_in_cycle = modal_cycle_.is_active || actions.cycle != nullptr;
     if (is_in_cycle && targets != 0 && (actions.machine_coordinates || actions.probes)) {
         const Function own = actions.probes ? Function::Probe : Function::MachineCoordinates;
-        report(diag::MotionInCycle, block, own).arg(nc::info(own).name);
+        report(diag::MotionInCycle, block, own).arg(word_of(block, own));
         return;
     }
     if (actions.calls_behind_motions) {

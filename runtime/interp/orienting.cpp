@@ -102,7 +102,7 @@ void Executor::switch_transformation(const Block& block, const nc::Invocation& i
     if (is_wanted == orienting_.is_on || refuses_in_spline(block, invocation.function)) return;
     if (comp_.side != Function::RadiusCompOff) {
         report(diag::TransformationComp, block, invocation.function)
-            .arg(nc::info(invocation.function).name);
+            .arg(word_of(block, invocation.function));
         return;
     }
     if (tool_.has_changed) activate_length(block, kLinearXYZ);
@@ -134,7 +134,7 @@ bool Executor::refuses_in_spline(const Block& block, Function function) {
         case Function::CubicSpline: break;
         default: return false;
     }
-    report(diag::TransformationSpline, block, function).arg(nc::info(function).name);
+    report(diag::TransformationSpline, block, function).arg(word_of(block, function));
     return true;
 }
 
@@ -162,7 +162,7 @@ void Executor::begin_length_transformation(const Block& block, const nc::Invocat
     }
     if (comp_.side != Function::RadiusCompOff) {
         report(diag::TransformationComp, block, invocation.function)
-            .arg(nc::info(invocation.function).name);
+            .arg(word_of(block, invocation.function));
         return;
     }
     orienting_.takes_vectors = invocation.function == Function::TcpVector;
@@ -213,7 +213,7 @@ bool Executor::refuses_under_tcp(const Block& block, Function function) {
     if (!orienting_.has_length || cycle_blocks_) return false;
     const bool is_by_side = comp_.side != Function::RadiusCompOff && comp_.is_by_side_code;
     if (is_by_side && nc::info(function).group == nc::Group::LengthComp) {
-        report(diag::SideCompOrder, block, function).arg(nc::info(function).name);
+        report(diag::SideCompOrder, block, function).arg(word_of(block, function));
         return true;
     }
     switch (function) {
@@ -229,7 +229,7 @@ bool Executor::refuses_under_tcp(const Block& block, Function function) {
         case Function::Cycle: break;
         default: return false;
     }
-    report(diag::TcpForbidden, block, function).arg(nc::info(function).name);
+    report(diag::TcpForbidden, block, function).arg(word_of(block, function));
     return true;
 }
 

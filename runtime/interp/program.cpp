@@ -25,6 +25,19 @@ namespace {
 /// Lines that are kept compiled; a longer loop is read again each time.
 constexpr std::size_t kMostCompiled = 20'000;
 
+/// Whether a call of the block has no parameter that names an axis.
+bool takes_no_axis(const Block& block) {
+    const auto names_axis = [](const nc::Parameter& parameter) {
+        return parameter.name.starts_with("axis");
+    };
+    for (const nc::Invocation& invocation : block.functions) {
+        const auto parameters = nc::info(invocation.function).parameters;
+        if (invocation.function == Function::Cycle) return true;
+        if (!parameters.empty() && std::ranges::none_of(parameters, names_axis)) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 Program::State::State(const nc::Dialect& dialect_, nc::TextSource& text, std::string name,
@@ -538,6 +551,7 @@ Program::State::Done Program::State::read_words(CompiledLine& line, Block& out) 
     if (is_only_checking && is_computed) return Done::Nothing;
     values.clear();
     evaluator.forget();
+    const nc::ComputedValue* axis_argument = nullptr;
     if (!code.axes.empty()) {
         const Done done = set_axes(line);
         if (done == Done::Wait || lines.failed()) return done;
@@ -554,6 +568,7 @@ Program::State::Done Program::State::read_words(CompiledLine& line, Block& out) 
         if (done == Done::Wait || lines.failed()) return done;
         // An axis among the arguments of a call is said by its number, X by -1.
         const bool is_axis_argument = value.axis() && code.computed[i].argument >= 0;
+        if (is_axis_argument && axis_argument == nullptr) axis_argument = &code.computed[i];
         if (!value.is_number() && !value.is_text() && !is_axis_argument) {
             return fail(line, diag::TypesDiffer, code.computed[i].value.span,
                         {"a word", std::string(kind_name(value))});
@@ -568,6 +583,9 @@ Program::State::Done Program::State::read_words(CompiledLine& line, Block& out) 
     const bool is_kept = &line != &scratch && code.axes.empty() && code.codes.empty();
     nc::MatchedLine* const known = is_kept ? &line.matched : nullptr;
     if (!lines.read_words(line.text, line.line, values, out, known)) return Done::Nothing;
+    if (axis_argument != nullptr && takes_no_axis(out))
+        return fail(line, diag::TypesDiffer, axis_argument->value.span,
+                    {"an argument of this call", "an axis"});
     const bool has_lone = std::ranges::any_of(code.axes, &nc::ComputedAxis::is_alone);
     return has_lone ? let_axis_move_alone(line, out) : Done::Block;
 }

@@ -102,11 +102,11 @@ bool Executor::check_shape_block(const Block& block) {
         if (!is_foreign(block.functions[i].function)) continue;
         if (is_plane(block.functions[i].function, modal_.plane)) continue;
         report(diag::ShapeBlockWrong, block, block.functions[i].function)
-            .arg(nc::info(block.functions[i].function).name);
+            .arg(word_of(block, block.functions[i].function));
         return false;
     }
     if (!is_shape_motion(block.motion)) {
-        report(diag::ShapeBlockWrong, block, block.motion).arg(nc::info(block.motion).name);
+        report(diag::ShapeBlockWrong, block, block.motion).arg(word_of(block, block.motion));
         return false;
     }
     if (shape_->is_named && !modal_.has_feed) {  // the cycle says the feeds

@@ -95,7 +95,7 @@ std::optional<Vec3> Executor::origin_of_plane(const Block& block, const Invocati
 bool Executor::begin_plane(const Block& block, const Invocation& invocation, bool is_added) {
     if (comp_.side != Function::RadiusCompOff) {
         report(diag::TiltCompensated, block, invocation.function)
-            .arg(nc::info(invocation.function).name);
+            .arg(word_of(block, invocation.function));
         return false;
     }
     if (tilting_.is_on && !is_added && invocation.function != Function::Tilt) {

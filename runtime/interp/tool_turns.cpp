@@ -543,7 +543,7 @@ bool Executor::lay_spin(const Block& block, const ToolWords& tool, Target& targe
 void Executor::reset_orientation(const Block& block, const nc::Invocation& invocation) {
     if (!orienting_.is_on) {
         report(diag::OrientationAlone, block, invocation.function)
-            .arg(nc::info(invocation.function).name);
+            .arg(word_of(block, invocation.function));
         return;
     }
     const Chain& chain = machine_.kinematics->chain;

@@ -39,7 +39,7 @@ void Executor::take_orientation(const Block& block, const nc::Invocation& invoca
     const bool is_of_cutter = invocation.function == Function::SurfaceNormal && comp_.takes_faces();
     if (!orienting_.is_on && !is_of_cutter) {
         report(diag::OrientationAlone, block, invocation.function)
-            .arg(nc::info(invocation.function).name);
+            .arg(word_of(block, invocation.function));
         return;
     }
     ToolWords& tool = actions.tool;
@@ -145,7 +145,7 @@ bool Executor::has_idle_words(const Block& block, const ToolWords& tool) {
     for (const auto& check : checks) {
         if (!check.is_idle) continue;
         report(diag::OrientWordIdle, block, check.word)
-            .arg(nc::info(check.word).name)
+            .arg(word_of(block, check.word))
             .arg(nc::info(turning).name);
         return true;
     }

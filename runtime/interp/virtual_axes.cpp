@@ -312,7 +312,7 @@ std::optional<VirtualAxes> Executor::wanted_inclined(const Block& block,
 void Executor::refuse_virtual(const Block& block, Function function) {
     const bool is_face = virtual_.axes.kind == VirtualKind::Face;
     report(is_face ? diag::FaceWord : diag::CylinderWord, block, function)
-        .arg('`' + std::string(nc::info(function).name) + '`');
+        .arg('`' + word_of(block, function) + '`');
 }
 
 void Executor::refuse_virtual(const Block& block, Slot slot) {
@@ -339,7 +339,7 @@ bool Executor::check_virtual(const Block& block) {
             refuse_virtual(block, motion);
         } else {
             report(kind == VirtualKind::Face ? diag::FaceWord : diag::CylinderWord, block)
-                .arg('`' + std::string(nc::info(motion).name) + '`');
+                .arg('`' + word_of(block, motion) + '`');
         }
         return false;
     }

@@ -48,6 +48,8 @@ TEST(Text, NearestName) {
     EXPECT_EQ(kadr::nearest_name("raduis", names.data(), names.size()), "radius");
     EXPECT_EQ(kadr::nearest_name("widht", names.data(), names.size()), "width");
     EXPECT_FALSE(kadr::nearest_name("temperature", names.data(), names.size()));
+    constexpr std::array<std::string_view, 3> kAxes = {"x", "y", "z"};
+    EXPECT_EQ(kadr::nearest_name("Z", kAxes.data(), kAxes.size()), "z");
 }
 
 }  // namespace
