@@ -35,6 +35,7 @@ struct Piece {
     double programmed = 0;   // feed at 100 %, of the tool; rapid: what the axes can
     bool is_cell = false;    // planned as `cell` instead
     bool is_geared = false;  // to the spindle: its acceleration begins and ends at once
+    bool follows_spindle = false;  // as of a Stretch
     BentCell cell;
     AxisRates rates{};  // dq/ds at its start
     AxisTable::Loads loads;

@@ -78,6 +78,7 @@ void Planner::State::hand_on(const Piece& piece, double exit_limit) {
     Stretch stretch{piece.length, piece.speed, piece.acceleration, piece.entry_limit};
     stretch.feed_asked = piece.feed_asked;
     stretch.rapid_asked = piece.rapid_asked;
+    stretch.follows_spindle = piece.follows_spindle;
     if (!axes.limits_jerk()) {
         lookahead.append(stretch);
         if (panel.is_used()) stretches.push_back(stretch);

@@ -86,7 +86,7 @@ Piece& Preparer::State::fresh_piece() {
     piece.jerk = piece.entry_acceleration = piece.turning_acceleration = kInfinity;
     piece.entry_limit = 0;
     piece.ramp = piece.ramp_before = piece.jerk_share = piece.jerk_before = 1;
-    piece.is_cell = piece.is_geared = false;
+    piece.is_cell = piece.is_geared = piece.follows_spindle = false;
     piece.feed_asked = piece.rapid_asked = kInfinity;
     piece.issues = std::exchange(to_issue, 0);
     piece.awaits = false;
@@ -308,26 +308,21 @@ void Preparer::State::emit_feed_parts(const Command& command, const Segment& seg
                                       double length) {
     if (command.op == Op::Thread && command.lead_change != 0 && spindle.is_turning)
         return emit_varying_thread(command, segment, length);
-    const int parts = command.op == Op::Rapid ? 1 : feed_parts(command, segment, spindle);
-    const bool is_bent = parts == 1 && !is_straight(segment);
-    const auto bounds = is_bent ? cells_in(command, segment, length) : std::vector<double>{};
-    if (!bounds.empty()) {
-        emit_cells(command, segment, bounds);
-    } else if (parts == 1) {
-        emit(command, segment, length);
-    } else {
-        emit_parts(command, segment, length, parts);
+    if (command.op != Op::Rapid) {
+        const auto parts = feed_bounds(command, segment, length, spindle);
+        if (!parts.empty()) return emit_parts(command, segment, parts);
     }
+    const auto bounds =
+        is_straight(segment) ? std::vector<double>{} : cells_in(command, segment, length);
+    bounds.empty() ? emit(command, segment, length) : emit_cells(command, segment, bounds);
 }
 
 /// A piece on which the spindle changes its speed goes as several, each with its own feed.
-void Preparer::State::emit_parts(const Command& command, const Segment& whole, double length,
-                                 int parts) {
-    for (int i = 0; i < parts && !has_ended; ++i) {
-        const double from = length * i / parts;
-        const double to = i + 1 == parts ? length : length * (i + 1) / parts;
-        emit(command, part_of(whole, from, to), to - from);
-    }
+void Preparer::State::emit_parts(const Command& command, const Segment& whole,
+                                 const std::vector<double>& bounds) {
+    for (std::size_t i = 0; i + 1 < bounds.size() && !has_ended; ++i)
+        emit(command, part_of(whole, bounds[i], bounds[i + 1]), bounds[i + 1] - bounds[i],
+             {.follows_spindle = true});
 }
 
 /// Whether the pieces of a motion may be cells at all.
@@ -406,6 +401,7 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     piece.jerk = limits.jerk;
     piece.turning_acceleration = limits.turning_acceleration;
     piece.programmed = programmed;
+    piece.follows_spindle = how.follows_spindle;
     if (!options.events.empty()) ask(command, piece);
     piece.entry_limit = how.is_inside ? kInfinity : corner_speed(segment, in, limits.acceleration);
     piece.rates = in;

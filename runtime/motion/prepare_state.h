@@ -51,8 +51,9 @@ struct HeldMotion {
 
 /// What is known of a piece when it is emitted.
 struct Emission {
-    bool as_cell = false;    // if it is even enough, and no corner is beside it
-    bool is_inside = false;  // of a way that goes on evenly from the piece before
+    bool as_cell = false;          // if it is even enough, and no corner is beside it
+    bool is_inside = false;        // of a way that goes on evenly from the piece before
+    bool follows_spindle = false;  // one of many parts, each with the feed of its radius
 };
 
 /// A part of a motion's way, between two lengths.
@@ -97,7 +98,8 @@ struct Preparer::State {
                      std::span<const path::Curve> curves);
     void end_command();
     void emit_feed_parts(const path::Command& command, const Segment& segment, double length);
-    void emit_parts(const path::Command& command, const Segment& whole, double length, int parts);
+    void emit_parts(const path::Command& command, const Segment& whole,
+                    const std::vector<double>& bounds);
     /// prepare_threads.cpp
     void emit_varying_thread(const path::Command& command, const Segment& whole, double length);
     bool allows_cells(const path::Command& command) const;

@@ -66,6 +66,7 @@ bool StretchBuilder::joins(const Part& part) const {
     const double speed = std::min({open.speed, piece.speed, piece.entry_limit});
     const bool is_straight_on = std::isinf(piece.entry_acceleration);
     if (is_straight_on && piece.entry_limit >= speed && has_same_limits(open, piece)) return true;
+    if (open.follows_spindle || piece.follows_spindle) return false;
     if (!is_close(open.acceleration, piece.acceleration) || !is_close(open.jerk, piece.jerk)) {
         return false;
     }

@@ -11,6 +11,7 @@
 // * Pieces of a straight line at one feed are always joined: cutting a line costs no time.
 // * Others are joined while running at the least of their speeds costs less than a tenth of the
 //   time that a ramp to this speed takes, and not if both are long enough to have their own ramps.
+// * A feed that follows the spindle is never lowered to that of a neighbour.
 // * A stretch from which a part can be split, so that both parts are longer than the ramps up to
 //   its speed and down from it, is split: the speed between them is reached, and memory bounded.
 //
@@ -59,6 +60,7 @@ struct Stretch {
     OverriddenSpeed most() const { return {speed, feed_asked, rapid_asked}; }
     double feed_asked = std::numeric_limits<double>::infinity();  // as of an OverriddenSpeed
     double rapid_asked = std::numeric_limits<double>::infinity();
+    bool follows_spindle = false;  // its speed is the spindle's: another one would be another feed
 };
 
 class StretchBuilder {
