@@ -161,6 +161,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::Incremental:
         case Function::ExactStop:
         case Function::ContinuousPath:
+        case Function::TappingMode:
         case Function::BlendDistance:
         case Function::BlendTolerance:
         case Function::BlendSmooth:

@@ -19,12 +19,20 @@ struct Modal {
     path::FeedMode feed_mode = path::FeedMode::PerMinute;
     bool is_incremental = false;
     bool has_exact_stop = false;
+    bool taps = false;                        // neither an override of the feed nor a hold acts
     nc::Function blend = nc::Function::None;  // how corners are rounded
     bool has_feed = false;
     double feed = 0;  // unit of the feed mode
 
     /// Sets what a member of a modal group says; false if the function is no such member.
     bool set(nc::Function function);
+};
+
+/// What of the panel the program lets act.
+struct PanelState {
+    bool has_hold = true;
+    bool has_override = true;  // of the feed
+    bool has_exact_stop = true;
 };
 
 /// Where the tool tip stands. Lengths mm, angles deg; X of a lathe is a radius here.

@@ -30,6 +30,7 @@ struct Piece {
     double turning_acceleration = std::numeric_limits<double>::infinity();  // see PathLimits
     double feed_asked = std::numeric_limits<double>::infinity();  // as of an OverriddenSpeed
     double rapid_asked = std::numeric_limits<double>::infinity();
+    bool can_be_held = false;
     std::size_t issues = 0;  // so many M functions are issued where it begins
     bool awaits = false;     // stands until all that was issued is acknowledged
     double programmed = 0;   // feed at 100 %, of the tool; rapid: what the axes can

@@ -88,6 +88,7 @@ Piece& Preparer::State::fresh_piece() {
     piece.ramp = piece.ramp_before = piece.jerk_share = piece.jerk_before = 1;
     piece.is_cell = piece.is_geared = piece.follows_spindle = false;
     piece.feed_asked = piece.rapid_asked = kInfinity;
+    piece.can_be_held = false;
     piece.issues = std::exchange(to_issue, 0);
     piece.awaits = false;
     return piece;
@@ -426,8 +427,10 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     remember(piece);
 }
 
-/// What overrides act on while the piece is run: a thread follows the spindle, and so does a tap.
+/// What the operator acts on while the piece is run: a thread follows the spindle, and so does a
+/// tap.
 void Preparer::State::ask(const Command& command, Piece& piece) const {
+    piece.can_be_held = command.op != Op::Thread && !command.ignores_hold;
     if (command.op == Op::Thread || command.keeps_feed) return;
     const bool is_rapid = piece.segment.kind == SegmentKind::Rapid;
     (is_rapid ? piece.rapid_asked : piece.feed_asked) =

@@ -85,7 +85,8 @@ struct Command {
     bool exact_stop = false;                 // the motion ends at rest
     bool machine_coordinates = false;  // `to` is in machine coordinates, tool length not counted
     bool is_unshifted = false;         // programmed in machine coordinates, whatever `to` is in
-    bool keeps_feed = false;           // Line: no override acts, as when tapping
+    bool keeps_feed = false;           // no override of the feed acts, as when tapping
+    bool ignores_hold = false;         // a hold waits until the motions with this are through
     bool cutting_speed = false;        // Spindle: `speed` is m/min (constant cutting speed)
     bool is_swivelled = false;         // ToolLength: `direction` is the tool's, which a head turns
     AxisMask moved = 0;                // axes that the block programmed
