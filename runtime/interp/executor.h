@@ -642,6 +642,8 @@ class Executor {
     path::Command& put(path::Op op, const nc::Block& block);
     path::Blending blending(path::Op op) const;  // smoothing.cpp
     // panel.cpp
+    void set_dynamics(const nc::Block& block, const nc::Invocation& invocation);
+    void set_override(const nc::Block& block, const nc::Invocation& invocation);
     ControlState::Write suppress_panel(double value);
     double suppressed_panel() const;
     bool stops_exactly(bool once = false) const;

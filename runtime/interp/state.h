@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "base/axes.h"
 #include "nc/block.h"
@@ -28,11 +29,12 @@ struct Modal {
     bool set(nc::Function function);
 };
 
-/// What of the panel the program lets act.
+/// What the program takes from the operator, and says of how fast its motions may be.
 struct PanelState {
     bool has_hold = true;
     bool has_override = true;  // of the feed
     bool has_exact_stop = true;
+    std::vector<path::Dynamics> dynamics;  // one, or none as long as nothing was said
 };
 
 /// Where the tool tip stands. Lengths mm, angles deg; X of a lathe is a radius here.

@@ -13,6 +13,7 @@
 #include "base/axes.h"
 #include "base/source.h"
 #include "path/contact.h"
+#include "path/dynamics.h"
 #include "path/parametric.h"
 #include "path/spline.h"
 #include "path/turning.h"
@@ -109,6 +110,9 @@ struct Command {
     Blending blending;              // of the corner behind a motion; none where it ends at rest
     double compress = 0;  // Line: it may become a part of a curve within this tolerance, mm;
                           // 0: it stays what it is
+
+    // Of a motion: one where the program says something of it; else none.
+    std::vector<Dynamics> dynamics;
 
     // Of a motion under a transformation: `to` is the tip in the workpiece system or in virtual
     // coordinates, and where the rotary axes stand there.
