@@ -81,7 +81,7 @@ void Executor::thread_along_arc(const Block& block, const Target& target, const 
         Command& command = put(Op::Thread, block);
         command.to = at.base;
         command.moved = at.moved;
-        command.exact_stop = i == lines && (modal_.has_exact_stop || actions.exact_stop);
+        command.exact_stop = i == lines && stops_exactly(actions.exact_stop);
         command.feed_mode = path::FeedMode::PerRevolution;
         command.feed = lead->pitch * length / std::abs(way[lead->axis]);
         command.lead_change = 0;

@@ -119,7 +119,7 @@ void Executor::move_along_curve(const Block& block, const nc::Invocation& call) 
     Command& command = put(Op::Parametric, block);
     command.to = target.base;
     command.moved = target.moved;
-    command.exact_stop = modal_.has_exact_stop;
+    command.exact_stop = stops_exactly();
     command.feed = modal_.feed;
     command.curve.assign(1, shape);
     arrive(target);

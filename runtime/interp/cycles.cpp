@@ -435,7 +435,7 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
     if (!check_axes(block, place)) return;
     const bool has_end = find_parameter(dialect_.cycles()[call.cycle], "x").has_value();
     if (place != 0 && !has_end)
-        line(block, target_of(block, place), path::Op::Rapid, modal_.has_exact_stop);
+        line(block, target_of(block, place), path::Op::Rapid, stops_exactly());
     if (ended_) return;
 
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
@@ -470,6 +470,7 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
         return;
     }
     cycle_name_ = info.name;
+    cycle_taps_ = info.taps;
     if (is_given(call, find_parameter(info, kPatternParameter)))
         return begin_pattern(block, std::move(blocks));
     open_cycle(block, std::move(blocks));
@@ -648,7 +649,7 @@ void Executor::return_to_level() {
     way.set(slot, *final_level_);
     way.absolute = bit(slot);
     if (cycle_is_across_) way.x_measure = nc::XMeasure::Radius;
-    line(way, target_of(way, bit(slot)), path::Op::Rapid, modal_.has_exact_stop);
+    line(way, target_of(way, bit(slot)), path::Op::Rapid, stops_exactly());
 }
 
 /// The plane in which a cycle works. Lathes drill along Z whatever their plane.

@@ -269,7 +269,7 @@ Command& Executor::put(Op op, const Block& block) {
     command.compress = compressing(op);
     command.machine_coordinates = false;
     command.is_unshifted = false;
-    command.keeps_feed = false;
+    put_panel(command);
     command.is_swivelled = false;
     command.moved = 0;
     command.source = from.source;

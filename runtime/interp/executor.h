@@ -650,6 +650,13 @@ class Executor {
     path::Command& behind_corners();
     path::Command& put(path::Op op, const nc::Block& block);
     path::Blending blending(path::Op op) const;  // smoothing.cpp
+    // panel.cpp
+    void set_dynamics(const nc::Block& block, const nc::Invocation& invocation);
+    void set_override(const nc::Block& block, const nc::Invocation& invocation);
+    ControlState::Write suppress_panel(double value);
+    double suppressed_panel() const;
+    bool stops_exactly(bool once = false) const;
+    void put_panel(path::Command& command) const;
     double compressing(path::Op op) const;
     void choose_smoothing(const nc::Block& block, const nc::Invocation& invocation);
     void frame_changed();
@@ -760,7 +767,8 @@ class Executor {
     nc::Block spline_end_{};  // place of its latest block
     int spline_degree_ = 3;
     bool taps_rigidly_ = false;  // of the tapping cycles that follow
-    AxisMask unplaced_ = 0;      // axes that want a place behind the end of a rotation
+    PanelState panel_;
+    AxisMask unplaced_ = 0;  // axes that want a place behind the end of a rotation
 
     // Of the machine, by logical axis; deg for rotary axes.
     AxisMask axes_ = 0;
@@ -795,6 +803,7 @@ class Executor {
     std::unique_ptr<Stream<nc::Block>> cycle_stream_;
     std::optional<BlockQueue> cycle_blocks_;
     std::string_view cycle_name_;
+    bool cycle_taps_ = false;
     nc::Block caller_{};
     Modal modal_before_cycle_;
     double x_scale_before_cycle_ = 1;

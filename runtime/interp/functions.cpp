@@ -162,6 +162,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::Incremental:
         case Function::ExactStop:
         case Function::ContinuousPath:
+        case Function::TappingMode:
         case Function::BlendDistance:
         case Function::BlendTolerance:
         case Function::BlendSmooth:
@@ -405,6 +406,11 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::RapidOnce: actions.at_rapid = true; break;
         case Function::WayOffset: actions.way_offset = block.argument(invocation, 0); break;
         case Function::TapFloating: actions.taps = true; break;
+        case Function::FeedOverride:
+        case Function::RapidOverride:
+        case Function::AxisVelocity:
+        case Function::AxisAcceleration:
+        case Function::AxisJerk: set_dynamics(block, invocation); break;
         case Function::Probe: actions.probes = true; break;
         // Here the part lies where the program expects it, and every probe finds it.
         case Function::ProbeCheck:

@@ -91,7 +91,7 @@ void Executor::move(const Block& block, const Actions& actions) {
         return go_through(block, targets);
     const bool has_polynomial = targets != 0 || block.find(Function::PolynomialAxis) != nullptr;
     if (modal_.motion == Function::Polynomial && !actions.machine_coordinates && has_polynomial)
-        return polynomial(block, modal_.has_exact_stop || actions.exact_stop);
+        return polynomial(block, stops_exactly(actions.exact_stop));
     if (targets == 0 && !actions.tool.turns() && (arc_words == 0 || !is_circle(modal_.motion))) {
         if (arc_words != 0) warn_arc_word(block, arc_words);
         if (actions.switches_length) return move_behind_switch(block);
@@ -113,7 +113,7 @@ void Executor::move(const Block& block, const Actions& actions) {
         check_carried(block);
     }
     if (actions.way_offset != 0 && !offset_ways(block, actions.way_offset, target)) return;
-    const bool exact_stop = modal_.has_exact_stop || actions.exact_stop;
+    const bool exact_stop = stops_exactly(actions.exact_stop);
     if (actions.at_rapid && comp_.side != Function::RadiusCompOff &&
         (targets & plane_mask()) != 0) {
         report(diag::CompMotion, block);
@@ -236,7 +236,8 @@ void Executor::line(const Block& block, const Target& programmed, Op op, bool ex
     command.moved = target.moved;
     command.exact_stop = exact_stop;
     command.feed = op == Op::Rapid ? 0 : modal_.feed;
-    command.keeps_feed = op == Op::Line && block.find(Function::TapFloating) != nullptr;
+    if (op == Op::Line && block.find(Function::TapFloating) != nullptr)
+        command.keeps_feed = command.ignores_hold = true;
     arrive(target);
     if (op != Op::Probe) return;
     probed_.emplace();

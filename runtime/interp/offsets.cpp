@@ -72,6 +72,7 @@ Write Executor::set_quantity(Quantity quantity, std::int64_t first, std::int64_t
         case Quantity::ExtraBoth: return set_extra(quantity, first, value);
         case Quantity::Timer: set_timer(first, value); return Write::Done;
         case Quantity::EdgeSpeed: return set_edge_speed(value);
+        case Quantity::SuppressedPanel: return suppress_panel(value);
         case Quantity::Milliseconds:
             milliseconds_from_ = value - run_time() * 1000;
             return Write::Done;

@@ -59,7 +59,7 @@ bool Executor::move_plainly(const Block& block) {
     has_moved_ = true;
     Command& command = put(is_rapid ? Op::Rapid : Op::Line, block);
     command.moved = static_cast<AxisMask>(block.given);
-    command.exact_stop = modal_.has_exact_stop;
+    command.exact_stop = stops_exactly();
     command.feed = is_rapid ? 0 : modal_.feed;
     const path::Vec3 before{position_.base[0], position_.base[1], position_.base[2]};
     bool is_elsewhere = false;

@@ -177,7 +177,7 @@ void Executor::return_from_shape() {
     shape_.reset();
     Target back{start, frames_.to_base(start), 0};
     for (const Axis axis : {Axis::X, Axis::Z}) back.moved |= bit(axis);
-    line(from, back, Op::Rapid, modal_.has_exact_stop);
+    line(from, back, Op::Rapid, stops_exactly());
 }
 
 CycleShape Executor::shape_of(const ShapeRun& run) const {

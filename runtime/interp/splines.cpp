@@ -148,7 +148,7 @@ void Executor::move_along_spline() {
     while (!ended_) {
         const std::optional<SplineStep> step = spline_->next();
         if (!step) return;
-        put_span(step->span, step->block, spline_->moved, step->is_last && modal_.has_exact_stop);
+        put_span(step->span, step->block, spline_->moved, step->is_last && stops_exactly());
     }
 }
 

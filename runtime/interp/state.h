@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "base/axes.h"
 #include "interp/tool_offsets.h"
@@ -20,12 +21,21 @@ struct Modal {
     path::FeedMode feed_mode = path::FeedMode::PerMinute;
     bool is_incremental = false;
     bool has_exact_stop = false;
+    bool taps = false;                        // neither an override of the feed nor a hold acts
     nc::Function blend = nc::Function::None;  // how corners are rounded
     bool has_feed = false;
     double feed = 0;  // unit of the feed mode
 
     /// Sets what a member of a modal group says; false if the function is no such member.
     bool set(nc::Function function);
+};
+
+/// What the program takes from the operator, and says of how fast its motions may be.
+struct PanelState {
+    bool has_hold = true;
+    bool has_override = true;  // of the feed
+    bool has_exact_stop = true;
+    std::vector<path::Dynamics> dynamics;  // one, or none as long as nothing was said
 };
 
 /// Where the tool tip stands. Lengths mm, angles deg; X of a lathe is a radius here.

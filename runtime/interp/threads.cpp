@@ -45,7 +45,7 @@ void Executor::tap(const Block& block, const Target& target) {
     command.moved = target.moved;
     command.feed_mode = FeedMode::PerRevolution;
     command.feed = std::abs(pitch);
-    command.exact_stop = true;
+    command.exact_stop = command.keeps_feed = command.ignores_hold = true;
     arrive(target);
     spindle_.mode = SpindleMode::Stop;
     update_spindle(block);
@@ -68,7 +68,7 @@ void Executor::thread(const Block& block, const Target& target, const Actions& a
     Command& command = put(Op::Thread, block);
     command.to = target.base;
     command.moved = target.moved;
-    command.exact_stop = modal_.has_exact_stop || actions.exact_stop;
+    command.exact_stop = stops_exactly(actions.exact_stop);
     command.feed_mode = FeedMode::PerRevolution;
     const double length = (linear(target.base) - linear(position_.base)).norm();
     const double by_way = along > 0 ? length / along : 1;

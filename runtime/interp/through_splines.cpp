@@ -110,7 +110,7 @@ void Executor::move_through() {
         through_->blocks.pop_front();
         const bool is_last = through_->blocks.empty();
         put_span({span->start, span->end, span->shape}, block, through_->moved,
-                 is_last && modal_.has_exact_stop);
+                 is_last && stops_exactly());
         if (is_last) came_from_ = span->shape.inner[1];
     }
 }

@@ -130,7 +130,7 @@ void Executor::move_length_alone(const Block& block) {
         return;
     }
     line(block, {position_.here, position_.base, changed},
-         modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, modal_.has_exact_stop);
+         modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, stops_exactly());
 }
 
 /// A transformation with a length was switched in a block without axis words: the place in the
@@ -144,7 +144,7 @@ void Executor::move_behind_switch(const Block& block) {
         settle_turn({position_.here, position_.base, moved});
     }
     line(block, {position_.here, position_.base, moved},
-         modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, modal_.has_exact_stop);
+         modal_.motion == Function::Rapid ? Op::Rapid : Op::Line, stops_exactly());
 }
 
 }  // namespace kadr::interp

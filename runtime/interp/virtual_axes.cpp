@@ -89,6 +89,7 @@ bool stands_there(Function function, VirtualKind kind) {
         case Function::ExactStop:
         case Function::ExactStopOnce:
         case Function::ContinuousPath:
+        case Function::TappingMode:
         case Function::RadiusCompOff:
         case Function::RadiusCompLeft:
         case Function::RadiusCompRight:

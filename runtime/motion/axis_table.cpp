@@ -92,6 +92,20 @@ AxisTable::AxisTable(const machine::Machine& machine) {
     }
 }
 
+AxisTable AxisTable::under(const path::Dynamics& dynamics) const {
+    AxisTable table = *this;
+    for (Entry& axis : table.axes_) {
+        axis.velocity *= dynamics.velocity[axis.coordinate];
+        axis.acceleration *= dynamics.acceleration[axis.coordinate];
+        axis.jerk *= dynamics.jerk[axis.coordinate];
+        if (axis.coordinate >= 3) continue;
+        const auto i = static_cast<Eigen::Index>(axis.coordinate);
+        table.linear_.velocity[i] = axis.velocity;
+        table.linear_.acceleration[i] = axis.acceleration;
+    }
+    return table;
+}
+
 PathLimits AxisTable::follower_limits(const Segment& piece, double wanted) const {
     PathLimits limits{wanted, kInfinity, kInfinity, kInfinity};
     for (const Entry& axis : axes_) {

@@ -16,6 +16,7 @@
 #include "motion/corner.h"
 #include "motion/segment.h"
 #include "motion/spline_pieces.h"
+#include "path/dynamics.h"
 
 namespace kadr::motion {
 
@@ -37,6 +38,9 @@ class AxisTable {
   public:
     /// The machine outlives the table.
     explicit AxisTable(const machine::Machine& machine);
+
+    /// The same axes with the parts of their limits that a program leaves them.
+    AxisTable under(const path::Dynamics& dynamics) const;
 
     std::size_t size() const { return axes_.size(); }
     /// The machine's axis behind a logical one; size() if it has none.

@@ -112,7 +112,10 @@ bool Compressor::joins(const Command& command, const Vec3& to) const {
     const Vec3 way = to - points_.back();
     const Vec3 before = points_.back() - points_[points_.size() - 2];
     const bool is_same = command.compress == last.compress && command.feed == last.feed &&
-                         command.feed_mode == last.feed_mode && command.blending == last.blending;
+                         command.feed_mode == last.feed_mode && command.blending == last.blending &&
+                         command.keeps_feed == last.keeps_feed &&
+                         command.ignores_hold == last.ignores_hold &&
+                         command.dynamics == last.dynamics;
     bool others_stand = true;
     for (std::size_t i = 3; i < kAxes; ++i) others_stand &= command.to[i] == last.to[i];
     return is_same && others_stand && is_short_line(command, way.norm()) &&

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "base/result.h"
 #include "motion/segment.h"
@@ -23,9 +24,10 @@ enum class FeedFault : std::uint8_t { NoFeed, SpindleStands };
 Result<double, FeedFault> path_feed(const path::Command& command, const Segment& piece,
                                     double length, const Spindle& spindle);
 
-/// Into how many parts of equal length a piece is cut so that one feed does for each: the radius
-/// changes by a twentieth in a part at most, except close to the axis. 1 if the spindle does not
-/// follow the radius.
-int feed_parts(const path::Command& command, const Segment& piece, const Spindle& spindle);
+/// Where a piece is cut so that one feed does for each part: its feed is within a hundredth of what
+/// the spindle's speed makes it everywhere in the part. Lengths from 0 to that of the piece; empty
+/// if the spindle does not change its speed on it.
+std::vector<double> feed_bounds(const path::Command& command, const Segment& piece, double length,
+                                const Spindle& spindle);
 
 }  // namespace kadr::motion

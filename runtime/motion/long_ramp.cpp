@@ -125,6 +125,8 @@ std::vector<Range> ranges_of(const std::deque<PlannedStretch>& planned, PieceRin
         if (first + next.limits.pieces > kMostPieces) return ranges;
         for (std::size_t i = first; i < first + next.limits.pieces; ++i) {
             if (i > 0 && !goes_on(pieces.at(i))) return ranges;
+            // Its axes have other limits than the machine's.
+            if (pieces.at(i).has_dynamics) return ranges;
             bends = bends || is_bent(pieces.at(i));
         }
         range.add(next);

@@ -11,10 +11,12 @@
 
 namespace kadr::motion {
 
-/// Parts of what is programmed, ≥ 0; at 0 the motion stands.
+/// Parts of what is programmed, ≥ 0; at 0 the motion stands. So does what can be held while the
+/// feed is held.
 struct Overrides {
     double feed = 1;
     double rapid = 1;
+    bool is_held = false;
     bool operator==(const Overrides&) const = default;
 };
 
@@ -53,7 +55,7 @@ class OperatorPanel {
     const Overrides& dials() const { return dials_; }
     bool is_held() const { return is_held_; }
     /// What acts on the motion.
-    Overrides acting() const { return is_held_ ? Overrides{0, 0} : dials_; }
+    Overrides acting() const { return {dials_.feed, dials_.rapid, is_held_}; }
     /// The highest of all that can come, > 0.
     const Overrides& highest() const { return highest_; }
     /// What is planned for blocks that were not begun yet.

@@ -30,11 +30,14 @@ struct Piece {
     double turning_acceleration = std::numeric_limits<double>::infinity();  // see PathLimits
     double feed_asked = std::numeric_limits<double>::infinity();  // as of an OverriddenSpeed
     double rapid_asked = std::numeric_limits<double>::infinity();
-    std::size_t issues = 0;  // so many M functions are issued where it begins
-    bool awaits = false;     // stands until all that was issued is acknowledged
-    double programmed = 0;   // feed at 100 %, of the tool; rapid: what the axes can
-    bool is_cell = false;    // planned as `cell` instead
-    bool is_geared = false;  // to the spindle: its acceleration begins and ends at once
+    bool can_be_held = false;
+    std::size_t issues = 0;        // so many M functions are issued where it begins
+    bool awaits = false;           // stands until all that was issued is acknowledged
+    double programmed = 0;         // feed at 100 %, of the tool; rapid: what the axes can
+    bool is_cell = false;          // planned as `cell` instead
+    bool is_geared = false;        // to the spindle: its acceleration begins and ends at once
+    bool follows_spindle = false;  // as of a Stretch
+    bool has_dynamics = false;     // the program says what of their limits the axes have
     BentCell cell;
     AxisRates rates{};  // dq/ds at its start
     AxisTable::Loads loads;

@@ -78,6 +78,8 @@ void Planner::State::hand_on(const Piece& piece, double exit_limit) {
     Stretch stretch{piece.length, piece.speed, piece.acceleration, piece.entry_limit};
     stretch.feed_asked = piece.feed_asked;
     stretch.rapid_asked = piece.rapid_asked;
+    stretch.can_be_held = piece.can_be_held;
+    stretch.follows_spindle = piece.follows_spindle;
     if (!axes.limits_jerk()) {
         lookahead.append(stretch);
         if (panel.is_used()) stretches.push_back(stretch);
@@ -208,7 +210,7 @@ void Planner::State::plan(Piece& piece, bool is_last) {
 
 void Planner::State::record(const Piece& piece) {
     const Segment& segment = piece.segment;
-    losses.add(piece, panel.acting().feed);
+    losses.add(piece, panel.is_held() ? 0 : panel.dials().feed);
     totals.time += segment.duration;
     switch (segment.kind) {
         case SegmentKind::Rapid: totals.rapid_time += segment.duration; break;

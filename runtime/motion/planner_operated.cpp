@@ -6,9 +6,9 @@
 // begun in the state that the axes are in (reaction.h). Where the motion may not go on, the axes
 // stand until an event lets them.
 //
-// What overrides do not act on, a hold does not interrupt: a thread is run to its end, a tap out of
-// its hole again; a tool change or the turning of the spindle to an angle is finished, and the hold
-// acts behind it.
+// What cannot be held is run to its end, all pieces of it that follow each other: a thread, a tap
+// out of its hole again. A tool change or the turning of the spindle to an angle is finished, and
+// the hold acts behind it.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -29,9 +29,9 @@ constexpr double kSameTime = 1e-12;
 constexpr double kSamePlace = 1e-9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-bool is_bound_to_spindle(const Piece& piece) {
-    return is_motion(piece.segment.kind) && std::isinf(piece.feed_asked) &&
-           std::isinf(piece.rapid_asked);
+/// A thread, a tap, and what the program lets no hold interrupt.
+bool goes_through_hold(const Piece& piece) {
+    return is_motion(piece.segment.kind) && !piece.can_be_held;
 }
 
 }  // namespace
@@ -88,7 +88,7 @@ void Planner::State::deliver(Segment& segment) {
     --left;
     const Piece& piece = pieces.front();
     record(piece);
-    if (is_motion(piece.segment.kind)) was_thread = is_bound_to_spindle(piece);
+    if (is_motion(piece.segment.kind)) went_through = goes_through_hold(piece);
     segment = piece.segment;
     if (std::isfinite(piece.feed_asked)) {
         const double dial = panel.dials().feed;
@@ -106,15 +106,17 @@ void Planner::State::deliver(Segment& segment) {
 bool Planner::State::must_wait() {
     if (lookahead.reached() > 0) return false;
     const OverriddenSpeed most = stretches.front().most();
-    if (most.is_overridden()) return !(most.speed_at(panel.acting()) > 0);
-    return panel.is_held() && !is_in_thread();
+    if (!(most.speed_at(panel.acting()) > 0)) return true;
+    return panel.is_held() && !most.can_be_held && !goes_through();
 }
 
-/// Behind a thread and in front of another one, with no more than a dwell between.
-bool Planner::State::is_in_thread() {
-    if (!was_thread) return false;
-    const bool stands = !is_motion(pieces.front().segment.kind);
-    return is_bound_to_spindle(pieces.at(stands && pieces.size() > 1 ? 1 : 0));
+/// Behind a motion that cannot be held and in front of another one, with nothing between but
+/// standstill.
+bool Planner::State::goes_through() {
+    if (!went_through) return false;
+    std::size_t next = 0;
+    while (next + 1 < pieces.size() && !is_motion(pieces.at(next).segment.kind)) ++next;
+    return goes_through_hold(pieces.at(next));
 }
 
 /// Stands until the next event. False: there is none.
@@ -268,7 +270,7 @@ bool Planner::State::stand_for(Segment& segment) {
     while (panel.next_time() < end - kSameTime) {
         const double passed = panel.next_time() - totals.time;
         obey_until(panel.next_time());
-        if (!is_dwell || !options.hold_stops_dwell || !panel.is_held() || is_in_thread()) continue;
+        if (!is_dwell || !options.hold_stops_dwell || !panel.is_held() || goes_through()) continue;
         const bool is_begun = passed > kSameTime;
         if (is_begun) {
             const Piece whole = pieces.front();

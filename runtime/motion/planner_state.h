@@ -61,7 +61,7 @@ struct Planner::State {
     void obey_until(double time);
     void deliver(Segment& segment);
     bool must_wait();
-    bool is_in_thread();
+    bool goes_through();
     bool wait(Segment& segment);
     void begin_operated();
     void split_current(double length);
@@ -94,7 +94,7 @@ struct Planner::State {
     std::optional<Profile> given;  // of the current stretch, if its jerk is not limited
     bool rest_follows = false;     // of the current stretch: it is the oldest one
     std::uint32_t line = 0;        // of the block that was begun last
-    bool was_thread = false;       // the motion delivered last
+    bool went_through = false;     // the motion delivered last: a hold does not act on it
     bool is_stuck = false;         // nothing will let the motion go on
     bool has_ended = false;
     bool is_waiting = false;  // the last piece, for the corner behind it

@@ -45,6 +45,7 @@ Preparer::State::State(Stream<Command>& commands_in, const machine::Machine& mac
                        DiagnosticSink& sink_in, PieceRing& pieces_in)
     : commands(commands_in),
       machine(machine_in),
+      machine_axes(axes_in),
       axes(axes_in),
       options(options_in),
       sink(sink_in),
@@ -52,10 +53,7 @@ Preparer::State::State(Stream<Command>& commands_in, const machine::Machine& mac
       check(machine_in, axes_in, options_in, sink_in),
       pieces(pieces_in) {
     tick = options.tick > 0 ? options.tick : machine.tick;
-    for (std::size_t i = 0; i < axes.size(); ++i) {
-        jump[i] =
-            options.velocity_jump[i] > 0 ? options.velocity_jump[i] : axes.acceleration(i) * tick;
-    }
+    set_jumps();
     spindle.machine_limit = machine.max_speed;
 }
 
@@ -86,8 +84,9 @@ Piece& Preparer::State::fresh_piece() {
     piece.jerk = piece.entry_acceleration = piece.turning_acceleration = kInfinity;
     piece.entry_limit = 0;
     piece.ramp = piece.ramp_before = piece.jerk_share = piece.jerk_before = 1;
-    piece.is_cell = piece.is_geared = false;
+    piece.is_cell = piece.is_geared = piece.has_dynamics = piece.follows_spindle = false;
     piece.feed_asked = piece.rapid_asked = kInfinity;
+    piece.can_be_held = false;
     piece.issues = std::exchange(to_issue, 0);
     piece.awaits = false;
     return piece;
@@ -227,6 +226,7 @@ void Preparer::State::issue(const Command& command) {
 // ------------------------------------------------------------------------------ motion
 
 void Preparer::State::move(const Command& command) {
+    follow_dynamics(command);
     if (standing.follow_transformation(command)) last.must_stop = true;
     Standing::Target target = standing.target_of(command);
     Segment segment = standing.still();
@@ -309,26 +309,21 @@ void Preparer::State::emit_feed_parts(const Command& command, const Segment& seg
                                       double length) {
     if (command.op == Op::Thread && command.lead_change != 0 && spindle.is_turning)
         return emit_varying_thread(command, segment, length);
-    const int parts = command.op == Op::Rapid ? 1 : feed_parts(command, segment, spindle);
-    const bool is_bent = parts == 1 && !is_straight(segment);
-    const auto bounds = is_bent ? cells_in(command, segment, length) : std::vector<double>{};
-    if (!bounds.empty()) {
-        emit_cells(command, segment, bounds);
-    } else if (parts == 1) {
-        emit(command, segment, length);
-    } else {
-        emit_parts(command, segment, length, parts);
+    if (command.op != Op::Rapid) {
+        const auto parts = feed_bounds(command, segment, length, spindle);
+        if (!parts.empty()) return emit_parts(command, segment, parts);
     }
+    const auto bounds =
+        is_straight(segment) ? std::vector<double>{} : cells_in(command, segment, length);
+    bounds.empty() ? emit(command, segment, length) : emit_cells(command, segment, bounds);
 }
 
 /// A piece on which the spindle changes its speed goes as several, each with its own feed.
-void Preparer::State::emit_parts(const Command& command, const Segment& whole, double length,
-                                 int parts) {
-    for (int i = 0; i < parts && !has_ended; ++i) {
-        const double from = length * i / parts;
-        const double to = i + 1 == parts ? length : length * (i + 1) / parts;
-        emit(command, part_of(whole, from, to), to - from);
-    }
+void Preparer::State::emit_parts(const Command& command, const Segment& whole,
+                                 const std::vector<double>& bounds) {
+    for (std::size_t i = 0; i + 1 < bounds.size() && !has_ended; ++i)
+        emit(command, part_of(whole, bounds[i], bounds[i + 1]), bounds[i + 1] - bounds[i],
+             {.follows_spindle = true});
 }
 
 /// Whether the pieces of a motion may be cells at all.
@@ -348,7 +343,8 @@ std::vector<double> Preparer::State::cells_in(const Command& command, const Segm
     const auto feed = path_feed(command, whole, length, spindle);
     if (!feed) return {};
     const AxisRates start = axes.start_rates(whole);
-    const double wanted = *feed * options.feed_override;
+    follow_dynamics(command);
+    const double wanted = *feed * feed_override(command);
     const double speed = axes.limits(whole, start, wanted).speed;
     const AxisTable::Loads loads = axes.loads(whole, start);
     double gain = 0;
@@ -378,6 +374,8 @@ void Preparer::State::emit_cells(const Command& command, const Segment& whole,
 
 void Preparer::State::emit(const Command& command, const Segment& segment, double length,
                            const Emission& how) {
+    follow_dynamics(command);
+    if (stands_for_ever(command)) return;
     double programmed = programmed_feed(command, segment, length);
     if (has_ended) return;
     double feed = wanted_feed(command, segment, programmed);
@@ -385,8 +383,8 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     PathLimits limits = axes.limits(segment, in, feed);
     if (segment.kind == SegmentKind::Rapid) {
         // A straight line: its acceleration does not depend on the speed.
-        programmed = limits.speed;
-        limits.speed *= options.rapid_override;
+        programmed = limits.speed * dynamics.rapid;
+        limits.speed = programmed * options.rapid_override;
         feed = limits.speed;
     }
     if (command.op == Op::Thread && limits.speed < feed * (1 - kSameSpeed)) {
@@ -399,7 +397,7 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     piece.segment.ends_command = false;
     piece.segment.spindle = spindle;
     if (segment.kind == SegmentKind::Feed && command.feed_mode == path::FeedMode::PerRevolution) {
-        piece.segment.feed_per_revolution = command.feed * options.feed_override;
+        piece.segment.feed_per_revolution = command.feed * feed_override(command);
     }
     piece.length = length;
     piece.speed = limits.speed;
@@ -407,6 +405,8 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     piece.jerk = limits.jerk;
     piece.turning_acceleration = limits.turning_acceleration;
     piece.programmed = programmed;
+    piece.follows_spindle = how.follows_spindle;
+    piece.has_dynamics = !command.dynamics.empty();
     if (!options.events.empty()) ask(command, piece);
     piece.entry_limit = how.is_inside ? kInfinity : corner_speed(segment, in, limits.acceleration);
     piece.rates = in;
@@ -431,8 +431,10 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     remember(piece);
 }
 
-/// What overrides act on while the piece is run: a thread follows the spindle, and so does a tap.
+/// What the operator acts on while the piece is run: a thread follows the spindle, and so does a
+/// tap.
 void Preparer::State::ask(const Command& command, Piece& piece) const {
+    piece.can_be_held = command.op != Op::Thread && !command.ignores_hold;
     if (command.op == Op::Thread || command.keeps_feed) return;
     const bool is_rapid = piece.segment.kind == SegmentKind::Rapid;
     (is_rapid ? piece.rapid_asked : piece.feed_asked) =
@@ -448,12 +450,12 @@ void Preparer::State::report_thread_speed(const Command& command, double feed, d
     alarm_raised();
 }
 
-/// The path speed that the program asks for, without override; infinite at rapid.
+/// The path speed that the program asks for, without the operator's override; infinite at rapid.
 double Preparer::State::programmed_feed(const Command& command, const Segment& segment,
                                         double length) {
     if (command.op == Op::Rapid) return kInfinity;
     const auto feed = path_feed(command, segment, length, spindle);
-    if (feed) return *feed;
+    if (feed) return *feed * programmed_override(command);
     const bool no_feed = feed.error() == FeedFault::NoFeed;
     if (!feed_reported) {
         report(sink, no_feed ? diag::MotionWithoutFeed : diag::FeedWithoutSpindle, command,

@@ -103,9 +103,12 @@ double Preparer::State::shared_speed(const Piece& piece, bool alone, double ramp
     for (std::size_t i = 0; i < axes.size(); ++i) {
         const double change = std::abs(piece.rates[i] - last.rates[i]);
         if (change < kStraight) continue;
-        const double limit = axes.acceleration(i);
-        const double before = last.loads.at(i, full, ramp * last.acceleration) / limit;
-        const double behind = piece.loads.at(i, full, ramp * piece.acceleration) / limit;
+        const double limit = acceleration_at_corner(i);
+        const double before = last.loads.at(i, full, ramp * last.acceleration) /
+                              (machine_axes.acceleration(i) *
+                               last.dynamics.acceleration[index(machine.axes[i].axis)]);
+        const double behind =
+            piece.loads.at(i, full, ramp * piece.acceleration) / axes.acceleration(i);
         const double share = jump_share(before, behind, alone);
         speed = std::min(speed, share * jump[i] / change);
         if (alone) continue;
@@ -121,7 +124,7 @@ double Preparer::State::corner_acceleration_limit(const AxisRates& in) const {
     double most = kInfinity;
     for (std::size_t i = 0; i < axes.size(); ++i) {
         const double change = std::abs(in[i] - last.rates[i]);
-        if (change > kStraight) most = std::min(most, axes.jerk(i) * tick / change);
+        if (change > kStraight) most = std::min(most, jerk_at_corner(i) * tick / change);
     }
     return most;
 }
@@ -136,7 +139,7 @@ void Preparer::State::take_bend(Piece& piece) const {
     const AxisRates bends = is_bent ? axes.start_bends(piece.segment) : AxisRates{};
     double change = 0;  // of d²q/ds², in parts of the axis' jerk
     for (std::size_t i = 0; i < axes.size(); ++i) {
-        change = std::max(change, std::abs(bends[i] - last.bends[i]) / axes.jerk(i));
+        change = std::max(change, std::abs(bends[i] - last.bends[i]) / jerk_at_corner(i));
     }
     const double speed = std::min({piece.entry_limit, last.speed, piece.speed});
     const double reach = std::min(last.length, piece.length);
@@ -166,6 +169,10 @@ void Preparer::State::remember(const Piece& piece) {
             path::evaluate(segment.curve, path::length(segment.curve)).tangent.normalized();
     }
     last.loads = piece.loads;
+    if (last.dynamics != dynamics) {
+        last.dynamics = dynamics;
+        set_jumps();
+    }
     last.length = piece.length;
     last.speed = piece.speed;
     last.acceleration = piece.acceleration / piece.ramp;

@@ -80,7 +80,7 @@ std::optional<double> Preparer::State::feed_of(const Command& command, const Seg
     if (command.op == Op::Rapid) return kInfinity;
     const auto feed = path_feed(command, segment, length, spindle);
     if (!feed) return std::nullopt;
-    return *feed * options.feed_override;
+    return *feed * feed_override(command);
 }
 
 /// Whether there can be a curve before or behind a motion. Axes beside X, Y, Z have no curve but

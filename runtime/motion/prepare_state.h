@@ -3,7 +3,8 @@
 // Its functions are told in chapters: prepare.cpp (commands, standstill, pieces of one motion),
 // prepare_corners.cpp (how fast the corner between two pieces may be passed), prepare_rounding.cpp
 // (curves around corners), prepare_transformed.cpp (motions under the machine's transformation),
-// prepare_virtual.cpp (motions on a face, on a cylinder, across an inclined slide).
+// prepare_virtual.cpp (motions on a face, on a cylinder, across an inclined slide),
+// prepare_dynamics.cpp (what the program says of how fast its motions may be).
 #pragma once
 
 #include <array>
@@ -26,6 +27,7 @@ struct CornerMemory {
     AxisRates rates{};  // dq/ds at its end
     AxisRates bends{};  // d²q/ds² at its end
     AxisTable::Loads loads;
+    path::Dynamics dynamics;
     double length = 0;
     double speed = 0;                           // limit inside
     path::Vec3 direction = path::Vec3::Zero();  // at its end
@@ -51,8 +53,9 @@ struct HeldMotion {
 
 /// What is known of a piece when it is emitted.
 struct Emission {
-    bool as_cell = false;    // if it is even enough, and no corner is beside it
-    bool is_inside = false;  // of a way that goes on evenly from the piece before
+    bool as_cell = false;          // if it is even enough, and no corner is beside it
+    bool is_inside = false;        // of a way that goes on evenly from the piece before
+    bool follows_spindle = false;  // one of many parts, each with the feed of its radius
 };
 
 /// Where a motion ends.
@@ -103,7 +106,8 @@ struct Preparer::State {
                      std::span<const path::Curve> curves);
     void end_command();
     void emit_feed_parts(const path::Command& command, const Segment& segment, double length);
-    void emit_parts(const path::Command& command, const Segment& whole, double length, int parts);
+    void emit_parts(const path::Command& command, const Segment& whole,
+                    const std::vector<double>& bounds);
     /// prepare_threads.cpp
     void emit_varying_thread(const path::Command& command, const Segment& whole, double length);
     bool allows_cells(const path::Command& command) const;
@@ -125,6 +129,14 @@ struct Preparer::State {
     double corner_acceleration_limit(const AxisRates& in) const;
     void take_bend(Piece& piece) const;
     void remember(const Piece& piece);
+    /// prepare_dynamics.cpp
+    void follow_dynamics(const path::Command& command);
+    void set_jumps();
+    double acceleration_at_corner(std::size_t axis) const;
+    double jerk_at_corner(std::size_t axis) const;
+    double programmed_override(const path::Command& command) const;
+    double feed_override(const path::Command& command) const;
+    bool stands_for_ever(const path::Command& command);
 
     std::optional<double> feed_of(const path::Command& command, const Segment& segment,
                                   double length) const;
@@ -149,7 +161,9 @@ struct Preparer::State {
 
     Stream<path::Command>& commands;
     const machine::Machine& machine;
-    const AxisTable& axes;
+    const AxisTable& machine_axes;
+    AxisTable axes;           // under what the program says of the command
+    path::Dynamics dynamics;  // which is this
     const PlannerOptions& options;
     DiagnosticSink& sink;
     double tick = 0;   // s

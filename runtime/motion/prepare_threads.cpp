@@ -48,13 +48,10 @@ void Preparer::State::emit_varying_thread(const path::Command& command, const Se
         emit(share, part_of(whole, from, to), to - from);
     };
     // Under a constant cutting speed no acceleration suits the way: many even pieces do.
-    const int parts = feed_parts(command, whole, spindle);
-    if (parts > 1) {
-        for (int i = 0; i < parts && !has_ended; ++i) {
-            const double from = length * i / parts;
-            const double to = length * (i + 1) / parts;
-            part_at(from, to, (lead.at(from) + lead.at(to)) / 2);
-        }
+    const auto parts = feed_bounds(command, whole, length, spindle);
+    if (!parts.empty()) {
+        for (std::size_t i = 0; i + 1 < parts.size() && !has_ended; ++i)
+            part_at(parts[i], parts[i + 1], (lead.at(parts[i]) + lead.at(parts[i + 1])) / 2);
         return;
     }
     const double most = turns * std::max(lead.at(0), lead.at(length));

@@ -62,10 +62,11 @@ bool StretchBuilder::joins(const Part& part) const {
     const Stretch& piece = part.limits;
     if (!(piece.entry_limit > 0)) return false;
     // A thread goes on when what is before and behind it is held.
-    if (open.most().is_overridden() != piece.most().is_overridden()) return false;
+    if (!open.most().is_operated_as(piece.most())) return false;
     const double speed = std::min({open.speed, piece.speed, piece.entry_limit});
     const bool is_straight_on = std::isinf(piece.entry_acceleration);
     if (is_straight_on && piece.entry_limit >= speed && has_same_limits(open, piece)) return true;
+    if (open.follows_spindle || piece.follows_spindle) return false;
     if (!is_close(open.acceleration, piece.acceleration) || !is_close(open.jerk, piece.jerk)) {
         return false;
     }

@@ -11,6 +11,7 @@
 // * Pieces of a straight line at one feed are always joined: cutting a line costs no time.
 // * Others are joined while running at the least of their speeds costs less than a tenth of the
 //   time that a ramp to this speed takes, and not if both are long enough to have their own ramps.
+// * A feed that follows the spindle is never lowered to that of a neighbour.
 // * A stretch from which a part can be split, so that both parts are longer than the ramps up to
 //   its speed and down from it, is split: the speed between them is reached, and memory bounded.
 //
@@ -34,10 +35,16 @@ struct OverriddenSpeed {
     /// nothing is a feed, or nothing rapid.
     double feed_asked = std::numeric_limits<double>::infinity();
     double rapid_asked = std::numeric_limits<double>::infinity();
+    bool can_be_held = false;
 
+    /// Whether the same switches act on both.
+    bool is_operated_as(const OverriddenSpeed& other) const {
+        return can_be_held == other.can_be_held && is_overridden() == other.is_overridden();
+    }
     bool is_overridden() const { return std::isfinite(std::min(feed_asked, rapid_asked)); }
     /// 0 where the motion stands.
     double speed_at(const Overrides& overrides) const {
+        if (can_be_held && overrides.is_held) return 0;
         double most = speed;
         if (std::isfinite(feed_asked)) most = std::min(most, overrides.feed * feed_asked);
         if (std::isfinite(rapid_asked)) most = std::min(most, overrides.rapid * rapid_asked);
@@ -56,9 +63,11 @@ struct Stretch {
     /// acceleration of an axis changes by there is what its jerk allows in a tick. 0: none at all.
     double entry_acceleration = std::numeric_limits<double>::infinity();
     std::size_t pieces = 1;
-    OverriddenSpeed most() const { return {speed, feed_asked, rapid_asked}; }
+    OverriddenSpeed most() const { return {speed, feed_asked, rapid_asked, can_be_held}; }
     double feed_asked = std::numeric_limits<double>::infinity();  // as of an OverriddenSpeed
     double rapid_asked = std::numeric_limits<double>::infinity();
+    bool can_be_held = false;
+    bool follows_spindle = false;  // its speed is the spindle's: another one would be another feed
 };
 
 class StretchBuilder {

@@ -30,6 +30,7 @@ struct CycleInfo {
     std::string curve;       // … or the kind of curve that it moves along (path/curve_registry.h)
     SourceRange file_range;  // where the dialect names either
     bool is_modal = true;    // where cycles are modal: a call is repeated by further axis words
+    bool taps = false;  // no override acts on its lines, and a hold waits until they are through
 
     /// Which parameters the words of modal cycles set; -1: none.
     struct Roles {

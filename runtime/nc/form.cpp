@@ -156,12 +156,17 @@ class LineParser {
         return parse_fixed(word, name, begin);
     }
 
-    /// `DIAMONA[X]`, `PO[X]=(…)`: the bracket belongs to the name.
+    /// `DIAMONA[X]`, `PO[X]=(…)`, `ACC[X]={percent}`: the bracket belongs to the name.
     bool parse_bracketed(FormWord& word, std::size_t begin, std::size_t bracket) {
         const std::size_t close = line_.find(']', bracket);
         if (close == std::string_view::npos) return fail("a `]` is missing");
         if (line_.substr(close).starts_with("]=(")) return parse_indexed_call(word, begin, close);
         at_ = close + 1;
+        if (line_.substr(at_).starts_with("={")) {
+            const std::string_view name = line_.substr(begin, at_ - begin);
+            ++at_;
+            return parse_value(word, name, begin);
+        }
         if (!at_blank()) return fail("words stand between blanks");
         return parse_name(word, line_.substr(begin, at_ - begin));
     }

@@ -638,7 +638,7 @@ class Lexer {
                 }
             }
             at_ = end;
-            if (take_indexed_call(begin)) return;
+            if (take_indexed(begin)) return;
             return take_passed(begin) ? void() : fail_unknown(begin, end);
         }
         const std::size_t next = at_;
@@ -658,9 +658,9 @@ class Lexer {
         fail(diag::IsoNoValue, begin, end, {std::string(written)});
     }
 
-    /// `PO[X]=(10,2)`, which a dialect declares as a call of the name `PO[X]=`; `at_` is behind the
-    /// letters that begin at `begin`.
-    bool take_indexed_call(std::size_t begin) {
+    /// `PO[X]=(10,2)`, which a dialect declares as a call of the name `PO[X]=`, and `ACC[X]=50`, an
+    /// address `ACC[X]`; `at_` is behind the letters that begin at `begin`.
+    bool take_indexed(std::size_t begin) {
         if (peek() != '[') return false;
         const std::size_t close = line_.find(']', at_);
         if (close == std::string_view::npos) return false;
@@ -669,6 +669,12 @@ class Lexer {
             if (!is_blank(c)) name += rules_.ignores_case ? upper(c) : c;
         const std::size_t sign = line_.find_first_not_of(" \t", close + 1);
         if (sign == std::string_view::npos || line_[sign] != '=') return false;
+        const AddressId value = tables_.find_address(name);
+        if (value != kNoAddress && tables_.addresses[value].kind == Address::Kind::Value) {
+            at_ = sign;
+            take_assigned(value, begin);
+            return true;
+        }
         const AddressId address = tables_.find_address(name + '=');
         if (address == kNoAddress || tables_.addresses[address].kind != Address::Kind::Call)
             return false;

@@ -297,6 +297,7 @@ void FormLoader::load_cycle(const XmlElement& element) {
     Attributes::read_text(element, "module", tables_.cycles[*id].module);
     if (seen_cycles_.insert(*id).second) clear_forms(tables_, Function::Cycle, *id);
     attributes_.read_flag(element, "modal", tables_.cycles[*id].is_modal);
+    attributes_.read_flag(element, "taps", tables_.cycles[*id].taps);
     read_roles(element, tables_.cycles[*id]);
     read_settings(element, tables_.cycles[*id]);
     if (const auto otherwise = attributes_.choice(element, "otherwise", {"error", "moves"})) {

@@ -94,6 +94,7 @@ const std::vector<XmlRule>& dialect_rules() {
           "modal",
           "otherwise",
           "settings",
+          "taps",
           "depth",
           "retract",
           "stroke",

@@ -13,6 +13,7 @@
 #include "base/axes.h"
 #include "base/source.h"
 #include "path/contact.h"
+#include "path/dynamics.h"
 #include "path/parametric.h"
 #include "path/spline.h"
 #include "path/turning.h"
@@ -85,7 +86,8 @@ struct Command {
     bool exact_stop = false;                 // the motion ends at rest
     bool machine_coordinates = false;  // `to` is in machine coordinates, tool length not counted
     bool is_unshifted = false;         // programmed in machine coordinates, whatever `to` is in
-    bool keeps_feed = false;           // Line: no override acts, as when tapping
+    bool keeps_feed = false;           // no override of the feed acts, as when tapping
+    bool ignores_hold = false;         // a hold waits until the motions with this are through
     bool cutting_speed = false;        // Spindle: `speed` is m/min (constant cutting speed)
     bool is_swivelled = false;         // ToolLength: `direction` is the tool's, which a head turns
     AxisMask moved = 0;                // axes that the block programmed
@@ -108,6 +110,9 @@ struct Command {
     Blending blending;              // of the corner behind a motion; none where it ends at rest
     double compress = 0;  // Line: it may become a part of a curve within this tolerance, mm;
                           // 0: it stays what it is
+
+    // Of a motion: one where the program says something of it; else none.
+    std::vector<Dynamics> dynamics;
 
     // Of a motion under a transformation: `to` is the tip in the workpiece system or in virtual
     // coordinates, and where the rotary axes stand there.

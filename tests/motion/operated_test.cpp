@@ -219,6 +219,37 @@ TEST(Operated, ThreadsAreRunToTheirEnd) {
     EXPECT_NEAR(before.totals.time, 3 + tapped + 1.02, 1e-9);
 }
 
+TEST(Operated, WhatTheProgramTakesFromThePanel) {
+    // 300 mm at 100 mm/s, of which the middle third has no hold, or no override. A hold costs its
+    // time wherever it acts; at half the feed every third takes a second more.
+    const auto program = [](bool keeps_feed, bool ignores_hold) {
+        std::vector<Command> lines = {line_to({100, 0, 0}, 6000), line_to({200, 0, 0}, 6000),
+                                      line_to({300, 0, 0}, 6000)};
+        lines[1].keeps_feed = keeps_feed;
+        lines[1].ignores_hold = ignores_hold;
+        return lines;
+    };
+    for (const machine::Machine& machine : {machine_of(), smooth_machine()}) {
+        const double plain = run(machine, program(false, false), {}).totals.time;
+        for (const bool keeps_feed : {false, true}) {
+            for (const bool ignores_hold : {false, true}) {
+                SCOPED_TRACE(std::to_string(keeps_feed) + std::to_string(ignores_hold));
+                const auto lines = program(keeps_feed, ignores_hold);
+                const auto slow = run(machine, lines, operated({feed_to(0.5, 0)}));
+                EXPECT_NEAR(slow.totals.time, plain + (keeps_feed ? 2 : 3), 0.05);
+                const auto held = run(machine, lines, operated({hold_at(1.5), start_at(9)}));
+                const auto rest =
+                    std::ranges::find(held.segments, SegmentKind::Hold, &Segment::kind);
+                ASSERT_NE(rest, held.segments.end());
+                const double place = path::start(rest->curve)[0];
+                EXPECT_NEAR(place, ignores_hold ? 200 : 150, ignores_hold ? 5 : 6);
+                EXPECT_GE(place, ignores_hold ? 200 - 1e-9 : 150);
+                EXPECT_NEAR(held.totals.length, 300, 1e-9);
+            }
+        }
+    }
+}
+
 TEST(Operated, AToolChangeIsFinishedBeforeAHoldActs) {
     auto machine = machine_of();
     machine.tool_change_time = 5;

@@ -264,6 +264,44 @@ TEST(Planner, FacingAtConstantCuttingSpeed) {
     for (const Segment& segment : result.segments) EXPECT_EQ(segment.line, 3u);
 }
 
+TEST(Planner, FeedPerRevolutionFollowsTheSpindle) {
+    // v = f·n(R), n = V/(2πR) up to the limit: within a hundredth at every tick, behind the ramp at
+    // the start and before the one at the end. On a face of 390 mm down to the axis, on the pass of
+    // the paper (200 m/min, 3000 rpm, f 0.3), on a taper and through the centre.
+    struct Row {
+        const char* name;
+        double from;
+        Vec3 to;
+    };
+    const double cutting_speed = 200e3 / 60;  // mm/s
+    for (const double jerk : {kUnlimited, 50000.0}) {
+        for (const Row& row : {Row{"a face of 780 mm", 390, {0, 0, 0}},
+                               {"the paper's", 100, {0, 0, 0}},
+                               {"through the centre", 100, {-100, 0, 0}},
+                               {"outwards", 20, {150, 0, 0}},
+                               {"a taper", 100, {5, 0, -200}}}) {
+            SCOPED_TRACE(row.name);
+            auto machine = machine_of({.jerk = Vec3::Constant(jerk)});
+            machine.axes[0].home = row.from;
+            Command speed = spindle_on(200);
+            speed.cutting_speed = true;
+            Command limit = simple(Op::SpeedLimit);
+            limit.speed = 3000;
+            Command face = line_to(row.to, 0.3);
+            face.feed_mode = path::FeedMode::PerRevolution;
+            const auto setpoints = sample(machine, {limit, speed, face});
+            ASSERT_GT(setpoints.size(), 1000u);
+            double worst = 0;
+            for (std::size_t i = 100; i + 100 < setpoints.size(); ++i) {
+                const double radius = std::max(std::abs(setpoints[i].tip[0]), 1e-3);
+                const double turns = std::min(cutting_speed / (2 * kPi * radius), 50.0);
+                worst = std::max(worst, std::abs(setpoints[i].feed / (0.3 * turns) - 1));
+            }
+            EXPECT_LT(worst, 0.01);
+        }
+    }
+}
+
 TEST(Planner, InverseTimeIsTheTimeOfTheBlock) {
     Command move = line_to({30, 40, 0}, 12);  // 1/12 min = 5 s
     move.feed_mode = path::FeedMode::InverseTime;

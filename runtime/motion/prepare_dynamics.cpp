@@ -1,0 +1,63 @@
+// prepare_dynamics.cpp — what a program says of how fast its motions may be: the axes have so much
+// of their limits, F and rapid traverse so much of their speed.
+//
+// At a corner between two motions the axes keep what both of them leave.
+#include <algorithm>
+
+#include "base/diagnostics/machine.h"
+#include "motion/prepare_state.h"
+
+namespace kadr::motion {
+
+/// The limits are those of the command from here on.
+void Preparer::State::follow_dynamics(const path::Command& command) {
+    static const path::Dynamics kPlain;
+    const path::Dynamics& wanted = command.dynamics.empty() ? kPlain : command.dynamics.front();
+    if (wanted == dynamics) return;
+    dynamics = wanted;
+    axes = machine_axes.under(dynamics);
+    set_jumps();
+}
+
+/// By how much an axis may change its velocity at the corner behind the last piece.
+void Preparer::State::set_jumps() {
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        const double given = options.velocity_jump[i];
+        jump[i] = given > 0 ? given : acceleration_at_corner(i) * tick;
+    }
+}
+
+double Preparer::State::acceleration_at_corner(std::size_t axis) const {
+    const double part = last.dynamics.acceleration[index(machine.axes[axis].axis)];
+    return std::min(axes.acceleration(axis), machine_axes.acceleration(axis) * part);
+}
+
+double Preparer::State::jerk_at_corner(std::size_t axis) const {
+    const double part = last.dynamics.jerk[index(machine.axes[axis].axis)];
+    return std::min(axes.jerk(axis), machine_axes.jerk(axis) * part);
+}
+
+/// What F is multiplied with by the program.
+double Preparer::State::programmed_override(const path::Command& command) const {
+    const bool is_free = command.keeps_feed || command.op == path::Op::Thread;
+    return is_free || command.dynamics.empty() ? 1 : command.dynamics.front().feed;
+}
+
+/// … and by the operator at the start of the run.
+double Preparer::State::feed_override(const path::Command& command) const {
+    const bool is_free = command.keeps_feed || command.op == path::Op::Thread;
+    return is_free ? 1 : options.feed_override * programmed_override(command);
+}
+
+/// Whether the program takes all speed from a motion, which is reported then.
+bool Preparer::State::stands_for_ever(const path::Command& command) {
+    const bool is_rapid = command.op == path::Op::Rapid;
+    if ((is_rapid ? dynamics.rapid : programmed_override(command)) > 0) return false;
+    report(sink, diag::StandsForEver, command, options.place_of)
+        .arg("an override of 0 % in the program")
+        .fix(is_rapid ? "`OVRRAP=100`" : "`OVR=100`");
+    has_alarmed = has_ended = true;
+    return true;
+}
+
+}  // namespace kadr::motion
