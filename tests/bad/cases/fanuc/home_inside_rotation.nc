@@ -5,5 +5,5 @@ G28 Z50.
 G69
 M30
 %
-(expect: 4:1 K5234 `reference_return` stands inside a rotation)
+(expect: 4:1 K5234 `G28` stands inside a rotation)
 (exit: 3)

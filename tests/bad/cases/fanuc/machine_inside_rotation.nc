@@ -5,5 +5,5 @@ G53 G00 Z0.
 G69
 M30
 %
-(expect: 4:1 K5234 `machine_coordinates` stands inside a rotation)
+(expect: 4:1 K5234 `G53` stands inside a rotation)
 (exit: 3)

@@ -5,5 +5,5 @@ G51.1 X0.
 G69
 M30
 %
-(expect: 4:1 K5234 `mirror` stands inside a rotation)
+(expect: 4:1 K5234 `G51.1` stands inside a rotation)
 (exit: 3)

@@ -7,5 +7,5 @@ G55 X10.
 G69
 M30
 %
-(expect: 6:1 K5234 `work_offset` stands inside a rotation)
+(expect: 6:1 K5234 `G55` stands inside a rotation)
 (exit: 3)

@@ -9,5 +9,5 @@ X30.
 G40 X50.
 M30
 %
-(expect: 7:1 K5351 `rotate` stands inside cutter radius compensation)
+(expect: 7:1 K5351 `G68` stands inside cutter radius compensation)
 (exit: 3)

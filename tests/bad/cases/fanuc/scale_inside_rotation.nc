@@ -5,5 +5,5 @@ G51 X0. Y0. Z0. P2000
 G69
 M30
 %
-(expect: 4:1 K5234 `scale` stands inside a rotation)
+(expect: 4:1 K5234 `G51` stands inside a rotation)
 (exit: 3)

@@ -10,5 +10,5 @@ N20 G01 Z-10.
 M30
 %
 (args: run {file} -d fanuc-lathe -m lathe --commands {out})
-(expect: 8:1 PS0325 UNAVAILABLE COMMAND IS IN SHAPE PROGRAM: `dwell` cannot stand in the shape of a cycle)
+(expect: 8:1 PS0325 UNAVAILABLE COMMAND IS IN SHAPE PROGRAM: `G04` cannot stand in the shape of a cycle)
 (exit: 3)
