@@ -83,8 +83,7 @@ double nearest_to_pole(const Chain& chain, const Course& course, double from, do
 /// A place behind a pole, or behind the beginning, where R1 has a meaning again.
 double place_behind(const Chain& chain, const Course& course, double fraction) {
     double behind = kBehindPole;
-    while (2 * behind < 1 - fraction && is_at_pole(chain, course(fraction + behind)))
-        behind *= 2;
+    while (2 * behind < 1 - fraction && is_at_pole(chain, course(fraction + behind))) behind *= 2;
     return fraction + behind;
 }
 
