@@ -52,7 +52,8 @@ void Executor::set_dynamics(const Block& block, const Invocation& invocation) {
             .arg(most);
         return;
     }
-    const auto axis = static_cast<std::size_t>(block.argument(invocation, 0)) - 1;
+    const std::int64_t number = std::llround(block.argument(invocation, 0));
+    const std::size_t axis = number >= 1 ? static_cast<std::size_t>(number) - 1 : kAxes;
     if (axis >= kAxes || (axes_ >> axis & 1) == 0) {
         report(diag::AxisMissing, block, function)
             .arg(axis < kAxes ? kAxisNames[axis] : std::string_view("of this number"));
