@@ -169,8 +169,9 @@ void Preparer::State::remember(const Piece& piece) {
             path::evaluate(segment.curve, path::length(segment.curve)).tangent.normalized();
     }
     last.loads = piece.loads;
-    if (last.dynamics != dynamics) {
+    if (!(is_plain && last.is_plain) && last.dynamics != dynamics) {
         last.dynamics = dynamics;
+        last.is_plain = is_plain;
         set_jumps();
     }
     last.length = piece.length;

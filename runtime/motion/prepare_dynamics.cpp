@@ -11,10 +11,12 @@ namespace kadr::motion {
 
 /// The limits are those of the command from here on.
 void Preparer::State::follow_dynamics(const path::Command& command) {
+    if (is_plain && command.dynamics.empty()) return;  // nearly always
     static const path::Dynamics kPlain;
     const path::Dynamics& wanted = command.dynamics.empty() ? kPlain : command.dynamics.front();
     if (wanted == dynamics) return;
     dynamics = wanted;
+    is_plain = command.dynamics.empty();
     axes = machine_axes.under(dynamics);
     set_jumps();
 }

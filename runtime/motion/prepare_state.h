@@ -28,6 +28,7 @@ struct CornerMemory {
     AxisRates bends{};  // d²q/ds² at its end
     AxisTable::Loads loads;
     path::Dynamics dynamics;
+    bool is_plain = true;  // nothing is said there
     double length = 0;
     double speed = 0;                           // limit inside
     path::Vec3 direction = path::Vec3::Zero();  // at its end
@@ -164,6 +165,7 @@ struct Preparer::State {
     const AxisTable& machine_axes;
     AxisTable axes;           // under what the program says of the command
     path::Dynamics dynamics;  // which is this
+    bool is_plain = true;     // nothing is said there
     const PlannerOptions& options;
     DiagnosticSink& sink;
     double tick = 0;   // s
