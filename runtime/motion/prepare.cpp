@@ -32,6 +32,8 @@ constexpr double kFallbackFeed = 1;
 constexpr double kBendForCells = 0.3;
 // No cell of a spline is shorter, mm: it passes in a tick.
 constexpr double kShortCell = 0.02;
+// So many ticks from a corner its jump shows in the acceleration of setpoints.
+constexpr double kCornerTicks = 2;
 // A cell may be faster than fixed shares allow, whose speed is this part of the most there is.
 constexpr double kSharedSpeed = 0.93;
 
@@ -415,7 +417,7 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     if (how.as_cell && piece.ramp == 1 && segment.is_transformed()) {
         const double most = segment.kind == SegmentKind::Rapid ? kInfinity : feed;
         const auto cell = cell_on(AxisCourse(axes.chain(), segment), axes.bounds(), most);
-        piece.is_cell = cell.has_value();
+        piece.is_cell = cell && how.margin > kCornerTicks * tick * cell->speed;
         if (cell) piece.cell = *cell;
     } else if (how.as_cell && piece.ramp == 1) {
         const PathLimits followers = axes.follower_limits(segment, feed);

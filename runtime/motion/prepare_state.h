@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <span>
 #include <variant>
@@ -54,8 +55,10 @@ struct HeldMotion {
 
 /// What is known of a piece when it is emitted.
 struct Emission {
-    bool as_cell = false;          // if it is even enough, and no corner is beside it
-    bool is_inside = false;        // of a way that goes on evenly from the piece before
+    bool as_cell = false;    // if it is even enough, and no corner is beside it
+    bool is_inside = false;  // of a way that goes on evenly from the piece before
+    /// So far it is from either end of that way: beside a corner the axes have less.
+    double margin = std::numeric_limits<double>::infinity();
     bool follows_spindle = false;  // one of many parts, each with the feed of its radius
 };
 

@@ -332,13 +332,20 @@ std::optional<LogicalAxes> Preparer::State::emit_way(const Command& command, con
         if (!has_ended) check.widen_travel();
     }
     Command share = command;
+    const bool starts_at_rest = last.must_stop;
+    double from = 0;
     for (const Segment& part : parts) {
         if (has_ended) return std::nullopt;
         if (command.feed_mode == path::FeedMode::InverseTime)
             share.feed = command.feed * length / part.turn.length;
         // Between two parts the axes go on evenly: the ends of their courses differ by rounding.
         const bool is_inside = as_cells && &part != &parts.front();
-        emit(share, part, part.turn.length, {.as_cell = as_cells, .is_inside = is_inside});
+        const double to = from + part.turn.length;
+        const double before = starts_at_rest ? kInfinity : from;
+        const double behind = command.exact_stop ? kInfinity : leg.turn.length - to;
+        emit(share, part, part.turn.length,
+             {.as_cell = as_cells, .is_inside = is_inside, .margin = std::min(before, behind)});
+        from = to;
     }
     return axes_at(chain, parts.back(), parts.back().turn.length);
 }

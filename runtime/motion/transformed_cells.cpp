@@ -19,6 +19,8 @@ constexpr double kBetween = 1.15;
 // Of an axis' acceleration, the most that may be kept back, and what is none.
 constexpr double kMostKept = 0.006;
 constexpr double kLeastKept = 1e-9;
+// … and beside it, for the error of the course itself.
+constexpr double kCourseKept = 0.002;
 // p of an axis whose velocity limits the path may differ by so much between the ends, and the speed
 // between them be above what holds on the whole cell.
 constexpr double kEvenRate = 1.12;
@@ -183,7 +185,7 @@ std::optional<BentCell> cell_on(const AxisCourse& course, const AxisBounds& boun
         if (std::isinf(limit)) continue;
         const double kept = kept_back(view, most, cell.length) / limit;
         if (!(kept <= kMostKept)) return std::nullopt;
-        const double share = 1 / (limit * (kept > kLeastKept ? 1 - kept : 1));
+        const double share = 1 / (limit * (kept > kLeastKept ? 1 - kept - kCourseKept : 1));
         cell.entry.along[i] = view.entry_rate * share;
         cell.exit.along[i] = view.exit_rate * share;
         cell.entry.across[i] = view.entry_bend * share;
