@@ -80,11 +80,18 @@ double nearest_to_pole(const Chain& chain, const Course& course, double from, do
     return (from + to) / 2;
 }
 
-/// A place behind a pole, or behind the beginning, where R1 has a meaning again.
-double place_behind(const Chain& chain, const Course& course, double fraction) {
+/// How far behind a pole, or behind the beginning, R1 has a meaning again: part of the way.
+double distance_behind(const Chain& chain, const Course& course, double fraction) {
     double behind = kBehindPole;
     while (2 * behind < 1 - fraction && is_at_pole(chain, course(fraction + behind))) behind *= 2;
-    return fraction + behind;
+    return behind;
+}
+
+/// A joint at a pole by two places behind it, the farther one twice as far. Where the axes are not
+/// square to each other, as those of a nutating head, R1 turns while the tool leaves the pole; what
+/// it does up to the nearer place would be seen as a jump.
+double led_back(double nearer, double farther) {
+    return 2 * nearer - nearest_turn(farther, nearer);
 }
 
 struct Refused {
@@ -136,11 +143,19 @@ class Walk {
     /// R1 where the course leaves a pole, in both configurations, nearest to where it stands.
     std::vector<Vec3> ways_out(double fraction, const Vec3& joints) const {
         std::vector<Vec3> found;
-        const auto solutions = solve(chain_, course_(place_behind(chain_, course_, fraction)));
+        const double behind = distance_behind(chain_, course_, fraction);
+        const auto solutions = solve(chain_, course_(fraction + behind));
         if (!solutions) return found;
+        const Vec3 farther = course_(std::min(fraction + 2 * behind, 1.0));
+        const bool is_led_back = fraction + 2 * behind <= 1;
         for (const Solution& solution : *solutions) {
             Vec3 start = joints;
-            if (!solution.is_pole) start[kR1] = nearest_turn(solution.rotary[kR1], joints[kR1]);
+            if (!solution.is_pole) {
+                double r1 = solution.rotary[kR1];
+                if (is_led_back)
+                    r1 = led_back(r1, joints_for(chain_, farther, solution.rotary)[kR1]);
+                start[kR1] = nearest_turn(r1, joints[kR1]);
+            }
             for (const double turn : {0.0, kTurn, -kTurn}) {
                 const Vec3 turned = start + turn * Vec3::UnitX();
                 if (check(turned)) continue;
@@ -235,9 +250,15 @@ Vec3 joints_before(const Chain& chain, const Course& course, const Vec3& to) {
     Vec3 joints = to;
     for (int i = kSteps - 1; i > 0; --i)
         joints = joints_for(chain, course(static_cast<double>(i) / kSteps), joints);
+    if (!is_at_pole(chain, course(0))) return joints_for(chain, course(0), joints);
     // The last step ends beside the pole, where R1 still has its meaning.
-    const bool begins_there = is_at_pole(chain, course(0));
-    return joints_for(chain, course(begins_there ? place_behind(chain, course, 0) : 0), joints);
+    const double behind = distance_behind(chain, course, 0);
+    const Vec3 farther = joints_for(chain, course(std::min(2 * behind, 1.0)), joints);
+    Vec3 nearer = joints_for(chain, course(behind), farther);
+    for (const std::size_t k : {kR1, kR2}) {
+        if (2 * behind <= 1) nearer[at(k)] = led_back(nearer[at(k)], farther[at(k)]);
+    }
+    return nearer;
 }
 
 Result<PathEnd, PathRefusal> follow(const Chain& chain, const FollowQuery& query,

@@ -634,8 +634,7 @@ RC_GTEST_PROP(NearThePole, ToolAndAxesGoOn, ()) {
     }
     RC_ASSERT((last - tools.back()).norm() < 1e-7);
     RC_ASSERT(watch.shares().velocity < 1.001);
-    // 1.0036 was seen beside the pole of a nutating head.
-    RC_ASSERT(watch.shares().acceleration < 1.01);
+    RC_ASSERT(watch.shares().acceleration < 1.001);
 }
 
 }  // namespace
