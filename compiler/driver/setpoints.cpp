@@ -18,8 +18,8 @@ constexpr int kFeedDecimals = 6;
 
 /// W; the energy on a millimetre of path stays the same as far as the least power lets it.
 double beam_power(const machine::Laser& laser, const motion::Setpoint& setpoint) {
-    if (!(setpoint.programmed_feed > 0)) return 0;
-    const double share = std::min(1.0, setpoint.feed / setpoint.programmed_feed);
+    if (!(setpoint.nominal_feed > 0)) return 0;
+    const double share = std::min(1.0, setpoint.feed / setpoint.nominal_feed);
     return laser.least_power + (laser.power - laser.least_power) * share;
 }
 

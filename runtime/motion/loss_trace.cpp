@@ -153,8 +153,8 @@ LossTrace::Ramps LossTrace::ramps_of(const Piece& piece, double speed) {
 void LossTrace::pass_junction(const Piece& piece, double speed) {
     const double entry = piece.segment.profile.entry_speed;
     if (entry == 0) {
-        settle(LossReason::Stop);
-        up_ = LossReason::Stop;
+        up_ = piece.rests_at_corner ? LossReason::Corner : LossReason::Stop;
+        settle(up_);
         return;
     }
     const double beside = std::min(last_speed_, speed);

@@ -21,7 +21,8 @@ struct Piece {
     double speed = 0;         // limit inside the piece
     double acceleration = 0;  // along the path
     double jerk = std::numeric_limits<double>::infinity();  // along the path
-    double entry_limit = 0;  // of the corner before it; 0: the path comes to rest there
+    double entry_limit = 0;        // of the corner before it; 0: the path comes to rest there
+    bool rests_at_corner = false;  // … as that is quicker than to pass it
     double entry_acceleration = std::numeric_limits<double>::infinity();  // as of a Stretch
     double ramp = 1;         // part of its acceleration that the corner before it leaves
     double ramp_before = 1;  // part of its acceleration that the corner leaves to the piece before

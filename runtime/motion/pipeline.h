@@ -41,6 +41,7 @@ struct Setpoint {
     path::Vec3 tool = path::Vec3::UnitZ();  // unit vector from tip to holder
     double feed = 0;                        // path speed at this instant
     double programmed_feed = 0;  // path speed asked for; 0 at rapid and with the spindle standing
+    double nominal_feed = 0;     // the same at an override of 100 %
     std::uint32_t pulses = 0;    // of the laser since the setpoint before
     std::uint32_t line = 0;      // of the ISO-7bit text
     SourceId source;

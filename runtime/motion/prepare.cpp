@@ -396,6 +396,8 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     Piece& piece = fresh_piece();
     piece.segment = segment;
     piece.segment.feed = feed;
+    piece.segment.nominal_feed =
+        segment.kind == SegmentKind::Feed ? programmed / programmed_override(command) : 0;
     piece.segment.ends_command = false;
     piece.segment.spindle = spindle;
     if (segment.kind == SegmentKind::Feed && command.feed_mode == path::FeedMode::PerRevolution) {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "motion/prepare_state.h"
+#include "motion/smooth_profile.h"
 
 namespace kadr::motion {
 
@@ -18,6 +19,9 @@ constexpr double kMostRamp = 0.9;    // the jump has up to 42 % then
 constexpr double kSharedRamp = 0.5;  // half and half
 // Corners of equal distance below a tick weigh up to 1.125 times as much as their mean.
 constexpr double kCrowding = 1.125;
+// Beside a block that is shorter, mm (deg), a corner is never a stop: contours of short blocks
+// shall run through, and a rest at every one of them shakes the machine.
+constexpr double kShortBlock = 1;
 constexpr double kStraight = 1e-9;  // as in corner.cpp
 // A corner that could be passed so many times faster than the pieces beside it is none.
 constexpr double kNoCorner = 1e4;
@@ -63,28 +67,28 @@ void Preparer::State::take_corner(Piece& piece) const {
     const bool alone = is_alone(piece);
     double ramp = kSharedRamp;
     double speed = shared_speed(piece, alone, kSharedRamp);
-    if (alone) {
-        const double slower = shared_speed(piece, alone, kMostRamp);
-        if (time_beside(piece, slower, kMostRamp) <= time_beside(piece, speed, kSharedRamp)) {
-            ramp = kMostRamp;
-            speed = slower;
-        }
-    }
+    double time = time_beside(piece, speed, ramp);
+    const auto take_if_quicker = [&](double other_speed, double other_ramp) {
+        const double other = time_beside(piece, other_speed, other_ramp);
+        if (other >= time) return;
+        time = other;
+        speed = other_speed;
+        ramp = other_ramp;
+    };
+    if (alone) take_if_quicker(shared_speed(piece, alone, kMostRamp), kMostRamp);
+    if (std::min(last.length, piece.length) >= kShortBlock) take_if_quicker(0, 1);
     piece.entry_limit = speed;
+    piece.rests_at_corner = speed == 0;
     piece.ramp = piece.ramp_before = ramp;
     piece.acceleration *= ramp;
 }
 
 /// Time for half of the shorter piece beside a corner that is left at this speed.
 double Preparer::State::time_beside(const Piece& piece, double speed, double ramp) const {
-    const double way = std::min(last.length, piece.length) / 2;
-    const double most = std::min(last.speed, piece.speed);
-    const double along = ramp * std::min(last.acceleration, piece.acceleration);
-    const double from = std::min(speed, most);
-    const double reached = std::sqrt(from * from + 2 * along * way);
-    if (reached <= most) return (reached - from) / along;
-    const double ramp_way = (most * most - from * from) / (2 * along);
-    return (most - from) / along + (way - ramp_way) / most;
+    const RampLimits limits{ramp * std::min(last.acceleration, piece.acceleration),
+                            std::min(last.jerk, piece.jerk)};
+    return time_over(std::min(last.length, piece.length) / 2, speed,
+                     std::min(last.speed, piece.speed), limits);
 }
 
 /// Whether no other corner comes within two ticks.
@@ -177,6 +181,7 @@ void Preparer::State::remember(const Piece& piece) {
     last.length = piece.length;
     last.speed = piece.speed;
     last.acceleration = piece.acceleration / piece.ramp;
+    last.jerk = piece.jerk;
     last.turns_only = segment.turns_only;
     last.must_stop = false;
 }

@@ -29,18 +29,6 @@ constexpr double kJumpBesideRamps = 0.42;
 constexpr double kRampBesideJump = 0.9;
 /// The same of an axis' jerk, where the curvature jumps.
 constexpr double kJerkBesideRamps = 0.5;
-/// What half of a corner costs against a path that is run at the full speed: a way at the speed of
-/// the curve or none, and the ramp from there.
-double time_lost(double speed, double way, const PathLimits& limits) {
-    const double on_way = way / speed - way / limits.speed;
-    if (std::isinf(limits.jerk)) {
-        const double less = limits.speed - speed;
-        return on_way + less * less / (2 * limits.acceleration * limits.speed);
-    }
-    const RampLimits ramp{limits.acceleration, limits.jerk};
-    return on_way + smooth_ramp_time(speed, limits.speed, ramp) -
-           smooth_ramp_length(speed, limits.speed, ramp) / limits.speed;
-}
 
 /// A curve around a corner, and the corner as it is.
 struct Alternative {
@@ -50,20 +38,22 @@ struct Alternative {
     double half = 0;  // of the shorter one of both motions, mm
 };
 
-/// Whether the curve takes less time than the corner.
+/// Whether the curve takes less time than the corner, which may be passed or be a stop. Ramps end
+/// in the middles of both motions.
 bool saves_time(const Alternative& curve, const std::array<PathLimits, 2>& beside) {
     const double most = std::min(beside[0].speed, beside[1].speed);
-    double saved = 0;
-    for (PathLimits limits : beside) {
-        // Ramps end in the middles of both motions.
-        const double from = std::max(curve.on_curve, curve.at_corner);
-        limits.speed =
-            std::min(limits.speed, std::sqrt(from * from + 2 * limits.acceleration * curve.half));
-        saved -= time_lost(curve.on_curve, curve.way, limits);
-        if (curve.at_corner < most) limits.acceleration *= kRampBesideJump;
-        saved += time_lost(curve.at_corner, 0, limits);
+    double on_curve = 0;
+    double through_corner = 0;
+    double with_stop = 0;
+    for (const PathLimits& limits : beside) {
+        RampLimits ramp{limits.acceleration, limits.jerk};
+        on_curve += curve.way / curve.on_curve +
+                    time_over(curve.half - curve.way, curve.on_curve, limits.speed, ramp);
+        with_stop += time_over(curve.half, 0, limits.speed, ramp);
+        if (curve.at_corner < most) ramp.acceleration *= kRampBesideJump;
+        through_corner += time_over(curve.half, curve.at_corner, limits.speed, ramp);
     }
-    return saved > 0;
+    return on_curve < std::min(through_corner, with_stop);
 }
 
 constexpr bool is_rounded(Op op) {

@@ -34,6 +34,7 @@ struct CornerMemory {
     double speed = 0;                           // limit inside
     path::Vec3 direction = path::Vec3::Zero();  // at its end
     double acceleration = 0;
+    double jerk = std::numeric_limits<double>::infinity();
     bool turns_only = false;
     bool is_bent = false;
     bool must_stop = true;  // the path comes to rest behind it

@@ -101,8 +101,9 @@ std::size_t Sampler::State::pull(std::span<Setpoint> out) {
 
 inline void Sampler::State::place(const Segment& segment, const path::Vec3& tip, double distance,
                                   Setpoint& out) const {
-    out.programmed_feed =
-        segment.kind == SegmentKind::Feed && segment.spindle.is_turning ? segment.feed : 0;
+    const bool is_cut = segment.kind == SegmentKind::Feed && segment.spindle.is_turning;
+    out.programmed_feed = is_cut ? segment.feed : 0;
+    out.nominal_feed = is_cut ? segment.nominal_feed : 0;
     out.line = segment.line;
     out.source = segment.source;
     out.tip = tip;

@@ -74,6 +74,7 @@ struct Segment {
     double duration = 0;    // s
     double feed =
         0;  // mm/s (deg/s), what was asked for, override included; rapid: what the axes can
+    double nominal_feed = 0;         // mm/s (deg/s), what the program says at an override of 100 %
     double feed_per_revolution = 0;  // mm (deg), override included; 0: the feed is no such one
     Spindle spindle;                 // as it is commanded in this piece
     Profile profile;                 // of the path length; empty for a standstill

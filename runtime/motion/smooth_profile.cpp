@@ -161,6 +161,20 @@ double steady_reach(double from, double length, const RampLimits& limits) {
     return smooth_reach(from, length, limits);
 }
 
+double time_over(double length, double from, double speed, const RampLimits& limits) {
+    from = std::min(from, speed);
+    const double a = limits.acceleration;
+    const bool is_jerk_free = std::isinf(limits.jerk);
+    const double reached =
+        is_jerk_free ? std::sqrt(from * from + 2 * a * length) : smooth_reach(from, length, limits);
+    const double top = std::min(reached, speed);
+    const double ramp_time = is_jerk_free ? (top - from) / a : smooth_ramp_time(from, top, limits);
+    if (reached <= speed) return ramp_time;
+    const double ramp_length =
+        is_jerk_free ? (top * top - from * from) / (2 * a) : smooth_ramp_length(from, top, limits);
+    return ramp_time + (length - ramp_length) / speed;
+}
+
 Result<Profile, ProfileFault> seven_phases(double length, double entry, double exit,
                                            const ProfileLimits& limits) {
     const Flanks flanks{length,

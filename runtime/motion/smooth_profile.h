@@ -31,6 +31,11 @@ double smooth_reach(double from, double length, const RampLimits& limits);
 /// source       reference motion §2.5
 double steady_reach(double from, double length, const RampLimits& limits);
 
+/// The time over `length` from one speed up to another one, ≥ 0 each, as soon as the limits allow.
+///
+/// limits  the jerk may be infinite
+double time_over(double length, double from, double speed, const RampLimits& limits);
+
 /// The fastest profile of seven phases over `length`, without acceleration at its ends and nowhere
 /// below the lower end speed.
 ///

@@ -1,5 +1,6 @@
 // `kadr run` on machines with a laser: pulses and power among the setpoints.
 #include <algorithm>
+#include <map>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -71,28 +72,40 @@ TEST_F(Laser, TheSummaryCountsPulses) {
     EXPECT_FALSE(nlohmann::json::parse(mill.out).contains("pulses"));
 }
 
-/// Power follows the path speed: none at rapid, the least at rest, all of it at the feed.
+/// Power follows the path speed: none at rapid, the least at rest, all of it at the feed that the
+/// program says, whatever override acts on it.
 TEST_F(Laser, PowerFollowsTheSpeed) {
     save("beam.xml", replaced(machine_text(), "<laser pulse=\"40 Hz\" tolerance=\"10 %\"/>",
                               "<laser power=\"500 W\" least_power=\"50 W\"/>"));
-    save("cut.nc", "G21 G90 G0 X10 Y0 S100 M3\nG1 X40 F1200\nG0 X0\nM30\n");
-    const ProcessResult result = kadr({"run", file("cut.nc"), "-d", "iso", "-m", file("beam.xml"),
-                                       "--setpoints", file("cut.csv")});
-    ASSERT_EQ(result.status, 0) << result.err;
-    int full = 0;
-    int part = 0;
-    for (Row& row : rows_of(read_file(file("cut.csv")).value())) {
-        EXPECT_EQ(row.count("pulse"), 0u);
-        if (row["iso"] != 2) {
-            EXPECT_EQ(row["power"], 0);
-            continue;
+    save("cut.mpf", "G71 G90 G0 X10 Y0 S100 M3\nG1 X40 F1200\nOVR=50\nX70\nG0 X0\nM30\n");
+    struct Case {
+        std::string_view override;
+        double most;  // mm/min
+        double most_overridden;
+    };
+    for (const Case& c : {Case{"100", 1200, 600}, Case{"50", 600, 300}, Case{"150", 1800, 900}}) {
+        const ProcessResult result =
+            kadr({"run", file("cut.mpf"), "-d", "sinumerik", "-m", file("beam.xml"),
+                  "--feed-override", std::string(c.override), "--setpoints", file("cut.csv")});
+        ASSERT_EQ(result.status, 0) << result.err;
+        std::map<int, int> at_feed;
+        int part = 0;
+        for (Row& row : rows_of(read_file(file("cut.csv")).value())) {
+            EXPECT_EQ(row.count("pulse"), 0u);
+            const int line = static_cast<int>(row["iso"]);
+            if (line != 2 && line != 4) {
+                EXPECT_EQ(row["power"], 0);
+                continue;
+            }
+            EXPECT_NEAR(row["power"], 50 + 450 * std::min(1.0, row["feed"] / 1200), 1e-5);
+            const double most = line == 2 ? c.most : c.most_overridden;
+            at_feed[line] += row["feed"] > 0.999 * most ? 1 : 0;
+            part += row["power"] < 100 ? 1 : 0;
         }
-        EXPECT_NEAR(row["power"], 50 + 450 * row["feed"] / 1200, 1e-5);
-        full += row["power"] > 499.999 ? 1 : 0;
-        part += row["power"] < 400 ? 1 : 0;
+        EXPECT_GT(at_feed[2], 500) << c.override;
+        EXPECT_GT(at_feed[4], 500) << c.override;
+        EXPECT_GT(part, 20) << c.override;
     }
-    EXPECT_GT(full, 1000);
-    EXPECT_GT(part, 50);
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ TEST(Losses, TheMachineHasAGreatestFeed) {
 }
 
 TEST(Losses, ACornerCostsTheRampsOnBothSides) {
-    const double v = 100;
+    const double v = 5;
     const machine::Machine machine = machine_with(kUnlimited);
     const std::vector<Command> corner = {line_to({100, 0, 0}, v * 60),
                                          line_to({100, 100, 0}, v * 60)};
@@ -107,6 +107,14 @@ TEST(Losses, ACornerCostsTheRampsOnBothSides) {
     const Losses losses = losses_of(machine, corner);
     expect_only(losses, {{LossReason::Corner, 2 * ramp}, {LossReason::Stop, v / a}}, 1e-6);
     EXPECT_NEAR(losses.by_line.at(1), ramp + v / (2 * a), 1e-6);
+}
+
+TEST(Losses, ARestAtACornerIsTheCorners) {
+    const double v = 100;
+    const Losses losses = losses_of(machine_with(kUnlimited),
+                                    {line_to({100, 0, 0}, v * 60), line_to({100, 100, 0}, v * 60)});
+    const double ramp = v / (2 * kAcceleration);
+    expect_only(losses, {{LossReason::Corner, 2 * ramp}, {LossReason::Stop, 2 * ramp}}, 1e-9);
 }
 
 TEST(Losses, ARampOverManyBlocksHasTheReasonOfItsEnd) {
