@@ -3,6 +3,7 @@
 // Every axis goes its own way there, so its derivatives are taken one by one, and what turning and
 // speeding up ask of it is added up: never too little.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -21,6 +22,25 @@ constexpr double kSteadyJerk = 0.4;
 constexpr double kTurningJerk = 0.3;
 
 constexpr int kSamples = 8;  // of a course, to find its greatest values
+
+/// The greatest magnitude of what is `value(u)` at 0 ≤ u ≤ 1. It may lie between two samples: there
+/// it is that of the parabola through three of them.
+template <typename Value>
+double greatest(const Value& value) {
+    std::array<double, kSamples + 1> samples{};
+    double most = 0;
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+        samples[k] = value(static_cast<double>(k) / kSamples);
+        most = std::max(most, std::abs(samples[k]));
+    }
+    for (std::size_t k = 1; k + 1 < samples.size(); ++k) {
+        const double slope = (samples[k + 1] - samples[k - 1]) / 2;
+        const double bend = samples[k + 1] - 2 * samples[k] + samples[k - 1];
+        if (std::abs(slope) >= std::abs(bend)) continue;  // its vertex is farther away
+        most = std::max(most, std::abs(samples[k] - slope * slope / (2 * bend)));
+    }
+    return most;
+}
 
 }  // namespace
 
@@ -44,12 +64,9 @@ AxisTable::Loads AxisTable::transformed_loads(const Segment& piece) const {
     loads.curvature = kInfinity;  // along and across are not told apart
     for (std::size_t i = 0; i < axes_.size(); ++i) {
         const std::size_t axis = axes_[i].coordinate;
-        for (int k = 0; k <= kSamples; ++k) {
-            const double u = static_cast<double>(k) / kSamples;
-            loads.rising[i] = std::max(loads.rising[i], std::abs(course.rate(axis, u)));
-            loads.bend[i] = std::max(loads.bend[i], std::abs(course.bend(axis, u)));
-            loads.third[i] = std::max(loads.third[i], std::abs(course.third(axis, u)));
-        }
+        loads.rising[i] = greatest([&](double u) { return course.rate(axis, u); });
+        loads.bend[i] = greatest([&](double u) { return course.bend(axis, u); });
+        loads.third[i] = greatest([&](double u) { return course.third(axis, u); });
     }
     return loads;
 }

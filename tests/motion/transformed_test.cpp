@@ -567,6 +567,25 @@ RC_GTEST_PROP(TurnedCorner, KeepsTolerancesAndLimits, ()) {
     RC_ASSERT((last - tip_of(commands.size() - 1)).norm() < 1e-9);
 }
 
+/// The greatest velocity of an axis lies between the places where its course is looked at.
+TEST(Transformed, AxesKeepTheirVelocityOnLongTurns) {
+    for (const double height : {0.0, 47.0, 150.0}) {
+        machine::Machine machine = table_table(0.02);
+        for (machine::MachineAxis& axis : machine.axes) {
+            if (axis.is_rotary) axis.velocity = 20;
+        }
+        Program program(machine);
+        program.go_fast({0, 0, 400 - height}, Vec3::UnitZ());
+        program.go({-20, -10, 47}, Vec3(0.514, 0.246, 0.822).normalized(), 1e6);
+        program.go({60, -10, 400}, direction(-40, 20), 1e6);
+        const Motion motion = run(machine, program.commands);
+        TickWatch watch(machine, motion.segments);
+        for (const Setpoint& setpoint : sample(machine, program.commands)) watch.add(setpoint);
+        EXPECT_LT(watch.shares().velocity, 1.0002) << height;
+        EXPECT_GT(watch.shares().velocity, 0.99) << height;
+    }
+}
+
 /// A table whose C axis is out of square with A by so much, rad: directions nearer to C than that
 /// no axes reach.
 machine::Machine out_of_square(double gap) {
