@@ -340,19 +340,15 @@ std::optional<std::string> Executor::text(Quantity quantity, std::int64_t index)
     if (!is_active && quantity != Quantity::ToolNameOf) return std::nullopt;
     const std::int64_t number = is_active ? tool_.current : index;
     if (number == 0) return is_active ? std::optional<std::string>("") : std::nullopt;
-    return name_of_tool(number);
+    return tool_names_.of(number);
 }
 
-/// As the machine's table or the program has named it, else its number.
-std::string Executor::name_of_tool(std::int64_t number) const {
-    const auto known = std::ranges::find(machine_.tools, number, &machine::ToolData::number);
-    if (known != machine_.tools.end() && !known->name.empty()) return known->name;
-    std::int64_t last = 0;
-    for (const machine::ToolData& tool : machine_.tools) last = std::max(last, tool.number);
-    const std::int64_t place = number - last - 1;
-    if (place >= 0 && place < static_cast<std::int64_t>(unlisted_tools_.size()))
-        return unlisted_tools_[static_cast<std::size_t>(place)];
-    return std::to_string(number);
+ControlState::Write Executor::set_text(Quantity quantity, std::int64_t index,
+                                       std::string_view text) {
+    if (quantity != Quantity::ToolNameOf) return ControlState::Write::Refused;
+    if (index < 1 || index > rules_.tool_offsets) return ControlState::Write::NoPlace;
+    tool_names_.set(index, text);
+    return ControlState::Write::Done;
 }
 
 std::optional<std::int64_t> Executor::axis_number(Axis axis) const {

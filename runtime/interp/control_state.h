@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "interp/control_frame.h"
 #include "nc/language.h"
@@ -37,6 +38,8 @@ class ControlState {
                             bool acts_at_once) = 0;
     /// A quantity that is a text; nothing: as above.
     virtual std::optional<std::string> text(nc::Quantity quantity, std::int64_t index) = 0;
+    /// Sets it.
+    virtual Write set_text(nc::Quantity quantity, std::int64_t index, std::string_view text) = 0;
     /// Which of the machine's axes it is, counted from 1; nothing: the machine has none such.
     virtual std::optional<std::int64_t> axis_number(Axis axis) const = 0;
     /// Whether the axis of an index is a length, and how many times the programmed value it is (2

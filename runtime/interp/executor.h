@@ -33,6 +33,7 @@
 #include "interp/soft_approach.h"
 #include "interp/state.h"
 #include "interp/through_run.h"
+#include "interp/tool_names.h"
 #include "interp/tool_offsets.h"
 #include "interp/work_area.h"
 #include "machine/orientation.h"
@@ -173,6 +174,7 @@ class Executor {
                                   const ControlFrame& frame, bool acts_at_once);  // offsets.cpp
     bool is_length(std::int64_t axis) const;
     std::optional<std::string> text(nc::Quantity quantity, std::int64_t index);
+    ControlState::Write set_text(nc::Quantity quantity, std::int64_t index, std::string_view text);
     std::optional<std::int64_t> axis_number(Axis axis) const;
     double word_factor(std::int64_t axis) const;
     bool is_compensated() const { return is_any_comp_on() || soft_approach_.is_active(); }
@@ -245,10 +247,9 @@ class Executor {
     void set_coolant(const nc::Block& block, path::CoolantMode mode);
     void set_length_source(Tool::Source source, Actions& actions);
     std::int64_t tool_number(const nc::Block& block, const nc::Invocation& invocation);
-    std::int64_t unlisted_tool(const nc::Block& block);
+    std::int64_t named_tool(const nc::Block& block);
     void take_edge(const nc::Block& block);
     void check_edge(const nc::Block& block);
-    std::string name_of_tool(std::int64_t number) const;
     void change_tool(const nc::Block& block);
     void select_work_offset(const nc::Block& block, std::int64_t number);
     void change_plane(nc::Function plane);
@@ -680,6 +681,7 @@ class Executor {
     std::int64_t work_offset_ = 0;            // that acts
     const bool is_lathe_;                     // the machine is one, or the control is a lathe's
     ToolOffsets tool_offsets_;
+    ToolNames tool_names_;
     const nc::BlockPlaces* places_;
     CycleExpander* cycles_;
     InterpreterOptions options_;
@@ -758,7 +760,7 @@ class Executor {
     std::vector<std::int64_t> unknown_tools_;  // each is reported once
     std::vector<std::int64_t> unknown_edges_;  // that were told
     bool owes_speed_ = false;  // the motion side was not told of a new speed of the spindle
-    std::vector<std::string> unlisted_tools_;  // names of tools that the table does not have
+    std::vector<std::string> shared_names_;  // of tools, that were told
     std::vector<std::int64_t> unknown_radii_;
     std::vector<std::int64_t> known_machine_functions_;  // so are these
     std::optional<SplineRun> spline_;                    // that is being read

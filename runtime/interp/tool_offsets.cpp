@@ -1,5 +1,7 @@
 #include "interp/tool_offsets.h"
 
+#include <algorithm>
+
 namespace kadr::interp {
 
 namespace {
@@ -18,6 +20,12 @@ ToolOffsets::ToolOffsets(const machine::Machine& machine, bool is_lathe) : is_la
         offset[place_of(Column::Radius)] = tool.radius;
         offset[place_of(Column::Tip)] = tool.tip;
     }
+}
+
+std::int64_t ToolOffsets::last_tool() const {
+    std::int64_t last = 0;
+    for (const auto& [number, offset] : offsets_) last = std::max(last, tool_of(number));
+    return last;
 }
 
 std::int64_t ToolOffsets::edges(std::int64_t tool) const {

@@ -53,6 +53,8 @@ class ToolOffsets {
     Column column_at(std::int64_t place, std::int64_t number) const;
     /// The machine has a tool of this number, or the program has written its offset.
     bool is_known(std::int64_t number) const { return offsets_.contains(number); }
+    /// The highest number of a tool that has data; 0: none has.
+    std::int64_t last_tool() const;
     /// How many of the tool's edges have data.
     std::int64_t edges(std::int64_t tool) const;
     /// The tool has lengths along X and Z: its type says so, or the machine is a lathe.
