@@ -36,7 +36,7 @@ class ToolOffsets {
         Type,  // 0: nobody has said it
     };
 
-    static constexpr std::int64_t kMostEdges = 12;  // S 2.3
+    static constexpr std::int64_t kMostEdges = machine::kMostEdges;
     /// The number of an edge's offset; edge 0 counts as the first.
     static constexpr std::int64_t of_edge(std::int64_t tool, std::int64_t edge) {
         return edge <= 1 ? tool : tool + (edge - 1) * kEdge;

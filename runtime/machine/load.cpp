@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include "base/diagnostics/driver.h"
 #include "base/diagnostics/machine.h"
@@ -62,7 +63,7 @@ const XmlShape& machine_shape() {
           "home3",
           "home4"},
          {}},
-        {"tool", {{"number", Filled}, "length", "length_x", "radius", "tip", "name"}, {}},
+        {"tool", {{"number", Filled}, "edge", "length", "length_x", "radius", "tip", "name"}, {}},
         {"offset", {{"number", Filled}, "x", "y", "z", "a", "b", "c", "u", "v", "w"}, {}},
         {"spindle_drive",
          {{"inertia", Filled},
@@ -153,6 +154,7 @@ class MachineBuilder {
         if (kinematics_ != nullptr)
             machine_.kinematics = read_kinematics(*kinematics_, machine_.axes, sink_);
         if (pipeline_ != nullptr) machine_.pipeline = read_pipeline(*pipeline_, machine_, sink_);
+        check_edges();
         check_pulses();
         if (has_spindle_drive_ && has_feed_drive_) machine_.drives = drives_;
         if (machine_.axes.empty()) {
@@ -275,14 +277,33 @@ class MachineBuilder {
         tool.length_x = reader.quantity("length_x", Dimension::Length).value_or(0);
         tool.radius = reader.magnitude("radius", Dimension::Length).value_or(0);
         tool.tip = static_cast<int>(reader.whole("tip", 0, 9).value_or(0));
-        if (!number ||
-            !described_.is_first("tool " + std::to_string(*number), reader.place("number")))
+        const bool has_edge = reader.has("edge");
+        const auto edge = has_edge ? reader.whole("edge", 1, kMostEdges) : 1;
+        if (!number || !edge) return;
+        tool.edge = *edge;
+        const std::string what =
+            "tool " + std::to_string(*number) +
+            (tool.edge == 1 ? std::string() : ", edge " + std::to_string(tool.edge));
+        if (!described_.is_first(what, reader.place(has_edge ? "edge" : "number"))) return;
+        if (tool.edge == 1) first_edges_.insert(*number);
+        else further_edges_.push_back({*number, tool.edge, reader.place("edge")});
+        if (tool.edge != 1 && !tool.name.empty()) {
+            sink_.report(diag::MachineEdgeName, reader.place("name")).arg(*number).arg(tool.edge);
             return;
+        }
         if (!tool.name.empty() &&
             !described_.is_first("a tool `" + tool.name + '`', reader.place("name")))
             return;
         tool.number = *number;
         machine_.tools.push_back(tool);
+    }
+
+    /// A tool is known by its first edge.
+    void check_edges() {
+        for (const EdgePlace& place : further_edges_) {
+            if (first_edges_.contains(place.tool)) continue;
+            sink_.report(diag::MachineEdgeAlone, place.range).arg(place.tool).arg(place.edge);
+        }
     }
 
     void read_function(const XmlElement& element) {
@@ -420,6 +441,14 @@ class MachineBuilder {
     DiagnosticSink& sink_;
     Machine machine_;
     SourceRange laser_place_;
+    /// A further edge of a tool, and where the file says it.
+    struct EdgePlace {
+        std::int64_t tool = 0;
+        std::int64_t edge = 0;
+        SourceRange range;
+    };
+    std::vector<EdgePlace> further_edges_;
+    std::set<std::int64_t> first_edges_;  // tools that have one
     const XmlElement* kinematics_ = nullptr;
     Drives drives_;
     bool has_spindle_drive_ = false;

@@ -12,7 +12,7 @@ const MachineAxis* Machine::find(Axis axis) const {
 
 const ToolData* Machine::find_tool(std::int64_t number) const {
     const auto found = std::find_if(tools.begin(), tools.end(),
-                                    [number](const ToolData& t) { return t.number == number; });
+                                    [number](const ToolData& t) { return t.number == number && t.edge == 1; });
     return found == tools.end() ? nullptr : &*found;
 }
 

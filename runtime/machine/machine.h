@@ -35,13 +35,18 @@ struct MachineAxis {
     std::array<std::optional<double>, kReferencePoints - 1> further_homes{};
 };
 
+/// A tool may have so many cutting edges; SINUMERIK reference 2.3.
+inline constexpr std::int64_t kMostEdges = 12;
+
+/// One cutting edge of a tool.
 struct ToolData {
     std::int64_t number = 0;
+    std::int64_t edge = 1;  // 1 to kMostEdges; every tool has edge 1
     double length = 0;    // mm
     double radius = 0;    // mm
     double length_x = 0;  // mm, of a lathe's tool: along X, on the radius
     int tip = 0;          // where the programmed point lies on the nose of a lathe's tool, 1 to 9
-    std::string name;
+    std::string name;     // of edge 1: of the tool; further edges have none
 };
 
 /// When an M function is issued, as the motion of its block sees it.
@@ -71,7 +76,7 @@ struct Machine {
     double tool_change_time = 0;         // s
     bool is_lathe = false;               // X is programmed as a diameter; axis X is the radius
     std::vector<MachineAxis> axes;       // in the order of setpoint columns
-    std::vector<ToolData> tools;
+    std::vector<ToolData> tools;  // an entry for each cutting edge
     std::vector<MachineFunction> functions;  // M functions that take time
     std::vector<AxisValues> work_offsets;    // [0] none, [1] G54 …; mm, deg
     std::optional<Kinematics> kinematics;    // if it has rotary axes that the file places
@@ -81,6 +86,7 @@ struct Machine {
     Pipeline pipeline;
 
     const MachineAxis* find(Axis axis) const;
+    /// The first edge of the tool; null: there is none with this number.
     const ToolData* find_tool(std::int64_t number) const;
     const MachineFunction* find_function(std::int64_t code) const;
 };

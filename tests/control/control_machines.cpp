@@ -28,6 +28,12 @@ void clamp_turning_tools(machine::Machine& machine) {
                      {.number = 3, .length = 0, .radius = 2, .name = "GROOVE"}};
 }
 
+/// A drill with two further edges.
+void grind_edges(machine::Machine& machine) {
+    machine.tools.push_back({.number = 2, .edge = 2, .length = 70, .radius = 2.5, .name = ""});
+    machine.tools.push_back({.number = 2, .edge = 12, .length = 60, .radius = 2, .name = ""});
+}
+
 machine::Machine stock(const std::string& name) {
     Sources sources;
     DiagnosticList messages;
@@ -39,13 +45,15 @@ machine::Machine stock(const std::string& name) {
 }  // namespace
 
 machine::Machine machine_named(const std::string& name, bool control_is_of_lathe) {
-    const bool is_own = name.empty() || name == "lathe" || name == "driven";
+    const bool is_own =
+        name.empty() || name == "lathe" || name == "driven" || name == "edges";
     machine::Machine machine = is_own ? mill() : name == "five-axis" ? trunnion() : stock(name);
     machine.work_offsets = {{}, {}, {10, 20, 30}};
     machine.tools[0].length = 0;
     machine.is_lathe = control_is_of_lathe;
     if (name == "lathe") clamp_turning_tools(machine);
     if (name == "driven") drive_tools(machine);
+    if (name == "edges") grind_edges(machine);
     return machine;
 }
 

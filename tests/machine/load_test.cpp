@@ -93,6 +93,7 @@ TEST(MachineFile, ValuesAreCanonical) {
                     jerk="100 m/s3" home="1in" home2="-50 mm" home4="0.2 m"/>
               <axis name="C" velocity="60 rpm" acceleration="180 deg/s2" home="90 deg" home3="0.5 rad"/>
               <tool number="3" name="drill" length="120.5 mm" radius="4250 um"/>
+              <tool number="3" edge="2" length="118 mm" radius="4 mm"/>
               <tool number="4" length="80 mm" length_x="-60.25 mm" radius="0.8 mm" tip="3"/>
               <offset number="2" x="-10 mm" c="45 deg"/>
               <function code="M10" takes="400 ms"/>
@@ -145,6 +146,7 @@ TEST(MachineFile, ValuesAreCanonical) {
     EXPECT_DOUBLE_EQ(machine.find_tool(3)->length, 120.5);
     EXPECT_DOUBLE_EQ(machine.find_tool(3)->radius, 4.25);
     EXPECT_EQ(machine.find_tool(3)->tip, 0);
+    EXPECT_EQ(machine.find_tool(3)->edge, 1);
     EXPECT_DOUBLE_EQ(machine.find_tool(4)->length_x, -60.25);
     EXPECT_EQ(machine.find_tool(4)->tip, 3);
     EXPECT_EQ(machine.find_tool(5), nullptr);
@@ -255,6 +257,14 @@ TEST(MachineFile, MistakesOfStructure) {
           {"stray text", "five tools", "K9108", "five tools", ""},
           {"doubled axis", kAxisX, "K6014", "X", ""},
           {"doubled tool", "<tool number=\"1\"/><tool number=\"1\"/>", "K6014", "1", ""},
+          {"doubled first edge", "<tool number=\"1\"/><tool number=\"1\" edge=\"1\"/>", "K6014",
+           "1", ""},
+          {"doubled edge",
+           R"(<tool number="1" edge="2"/><tool number="1"/><tool number="1" edge="2"/>)", "K6014",
+           "2", ""},
+          {"edge alone", R"(<tool number="1" edge="3"/>)", "K6312", "3", ""},
+          {"edge with a name", R"(<tool number="1"/><tool number="1" edge="2" name="drill"/>)",
+           "K6313", "drill", ""},
           {"doubled offset", "<offset number=\"1\"/><offset number=\"1\"/>", "K6014", "1", ""}}) {
         expect_mistake(mistake);
     }
@@ -315,6 +325,8 @@ TEST(MachineFile, MistakesOfValues) {
          {"long tick", long_tick.c_str(), "K6019", "100 s", ""},
          {"negative time", time.c_str(), "K6012", "-1 s", ""},
          {"negative radius", R"(<tool number="1" radius="-1 mm"/>)", "K6012", "-1 mm", ""},
+         {"no such edge", R"(<tool number="1"/><tool number="1" edge="13"/>)", "K6018", "13", ""},
+         {"edge zero", R"(<tool number="1" edge="0"/>)", "K6018", "0", ""},
          {"no such tip", R"(<tool number="1" tip="10"/>)", "K6018", "10", ""},
          {"offset G54", R"(<offset number="G54"/>)", "K6018", "G54", ""},
          {"offset zero", R"(<offset number="0"/>)", "K6018", "0", ""},
