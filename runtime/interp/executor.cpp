@@ -1,12 +1,14 @@
 // executor.cpp — block after block: its functions, its motion, and the commands that come of it.
 #include "interp/executor.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <utility>
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
+#include "base/text.h"
 #include "base/units.h"
 
 namespace kadr::interp {
@@ -321,7 +323,42 @@ std::string characters(std::string_view text, std::size_t first, std::size_t cou
     return found;
 }
 
+/// Where an argument stands in a call, `TRAORI(1,0,0,1)`: bytes. All of the call if it has no such
+/// argument.
+std::string_view argument_in(std::string_view call, std::size_t argument) {
+    std::size_t begin = call.find('(');
+    int depth = 0;
+    for (std::size_t at = begin; at < call.size(); ++at) {
+        if (call[at] == '(') ++depth;
+        if (call[at] == ')') --depth;
+        const bool ends = (call[at] == ',' && depth == 1) || depth == 0;
+        if (!ends) continue;
+        if (argument == 0) {
+            while (begin + 1 < at && call[begin + 1] == ' ') ++begin;
+            while (at > begin + 2 && call[at - 1] == ' ') --at;
+            return call.substr(begin + 1, at - begin - 1);
+        }
+        begin = at;
+        --argument;
+    }
+    return call;
+}
+
 }  // namespace
+
+DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block,
+                                   Function function, std::size_t argument) {
+    if (places_ == nullptr || cycle_blocks_) return report(row, block);
+    LinePlace place = places_->place(block, function);
+    const std::string call = characters(place.text, place.column - 1, place.length);
+    const std::string_view said = argument_in(call, argument);
+    const auto before = static_cast<std::size_t>(said.data() - call.data());
+    place.column += static_cast<std::uint32_t>(
+        count_code_points(std::string_view(call).substr(0, before)));
+    place.length =
+        static_cast<std::uint32_t>(std::max<std::size_t>(1, count_code_points(said)));
+    return note_calls(report(row, std::move(place)), block);
+}
 
 std::string Executor::word_of(const Block& block, Function function) const {
     const std::string name(nc::info(function).name);

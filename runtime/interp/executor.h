@@ -321,6 +321,7 @@ class Executor {
     void arc_along(const nc::Block& block, const Target& target, bool exact_stop);
 
     // orienting.cpp: the machine's transformation
+    bool has_transformation(const nc::Block& block, const nc::Invocation& invocation);
     void switch_transformation(const nc::Block& block, const nc::Invocation& invocation);
     std::array<std::size_t, 2> joints_in_order() const;
     bool lacks_axis_for_direction(const nc::Block& block);
@@ -668,6 +669,9 @@ class Executor {
     DiagnosticBuilder report(const DiagnosticRow& row, const nc::Block& block, nc::Slot slot);
     DiagnosticBuilder report(const DiagnosticRow& row, const nc::Block& block,
                              nc::Function function);
+    /// … or at an argument of the call that said it.
+    DiagnosticBuilder report(const DiagnosticRow& row, const nc::Block& block,
+                             nc::Function function, std::size_t argument);
     DiagnosticBuilder report(const DiagnosticRow& row, LinePlace place);
     /// A function as the text of the block says it; by the vocabulary where no text does.
     std::string word_of(const nc::Block& block, nc::Function function) const;

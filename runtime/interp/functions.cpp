@@ -306,6 +306,9 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             set_length_source(Tool::Source::Edge, actions);
             break;
 
+        case Function::TcpBased:
+            if (!has_transformation(block, invocation)) break;
+            [[fallthrough]];
         case Function::TcpOn:
         case Function::TcpOff:
             end_virtual(block);
