@@ -10,6 +10,7 @@
 #include "base/diagnostics/iso.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "nc/tables.h"
 
 namespace kadr::interp {
 
@@ -367,6 +368,15 @@ std::string Executor::word_of(const Block& block, Function function) const {
     const LinePlace place = places_->place(block, function);
     const std::string word = characters(place.text, place.column - 1, place.length);
     return word.empty() ? name : word;
+}
+
+std::string Executor::spelling_of(Function function) const {
+    const nc::DialectTables& tables = dialect_.tables();
+    for (const nc::FormId id : tables.forms_of[static_cast<std::size_t>(function)]) {
+        const nc::Form& form = tables.forms[id];
+        if (form.is_read && form.unsupported.empty()) return form.words[0].text;
+    }
+    return std::string(nc::info(function).name);
 }
 
 /// Adds where the program of the block was called.

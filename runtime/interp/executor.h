@@ -675,6 +675,9 @@ class Executor {
     DiagnosticBuilder report(const DiagnosticRow& row, LinePlace place);
     /// A function as the text of the block says it; by the vocabulary where no text does.
     std::string word_of(const nc::Block& block, nc::Function function) const;
+    /// A function as the control spells it, whether a block has said it or not; by the vocabulary
+    /// where the control has no word for it.
+    std::string spelling_of(nc::Function function) const;
     DiagnosticBuilder note_calls(DiagnosticBuilder builder, const nc::Block& block) const;
     /// The block in the text that is being executed: `block`, or the one that called the cycle.
     const nc::Block& origin(const nc::Block& block) const;
