@@ -638,7 +638,7 @@ class Lexer {
                 }
             }
             at_ = end;
-            if (take_indexed(begin)) return;
+            if (take_indexed(begin) || fail_at_axis(begin)) return;
             return take_passed(begin) ? void() : fail_unknown(begin, end);
         }
         const std::size_t next = at_;
@@ -686,6 +686,53 @@ class Lexer {
             fail_here(diag::IsoSyntax);
         }
         return true;
+    }
+
+    /// Whether the word, which names an axis between brackets (`ACC[X]=50`), names none here: it was
+    /// refused then. That of a spindle may be passed over. `at_` is behind its letters.
+    bool fail_at_axis(std::size_t begin) {
+        const std::size_t end = at_;
+        const std::string name = upper_ascii(line_.substr(begin, end - begin));
+        const bool takes_axis = std::ranges::any_of(kAxisNames, [&](std::string_view axis) {
+            const AddressId word = tables_.find_address(name + '[' + std::string(axis) + ']');
+            return word != kNoAddress && tables_.addresses[word].kind == Address::Kind::Value;
+        });
+        if (!takes_axis) return false;
+        const std::size_t next = std::min(line_.find_first_not_of(" \t", end), line_.size());
+        const std::size_t close =
+            next < line_.size() && line_[next] == '[' ? end_of_brackets(next) : next;
+        if (close == next) {
+            fail(diag::AxisIndexMissing, begin, end, {name});
+            return true;
+        }
+        std::size_t first = next + 1;
+        std::size_t last = close - 1;
+        while (first < last && is_blank(line_[first])) ++first;
+        while (last > first && is_blank(line_[last - 1])) --last;
+        const std::string index = upper_ascii(line_.substr(first, last - first));
+        const bool is_spindle = is_spindle_name(index);
+        if (is_spindle && tables_.passed.contains(name)) return false;
+        fail(diag::AxisIndexWrong, first, std::max(last, first + 1),
+             {index, name, is_spindle ? "it is a spindle" : why_no_axis(index)});
+        return true;
+    }
+
+    /// `S1`, `SPI(2)`
+    static bool is_spindle_name(std::string_view index) {
+        if (index.starts_with("SPI(")) return true;
+        return index.size() > 1 && index[0] == 'S' &&
+               std::ranges::all_of(index.substr(1), [](char c) { return is_digit(c); });
+    }
+
+    std::string why_no_axis(const std::string& index) const {
+        const AddressId other = tables_.find_address(index);
+        if (other != kNoAddress && !tables_.addresses[other].doc.empty())
+            return "it is another word (" + tables_.addresses[other].doc + ')';
+        if (index.find_first_not_of("0123456789") == std::string::npos)
+            return "an axis is said by its name";
+        const bool is_computed = index.find_first_of("($[") != std::string::npos;
+        if (is_computed) return "an axis that is worked out is not read here yet";
+        return "no axis has this name, and a variable is not read here yet";
     }
 
     /// `DIAMONA[X]`: a word of its own by the name with its brackets; `at_` stands at the bracket.
