@@ -204,18 +204,25 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::ActiveAdditionalOffset:
             return number(std::max<std::int64_t>(0, work_offset_ - 6));
         case Quantity::Feed: return modal_.has_feed ? modal_.feed : 0;
-        case Quantity::Speed:
-            if (first > 1) return std::nullopt;  // of another spindle
-            return spindle_.has_cutting_speed ? spindle_.cutting_speed : spindle_.speed;
-        case Quantity::SpindleDirection:
-            if (first > 1) return std::nullopt;
-            switch (spindle_.mode) {
+        case Quantity::MasterSpindle: return number(spindle_.number);
+        case Quantity::SpindleCount:
+            return number(static_cast<std::int64_t>(other_spindles_.size()) + 1);
+        case Quantity::Speed: {
+            const Spindle* const spindle = spindle_at(first);
+            if (spindle == nullptr) return std::nullopt;
+            return spindle->has_cutting_speed ? spindle->cutting_speed : spindle->speed;
+        }
+        case Quantity::SpindleDirection: {
+            const Spindle* const spindle = spindle_at(first);
+            if (spindle == nullptr) return std::nullopt;
+            switch (spindle->mode) {
                 case path::SpindleMode::Cw: return 3;
                 case path::SpindleMode::Ccw: return 4;
                 case path::SpindleMode::Stop: return 5;
                 case path::SpindleMode::Orient: return 19;
             }
             return std::nullopt;
+        }
         case Quantity::Tool: return number(tool_.current);
         case Quantity::SelectedTool: return number(tool_.selected);
         case Quantity::LengthOffset: return number(tool_.offset);
@@ -247,10 +254,12 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         }
         case Quantity::ExtraRadius: return extra_.radius;
         case Quantity::ActualSpeed: {
-            if (first > 1) return std::nullopt;
-            const bool is_ccw = spindle_.mode == path::SpindleMode::Ccw;
-            if (!is_ccw && spindle_.mode != path::SpindleMode::Cw) return 0;
-            const double speed = spindle_.has_cutting_speed ? turning_speed() : spindle_.told.speed;
+            const Spindle* const spindle = spindle_at(first);
+            if (spindle == nullptr) return std::nullopt;
+            const bool is_ccw = spindle->mode == path::SpindleMode::Ccw;
+            if (!is_ccw && spindle->mode != path::SpindleMode::Cw) return 0;
+            // Only the master has a constant cutting speed.
+            const double speed = spindle->has_cutting_speed ? turning_speed() : spindle->told.speed;
             return is_ccw ? -speed : speed;
         }
         case Quantity::LengthGeometry:

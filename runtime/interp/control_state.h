@@ -42,6 +42,8 @@ class ControlState {
     virtual Write set_text(nc::Quantity quantity, std::int64_t index, std::string_view text) = 0;
     /// Which of the machine's axes it is, counted from 1; nothing: the machine has none such.
     virtual std::optional<std::int64_t> axis_number(Axis axis) const = 0;
+    /// Whether the machine has a spindle with this number; 0 is the master.
+    virtual bool has_spindle(std::int64_t number) const = 0;
     /// Whether the axis of an index is a length, and how many times the programmed value it is (2
     /// where X is a diameter).
     virtual bool is_length(std::int64_t axis) const = 0;

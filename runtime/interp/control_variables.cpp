@@ -301,6 +301,10 @@ bool ControlVariables::has_program(std::string_view name) {
     return is_program_ && is_program_(name);
 }
 
+bool ControlVariables::has_spindle(std::int64_t number) const {
+    return state_ == nullptr ? number <= 1 : state_->has_spindle(number);
+}
+
 bool ControlVariables::set_element(const nc::Symbol& symbol, std::uint32_t element, double value) {
     return store_element(symbol, symbol.slot + element, Value::real(value), {}).row == nullptr;
 }

@@ -55,6 +55,7 @@ class ControlVariables final : public Variables {
     bool has_name(std::string_view name) const override { return type_of(name).has_value(); }
     std::optional<nc::ValueType> type_of(std::string_view name) const override;
     bool has_program(std::string_view name) override;
+    bool has_spindle(std::int64_t number) const override;
     std::string word_of(nc::Operation operation) const override;
     bool set_element(const nc::Symbol& symbol, std::uint32_t element, double value) override;
 

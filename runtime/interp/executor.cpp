@@ -70,6 +70,7 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
         modal_.set(dialect.power_on(group));
     }
     returns_to_retract_ = dialect.power_on(Group::CycleReturn) == Function::CycleReturnRetract;
+    set_up_spindles();
     for (const AxisValues& offset : machine.work_offsets)
         work_offsets_.push_back({.shift = offset});
     work_offset_ = rules_.default_work_offset;
@@ -347,17 +348,16 @@ std::string_view argument_in(std::string_view call, std::size_t argument) {
 
 }  // namespace
 
-DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block,
-                                   Function function, std::size_t argument) {
+DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block, Function function,
+                                   std::size_t argument) {
     if (places_ == nullptr || cycle_blocks_) return report(row, block);
     LinePlace place = places_->place(block, function);
     const std::string call = characters(place.text, place.column - 1, place.length);
     const std::string_view said = argument_in(call, argument);
     const auto before = static_cast<std::size_t>(said.data() - call.data());
-    place.column += static_cast<std::uint32_t>(
-        count_code_points(std::string_view(call).substr(0, before)));
-    place.length =
-        static_cast<std::uint32_t>(std::max<std::size_t>(1, count_code_points(said)));
+    place.column +=
+        static_cast<std::uint32_t>(count_code_points(std::string_view(call).substr(0, before)));
+    place.length = static_cast<std::uint32_t>(std::max<std::size_t>(1, count_code_points(said)));
     return note_calls(report(row, std::move(place)), block);
 }
 

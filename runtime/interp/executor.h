@@ -9,8 +9,8 @@
 // (soft approaches and retracts), smoothing.cpp (rounded corners, compressed lines), cycles.cpp
 // (machining cycles), patterns.cpp (places at which a cycle is called), shapes.cpp (cycles along a
 // shape that stands in the program), splines.cpp, through_splines.cpp, polynomials.cpp,
-// involutes.cpp and curves.cpp (other curves), arc_threads.cpp (threads along arcs), rare_words.cpp
-// and data_input.cpp (rarer words).
+// involutes.cpp and curves.cpp (other curves), arc_threads.cpp (threads along arcs),
+// numbered_spindles.cpp (several spindles), rare_words.cpp and data_input.cpp (rarer words).
 #pragma once
 
 #include <array>
@@ -80,7 +80,7 @@ struct Actions {
     const nc::Invocation* orient = nullptr;
     const nc::Invocation* orient_reset = nullptr;
     const nc::Invocation* align = nullptr;  // the rotary axes stand to the tilted plane
-    const nc::Invocation* dwell = nullptr;
+    const nc::Invocation* dwell = nullptr;  // Dwell or SpindleDwell
     const nc::Invocation* message = nullptr;
     const nc::Invocation* limit = nullptr;
     const nc::Invocation* data = nullptr;  // WorkOffsetData or ToolOffsetData
@@ -176,6 +176,7 @@ class Executor {
     std::optional<std::string> text(nc::Quantity quantity, std::int64_t index);
     ControlState::Write set_text(nc::Quantity quantity, std::int64_t index, std::string_view text);
     std::optional<std::int64_t> axis_number(Axis axis) const;
+    bool has_spindle(std::int64_t number) const;  // numbered_spindles.cpp; 0 is the master
     double word_factor(std::int64_t axis) const;
     bool is_compensated() const { return is_any_comp_on() || soft_approach_.is_active(); }
     bool is_at_place() const;
@@ -234,8 +235,8 @@ class Executor {
     void set_feed(const nc::Block& block);
     void program_speed(const nc::Block& block);
     void leave_cutting_speed();
-    void set_speed_limit(const nc::Block& block, const nc::Invocation& invocation);
-    void set_speed_bound(const nc::Block& block, const nc::Invocation& invocation);
+    void limit_speed(const nc::Block& block, nc::Function function, double limit);
+    void bound_speed(const nc::Block& block, nc::Function function, bool is_upper, double bound);
     void tell_speed_limit(const nc::Block& block, double before);
     double highest_speed() const;
     double bounded_speed(const nc::Block& block);
@@ -243,6 +244,18 @@ class Executor {
     void set_area_limit(const nc::Block& block, const nc::Invocation& invocation);
     void update_spindle(const nc::Block& block);
     void orient_spindle(const nc::Block& block, const nc::Invocation& invocation);
+    void stand_spindle(const nc::Block& block, nc::Function function, double angle, bool is_by);
+    // numbered_spindles.cpp
+    void set_up_spindles();
+    const Spindle* spindle_at(std::int64_t number) const;
+    template <typename Act>
+    void with_spindle(const nc::Block& block, const nc::Invocation& invocation, Act act);
+    path::Command& put_spindle(const nc::Block& block);
+    std::uint8_t shown_number() const;
+    void select_master(const nc::Block& block, const nc::Invocation& invocation);
+    void act_on_spindle(const nc::Block& block, const nc::Invocation& invocation);
+    void update_other_spindles(const nc::Block& block);
+    void dwell_by_spindle(const nc::Block& block, const nc::Invocation& invocation);
     void stop_spindle_and_coolant(const nc::Block& block, const Actions& actions);
     void set_coolant(const nc::Block& block, path::CoolantMode mode);
     void set_length_source(Tool::Source source, Actions& actions);
@@ -722,7 +735,9 @@ class Executor {
         std::int64_t work_offset;
     };
     std::vector<KeptFrames> kept_frames_;  // of programs that go back to them
-    Spindle spindle_;
+    Spindle spindle_;                      // the master
+    std::vector<Spindle> other_spindles_;  // of machines with several
+    bool is_master_away_ = false;          // another spindle has its place for a moment
     Tool tool_;
     ExtraTool extra_;
     WorkArea area_;

@@ -56,6 +56,9 @@ ControlState::Write Interpreter::set_text(nc::Quantity quantity, std::int64_t in
 std::optional<std::int64_t> Interpreter::axis_number(Axis axis) const {
     return state_->executor.axis_number(axis);
 }
+bool Interpreter::has_spindle(std::int64_t number) const {
+    return state_->executor.has_spindle(number);
+}
 double Interpreter::word_factor(std::int64_t axis) const {
     return state_->executor.word_factor(axis);
 }

@@ -51,7 +51,7 @@ const XmlShape& machine_shape() {
           "orientation_tolerance",
           "compressor_tolerance"},
          {"axis", "tool", "offset", "spindle_drive", "feed_drive", "cutting", "laser", "function",
-          "scanner", "kinematics", "pipeline"}},
+          "scanner", "spindle", "kinematics", "pipeline"}},
         {"axis",
          {{"name", Filled},
           "limits",
@@ -75,6 +75,7 @@ const XmlShape& machine_shape() {
          {}},
         {"feed_drive", {{"gain", Filled}, {"time_constant", Filled}, "feed_forward"}, {}},
         {"cutting", {{"force", Filled}}, {}},
+        {"spindle", {{"number", Filled}, "max_speed", "orient_time"}, {}},
         {"function", {{"code", Filled}, {"takes", Filled}, "acts", "waits"}, {}},
         {"pipeline", {"ahead"}, {"serve", "translate", "interpolate", "output"}},
         {"serve", {{"command", Filled}, {"by", Filled}}, {}},
@@ -197,6 +198,7 @@ class MachineBuilder {
         if (child.name == "axis") read_axis(child);
         if (child.name == "tool") read_tool(child);
         if (child.name == "offset") read_offset(child);
+        if (child.name == "spindle") read_spindle(child);
         if (child.name == "spindle_drive") read_spindle_drive(child);
         if (child.name == "feed_drive") read_feed_drive(child);
         if (child.name == "cutting") read_cutting(child);
@@ -381,6 +383,22 @@ class MachineBuilder {
             const XmlAttribute* name = child.name == "axis" ? child.find("name") : nullptr;
             return name != nullptr && name->value == kAxisNames[index(axis)];
         });
+    }
+
+    void read_spindle(const XmlElement& element) {
+        const ElementReader reader(element, sink_);
+        if (!reader.has("number")) return;
+        const auto number = reader.whole("number", 2, kMostSpindles);
+        MachineSpindle spindle;
+        spindle.max_speed = reader.positive("max_speed", Dimension::AngularVelocity).value_or(0) /
+                            (2 * std::numbers::pi);
+        spindle.orient_time = reader.magnitude("orient_time", Dimension::Time).value_or(0);
+        if (!number ||
+            !described_.is_first("spindle " + std::to_string(*number), reader.place("number")))
+            return;
+        spindle.number = *number;
+        machine_.spindles.push_back(spindle);
+        std::ranges::sort(machine_.spindles, {}, &MachineSpindle::number);
     }
 
     // Values that are wrong have been reported; 1 stands for them until the file is refused.

@@ -305,8 +305,9 @@ class Lexer {
         const std::size_t begin = at_;
         const char letter = peek();
         ++at_;
+        if (take_spindle(begin)) return;
         if (is_digit(peek()) && take_extended(begin)) return;
-        if (take_spindle(begin) || take_code_of_group(begin)) return;
+        if (take_code_of_group(begin)) return;
         const AddressId address = tables_.letters[static_cast<unsigned char>(letter) & 127u];
         if (address == kNoAddress) {
             if (take_passed(begin)) return;
@@ -334,8 +335,9 @@ class Lexer {
         if (peek() == '=') fail_assigned(begin, "an address with a number of its own");
     }
 
-    /// `S1=500`, `M1=3`, `SPOS[1]=90`: a word of the only spindle that there is; `at_` is behind
-    /// the letters that begin at `begin`.
+    /// `S1=500`, `M1=3`, `SPOS[1]=90`: a word of the first spindle, which is the master unless the
+    /// program says otherwise; `at_` is behind the letters that begin at `begin`. What the dialect
+    /// declares for other spindles are addresses of their own.
     bool take_spindle(std::size_t begin) {
         const bool has_index = peek() == '[';
         if ((!has_index && !is_digit(peek())) || rules_.spindle_words.empty()) return false;
@@ -354,13 +356,28 @@ class Lexer {
         const std::size_t sign = std::min(line_.find_first_not_of(" \t", end), line_.size());
         if (number.empty() || sign == line_.size() || line_[sign] != '=') return false;
         if (number != "1") {
+            if (is_declared(name, number, has_index)) return false;
+            if (is_declared(name, "2", has_index)) {
+                fail(diag::SpindleMissing, begin, end, {std::string(number)});
+                return true;
+            }
             fail(diag::IsoNotSupported, begin, end,
                  {"`" + std::string(line_.substr(begin, end - begin)) + "` (another spindle)"});
             return true;
         }
         at_ = sign;
+        const std::size_t word = out_.words.size();
         take_assigned(tables_.find_address(name), begin);
+        if (word < out_.words.size()) out_.words[word].names_first = true;
         return true;
+    }
+
+    bool is_declared(const std::string& name, std::string_view number, bool has_index) const {
+        std::string whole = name;
+        if (has_index) whole += '[';
+        whole += number;
+        if (has_index) whole += ']';
+        return tables_.find_address(whole) != kNoAddress;
     }
 
     /// `G[6]=2`: a code by its place in the list of its group; `at_` is behind the letter.
@@ -643,7 +660,7 @@ class Lexer {
         }
         const std::size_t next = at_;
         at_ = end;
-        if (take_spindle(begin)) return;
+        if (take_spindle(begin) || (peek() == '[' && take_indexed(begin))) return;
         at_ = next;
         const Address& head = tables_.addresses[address];
         if (head.kind == Address::Kind::Call && peek() == '(') return take_call(address, begin);
@@ -688,8 +705,8 @@ class Lexer {
         return true;
     }
 
-    /// Whether the word, which names an axis between brackets (`ACC[X]=50`), names none here: it was
-    /// refused then. That of a spindle may be passed over. `at_` is behind its letters.
+    /// Whether the word, which names an axis between brackets (`ACC[X]=50`), names none here: it
+    /// was refused then. That of a spindle may be passed over. `at_` is behind its letters.
     bool fail_at_axis(std::size_t begin) {
         const std::size_t end = at_;
         const std::string name = upper_ascii(line_.substr(begin, end - begin));
