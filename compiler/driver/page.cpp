@@ -131,9 +131,12 @@ std::string tools_json(const PageTrace& trace) {
         const auto tool = std::ranges::find_if(known, [&](const machine::ToolData& data) {
             return std::abs(data.length - offset.norm()) < kSameLength;
         });
+        const bool is_known = tool != known.end();
+        const machine::ToolData* const named =
+            is_known ? trace.machine().find_tool(tool->number) : nullptr;
         put(tools, R"({}{{"offset":{},"radius":{},"name":{}}})", tools.empty() ? "" : ",",
-            vector_text(offset), tool == known.end() ? "null" : number(tool->radius),
-            json_string(tool == known.end() ? std::string() : tool->name));
+            vector_text(offset), is_known ? number(tool->radius) : "null",
+            json_string(named == nullptr ? std::string() : named->name));
     }
     return tools;
 }

@@ -1,6 +1,7 @@
 #include "driver/trace.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -118,6 +119,25 @@ std::vector<ModalEntry> modal_entries(const interp::Snapshot& now) {
         {"tool", "tool", count_text(now.tool)},
         {"selected_tool", "T", count_text(now.selected_tool)},
     };
+    // Of machines with several spindles: all of them by their numbers.
+    struct Names {
+        std::string_view mode;
+        std::string_view mode_label;
+        std::string_view speed;
+        std::string_view speed_label;
+    };
+    static constexpr std::array<Names, machine::kMostSpindles> kNames = {
+        {{"spindle_1", "spindle 1", "speed_1", "S1"},
+         {"spindle_2", "spindle 2", "speed_2", "S2"},
+         {"spindle_3", "spindle 3", "speed_3", "S3"},
+         {"spindle_4", "spindle 4", "speed_4", "S4"}}};
+    if (now.master_spindle != 0)
+        out.push_back({"master_spindle", "master", count_text(now.master_spindle)});
+    for (const auto& spindle : now.spindles) {
+        const Names& names = kNames.at(static_cast<std::size_t>(spindle.number) - 1);
+        out.push_back({names.mode, names.mode_label, std::string(spindle_word(spindle.mode))});
+        out.push_back({names.speed, names.speed_label, json_number(spindle.speed)});
+    }
     // Where D calls an edge of the tool there are no numbers of offsets.
     if (now.edge) {
         out.push_back({"edge", "D", count_text(*now.edge)});

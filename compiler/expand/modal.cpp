@@ -193,6 +193,7 @@ void ModalState::take(const nc::Block& block, const nc::Invocation& invocation) 
             is_turned = true;
             return;
         case Function::TcpOn:
+        case Function::TcpBased:
         case Function::TcpOff:
         case Function::TcpLength:
         case Function::TcpVector:  // the tip in the workpiece has other coordinates than the axes

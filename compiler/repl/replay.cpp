@@ -139,6 +139,10 @@ std::string command_text(const path::Command& command) {
             if (command.spindle == path::SpindleMode::Stop) return "spindle stops";
             return fmt::format("spindle {:g} {}", command.speed,
                                command.cutting_speed ? "m/min" : "rpm");
+        case Op::OtherSpindle:
+            if (command.spindle == path::SpindleMode::Stop)
+                return fmt::format("spindle {} stops", command.spindle_number);
+            return fmt::format("spindle {}: {:g} rpm", command.spindle_number, command.speed);
         case Op::SpeedLimit: return fmt::format("spindle at most {:g} rpm", command.speed);
         case Op::Tool: return fmt::format("tool {}", command.tool);
         case Op::ToolLength: return fmt::format("tool length {:g} mm", command.length);

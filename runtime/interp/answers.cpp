@@ -204,18 +204,25 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::ActiveAdditionalOffset:
             return number(std::max<std::int64_t>(0, work_offset_ - 6));
         case Quantity::Feed: return modal_.has_feed ? modal_.feed : 0;
-        case Quantity::Speed:
-            if (first > 1) return std::nullopt;  // of another spindle
-            return spindle_.has_cutting_speed ? spindle_.cutting_speed : spindle_.speed;
-        case Quantity::SpindleDirection:
-            if (first > 1) return std::nullopt;
-            switch (spindle_.mode) {
+        case Quantity::MasterSpindle: return number(spindle_.number);
+        case Quantity::SpindleCount:
+            return number(static_cast<std::int64_t>(other_spindles_.size()) + 1);
+        case Quantity::Speed: {
+            const Spindle* const spindle = spindle_at(first);
+            if (spindle == nullptr) return std::nullopt;
+            return spindle->has_cutting_speed ? spindle->cutting_speed : spindle->speed;
+        }
+        case Quantity::SpindleDirection: {
+            const Spindle* const spindle = spindle_at(first);
+            if (spindle == nullptr) return std::nullopt;
+            switch (spindle->mode) {
                 case path::SpindleMode::Cw: return 3;
                 case path::SpindleMode::Ccw: return 4;
                 case path::SpindleMode::Stop: return 5;
                 case path::SpindleMode::Orient: return 19;
             }
             return std::nullopt;
+        }
         case Quantity::Tool: return number(tool_.current);
         case Quantity::SelectedTool: return number(tool_.selected);
         case Quantity::LengthOffset: return number(tool_.offset);
@@ -247,10 +254,12 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         }
         case Quantity::ExtraRadius: return extra_.radius;
         case Quantity::ActualSpeed: {
-            if (first > 1) return std::nullopt;
-            const bool is_ccw = spindle_.mode == path::SpindleMode::Ccw;
-            if (!is_ccw && spindle_.mode != path::SpindleMode::Cw) return 0;
-            const double speed = spindle_.has_cutting_speed ? turning_speed() : spindle_.told.speed;
+            const Spindle* const spindle = spindle_at(first);
+            if (spindle == nullptr) return std::nullopt;
+            const bool is_ccw = spindle->mode == path::SpindleMode::Ccw;
+            if (!is_ccw && spindle->mode != path::SpindleMode::Cw) return 0;
+            // Only the master has a constant cutting speed.
+            const double speed = spindle->has_cutting_speed ? turning_speed() : spindle->told.speed;
             return is_ccw ? -speed : speed;
         }
         case Quantity::LengthGeometry:
@@ -340,19 +349,15 @@ std::optional<std::string> Executor::text(Quantity quantity, std::int64_t index)
     if (!is_active && quantity != Quantity::ToolNameOf) return std::nullopt;
     const std::int64_t number = is_active ? tool_.current : index;
     if (number == 0) return is_active ? std::optional<std::string>("") : std::nullopt;
-    return name_of_tool(number);
+    return tool_names_.of(number);
 }
 
-/// As the machine's table or the program has named it, else its number.
-std::string Executor::name_of_tool(std::int64_t number) const {
-    const auto known = std::ranges::find(machine_.tools, number, &machine::ToolData::number);
-    if (known != machine_.tools.end() && !known->name.empty()) return known->name;
-    std::int64_t last = 0;
-    for (const machine::ToolData& tool : machine_.tools) last = std::max(last, tool.number);
-    const std::int64_t place = number - last - 1;
-    if (place >= 0 && place < static_cast<std::int64_t>(unlisted_tools_.size()))
-        return unlisted_tools_[static_cast<std::size_t>(place)];
-    return std::to_string(number);
+ControlState::Write Executor::set_text(Quantity quantity, std::int64_t index,
+                                       std::string_view text) {
+    if (quantity != Quantity::ToolNameOf) return ControlState::Write::Refused;
+    if (index < 1 || index > rules_.tool_offsets) return ControlState::Write::NoPlace;
+    tool_names_.set(index, text);
+    return ControlState::Write::Done;
 }
 
 std::optional<std::int64_t> Executor::axis_number(Axis axis) const {

@@ -34,6 +34,14 @@ inline std::string_view slot_word(nc::Slot slot) {
     }
 }
 
+/// The sense of a spindle by the number of its M function: 3, 4; else it stands.
+inline nc::Function sense_by_code(std::int64_t code) {
+    constexpr std::int64_t kCw = 3;
+    constexpr std::int64_t kCcw = 4;
+    if (code == kCw) return nc::Function::SpindleCw;
+    return code == kCcw ? nc::Function::SpindleCcw : nc::Function::SpindleStop;
+}
+
 inline bool is_running(path::SpindleMode mode) {
     return mode == path::SpindleMode::Cw || mode == path::SpindleMode::Ccw;
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "interp/control_frame.h"
 #include "nc/language.h"
@@ -37,8 +38,12 @@ class ControlState {
                             bool acts_at_once) = 0;
     /// A quantity that is a text; nothing: as above.
     virtual std::optional<std::string> text(nc::Quantity quantity, std::int64_t index) = 0;
+    /// Sets it.
+    virtual Write set_text(nc::Quantity quantity, std::int64_t index, std::string_view text) = 0;
     /// Which of the machine's axes it is, counted from 1; nothing: the machine has none such.
     virtual std::optional<std::int64_t> axis_number(Axis axis) const = 0;
+    /// Whether the machine has a spindle with this number; 0 is the master.
+    virtual bool has_spindle(std::int64_t number) const = 0;
     /// Whether the axis of an index is a length, and how many times the programmed value it is (2
     /// where X is a diameter).
     virtual bool is_length(std::int64_t axis) const = 0;

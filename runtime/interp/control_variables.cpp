@@ -301,6 +301,10 @@ bool ControlVariables::has_program(std::string_view name) {
     return is_program_ && is_program_(name);
 }
 
+bool ControlVariables::has_spindle(std::int64_t number) const {
+    return state_ == nullptr ? number <= 1 : state_->has_spindle(number);
+}
+
 bool ControlVariables::set_element(const nc::Symbol& symbol, std::uint32_t element, double value) {
     return store_element(symbol, symbol.slot + element, Value::real(value), {}).row == nullptr;
 }
@@ -643,6 +647,8 @@ ControlVariables::Fault ControlVariables::store(const Instruction& target,
                     return {&diag::TypesDiffer, {"a frame", std::string(kind_name(value))}};
                 return store_frame(quantity, indices[0], *content.frame);
             }
+            if (target.type == nc::ValueType::Text)
+                return store_text(quantity, indices[0], value, text);
             return store_system(quantity, {indices[0], indices[1]}, value);
         }
         case Instruction::Kind::SystemPart:
@@ -697,9 +703,7 @@ ControlVariables::Fault ControlVariables::store_element(const nc::Symbol& symbol
         change(store, slot, &symbol, [&] { store.values[slot] = converted; });
         return {};
     }
-    std::string written(text);
-    if (value.kind == Value::Kind::Char) written = {static_cast<char>(value.number)};
-    if (value.kind == Value::Kind::Bool) written = value.number != 0 ? "1" : "0";
+    const std::string written = written_text(value, text);
     if (written.size() > symbol.text_size) {
         return {&diag::TextTooLong,
                 {std::to_string(written.size()), std::to_string(symbol.text_size)}};

@@ -55,6 +55,7 @@ class ControlVariables final : public Variables {
     bool has_name(std::string_view name) const override { return type_of(name).has_value(); }
     std::optional<nc::ValueType> type_of(std::string_view name) const override;
     bool has_program(std::string_view name) override;
+    bool has_spindle(std::int64_t number) const override;
     std::string word_of(nc::Operation operation) const override;
     bool set_element(const nc::Symbol& symbol, std::uint32_t element, double value) override;
 
@@ -120,6 +121,9 @@ class ControlVariables final : public Variables {
     Fault store_family(std::uint32_t form, std::int64_t number, const Value& value);
     Fault store_system(nc::Quantity quantity, const Indices& indices, const Value& value);
     Fault store_frame(nc::Quantity quantity, std::int64_t number, const ControlFrame& frame);
+    Fault store_text(nc::Quantity quantity, std::int64_t index, const Value& value,
+                     std::string_view text);  // control_texts.cpp
+    static std::string written_text(const Value& value, std::string_view text);
     Fault store_part(const nc::Instruction& target, std::span<const std::int64_t> indices,
                      const Value& value);
     std::string written(const ControlFrame& frame) const;

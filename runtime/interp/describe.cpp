@@ -1,4 +1,6 @@
 // The modal state in words, for the prompt and for traces.
+#include <array>
+
 #include "base/numbers.h"
 #include "interp/executor.h"
 
@@ -31,6 +33,21 @@ std::string_view spindle_name(path::SpindleMode mode) {
         case path::SpindleMode::Orient: return "oriented";
     }
     return "";
+}
+
+/// By their numbers.
+constexpr std::array<std::string_view, machine::kMostSpindles + 1> kSpindles = {
+    "", "spindle 1", "spindle 2", "spindle 3", "spindle 4"};
+
+std::string spindle_text(const Spindle& spindle) {
+    std::string text(spindle_name(spindle.mode));
+    if (spindle.has_cutting_speed) {
+        text += ", " + number(spindle.cutting_speed) + " m/min";
+        if (spindle.limit > 0) text += ", at most " + number(spindle.limit) + " rpm";
+    } else if (spindle.speed > 0) {
+        text += ", " + number(spindle.speed) + " rpm";
+    }
+    return text;
 }
 
 std::string_view coolant_name(path::CoolantMode mode) {
@@ -75,14 +92,10 @@ std::vector<StateItem> Executor::state() const {
     add("distances", modal_.is_incremental ? "incremental" : "absolute");
     add("feed", feed_text(modal_));
     add("corners", corners_text(modal_, blending(path::Op::Line)));
-    std::string spindle(spindle_name(spindle_.mode));
-    if (spindle_.has_cutting_speed) {
-        spindle += ", " + number(spindle_.cutting_speed) + " m/min";
-        if (spindle_.limit > 0) spindle += ", at most " + number(spindle_.limit) + " rpm";
-    } else if (spindle_.speed > 0) {
-        spindle += ", " + number(spindle_.speed) + " rpm";
-    }
-    add("spindle", std::move(spindle));
+    add("spindle", spindle_text(spindle_));
+    if (!other_spindles_.empty()) add("master spindle", std::to_string(spindle_.number));
+    for (const Spindle& other : other_spindles_)
+        add(kSpindles.at(static_cast<std::size_t>(other.number)), spindle_text(other));
     add("coolant", std::string(coolant_name(coolant_)));
     add("tool", tool_.current == 0 ? "none" : std::to_string(tool_.current));
     std::string lengths =

@@ -10,6 +10,7 @@
 #include "base/numbers.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "machine/machine.h"
 
 namespace kadr::interp {
 
@@ -570,8 +571,11 @@ bool Evaluator::axis_function(Operation operation, Value* a) {
         case Operation::SpindleAxis: {
             const double number = a->number;
             if (!a->is_number()) return fail(diag::IndexType, {std::string(kind_name(*a))});
-            if (number != 0 && number != 1) return fail(diag::SpindleMissing, {shown(number)});
-            *a = Value::spindle_of(1);
+            const bool is_there = number == std::floor(number) && number >= 0 &&
+                                  number <= machine::kMostSpindles &&
+                                  variables_.has_spindle(static_cast<std::int64_t>(number));
+            if (!is_there) return fail(diag::SpindleMissing, {shown(number)});
+            *a = Value::spindle_of(number == 0 ? 1 : number);
             return true;
         }
         case Operation::SpindleNumber:

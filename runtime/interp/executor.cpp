@@ -1,13 +1,16 @@
 // executor.cpp — block after block: its functions, its motion, and the commands that come of it.
 #include "interp/executor.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <utility>
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
+#include "base/text.h"
 #include "base/units.h"
+#include "nc/tables.h"
 
 namespace kadr::interp {
 
@@ -34,6 +37,7 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
       machine_(machine),
       is_lathe_(machine.is_lathe || dialect.is_of_lathe()),
       tool_offsets_(machine, is_lathe_),
+      tool_names_(machine),
       places_(places),
       cycles_(cycles),
       options_(options),
@@ -66,6 +70,7 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
         modal_.set(dialect.power_on(group));
     }
     returns_to_retract_ = dialect.power_on(Group::CycleReturn) == Function::CycleReturnRetract;
+    set_up_spindles();
     for (const AxisValues& offset : machine.work_offsets)
         work_offsets_.push_back({.shift = offset});
     work_offset_ = rules_.default_work_offset;
@@ -320,7 +325,41 @@ std::string characters(std::string_view text, std::size_t first, std::size_t cou
     return found;
 }
 
+/// Where an argument stands in a call, `TRAORI(1,0,0,1)`: bytes. All of the call if it has no such
+/// argument.
+std::string_view argument_in(std::string_view call, std::size_t argument) {
+    std::size_t begin = call.find('(');
+    int depth = 0;
+    for (std::size_t at = begin; at < call.size(); ++at) {
+        if (call[at] == '(') ++depth;
+        if (call[at] == ')') --depth;
+        const bool ends = (call[at] == ',' && depth == 1) || depth == 0;
+        if (!ends) continue;
+        if (argument == 0) {
+            while (begin + 1 < at && call[begin + 1] == ' ') ++begin;
+            while (at > begin + 2 && call[at - 1] == ' ') --at;
+            return call.substr(begin + 1, at - begin - 1);
+        }
+        begin = at;
+        --argument;
+    }
+    return call;
+}
+
 }  // namespace
+
+DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block, Function function,
+                                   std::size_t argument) {
+    if (places_ == nullptr || cycle_blocks_) return report(row, block);
+    LinePlace place = places_->place(block, function);
+    const std::string call = characters(place.text, place.column - 1, place.length);
+    const std::string_view said = argument_in(call, argument);
+    const auto before = static_cast<std::size_t>(said.data() - call.data());
+    place.column +=
+        static_cast<std::uint32_t>(count_code_points(std::string_view(call).substr(0, before)));
+    place.length = static_cast<std::uint32_t>(std::max<std::size_t>(1, count_code_points(said)));
+    return note_calls(report(row, std::move(place)), block);
+}
 
 std::string Executor::word_of(const Block& block, Function function) const {
     const std::string name(nc::info(function).name);
@@ -329,6 +368,15 @@ std::string Executor::word_of(const Block& block, Function function) const {
     const LinePlace place = places_->place(block, function);
     const std::string word = characters(place.text, place.column - 1, place.length);
     return word.empty() ? name : word;
+}
+
+std::string Executor::spelling_of(Function function) const {
+    const nc::DialectTables& tables = dialect_.tables();
+    for (const nc::FormId id : tables.forms_of[static_cast<std::size_t>(function)]) {
+        const nc::Form& form = tables.forms[id];
+        if (form.is_read && form.unsupported.empty()) return form.words[0].text;
+    }
+    return std::string(nc::info(function).name);
 }
 
 /// Adds where the program of the block was called.

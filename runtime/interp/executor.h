@@ -9,8 +9,8 @@
 // (soft approaches and retracts), smoothing.cpp (rounded corners, compressed lines), cycles.cpp
 // (machining cycles), patterns.cpp (places at which a cycle is called), shapes.cpp (cycles along a
 // shape that stands in the program), splines.cpp, through_splines.cpp, polynomials.cpp,
-// involutes.cpp and curves.cpp (other curves), arc_threads.cpp (threads along arcs), rare_words.cpp
-// and data_input.cpp (rarer words).
+// involutes.cpp and curves.cpp (other curves), arc_threads.cpp (threads along arcs),
+// numbered_spindles.cpp (several spindles), rare_words.cpp and data_input.cpp (rarer words).
 #pragma once
 
 #include <array>
@@ -33,6 +33,7 @@
 #include "interp/soft_approach.h"
 #include "interp/state.h"
 #include "interp/through_run.h"
+#include "interp/tool_names.h"
 #include "interp/tool_offsets.h"
 #include "interp/work_area.h"
 #include "machine/orientation.h"
@@ -79,7 +80,7 @@ struct Actions {
     const nc::Invocation* orient = nullptr;
     const nc::Invocation* orient_reset = nullptr;
     const nc::Invocation* align = nullptr;  // the rotary axes stand to the tilted plane
-    const nc::Invocation* dwell = nullptr;
+    const nc::Invocation* dwell = nullptr;  // Dwell or SpindleDwell
     const nc::Invocation* message = nullptr;
     const nc::Invocation* limit = nullptr;
     const nc::Invocation* data = nullptr;  // WorkOffsetData or ToolOffsetData
@@ -173,7 +174,9 @@ class Executor {
                                   const ControlFrame& frame, bool acts_at_once);  // offsets.cpp
     bool is_length(std::int64_t axis) const;
     std::optional<std::string> text(nc::Quantity quantity, std::int64_t index);
+    ControlState::Write set_text(nc::Quantity quantity, std::int64_t index, std::string_view text);
     std::optional<std::int64_t> axis_number(Axis axis) const;
+    bool has_spindle(std::int64_t number) const;  // numbered_spindles.cpp; 0 is the master
     double word_factor(std::int64_t axis) const;
     bool is_compensated() const { return is_any_comp_on() || soft_approach_.is_active(); }
     bool is_at_place() const;
@@ -232,8 +235,8 @@ class Executor {
     void set_feed(const nc::Block& block);
     void program_speed(const nc::Block& block);
     void leave_cutting_speed();
-    void set_speed_limit(const nc::Block& block, const nc::Invocation& invocation);
-    void set_speed_bound(const nc::Block& block, const nc::Invocation& invocation);
+    void limit_speed(const nc::Block& block, nc::Function function, double limit);
+    void bound_speed(const nc::Block& block, nc::Function function, bool is_upper, double bound);
     void tell_speed_limit(const nc::Block& block, double before);
     double highest_speed() const;
     double bounded_speed(const nc::Block& block);
@@ -241,14 +244,25 @@ class Executor {
     void set_area_limit(const nc::Block& block, const nc::Invocation& invocation);
     void update_spindle(const nc::Block& block);
     void orient_spindle(const nc::Block& block, const nc::Invocation& invocation);
+    void stand_spindle(const nc::Block& block, nc::Function function, double angle, bool is_by);
+    // numbered_spindles.cpp
+    void set_up_spindles();
+    const Spindle* spindle_at(std::int64_t number) const;
+    template <typename Act>
+    void with_spindle(const nc::Block& block, const nc::Invocation& invocation, Act act);
+    path::Command& put_spindle(const nc::Block& block);
+    std::uint8_t shown_number() const;
+    void select_master(const nc::Block& block, const nc::Invocation& invocation);
+    void act_on_spindle(const nc::Block& block, const nc::Invocation& invocation);
+    void update_other_spindles(const nc::Block& block);
+    void dwell_by_spindle(const nc::Block& block, const nc::Invocation& invocation);
     void stop_spindle_and_coolant(const nc::Block& block, const Actions& actions);
     void set_coolant(const nc::Block& block, path::CoolantMode mode);
     void set_length_source(Tool::Source source, Actions& actions);
     std::int64_t tool_number(const nc::Block& block, const nc::Invocation& invocation);
-    std::int64_t unlisted_tool(const nc::Block& block);
+    std::int64_t named_tool(const nc::Block& block);
     void take_edge(const nc::Block& block);
     void check_edge(const nc::Block& block);
-    std::string name_of_tool(std::int64_t number) const;
     void change_tool(const nc::Block& block);
     void select_work_offset(const nc::Block& block, std::int64_t number);
     void change_plane(nc::Function plane);
@@ -320,6 +334,7 @@ class Executor {
     void arc_along(const nc::Block& block, const Target& target, bool exact_stop);
 
     // orienting.cpp: the machine's transformation
+    bool has_transformation(const nc::Block& block, const nc::Invocation& invocation);
     void switch_transformation(const nc::Block& block, const nc::Invocation& invocation);
     std::array<std::size_t, 2> joints_in_order() const;
     bool lacks_axis_for_direction(const nc::Block& block);
@@ -667,9 +682,15 @@ class Executor {
     DiagnosticBuilder report(const DiagnosticRow& row, const nc::Block& block, nc::Slot slot);
     DiagnosticBuilder report(const DiagnosticRow& row, const nc::Block& block,
                              nc::Function function);
+    /// … or at an argument of the call that said it.
+    DiagnosticBuilder report(const DiagnosticRow& row, const nc::Block& block,
+                             nc::Function function, std::size_t argument);
     DiagnosticBuilder report(const DiagnosticRow& row, LinePlace place);
     /// A function as the text of the block says it; by the vocabulary where no text does.
     std::string word_of(const nc::Block& block, nc::Function function) const;
+    /// A function as the control spells it, whether a block has said it or not; by the vocabulary
+    /// where the control has no word for it.
+    std::string spelling_of(nc::Function function) const;
     DiagnosticBuilder note_calls(DiagnosticBuilder builder, const nc::Block& block) const;
     /// The block in the text that is being executed: `block`, or the one that called the cycle.
     const nc::Block& origin(const nc::Block& block) const;
@@ -680,6 +701,7 @@ class Executor {
     std::int64_t work_offset_ = 0;            // that acts
     const bool is_lathe_;                     // the machine is one, or the control is a lathe's
     ToolOffsets tool_offsets_;
+    ToolNames tool_names_;
     const nc::BlockPlaces* places_;
     CycleExpander* cycles_;
     InterpreterOptions options_;
@@ -713,7 +735,9 @@ class Executor {
         std::int64_t work_offset;
     };
     std::vector<KeptFrames> kept_frames_;  // of programs that go back to them
-    Spindle spindle_;
+    Spindle spindle_;                      // the master
+    std::vector<Spindle> other_spindles_;  // of machines with several
+    bool is_master_away_ = false;          // another spindle has its place for a moment
     Tool tool_;
     ExtraTool extra_;
     WorkArea area_;
@@ -758,7 +782,7 @@ class Executor {
     std::vector<std::int64_t> unknown_tools_;  // each is reported once
     std::vector<std::int64_t> unknown_edges_;  // that were told
     bool owes_speed_ = false;  // the motion side was not told of a new speed of the spindle
-    std::vector<std::string> unlisted_tools_;  // names of tools that the table does not have
+    std::vector<std::string> shared_names_;  // of tools, that were told
     std::vector<std::int64_t> unknown_radii_;
     std::vector<std::int64_t> known_machine_functions_;  // so are these
     std::optional<SplineRun> spline_;                    // that is being read

@@ -50,17 +50,16 @@ void Executor::leave_cutting_speed() {
 /// limit.
 double Executor::turning_speed() const {
     const double diameter = 2 * std::abs(position_.here[index(Axis::X)]);
-    double highest = machine_.max_speed > 0 ? rpm_from_speed(machine_.max_speed)
-                                            : std::numeric_limits<double>::infinity();
+    const double most = machine_.max_speed_of(spindle_.number);
+    double highest = most > 0 ? rpm_from_speed(most) : std::numeric_limits<double>::infinity();
     if (highest_speed() > 0) highest = std::min(highest, highest_speed());
     const double mm_min = 1000 * spindle_.cutting_speed;
     return std::min(mm_min / (std::numbers::pi * diameter), highest);
 }
 
-void Executor::set_speed_limit(const Block& block, const Invocation& invocation) {
-    const double limit = block.argument(invocation, 0);
+void Executor::limit_speed(const Block& block, Function function, double limit) {
     if (!(limit > 0)) {
-        report(diag::SpeedLimitInvalid, block, Function::SpeedLimit).arg(limit);
+        report(diag::SpeedLimitInvalid, block, function).arg(limit);
         return;
     }
     const double before = highest_speed();
@@ -76,14 +75,13 @@ double Executor::highest_speed() const {
 
 void Executor::tell_speed_limit(const Block& block, double before) {
     const double now = highest_speed();
-    if (now != before) put(Op::SpeedLimit, block).speed = now;
+    // Of another spindle it matters when that is the master.
+    if (now != before && !is_master_away_) put(Op::SpeedLimit, block).speed = now;
 }
 
-void Executor::set_speed_bound(const Block& block, const Invocation& invocation) {
-    const bool is_upper = count_of(block, invocation) != 0;
-    const double bound = block.argument(invocation, 1);
+void Executor::bound_speed(const Block& block, Function function, bool is_upper, double bound) {
     if (bound < 0 || (is_upper && bound == 0)) {
-        report(diag::SpeedLimitInvalid, block, invocation.function).arg(bound);
+        report(diag::SpeedLimitInvalid, block, function).arg(bound);
         return;
     }
     const double before = highest_speed();
@@ -125,7 +123,7 @@ void Executor::update_spindle(const Block& block) {
     if (now == spindle_.told) return;
     if (runs && !(speed > 0)) report(diag::SpindleWithoutSpeed, block);
     spindle_.told = now;
-    Command& command = put(Op::Spindle, block);
+    Command& command = put_spindle(block);
     command.spindle = now.mode;
     command.speed = now.speed;
     command.cutting_speed = now.has_cutting_speed;
@@ -134,19 +132,24 @@ void Executor::update_spindle(const Block& block) {
 
 void Executor::orient_spindle(const Block& block, const Invocation& invocation) {
     constexpr std::size_t kBy = 1;
-    double angle = block.argument(invocation, 0);
-    if ((invocation.given >> kBy & 1u) != 0) {
+    const bool is_by = (invocation.given >> kBy & 1u) != 0;
+    stand_spindle(block, invocation.function, block.argument(invocation, is_by ? kBy : 0), is_by);
+}
+
+/// is_by  the angle counts from where the spindle stands
+void Executor::stand_spindle(const Block& block, Function function, double angle, bool is_by) {
+    if (is_by) {
         if (spindle_.mode != SpindleMode::Orient) {
-            report(diag::SpindleAngleUnknown, block, invocation.function);
+            report(diag::SpindleAngleUnknown, block, function);
             return;
         }
-        angle = std::fmod(spindle_.angle_deg + block.argument(invocation, kBy), 360);
+        angle = std::fmod(spindle_.angle_deg + angle, 360);
         if (angle < 0) angle += 360;
     }
     spindle_.angle_deg = angle;
     spindle_.mode = SpindleMode::Orient;
     spindle_.told = {SpindleMode::Orient, 0, false};
-    Command& command = put(Op::Spindle, block);
+    Command& command = put_spindle(block);
     command.spindle = SpindleMode::Orient;
     command.speed = 0;
     command.cutting_speed = false;

@@ -247,7 +247,10 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::AreaLimit: set_area_limit(block, invocation); break;
         case Function::AreaOn:
         case Function::AreaOff: area_.switch_on(invocation.function == Function::AreaOn); break;
-        case Function::SpeedBound: set_speed_bound(block, invocation); break;
+        case Function::SpeedBound:
+            bound_speed(block, invocation.function, count_of(block, invocation) != 0,
+                        block.argument(invocation, 1));
+            break;
         case Function::CompPause:
         case Function::CompResume:
             if (comp_.side != Function::RadiusCompOff && !keeps_shape()) {
@@ -306,6 +309,9 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             set_length_source(Tool::Source::Edge, actions);
             break;
 
+        case Function::TcpBased:
+            if (!has_transformation(block, invocation)) break;
+            [[fallthrough]];
         case Function::TcpOn:
         case Function::TcpOff:
             end_virtual(block);
@@ -461,11 +467,24 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::SpindleCcw:
         case Function::SpindleStop: actions.spindle = invocation.function; break;
         case Function::SpindleOrient: actions.orient = &invocation; break;
+        case Function::MasterSpindle: select_master(block, invocation); break;
+        case Function::SpindleTurn:
+            // The master stops when M5 alone would stop it.
+            if (std::llround(block.argument(invocation, 0)) == spindle_.number) {
+                actions.spindle = sense_by_code(std::llround(block.argument(invocation, 1)));
+                break;
+            }
+            [[fallthrough]];
+        case Function::SpindleSpeed:
+        case Function::SpindleLimit:
+        case Function::SpindleBound: act_on_spindle(block, invocation); break;
+        case Function::SpindleStand: break;  // which takes its time: before the motion
         case Function::CoolantFlood: actions.flood = true; break;
         case Function::CoolantMist: actions.mist = true; break;
         case Function::CoolantOff: actions.coolant_off = true; break;
 
-        case Function::Dwell: actions.dwell = &invocation; break;
+        case Function::Dwell:
+        case Function::SpindleDwell: actions.dwell = &invocation; break;
         case Function::Stop:
         case Function::OptionalStop: actions.stop = invocation.function; break;
         case Function::End:
@@ -510,7 +529,8 @@ void Executor::act_before_motion(const Block& block, const Actions& actions) {
         send_comp({CompChange::Kind::KeepVector, {}, modal_.plane, 0, position_.base, {}, {}});
     if (actions.comp_corner != nullptr) round_comp_corner(block, *actions.comp_corner);
     if (ended_) return;
-    if (actions.limit != nullptr) set_speed_limit(block, *actions.limit);
+    if (actions.limit != nullptr)
+        limit_speed(block, Function::SpeedLimit, block.argument(*actions.limit, 0));
     if (block.has(Slot::Speed)) program_speed(block);
     if (spindle_.has_cutting_speed && !(spindle_.cutting_speed > 0) &&
         block.find(Function::CuttingSpeedOn) != nullptr) {
@@ -524,11 +544,17 @@ void Executor::act_before_motion(const Block& block, const Actions& actions) {
     if (!rules_.stops_after_motion) stop_spindle_and_coolant(block, actions);
     update_spindle(block);
     if (actions.orient != nullptr) orient_spindle(block, *actions.orient);
+    if (!other_spindles_.empty() || block.find(Function::SpindleStand) != nullptr)
+        update_other_spindles(block);
+    if (ended_) return;
     if (actions.flood) set_coolant(block, path::CoolantMode::Flood);
     if (actions.mist) set_coolant(block, path::CoolantMode::Mist);
     issue_functions(block, actions, Side::Before);
     if (actions.message != nullptr) put(Op::Message, block).text = block.text;
-    if (actions.dwell != nullptr) dwell(block, *actions.dwell);
+    if (actions.dwell != nullptr) {
+        const bool is_numbered = actions.dwell->function == Function::SpindleDwell;
+        is_numbered ? dwell_by_spindle(block, *actions.dwell) : dwell(block, *actions.dwell);
+    }
     if (actions.align != nullptr && !ended_) align(block, *actions.align);
 }
 

@@ -49,8 +49,15 @@ void Interpreter::restore_frames(bool is_wanted) { state_->executor.restore_fram
 std::optional<std::string> Interpreter::text(nc::Quantity quantity, std::int64_t index) {
     return state_->executor.text(quantity, index);
 }
+ControlState::Write Interpreter::set_text(nc::Quantity quantity, std::int64_t index,
+                                          std::string_view text) {
+    return state_->executor.set_text(quantity, index, text);
+}
 std::optional<std::int64_t> Interpreter::axis_number(Axis axis) const {
     return state_->executor.axis_number(axis);
+}
+bool Interpreter::has_spindle(std::int64_t number) const {
+    return state_->executor.has_spindle(number);
 }
 double Interpreter::word_factor(std::int64_t axis) const {
     return state_->executor.word_factor(axis);

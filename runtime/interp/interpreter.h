@@ -110,7 +110,9 @@ class Interpreter final : public Stream<path::Command>, public ControlState {
                     bool acts_at_once) override;
     bool is_length(std::int64_t axis) const override;
     std::optional<std::string> text(nc::Quantity quantity, std::int64_t index) override;
+    Write set_text(nc::Quantity quantity, std::int64_t index, std::string_view text) override;
     std::optional<std::int64_t> axis_number(Axis axis) const override;
+    bool has_spindle(std::int64_t number) const override;
     double word_factor(std::int64_t axis) const override;
     bool is_compensated() const override;
     bool is_at_place() const override;

@@ -257,6 +257,7 @@ void append_smoothing(std::string& out, const Command& command) {
 }
 
 void append_spindle(std::string& out, const Command& command) {
+    if (command.spindle_number != 0) append_field(out, "spindle", command.spindle_number);
     append_word(out, "mode", spindle_name(command.spindle));
     switch (command.spindle) {
         case SpindleMode::Stop: break;
@@ -319,7 +320,8 @@ void Listing::append(const Command& command, std::string_view source, std::strin
                 append_field(out, "time", command.time);
             }
             break;
-        case Op::Spindle: append_spindle(out, command); break;
+        case Op::Spindle:
+        case Op::OtherSpindle: append_spindle(out, command); break;
         case Op::SpeedLimit: append_field(out, "speed", command.speed); break;
         case Op::Tool: append_field(out, "tool", static_cast<double>(command.tool)); break;
         case Op::ToolLength:

@@ -34,7 +34,8 @@ std::string with_indices(std::string_view written, std::span<const std::int64_t>
         const bool is_name = !part.empty() && part.find_first_of("0123456789") == part.npos &&
                              part.find(open) == part.npos;
         if (is_number && !is_name) {
-            out += std::to_string(indices[place] % nc::kDatum);
+            // Of a datum of tools the last index is that of the edge as well.
+            out += std::to_string(place == 0 ? indices[place] : indices[place] % nc::kDatum);
         } else {
             out += part;
         }

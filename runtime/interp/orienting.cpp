@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "base/diagnostics/iso.h"
+#include "base/numbers.h"
 #include "base/units.h"
 #include "interp/executor.h"
 #include "interp/linear.h"
@@ -43,6 +44,17 @@ path::Frame table_frame(const Chain& chain, const Vec3& joints) {
     for (Eigen::Index i = 0; i < 3; ++i)
         frame.linear.col(i) = place_of(Vec3::Unit(i)) - frame.shift;
     return frame;
+}
+
+/// `0, 0, 1`
+std::string written_direction(const Vec3& direction) {
+    constexpr int kDecimals = 4;
+    std::string out;
+    for (const double component : direction) {
+        if (!out.empty()) out += ", ";
+        append_shortest(out, round_to(component, kDecimals));
+    }
+    return out;
 }
 
 }  // namespace
@@ -92,9 +104,48 @@ AxisValues Executor::machine_axes_at(const AxisValues& base) const {
     return axes;
 }
 
+/// Whether the transformation that a block asks for by its number and its data is the machine's; it
+/// was reported if not. The tool at base position and the zeros of the rotary axes are the machine
+/// file's, and the axes follow them in the motion too. S 7.1.
+bool Executor::has_transformation(const Block& block, const nc::Invocation& invocation) {
+    constexpr double kSameDirection = 1e-4;  // rad; components are written with four digits
+    constexpr std::size_t kX = 1;
+    constexpr std::size_t kOffsets = 4;
+    if (!machine_.kinematics) return true;  // which is said where it is switched on
+    const Function function = invocation.function;
+    const double number = block.argument(invocation, 0, 1);
+    if (number != 1) {
+        report(diag::TransformationNumber, block, function, 0).arg(number).arg(machine_.name);
+        return false;
+    }
+    const Vec3 said(block.argument(invocation, kX), block.argument(invocation, kX + 1),
+                    block.argument(invocation, kX + 2));
+    if ((invocation.given >> kX & 7u) != 0) {
+        const auto direction = machine::unit_of(said);
+        const Vec3& own = machine_.kinematics->chain.tool_direction;
+        if (!direction) {
+            report(diag::OrientationZero, block, function, kX);
+            return false;
+        }
+        if ((*direction - own).norm() > kSameDirection) {
+            report(diag::BaseDirection, block, function, kX)
+                .arg(written_direction(said))
+                .arg(written_direction(own));
+            return false;
+        }
+    }
+    for (std::size_t i = kOffsets; i < kOffsets + 2; ++i) {
+        const double offset = block.argument(invocation, i);
+        if (offset == 0) continue;
+        report(diag::RotaryOffset, block, function, i).arg(offset);
+        return false;
+    }
+    return true;
+}
+
 /// The axes stay where they are; what changes is the system in which the tip is said. S 7.1.
 void Executor::switch_transformation(const Block& block, const nc::Invocation& invocation) {
-    const bool is_wanted = invocation.function == Function::TcpOn;
+    const bool is_wanted = invocation.function != Function::TcpOff;
     if (is_wanted && !machine_.kinematics) {
         report(diag::NoTransformation, block, invocation.function).arg(machine_.name);
         return;

@@ -48,7 +48,11 @@ void RunClock::add(const path::Command& command) {
         case Op::Spindle:
             spindle_ = command.speed;
             has_cutting_speed_ = command.cutting_speed;
-            if (command.spindle == path::SpindleMode::Orient) seconds_ += machine_.orient_time;
+            most_speed_ = machine_.max_speed_of(command.spindle_number);
+            [[fallthrough]];
+        case Op::OtherSpindle:
+            if (command.spindle == path::SpindleMode::Orient)
+                seconds_ += machine_.orient_time_of(command.spindle_number);
             return;
         case Op::Function: {
             const machine::MachineFunction* known = machine_.find_function(command.code);
@@ -120,7 +124,7 @@ double RunClock::way(const path::Command& command, const AxisValues& to) const {
 double RunClock::speed_at(double x) const {
     if (!has_cutting_speed_) return spindle_;
     const double diameter = 2 * std::abs(x + length_[index(Axis::X)]);
-    const double most = machine_.max_speed > 0 ? rpm_from_speed(machine_.max_speed) : spindle_;
+    const double most = most_speed_ > 0 ? rpm_from_speed(most_speed_) : spindle_;
     return diameter > 0 ? std::min(most, 1000 * spindle_ / (std::numbers::pi * diameter)) : most;
 }
 

@@ -13,7 +13,8 @@ namespace kadr::interp {
 
 class RunClock {
   public:
-    explicit RunClock(const machine::Machine& machine) : machine_(machine) {}
+    explicit RunClock(const machine::Machine& machine)
+        : machine_(machine), most_speed_(machine.max_speed) {}
 
     /// Where the axes stand; mm, deg.
     void start(const AxisValues& at) { at_ = at; }
@@ -39,6 +40,7 @@ class RunClock {
     double cutting_seconds_ = 0;
     double spindle_ = 0;  // rpm, or m/min
     bool has_cutting_speed_ = false;
+    double most_speed_;  // of the master spindle, rev/s; 0: no limit
 };
 
 }  // namespace kadr::interp

@@ -1,5 +1,7 @@
 #include "interp/snapshot.h"
 
+#include <algorithm>
+
 #include "interp/executor.h"
 
 namespace kadr::interp {
@@ -20,6 +22,11 @@ Snapshot Executor::snapshot() const {
     now.spindle = spindle_.mode;
     now.has_cutting_speed = spindle_.has_cutting_speed;
     now.speed = spindle_.has_cutting_speed ? spindle_.cutting_speed : spindle_.speed;
+    now.master_spindle = shown_number();
+    for (const Spindle& other : other_spindles_)
+        now.spindles.push_back({other.number, other.mode, other.speed});
+    if (!now.spindles.empty()) now.spindles.push_back({spindle_.number, now.spindle, now.speed});
+    std::ranges::sort(now.spindles, {}, &Snapshot::NumberedSpindle::number);
     now.tool = tool_.current;
     now.selected_tool = tool_.selected;
     now.length_offset = tool_.source == Tool::Source::Offset ? tool_.offset : 0;

@@ -46,6 +46,7 @@ struct Position {
 };
 
 struct Spindle {
+    std::int64_t number = 1;
     path::SpindleMode mode = path::SpindleMode::Stop;
     double speed = 0;                // rpm
     double cutting_speed = 0;        // m/min; 0: never programmed

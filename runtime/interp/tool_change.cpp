@@ -45,24 +45,26 @@ void Executor::check_edge(const Block& block) {
 
 std::int64_t Executor::tool_number(const Block& block, const Invocation& invocation) {
     if ((invocation.given & 1u) != 0 || block.text.empty()) return count_of(block, invocation);
-    const auto named = std::find_if(machine_.tools.begin(), machine_.tools.end(),
-                                    [&](const auto& tool) { return tool.name == block.text; });
-    if (named != machine_.tools.end()) return named->number;
-    return unlisted_tool(block);
+    return named_tool(block);
 }
 
-/// The number inside the control of a tool by a name that the table does not have: they count on
-/// from the table's, in the order in which the program names them.
-std::int64_t Executor::unlisted_tool(const Block& block) {
-    std::int64_t last = 0;
-    for (const machine::ToolData& tool : machine_.tools) last = std::max(last, tool.number);
-    const auto known = std::find(unlisted_tools_.begin(), unlisted_tools_.end(), block.text);
-    const std::int64_t number = last + 1 + (known - unlisted_tools_.begin());
-    if (known != unlisted_tools_.end()) return number;
-    unlisted_tools_.emplace_back(block.text);
-    unknown_tools_.push_back(number);
-    report(diag::ToolUnknown, block).arg(block.text);
-    return number;
+/// The tool that the block calls by its name. A name that neither the table nor the program has is
+/// a tool of its own.
+std::int64_t Executor::named_tool(const Block& block) {
+    const std::vector<std::int64_t> known = tool_names_.numbers(block.text);
+    if (known.empty()) {
+        const std::int64_t number = tool_names_.invent(block.text, tool_offsets_.last_tool());
+        unknown_tools_.push_back(number);
+        report(diag::ToolUnknown, block).arg(block.text);
+        return number;
+    }
+    const bool is_told =
+        std::find(shared_names_.begin(), shared_names_.end(), block.text) != shared_names_.end();
+    if (known.size() > 1 && !is_told) {
+        shared_names_.push_back(block.text);
+        report(diag::ToolNameShared, block).arg(block.text).arg(known[0]).arg(known[1]);
+    }
+    return known[0];
 }
 
 bool Executor::selects_at_once() const {

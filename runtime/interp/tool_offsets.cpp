@@ -1,5 +1,7 @@
 #include "interp/tool_offsets.h"
 
+#include <algorithm>
+
 namespace kadr::interp {
 
 namespace {
@@ -12,12 +14,18 @@ std::size_t place_of(Column column) { return static_cast<std::size_t>(column); }
 
 ToolOffsets::ToolOffsets(const machine::Machine& machine, bool is_lathe) : is_lathe_(is_lathe) {
     for (const machine::ToolData& tool : machine.tools) {
-        auto& offset = offsets_[tool.number];
+        auto& offset = offsets_[of_edge(tool.number, tool.edge)];
         offset[place_of(is_lathe_ ? Column::Second : Column::First)] = tool.length;
         if (is_lathe_) offset[place_of(Column::First)] = tool.length_x;
         offset[place_of(Column::Radius)] = tool.radius;
         offset[place_of(Column::Tip)] = tool.tip;
     }
+}
+
+std::int64_t ToolOffsets::last_tool() const {
+    std::int64_t last = 0;
+    for (const auto& [number, offset] : offsets_) last = std::max(last, tool_of(number));
+    return last;
 }
 
 std::int64_t ToolOffsets::edges(std::int64_t tool) const {

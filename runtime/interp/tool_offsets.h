@@ -36,7 +36,7 @@ class ToolOffsets {
         Type,  // 0: nobody has said it
     };
 
-    static constexpr std::int64_t kMostEdges = 12;  // S 2.3
+    static constexpr std::int64_t kMostEdges = machine::kMostEdges;
     /// The number of an edge's offset; edge 0 counts as the first.
     static constexpr std::int64_t of_edge(std::int64_t tool, std::int64_t edge) {
         return edge <= 1 ? tool : tool + (edge - 1) * kEdge;
@@ -53,6 +53,8 @@ class ToolOffsets {
     Column column_at(std::int64_t place, std::int64_t number) const;
     /// The machine has a tool of this number, or the program has written its offset.
     bool is_known(std::int64_t number) const { return offsets_.contains(number); }
+    /// The highest number of a tool that has data; 0: none has.
+    std::int64_t last_tool() const;
     /// How many of the tool's edges have data.
     std::int64_t edges(std::int64_t tool) const;
     /// The tool has lengths along X and Z: its type says so, or the machine is a lathe.

@@ -146,7 +146,7 @@ bool Executor::has_idle_words(const Block& block, const ToolWords& tool) {
         if (!check.is_idle) continue;
         report(diag::OrientWordIdle, block, check.word)
             .arg(word_of(block, check.word))
-            .arg(nc::info(turning).name);
+            .arg(spelling_of(turning));
         return true;
     }
     if (is_cone(turning) && !tool.says_direction() && tool.is_any() && !tool.spin &&

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include "base/diagnostics/driver.h"
 #include "base/diagnostics/machine.h"
@@ -50,7 +51,7 @@ const XmlShape& machine_shape() {
           "orientation_tolerance",
           "compressor_tolerance"},
          {"axis", "tool", "offset", "spindle_drive", "feed_drive", "cutting", "laser", "function",
-          "scanner", "kinematics", "pipeline"}},
+          "scanner", "spindle", "kinematics", "pipeline"}},
         {"axis",
          {{"name", Filled},
           "limits",
@@ -62,7 +63,7 @@ const XmlShape& machine_shape() {
           "home3",
           "home4"},
          {}},
-        {"tool", {{"number", Filled}, "length", "length_x", "radius", "tip", "name"}, {}},
+        {"tool", {{"number", Filled}, "edge", "length", "length_x", "radius", "tip", "name"}, {}},
         {"offset", {{"number", Filled}, "x", "y", "z", "a", "b", "c", "u", "v", "w"}, {}},
         {"spindle_drive",
          {{"inertia", Filled},
@@ -74,6 +75,7 @@ const XmlShape& machine_shape() {
          {}},
         {"feed_drive", {{"gain", Filled}, {"time_constant", Filled}, "feed_forward"}, {}},
         {"cutting", {{"force", Filled}}, {}},
+        {"spindle", {{"number", Filled}, "max_speed", "orient_time"}, {}},
         {"function", {{"code", Filled}, {"takes", Filled}, "acts", "waits"}, {}},
         {"pipeline", {"ahead"}, {"serve", "translate", "interpolate", "output"}},
         {"serve", {{"command", Filled}, {"by", Filled}}, {}},
@@ -153,6 +155,7 @@ class MachineBuilder {
         if (kinematics_ != nullptr)
             machine_.kinematics = read_kinematics(*kinematics_, machine_.axes, sink_);
         if (pipeline_ != nullptr) machine_.pipeline = read_pipeline(*pipeline_, machine_, sink_);
+        check_edges();
         check_pulses();
         if (has_spindle_drive_ && has_feed_drive_) machine_.drives = drives_;
         if (machine_.axes.empty()) {
@@ -195,6 +198,7 @@ class MachineBuilder {
         if (child.name == "axis") read_axis(child);
         if (child.name == "tool") read_tool(child);
         if (child.name == "offset") read_offset(child);
+        if (child.name == "spindle") read_spindle(child);
         if (child.name == "spindle_drive") read_spindle_drive(child);
         if (child.name == "feed_drive") read_feed_drive(child);
         if (child.name == "cutting") read_cutting(child);
@@ -275,14 +279,33 @@ class MachineBuilder {
         tool.length_x = reader.quantity("length_x", Dimension::Length).value_or(0);
         tool.radius = reader.magnitude("radius", Dimension::Length).value_or(0);
         tool.tip = static_cast<int>(reader.whole("tip", 0, 9).value_or(0));
-        if (!number ||
-            !described_.is_first("tool " + std::to_string(*number), reader.place("number")))
+        const bool has_edge = reader.has("edge");
+        const auto edge = has_edge ? reader.whole("edge", 1, kMostEdges) : 1;
+        if (!number || !edge) return;
+        tool.edge = *edge;
+        const std::string what =
+            "tool " + std::to_string(*number) +
+            (tool.edge == 1 ? std::string() : ", edge " + std::to_string(tool.edge));
+        if (!described_.is_first(what, reader.place(has_edge ? "edge" : "number"))) return;
+        if (tool.edge == 1) first_edges_.insert(*number);
+        else further_edges_.push_back({*number, tool.edge, reader.place("edge")});
+        if (tool.edge != 1 && !tool.name.empty()) {
+            sink_.report(diag::MachineEdgeName, reader.place("name")).arg(*number).arg(tool.edge);
             return;
+        }
         if (!tool.name.empty() &&
             !described_.is_first("a tool `" + tool.name + '`', reader.place("name")))
             return;
         tool.number = *number;
         machine_.tools.push_back(tool);
+    }
+
+    /// A tool is known by its first edge.
+    void check_edges() {
+        for (const EdgePlace& place : further_edges_) {
+            if (first_edges_.contains(place.tool)) continue;
+            sink_.report(diag::MachineEdgeAlone, place.range).arg(place.tool).arg(place.edge);
+        }
     }
 
     void read_function(const XmlElement& element) {
@@ -362,6 +385,22 @@ class MachineBuilder {
         });
     }
 
+    void read_spindle(const XmlElement& element) {
+        const ElementReader reader(element, sink_);
+        if (!reader.has("number")) return;
+        const auto number = reader.whole("number", 2, kMostSpindles);
+        MachineSpindle spindle;
+        spindle.max_speed = reader.positive("max_speed", Dimension::AngularVelocity).value_or(0) /
+                            (2 * std::numbers::pi);
+        spindle.orient_time = reader.magnitude("orient_time", Dimension::Time).value_or(0);
+        if (!number ||
+            !described_.is_first("spindle " + std::to_string(*number), reader.place("number")))
+            return;
+        spindle.number = *number;
+        machine_.spindles.push_back(spindle);
+        std::ranges::sort(machine_.spindles, {}, &MachineSpindle::number);
+    }
+
     // Values that are wrong have been reported; 1 stands for them until the file is refused.
     void read_spindle_drive(const XmlElement& element) {
         if (!described_.is_first("the spindle drive", element.range)) return;
@@ -420,6 +459,14 @@ class MachineBuilder {
     DiagnosticSink& sink_;
     Machine machine_;
     SourceRange laser_place_;
+    /// A further edge of a tool, and where the file says it.
+    struct EdgePlace {
+        std::int64_t tool = 0;
+        std::int64_t edge = 0;
+        SourceRange range;
+    };
+    std::vector<EdgePlace> further_edges_;
+    std::set<std::int64_t> first_edges_;  // tools that have one
     const XmlElement* kinematics_ = nullptr;
     Drives drives_;
     bool has_spindle_drive_ = false;

@@ -49,6 +49,7 @@ Serving serving_of(Op op) {
         case Op::External: return Serving::Time;
         case Op::Thread:
         case Op::Spindle:
+        case Op::OtherSpindle:
         case Op::SpeedLimit:
         case Op::ToolLength:
         case Op::End:

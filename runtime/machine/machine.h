@@ -35,13 +35,28 @@ struct MachineAxis {
     std::array<std::optional<double>, kReferencePoints - 1> further_homes{};
 };
 
+/// A tool may have so many cutting edges; SINUMERIK reference 2.3.
+inline constexpr std::int64_t kMostEdges = 12;
+
+/// One cutting edge of a tool.
 struct ToolData {
     std::int64_t number = 0;
-    double length = 0;    // mm
-    double radius = 0;    // mm
-    double length_x = 0;  // mm, of a lathe's tool: along X, on the radius
-    int tip = 0;          // where the programmed point lies on the nose of a lathe's tool, 1 to 9
-    std::string name;
+    std::int64_t edge = 1;  // 1 to kMostEdges; every tool has edge 1
+    double length = 0;      // mm
+    double radius = 0;      // mm
+    double length_x = 0;    // mm, of a lathe's tool: along X, on the radius
+    int tip = 0;            // where the programmed point lies on the nose of a lathe's tool, 1 to 9
+    std::string name;       // of edge 1: of the tool; further edges have none
+};
+
+/// The spindles of a machine are numbered from 1 to this one at most.
+inline constexpr std::int64_t kMostSpindles = 4;
+
+/// A spindle besides the first one.
+struct MachineSpindle {
+    std::int64_t number = 2;  // to kMostSpindles
+    double max_speed = 0;     // rev/s; 0: no limit
+    double orient_time = 0;   // s
 };
 
 /// When an M function is issued, as the motion of its block sees it.
@@ -64,14 +79,15 @@ struct Machine {
     double tick = 0.001;             // s, interpolation period, up to kLongestTick
     double corner_tolerance = 0.05;  // mm, of rounded corners if the program says none
     double orientation_tolerance = rad_from_deg(0.05);  // rad, of the tool at rounded corners
-    double compressor_tolerance = 0.01;  // mm, of compressed lines if the program says none
-    double max_feed = 0;                 // mm/s, path; 0: no limit of its own
-    double max_speed = 0;                // rev/s of the spindle; 0: no limit
-    double orient_time = 0;              // s
-    double tool_change_time = 0;         // s
-    bool is_lathe = false;               // X is programmed as a diameter; axis X is the radius
-    std::vector<MachineAxis> axes;       // in the order of setpoint columns
-    std::vector<ToolData> tools;
+    double compressor_tolerance = 0.01;      // mm, of compressed lines if the program says none
+    double max_feed = 0;                     // mm/s, path; 0: no limit of its own
+    double max_speed = 0;                    // rev/s of the first spindle; 0: no limit
+    double orient_time = 0;                  // s, of the first spindle
+    std::vector<MachineSpindle> spindles;    // besides the first one, in the order of their numbers
+    double tool_change_time = 0;             // s
+    bool is_lathe = false;                   // X is programmed as a diameter; axis X is the radius
+    std::vector<MachineAxis> axes;           // in the order of setpoint columns
+    std::vector<ToolData> tools;             // an entry for each cutting edge
     std::vector<MachineFunction> functions;  // M functions that take time
     std::vector<AxisValues> work_offsets;    // [0] none, [1] G54 …; mm, deg
     std::optional<Kinematics> kinematics;    // if it has rotary axes that the file places
@@ -81,7 +97,12 @@ struct Machine {
     Pipeline pipeline;
 
     const MachineAxis* find(Axis axis) const;
+    /// The first edge of the tool; null: there is none with this number.
     const ToolData* find_tool(std::int64_t number) const;
+    bool has_spindle(std::int64_t number) const;
+    /// Of a spindle by its number, 0 and 1 the first one: rev/s, 0 no limit; s.
+    double max_speed_of(std::int64_t number) const;
+    double orient_time_of(std::int64_t number) const;
     const MachineFunction* find_function(std::int64_t code) const;
 };
 

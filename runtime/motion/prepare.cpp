@@ -137,6 +137,7 @@ void Preparer::State::execute(const Command& command) {
         case Op::Parametric: move(command); return;
         case Op::Dwell: dwell(command); return;
         case Op::Spindle: set_spindle(command); return;
+        case Op::OtherSpindle: set_other_spindle(command); return;
         case Op::SpeedLimit: spindle.limit = speed_from_rpm(command.speed); return;
         case Op::Tool: stand(command, SegmentKind::ToolChange, machine.tool_change_time); return;
         case Op::ToolLength: standing.set_tool_length(command, axes); return;
@@ -160,9 +161,10 @@ void Preparer::State::set_spindle(const Command& command) {
     feed_reported = false;
     if (command.spindle == path::SpindleMode::Orient) {
         spindle.is_turning = false;
-        stand(command, SegmentKind::Orient, machine.orient_time);
+        stand(command, SegmentKind::Orient, machine.orient_time_of(command.spindle_number));
         return;
     }
+    spindle.machine_limit = machine.max_speed_of(command.spindle_number);
     spindle.is_turning = command.spindle != path::SpindleMode::Stop && command.speed > 0;
     spindle.holds_cutting_speed = command.cutting_speed;
     if (command.cutting_speed) {
@@ -170,10 +172,23 @@ void Preparer::State::set_spindle(const Command& command) {
         return;
     }
     spindle.speed = speed_from_rpm(command.speed);
-    if (spindle.is_turning && machine.max_speed > 0 && spindle.speed > machine.max_speed) {
-        report(sink, diag::SpindleTooFast, command, options.place_of)
-            .arg(command.speed)
-            .arg(round_to(rpm_from_speed(machine.max_speed), 3));
+    if (spindle.is_turning) check_speed(command);
+}
+
+void Preparer::State::check_speed(const Command& command) {
+    const double most = machine.max_speed_of(command.spindle_number);
+    if (!(most > 0) || speed_from_rpm(command.speed) <= most) return;
+    report(sink, diag::SpindleTooFast, command, options.place_of)
+        .arg(command.speed)
+        .arg(round_to(rpm_from_speed(most), 3));
+}
+
+/// The path waits for it where it is to stand at an angle, and does not follow it.
+void Preparer::State::set_other_spindle(const Command& command) {
+    if (command.spindle == path::SpindleMode::Orient) {
+        stand(command, SegmentKind::Orient, machine.orient_time_of(command.spindle_number));
+    } else if (command.spindle != path::SpindleMode::Stop && !command.cutting_speed) {
+        check_speed(command);
     }
 }
 

@@ -87,6 +87,8 @@ struct Preparer::State {
     const path::Command* next_read();
     void execute(const path::Command& command);
 
+    void set_other_spindle(const path::Command& command);
+    void check_speed(const path::Command& command);
     void set_spindle(const path::Command& command);
     void dwell(const path::Command& command);
     void issue(const path::Command& command);

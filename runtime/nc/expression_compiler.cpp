@@ -536,7 +536,7 @@ bool ExpressionCompiler::take_named(const Word& word, Reference& out) {
                 load.kind = Instruction::Kind::System;
                 load.index = static_cast<std::uint32_t>(range.quantity);
                 if (!take_indices(form, load)) return false;
-                if (range.first != 0) add_datum(range.first, begin);
+                if (range.first != 0) add_datum(range.first, begin, load);
                 return true;
             case VariableRange::Kind::Global:
             case VariableRange::Kind::Local:
@@ -553,10 +553,15 @@ bool ExpressionCompiler::take_named(const Word& word, Reference& out) {
     return false;
 }
 
-/// The edge behind the number of a datum, as Quantity::ToolDatum has them.
-void ExpressionCompiler::add_datum(std::int64_t datum, std::size_t begin) {
+/// The edge behind the number of a datum, as Quantity::ToolDatum has them. A datum of the whole
+/// tool has no index of an edge.
+void ExpressionCompiler::add_datum(std::int64_t datum, std::size_t begin, Instruction& load) {
     emit_number(static_cast<double>(datum * kDatum), ValueType::Int, begin);
-    emit_operation(Operation::Add, 2, begin);
+    if (load.count == 1) {
+        load.count = 2;
+    } else {
+        emit_operation(Operation::Add, 2, begin);
+    }
 }
 
 /// A name of a numbered variable; an index in front of it is added to the number.

@@ -94,7 +94,7 @@ class ExpressionCompiler {
     bool take_reference(Reference& out);
     /// `#1`, `#[expression]`, `R5`
     bool take_family(const Word& word, Reference& out);
-    void add_datum(std::int64_t datum, std::size_t begin);
+    void add_datum(std::int64_t datum, std::size_t begin, Instruction& load);
     bool take_numbered(const VariableRange& range, int indices, std::size_t begin,
                        Instruction& load);
     bool place_in_family(const VariableForm& form, std::size_t family, std::int64_t number,

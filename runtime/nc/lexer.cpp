@@ -305,8 +305,9 @@ class Lexer {
         const std::size_t begin = at_;
         const char letter = peek();
         ++at_;
+        if (take_spindle(begin)) return;
         if (is_digit(peek()) && take_extended(begin)) return;
-        if (take_spindle(begin) || take_code_of_group(begin)) return;
+        if (take_code_of_group(begin)) return;
         const AddressId address = tables_.letters[static_cast<unsigned char>(letter) & 127u];
         if (address == kNoAddress) {
             if (take_passed(begin)) return;
@@ -334,8 +335,9 @@ class Lexer {
         if (peek() == '=') fail_assigned(begin, "an address with a number of its own");
     }
 
-    /// `S1=500`, `M1=3`, `SPOS[1]=90`: a word of the only spindle that there is; `at_` is behind
-    /// the letters that begin at `begin`.
+    /// `S1=500`, `M1=3`, `SPOS[1]=90`: a word of the first spindle, which is the master unless the
+    /// program says otherwise; `at_` is behind the letters that begin at `begin`. What the dialect
+    /// declares for other spindles are addresses of their own.
     bool take_spindle(std::size_t begin) {
         const bool has_index = peek() == '[';
         if ((!has_index && !is_digit(peek())) || rules_.spindle_words.empty()) return false;
@@ -354,13 +356,28 @@ class Lexer {
         const std::size_t sign = std::min(line_.find_first_not_of(" \t", end), line_.size());
         if (number.empty() || sign == line_.size() || line_[sign] != '=') return false;
         if (number != "1") {
+            if (is_declared(name, number, has_index)) return false;
+            if (is_declared(name, "2", has_index)) {
+                fail(diag::SpindleMissing, begin, end, {std::string(number)});
+                return true;
+            }
             fail(diag::IsoNotSupported, begin, end,
                  {"`" + std::string(line_.substr(begin, end - begin)) + "` (another spindle)"});
             return true;
         }
         at_ = sign;
+        const std::size_t word = out_.words.size();
         take_assigned(tables_.find_address(name), begin);
+        if (word < out_.words.size()) out_.words[word].names_first = true;
         return true;
+    }
+
+    bool is_declared(const std::string& name, std::string_view number, bool has_index) const {
+        std::string whole = name;
+        if (has_index) whole += '[';
+        whole += number;
+        if (has_index) whole += ']';
+        return tables_.find_address(whole) != kNoAddress;
     }
 
     /// `G[6]=2`: a code by its place in the list of its group; `at_` is behind the letter.
@@ -638,12 +655,12 @@ class Lexer {
                 }
             }
             at_ = end;
-            if (take_indexed(begin)) return;
+            if (take_indexed(begin) || fail_at_axis(begin)) return;
             return take_passed(begin) ? void() : fail_unknown(begin, end);
         }
         const std::size_t next = at_;
         at_ = end;
-        if (take_spindle(begin)) return;
+        if (take_spindle(begin) || (peek() == '[' && take_indexed(begin))) return;
         at_ = next;
         const Address& head = tables_.addresses[address];
         if (head.kind == Address::Kind::Call && peek() == '(') return take_call(address, begin);
@@ -686,6 +703,53 @@ class Lexer {
             fail_here(diag::IsoSyntax);
         }
         return true;
+    }
+
+    /// Whether the word, which names an axis between brackets (`ACC[X]=50`), names none here: it
+    /// was refused then. That of a spindle may be passed over. `at_` is behind its letters.
+    bool fail_at_axis(std::size_t begin) {
+        const std::size_t end = at_;
+        const std::string name = upper_ascii(line_.substr(begin, end - begin));
+        const bool takes_axis = std::ranges::any_of(kAxisNames, [&](std::string_view axis) {
+            const AddressId word = tables_.find_address(name + '[' + std::string(axis) + ']');
+            return word != kNoAddress && tables_.addresses[word].kind == Address::Kind::Value;
+        });
+        if (!takes_axis) return false;
+        const std::size_t next = std::min(line_.find_first_not_of(" \t", end), line_.size());
+        const std::size_t close =
+            next < line_.size() && line_[next] == '[' ? end_of_brackets(next) : next;
+        if (close == next) {
+            fail(diag::AxisIndexMissing, begin, end, {name});
+            return true;
+        }
+        std::size_t first = next + 1;
+        std::size_t last = close - 1;
+        while (first < last && is_blank(line_[first])) ++first;
+        while (last > first && is_blank(line_[last - 1])) --last;
+        const std::string index = upper_ascii(line_.substr(first, last - first));
+        const bool is_spindle = is_spindle_name(index);
+        if (is_spindle && tables_.passed.contains(name)) return false;
+        fail(diag::AxisIndexWrong, first, std::max(last, first + 1),
+             {index, name, is_spindle ? "it is a spindle" : why_no_axis(index)});
+        return true;
+    }
+
+    /// `S1`, `SPI(2)`
+    static bool is_spindle_name(std::string_view index) {
+        if (index.starts_with("SPI(")) return true;
+        return index.size() > 1 && index[0] == 'S' &&
+               std::ranges::all_of(index.substr(1), [](char c) { return is_digit(c); });
+    }
+
+    std::string why_no_axis(const std::string& index) const {
+        const AddressId other = tables_.find_address(index);
+        if (other != kNoAddress && !tables_.addresses[other].doc.empty())
+            return "it is another word (" + tables_.addresses[other].doc + ')';
+        if (index.find_first_not_of("0123456789") == std::string::npos)
+            return "an axis is said by its name";
+        const bool is_computed = index.find_first_of("($[") != std::string::npos;
+        if (is_computed) return "an axis that is worked out is not read here yet";
+        return "no axis has this name, and a variable is not read here yet";
     }
 
     /// `DIAMONA[X]`: a word of its own by the name with its brackets; `at_` stands at the bracket.

@@ -24,6 +24,13 @@ bool is_end_line(std::string_view line, std::string_view end) {
     return line.starts_with(end.substr(0, fixed));
 }
 
+/// Whether the first word of a form may have this number.
+bool takes_number(const Form& form, double number) {
+    return std::ranges::none_of(form.when, [&](const Constraint& c) {
+        return c.parameter == form.words[0].parameter && (number < c.least || number > c.most);
+    });
+}
+
 }  // namespace
 
 LineReader::LineReader(const Dialect& dialect, std::string name, DiagnosticSink& sink)
@@ -149,6 +156,7 @@ bool LineReader::read_words(std::string_view line, ControlLine& compiled,
                             std::span<const WordValue> values, Block& block, MatchedLine* known) {
     lexed_ = &compiled.words;
     set_values(compiled, values);
+    if (knows_masters_ && name_spindles(compiled.words)) known = nullptr;
     text_->has_content = true;
     const bool is_whole = std::ranges::none_of(
         values, [](const WordValue& value) { return value.kind == WordValue::Kind::Vacant; });
@@ -187,6 +195,30 @@ void LineReader::recall(const MatchedLine& known, Block& block) {
     std::ranges::copy(known.forms, match_.forms.begin());
     match_.claim_count = known.claims.size();
     match_.form_count = known.forms.size();
+}
+
+/// Words that name the first spindle are words of the master while it is that, and words with a
+/// number while another one is; true if there are any.
+bool LineReader::name_spindles(LexedLine& words) const {
+    bool has_any = false;
+    for (GivenWord& word : words.words) {
+        if (!word.names_first) continue;
+        has_any = true;
+        const std::string& name = tables_.addresses[word.address].name;
+        const bool is_numbered = name.back() == '1' || name.back() == ']';
+        if (is_numbered == has_other_master_) continue;
+        const std::string plain = is_numbered ? name.substr(0, name.find_first_of("1[")) : name;
+        AddressId wanted = tables_.find_address(plain);
+        if (!is_numbered) wanted = tables_.find_address(name + '1');
+        if (wanted == kNoAddress) wanted = tables_.find_address(name + "[1]");
+        // M1=8 is no function of a spindle.
+        const auto takes = [&](FormId id) { return takes_number(tables_.forms[id], word.number); };
+        const bool is_taken =
+            is_numbered ||
+            (wanted != kNoAddress && std::ranges::any_of(tables_.addresses[wanted].forms, takes));
+        if (wanted != kNoAddress && is_taken) word.address = wanted;
+    }
+    return has_any;
 }
 
 /// Only lines of which no computed value decides what they say.
@@ -372,6 +404,7 @@ bool LineReader::read_slow(std::string_view line, Block& block) {
         report(line, *fault);
         return false;
     }
+    if (knows_masters_) name_spindles(own_lexed_);
     if (!lexed_->label.empty()) {
         if (lexed_->words.empty()) {
             block.skip = lexed_->skip;
@@ -442,6 +475,10 @@ bool LineReader::apply(Block& block, std::string_view line) {
         is_fine = apply_claim(match_.claims[i], block, line);
     }
     if (!is_fine) modal_ = before;
+    if (const Invocation* master = block.find(Function::MasterSpindle)) {
+        knows_masters_ = true;
+        has_other_master_ = block.argument(*master, 0, 1) != 1;
+    }
     return is_fine;
 }
 

@@ -150,6 +150,7 @@ class LineReader {
     bool is_pitch(const Claim& claim, const Block& block) const;
     void note_form(FormId id, std::string_view line);
     void note_machine_code(std::string_view line);
+    bool name_spindles(LexedLine& words) const;
     bool check_code_points(std::string_view line);
     Span span_of_form(const Form& form, std::string_view line) const;
     LineKind kind_of(std::string_view line);
@@ -185,7 +186,9 @@ class LineReader {
     std::vector<FormId> last_forms_;  // of each group of the dialect
     FormId last_cycle_ = kNoForm;
     double machine_code_ = 0;
-    std::vector<FormId> passed_;  // forms of which was said that they are passed over
+    bool knows_masters_ = false;     // the program has chosen a master spindle
+    bool has_other_master_ = false;  // … which is not the first one
+    std::vector<FormId> passed_;     // forms of which was said that they are passed over
     std::set<const PassedWord*> said_passed_;
 };
 

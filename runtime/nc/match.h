@@ -37,6 +37,7 @@ struct GivenWord {
     bool is_call = false;
     bool is_computed = false;  // the number was worked out by the control's own language
     bool is_left_out = false;  // … and came to nothing: the word does not stand there
+    bool names_first = false;  // a word of the spindle that names the first one: `S1=500`
     Mode mode = Mode::Modal;
     std::uint16_t first_argument = 0;  // of a call
     std::uint16_t argument_count = 0;

@@ -151,6 +151,7 @@ void BlockWriter::follow_function(const Block& block, const Invocation& invocati
         case Function::ToolSelect: modal_.position.forget(); break;
         case Function::LengthOffset: change_length(block); break;
         case Function::TcpOn:
+        case Function::TcpBased:
         case Function::TcpOff: modal_.position.forget(); break;
         case Function::TcpLength:
         case Function::TcpVector:

@@ -31,7 +31,8 @@ enum class Op : std::uint8_t {
     Thread,      // a line geared to the spindle
     Probe,       // a line that ends where the probe triggers
     Dwell,
-    Spindle,
+    Spindle,       // the master spindle, which paths follow
+    OtherSpindle,  // one that they do not
     SpeedLimit,
     Tool,
     ToolLength,
@@ -88,8 +89,9 @@ struct Command {
     bool is_unshifted = false;         // programmed in machine coordinates, whatever `to` is in
     bool keeps_feed = false;           // no override of the feed acts, as when tapping
     bool ignores_hold = false;         // a hold waits until the motions with this are through
-    bool cutting_speed = false;        // Spindle: `speed` is m/min (constant cutting speed)
+    bool cutting_speed = false;        // spindles: `speed` is m/min (constant cutting speed)
     bool is_swivelled = false;         // ToolLength: `direction` is the tool's, which a head turns
+    std::uint8_t spindle_number = 0;   // of a spindle where the machine has several; else 0
     AxisMask moved = 0;                // axes that the block programmed
     SourceId source;
     std::uint32_t line = 0;  // of the ISO-7bit text
@@ -131,8 +133,8 @@ struct Command {
 
     double feed = 0;            // mm/min, mm/rev or 1/min, as feed_mode says; of a thread mm/rev
     double lead_change = 0;     // Thread: by how much `feed` changes in a turn, mm/rev
-    double speed = 0;           // Spindle: rpm or m/min; SpeedLimit: rpm
-    double angle_deg = 0;       // Spindle orient; Thread: angle of the spindle at its start
+    double speed = 0;           // spindles: rpm or m/min; SpeedLimit: rpm
+    double angle_deg = 0;       // spindles: orient; Thread: angle of the spindle at its start
     double time = 0;            // Dwell, s; 0 if revolutions; External, s
     double revolutions = 0;     // Dwell
     std::int64_t tool = 0;      // Tool, ToolLength: the tool or offset number

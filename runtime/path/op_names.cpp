@@ -14,6 +14,7 @@ std::string_view op_name(Op op) {
         case Op::Probe: return "probe";
         case Op::Dwell: return "dwell";
         case Op::Spindle: return "spindle";
+        case Op::OtherSpindle: return "other_spindle";
         case Op::SpeedLimit: return "speed_limit";
         case Op::Tool: return "tool";
         case Op::ToolLength: return "tool_length";

@@ -200,6 +200,7 @@ void ScannerCommands::scan(const Command& command) {
         case Op::ScannerOn: break;
         case Op::ScannerOff: switch_off(command); break;
         case Op::Spindle:
+        case Op::OtherSpindle:
         case Op::SpeedLimit:
         case Op::Coolant:
         case Op::Function:

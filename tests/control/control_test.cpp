@@ -20,6 +20,8 @@
 //   machine: lathe           it runs on a lathe: X is a diameter, the tools are
 //                            1 a point, 2 a nose of 0.4, 3 a groove tool of 4 mm
 //   machine: driven          a lathe with driven tools: X, Z and C without end, no Y
+//   machine: edges           a drill, tool 2, has edges 2 and 12 besides its first one
+//   machine: spindles        spindles 2 and 3 besides the first one; four-spindles: 4 as well
 //   machine: five-axis       a table that tilts about X (A) and turns about Z in it (C)
 //   machine: six-axis        a machine of runtime/machines, by its name
 //   only: sinumerik WHY      a program of SINUMERIK that AxiOMA executes otherwise

@@ -386,6 +386,16 @@ TEST(ToolCourses, WordsThatDoNotFitAreRefused) {
     EXPECT_EQ(refusal("ORICONIO\n" + g1 + "A3=1 C3=1 C7=1 F100"), "14112 K5622");
     EXPECT_EQ(refusal("ORICONCCW\n" + g1 + "A3=1 C3=1 NUT=30 F100"), "14112 K5623");
     EXPECT_EQ(refusal("ORIVECT\n" + g1 + "A3=1 C3=1 C6=1 F100"), "K5624 K5624");
+    EXPECT_EQ(
+        read("sinumerik", "S1000 M3\nTRAORI\nORICONCW\nX10 A3=1 C3=1 C7=1 F100", free_head(false))
+            .messages.at(0)
+            .message(),
+        "`C7=1` says nothing under `ORICONCW`");
+    // Nobody has said the way on which the tool turns: it is the control's first one.
+    EXPECT_EQ(read("sinumerik", "S1000 M3\nTRAORI\nG1 X10 A3=1 C3=1 C6=1 F100", free_head(false))
+                  .messages.at(0)
+                  .message(),
+              "`C6=1` says nothing under `ORIVECT`");
     EXPECT_EQ(refusal("ORICURVE\n" + g1 + "Y0 Z0 XH=10 YH=0 ZH=0 F100"), "14121 K5625");
     EXPECT_EQ(refusal("ORIROTR\n" + g1 + "THETA=30 F100", true), "K5626 K5626");
     EXPECT_EQ(refusal("ORIRESET(0,0,90)"), "14130 K5628");

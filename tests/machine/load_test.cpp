@@ -93,7 +93,10 @@ TEST(MachineFile, ValuesAreCanonical) {
                     jerk="100 m/s3" home="1in" home2="-50 mm" home4="0.2 m"/>
               <axis name="C" velocity="60 rpm" acceleration="180 deg/s2" home="90 deg" home3="0.5 rad"/>
               <tool number="3" name="drill" length="120.5 mm" radius="4250 um"/>
+              <tool number="3" edge="2" length="118 mm" radius="4 mm"/>
               <tool number="4" length="80 mm" length_x="-60.25 mm" radius="0.8 mm" tip="3"/>
+              <spindle number="3" max_speed="12000 rpm"/>
+              <spindle number="2" orient_time="0.2 s"/>
               <offset number="2" x="-10 mm" c="45 deg"/>
               <function code="M10" takes="400 ms"/>
               <function code="M9" takes="0.1 s" waits="no"/>
@@ -108,6 +111,16 @@ TEST(MachineFile, ValuesAreCanonical) {
     EXPECT_DOUBLE_EQ(machine.max_speed, 100);
     EXPECT_DOUBLE_EQ(machine.orient_time, 0.3);
     EXPECT_DOUBLE_EQ(machine.tool_change_time, 4);
+    ASSERT_EQ(machine.spindles.size(), 2u);
+    EXPECT_EQ(machine.spindles[0].number, 2);
+    EXPECT_TRUE(machine.has_spindle(1) && machine.has_spindle(2) && machine.has_spindle(3));
+    EXPECT_FALSE(machine.has_spindle(0) || machine.has_spindle(4));
+    EXPECT_DOUBLE_EQ(machine.max_speed_of(1), 100);
+    EXPECT_DOUBLE_EQ(machine.max_speed_of(2), 0) << "no limit";
+    EXPECT_DOUBLE_EQ(machine.max_speed_of(3), 200);
+    EXPECT_DOUBLE_EQ(machine.orient_time_of(0), 0.3) << "no number is the first one";
+    EXPECT_DOUBLE_EQ(machine.orient_time_of(2), 0.2);
+    EXPECT_DOUBLE_EQ(machine.orient_time_of(3), 0);
     ASSERT_EQ(machine.functions.size(), 3u);
     const MachineFunction* clamp = machine.find_function(10);
     ASSERT_NE(clamp, nullptr);
@@ -145,6 +158,7 @@ TEST(MachineFile, ValuesAreCanonical) {
     EXPECT_DOUBLE_EQ(machine.find_tool(3)->length, 120.5);
     EXPECT_DOUBLE_EQ(machine.find_tool(3)->radius, 4.25);
     EXPECT_EQ(machine.find_tool(3)->tip, 0);
+    EXPECT_EQ(machine.find_tool(3)->edge, 1);
     EXPECT_DOUBLE_EQ(machine.find_tool(4)->length_x, -60.25);
     EXPECT_EQ(machine.find_tool(4)->tip, 3);
     EXPECT_EQ(machine.find_tool(5), nullptr);
@@ -255,6 +269,14 @@ TEST(MachineFile, MistakesOfStructure) {
           {"stray text", "five tools", "K9108", "five tools", ""},
           {"doubled axis", kAxisX, "K6014", "X", ""},
           {"doubled tool", "<tool number=\"1\"/><tool number=\"1\"/>", "K6014", "1", ""},
+          {"doubled first edge", "<tool number=\"1\"/><tool number=\"1\" edge=\"1\"/>", "K6014",
+           "1", ""},
+          {"doubled edge",
+           R"(<tool number="1" edge="2"/><tool number="1"/><tool number="1" edge="2"/>)", "K6014",
+           "2", ""},
+          {"edge alone", R"(<tool number="1" edge="3"/>)", "K6312", "3", ""},
+          {"edge with a name", R"(<tool number="1"/><tool number="1" edge="2" name="drill"/>)",
+           "K6313", "drill", ""},
           {"doubled offset", "<offset number=\"1\"/><offset number=\"1\"/>", "K6014", "1", ""}}) {
         expect_mistake(mistake);
     }
@@ -315,6 +337,12 @@ TEST(MachineFile, MistakesOfValues) {
          {"long tick", long_tick.c_str(), "K6019", "100 s", ""},
          {"negative time", time.c_str(), "K6012", "-1 s", ""},
          {"negative radius", R"(<tool number="1" radius="-1 mm"/>)", "K6012", "-1 mm", ""},
+         {"no such edge", R"(<tool number="1"/><tool number="1" edge="13"/>)", "K6018", "13", ""},
+         {"edge zero", R"(<tool number="1" edge="0"/>)", "K6018", "0", ""},
+         {"spindle one", R"(<spindle number="1"/>)", "K6018", "1", ""},
+         {"spindle five", R"(<spindle number="5"/>)", "K6018", "5", ""},
+         {"spindle twice", R"(<spindle number="2"/><spindle number="2"/>)", "K6014", "2", ""},
+         {"slow spindle", R"(<spindle number="2" max_speed="0 rpm"/>)", "K6011", "0 rpm", ""},
          {"no such tip", R"(<tool number="1" tip="10"/>)", "K6018", "10", ""},
          {"offset G54", R"(<offset number="G54"/>)", "K6018", "G54", ""},
          {"offset zero", R"(<offset number="0"/>)", "K6018", "0", ""},

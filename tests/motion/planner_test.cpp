@@ -253,6 +253,40 @@ TEST(Planner, FeedPerRevolution) {
               "the spindle speed 12000 rpm is above the 6000 rpm of the machine");
 }
 
+TEST(Planner, PathsFollowTheMasterSpindleAlone) {
+    Command move = line_to({100, 0, 0}, 0.2);
+    move.feed_mode = path::FeedMode::PerRevolution;
+    auto machine = machine_of();
+    machine.max_speed = 50;  // rev/s: 3000 rpm
+    machine.orient_time = 0.25;
+    machine.spindles = {{.number = 2, .max_speed = 100, .orient_time = 0.5}};
+    const auto numbered = [](Command command, std::uint8_t number, Op op) {
+        command.op = op;
+        command.spindle_number = number;
+        return command;
+    };
+    // Spindle 2 turns faster beside the master and changes nothing.
+    const Motion first = run(machine, {numbered(spindle_on(1500), 1, Op::Spindle),
+                                       numbered(spindle_on(4500), 2, Op::OtherSpindle), move});
+    EXPECT_NEAR(first.segments[0].feed, 0.2 * 25, 1e-12);
+    EXPECT_TRUE(first.diagnostics.all().empty());
+    // As the master it has its own limit.
+    const Motion second = run(machine, {numbered(spindle_on(1500), 1, Op::Spindle),
+                                        numbered(spindle_on(4500), 2, Op::Spindle), move});
+    EXPECT_NEAR(second.segments[0].feed, 0.2 * 75, 1e-12);
+    EXPECT_TRUE(second.diagnostics.all().empty());
+    const Motion limited = run(machine, {numbered(spindle_on(9000), 2, Op::Spindle), move});
+    EXPECT_NEAR(limited.segments[0].feed, 0.2 * 100, 1e-12);
+    ASSERT_EQ(limited.diagnostics.all().size(), 1u);
+    EXPECT_EQ(limited.diagnostics.all()[0].message(),
+              "the spindle speed 9000 rpm is above the 6000 rpm of the machine");
+    // One beside the master is told of as well, and stands for as long as it needs.
+    Command beside = numbered(spindle_on(9000), 2, Op::OtherSpindle);
+    EXPECT_EQ(run(machine, {beside}).diagnostics.all().size(), 1u);
+    beside.spindle = path::SpindleMode::Orient;
+    EXPECT_NEAR(run(machine, {beside}).totals.time, 0.5, 1e-12);
+}
+
 TEST(Planner, FacingAtConstantCuttingSpeed) {
     // From radius 50 to 0, V = 120 m/min = 2000 mm/s, f = 0.2 mm/rev, at most 3000 rpm = 50 rev/s:
     // above R = 2000/(2π·50) = 6.366 mm the time is π(50² − R²)/(f·V), below R/(f·50).

@@ -248,7 +248,7 @@ TEST(Reader, SinumerikAlarms) {
 }
 
 TEST(Reader, WhatIsNotReadYetSaysSo) {
-    for (const char* text : {"R1=5", "X=R1", "X=SIN(30)", "S2=1000", "$AA_IM[X]=5", "LOOP1: X5"}) {
+    for (const char* text : {"R1=5", "X=R1", "X=SIN(30)", "T2=5", "$AA_IM[X]=5", "LOOP1: X5"}) {
         EXPECT_EQ(testing::codes(read_blocks(shipped("sinumerik"), text).messages), "K5018")
             << text;
     }

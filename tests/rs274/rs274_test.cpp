@@ -187,6 +187,7 @@ class Reduction {
             case Op::Function:
                 ADD_FAILURE() << "no machine here has functions that take time";
                 break;
+            case Op::OtherSpindle: ADD_FAILURE() << "no machine here has two spindles"; break;
             case Op::Spindle:
                 spindle_ = {.op = "spindle", .words = spindle_name(command.spindle)};
                 spindle_.words += ' ';

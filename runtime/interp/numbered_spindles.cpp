@@ -1,0 +1,183 @@
+// numbered_spindles.cpp — machines with several spindles: which of them is the master, and words
+// that name a spindle by its number.
+//
+// `spindle_` is the master. Whatever a word does to another one it does as to the master, while
+// both have changed places. source: SINUMERIK reference 2.3, 3.2, 4.10
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/diagnostics/control.h"
+#include "base/diagnostics/iso.h"
+#include "interp/block_words.h"
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Invocation;
+using path::Command;
+using path::Op;
+using path::SpindleMode;
+
+namespace {
+
+SpindleMode mode_of(Function sense) {
+    if (sense == Function::SpindleCw) return SpindleMode::Cw;
+    return sense == Function::SpindleCcw ? SpindleMode::Ccw : SpindleMode::Stop;
+}
+
+/// Whether a word of the block says how the spindle with this number turns.
+bool names_spindle(const Block& block, std::int64_t number) {
+    const auto end = block.functions.begin() + block.function_count;
+    return std::any_of(block.functions.begin(), end, [&](const Invocation& invocation) {
+        switch (invocation.function) {
+            case Function::SpindleSpeed:
+            case Function::SpindleTurn:
+            case Function::SpindleBound:
+                return std::llround(block.argument(invocation, 0)) == number;
+            default: return false;
+        }
+    });
+}
+
+}  // namespace
+
+/// The spindles of the machine, all standing, the first one as the master.
+void Executor::set_up_spindles() {
+    for (const machine::MachineSpindle& spindle : machine_.spindles)
+        other_spindles_.emplace_back().number = spindle.number;
+}
+
+/// A spindle by its number, 0 the master; null: the machine has none such.
+const Spindle* Executor::spindle_at(std::int64_t number) const {
+    if (number == 0 || number == spindle_.number) return &spindle_;
+    const auto found = std::ranges::find(other_spindles_, number, &Spindle::number);
+    return found == other_spindles_.end() ? nullptr : &*found;
+}
+
+bool Executor::has_spindle(std::int64_t number) const { return spindle_at(number) != nullptr; }
+
+/// Does `act` to the spindle that the first parameter names; a number that the machine does not
+/// have is reported.
+template <typename Act>
+void Executor::with_spindle(const Block& block, const Invocation& invocation, Act act) {
+    const std::int64_t number = std::llround(block.argument(invocation, 0));
+    if (number == spindle_.number) return act();
+    const auto other = std::ranges::find(other_spindles_, number, &Spindle::number);
+    if (other == other_spindles_.end()) {
+        report(diag::SpindleMissing, block, invocation.function).arg(number);
+        return;
+    }
+    const bool owed = owes_speed_;
+    std::swap(spindle_, *other);
+    is_master_away_ = true;
+    act();
+    is_master_away_ = false;
+    std::swap(spindle_, *other);
+    owes_speed_ = owed;
+}
+
+/// What the motion side is told of the spindle whose turn it is.
+Command& Executor::put_spindle(const Block& block) {
+    Command& command = put(is_master_away_ ? Op::OtherSpindle : Op::Spindle, block);
+    command.spindle_number = shown_number();
+    return command;
+}
+
+/// Where the machine has several spindles, the number of the one whose turn it is; else 0.
+std::uint8_t Executor::shown_number() const {
+    return other_spindles_.empty() ? 0 : static_cast<std::uint8_t>(spindle_.number);
+}
+
+void Executor::select_master(const Block& block, const Invocation& invocation) {
+    const std::int64_t number = std::llround(block.argument(invocation, 0, 1));
+    if (number == spindle_.number) return;
+    const auto other = std::ranges::find(other_spindles_, number, &Spindle::number);
+    if (other == other_spindles_.end()) {
+        report(diag::SpindleMissing, block, invocation.function).arg(number);
+        return;
+    }
+    if (spindle_.has_cutting_speed) {
+        // Which spindle would hold the cutting speed from here on is not known (unsure).
+        report(diag::MasterUnderCuttingSpeed, block, invocation.function).arg(number);
+        return;
+    }
+    const double limit = highest_speed();
+    std::swap(spindle_, *other);
+    warned_spindle_stopped_ = warned_rapid_ = false;
+    warned_bound_ = spindle_.speed;  // of which was told when it was said
+    Command& command = put_spindle(block);
+    // One that stands at an angle does not go there again.
+    const bool runs = is_running(spindle_.mode);
+    command.spindle = runs ? spindle_.mode : SpindleMode::Stop;
+    command.speed = runs ? spindle_.told.speed : 0;
+    command.cutting_speed = false;
+    command.angle_deg = 0;
+    tell_speed_limit(block, limit);
+}
+
+/// What a word says of a spindle by its number.
+void Executor::act_on_spindle(const Block& block, const Invocation& invocation) {
+    with_spindle(block, invocation, [&] {
+        switch (invocation.function) {
+            case Function::SpindleSpeed: {
+                const double speed = block.argument(invocation, 1);
+                (spindle_.has_cutting_speed ? spindle_.cutting_speed : spindle_.speed) = speed;
+                break;
+            }
+            case Function::SpindleTurn:
+                spindle_.mode = mode_of(sense_by_code(std::llround(block.argument(invocation, 1))));
+                break;
+            case Function::SpindleLimit:
+                limit_speed(block, invocation.function, block.argument(invocation, 1));
+                break;
+            case Function::SpindleBound:
+                bound_speed(block, invocation.function, block.argument(invocation, 1) != 0,
+                            block.argument(invocation, 2));
+                break;
+            default: break;
+        }
+    });
+}
+
+/// Tells what the block has changed of the spindles by their numbers: the master is told as ever.
+void Executor::update_other_spindles(const Block& block) {
+    for (Spindle& other : other_spindles_) {
+        if (!names_spindle(block, other.number)) continue;
+        const double warned = std::exchange(warned_bound_, 0);
+        std::swap(spindle_, other);
+        is_master_away_ = true;
+        update_spindle(block);
+        is_master_away_ = false;
+        std::swap(spindle_, other);
+        warned_bound_ = warned;
+    }
+    for (std::size_t i = 0; i < block.function_count && !ended_; ++i) {
+        const Invocation& invocation = block.functions[i];
+        if (invocation.function != Function::SpindleStand) continue;
+        with_spindle(block, invocation, [&] {
+            const bool is_by = (invocation.given >> 2 & 1u) != 0;
+            stand_spindle(block, invocation.function, block.argument(invocation, is_by ? 2 : 1),
+                          is_by);
+        });
+    }
+}
+
+/// The time of so many revolutions of a spindle is known here; the path follows the master alone.
+void Executor::dwell_by_spindle(const Block& block, const Invocation& invocation) {
+    with_spindle(block, invocation, [&] {
+        const double revolutions = block.argument(invocation, 1);
+        const double speed = spindle_.has_cutting_speed ? turning_speed() : spindle_.told.speed;
+        const bool turns = is_running(spindle_.mode) && speed > 0;
+        if (revolutions < 0 || !turns) {
+            report(diag::DwellInvalid, block, invocation.function)
+                .arg(revolutions < 0 ? "it is negative" : "the spindle stands");
+            return;
+        }
+        if (revolutions > 0) put(Op::Dwell, block).time = revolutions / speed * 60;
+    });
+}
+
+}  // namespace kadr::interp
