@@ -330,6 +330,7 @@ RunFigures Run::figures(const motion::Totals& totals) const {
     figures.totals = totals;
     if (times_) {
         figures.tools = times_->tools();
+        figures.cycles = times_->cycles();
         figures.longest = times_->longest(kLongest);
     }
     return figures;

@@ -107,14 +107,22 @@ void put_scan_members(std::string& out, const process::ScanFigures& scan) {
     out += '}';
 }
 
+void put_row_of_work(std::string& out, std::string_view name, const WorkShare& share) {
+    put(out, "  {:<14}{:<16}{:<16}{:>10.1f} mm\n", name, duration_text(share.time),
+        duration_text(share.cutting_time), share.length);
+}
+
 void put_tools(std::string& out, const std::vector<ToolShare>& tools) {
     if (tools.size() < 2) return;
     put(out, "\n  {:<14}{:<16}{:<16}{:>10}\n", "tool", "time", "cutting", "path");
-    for (const ToolShare& tool : tools) {
-        const std::string name = tool.tool == 0 ? "none" : "T" + std::to_string(tool.tool);
-        put(out, "  {:<14}{:<16}{:<16}{:>10.1f} mm\n", name, duration_text(tool.share.time),
-            duration_text(tool.share.cutting_time), tool.share.length);
-    }
+    for (const ToolShare& tool : tools)
+        put_row_of_work(out, tool.tool == 0 ? "none" : "T" + std::to_string(tool.tool), tool.share);
+}
+
+void put_cycles(std::string& out, const std::vector<CycleShare>& cycles) {
+    if (cycles.empty()) return;
+    put(out, "\n  {:<14}{:<16}{:<16}{:>10}\n", "cycle", "time", "cutting", "path");
+    for (const CycleShare& cycle : cycles) put_row_of_work(out, cycle.cycle, cycle.share);
 }
 
 /// Where most of the time goes; a statement without a name of its own is known by its place.
@@ -143,6 +151,11 @@ void put_work(std::string& out, const RunFigures& figures) {
     for (std::size_t i = 0; i < figures.tools.size(); ++i) {
         out += (i > 0 ? ",{\"tool\":" : "{\"tool\":") + std::to_string(figures.tools[i].tool);
         put_share(out, figures.tools[i].share);
+    }
+    out += "],\"cycles\":[";
+    for (std::size_t i = 0; i < figures.cycles.size(); ++i) {
+        out += (i > 0 ? ",{\"cycle\":" : "{\"cycle\":") + json_string(figures.cycles[i].cycle);
+        put_share(out, figures.cycles[i].share);
     }
     out += "],\"longest\":[";
     for (std::size_t i = 0; i < figures.longest.size(); ++i) {
@@ -206,6 +219,7 @@ std::string summary_text(const RunFigures& figures, const machine::Machine& mach
     out += '\n';
     put_axis_table(out, machine, totals);
     put_tools(out, figures.tools);
+    put_cycles(out, figures.cycles);
     put_longest(out, figures.longest, totals.time);
     if (figures.warnings + figures.errors + figures.alarms > 0) {
         put(out, "\n  {}, {}, {}\n", counted(figures.warnings, "warning"),

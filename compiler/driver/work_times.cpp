@@ -1,6 +1,7 @@
 #include "driver/work_times.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "path/curve.h"
@@ -32,6 +33,10 @@ void WorkTimes::add(const motion::Segment& segment) {
     const double length = has_way ? path::length(segment.curve) : 0;
     add_to(tools_[tool_at_].share, segment, length);
     add_to(share_of(segment), segment, length);
+    if (segment.cycle != 0) {
+        if (cycles_.size() <= segment.cycle) cycles_.resize(segment.cycle + 1u);
+        add_to(cycles_[segment.cycle], segment, length);
+    }
     if (rows_.size() > kMostRows) forget_least();
 }
 
@@ -80,6 +85,17 @@ std::vector<ToolShare> WorkTimes::tools() const {
     if (!(execution_.machine().tool_change_time > 0)) return {};
     std::vector<ToolShare> all = tools_;
     std::erase_if(all, [](const ToolShare& tool) { return tool.share.time == 0; });
+    return all;
+}
+
+std::vector<CycleShare> WorkTimes::cycles() const {
+    std::vector<CycleShare> all;
+    for (std::size_t number = 1; number < cycles_.size(); ++number) {
+        if (!(cycles_[number].time > 0)) continue;
+        all.push_back({execution_.dialect().cycles()[number - 1].name, cycles_[number]});
+    }
+    std::ranges::stable_sort(all, std::ranges::greater{},
+                             [](const CycleShare& cycle) { return cycle.share.time; });
     return all;
 }
 

@@ -28,6 +28,11 @@ struct ToolShare {
     WorkShare share;
 };
 
+struct CycleShare {
+    std::string cycle;  // its name in Kadr
+    WorkShare share;
+};
+
 struct PlaceShare {
     std::string place;  // "flange.kadr:41"; of ISO-7bit text file and line
     std::string text;   // the statement, its first line; empty for ISO-7bit text
@@ -51,6 +56,9 @@ class WorkTimes {
     /// In the order in which they were called first; a tool that is called again has one row. Empty
     /// where a change of the tool takes no time: then nothing tells them apart.
     std::vector<ToolShare> tools() const;
+    /// Of the cycles that the control runs, what they move themselves: the way to their places is
+    /// not theirs. The longest first.
+    std::vector<CycleShare> cycles() const;
     /// The longest first.
     std::vector<PlaceShare> longest(std::size_t most) const;
 
@@ -71,6 +79,7 @@ class WorkTimes {
     std::deque<std::int64_t> calls_;  // of tools, that are not planned yet
     std::vector<ToolShare> tools_ = {{}};
     std::size_t tool_at_ = 0;
+    std::vector<WorkShare> cycles_;  // by Segment::cycle
     // Keys of lines and statements that follow one another do so too: flat text fills the table
     // from one end to the other.
     std::unordered_map<std::uint64_t, Row> rows_;

@@ -264,6 +264,7 @@ void Corners::insert(const CornerCut& cut, const Command& first, Command& next) 
     if (inserted.op != Op::Rapid) inserted.op = Op::Line;
     if (inserted.op != Op::Rapid && held_wish_.feed > 0) inserted.feed = held_wish_.feed;
     inserted.line = first.line;
+    inserted.cycle = first.cycle;
     inserted.source = first.source;
     inserted.exact_stop = first.exact_stop;
     inserted.moved = static_cast<AxisMask>(next.moved | bit(axes_.first) | bit(axes_.second));

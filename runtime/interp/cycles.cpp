@@ -470,6 +470,7 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
         return;
     }
     cycle_name_ = info.name;
+    cycle_number_ = static_cast<std::uint16_t>(call.cycle + 1);
     cycle_taps_ = info.taps;
     if (is_given(call, find_parameter(info, kPatternParameter)))
         return begin_pattern(block, std::move(blocks));

@@ -279,6 +279,7 @@ Command& Executor::put(Op op, const Block& block) {
     command.moved = 0;
     command.source = from.source;
     command.line = from.line;
+    command.cycle = cycle_blocks_ ? cycle_number_ : 0;
     command.to = position_.base;
     command.turning = path::Turning::None;
     command.contact.clear();

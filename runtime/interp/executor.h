@@ -827,6 +827,7 @@ class Executor {
     std::unique_ptr<Stream<nc::Block>> cycle_stream_;
     std::optional<BlockQueue> cycle_blocks_;
     std::string_view cycle_name_;
+    std::uint16_t cycle_number_ = 0;  // its place in the dialect's list, from 1
     bool cycle_taps_ = false;
     nc::Block caller_{};
     Modal modal_before_cycle_;

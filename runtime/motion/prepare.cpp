@@ -220,6 +220,7 @@ Piece& Preparer::State::emit_stand(const Command& command, SegmentKind kind) {
     piece.segment.kind = kind;
     piece.segment.stage = standing.tip();
     piece.segment.line = command.line;
+    piece.segment.cycle = command.cycle;
     piece.segment.source = command.source;
     piece.segment.duration = 0;
     piece.segment.spindle = spindle;
@@ -249,6 +250,7 @@ void Preparer::State::move(const Command& command) {
     Segment segment = standing.still();
     segment.kind = command.op == Op::Rapid ? SegmentKind::Rapid : SegmentKind::Feed;
     segment.line = command.line;
+    segment.cycle = command.cycle;
     segment.source = command.source;
     const double length = standing.lay_path(command, target, segment);
     const Arrival arrival{length, joints_of(axes.chain(), target.followers)};

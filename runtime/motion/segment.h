@@ -57,6 +57,7 @@ struct Segment {
     bool turns_only = false;   // no linear axis moves: lengths are degrees, not mm
     AxisMask followers = 0;    // axes beside X, Y, Z that move in this piece
     std::uint32_t line = 0;    // of the ISO-7bit text
+    std::uint16_t cycle = 0;   // of the command
     SourceId source;
 
     path::Curve curve;  // way of the tip, or of the contact; a Point if it stands

@@ -94,7 +94,8 @@ struct Command {
     std::uint8_t spindle_number = 0;   // of a spindle where the machine has several; else 0
     AxisMask moved = 0;                // axes that the block programmed
     SourceId source;
-    std::uint32_t line = 0;  // of the ISO-7bit text
+    std::uint32_t line = 0;   // of the ISO-7bit text
+    std::uint16_t cycle = 0;  // a part of one: its place in the dialect's list, from 1; 0: of none
 
     AxisValues to{};  // end position of every axis, mm and deg
     // Arc: runs counter-clockwise about `normal` by `sweep` while the height along it grows evenly.

@@ -292,6 +292,7 @@ Segment ScannerCommands::still(const Command& command) const {
     Segment segment = beam_at_.still();
     segment.kind = SegmentKind::External;
     segment.line = command.line;
+    segment.cycle = command.cycle;
     segment.source = command.source;
     return segment;
 }

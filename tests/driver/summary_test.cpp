@@ -122,7 +122,15 @@ TEST(Summary, TellsWhereTheTimeGoes) {
     EXPECT_NE(text.find("  part.kadr:12        1 min 00 s  80 %  drill(to: -5mm);\n"),
               std::string::npos)
         << text;
+    run.cycles = {{"drill_peck", {40, 35, 90}}};
+    EXPECT_NE(summary_text(run, two_axes())
+                  .find("  cycle         time            cutting               path\n"
+                        "  drill_peck    40 s            35 s                  90.0 mm\n"),
+              std::string::npos)
+        << summary_text(run, two_axes());
     const nlohmann::json json = nlohmann::json::parse(summary_json(run, two_axes()));
+    EXPECT_EQ(json["cycles"][0]["cycle"], "drill_peck");
+    EXPECT_EQ(json["cycles"][0]["cutting_s"], 35);
     EXPECT_EQ(json["tools"][1]["tool"], 7);
     EXPECT_EQ(json["tools"][1]["cutting_s"], 15);
     EXPECT_EQ(json["longest"][0]["at"], "part.kadr:12");

@@ -56,6 +56,24 @@ TEST_F(WorkTimes, AddUpByToolAndByStatement) {
     EXPECT_EQ(run["longest"][0]["text"], "drill_peck(to: -30mm, peck: 5mm)");
 }
 
+// What a cycle of the control moves is its own, the way to its place is not.
+TEST_F(WorkTimes, AddUpByCycle) {
+    const json run = summary("part.nc",
+                             "%\nO1\nT1M6\nS500M3\nG0X0Y0Z50.\nG83X10.Z-12.R2.Q6.F100.\nX20.\n"
+                             "X30.\nG80\nG81X40.Z-5.R2.F50.\nX50.\nG80\nM30\n%\n");
+    ASSERT_EQ(run["cycles"].size(), 2u);
+    const json& peck = run["cycles"][0];
+    const json& drill = run["cycles"][1];
+    EXPECT_EQ(peck["cycle"], "drill_peck");
+    EXPECT_EQ(drill["cycle"], "drill");
+    // 14 mm and two begins of a peck 1 mm above its ground at F100; 7 mm at F50; ramps besides.
+    EXPECT_NEAR(peck["cutting_s"].get<double>(), 3 * 16 * 0.6, 0.2);
+    EXPECT_NEAR(drill["cutting_s"].get<double>(), 2 * 7 * 1.2, 0.2);
+    EXPECT_NEAR(sum(run["cycles"], "cutting_s"), run["cutting_s"].get<double>(), 1e-6);
+    // … up to Z50, and to five places 10 mm apart.
+    EXPECT_NEAR(run["length_mm"].get<double>() - sum(run["cycles"], "length_mm"), 100, 1e-6);
+}
+
 // The library's moves, where the control has no such cycle, are those of the statement that called.
 TEST_F(WorkTimes, CountTheLibraryForItsCaller) {
     save("part.kadr", kPart);
