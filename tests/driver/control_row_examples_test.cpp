@@ -71,11 +71,12 @@ Control control_of(const std::string& example) {
         matches("#[0-9]|G6[567]|M98|M198|^O[0-9]|[A-Z]-?[0-9]*\\.(\\s|$)|IF\\[|WHILE\\[|DPRNT");
     const bool has_centre = has("G43.4") || has("G43.5") || has("G41.2");
     const std::string machine =
-        has("nutating")                                                       ? "nutating.xml"
-        : has("three rotary axes")                                            ? "six-axis.xml"
-        : has("mixed")                                                        ? "mixed-cb.xml"
-        : has("TRAORI\n") || has("\nTRAORI") || has("trunnion") || has_centre ? "trunnion-ac.xml"
-                                                                              : mill;
+        has("nutating")            ? "nutating.xml"
+        : has("three rotary axes") ? "six-axis.xml"
+        : has("mixed")             ? "mixed-cb.xml"
+        : has("TRAORI\n") || has("\nTRAORI") || has("TRAORI(") || has("trunnion") || has_centre
+            ? "trunnion-ac.xml"
+            : mill;
     if (is_fanuc && !has("SINUMERIK"))
         return {"fanuc", ".nc", machine, "T1 M6\nS1000 M3\nG0 X0 Y0 Z50. F200.\n"};
     return {"sinumerik", ".mpf", machine, "T1 D1 M6\nS1000 M3\nG0 X0 Y0 Z50 F200\n",
