@@ -47,7 +47,8 @@ const std::set<std::string_view> kOwnEnd = {"K5260", "K5261"};
 
 struct Control {
     std::string dialect, suffix, machine, head;
-    bool has_c = false;  // the machine has an axis C
+    bool has_c = false;             // the machine has an axis C
+    bool has_two_spindles = false;  // … a second spindle
 };
 
 Control control_of(const std::string& example) {
@@ -71,15 +72,20 @@ Control control_of(const std::string& example) {
         matches("#[0-9]|G6[567]|M98|M198|^O[0-9]|[A-Z]-?[0-9]*\\.(\\s|$)|IF\\[|WHILE\\[|DPRNT");
     const bool has_centre = has("G43.4") || has("G43.5") || has("G41.2");
     const std::string machine =
-        has("nutating")                                                       ? "nutating.xml"
-        : has("three rotary axes")                                            ? "six-axis.xml"
-        : has("mixed")                                                        ? "mixed-cb.xml"
-        : has("TRAORI\n") || has("\nTRAORI") || has("trunnion") || has_centre ? "trunnion-ac.xml"
-                                                                              : mill;
+        has("nutating")            ? "nutating.xml"
+        : has("three rotary axes") ? "six-axis.xml"
+        : has("mixed")             ? "mixed-cb.xml"
+        : has("TRAORI\n") || has("\nTRAORI") || has("TRAORI(") || has("trunnion") || has_centre
+            ? "trunnion-ac.xml"
+            : mill;
     if (is_fanuc && !has("SINUMERIK"))
         return {"fanuc", ".nc", machine, "T1 M6\nS1000 M3\nG0 X0 Y0 Z50. F200.\n"};
-    return {"sinumerik", ".mpf", machine, "T1 D1 M6\nS1000 M3\nG0 X0 Y0 Z50 F200\n",
-            has("machine with C")};
+    return {"sinumerik",
+            ".mpf",
+            machine,
+            "T1 D1 M6\nS1000 M3\nG0 X0 Y0 Z50 F200\n",
+            has("machine with C"),
+            has("two spindles")};
 }
 
 /// The blocks without the remarks behind them.
@@ -141,6 +147,7 @@ class ControlRowExamples : public testing::Test {
             tools +=
                 "<axis name=\"C\" limits=\"0..360 deg\" velocity=\"30 rpm\" "
                 "acceleration=\"1000 deg/s2\"/>";
+        if (control.has_two_spindles) tools += "<spindle number=\"2\"/>";
         return save("machine.xml", text.insert(text.rfind("</machine>"), tools));
     }
 
