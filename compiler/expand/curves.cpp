@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/diagnostics/expand.h"
+#include "base/numbers.h"
 #include "expand/numbers.h"
 #include "expand/plane.h"
 #include "expand/state.h"
@@ -131,6 +132,7 @@ bool Expander::State::start_curve(const Instruction& instruction, std::uint32_t 
     const bool is_flat = curve.is_given[0] && curve.is_given[1] && !curve.is_given[2];
     const bool has_arcs = target.can_write(Function::ArcCw) && target.can_write(Function::ArcCcw);
     fit.kind = is_flat && has_arcs && wants_arcs ? path::FitKind::Biarcs : path::FitKind::Lines;
+    keep_back_rounding(where, is_flat ? 2 : 3, fit);
     if (!start_fit(instruction, where, wants_nurbs, fit)) return false;
     curve.at = first->position.head<2>();
     // To the start, unless the tool is there.
@@ -147,6 +149,23 @@ bool Expander::State::start_curve(const Instruction& instruction, std::uint32_t 
     if (!emit_line(first->position, curve.next, where)) return false;
     curve.next.feed = sema::kNotGivenNumber;
     return true;
+}
+
+/// The text rounds every coordinate by up to half of an increment, which is a part of the
+/// tolerance.
+void Expander::State::keep_back_rounding(std::uint32_t where, int coordinates,
+                                         path::FitOptions& fit) {
+    const bool is_inch = modal[Group::Units] == Function::Inch;
+    const double increment = target.written_increment(is_inch);
+    const double rounding = std::sqrt(coordinates) * increment / 2;
+    const double asked = fit.tolerance;
+    fit.tolerance = std::max(asked - rounding, asked / 2);
+    if (fit.tolerance + rounding <= asked || where == increment_warned_at) return;
+    increment_warned_at = where;
+    fault(diag::CurveIncrement, where)
+        .arg(quantity_text(increment, sema::kLength))
+        .arg(quantity_text(round_to(fit.tolerance + rounding, 5), sema::kLength))
+        .arg(quantity_text(asked, sema::kLength));
 }
 
 /// As one spline if that is asked for and the control has it; else as lines or arcs, piece by

@@ -382,6 +382,7 @@ struct Expander::State {
     bool start_curve(const Instruction& instruction, std::uint32_t at);
     std::optional<path::CurveSample> curve_point(const Instruction& instruction, std::uint32_t at,
                                                  double parameter);
+    void keep_back_rounding(std::uint32_t at, int coordinates, path::FitOptions& fit);
     bool start_fit(const Instruction& instruction, std::uint32_t at, bool wants_nurbs,
                    const path::FitOptions& fit);
     bool fit_spline(const Instruction& instruction, std::uint32_t at, const path::FitOptions& fit);
@@ -468,10 +469,11 @@ struct Expander::State {
     nc::Block kept_block;               // takes the words of a block that is kept
 
     std::optional<Following> following;
-    std::uint32_t tap_warned_at = 0;     // where a control without tapping was reported last
-    std::uint32_t spline_warned_at = 0;  // where a control without splines was reported last
-    bool is_in_curve = false;            // a point of a curve is being calculated
-    std::vector<double> slopes;          // beside `stack`, while one is
+    std::uint32_t tap_warned_at = 0;        // where a control without tapping was reported last
+    std::uint32_t spline_warned_at = 0;     // where a control without splines was reported last
+    std::uint32_t increment_warned_at = 0;  // … and a tolerance that increments do not let it keep
+    bool is_in_curve = false;               // a point of a curve is being calculated
+    std::vector<double> slopes;             // beside `stack`, while one is
 
     nc::Block* batch = nullptr;
     std::size_t batch_size = 0;

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/driver.h"
 #include "base/text.h"
+#include "base/units.h"
 #include "nc/check.h"
 #include "nc/load.h"
 
@@ -153,6 +155,14 @@ bool Dialect::can_write(Function function) const {
     }
     if (function == Function::None) return true;
     return !tables_->forms_of[static_cast<std::size_t>(function)].empty();
+}
+
+double Dialect::written_increment(bool is_inch) const {
+    const AddressId id = tables_->slot_address[static_cast<std::size_t>(Slot::X)];
+    if (id == kNoAddress) return 0;
+    const NumberFormat& format = tables_->addresses[id].format;
+    return is_inch ? kMmPerInch * std::pow(10, -format.inch_decimals)
+                   : std::pow(10, -format.decimals);
 }
 
 void Dialect::record(UsedEntries* used) { tables_->used = used; }

@@ -105,6 +105,8 @@ class Dialect {
                           std::span<const double> values = {}) const;
     /// Whether the control can say this function at all.
     bool can_write(Function function) const;
+    /// The increment to which X is written, mm.
+    double written_increment(bool is_inch) const;
     /// Member of a modal group at power-on; None if the dialect does not say.
     Function power_on(Group group) const;
     /// Whether the control is a lathe's: X is a diameter at power-on.
