@@ -7,7 +7,8 @@
 // turns under it), tilting.cpp and swivelling.cpp (tilted planes), virtual_axes.cpp (faces and
 // cylinders), cornering.cpp and compensating.cpp (what the commands pass through), soft_moves.cpp
 // (soft approaches and retracts), smoothing.cpp (rounded corners, compressed lines), cycles.cpp
-// (machining cycles), patterns.cpp (places at which a cycle is called), shapes.cpp (cycles along a
+// (machining cycles), patterns.cpp (places at which a cycle is called), panel.cpp and
+// feed_words.cpp (how fast motions may be), shapes.cpp (cycles along a
 // shape that stands in the program), splines.cpp, through_splines.cpp, polynomials.cpp,
 // involutes.cpp and curves.cpp (other curves), arc_threads.cpp (threads along arcs),
 // numbered_spindles.cpp (several spindles), rare_words.cpp and data_input.cpp (rarer words).
@@ -160,7 +161,10 @@ class Executor {
     std::size_t pull(std::span<path::Command> out);
     bool alarmed() const { return alarmed_; }
     std::uint64_t blocks() const { return block_count_; }
-    std::vector<StateItem> state() const;  // describe.cpp
+    /// Whether a motion that is out may have a course of its feed to be worked out.
+    bool says_course() const { return panel_.says_course; }
+    void report_course(const path::Command& command, double feed);  // feed_words.cpp
+    std::vector<StateItem> state() const;                           // describe.cpp
     const AxisValues& position() const { return position_.here; }
     Snapshot snapshot() const;  // snapshot.cpp
 
@@ -668,6 +672,17 @@ class Executor {
     // panel.cpp
     void set_dynamics(const nc::Block& block, const nc::Invocation& invocation);
     void set_override(const nc::Block& block, const nc::Invocation& invocation);
+    // feed_words.cpp
+    path::Dynamics& said_dynamics();
+    void set_feed_words(const nc::Block& block, const nc::Invocation& invocation);
+    std::optional<Axis> known_axis(const nc::Block& block, const nc::Invocation& invocation,
+                                   std::size_t parameter);
+    void choose_feed_axes(const nc::Block& block, const nc::Invocation& invocation);
+    void set_feed_radius(const nc::Block& block, const nc::Invocation& invocation);
+    void set_axis_speed(const nc::Block& block, const nc::Invocation& invocation);
+    void take_polynomial(const nc::Block& block, const nc::Invocation& invocation);
+    void put_positioning(path::Command& command) const;
+    void put_course(path::Command& command) const;
     ControlState::Write suppress_panel(double value);
     double suppressed_panel() const;
     bool stops_exactly(bool once = false) const;

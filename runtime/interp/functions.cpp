@@ -417,6 +417,13 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::AxisVelocity:
         case Function::AxisAcceleration:
         case Function::AxisJerk: set_dynamics(block, invocation); break;
+        case Function::FeedAxes:
+        case Function::FeedRadius:
+        case Function::AxisSpeed:
+        case Function::AxisFeed:
+        case Function::AxisOverride:
+        case Function::FeedCourse:
+        case Function::FeedPolynomial: set_feed_words(block, invocation); break;
         case Function::Probe: actions.probes = true; break;
         // Here the part lies where the program expects it, and every probe finds it.
         case Function::ProbeCheck:

@@ -1,11 +1,31 @@
 #include "interp/interpreter.h"
 
 #include "interp/executor.h"
+#include "interp/feed_courses.h"
 
 namespace kadr::interp {
 
+namespace {
+
+/// The executor as a stream.
+class Executed final : public Stream<path::Command> {
+  public:
+    explicit Executed(Executor& executor) : executor_(executor) {}
+    std::size_t pull(std::span<path::Command> out) override { return executor_.pull(out); }
+
+  private:
+    Executor& executor_;
+};
+
+}  // namespace
+
 struct Interpreter::State {
     Executor executor;
+    Executed executed{executor};
+    FeedCourses courses{executed, [this] { return executor.says_course(); },
+                        [this](const path::Command& command, double feed) {
+                            executor.report_course(command, feed);
+                        }};
 };
 
 Interpreter::Interpreter(const nc::Dialect& dialect, const machine::Machine& machine,
@@ -16,7 +36,7 @@ Interpreter::Interpreter(const nc::Dialect& dialect, const machine::Machine& mac
 
 Interpreter::~Interpreter() = default;
 
-std::size_t Interpreter::pull(std::span<path::Command> out) { return state_->executor.pull(out); }
+std::size_t Interpreter::pull(std::span<path::Command> out) { return state_->courses.pull(out); }
 bool Interpreter::alarmed() const { return state_->executor.alarmed(); }
 std::vector<StateItem> Interpreter::state() const { return state_->executor.state(); }
 const AxisValues& Interpreter::position() const { return state_->executor.position(); }

@@ -238,6 +238,8 @@ void Executor::line(const Block& block, const Target& programmed, Op op, bool ex
     command.feed = op == Op::Rapid ? 0 : modal_.feed;
     if (op == Op::Line && block.find(Function::TapFloating) != nullptr)
         command.keeps_feed = command.ignores_hold = true;
+    if (panel_.positioning.is_said && block.find(Function::RapidOnce) != nullptr)
+        put_positioning(command);
     arrive(target);
     if (op != Op::Probe) return;
     probed_.emplace();

@@ -37,7 +37,6 @@ AxisValues& parts_of_axes(path::Dynamics& dynamics, Function function) {
 }  // namespace
 
 void Executor::set_dynamics(const Block& block, const Invocation& invocation) {
-    if (panel_.dynamics.empty()) panel_.dynamics.emplace_back();
     const Function function = invocation.function;
     if (function == Function::FeedOverride || function == Function::RapidOverride)
         return set_override(block, invocation);
@@ -59,12 +58,12 @@ void Executor::set_dynamics(const Block& block, const Invocation& invocation) {
             .arg(axis < kAxes ? kAxisNames[axis] : std::string_view("of this number"));
         return;
     }
-    parts_of_axes(panel_.dynamics.front(), function)[axis] = percent * kPercent;
+    parts_of_axes(said_dynamics(), function)[axis] = percent * kPercent;
 }
 
 /// So much of F, or of the speed at rapid.
 void Executor::set_override(const Block& block, const Invocation& invocation) {
-    path::Dynamics& dynamics = panel_.dynamics.front();
+    path::Dynamics& dynamics = said_dynamics();
     const bool is_feed = invocation.function == Function::FeedOverride;
     const double most = is_feed ? 200 : 100;
     const double percent = block.argument(invocation, 0);
@@ -103,6 +102,10 @@ void Executor::put_panel(path::Command& command) const {
     command.keeps_feed = is_tap || (is_feed && (modal_.taps || !panel_.has_override));
     command.ignores_hold = is_tap || (is_motion && (modal_.taps || !panel_.has_hold));
     command.dynamics = panel_.dynamics;
+    // At rapid an axis has all its speed, whatever it has beside F.
+    if (!command.dynamics.empty() && command.op == Op::Rapid)
+        command.dynamics.front().speed = path::Dynamics().speed;
+    if (panel_.says_course) put_course(command);
 }
 
 }  // namespace kadr::interp

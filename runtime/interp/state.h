@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -36,6 +37,22 @@ struct PanelState {
     bool has_override = true;  // of the feed
     bool has_exact_stop = true;
     std::vector<path::Dynamics> dynamics;  // one, or none as long as nothing was said
+
+    /// Of axes that position by themselves.
+    struct Positioning {
+        AxisValues speed;  // mm/s or rad/s; infinite: all that the axis has
+        AxisValues part;   // of it
+        bool is_said = false;
+
+        Positioning() {
+            speed.fill(std::numeric_limits<double>::infinity());
+            part.fill(1);
+        }
+    };
+    Positioning positioning;
+    bool says_course = false;                              // whatever follows was said once
+    path::FeedCourse course = path::FeedCourse::Constant;  // of the feeds from here on
+    path::FeedLaw polynomial;                              // … of its block alone
 };
 
 /// Where the tool tip stands. Lengths mm, angles deg; X of a lathe is a radius here.

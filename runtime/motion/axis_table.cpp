@@ -96,6 +96,8 @@ AxisTable AxisTable::under(const path::Dynamics& dynamics) const {
     AxisTable table = *this;
     for (Entry& axis : table.axes_) {
         axis.velocity *= dynamics.velocity[axis.coordinate];
+        if (!dynamics.is_feed_axis(static_cast<Axis>(axis.coordinate)))
+            axis.velocity = std::min(axis.velocity, dynamics.speed[axis.coordinate]);
         axis.acceleration *= dynamics.acceleration[axis.coordinate];
         axis.jerk *= dynamics.jerk[axis.coordinate];
         if (axis.coordinate >= 3) continue;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "motion/feed_axes.h"
 
 namespace kadr::motion {
 
@@ -44,43 +45,73 @@ struct Part {
     double to = 0;
 };
 
+/// What makes the feed of a piece uneven.
+struct Uneven {
+    const Segment& piece;
+    const path::Dynamics* dynamics = nullptr;  // feed axes; null: they are even
+    const Spindle* spindle = nullptr;          // null: it keeps its speed
+
+    bool is_even(const Part& part) const {
+        if (dynamics != nullptr) {
+            const FeedAxesRange range = feed_axes_range(*dynamics, piece, part.from, part.to);
+            if (range.most > kEven * range.least) return false;
+        }
+        if (spindle == nullptr) return true;
+        const path::Curve here = path::part(piece.curve, part.from, part.to);
+        return speed_range(here, *spindle).ratio() <= kEven;
+    }
+};
+
 /// Halves a part until one feed does; appends where the parts end.
-void cut_evenly(const path::Curve& curve, const Part& part, const Spindle& spindle,
-                std::vector<double>& bounds) {
-    const path::Curve here = path::part(curve, part.from, part.to);
-    if (part.to - part.from < 2 * kShortest || speed_range(here, spindle).ratio() <= kEven) {
+void cut_evenly(const Uneven& uneven, const Part& part, std::vector<double>& bounds) {
+    if (part.to - part.from < 2 * kShortest || uneven.is_even(part)) {
         bounds.push_back(part.to);
         return;
     }
     const double middle = (part.from + part.to) / 2;
-    cut_evenly(curve, {part.from, middle}, spindle, bounds);
-    cut_evenly(curve, {middle, part.to}, spindle, bounds);
+    cut_evenly(uneven, {part.from, middle}, bounds);
+    cut_evenly(uneven, {middle, part.to}, bounds);
+}
+
+/// What the program says of the feed axes, if F is not about X, Y and Z; of a thread it never is.
+const path::Dynamics* feed_axes_of(const path::Command& command) {
+    if (command.dynamics.empty() || command.op == path::Op::Thread) return nullptr;
+    static const path::Dynamics kPlain;
+    const path::Dynamics& said = command.dynamics.front();
+    const bool is_plain =
+        said.feed_axes == kPlain.feed_axes && said.feed_radius == kPlain.feed_radius;
+    return is_plain ? nullptr : &said;
 }
 
 }  // namespace
 
 Result<double, FeedFault> path_feed(const path::Command& command, const Segment& piece,
-                                    double length, const Spindle& spindle) {
+                                    double length, const Spindle& spindle, const AxisTable* axes) {
     if (!(command.feed > 0)) return FeedFault::NoFeed;
-    switch (command.feed_mode) {
-        case path::FeedMode::PerMinute: return feed_from_mm_min(command.feed);
-        case path::FeedMode::InverseTime: return length * command.feed / 60;
-        case path::FeedMode::PerRevolution:
-            return feed_per_revolution(command.feed, piece.curve, spindle);
-    }
-    return FeedFault::NoFeed;
+    // The time of the block is what it is, whatever the way that F is about.
+    if (command.feed_mode == path::FeedMode::InverseTime) return length * command.feed / 60;
+    const path::Dynamics* said = feed_axes_of(command);
+    const double rate = said == nullptr ? 1 : mean_feed_axes_rate(*said, piece, length, axes);
+    if (command.feed_mode == path::FeedMode::PerMinute)
+        return feed_from_mm_min(command.feed) / rate;
+    const auto feed = feed_per_revolution(command.feed, piece.curve, spindle);
+    return feed ? Result<double, FeedFault>(*feed / rate) : feed;
 }
 
 std::vector<double> feed_bounds(const path::Command& command, const Segment& piece, double length,
                                 const Spindle& spindle) {
+    const bool is_by_turns = spindle.is_turning && spindle.holds_cutting_speed &&
+                             command.feed_mode == path::FeedMode::PerRevolution;
+    const bool is_straight = std::holds_alternative<path::Line>(piece.curve);
+    const bool is_by_axes =
+        !is_straight && !piece.is_transformed() && command.feed_mode != path::FeedMode::InverseTime;
+    const Uneven uneven{piece, is_by_axes ? feed_axes_of(command) : nullptr,
+                        is_by_turns ? &spindle : nullptr};
+    const Part whole{0, length};
     std::vector<double> bounds;
-    if (!spindle.is_turning || !spindle.holds_cutting_speed ||
-        command.feed_mode != path::FeedMode::PerRevolution) {
-        return bounds;
-    }
-    if (speed_range(piece.curve, spindle).ratio() <= kEven) return bounds;
+    if (uneven.is_even(whole)) return bounds;
     bounds.push_back(0);
-    cut_evenly(piece.curve, {0, length}, spindle, bounds);
+    cut_evenly(uneven, whole, bounds);
     return bounds;
 }
 

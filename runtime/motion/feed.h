@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "motion/axis_table.h"
 #include "motion/segment.h"
 #include "motion/spindle.h"
 #include "path/command.h"
@@ -19,14 +20,17 @@ enum class FeedFault : std::uint8_t { NoFeed, SpindleStands };
 ///
 /// Under constant cutting speed it is the mean over the piece in time, by Simpson's rule over the
 /// radius: exact on a line as long as the spindle does not reach a limit.
+/// Where the program has said of which axes F is the speed, it is infinite if none of them moves.
 /// length       of the path, mm (deg), > 0
-/// source       reference motion §2.8, §9.1
+/// axes         may be null: of a transformed piece only axes that follow it are known then
+/// source       reference motion §2.8, §9.1; feed_axes.h
 Result<double, FeedFault> path_feed(const path::Command& command, const Segment& piece,
-                                    double length, const Spindle& spindle);
+                                    double length, const Spindle& spindle,
+                                    const AxisTable* axes = nullptr);
 
 /// Where a piece is cut so that one feed does for each part: its feed is within a hundredth of what
-/// the spindle's speed makes it everywhere in the part. Lengths from 0 to that of the piece; empty
-/// if the spindle does not change its speed on it.
+/// the spindle's speed and the feed axes make it everywhere in the part. Lengths from 0 to that of
+/// the piece; empty if neither changes on it.
 std::vector<double> feed_bounds(const path::Command& command, const Segment& piece, double length,
                                 const Spindle& spindle);
 

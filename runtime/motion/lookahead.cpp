@@ -25,7 +25,7 @@ void LookAhead::append(const Stretch& stretch) {
     fresh = node_of(stretch);
     fresh.limit = std::min({fresh.corner, last_speed_, fresh.speed});
     last_ = fresh.most;
-    last_speed_ = fresh.speed;
+    last_speed_ = fresh.has_course ? fresh.exit_feed : fresh.speed;
     pieces_ += stretch.pieces;
 }
 
@@ -40,6 +40,13 @@ LookAhead::Node LookAhead::node_of(const Stretch& stretch) const {
     const double speed = fresh.most.speed_at(overrides_);
     fresh.speed = speed * speed;
     fresh.corner = stretch.entry_limit * stretch.entry_limit;
+    if (stretch.has_course()) {
+        fresh.has_course = true;
+        fresh.entry_feed = stretch.entry_feed * stretch.entry_feed;
+        fresh.exit_feed = stretch.exit_feed * stretch.exit_feed;
+        fresh.corner *= fresh.entry_feed;
+        fresh.speed = fresh.entry_feed;
+    }
     return fresh;
 }
 
@@ -69,16 +76,24 @@ double LookAhead::Node::reach(double other) const {
     return reached * reached;
 }
 
+double LookAhead::Node::entry_by(double after) const {
+    return has_course ? entry_feed * reach(after / exit_feed) : reach(after);
+}
+
+double LookAhead::Node::exit_by(double before) const {
+    return has_course ? exit_feed * reach(before / entry_feed) : reach(before);
+}
+
 /// The entry speed by what comes after.
 double LookAhead::entry_of(std::size_t i, double after) const {
     const Node& current = node(i);
-    if (!current.is_cell) return std::min(current.limit, current.reach(after));
+    if (!current.is_cell) return std::min(current.limit, current.entry_by(after));
     return entry_square(cells_[(first_ + i) & mask_], current.limit, after);
 }
 
 double LookAhead::exit_of_oldest(double limit) const {
     const Node& oldest = node(0);
-    if (!oldest.is_cell) return std::min(limit, oldest.reach(reached_));
+    if (!oldest.is_cell) return std::min(limit, oldest.exit_by(reached_));
     return exit_square(cells_[first_], reached_, limit);
 }
 

@@ -76,9 +76,14 @@ class LookAhead {
         bool is_cell = false;
         double corner = 0;  // limit of the entry junction whatever the overrides
         OverriddenSpeed most;
+        bool has_course = false;
+        double entry_feed = 0;  // squared as well
+        double exit_feed = 0;
 
         /// The speed allowed at one end by that at the other.
         double reach(double other) const;
+        double entry_by(double after) const;
+        double exit_by(double before) const;
     };
     Node& node(std::size_t i) { return nodes_[(first_ + i) & mask_]; }
     const Node& node(std::size_t i) const { return nodes_[(first_ + i) & mask_]; }

@@ -80,6 +80,23 @@ void Planner::State::hand_on(const Piece& piece, double exit_limit) {
     stretch.rapid_asked = piece.rapid_asked;
     stretch.can_be_held = piece.can_be_held;
     stretch.follows_spindle = piece.follows_spindle;
+    if (piece.course.is_on()) {
+        const FeedCourse& course = piece.course;
+        const RateLimits rate = rate_limits(course, piece.acceleration, piece.jerk);
+        stretch.length = course.time;
+        stretch.speed = 1;
+        stretch.acceleration = rate.acceleration;
+        stretch.entry_feed = course.entry();
+        stretch.exit_feed = course.exit();
+        stretch.entry_limit = std::min(1.0, piece.entry_limit / course.entry());
+        if (axes.limits_jerk()) {
+            stretch.jerk = rate.jerk;
+            exit_limit = std::min(1.0, exit_limit / course.exit());
+            gathered.add(stretch, exit_limit);
+            append_complete();
+            return;
+        }
+    }
     if (!axes.limits_jerk()) {
         lookahead.append(stretch);
         if (panel.is_used()) stretches.push_back(stretch);
@@ -109,8 +126,13 @@ PlannedStretch Planner::State::take_stretch() {
     stretches.pop_front();
     const Stretch& limits = next.limits;
     if (std::isinf(limits.jerk)) return next;
+    JunctionSpeeds ends = next.speeds;
+    if (limits.has_course()) {
+        ends.entry = std::min(1.0, ends.entry / limits.entry_feed);
+        ends.exit = std::min(1.0, ends.exit / limits.exit_feed);
+    }
     const auto whole =
-        seven_phases(limits.length, next.speeds.entry, next.speeds.exit,
+        seven_phases(limits.length, ends.entry, ends.exit,
                      {limits.speed, limits.acceleration, limits.acceleration, limits.jerk});
     KADR_ASSERT(whole.has_value(), "the look-ahead promised a smooth ramp that does not fit");
     next.profile = *whole;
@@ -194,6 +216,8 @@ void Planner::State::plan(Piece& piece, bool is_last) {
         segment.profile = profile_over(piece.cell, speeds.entry, speeds.exit);
     } else if (given) {
         segment.profile = *given;
+    } else if (piece.course.is_on()) {
+        plan_course(piece, is_last);
     } else if (std::isinf(current.jerk)) {
         auto profile = trapezoid(piece.length, speeds.entry, speeds.exit,
                                  {piece.speed, piece.acceleration, piece.acceleration});
@@ -206,6 +230,20 @@ void Planner::State::plan(Piece& piece, bool is_last) {
         segment.profile = cut.next(piece.length, is_last);
     }
     segment.duration = segment.profile.duration();
+}
+
+/// Over the time of its feed, as others over their length.
+void Planner::State::plan_course(Piece& piece, bool is_last) {
+    const FeedCourse& course = piece.course;
+    if (std::isfinite(current.jerk)) {
+        piece.segment.profile = over_course(cut.next(course.time, is_last), course);
+        return;
+    }
+    const double most = rate_limits(course, piece.acceleration, piece.jerk).acceleration;
+    const auto rate = trapezoid(course.time, std::min(1.0, speeds.entry / course.entry()),
+                                std::min(1.0, speeds.exit / course.exit()), {1, most, most});
+    KADR_ASSERT(rate.has_value(), "the look-ahead promised a change of speed that does not fit");
+    piece.segment.profile = over_course(*rate, course);
 }
 
 void Planner::State::record(const Piece& piece) {

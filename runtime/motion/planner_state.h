@@ -50,6 +50,7 @@ struct Planner::State {
     bool joins_stretches() const;
     void issue(Piece& piece);
     void plan(Piece& piece, bool is_last);
+    void plan_course(Piece& piece, bool is_last);
     void record(const Piece& piece);
     void record_corner(const Piece& piece);
     void record_jerk(const Piece& piece, double along);

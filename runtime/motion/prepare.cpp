@@ -89,6 +89,7 @@ Piece& Preparer::State::fresh_piece() {
     piece.is_cell = piece.is_geared = piece.has_dynamics = piece.follows_spindle = false;
     piece.feed_asked = piece.rapid_asked = kInfinity;
     piece.can_be_held = false;
+    piece.course.time = 0;
     piece.issues = std::exchange(to_issue, 0);
     piece.awaits = false;
     return piece;
@@ -257,6 +258,7 @@ void Preparer::State::move(const Command& command) {
     if (segment.is_transformed() && length > 0) {
         const double from = round_corner(command, segment, arrival);
         if (!has_ended && !hold(command, segment, arrival, from)) {
+            if (has_law(command)) begin_law(0, length);
             if (from > 0) emit_rest(command, segment, length, from);
             else emit_transformed(command, segment, target);
         }
@@ -292,6 +294,7 @@ bool Preparer::State::is_possible(const Command& command, const Segment& segment
 void Preparer::State::emit_part(const Command& command, const Segment& whole, double length,
                                 const WayPart& part) {
     if (part.to - part.from < kStill) return;
+    if (has_law(command)) begin_law(part.from, length);
     const bool is_whole = part.from == 0 && part.to == length;
     const Segment segment = is_whole ? whole : part_of(whole, part.from, part.to);
     if (path::bends_freely(segment.curve) && !std::holds_alternative<path::Glide>(segment.curve)) {
@@ -349,6 +352,7 @@ void Preparer::State::emit_parts(const Command& command, const Segment& whole,
 bool Preparer::State::allows_cells(const Command& command) const {
     // The pulses of a laser time whole blocks.
     if (axes.limits_jerk() || command.op == Op::Thread || has_pulses()) return false;
+    if (has_law(command)) return false;
     // A cell has one course of its speed, which an event would break.
     if (!options.events.empty()) return false;
     return command.feed_mode == path::FeedMode::PerMinute;
@@ -359,7 +363,7 @@ bool Preparer::State::allows_cells(const Command& command) const {
 std::vector<double> Preparer::State::cells_in(const Command& command, const Segment& whole,
                                               double length) {
     if (!allows_cells(command)) return {};
-    const auto feed = path_feed(command, whole, length, spindle);
+    const auto feed = path_feed(command, whole, length, spindle, &axes);
     if (!feed) return {};
     const AxisRates start = axes.start_rates(whole);
     follow_dynamics(command);
@@ -393,6 +397,7 @@ void Preparer::State::emit_cells(const Command& command, const Segment& whole,
 
 void Preparer::State::emit(const Command& command, const Segment& segment, double length,
                            const Emission& how) {
+    if (!how.is_by_law && has_law(command)) return emit_by_law(command, segment, length, how);
     follow_dynamics(command);
     if (stands_for_ever(command)) return;
     double programmed = programmed_feed(command, segment, length);
@@ -405,6 +410,11 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
         programmed = limits.speed * dynamics.rapid;
         limits.speed = programmed * options.rapid_override;
         feed = limits.speed;
+    } else if (std::isinf(programmed)) {
+        // No axis moves of which F is the speed: the others have their limits, and the overrides.
+        const double most = limits.speed;
+        programmed = most * std::min(1.0, programmed_override(command));
+        feed = limits.speed = std::min(most, wanted_feed(command, segment, programmed));
     }
     if (command.op == Op::Thread && limits.speed < feed * (1 - kSameSpeed)) {
         report_thread_speed(command, feed, limits.speed);
@@ -449,6 +459,8 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
         piece.entry_acceleration = corner_acceleration_limit(in);
         take_bend(piece);
     }
+    if (how.course != nullptr) piece.course = *how.course;
+    if (piece.course.is_on() || std::isfinite(last.exit_feed)) take_course(piece, in);
     remember(piece);
 }
 
@@ -475,7 +487,7 @@ void Preparer::State::report_thread_speed(const Command& command, double feed, d
 double Preparer::State::programmed_feed(const Command& command, const Segment& segment,
                                         double length) {
     if (command.op == Op::Rapid) return kInfinity;
-    const auto feed = path_feed(command, segment, length, spindle);
+    const auto feed = path_feed(command, segment, length, spindle, &axes);
     if (feed) return *feed * programmed_override(command);
     const bool no_feed = feed.error() == FeedFault::NoFeed;
     if (!feed_reported) {

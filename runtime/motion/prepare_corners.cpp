@@ -184,6 +184,12 @@ void Preparer::State::remember(const Piece& piece) {
     last.jerk = piece.jerk;
     last.turns_only = segment.turns_only;
     last.must_stop = false;
+    last.exit_feed = std::numeric_limits<double>::infinity();
+    last.feed_slope = 0;
+    if (piece.course.is_on()) {
+        last.exit_feed = piece.course.exit();
+        last.feed_slope = piece.course.slope(piece.length) / last.exit_feed;
+    }
 }
 
 }  // namespace kadr::motion

@@ -57,7 +57,7 @@ bool Preparer::State::stands_for_ever(const path::Command& command) {
     if ((is_rapid ? dynamics.rapid : programmed_override(command)) > 0) return false;
     report(sink, diag::StandsForEver, command, options.place_of)
         .arg("an override of 0 % in the program")
-        .fix(is_rapid ? "`OVRRAP=100`" : "`OVR=100`");
+        .fix(is_rapid ? "`OVRRAP=100`, or `OVRA` of the axis above 0" : "`OVR=100`");
     has_alarmed = has_ended = true;
     return true;
 }

@@ -68,7 +68,7 @@ constexpr bool is_rounded(Op op) {
 std::optional<double> Preparer::State::feed_of(const Command& command, const Segment& segment,
                                                double length) const {
     if (command.op == Op::Rapid) return kInfinity;
-    const auto feed = path_feed(command, segment, length, spindle);
+    const auto feed = path_feed(command, segment, length, spindle, &axes);
     if (!feed) return std::nullopt;
     return *feed * feed_override(command);
 }
@@ -108,6 +108,7 @@ void Preparer::State::release() {
 void Preparer::State::emit_rest(const Command& command, const Segment& whole, double length,
                                 double from) {
     if (whole.is_transformed()) {
+        if (has_law(command)) begin_law(from, length);
         emit_way(command, TurningWay(axes.chain(), whole).part(from, length), length);
     } else {
         emit_part(command, whole, length, {from, length});
@@ -143,6 +144,7 @@ double Preparer::State::round_corner(const Command& command, const Segment& segm
     emit_part(held.command, held.segment, held.length, {held.from, held.length - found->way});
     emit_curves(held.command, held.segment, held.length, before);
     end_command();
+    if (has_law(command)) begin_law(0, length);
     emit_curves(command, segment, length, behind);
     return found->way;
 }
@@ -167,10 +169,12 @@ double Preparer::State::round_turned_corner(const Command& command, const Segmen
     if (!saves_time({found->way, on_curve, at_corner, std::min(held.length, length) / 2}, beside))
         return release(), 0;
     held.is_held = false;
+    if (has_law(held.command)) begin_law(held.from, held.length);
     if (const double to = held.length - found->way; to - held.from > kStill)
         emit_way(held.command, before.part(held.from, to), held.length);
     for (std::size_t i = 0; i < found->pieces.size(); ++i) {
         if (i == 2) end_command();
+        if (i == 2 && has_law(command)) begin_law(0, length);
         const bool is_before = i < 2;
         if (!has_ended)
             emit_way(is_before ? held.command : command, found->pieces[i],

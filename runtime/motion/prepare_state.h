@@ -4,7 +4,8 @@
 // prepare_corners.cpp (how fast the corner between two pieces may be passed), prepare_rounding.cpp
 // (curves around corners), prepare_transformed.cpp (motions under the machine's transformation),
 // prepare_virtual.cpp (motions on a face, on a cylinder, across an inclined slide),
-// prepare_dynamics.cpp (what the program says of how fast its motions may be).
+// prepare_dynamics.cpp (what the program says of how fast its motions may be),
+// prepare_feed_course.cpp (feeds that change along a motion).
 #pragma once
 
 #include <array>
@@ -38,6 +39,8 @@ struct CornerMemory {
     bool turns_only = false;
     bool is_bent = false;
     bool must_stop = true;  // the path comes to rest behind it
+    double exit_feed = std::numeric_limits<double>::infinity();  // of a course of the feed
+    double feed_slope = 0;  // of it by the way, in parts of the feed, 1/mm
 };
 
 inline bool is_straight(const Segment& segment) {
@@ -61,6 +64,14 @@ struct Emission {
     /// So far it is from either end of that way: beside a corner the axes have less.
     double margin = std::numeric_limits<double>::infinity();
     bool follows_spindle = false;  // one of many parts, each with the feed of its radius
+    bool is_by_law = false;        // the feed of the command is that of the piece already …
+    const FeedCourse* course = nullptr;  // … or this one
+};
+
+/// So much of the way of a motion whose feed changes along it has become pieces.
+struct LawfulWay {
+    double done = 0;
+    double length = 0;
 };
 
 /// Where a motion ends.
@@ -144,6 +155,18 @@ struct Preparer::State {
     double programmed_override(const path::Command& command) const;
     double feed_override(const path::Command& command) const;
     bool stands_for_ever(const path::Command& command);
+    /// prepare_feed_course.cpp
+    void begin_law(double from, double length);
+    bool has_law(const path::Command& command) const;
+    std::optional<FeedPolynomial> law_on(const path::Command& command, const Segment& segment,
+                                         double length) const;
+    void emit_by_law(const path::Command& command, const Segment& segment, double length,
+                     const Emission& how);
+    void emit_law_part(path::Command& share, const Segment& segment, const FeedPolynomial& feed,
+                       const WayPart& part, const Emission& how);
+    std::optional<FeedCourse> course_on(const PathLimits& limits, const FeedPolynomial& feed,
+                                        double length) const;
+    void take_course(Piece& piece, const AxisRates& in) const;
 
     std::optional<double> feed_of(const path::Command& command, const Segment& segment,
                                   double length) const;
@@ -191,6 +214,7 @@ struct Preparer::State {
     AxisCheck check;
     CornerMemory last;
     HeldMotion held;
+    LawfulWay lawful;
     Compressor compressor;
 
     std::deque<IssuedFunction> issued;  // not taken yet by the planner

@@ -66,4 +66,69 @@ Result<Profile, ProfileFault> fitted_to_ticks(const Profile& profile, double tic
     return trapezoid(profile.length, entry, exit, {peak, a, d});
 }
 
+// ------------------------------------------------------------------------------ a feed's course
+
+namespace {
+
+/// A trapezoid as a run of phases.
+Profile in_phases(const Profile& trapezoid) {
+    Profile profile = trapezoid;
+    profile.is_smooth = true;
+    profile.phases = {0, trapezoid.accelerating, 0, trapezoid.cruising, 0, trapezoid.braking, 0};
+    profile.entry_acceleration = trapezoid.accelerating > 0 ? trapezoid.acceleration
+                                 : trapezoid.cruising > 0   ? 0
+                                                            : -trapezoid.deceleration;
+    return profile;
+}
+
+/// The run of phases of the rate, over the course's time.
+Profile rate_of(const Profile& profile) {
+    Profile rate = profile;
+    rate.rate.course = {};
+    rate.length = profile.rate.course.time;
+    rate.entry_speed = profile.rate.entry;
+    rate.exit_speed = profile.rate.exit;
+    rate.entry_acceleration = profile.rate.entry_acceleration;
+    rate.acceleration = rate.deceleration = profile.rate.acceleration;
+    rate.jerk = profile.rate.jerk;
+    return rate;
+}
+
+}  // namespace
+
+Profile over_course(const Profile& rate, const FeedCourse& course) {
+    const Profile phased = rate.is_smooth ? rate : in_phases(rate);
+    Profile profile = phased;
+    profile.rate = {course,
+                    phased.entry_speed,
+                    phased.entry_acceleration,
+                    phased.exit_speed,
+                    phased.acceleration,
+                    phased.jerk};
+    profile.length = course.length;
+    profile.entry_speed = course.entry() * phased.entry_speed;
+    profile.exit_speed = course.exit() * phased.exit_speed;
+    profile.peak_speed = course.most * phased.peak_speed;
+    const double ramp = path_acceleration(phased);
+    const double highest = phased.peak_speed;
+    profile.acceleration = course.acceleration * highest * highest + course.most * ramp;
+    profile.deceleration = profile.acceleration;
+    const double ramp_jerk = path_jerk(phased);
+    profile.jerk = course.jerk * highest * highest * highest +
+                   3 * course.acceleration * highest * ramp + course.most * ramp_jerk;
+    profile.entry_acceleration =
+        course.entry() *
+        (course.slope(0) * phased.entry_speed * phased.entry_speed + phased.entry_acceleration);
+    return profile;
+}
+
+ProfileState state_on_course(const Profile& profile, double time) {
+    const FeedCourse& course = profile.rate.course;
+    const ProfileState rate = state_in_phases(rate_of(profile), time);
+    const double place = place_at(course, rate.distance);
+    const double feed = course.at(place);
+    return {place, feed * rate.speed,
+            feed * (course.slope(place) * rate.speed * rate.speed + rate.acceleration)};
+}
+
 }  // namespace kadr::motion

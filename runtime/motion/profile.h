@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "base/result.h"
+#include "motion/feed_course.h"
 
 namespace kadr::motion {
 
@@ -50,6 +51,19 @@ struct Profile {
     double entry_acceleration = 0;         // smooth, and a part of a longer one: either sign
     std::array<double, kPhases> phases{};  // smooth: how long each lasts, s
 
+    /// Of a feed that changes along the piece: the phases are those of its rate ρ, with these
+    /// limits in 1/s and 1/s², and what is above is of the path all the same (feed_course.h).
+    struct Rate {
+        FeedCourse course;
+        double entry = 0;
+        double entry_acceleration = 0;
+        double exit = 0;
+        double acceleration = 0;
+        double jerk = std::numeric_limits<double>::infinity();
+    };
+    Rate rate;
+
+    bool has_course() const { return rate.course.is_on(); }
     double duration() const { return accelerating + cruising + braking; }
 };
 
@@ -76,6 +90,7 @@ void for_each_phase(const Profile& profile, const Visit& visit) {
 
 /// Greatest acceleration along the path of a profile, either way.
 inline double path_acceleration(const Profile& profile) {
+    if (profile.has_course()) return profile.acceleration;
     if (profile.is_smooth) {
         double greatest = 0;
         for_each_phase(profile, [&](const Phase& phase) {
@@ -92,6 +107,7 @@ inline double path_acceleration(const Profile& profile) {
 
 /// Greatest jerk along the path of a profile, either way; infinite if the acceleration jumps.
 inline double path_jerk(const Profile& profile) {
+    if (profile.has_course()) return profile.jerk;
     if (!profile.is_smooth) return path_acceleration(profile) > 0 ? profile.jerk : 0;
     const auto& lasts = profile.phases;
     const bool changes = lasts[0] > 0 || lasts[2] > 0 || lasts[4] > 0 || lasts[6] > 0;
@@ -136,6 +152,10 @@ inline ProfileState advanced(const ProfileState& from, const Phase& phase, doubl
             from.speed + (phase.acceleration + half) * time, phase.acceleration + 2 * half};
 }
 
+/// The profile over a piece with such a feed by the one of its rate, over its time.
+Profile over_course(const Profile& rate, const FeedCourse& course);
+ProfileState state_on_course(const Profile& profile, double time);
+
 /// `state_at` of a run of phases. At most seven are added up, so nothing accumulates over pieces.
 inline ProfileState state_in_phases(const Profile& profile, double time) {
     ProfileState at{0, profile.entry_speed, 0};
@@ -154,7 +174,10 @@ inline ProfileState state_in_phases(const Profile& profile, double time) {
 /// The state at `time` from the start. Computed from the start or the end of the phase, so nothing
 /// accumulates; at the duration and after it the distance is the length, exactly.
 inline ProfileState state_at(const Profile& profile, double time) {
-    if (profile.is_smooth) return state_in_phases(profile, time);
+    if (profile.is_smooth) {
+        return profile.has_course() ? state_on_course(profile, time)
+                                    : state_in_phases(profile, time);
+    }
     if (time < profile.accelerating) {
         const double t = std::max(0.0, time);
         return {(profile.entry_speed + 0.5 * profile.acceleration * t) * t,

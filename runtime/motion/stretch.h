@@ -67,6 +67,11 @@ struct Stretch {
     double feed_asked = std::numeric_limits<double>::infinity();  // as of an OverriddenSpeed
     double rapid_asked = std::numeric_limits<double>::infinity();
     bool can_be_held = false;
+    /// Feeds at its ends where it changes along it: length and limits are of its rate then
+    /// (feed_course.h), s and 1/s.
+    double entry_feed = 0;
+    double exit_feed = 0;
+    bool has_course() const { return entry_feed > 0; }
     bool follows_spindle = false;  // its speed is the spindle's: another one would be another feed
 };
 

@@ -150,6 +150,7 @@ class LineParser {
         if (name.empty()) return fail("a word begins with a letter");
         if (take('(')) return parse_call(word, name);
         const bool has_equals = take('=');
+        if (has_equals && begins_call()) return parse_call_behind(word, begin);
         if (take('"')) return parse_quoted(word, name);
         if (at_ < line_.size() && line_[at_] == '{') return parse_value(word, name, begin);
         if (at_blank() && !has_equals) return parse_name(word, name);
@@ -176,6 +177,17 @@ class LineParser {
         constexpr std::size_t kSign = 2;  // `]=`
         at_ = close + kSign + 1;
         return parse_call(word, line_.substr(begin, close + kSign - begin));
+    }
+
+    /// `F=FPO({end},{square?})`: a call whose name begins with the address and the sign.
+    bool begins_call() const {
+        std::size_t end = at_;
+        while (end < line_.size() && is_letter(line_[end])) ++end;
+        return end > at_ && end < line_.size() && line_[end] == '(';
+    }
+    bool parse_call_behind(FormWord& word, std::size_t begin) {
+        at_ = line_.find('(', at_) + 1;
+        return parse_call(word, line_.substr(begin, at_ - 1 - begin));
     }
 
     bool parse_name(FormWord& word, std::string_view name) {

@@ -768,6 +768,23 @@ class Lexer {
     }
 
     /// `=10`, `=AC(10)`, `=IC(-5)`, `=DC(90)`, `="text"`; behind the address.
+    /// `F=FPO(100,5)`, which a dialect declares as a call of the name `F=FPO`; `at_` is behind the
+    /// sign.
+    bool take_call_behind(const Address& head, std::size_t begin) {
+        std::size_t end = at_;
+        std::string name = head.name + '=';
+        for (; end < line_.size() && is_letter(line_[end]); ++end)
+            name += rules_.ignores_case ? upper(line_[end]) : line_[end];
+        const std::size_t open = std::min(line_.find_first_not_of(" \t", end), line_.size());
+        if (open == line_.size() || line_[open] != '(') return false;
+        const AddressId address = tables_.find_address(name);
+        if (address == kNoAddress || tables_.addresses[address].kind != Address::Kind::Call)
+            return false;
+        at_ = open;
+        take_call(address, begin);
+        return true;
+    }
+
     void take_assigned(AddressId address, std::size_t begin) {
         const Address& head = tables_.addresses[address];
         if (head.kind == Address::Kind::Code &&
@@ -794,6 +811,7 @@ class Lexer {
             out_.spans.back().end = static_cast<std::uint32_t>(at_);
             return;
         }
+        if (is_letter(peek()) && take_call_behind(head, begin)) return;
         if (is_computed(at_)) return take_computed(address, begin);
         if (is_letter(peek()) || peek() == '(' || peek() == '$') {
             std::size_t end = line_.find_first_of(" \t;", at_);

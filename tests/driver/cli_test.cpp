@@ -324,7 +324,7 @@ TEST_F(CommandLine, OnlyWhatIsReachedIsComplainedOf) {
 
 TEST_F(CommandLine, WhatIsPassedOverIsSaidThoughTheProgramEnds) {
     save("beside.mpf",
-         "G0 X10\nID=1 WHEN $AA_IM[X]>10 DO M8\nOVRA[X]=50\nX20\nM30\nID=2 EVERY $A_IN[1] DO M9\n");
+         "G0 X10\nID=1 WHEN $AA_IM[X]>10 DO M8\nATOL[X]=50\nX20\nM30\nID=2 EVERY $A_IN[1] DO M9\n");
     const ProcessResult result = kadr({"run", file("beside.mpf"), "-d", "sinumerik"});
     EXPECT_EQ(result.status, 0);
     EXPECT_NE(result.err.find("beside.mpf:2:1: warning[K5488]"), std::string::npos) << result.err;

@@ -1,0 +1,269 @@
+#include "interp/feed_courses.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "interp/linear.h"
+#include "path/complete_spline.h"
+#include "path/curve_of.h"
+
+namespace kadr::interp {
+
+using path::Command;
+using path::FeedCourse;
+using path::Op;
+using path::Vec3;
+
+namespace {
+
+/// Commands that are read at once where some are kept back.
+constexpr std::size_t kBatch = 64;
+/// A spline through points changes by a quarter from point to point towards the one that moves:
+/// with so many known ahead the slopes are those of the whole, to the last digit.
+constexpr std::size_t kKnown = 32;
+constexpr std::size_t kWindow = 2 * kKnown;
+/// Commands of which a block may consist.
+constexpr std::size_t kMostOfBlock = 1024;
+constexpr double kStill = 1e-9;  // mm or deg
+
+bool has_feed(Op op) { return op >= Op::Line && op <= Op::Parametric; }
+
+FeedCourse course_of(const Command& command) {
+    return command.dynamics.empty() ? FeedCourse::Constant : command.dynamics.front().law.course;
+}
+
+/// Words behind which lengths are not known, or no motion goes on.
+bool breaks(const Command& command) {
+    return command.op == Op::ToolLength || command.op == Op::Tool || command.op == Op::End;
+}
+
+double value(const std::array<double, 4>& c, double p) {
+    return c[0] + p * (c[1] + p * (c[2] + p * c[3]));
+}
+
+/// The same polynomial over a part of its range as one over 0 … 1.
+std::array<double, 4> part_of(const std::array<double, 4>& c, double from, double to) {
+    const double h = to - from;
+    return {value(c, from), h * (c[1] + from * (2 * c[2] + 3 * from * c[3])),
+            h * h * (c[2] + 3 * from * c[3]), h * h * h * c[3]};
+}
+
+double least(const std::array<double, 4>& c) {
+    double lowest = std::min(value(c, 0), value(c, 1));
+    // c1 + 2·c2·p + 3·c3·p² = 0; the second root by the product of both.
+    const double root = c[2] * c[2] - 3 * c[1] * c[3];
+    if (root < 0) return lowest;
+    const double q = -(c[2] + std::copysign(std::sqrt(root), c[2]));
+    for (const double p : {q / (3 * c[3]), c[1] / q})
+        if (p > 0 && p < 1) lowest = std::min(lowest, value(c, p));
+    return lowest;
+}
+
+}  // namespace
+
+std::size_t FeedCourses::pull(std::span<Command> out) {
+    std::size_t written = 0;
+    if (taken_ == held_.size()) {
+        held_.clear();
+        taken_ = ready_ = 0;
+        written = commands_.pull(out);
+        std::size_t plain = written;
+        if (has_course_()) {
+            const auto first = std::ranges::find_if(out.first(written), [](const Command& c) {
+                return course_of(c) != FeedCourse::Constant;
+            });
+            plain = static_cast<std::size_t>(first - out.begin());
+        }
+        // Only what is last counts for what follows.
+        std::size_t from = plain;
+        while (from > 0 && !has_feed(out[from - 1].op)) --from;
+        for (std::size_t i = from > 0 ? from - 1 : 0; i < plain; ++i) note(out[i]);
+        if (plain == written) return written;
+        const auto begin = out.begin() + static_cast<std::ptrdiff_t>(plain);
+        held_.assign(begin, out.begin() + static_cast<std::ptrdiff_t>(written));
+        written = plain;
+    }
+    while (written < out.size()) {
+        if (taken_ == ready_) settle();
+        if (taken_ == ready_) break;
+        out[written++] = std::move(held_[taken_++]);
+        // A batch that is out of courses goes the short way again.
+    }
+    return written;
+}
+
+/// False: no command comes any more.
+bool FeedCourses::read() {
+    if (is_drained_) return false;
+    batch_.resize(kBatch);
+    const std::size_t count = commands_.pull(batch_);
+    is_drained_ = count == 0;
+    std::move(batch_.begin(), batch_.begin() + static_cast<std::ptrdiff_t>(count),
+              std::back_inserter(held_));
+    return count > 0;
+}
+
+/// Lets some of what is held be ready.
+void FeedCourses::settle() {
+    if (ready_ > kBatch) {
+        held_.erase(held_.begin(), held_.begin() + static_cast<std::ptrdiff_t>(taken_));
+        taken_ = ready_ = 0;
+    }
+    if (ready_ == held_.size()) return;
+    const Command& next = held_[ready_];
+    if (!path::is_motion(next.op) || course_of(next) == FeedCourse::Constant) {
+        note(next);
+        ++ready_;
+        return;
+    }
+    const Run run = run_from(ready_);
+    // Reading has moved what is held.
+    if (course_of(held_[ready_]) == FeedCourse::Spline) settle_spline(run);
+    else settle_block(run);
+}
+
+/// Whether the next motion belongs to the same block.
+bool FeedCourses::continues(const Command& command, const Command& next) const {
+    const path::FeedLaw& law = command.dynamics.front().law;
+    return course_of(next) == law.course && next.dynamics.front().law.block == law.block &&
+           next.feed == command.feed && next.feed_mode == command.feed_mode;
+}
+
+/// The motions of the block that begins here; reads until it is known where it ends.
+FeedCourses::Run FeedCourses::run_from(std::size_t first) {
+    Run run{first, first, 0};
+    for (std::size_t i = first; i < first + kMostOfBlock; ++i) {
+        if (i == held_.size() && !read()) break;
+        if (breaks(held_[i])) break;
+        if (!path::is_motion(held_[i].op)) continue;
+        if (!continues(held_[first], held_[i])) break;
+        run.end = i + 1;
+    }
+    AxisValues from = at_;
+    for (std::size_t i = first; i-- > ready_;)
+        if (path::is_motion(held_[i].op)) {
+            from = held_[i].to;
+            break;
+        }
+    for (std::size_t i = run.first; i < run.end; ++i) {
+        if (!path::is_motion(held_[i].op)) continue;
+        run.length += length_of(held_[i], from);
+        from = held_[i].to;
+    }
+    return run;
+}
+
+/// mm, or deg where only rotary axes move.
+double FeedCourses::length_of(const Command& command, const AxisValues& from) const {
+    const double length = path::length(path::curve_of(command, linear(from), linear(command.to)));
+    if (length > kStill) return length;
+    double turned = 0;
+    for (std::size_t i = 3; i < kAxes; ++i) turned = std::hypot(turned, command.to[i] - from[i]);
+    return turned;
+}
+
+/// What was put out last says where the next motion begins, and with which feed.
+void FeedCourses::note(const Command& command) {
+    if (!path::is_motion(command.op)) return;
+    at_ = command.to;
+    if (has_feed(command.op)) reached_ = {command.feed, command.feed_mode, 0, false};
+    if (command.op == Op::Thread) reached_.reset();
+}
+
+/// Over the way of the block: from the feed before to F.
+std::array<double, 4> FeedCourses::polynomial_of(const Run& run, double from) const {
+    const Command& command = held_[run.first];
+    const path::FeedLaw& law = command.dynamics.front().law;
+    return {from, command.feed - from - law.square - law.cube, law.square, law.cube};
+}
+
+void FeedCourses::settle_block(const Run& run) {
+    const Command& command = held_[run.first];
+    const bool goes_on = reached_ && reached_->mode == command.feed_mode;
+    const auto feed = polynomial_of(run, goes_on ? reached_->feed : command.feed);
+    const bool is_tangent = course_of(command) == FeedCourse::Polynomial && run.length > kStill;
+    const Reached behind{command.feed, command.feed_mode,
+                         is_tangent ? (feed[1] + 2 * feed[2] + 3 * feed[3]) / run.length : 0,
+                         is_tangent};
+    lay(run, feed);
+    reached_ = behind;
+}
+
+/// The blocks of a spline, as many as are settled at once: its slopes by those that come behind.
+void FeedCourses::settle_spline(const Run& first) {
+    const Command& start = held_[first.first];
+    const path::FeedMode mode = start.feed_mode;
+    const bool goes_on = reached_ && reached_->mode == mode;
+    std::vector<Run> runs{first};
+    std::vector<path::SplineNode> nodes{{0, Vec3(goes_on ? reached_->feed : start.feed, 0, 0)}};
+    const auto add = [&](const Run& run) {
+        const double length = std::max(run.length, kStill);
+        nodes.push_back({nodes.back().parameter + length, Vec3(held_[run.first].feed, 0, 0)});
+    };
+    add(first);
+    std::optional<Vec3> last_slope;  // of a polynomial behind
+    bool is_open = true;             // the spline goes on behind what is looked at
+    while (is_open && runs.size() < kWindow) {
+        std::size_t i = runs.back().end;
+        bool is_broken = false;
+        while ((i < held_.size() || read()) && !path::is_motion(held_[i].op))
+            is_broken |= breaks(held_[i++]);
+        is_open = i < held_.size() && !is_broken && held_[i].feed_mode == mode &&
+                  course_of(held_[i]) == FeedCourse::Spline;
+        const bool is_polynomial = i < held_.size() && !is_broken && held_[i].feed_mode == mode &&
+                                   course_of(held_[i]) == FeedCourse::Polynomial;
+        if (!is_open && !is_polynomial) break;
+        const Run next = run_from(i);
+        if (is_open) {
+            runs.push_back(next);
+            add(next);
+        } else if (next.length > kStill) {
+            last_slope = Vec3(polynomial_of(next, nodes.back().position[0])[1] / next.length, 0, 0);
+        }
+    }
+    const bool is_tangent = goes_on && reached_->is_tangent;
+    const auto slopes = path::complete_slopes(
+        nodes, is_tangent ? std::optional(Vec3(reached_->slope, 0, 0)) : std::nullopt, last_slope);
+    const std::size_t settled = is_open ? kWindow - kKnown : runs.size();
+    for (std::size_t k = 0; k < settled; ++k) {
+        const double h = nodes[k + 1].parameter - nodes[k].parameter;
+        const double rise = nodes[k + 1].position[0] - nodes[k].position[0];
+        const double m0 = h * slopes[k][0];
+        const double m1 = h * slopes[k + 1][0];
+        lay(runs[k], {nodes[k].position[0], m0, 3 * rise - 2 * m0 - m1, m0 + m1 - 2 * rise});
+        // What comes behind begins as if the spline had been one.
+        reached_ = {nodes[k + 1].position[0], mode, slopes[k + 1][0], is_open};
+    }
+}
+
+/// The motions of a block have this feed over the way of all of them, and may go out.
+void FeedCourses::lay(const Run& run, const std::array<double, 4>& feed) {
+    const double lowest = least(feed);
+    double way = 0;
+    for (std::size_t i = ready_; i < run.end; ++i) {
+        Command& command = held_[i];
+        if (!path::is_motion(command.op)) continue;
+        if (!(lowest > 0)) {
+            tell_(command, lowest);
+            held_.resize(i);
+            is_drained_ = true;
+            ready_ = i;
+            return;
+        }
+        const double length = length_of(command, at_);
+        const double from = run.length > 0 ? way / run.length : 0;
+        way += length;
+        const double to = i + 1 == run.end || !(run.length > 0) ? 1 : way / run.length;
+        path::FeedLaw law;
+        law.feed = part_of(feed, from, to);
+        if (law.is_constant() && law.feed[0] == command.feed) law = {};
+        command.dynamics.front().law = law;
+        if (command.dynamics.front() == path::Dynamics()) command.dynamics.clear();
+        at_ = command.to;
+    }
+    ready_ = run.end;
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,171 @@
+// feed_words.cpp — of which axes F is the speed, how fast others may be, how the feed comes to F.
+// source: SINUMERIK reference 2.3 (FGROUP, FGREF, FL, FA, OVRA), 3.2 (FNORM, FLIN, FCUB, FPO)
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/diagnostics/iso.h"
+#include "base/numbers.h"
+#include "base/units.h"
+#include "interp/block_words.h"
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Invocation;
+using path::Op;
+
+void Executor::set_feed_words(const Block& block, const Invocation& invocation) {
+    switch (invocation.function) {
+        case Function::FeedAxes: return choose_feed_axes(block, invocation);
+        case Function::FeedRadius: return set_feed_radius(block, invocation);
+        case Function::FeedPolynomial: return take_polynomial(block, invocation);
+        case Function::FeedCourse: break;
+        default: return set_axis_speed(block, invocation);
+    }
+    panel_.course =
+        static_cast<path::FeedCourse>(std::clamp<std::int64_t>(count_of(block, invocation), 0, 2));
+    panel_.says_course |= panel_.course != path::FeedCourse::Constant;
+}
+
+/// Of the motions from here on.
+path::Dynamics& Executor::said_dynamics() {
+    if (panel_.dynamics.empty()) panel_.dynamics.emplace_back();
+    return panel_.dynamics.front();
+}
+
+/// An axis that the machine has; what it has not is reported.
+std::optional<Axis> Executor::known_axis(const Block& block, const Invocation& invocation,
+                                         std::size_t parameter) {
+    const std::int64_t said = std::llround(block.argument(invocation, parameter));
+    // A name stands below zero, and so it is for words that name one axis each.
+    const std::int64_t named = said > 0 ? -said : said;
+    if (const std::optional<Axis> axis = axis_of(named); axis && named < 0) return axis;
+    const auto place = static_cast<std::size_t>(-named - 1);
+    report(diag::AxisMissing, block, invocation.function)
+        .arg(named < 0 && place < kAxes ? kAxisNames[place] : std::string_view("of this number"));
+    return std::nullopt;
+}
+
+void Executor::choose_feed_axes(const Block& block, const Invocation& invocation) {
+    constexpr std::size_t kMost = kAxes;
+    AxisMask axes = 0;
+    for (std::size_t i = 0; i < kMost; ++i) {
+        if ((invocation.given >> i & 1u) == 0) continue;
+        const std::optional<Axis> axis = known_axis(block, invocation, i);
+        if (!axis) return;
+        axes |= bit(*axis);
+    }
+    // The geometry axes are what F is about where nothing is said.
+    const auto geometry = static_cast<AxisMask>(axes_ & kLinearXYZ);
+    said_dynamics().feed_axes = axes == geometry ? AxisMask{0} : axes;
+}
+
+void Executor::set_feed_radius(const Block& block, const Invocation& invocation) {
+    const double radius = block.argument(invocation, 1);
+    if (!(radius > 0)) {
+        report(diag::FeedRadiusRange, block, invocation.function).arg(radius);
+        return;
+    }
+    const std::optional<Axis> axis = known_axis(block, invocation, 0);
+    if (!axis) return;
+    said_dynamics().feed_radius[index(*axis)] = radius;
+}
+
+/// What a word says of the speed of one axis: of one that is not among the feed axes (motion/ asks
+/// whether it is), or of one that positions by itself.
+void Executor::set_axis_speed(const Block& block, const Invocation& invocation) {
+    constexpr std::size_t kTurning = 2;
+    const std::optional<Axis> axis = known_axis(block, invocation, 0);
+    if (!axis) return;
+    const std::size_t i = index(*axis);
+    PanelState::Positioning& positioning = panel_.positioning;
+    if (invocation.function == Function::AxisOverride) {
+        const double percent = block.argument(invocation, 1);
+        constexpr double kMost = 200;
+        if (!(percent >= 0 && percent <= kMost)) {
+            report(diag::OverrideRange, block, invocation.function).arg(percent).arg(kMost);
+            return;
+        }
+        positioning.is_said = true;
+        positioning.part[i] = percent / 100;
+        return;
+    }
+    const bool turns = is_rotary(*axis);
+    const bool is_positioning = invocation.function == Function::AxisFeed;
+    const double speed = block.argument(invocation, turns ? kTurning : 1);
+    if (!(speed > 0)) {
+        report(is_positioning ? diag::AxisFeedRange : diag::AxisSpeedRange, block,
+               invocation.function)
+            .arg(speed)
+            .arg(kAxisNames[i]);
+        return;
+    }
+    AxisValues& speeds = is_positioning ? positioning.speed : said_dynamics().speed;
+    speeds[i] = turns ? rad_from_deg(speed) / 60 : feed_from_mm_min(speed);
+    positioning.is_said |= is_positioning;
+}
+
+/// What axes that position by themselves have of their speed: of their own feed the override, up to
+/// what the program leaves them of the machine's.
+void Executor::put_positioning(path::Command& command) const {
+    const PanelState::Positioning& positioning = panel_.positioning;
+    if (!positioning.is_said) return;
+    if (command.dynamics.empty()) command.dynamics.emplace_back();
+    AxisValues& parts = command.dynamics.front().velocity;
+    for (const machine::MachineAxis& axis : machine_.axes) {
+        const std::size_t i = index(axis.axis);
+        const double own =
+            std::isfinite(positioning.speed[i]) ? positioning.speed[i] / axis.velocity : parts[i];
+        const double part = own * positioning.part[i];
+        if (part > 0) {
+            parts[i] = std::min(parts[i], part);
+        } else if ((command.moved & bit(axis.axis)) != 0) {
+            command.dynamics.front().rapid = 0;  // it stands
+        }
+    }
+}
+
+/// The polynomial of the block's motions; its end is F from here on.
+void Executor::take_polynomial(const Block& block, const Invocation& invocation) {
+    if (modal_.feed_mode == path::FeedMode::PerRevolution) {
+        report(diag::FeedPolynomialMode, block, invocation.function);
+        return;
+    }
+    modal_.feed = block.argument(invocation, 0);
+    modal_.has_feed = true;
+    tooth_feed_ = 0;
+    panel_.says_course = true;
+    panel_.polynomial = {path::FeedCourse::Polynomial,
+                         static_cast<std::uint32_t>(block_count_),
+                         block.argument(invocation, 1),
+                         block.argument(invocation, 2),
+                         {}};
+}
+
+/// How the feed of a motion comes to F; feed_courses.h works it out when the motions of its block
+/// are known. Under a feed per revolution F holds from the start (SINUMERIK reference 3.2), and in
+/// cycles, whose feeds are their own.
+void Executor::put_course(path::Command& command) const {
+    const auto block = static_cast<std::uint32_t>(block_count_);
+    const bool is_polynomial =
+        panel_.polynomial.course != path::FeedCourse::Constant && panel_.polynomial.block == block;
+    if (panel_.course == path::FeedCourse::Constant && !is_polynomial) return;
+    const bool can_have_one = command.op >= Op::Line && command.op <= Op::Parametric;
+    if (!can_have_one || cycle_blocks_ || modal_.feed_mode == path::FeedMode::PerRevolution) return;
+    if (command.dynamics.empty()) command.dynamics.emplace_back();
+    path::FeedLaw& law = command.dynamics.front().law;
+    law = is_polynomial ? panel_.polynomial : path::FeedLaw{panel_.course, block};
+}
+
+/// The course of a motion's feed falls to this, in the unit of F.
+void Executor::report_course(const path::Command& command, double feed) {
+    Block at{};
+    at.source = command.source;
+    at.line = command.line;
+    report(diag::FeedCourseNotPositive, at).arg(round_to(feed, 3));
+}
+
+}  // namespace kadr::interp
