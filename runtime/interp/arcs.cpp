@@ -277,20 +277,23 @@ void Executor::report_radius_arc(const Block& block, path::ArcFault fault,
 void Executor::report_center_arc(const Block& block, path::ArcFault fault,
                                  const path::ArcEnds& ends, const Vec3& center) {
     const SlotMask centers = block.given & nc::kCenterSlots;
-    if (fault == path::ArcFault::NoRadius) {
-        if (centers == 0) {
-            report(diag::ArcCenterMissing, block, block.motion);
-        } else {
-            report(diag::ArcCenterMissing, block, first_slot(centers));
-        }
-        return;
-    }
     const Vec3 normal = path::unit(path::axes_of(modal_.plane).normal);
-    const Vec3 from = ends.start - center;
-    const Vec3 to = ends.end - center;
-    report(diag::ArcEndOffCircle, block, first_slot(centers))
-        .arg(round_to((from - from.dot(normal) * normal).norm(), 6))
-        .arg(round_to((to - to.dot(normal) * normal).norm(), 6));
+    const auto radius_to = [&](const Vec3& place) {
+        const Vec3 arm = place - center;
+        return round_to((arm - arm.dot(normal) * normal).norm(), 6);
+    };
+    // A centre on the start of another place is one, with a radius that does not fit.
+    const bool is_nowhere = fault == path::ArcFault::NoRadius &&
+                            (centers == 0 || radius_to(ends.start) == radius_to(ends.end));
+    if (!is_nowhere) {
+        report(diag::ArcEndOffCircle, block, first_slot(centers))
+            .arg(radius_to(ends.start))
+            .arg(radius_to(ends.end));
+    } else if (centers == 0) {
+        report(diag::ArcCenterMissing, block, block.motion);
+    } else {
+        report(diag::ArcCenterMissing, block, first_slot(centers));
+    }
 }
 
 void Executor::warn_arc_word(const Block& block, SlotMask words) {

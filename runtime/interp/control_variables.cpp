@@ -346,22 +346,28 @@ double ControlVariables::on_increment(double value, bool is_length) const {
 const nc::Form* ControlVariables::active_form(std::size_t group) const {
     const auto acts = [&](const nc::Form& form) {
         const nc::Group of = info(form.function).group;
-        if (of == nc::Group::Once) return false;
+        if (of == nc::Group::Once || form.function == nc::Function::Cycle) return false;
         nc::Function active = reader_.modal()[static_cast<std::size_t>(of)];
         if (of == nc::Group::Motion && active == nc::Function::None)
             active = dialect_.first_motion();
         return active == form.function;
     };
     const auto& defaults = tables_.groups[group].power_on;
+    // A modal cycle is of its own group, or of the one whose default ends cycles.
     const bool is_of_cycles = std::ranges::find(defaults, nc::Function::CycleOff) != defaults.end();
-    if (is_of_cycles && reader_.last_cycle() != nc::kNoForm &&
-        reader_.modal()[static_cast<std::size_t>(nc::Group::CycleMode)] == nc::Function::Cycle)
-        return &tables_.forms[reader_.last_cycle()];
+    if (reader_.last_cycle() != nc::kNoForm &&
+        reader_.modal()[static_cast<std::size_t>(nc::Group::CycleMode)] == nc::Function::Cycle) {
+        const nc::Form& cycle = tables_.forms[reader_.last_cycle()];
+        const bool is_here =
+            cycle.group >= 0 ? cycle.group == static_cast<int>(group) : is_of_cycles;
+        if (is_here) return &cycle;
+    }
     const nc::FormId last = reader_.last_form(group);
     if (last != nc::kNoForm) {
         const nc::Form& form = tables_.forms[last];
         // Functions that act once, as frames do, are a group where one of them is the default.
-        const bool is_kept = info(form.function).group == nc::Group::Once && !defaults.empty();
+        const bool is_kept = info(form.function).group == nc::Group::Once && !defaults.empty() &&
+                             form.function != nc::Function::Cycle;
         if (form.function == nc::Function::None || is_kept || acts(form)) return &form;
     }
     for (const nc::Form& form : tables_.forms) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/diagnostics/iso.h"
+#include "interp/cycle_strokes.h"
 #include "interp/executor.h"
 #include "interp/named_shape.h"
 
@@ -438,6 +439,12 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
         line(block, target_of(block, place), path::Op::Rapid, stops_exactly());
     if (ended_) return;
 
+    if (is_modal(call.cycle) && cycle_data_.stroke.value_or(0) > 0) {
+        if (const auto in_strokes = call_in_strokes(dialect_, call)) {
+            call = *in_strokes;
+            complete_call(call);
+        }
+    }
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     complete_words(call);
     take_off_scale(call);

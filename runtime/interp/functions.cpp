@@ -128,6 +128,14 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         return;
     }
     if (is_too_late(invocation.function)) {
+    if (modal_cycle_.is_active && !cycle_blocks_ && !is_lathe_ &&
+        is_other_plane(invocation.function)) {
+        // Another tool axis: along it the holes begin where the tool stands.
+        const Axis tool_axis = invocation.function == Function::PlaneXy   ? Axis::Z
+                               : invocation.function == Function::PlaneZx ? Axis::Y
+                                                                          : Axis::X;
+        cycle_data_.initial = position_.here[index(tool_axis)];
+    }
         report(diag::FrameInsideRotation, block, invocation.function)
             .arg(word_of(block, invocation.function));
         return;

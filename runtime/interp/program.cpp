@@ -401,7 +401,7 @@ void Program::State::follow_shape(const Block& block, std::string_view text, con
     const bool is_followed = cycle.parameters.size() == 2;
     const bool is_next = begin.line.offset >= frame->here.offset &&
                          map().is_empty_between(frame->here, begin.line) && !is_followed;
-    frame->repeats.push_back({begin.line, end.next, is_next ? end.next : frame->here, 1});
+    frame->repeats.push_back({begin.line, end.next, is_next ? end.next : frame->here, 1, true});
     frame->here = begin.line;
     frame->next_line = nullptr;
 }
@@ -474,6 +474,12 @@ Program::State::Done Program::State::run(CompiledLine& line, Block& out) {
     const std::vector<ControlStatement>& statements = line.line.statements;
     // A subprogram is called behind the words of its block.
     const bool is_call = !line.line.calls.empty();
+    const bool is_in_shape = !frame->repeats.empty() && frame->repeats.back().is_shape;
+    if (is_call && is_in_shape && !is_only_checking) {
+        const nc::Span span = line.line.calls[0].span;
+        return fail(line, diag::ShapeBlockWrong, span,
+                    {line.text.substr(span.begin, span.end - span.begin)});
+    }
     const bool has_words = !words.words.empty() || words.comment_form != nc::kNoForm;
     if (is_call && has_words && !frame->has_given_words) {
         const bool is_return = !statements.empty() && statements[0].kind == Statement::Return;

@@ -284,8 +284,17 @@ Program::State::Done Program::State::call(CompiledLine& line, const ControlState
                                    line.line.calls[statement.call].form < 0 &&
                                    line.line.calls[statement.call].name.empty();
     if (is_words_of_block) return call_with_block(line);
+    Done done = Done::Nothing;
+    if (statement.kind == Statement::Call) {
+        const nc::CallValue& code = line.line.calls[statement.call].code;
+        std::optional<double> number;
+        done = number_of(line, code, number);
+        if (done == Done::Wait || lines.failed()) return done;
+        // `T#1`: a word without a value is not there.
+        if (code.is_given && !number) return Done::Nothing;
+    }
     PreparedCall prepared;
-    const Done done = prepare(line, statement, prepared);
+    done = prepare(line, statement, prepared);
     if (done == Done::Wait || lines.failed()) return done;
     return begin(line, prepared);
 }

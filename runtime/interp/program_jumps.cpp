@@ -276,7 +276,7 @@ Program::State::Done Program::State::repeat_section(CompiledLine& line,
     if (fault == ProgramMap::Fault::Missing)
         fault = map().find(target, Direction::Forward, line.place, begin);
     if (fault != ProgramMap::Fault::None) return missing(fault, statement.from);
-    OpenRepeat repeat{begin.line, line.place.line, line.place.next, passes};
+    OpenRepeat repeat{begin.line, line.place.line, line.place.next, passes, false};
     const bool is_behind = begin.line.offset > line.place.line.offset;
     if (statement.kind == Statement::RepeatBlock) {
         repeat.end = begin.next;

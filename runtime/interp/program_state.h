@@ -42,6 +42,7 @@ struct OpenRepeat {
     LinePosition end;     // reached: the section is through
     LinePosition behind;  // where the program goes on in the end
     std::int64_t left = 0;
+    bool is_shape = false;  // of a cycle, whose blocks they are
 };
 
 /// An argument that was worked out where the call stands.

@@ -19,7 +19,7 @@ constexpr std::uint32_t kSeriesStep = 3;
 
 bool CallCompiler::is_at_end() {
     skip();
-    return at_ >= line_.size() || words_.is_comment(at_);
+    return at_ >= line_.size() || words_.is_comment(at_) || is_block_end(at_);
 }
 
 // ---------------------------------------------------------------- codes
@@ -38,6 +38,8 @@ const CallForm* CallCompiler::find_code(std::size_t& at, const LineContext& cont
         if (form.is_name || form.letter != letter) continue;
         if (context.has_plain_codes && !form.fixed.empty()) continue;
         if (form.any_number) {
+            // `S1000`, `S#1`; in `SETVN` the letter begins a name.
+            if (first < line_.size() && is_letter(line_[first])) continue;
             at = first;
             return &form;
         }
@@ -83,19 +85,32 @@ bool CallCompiler::take_code_call(const LineContext& context) {
     Call& call = out_.calls.back();
     if (form->any_number && !take_value_of_word(call.code)) return false;
     if (form->program != '\0' && !take_program_in_brackets(call)) return false;
-    if (!is_macro) return true;
+    if (is_macro) take_words_of_macro();
+    return !fault_;
+}
+
+bool CallCompiler::is_in_macro_call() const {
+    if (open_call_ < 0) return false;
+    const Call& call = out_.calls[static_cast<std::size_t>(open_call_)];
+    const CallForm& form = language_.calls.calls[static_cast<std::size_t>(call.form)];
+    return form.kind == CallForm::Kind::Macro;
+}
+
+bool CallCompiler::take_words_of_macro() {
+    const std::size_t begin = at_;
     while (!is_at_end()) {
         if (take_word_of_call()) continue;
+        Call& call = out_.calls[static_cast<std::size_t>(open_call_)];
         if (fault_ || !take_letter_argument(call, false)) return false;
     }
-    return true;
+    return at_ != begin;
 }
 
 /// `<PART_17>` directly behind the code.
 bool CallCompiler::take_program_in_brackets(Call& call) {
-    skip();
-    if (peek() != '<') return true;
-    const std::size_t begin = at_;
+    const std::size_t begin = words_.skip_comments(at_);
+    if (begin >= line_.size() || line_[begin] != '<') return true;
+    at_ = begin;
     const std::size_t close = line_.find('>', at_);
     if (close == std::string_view::npos || close == at_ + 1) {
         return fail(diag::CallIncomplete,
@@ -197,20 +212,23 @@ bool CallCompiler::take_letter_argument(Call& call, bool is_block) {
 
 bool CallCompiler::take_line_as_arguments() {
     if (is_at_end()) return false;  // a comment that is not closed is none
-    ControlStatement statement;
-    statement.kind = Statement::Call;
-    statement.call = static_cast<std::uint32_t>(out_.calls.size());
-    out_.calls.emplace_back();
+    const std::size_t first = at_;
+    if (out_.calls.empty()) {
+        ControlStatement statement;
+        statement.kind = Statement::Call;
+        statement.span.begin = static_cast<std::uint32_t>(first);
+        out_.statements.push_back(std::move(statement));
+        out_.calls.emplace_back();
+    }
+    // Behind a comment between its words the same line goes on.
     Call& call = out_.calls.back();
-    skip();
-    const std::size_t begin = at_;
+    const std::size_t begin = out_.statements.back().span.begin;
     while (!is_at_end()) {
         if (!is_letter(line_[at_])) return fail_here(diag::ArgumentLetter);
         if (!take_letter_argument(call, true)) return false;
     }
     call.span = span_from(begin);
-    statement.span = call.span;
-    out_.statements.push_back(std::move(statement));
+    out_.statements.back().span = call.span;
     return true;
 }
 

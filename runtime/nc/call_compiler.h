@@ -16,7 +16,12 @@ class CallCompiler : protected ExpressionCompiler {
     /// stands here.
     bool take_code_call(const LineContext& context);
     bool take_word_of_call();
-    /// The whole line as the arguments of a modal call.
+    /// Whether a call is open that takes what follows in its block as arguments.
+    bool is_in_macro_call() const;
+    /// Arguments and words of that call up to a comment or the end of the block; comments stand
+    /// between words, so there may be more behind one. False without a fault: none stands here.
+    bool take_words_of_macro();
+    /// The whole line as the arguments of a modal call, up to a comment.
     bool take_line_as_arguments();
     /// `POCK(10,20)`, `POCK P3`, `P=3 POCK`, `L123`; only where it is all of its block.
     bool take_named_call();

@@ -42,6 +42,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         if (begins_call_word(at)) {
             begin(at);
             was_taken = context_.is_argument ? take_line_as_arguments()
+                        : is_in_macro_call() ? take_words_of_macro()
                                              : take_code_call(context_) || take_word_of_call();
             if (!was_taken && !fault_) was_taken = take_named_call();
             if (was_taken || fault_) return finish(at, was_taken);
@@ -296,6 +297,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         for (std::size_t i = 1; i < form.tokens.size(); ++i) {
             const StatementToken& token = form.tokens[i];
             skip();
+            if (may_follow_comment(token)) at_ = words_.skip_comments(at_);
             switch (token.kind) {
                 case StatementToken::Kind::Word: {
                     const Word word = words_.word_at(at_);
@@ -331,6 +333,14 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         if (is_inner_ || at_ >= line_.size() || words_.is_comment(at_) || is_block_end(at_))
             return true;
         return fail_here(rules_.mixes_words ? diag::StatementSyntax : diag::MixedStatement);
+    }
+
+    /// Comments stand between words, not between the letters and the number of one (`GOTO5`), and
+    /// in what is taken as it stands they are text.
+    static bool may_follow_comment(const StatementToken& token) {
+        using Hole = StatementToken::Hole;
+        return token.kind != StatementToken::Kind::Hole || token.hole == Hole::Condition ||
+               token.hole == Hole::Statement || token.hole == Hole::Jump;
     }
 
     bool take_pattern_sign(char sign) {

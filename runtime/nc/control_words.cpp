@@ -24,6 +24,17 @@ std::size_t ControlWords::skip_blanks(std::size_t at) const {
     return at;
 }
 
+std::size_t ControlWords::skip_comments(std::size_t at) const {
+    const std::string& close = tables_.comment.close;
+    at = skip_blanks(at);
+    while (!close.empty() && is_comment(at)) {
+        const std::size_t end = line_.find(close, at + comment_.size());
+        if (end == std::string_view::npos) break;
+        at = skip_blanks(end + close.size());
+    }
+    return at;
+}
+
 std::size_t ControlWords::trim(std::size_t begin, std::size_t end) const {
     end = std::min(end, line_.size());
     while (end > begin && is_blank(line_[end - 1])) --end;

@@ -24,6 +24,8 @@ class ControlWords {
     bool has_exponents() const { return !is_blank_insensitive(); }
 
     std::size_t skip_blanks(std::size_t at) const;
+    /// Behind blanks and comments that end in the line.
+    std::size_t skip_comments(std::size_t at) const;
     /// The end of the text without the blanks before it.
     std::size_t trim(std::size_t begin, std::size_t end) const;
     char upper(char c) const;

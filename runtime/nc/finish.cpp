@@ -103,6 +103,15 @@ class Finisher {
                             form.function != Function::Cycle &&
                             info(form.function).parameters.empty();
         }
+        // Codes that call a program are looked at closely.
+        for (const CallForm& call : tables_.language.calls.calls) {
+            if (call.is_name || call.any_number) continue;
+            const AddressId address = tables_.find_address({&call.letter, 1});
+            const auto tenths = static_cast<std::size_t>(std::lround(call.number * 10));
+            if (address == kNoAddress || tables_.code_index[address].size() <= tenths) continue;
+            const std::uint16_t code = tables_.code_index[address][tenths];
+            if (code != 0) tables_.codes[code - 1u].is_plain = false;
+        }
     }
 
     bool has_default(const Form& form) const {

@@ -90,7 +90,11 @@ const VariableRange* find_range(const VariableForm& family, std::int64_t number)
     const auto found = std::ranges::find_if(family.ranges, [&](const VariableRange& range) {
         return number >= range.first && number <= range.last;
     });
-    return found == family.ranges.end() ? nullptr : &*found;
+    if (found == family.ranges.end()) return nullptr;
+    // What is said to be nothing at all takes numbers away from a file that is extended.
+    const bool is_absent =
+        found->kind == VariableRange::Kind::Unsupported && found->meaning.empty();
+    return is_absent ? nullptr : &*found;
 }
 
 }  // namespace kadr::nc

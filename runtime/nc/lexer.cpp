@@ -592,6 +592,11 @@ class Lexer {
         }
         const Decimal decimal = parse_decimal(compact_.data(), compact_.data() + compact_.size());
         if (compact_.size() == 1 || decimal.end != compact_.data() + compact_.size()) {
+            // The sign that does not fit, a second point: `X1.2.3`.
+            for (std::ptrdiff_t fits = decimal.end - compact_.data(); fits > 0; ++at_) {
+                if (!is_blank(line_[at_])) --fits;
+            }
+            skip_blanks();
             fail_here(diag::IsoSyntax);
             return false;
         }

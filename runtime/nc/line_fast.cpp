@@ -1,5 +1,6 @@
 // The fast way: codes and numbers of one letter each, as nearly all lines are. Whatever needs a
 // second look sends the line the long way, from its start.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -50,7 +51,12 @@ bool LineReader::are_of_motions(const Address& address) {
 void LineReader::prepare(std::size_t letter) {
     const AddressId id = tables_.letters[letter];
     FastLetter& fast = letters_[letter];
-    if (id != kNoAddress) {
+    // Any number of it calls a program: `S{n}`.
+    const bool calls =
+        std::ranges::any_of(tables_.language.calls.calls, [letter](const CallForm& call) {
+            return call.any_number && static_cast<unsigned char>(call.letter) == letter;
+        });
+    if (id != kNoAddress && !calls) {
         const Address& address = tables_.addresses[id];
         fast.address = id;
         fast.format = &address.format;

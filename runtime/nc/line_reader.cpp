@@ -489,7 +489,8 @@ void LineReader::note_form(FormId id, std::string_view line) {
     if (info(form.function).group == Group::Units) feed_stays_metric_ = form.feed_stays_metric;
     if (info(form.function).group == Group::FeedMode) feed_is_time_ = form.feed_is_time;
     if (form.group >= 0) last_forms_[static_cast<std::size_t>(form.group)] = id;
-    if (form.function == Function::Cycle && !form.is_preset) last_cycle_ = id;
+    if (form.function == Function::Cycle && !form.is_preset)
+        last_cycle_ = tables_.cycles[form.cycle].is_modal ? id : kNoForm;
     const bool is_told = form.passed.empty() || std::ranges::find(passed_, id) != passed_.end();
     if (is_told) return;
     passed_.push_back(id);

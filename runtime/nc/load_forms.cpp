@@ -307,6 +307,8 @@ void FormLoader::load_cycle(const XmlElement& element) {
     Form prototype;
     prototype.function = Function::Cycle;
     prototype.cycle = *id;
+    if (const XmlAttribute* group = element.find("group"))
+        prototype.group = group_named(group->value);
     Attributes::read_text(element, "doc", prototype.doc);
     load_forms(element, prototype);
 }

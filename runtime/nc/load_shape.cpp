@@ -92,6 +92,7 @@ const std::vector<XmlRule>& dialect_rules() {
           "curve",
           "meaning",
           "modal",
+          "group",
           "otherwise",
           "settings",
           "taps",

@@ -20,9 +20,13 @@ constexpr double kMetersPerFoot = 0.3048;  // exact by definition
 double increment_of(const NumberFormat& format, Dimension dimension, const TextUnits& units) {
     if (dimension == Dimension::Length && units.inch) return format.inch_increment;
     if (dimension == Dimension::Feed) {
-        if (units.per_revolution && format.revolution_increment > 0)
-            return format.revolution_increment;
         if (units.inverse_time) return 0;
+        const bool is_inch = units.inch_feed && format.increment > 0 && format.inch_increment > 0;
+        const double increment = is_inch ? format.inch_increment : format.increment;
+        if (!units.per_revolution || format.revolution_increment == 0) return increment;
+        // In inches it is smaller in the ratio in which a feed per minute is.
+        return is_inch ? format.revolution_increment * increment / format.increment
+                       : format.revolution_increment;
     }
     return dimension == Dimension::Factor ? 0 : format.increment;
 }

@@ -1,0 +1,16 @@
+%
+O0001
+(rule: F 5.6, 11 PS0325: no M98, M99, G65, G66 inside of a shape)
+(expect: alarm PS0325 K5290 at 10:1)
+G99 G97 S500 M03
+G00 X30. Z2.
+G71 U2. R0.5
+G71 P10 Q20 F0.2
+N10 G00 X20.
+M99
+N20 G01 X30. Z-10.
+M30
+O0012
+G01 Z-5.
+M99
+%
