@@ -13,7 +13,6 @@ namespace kadr::interp {
 
 using nc::Block;
 using nc::Function;
-using nc::Group;
 using nc::Slot;
 using path::Command;
 using path::Op;
@@ -37,7 +36,7 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
       places_(places),
       cycles_(cycles),
       options_(options),
-      sink_(sink),
+      sink_(&sink),
       rules_(rules_of(dialect, sink)),
       program_(blocks, options.in_step ? 1 : kProgramBatch),
       clock_(machine) {
@@ -61,11 +60,6 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
             has_reference_point_[point] |= bit(axis.axis);
         }
     }
-    for (const Group group :
-         {Group::Motion, Group::Plane, Group::Distance, Group::FeedMode, Group::PathMode}) {
-        modal_.set(dialect.power_on(group));
-    }
-    returns_to_retract_ = dialect.power_on(Group::CycleReturn) == Function::CycleReturnRetract;
     for (const AxisValues& offset : machine.work_offsets)
         work_offsets_.push_back({.shift = offset});
     work_offset_ = rules_.default_work_offset;
@@ -76,6 +70,7 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
     for (std::size_t i = 0; i < 3; ++i)
         came_from_[static_cast<Eigen::Index>(i)] = position_.base[i];
 }
+    power_on();
 
 std::size_t Executor::pull(std::span<Command> out) {
     output_.open(out);
@@ -340,7 +335,7 @@ DiagnosticBuilder Executor::note_calls(DiagnosticBuilder builder, const Block& b
 
 DiagnosticBuilder Executor::report(const DiagnosticRow& row, LinePlace place) {
     if (row.severity == Severity::Alarm) ended_ = alarmed_ = true;
-    DiagnosticBuilder builder = sink_.report(row, std::move(place));
+    DiagnosticBuilder builder = sink_->report(row, std::move(place));
     if (std::optional<nc::AlarmText> alarm = dialect_.alarm(row)) {
         builder.alarm(std::move(alarm->number), std::move(alarm->text));
     }

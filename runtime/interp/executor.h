@@ -1,16 +1,16 @@
 // executor.h — executes blocks one by one and puts commands out. Internal to interp.
 //
 // What a block does is told in chapters: executor.cpp (the order of things in a block, its single
-// functions), plain_moves.cpp (what nearly every block is), motion.cpp (targets, lines, arcs, tool
-// length, limits), circles.cpp, polar.cpp and angles.cpp (what controls work out of other words),
-// orienting.cpp, tool_words.cpp and tool_turns.cpp (the machine's transformation, and how the tool
-// turns under it), tilting.cpp and swivelling.cpp (tilted planes), virtual_axes.cpp (faces and
-// cylinders), cornering.cpp and compensating.cpp (what the commands pass through), soft_moves.cpp
-// (soft approaches and retracts), smoothing.cpp (rounded corners, compressed lines), cycles.cpp
-// (machining cycles), patterns.cpp (places at which a cycle is called), shapes.cpp (cycles along a
-// shape that stands in the program), splines.cpp, through_splines.cpp, polynomials.cpp,
-// involutes.cpp and curves.cpp (other curves), arc_threads.cpp (threads along arcs), rare_words.cpp
-// and data_input.cpp (rarer words).
+// functions), power_on.cpp (how the control begins), plain_moves.cpp (what nearly every block is),
+// motion.cpp (targets, lines, arcs, tool length, limits), circles.cpp, polar.cpp and angles.cpp
+// (what controls work out of other words), orienting.cpp, tool_words.cpp and tool_turns.cpp (the
+// machine's transformation, and how the tool turns under it), tilting.cpp and swivelling.cpp
+// (tilted planes), virtual_axes.cpp (faces and cylinders), cornering.cpp and compensating.cpp (what
+// the commands pass through), soft_moves.cpp (soft approaches and retracts), smoothing.cpp (rounded
+// corners, compressed lines), cycles.cpp (machining cycles), patterns.cpp (places at which a cycle
+// is called), shapes.cpp (cycles along a shape that stands in the program), splines.cpp,
+// through_splines.cpp, polynomials.cpp, involutes.cpp and curves.cpp (other curves),
+// arc_threads.cpp (threads along arcs), rare_words.cpp and data_input.cpp (rarer words).
 #pragma once
 
 #include <array>
@@ -214,6 +214,10 @@ class Executor {
                                         bool acts_at_once);
     ControlState::Write set_tool_offset(ToolOffsets::Column column, std::int64_t number,
                                         double value);
+    // power_on.cpp
+    void power_on();
+    void begin_with(nc::Function function);
+
     // executor.cpp: the order of things
     void execute_next();
     bool acts(const nc::Block& block) const;
@@ -683,7 +687,7 @@ class Executor {
     const nc::BlockPlaces* places_;
     CycleExpander* cycles_;
     InterpreterOptions options_;
-    DiagnosticSink& sink_;
+    DiagnosticSink* sink_;
     Rules rules_;
 
     BlockQueue program_;
