@@ -189,7 +189,7 @@ CompAlarm Compensation::alarm(Fault fault, const Command& command) const {
 }
 
 Compensation::Fault Compensation::take(Command& command, const AxisValues& behind) {
-    if (path::is_motion(command.op) && command.is_unshifted) {
+    if (path::is_motion(command.op) && command.machine_coordinates) {
         // For this way the compensation is taken back, and it begins anew behind it.
         if (const Fault fault = finish()) return fault;
         if (state_ == State::On) state_ = State::Starting;

@@ -225,10 +225,12 @@ void Executor::run_functions(const Block& said) {
     }
 }
 
+    if (is_without_frames(actions) && !take_frames_off(block)) return;
 /// A feed that the block alone has acts in its motion, or in those of its cycle; behind it the
 /// modal one does again.
 void Executor::move_with_own_feed(const Block& places, const Actions& actions) {
     if (!actions.feed_once) return move(places, actions);
+    if (frames_off_) put_frames_back(block);
     const bool was_in_cycle = cycle_blocks_.has_value();
     const bool was_in_shape = shape_.has_value();
     const double feed = std::exchange(modal_.feed, *actions.feed_once);
@@ -263,7 +265,7 @@ Command& Executor::put(Op op, const Block& block) {
     command.blending = blending(op);
     command.compress = compressing(op);
     command.machine_coordinates = false;
-    command.is_unshifted = false;
+    command.is_unshifted = frames_off_.has_value();
     put_panel(command);
     command.is_swivelled = false;
     command.moved = 0;

@@ -286,6 +286,9 @@ class Executor {
     void arrive(const Target& target);
     void line(const nc::Block& block, const Target& programmed, path::Op op, bool exact_stop);
     void move_in_machine_coordinates(const nc::Block& block);
+    bool is_without_frames(const Actions& actions) const;
+    bool take_frames_off(const nc::Block& block);
+    void put_frames_back(const nc::Block& block);
     void rapid_to_machine_position(const nc::Block& block, const AxisValues& to, AxisMask moved);
     void refer(const nc::Block& block, const nc::Invocation& invocation);
     void return_to_reference(const nc::Block& block, const nc::Invocation& invocation);
@@ -720,6 +723,12 @@ class Executor {
     Spindle spindle_;
     Tool tool_;
     ExtraTool extra_;
+    /// What a block in machine coordinates goes back to behind it.
+    struct FramesOff {
+        Frames frames;
+        Position before;
+    };
+    std::optional<FramesOff> frames_off_;
     WorkArea area_;
     Polar polar_;
     Orienting orienting_;
