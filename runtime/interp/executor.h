@@ -350,6 +350,7 @@ class Executor {
     bool leans_on_surface() const;
     machine::Mat3 rotation_by_angles(const path::Vec3& angles_deg) const;
     machine::Mat3 turn_into_base() const;
+    bool is_led_by_surface(const ToolWords& tool) const;
     std::optional<path::Vec3> direction_in_base(const nc::Block& block, const path::Vec3& said,
                                                 nc::Function word);
     std::optional<path::Vec3> wanted_direction(const nc::Block& block, const ToolWords& tool);
