@@ -8,6 +8,7 @@
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
+#include "interp/unheard.h"
 
 namespace kadr::interp {
 
@@ -69,8 +70,8 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
     position_.programmed = position_.here;
     for (std::size_t i = 0; i < 3; ++i)
         came_from_[static_cast<Eigen::Index>(i)] = position_.base[i];
-}
     power_on();
+}
 
 std::size_t Executor::pull(std::span<Command> out) {
     output_.open(out);
@@ -120,7 +121,21 @@ bool Executor::has_stages() const {
     return corners_.is_active() || is_any_comp_on() || soft_approach_.is_active();
 }
 
+/// The program goes on behind this place, which nobody reads: what waits for its blocks goes as far
+/// as it is known, and nothing is missing.
+void Executor::end_where_stopped() {
+    Unheard nobody;
+    DiagnosticSink* const sink = std::exchange(sink_, &nobody);
+    finish_open_spline();
+    leave_corners(diag::CornerWithoutMotion);
+    if (is_any_comp_on()) flush_comp();
+    sink_ = sink;
+    ended_ = true;
+    alarmed_ = false;
+}
+
 void Executor::end_of_blocks() {
+    if (places_ != nullptr && places_->stopped()) return end_where_stopped();
     finish_open_spline();
     if (ended_) return;
     if (open_line_) report(diag::AngleSecondMissing, *open_line_);
@@ -137,7 +152,6 @@ void Executor::end_of_blocks() {
     if (is_any_comp_on()) flush_comp();
     if (ended_) return;
     ended_ = true;
-    if (places_ != nullptr && places_->stopped()) return;
     // The reader has said already why it stopped.
     if (places_ != nullptr && places_->failed()) {
         alarmed_ = true;
@@ -211,10 +225,12 @@ void Executor::run_functions(const Block& said) {
     act_before_motion(block, actions);
     if (ended_) return;
     const bool was_in_cycle = cycle_blocks_.has_value();
+    if (is_without_frames(actions) && !take_frames_off(block)) return;
     const Block* places = with_places(block);
     if (places != nullptr && actions.angle != nullptr) places = with_angle(*places, *actions.angle);
     if (places == nullptr) return;
     move_with_own_feed(*places, actions);
+    if (frames_off_) put_frames_back(block);
     if (call_behind_motions_) call_behind_motion(*places);
     if (actions.calls_defined && !ended_ && !shape_) call_defined(block);
     if (ended_) return;
@@ -225,12 +241,10 @@ void Executor::run_functions(const Block& said) {
     }
 }
 
-    if (is_without_frames(actions) && !take_frames_off(block)) return;
 /// A feed that the block alone has acts in its motion, or in those of its cycle; behind it the
 /// modal one does again.
 void Executor::move_with_own_feed(const Block& places, const Actions& actions) {
     if (!actions.feed_once) return move(places, actions);
-    if (frames_off_) put_frames_back(block);
     const bool was_in_cycle = cycle_blocks_.has_value();
     const bool was_in_shape = shape_.has_value();
     const double feed = std::exchange(modal_.feed, *actions.feed_once);

@@ -225,6 +225,7 @@ class Executor {
     void run(const nc::Block& block);
     void run_functions(const nc::Block& block);
     void end_of_blocks();
+    void end_where_stopped();
     Actions apply_functions(const nc::Block& block);
     void apply_function(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
     void act_before_motion(const nc::Block& block, const Actions& actions);
