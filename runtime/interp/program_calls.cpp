@@ -150,7 +150,8 @@ Program::State::Done Program::State::missing_program(CompiledLine& line,
         language.calls.calls[static_cast<std::size_t>(words->form)].code == "{name}";
     const std::string known = tables.unsupported_words(name);
     if (!known.empty()) return fail(line, diag::IsoNotSupported, span, {known});
-    if (is_free_name) return fail(line, diag::IsoUnknownWord, span, {name});
+    if (is_free_name && !externals.contains(name))
+        return fail(line, diag::IsoUnknownWord, span, {name});
     return fail(line, diag::ProgramMissing, span,
                 {quoted(nc::shown_program(language.calls, name))});
 }
@@ -565,8 +566,10 @@ Program::State::Done Program::State::declare_procedure(CompiledLine& line,
 Program::State::Done Program::State::check_external(CompiledLine& line,
                                                     const ControlStatement& statement) {
     const ProgramUnit* const unit = units.find(statement.name, text());
-    if (unit == nullptr) return Done::Nothing;  // told where it is called
+    // Told where it is called.
+    if (unit == nullptr || unit->has_wrong_head) return Done::Nothing;
     static const std::vector<nc::ProcedureParameter> kNone;
+    externals.insert(statement.name);
     const auto& wanted = unit->procedure() != nullptr ? unit->procedure()->parameters : kNone;
     const bool is_same =
         std::ranges::equal(wanted, statement.parameters,

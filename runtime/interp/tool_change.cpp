@@ -44,7 +44,14 @@ void Executor::check_edge(const Block& block) {
 }
 
 std::int64_t Executor::tool_number(const Block& block, const Invocation& invocation) {
-    if ((invocation.given & 1u) != 0 || block.text.empty()) return count_of(block, invocation);
+    if ((invocation.given & 1u) != 0 || block.text.empty()) {
+        const std::int64_t number = count_of(block, invocation);
+        if (rules_.most_tool > 0 && number > rules_.most_tool)
+            report(diag::ToolNumberRange, block, invocation.function)
+                .arg(number)
+                .arg(rules_.most_tool);
+        return number;
+    }
     const auto named = std::find_if(machine_.tools.begin(), machine_.tools.end(),
                                     [&](const auto& tool) { return tool.name == block.text; });
     if (named != machine_.tools.end()) return named->number;
