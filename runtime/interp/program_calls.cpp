@@ -88,6 +88,9 @@ Program::State::Done Program::State::program_name(CompiledLine& line,
         Value text;
         const Done done = evaluate(line, statement.second, text);
         if (done == Done::Wait || lines.failed()) return done;
+        if (!text.is_text())
+            return fail(line, diag::TypesDiffer, statement.second.span,
+                        {"the name of a program", "a number"});
         name = nc::program_of_path(language.calls, evaluator.text(text), tables.rules.ignores_case);
         if (name.empty()) {
             return fail(line, diag::CallIncomplete, statement.second.span,
@@ -565,11 +568,11 @@ Program::State::Done Program::State::declare_procedure(CompiledLine& line,
 /// A line that says the parameters of another program must say what its head says.
 Program::State::Done Program::State::check_external(CompiledLine& line,
                                                     const ControlStatement& statement) {
+    externals.insert(statement.name);
     const ProgramUnit* const unit = units.find(statement.name, text());
     // Told where it is called.
     if (unit == nullptr || unit->has_wrong_head) return Done::Nothing;
     static const std::vector<nc::ProcedureParameter> kNone;
-    externals.insert(statement.name);
     const auto& wanted = unit->procedure() != nullptr ? unit->procedure()->parameters : kNone;
     const bool is_same =
         std::ranges::equal(wanted, statement.parameters,

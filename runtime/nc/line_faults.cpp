@@ -165,6 +165,9 @@ void LineReader::report(std::string_view line, const MatchFault& fault) {
         case Kind::GroupTwice: out.row = &diag::IsoGroupTwice, out.arguments = {word, other}; break;
         case Kind::Missing:
             out.row = &diag::IsoWordsMissing, out.arguments = {word, form};
+            if (is_polynomial(fault.form) &&
+                modal_[static_cast<std::size_t>(Group::Motion)] != Function::Polynomial)
+                out.row = &diag::PolynomialAlone, out.arguments = {word};
             if (fault.form != kNoForm && writes_data(tables_.forms[fault.form].function))
                 out.row = &diag::OffsetDataFormat;
             break;
