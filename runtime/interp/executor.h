@@ -286,10 +286,10 @@ class Executor {
     void turn_rotary(const nc::Block& block, Target& target) const;
     void arrive(const Target& target);
     void line(const nc::Block& block, const Target& programmed, path::Op op, bool exact_stop);
-    void move_in_machine_coordinates(const nc::Block& block);
     bool is_without_frames(const Actions& actions) const;
     bool take_frames_off(const nc::Block& block);
     void put_frames_back(const nc::Block& block);
+    void move_in_machine_coordinates(const nc::Block& block);
     void rapid_to_machine_position(const nc::Block& block, const AxisValues& to, AxisMask moved);
     void refer(const nc::Block& block, const nc::Invocation& invocation);
     void return_to_reference(const nc::Block& block, const nc::Invocation& invocation);
@@ -336,6 +336,7 @@ class Executor {
     void begin_length_transformation(const nc::Block& block, const nc::Invocation& invocation,
                                      Actions& actions);
     void end_length_transformation(Actions& actions);
+    void check_offset_said(const nc::Block& block);
     bool refuses_under_tcp(const nc::Block& block, nc::Function function);
     path::Vec3 joints_of(const AxisValues& base) const;
     AxisMask joint_axes() const;
@@ -349,9 +350,9 @@ class Executor {
     bool turns_in_two_ways(const nc::Block& block, const ToolWords& tool);
     bool has_idle_words(const nc::Block& block, const ToolWords& tool);
     bool leans_on_surface() const;
+    bool is_led_by_surface(const ToolWords& tool) const;
     machine::Mat3 rotation_by_angles(const path::Vec3& angles_deg) const;
     machine::Mat3 turn_into_base() const;
-    bool is_led_by_surface(const ToolWords& tool) const;
     std::optional<path::Vec3> direction_in_base(const nc::Block& block, const path::Vec3& said,
                                                 nc::Function word);
     std::optional<path::Vec3> wanted_direction(const nc::Block& block, const ToolWords& tool);
@@ -722,15 +723,15 @@ class Executor {
         std::int64_t work_offset;
     };
     std::vector<KeptFrames> kept_frames_;  // of programs that go back to them
-    Spindle spindle_;
-    Tool tool_;
-    ExtraTool extra_;
     /// What a block in machine coordinates goes back to behind it.
     struct FramesOff {
         Frames frames;
         Position before;
     };
     std::optional<FramesOff> frames_off_;
+    Spindle spindle_;
+    Tool tool_;
+    ExtraTool extra_;
     WorkArea area_;
     Polar polar_;
     Orienting orienting_;

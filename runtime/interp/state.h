@@ -154,6 +154,8 @@ struct Orienting {
     path::Vec3 normal = path::Vec3::UnitZ();  // of the surface
     path::Vec3 rate = path::Vec3::Zero();     // how the tool's direction changed at its end
     std::optional<path::Vec3> point;          // the second point of the tool's axis
+    bool owes_offset = false;                 // a work offset was to be said behind the switch …
+    bool warned_offset = false;               // … and it was told that none was
 };
 
 /// What the words of one block say of the tool. Components and angles that are not said are 0.

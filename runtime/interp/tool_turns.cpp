@@ -83,6 +83,7 @@ bool Executor::orient(const Block& block, const Actions& actions, Target& target
     next_turn_ = {};
     course_.reset();
     const ToolWords& tool = actions.tool;
+    check_offset_said(block);
     if (turns_in_two_ways(block, tool) || has_idle_words(block, tool)) return false;
     if (orienting_.takes_vectors && is_arc(modal_.motion)) {
         report(diag::TcpArc, block, modal_.motion);
@@ -379,9 +380,9 @@ bool Executor::lead_by_surface(const Block& block, const ToolWords& tool, const 
     path::Lean lean = orienting_.lean;
     lean.about = rules_.tilt_about_normal ? path::TiltAbout::Normal : path::TiltAbout::Tangent;
     const double length = path::length(curve);
-    const auto start = lean_on(block, (*normals)[0], path::evaluate(curve, 0).tangent, lean);
     const bool is_still_leant = length == 0 && !leans_on_surface() && !tool.says_surface();
     if (is_still_leant) return true;
+    const auto start = lean_on(block, (*normals)[0], path::evaluate(curve, 0).tangent, lean);
     if (!start) return false;
     const auto end = lean_on(block, (*normals)[1], path::evaluate(curve, length).tangent, lean);
     if (!end) return false;
