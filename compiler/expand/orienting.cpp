@@ -220,6 +220,7 @@ bool Expander::State::begin_tcp(std::span<const nc::Invocation> said, SourceId s
         if (nc::info(invocation.function).group == Group::Turning) turning = invocation.function;
     if (has_own) {
         say_function(Function::TcpOn, {}, source, at, depth);
+        say_offset_again(source, at, depth);
         for (const nc::Invocation& invocation : said) {
             if (invocation.function != Function::TcpOn && target.can_write(invocation.function))
                 say_function(invocation.function, {}, source, at, depth);
@@ -235,6 +236,15 @@ bool Expander::State::begin_tcp(std::span<const nc::Invocation> said, SourceId s
     modal.changed_by[static_cast<std::size_t>(Group::Transformation)] = source;
     modal.lost &= ~sema::group_bit(Group::Transformation);
     return choose_turning(turning, source, at, depth);
+}
+
+/// Whether the switch takes the work offset off is a matter of the machine: said behind it, it acts
+/// on each.
+void Expander::State::say_offset_again(SourceId source, std::uint32_t at, unsigned depth) {
+    const bool is_known = modal[Group::WorkOffsets] == Function::WorkOffset &&
+                          (modal.lost & sema::group_bit(Group::WorkOffsets)) == 0;
+    if (is_known && target.has_rule("transformation_wants_offset"))
+        say_function(Function::WorkOffset, std::array{modal.work_offset}, source, at, depth);
 }
 
 /// Great circles or the rotary axes in proportion, on a control that says so with the length.

@@ -194,6 +194,7 @@ struct Expander::State {
     bool refuse_under_tcp(std::string_view what, std::uint32_t at);
     std::string tcp_hindrance() const;
     std::optional<double> length_number() const;
+    void say_offset_again(SourceId source, std::uint32_t at, unsigned depth);
     bool begin_tcp(std::span<const nc::Invocation> said, SourceId source, std::uint32_t at,
                    unsigned depth);
     bool choose_turning(nc::Function turning, SourceId source, std::uint32_t at, unsigned depth);

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <limits>
+#include <system_error>
 
 #include "base/assert.h"
 #include "base/powers.h"
@@ -138,7 +140,11 @@ Decimal parse_decimal(const char* begin, const char* end) {
     if (digits <= 15 && decimals <= 22) {
         value = static_cast<double>(mantissa) / kPowersOfTen[static_cast<std::size_t>(decimals)];
     } else {
-        std::from_chars(first_digit, p, value, std::chars_format::fixed);
+        const auto read = std::from_chars(first_digit, p, value, std::chars_format::fixed);
+        // Correctly rounded, what is beyond all numbers is infinite; what is too small stays 0.
+        const bool is_large = digits > decimals;
+        if (read.ec == std::errc::result_out_of_range && is_large)
+            value = std::numeric_limits<double>::infinity();
     }
     const auto count = [](std::ptrdiff_t n) {
         return static_cast<std::uint16_t>(std::min<std::ptrdiff_t>(n, 0xffff));

@@ -189,7 +189,7 @@ CompAlarm Compensation::alarm(Fault fault, const Command& command) const {
 }
 
 Compensation::Fault Compensation::take(Command& command, const AxisValues& behind) {
-    if (path::is_motion(command.op) && command.is_unshifted) {
+    if (path::is_motion(command.op) && command.machine_coordinates) {
         // For this way the compensation is taken back, and it begins anew behind it.
         if (const Fault fault = finish()) return fault;
         if (state_ == State::On) state_ = State::Starting;
@@ -288,27 +288,36 @@ void Compensation::begin_approach(Command& command) {
     here_ = command.to;
     held_.push_back({std::move(command), ++elements_, 0, false});
     approaches_ = true;
+    approach_distance_ = distance_;
     goes_straight_ = false;
     state_ = State::On;
 }
 
 Compensation::Fault Compensation::follow(Command& command) {
     const Element element = element_of(command);
+    const double before = has_last_ ? last_distance_ : approaches_ ? approach_distance_ : distance_;
+    const bool has_changed = std::abs(distance_ - before) > path::kSamePoint;
+    if (has_changed && element.is_arc() && settings_.radius_changes_in_lines)
+        return &diag::CompRadiusOnArc;
     if (approaches_) {
-        if (const Fault fault = enter(element)) return fault;
+        if (const Fault fault = enter(element, element.is_arc() ? distance_ : before)) return fault;
     }
     if (comes_back_) come_back(command, element);
     const double radius = element.is_arc() ? path::radius(element) : 0;
-    const bool has_changed = has_last_ && std::abs(distance_ - last_distance_) > path::kSamePoint;
-    if (has_changed && element.is_arc() && settings_.radius_changes_in_lines)
-        return &diag::CompMotion;
     last_distance_ = distance_;
     here_ = command.to;
     return push(element, {std::move(command), ++elements_, radius, false, settings_.feed});
 }
 
-/// The first element says where the approach ends.
-Compensation::Fault Compensation::enter(const Element& first) {
+/// The first element says where the approach ends: so far beside it.
+Compensation::Fault Compensation::enter(const Element& first, double distance) {
+    const double wanted = std::exchange(distance_, distance);
+    const Fault fault = end_approach(first);
+    distance_ = wanted;
+    return fault;
+}
+
+Compensation::Fault Compensation::end_approach(const Element& first) {
     std::optional<Element> way;
     if (!goes_straight_) {
         if (const Fault fault = way_in(first, way)) return fault;

@@ -47,6 +47,7 @@ class Compensation {
     /// distance  radius of the cutter and allowance, mm, positive left of the contour
     void begin(const CompSettings& settings, path::Plane plane, double distance,
                const AxisValues& here);
+    /// From the next motion on; a line takes it over along its way.
     void set_distance(double distance) { distance_ = distance; }
     /// Of a lathe's tool: from the centre of its nose to the tip, which is what is programmed, in
     /// the plane, mm. The contour is led so far aside that beside it the tip goes, and not the
@@ -111,7 +112,8 @@ class Compensation {
     void begin_approach(path::Command& command);
     Fault follow(path::Command& command);
     Fault depart(path::Command& command);
-    Fault enter(const path::Element& first);
+    Fault enter(const path::Element& first, double distance);
+    Fault end_approach(const path::Element& first);
     Fault push(const path::Element& element, Held held);
     Fault follow_kept(path::Command& command);
     Fault follow_paused(path::Command& command);
@@ -158,8 +160,9 @@ class Compensation {
     path::Element last_;        // of the contour …
     double last_distance_ = 0;  // … and how far the cutter's centre goes beside it
     bool has_last_ = false;
-    bool approaches_ = false;     // the first of `held_` waits for the first element
-    bool goes_straight_ = false;  // the approach, whatever the settings say
+    bool approaches_ = false;       // the first of `held_` waits for the first element …
+    double approach_distance_ = 0;  // … and so far beside its start it goes
+    bool goes_straight_ = false;    // the approach, whatever the settings say
     bool keeps_vector_ = false;
     bool is_paused_ = false;
     bool comes_back_ = false;  // behind a pause: by a line to the contour

@@ -765,7 +765,9 @@ ControlVariables::Fault ControlVariables::store_system(Quantity quantity, const 
     switch (state_->set_quantity(quantity, indices.first, indices.second, number,
                                  language_.rules.offsets_act_at_once)) {
         case ControlState::Write::Done: return {};
-        case ControlState::Write::NoPlace: return {&diag::VariableNumber, {"of this offset"}};
+        case ControlState::Write::NoPlace:
+            if (quantity == Quantity::EdgeSpeed) return {&diag::ToothFeedNoTool, {}};
+            return {&diag::VariableNumber, {"of this offset"}};
         case ControlState::Write::TooLarge: {
             std::string shown;
             append_shortest(shown, value.number);

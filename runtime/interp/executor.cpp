@@ -10,13 +10,13 @@
 #include "base/diagnostics/iso.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "interp/unheard.h"
 #include "nc/tables.h"
 
 namespace kadr::interp {
 
 using nc::Block;
 using nc::Function;
-using nc::Group;
 using nc::Slot;
 using path::Command;
 using path::Op;
@@ -41,7 +41,7 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
       places_(places),
       cycles_(cycles),
       options_(options),
-      sink_(sink),
+      sink_(&sink),
       rules_(rules_of(dialect, sink)),
       program_(blocks, options.in_step ? 1 : kProgramBatch),
       clock_(machine) {
@@ -65,11 +65,6 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
             has_reference_point_[point] |= bit(axis.axis);
         }
     }
-    for (const Group group :
-         {Group::Motion, Group::Plane, Group::Distance, Group::FeedMode, Group::PathMode}) {
-        modal_.set(dialect.power_on(group));
-    }
-    returns_to_retract_ = dialect.power_on(Group::CycleReturn) == Function::CycleReturnRetract;
     set_up_spindles();
     for (const AxisValues& offset : machine.work_offsets)
         work_offsets_.push_back({.shift = offset});
@@ -80,6 +75,7 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
     position_.programmed = position_.here;
     for (std::size_t i = 0; i < 3; ++i)
         came_from_[static_cast<Eigen::Index>(i)] = position_.base[i];
+    power_on();
 }
 
 std::size_t Executor::pull(std::span<Command> out) {
@@ -130,7 +126,21 @@ bool Executor::has_stages() const {
     return corners_.is_active() || is_any_comp_on() || soft_approach_.is_active();
 }
 
+/// The program goes on behind this place, which nobody reads: what waits for its blocks goes as far
+/// as it is known, and nothing is missing.
+void Executor::end_where_stopped() {
+    Unheard nobody;
+    DiagnosticSink* const sink = std::exchange(sink_, &nobody);
+    finish_open_spline();
+    leave_corners(diag::CornerWithoutMotion);
+    if (is_any_comp_on()) flush_comp();
+    sink_ = sink;
+    ended_ = true;
+    alarmed_ = false;
+}
+
 void Executor::end_of_blocks() {
+    if (places_ != nullptr && places_->stopped()) return end_where_stopped();
     finish_open_spline();
     if (ended_) return;
     if (open_line_) report(diag::AngleSecondMissing, *open_line_);
@@ -147,7 +157,6 @@ void Executor::end_of_blocks() {
     if (is_any_comp_on()) flush_comp();
     if (ended_) return;
     ended_ = true;
-    if (places_ != nullptr && places_->stopped()) return;
     // The reader has said already why it stopped.
     if (places_ != nullptr && places_->failed()) {
         alarmed_ = true;
@@ -221,10 +230,12 @@ void Executor::run_functions(const Block& said) {
     act_before_motion(block, actions);
     if (ended_) return;
     const bool was_in_cycle = cycle_blocks_.has_value();
+    if (is_without_frames(actions) && !take_frames_off(block)) return;
     const Block* places = with_places(block);
     if (places != nullptr && actions.angle != nullptr) places = with_angle(*places, *actions.angle);
     if (places == nullptr) return;
     move_with_own_feed(*places, actions);
+    if (frames_off_) put_frames_back(block);
     if (call_behind_motions_) call_behind_motion(*places);
     if (actions.calls_defined && !ended_ && !shape_) call_defined(block);
     if (ended_) return;
@@ -273,7 +284,7 @@ Command& Executor::put(Op op, const Block& block) {
     command.blending = blending(op);
     command.compress = compressing(op);
     command.machine_coordinates = false;
-    command.is_unshifted = false;
+    command.is_unshifted = frames_off_.has_value();
     put_panel(command);
     command.is_swivelled = false;
     command.moved = 0;
@@ -389,7 +400,7 @@ DiagnosticBuilder Executor::note_calls(DiagnosticBuilder builder, const Block& b
 
 DiagnosticBuilder Executor::report(const DiagnosticRow& row, LinePlace place) {
     if (row.severity == Severity::Alarm) ended_ = alarmed_ = true;
-    DiagnosticBuilder builder = sink_.report(row, std::move(place));
+    DiagnosticBuilder builder = sink_->report(row, std::move(place));
     if (std::optional<nc::AlarmText> alarm = dialect_.alarm(row)) {
         builder.alarm(std::move(alarm->number), std::move(alarm->text));
     }

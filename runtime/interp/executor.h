@@ -1,14 +1,14 @@
 // executor.h — executes blocks one by one and puts commands out. Internal to interp.
 //
 // What a block does is told in chapters: executor.cpp (the order of things in a block, its single
-// functions), plain_moves.cpp (what nearly every block is), motion.cpp (targets, lines, arcs, tool
-// length, limits), circles.cpp, polar.cpp and angles.cpp (what controls work out of other words),
-// orienting.cpp, tool_words.cpp and tool_turns.cpp (the machine's transformation, and how the tool
-// turns under it), tilting.cpp and swivelling.cpp (tilted planes), virtual_axes.cpp (faces and
-// cylinders), cornering.cpp and compensating.cpp (what the commands pass through), soft_moves.cpp
-// (soft approaches and retracts), smoothing.cpp (rounded corners, compressed lines), cycles.cpp
-// (machining cycles), patterns.cpp (places at which a cycle is called), panel.cpp and
-// feed_words.cpp (how fast motions may be), shapes.cpp (cycles along a
+// functions), power_on.cpp (how the control begins), plain_moves.cpp (what nearly every block is),
+// motion.cpp (targets, lines, arcs, tool length, limits), circles.cpp, polar.cpp and angles.cpp
+// (what controls work out of other words), orienting.cpp, tool_words.cpp and tool_turns.cpp (the
+// machine's transformation, and how the tool turns under it), tilting.cpp and swivelling.cpp
+// (tilted planes), virtual_axes.cpp (faces and cylinders), cornering.cpp and compensating.cpp (what
+// the commands pass through), soft_moves.cpp (soft approaches and retracts), smoothing.cpp (rounded
+// corners, compressed lines), cycles.cpp (machining cycles), patterns.cpp (places at which a cycle
+// is called), panel.cpp and feed_words.cpp (how fast motions may be), shapes.cpp (cycles along a
 // shape that stands in the program), splines.cpp, through_splines.cpp, polynomials.cpp,
 // involutes.cpp and curves.cpp (other curves), arc_threads.cpp (threads along arcs),
 // numbered_spindles.cpp (several spindles), rare_words.cpp and data_input.cpp (rarer words).
@@ -221,6 +221,10 @@ class Executor {
                                         bool acts_at_once);
     ControlState::Write set_tool_offset(ToolOffsets::Column column, std::int64_t number,
                                         double value);
+    // power_on.cpp
+    void power_on();
+    void begin_with(nc::Function function);
+
     // executor.cpp: the order of things
     void execute_next();
     bool acts(const nc::Block& block) const;
@@ -228,6 +232,7 @@ class Executor {
     void run(const nc::Block& block);
     void run_functions(const nc::Block& block);
     void end_of_blocks();
+    void end_where_stopped();
     Actions apply_functions(const nc::Block& block);
     void apply_function(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
     void act_before_motion(const nc::Block& block, const Actions& actions);
@@ -299,6 +304,9 @@ class Executor {
     void turn_rotary(const nc::Block& block, Target& target) const;
     void arrive(const Target& target);
     void line(const nc::Block& block, const Target& programmed, path::Op op, bool exact_stop);
+    bool is_without_frames(const Actions& actions) const;
+    bool take_frames_off(const nc::Block& block);
+    void put_frames_back(const nc::Block& block);
     void move_in_machine_coordinates(const nc::Block& block);
     void rapid_to_machine_position(const nc::Block& block, const AxisValues& to, AxisMask moved);
     void refer(const nc::Block& block, const nc::Invocation& invocation);
@@ -347,6 +355,7 @@ class Executor {
     void begin_length_transformation(const nc::Block& block, const nc::Invocation& invocation,
                                      Actions& actions);
     void end_length_transformation(Actions& actions);
+    void check_offset_said(const nc::Block& block);
     bool refuses_under_tcp(const nc::Block& block, nc::Function function);
     path::Vec3 joints_of(const AxisValues& base) const;
     AxisMask joint_axes() const;
@@ -360,6 +369,7 @@ class Executor {
     bool turns_in_two_ways(const nc::Block& block, const ToolWords& tool);
     bool has_idle_words(const nc::Block& block, const ToolWords& tool);
     bool leans_on_surface() const;
+    bool is_led_by_surface(const ToolWords& tool) const;
     machine::Mat3 rotation_by_angles(const path::Vec3& angles_deg) const;
     machine::Mat3 turn_into_base() const;
     std::optional<path::Vec3> direction_in_base(const nc::Block& block, const path::Vec3& said,
@@ -720,7 +730,7 @@ class Executor {
     const nc::BlockPlaces* places_;
     CycleExpander* cycles_;
     InterpreterOptions options_;
-    DiagnosticSink& sink_;
+    DiagnosticSink* sink_;
     Rules rules_;
 
     BlockQueue program_;
@@ -750,6 +760,12 @@ class Executor {
         std::int64_t work_offset;
     };
     std::vector<KeptFrames> kept_frames_;  // of programs that go back to them
+    /// What a block in machine coordinates goes back to behind it.
+    struct FramesOff {
+        Frames frames;
+        Position before;
+    };
+    std::optional<FramesOff> frames_off_;
     Spindle spindle_;                      // the master
     std::vector<Spindle> other_spindles_;  // of machines with several
     bool is_master_away_ = false;          // another spindle has its place for a moment

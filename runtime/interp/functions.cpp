@@ -459,7 +459,10 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::MachineFunction:
             pass_machine_function(block, count_of(block, invocation));
             break;
-        case Function::WorkOffset: select_work_offset(block, count_of(block, invocation)); break;
+        case Function::WorkOffset:
+            select_work_offset(block, count_of(block, invocation));
+            orienting_.owes_offset = false;
+            break;
         case Function::WorkOffsetData:
         case Function::LatheOffsetData:
         case Function::ToolOffsetData: actions.data = &invocation; break;

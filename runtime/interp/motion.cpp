@@ -78,19 +78,19 @@ void Executor::move(const Block& block, const Actions& actions) {
         return repeat_cycle(block, actions);
     if (!check_rigid_tap(block, targets)) return;
     if (actions.orient_reset != nullptr) return reset_orientation(block, *actions.orient_reset);
+    const bool is_elsewhere = actions.machine_coordinates && !frames_off_;
     if (actions.tool.is_any() && !takes_tool_words(modal_.motion)) {
         report(diag::IsoNotSupported, block).arg("a tool that turns beside a spline or a thread");
         return;
     }
-    if (modal_.motion == Function::Spline && !actions.machine_coordinates &&
+    if (modal_.motion == Function::Spline && !is_elsewhere &&
         (targets != 0 || block.find(Function::SplineKnot) != nullptr))
         return spline(block);
     const bool goes_through =
         modal_.motion == Function::AkimaSpline || modal_.motion == Function::CubicSpline;
-    if (goes_through && !actions.machine_coordinates && targets != 0)
-        return go_through(block, targets);
+    if (goes_through && !is_elsewhere && targets != 0) return go_through(block, targets);
     const bool has_polynomial = targets != 0 || block.find(Function::PolynomialAxis) != nullptr;
-    if (modal_.motion == Function::Polynomial && !actions.machine_coordinates && has_polynomial)
+    if (modal_.motion == Function::Polynomial && !is_elsewhere && has_polynomial)
         return polynomial(block, stops_exactly(actions.exact_stop));
     if (targets == 0 && !actions.tool.turns() && (arc_words == 0 || !is_circle(modal_.motion))) {
         if (arc_words != 0) warn_arc_word(block, arc_words);
@@ -102,7 +102,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (actions.at_rapid && refuses_lone_axis(block, targets)) return;
     if ((unplaced_ & targets) != 0) [[unlikely]]
         check_place(block, targets);
-    if (actions.machine_coordinates) return move_in_machine_coordinates(block);
+    if (is_elsewhere) return move_in_machine_coordinates(block);
 
     Target target = target_of(block, targets);
     if (orienting_.is_on && !orient(block, actions, target)) return;

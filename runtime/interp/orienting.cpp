@@ -3,6 +3,8 @@
 // How the tool turns under it is tool_words.cpp's and tool_turns.cpp's matter; where the axes go
 // on the way motion's (motion/transformed.h).
 #include <bit>
+#include <string>
+#include <utility>
 
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
@@ -160,6 +162,10 @@ void Executor::switch_transformation(const Block& block, const nc::Invocation& i
     drop_carry(block);
     const AxisValues axes = machine_axes();
     orienting_.is_on = is_wanted;
+    const bool has_frame =
+        work_offset_ != 0 || !frames_.is_shift() || frames_.shift_values() != AxisValues{};
+    orienting_.owes_offset = is_wanted && rules_.transformation_wants_offset && has_frame &&
+                             block.find(Function::WorkOffset) == nullptr;
     Vec3 tip = linear(axes) - tool_.lengths;
     if (is_wanted) {
         const machine::ChainPosition position{
@@ -256,6 +262,15 @@ void Executor::end_length_transformation(Actions& actions) {
     position_.here = position_.programmed = frames_.from_base(position_.base);
     came_from_ = linear(position_.base);
     actions.switches_length = true;
+}
+
+/// Whether a machine's transformation takes the work offset off is a matter of its set-up: what is
+/// said behind it acts on each. S 7.1. Said once, of the first motion.
+void Executor::check_offset_said(const Block& block) {
+    if (!std::exchange(orienting_.owes_offset, false) || orienting_.warned_offset) return;
+    orienting_.warned_offset = true;
+    const std::string offset = work_offset_ == 0 ? "G54" : "G" + std::to_string(53 + work_offset_);
+    report(diag::TransformationOffset, block).fix("say it there: `" + offset + "`");
 }
 
 /// What the control refuses while its transformation is a kind of tool length compensation.

@@ -88,6 +88,9 @@ Program::State::Done Program::State::program_name(CompiledLine& line,
         Value text;
         const Done done = evaluate(line, statement.second, text);
         if (done == Done::Wait || lines.failed()) return done;
+        if (!text.is_text())
+            return fail(line, diag::TypesDiffer, statement.second.span,
+                        {"the name of a program", "a number"});
         name = nc::program_of_path(language.calls, evaluator.text(text), tables.rules.ignores_case);
         if (name.empty()) {
             return fail(line, diag::CallIncomplete, statement.second.span,
@@ -150,7 +153,8 @@ Program::State::Done Program::State::missing_program(CompiledLine& line,
         language.calls.calls[static_cast<std::size_t>(words->form)].code == "{name}";
     const std::string known = tables.unsupported_words(name);
     if (!known.empty()) return fail(line, diag::IsoNotSupported, span, {known});
-    if (is_free_name) return fail(line, diag::IsoUnknownWord, span, {name});
+    if (is_free_name && !externals.contains(name))
+        return fail(line, diag::IsoUnknownWord, span, {name});
     return fail(line, diag::ProgramMissing, span,
                 {quoted(nc::shown_program(language.calls, name))});
 }
@@ -573,8 +577,10 @@ Program::State::Done Program::State::declare_procedure(CompiledLine& line,
 /// A line that says the parameters of another program must say what its head says.
 Program::State::Done Program::State::check_external(CompiledLine& line,
                                                     const ControlStatement& statement) {
+    externals.insert(statement.name);
     const ProgramUnit* const unit = units.find(statement.name, text());
-    if (unit == nullptr) return Done::Nothing;  // told where it is called
+    // Told where it is called.
+    if (unit == nullptr || unit->has_wrong_head) return Done::Nothing;
     static const std::vector<nc::ProcedureParameter> kNone;
     const auto& wanted = unit->procedure() != nullptr ? unit->procedure()->parameters : kNone;
     const bool is_same =

@@ -147,10 +147,11 @@ struct Program::State {
     LineWatch* watch = nullptr;
     ControlState* interpreter = nullptr;
 
-    std::vector<std::unique_ptr<Frame>> frames;  // the main program first
-    Frame* frame = nullptr;                      // that runs
-    std::unique_ptr<Frame> begins;               // called by the line that is executed
-    std::optional<PreparedCall> due;             // behind the block that was given last
+    std::vector<std::unique_ptr<Frame>> frames;    // the main program first
+    Frame* frame = nullptr;                        // that runs
+    std::unique_ptr<Frame> begins;                 // called by the line that is executed
+    std::optional<PreparedCall> due;               // behind the block that was given last
+    std::set<std::string, std::less<>> externals;  // programs that a line has named beforehand
     std::vector<std::shared_ptr<PreparedCall>> modal_calls;
     /// A cycle that is called behind motions and names the program of its shape.
     struct ModalShape {
@@ -242,6 +243,7 @@ struct Program::State {
     Done execute(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
     Done execute_call(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
     Done assign(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
+    Done fit_text(CompiledLine& line, const nc::ControlStatement& statement, Value& value);
     Done assign_list(CompiledLine& line, const nc::ControlStatement& statement);
     Done declare(CompiledLine& line, const nc::ControlStatement& statement);
     Done declare_one(CompiledLine& line, const nc::Declaration& declaration, nc::ValueType type,

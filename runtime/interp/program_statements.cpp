@@ -98,7 +98,27 @@ Program::State::Done Program::State::assign(CompiledLine& line, const ControlSta
     const std::string& comment = line.line.words.comment;
     if (quantity == nc::Quantity::Alarm) return raise(line, statement.span, value.number, comment);
     if (quantity == nc::Quantity::MessageStop) return stop_with_message(comment, out);
-    return store(line, statement.variable, value);
+    done = fit_text(line, statement, value);
+    return done == Done::Nothing && !lines.failed() ? store(line, statement.variable, value) : done;
+}
+
+/// A text that is too long for its variable is cut off. That of a constant is not, which is told
+/// where it is stored, and one that is put together is told as such. S 8.2.
+Program::State::Done Program::State::fit_text(CompiledLine& line, const ControlStatement& statement,
+                                              Value& value) {
+    using Kind = nc::Instruction::Kind;
+    if (!value.is_text() || statement.variable.load.kind != Kind::Element) return Done::Nothing;
+    const nc::Symbol& symbol = variables.level().symbols.at(statement.variable.load.index);
+    const std::string text(evaluator.text(value));
+    const nc::Expression& said = statement.value;
+    const nc::Instruction& last = line.line.code[said.first + said.count - 1];
+    const bool fits = symbol.type != nc::ValueType::Text || text.size() <= symbol.text_size;
+    if (fits || last.kind == Kind::Text) return Done::Nothing;
+    if (last.kind == Kind::Operate && last.operation == nc::Operation::Concatenate)
+        return fail(line, diag::JoinedTooLong, said.span,
+                    {std::to_string(text.size()), std::to_string(symbol.text_size)});
+    value = evaluator.keep_text(text.substr(0, symbol.text_size));
+    return Done::Nothing;
 }
 
 Program::State::Done Program::State::store(CompiledLine& line, const nc::Reference& reference,

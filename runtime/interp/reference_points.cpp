@@ -1,6 +1,7 @@
 // reference_points.cpp — ways to places of the machine: machine coordinates and reference points.
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
@@ -15,8 +16,62 @@ using nc::SlotMask;
 using path::Command;
 using path::Op;
 
+namespace {
+
+bool is_spline(Function motion) {
+    return motion == Function::Spline || motion == Function::AkimaSpline ||
+           motion == Function::CubicSpline;
+}
+
+}  // namespace
+
+// ------------------------------------------------------------------------------ without frames
+
+/// Whether the block is one like any other, to places of the tip in machine coordinates: it is
+/// compensated and rounded, and it may be an arc or a thread. S 6.3.
+bool Executor::is_without_frames(const Actions& actions) const {
+    return actions.machine_coordinates && rules_.machine_coordinates_keep_length &&
+           !rules_.machine_coordinates_rapid;
+}
+
+/// For this block no frame acts. False: it was reported.
+bool Executor::take_frames_off(const Block& block) {
+    constexpr SlotMask kPlaces = nc::kTargetSlots | nc::kPolarSlots | nc::kArcSlots;
+    if ((block.given & kPlaces) == 0) return true;
+    if (is_transformed()) {
+        report(diag::TransformationMotion, block, Function::MachineCoordinates)
+            .arg("a place in machine coordinates");
+        return false;
+    }
+    const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
+    if (frames_.has_base() || is_spline(motion)) {
+        report(diag::IsoNotSupported, block, Function::MachineCoordinates)
+            .arg(is_spline(motion) ? "a spline in machine coordinates"
+                                   : "machine coordinates while a base frame acts");
+        return false;
+    }
+    frames_off_.emplace(FramesOff{frames_, position_});
+    frames_ = Frames(rules_);
+    frame_changed();
+    position_.programmed = position_.here;
+    return true;
+}
+
+void Executor::put_frames_back(const Block& block) {
+    const FramesOff off = *std::exchange(frames_off_, std::nullopt);
+    frames_ = off.frames;
+    frame_changed();
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        const bool has_moved =
+            (block.given >> i & 1u) != 0 || position_.base[i] != off.before.base[i];
+        position_.programmed[i] = has_moved ? position_.here[i] : off.before.programmed[i];
+    }
+}
+
+// ------------------------------------------------------------------------------ places
+
 /// Machine coordinates are coordinates of the spindle nose: neither frames nor, on most controls,
-/// the tool length act.
+/// the tool length act. The way is none of the contour.
 void Executor::move_in_machine_coordinates(const Block& block) {
     if (is_transformed()) {
         report(diag::TransformationMotion, block, Function::MachineCoordinates)
@@ -40,29 +95,26 @@ void Executor::move_in_machine_coordinates(const Block& block) {
     if (!is_rapid && !check_feed(block, "line")) return;
 
     const SlotMask targets = block.given & nc::kTargetSlots;
-    if (rules_.machine_coordinates_keep_length && tool_.has_changed) {
-        activate_length(block, static_cast<AxisMask>(targets));
-    }
-    const AxisValues length = rules_.machine_coordinates_keep_length ? AxisValues{} : length_shift_;
+    const bool has_length = rules_.machine_coordinates_keep_length;
+    if (has_length && tool_.has_changed) activate_length(block, static_cast<AxisMask>(targets));
     AxisValues to = position_.base;
-    for (std::size_t i = 0; i < kAxes; ++i) to[i] += length[i];
+    for (std::size_t i = 0; i < kAxes; ++i) to[i] += length_shift_[i];
     const SlotMask incremental = modal_.is_incremental ? ~block.absolute : block.incremental;
     for (SlotMask rest = targets; rest != 0; rest &= rest - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(rest));
         const double value = block.values[i] * word_scale_[i];
-        to[i] = (incremental >> i & 1u) != 0 ? to[i] + value : value;
+        const bool is_distance = (incremental >> i & 1u) != 0;
+        to[i] = is_distance ? to[i] + value : value + (has_length ? length_shift_[i] : 0);
     }
     Target target{{}, to, static_cast<AxisMask>(targets)};
-    for (std::size_t i = 0; i < kAxes; ++i) target.base[i] -= length[i];
+    for (std::size_t i = 0; i < kAxes; ++i) target.base[i] -= length_shift_[i];
     target.here = frames_.from_base(target.base);
     if (!check_limits(block, target.base, target.moved)) return;
 
     Command& command = put(is_rapid ? Op::Rapid : Op::Line, block);
     command.to = to;
     command.moved = target.moved;
-    // Without a tool length in force the tip and the machine have the same coordinates.
-    command.machine_coordinates =
-        !rules_.machine_coordinates_keep_length || length_shift_ == AxisValues{};
+    command.machine_coordinates = true;
     command.is_unshifted = true;
     command.exact_stop = true;
     command.feed = is_rapid ? 0 : modal_.feed;

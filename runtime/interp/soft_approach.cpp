@@ -46,7 +46,7 @@ const DiagnosticRow* SoftApproach::take(Command& command) {
     }
     const bool is_arc = command.op == Op::Arc;
     const bool is_straight = command.op == Op::Line || command.op == Op::Rapid;
-    if (command.is_unshifted) return &diag::SoftNoPlace;
+    if (command.machine_coordinates) return &diag::SoftNoPlace;
     const Vec2 way = in_plane(command.to) - in_plane(has_place_ ? to_ : from_);
     const bool moves = is_arc || way.norm() > path::kSamePoint;
     if (!has_place_) return moves && is_straight ? take_place(command) : &diag::SoftNoPlace;

@@ -108,9 +108,9 @@ CompAlarm SpaceCompensation::alarm(Fault fault, const Command& command) const {
 
 SpaceCompensation::Fault SpaceCompensation::take(Command& command) {
     // What is touched is told of a way beside it, and of none that leads there or stands.
-    if (!command.contact.empty() && (state_ != State::On || command.is_unshifted))
+    if (!command.contact.empty() && (state_ != State::On || command.machine_coordinates))
         command.contact.clear();
-    if (path::is_motion(command.op) && command.is_unshifted) {
+    if (path::is_motion(command.op) && command.machine_coordinates) {
         if (const Fault fault = finish()) return fault;
         if (state_ == State::On) state_ = State::Starting;
         here_ = command.to;

@@ -167,10 +167,13 @@ struct Orienting {
     nc::Function spin = nc::Function::SpinFixed;
     bool is_in_base = false;  // orientations are said in the base system
     path::Lean lean;          // from the surface normal
+    bool leans = false;       // … at the end of every block, until one says a direction
     // Behind the latest motion, in the base system:
     path::Vec3 normal = path::Vec3::UnitZ();  // of the surface
     path::Vec3 rate = path::Vec3::Zero();     // how the tool's direction changed at its end
     std::optional<path::Vec3> point;          // the second point of the tool's axis
+    bool owes_offset = false;                 // a work offset was to be said behind the switch …
+    bool warned_offset = false;               // … and it was told that none was
 };
 
 /// What the words of one block say of the tool. Components and angles that are not said are 0.
@@ -203,7 +206,7 @@ struct ToolWords {
     bool says_surface() const {
         return changes_lean || normals[0].is_said() || normals[1].is_said();
     }
-    /// Whether the block turns the tool even where no axis is named. A lead and a tilt only stay.
+    /// Whether the block turns the tool even where no axis is named. A lead and a tilt act on ways.
     bool turns() const {
         const bool has_normal = normals[0].is_said() || normals[1].is_said();
         return says_direction() || has_normal || point.is_said() || spin || spin_by;

@@ -44,8 +44,12 @@ void Executor::check_edge(const Block& block) {
 }
 
 std::int64_t Executor::tool_number(const Block& block, const Invocation& invocation) {
-    if ((invocation.given & 1u) != 0 || block.text.empty()) return count_of(block, invocation);
-    return named_tool(block);
+    if ((invocation.given & 1u) == 0 && !block.text.empty()) return named_tool(block);
+    const std::int64_t number = count_of(block, invocation);
+    if (rules_.most_tool > 0 && number > rules_.most_tool) {
+        report(diag::ToolNumberRange, block, invocation.function).arg(number).arg(rules_.most_tool);
+    }
+    return number;
 }
 
 /// The tool that the block calls by its name. A name that neither the table nor the program has is

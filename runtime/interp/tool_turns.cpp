@@ -83,14 +83,16 @@ bool Executor::orient(const Block& block, const Actions& actions, Target& target
     next_turn_ = {};
     course_.reset();
     const ToolWords& tool = actions.tool;
+    check_offset_said(block);
     if (turns_in_two_ways(block, tool) || has_idle_words(block, tool)) return false;
     if (orienting_.takes_vectors && is_arc(modal_.motion)) {
         report(diag::TcpArc, block, modal_.motion);
         return false;
     }
     if (!check_side_arc(block)) return false;
-    const bool is_led = leans_on_surface() || tool.point.is_said() || tool.lead ||
-                        (surface_leads_end() && tool.says_surface());
+    if (tool.says_direction() || tool.point.is_said() || (block.given & joint_axes()) != 0)
+        orienting_.leans = false;
+    const bool is_led = is_led_by_surface(tool) || tool.point.is_said() || tool.lead;
     const bool waits = spins_with_path(tool);
     if (is_led || waits) course_ = tool;
     if (!is_led) {
@@ -310,7 +312,7 @@ bool Executor::lay_course(const Block& block, const path::Curve& curve, Target& 
         if (!lead_by_point(block, tool, curve, target)) return false;
     } else if (tool.lead) {
         if (!lean_at_end(block, tool, curve, target)) return false;
-    } else if (leans_on_surface() || (surface_leads_end() && tool.says_surface())) {
+    } else if (is_led_by_surface(tool)) {
         if (!lead_by_surface(block, tool, curve, target)) return false;
     }
     if (!lay_spin(block, tool, target, &curve)) return false;
@@ -378,6 +380,8 @@ bool Executor::lead_by_surface(const Block& block, const ToolWords& tool, const 
     path::Lean lean = orienting_.lean;
     lean.about = rules_.tilt_about_normal ? path::TiltAbout::Normal : path::TiltAbout::Tangent;
     const double length = path::length(curve);
+    const bool is_still_leant = length == 0 && !leans_on_surface() && !tool.says_surface();
+    if (is_still_leant) return true;
     const auto start = lean_on(block, (*normals)[0], path::evaluate(curve, 0).tangent, lean);
     if (!start) return false;
     const auto end = lean_on(block, (*normals)[1], path::evaluate(curve, length).tangent, lean);
@@ -385,7 +389,7 @@ bool Executor::lead_by_surface(const Block& block, const ToolWords& tool, const 
     orienting_.normal = (*normals)[1];
     // Where the tip stands there is no path to be led by, and where the control only looks at the
     // block's end it is not.
-    if (length == 0 || rules_.surface_words_at_end) return turn_to(block, tool, *end, target);
+    if (length == 0 || !leans_on_surface()) return turn_to(block, tool, *end, target);
     const auto arc = machine::great_circle((*normals)[0], (*normals)[1]);
     if (!arc) {
         report(diag::OrientationOpposite, block);

@@ -81,6 +81,7 @@ void Executor::take_lean(const Block& block, const nc::Invocation& invocation, T
     }
     (is_lead ? orienting_.lean.lead : orienting_.lean.tilt) = rad_from_deg(angle);
     tool.changes_lean = true;
+    orienting_.leans |= surface_leads_end();
 }
 
 /// Whether words stand side by side that exclude each other; it was reported then.
@@ -90,11 +91,12 @@ bool Executor::turns_in_two_ways(const Block& block, const ToolWords& tool) {
     const bool has_angles = tool.angles.is_said();
     const bool leads = leans_on_surface() || surface_leads_end() || !comp_.takes_faces();
     const bool has_surface = leads && tool.says_surface();
+    const bool is_on_surface = leans_on_surface() || (surface_leads_end() && tool.says_surface());
     const DiagnosticRow* row = has_vector && has_angles  ? &diag::OrientVectorAngles
                                : has_vector && has_axes  ? &diag::OrientVectorAxes
                                : has_angles && has_axes  ? &diag::OrientAnglesAxes
                                : has_surface && has_axes ? &diag::OrientSurfaceAxes
-                               : (has_vector || has_angles) && leans_on_surface()
+                               : (has_vector || has_angles) && is_on_surface
                                    ? &diag::OrientOnSurface
                                    : nullptr;
     if (row == nullptr) return false;
@@ -113,14 +115,21 @@ bool Executor::lacks_axis_for_direction(const Block& block) {
 }
 
 /// Whether the tool is led by a surface in every block.
-bool Executor::leans_on_surface() const {
-    return orienting_.turning == Function::TurnSurface && !rules_.surface_words_at_end;
+bool Executor::leans_on_surface() const { return orienting_.turning == Function::TurnSurface; }
+
+/// Whether a surface tells how the tool stands in this block: along it, or at its end.
+bool Executor::is_led_by_surface(const ToolWords& tool) const {
+    if (leans_on_surface()) return true;
+    return surface_leads_end() && (orienting_.leans || tool.says_surface());
 }
 
 /// Whether surface words of a block say how the tool stands at its end. Where a cutter is
-/// compensated on the surface they are of the surface alone.
+/// compensated on the surface they are of the surface alone; a cone, or the second point of the
+/// tool, says itself where the tool goes.
 bool Executor::surface_leads_end() const {
-    return rules_.surface_words_at_end && !comp_.takes_faces();
+    const Function turning = orienting_.turning;
+    const bool is_free = turning == Function::TurnPlane || turning == Function::TurnAxes;
+    return rules_.surface_words_at_end && is_free && !comp_.takes_faces();
 }
 
 /// Words that the way on which the tool turns has no place for: nothing may be lost silently.
@@ -128,7 +137,7 @@ bool Executor::has_idle_words(const Block& block, const ToolWords& tool) {
     const Function turning = orienting_.turning;
     const bool is_about_axis = turning == Function::TurnConeCw || turning == Function::TurnConeCcw;
     const bool takes_surface =
-        turning == Function::TurnSurface || rules_.surface_words_at_end || comp_.takes_faces();
+        turning == Function::TurnSurface || surface_leads_end() || comp_.takes_faces();
     const struct {
         bool is_idle;
         Function word;

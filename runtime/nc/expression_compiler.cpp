@@ -228,6 +228,11 @@ bool ExpressionCompiler::take_number() {
     double value = decimal.value;
     bool has_point = decimal.has_point;
     if (words_.has_exponents() && take_exponent(value)) has_point = true;
+    if (!std::isfinite(value)) {
+        fail(diag::IsoTooManyDigits, span_from(begin));
+        fault_->arguments = {std::string(line_.substr(begin, at_ - begin))};
+        return false;
+    }
     const bool is_int = rules_.has_types && !has_point && std::fabs(value) <= 2147483648.0;
     emit_number(value, is_int ? ValueType::Int : ValueType::Real, begin);
     return !fault_;

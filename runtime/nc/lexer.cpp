@@ -91,7 +91,20 @@ class Lexer {
         const std::string known =
             tables_.unsupported_words(rules_.ignores_case ? upper_ascii(written) : written);
         if (!known.empty()) return fail(diag::IsoNotSupported, begin, end, {known});
+        if (is_call(written)) return fail(diag::CallNotAlone, begin, end, {written});
         if (!fail_at_unsupported()) fail(diag::IsoUnknownWord, begin, end, {written});
+    }
+    /// `L10`: a code and the number of a program behind it.
+    bool is_call(std::string_view written) const {
+        constexpr std::string_view kDigits = "{digits}";
+        return std::ranges::any_of(tables_.language.calls.calls, [&](const CallForm& form) {
+            const std::string_view code = form.code;
+            if (!code.ends_with(kDigits)) return false;
+            const std::size_t letters = code.size() - kDigits.size();
+            return written.size() > letters &&
+                   upper_ascii(written.substr(0, letters)) == code.substr(0, letters) &&
+                   std::ranges::all_of(written.substr(letters), is_digit);
+        });
     }
     /// `A3=`: a letter with a number of its own, behind which `=` stands.
     void fail_assigned(std::size_t begin, const char* otherwise) {

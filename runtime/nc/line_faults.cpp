@@ -107,6 +107,31 @@ void LineReader::report(std::string_view line, const LineFault& fault) {
     write_notes(builder);
 }
 
+bool LineReader::is_polynomial(FormId form) const {
+    if (form == kNoForm) return false;
+    const Function function = tables_.forms[form].function;
+    return function == Function::PolynomialAxis || function == Function::PolynomialWeight;
+}
+
+/// An argument of a call that its form does not take.
+void LineReader::take_argument_fault(const MatchFault& fault, LineFault& out) const {
+    constexpr int kPowers = 5;
+    const GivenWord& word = lexed_->words[fault.word];
+    const auto place = static_cast<std::size_t>(fault.argument);
+    if (is_polynomial(fault.form) && fault.argument >= kPowers) {
+        out.row = &diag::PolynomialDegree;
+        out.arguments = {std::to_string(word.argument_count)};
+        return;
+    }
+    const bool is_text =
+        place < word.argument_count &&
+        lexed_->arguments[word.first_argument + place].kind == GivenArgument::Kind::Text;
+    const bool is_cycle =
+        fault.form != kNoForm && tables_.forms[fault.form].function == Function::Cycle;
+    out.row = is_text && is_cycle ? &diag::IsoArgumentType : &diag::IsoNotSupported;
+    out.arguments = {argument_words(*lexed_, fault, tables_.addresses[word.address].name)};
+}
+
 void LineReader::report(std::string_view line, const MatchFault& fault) {
     using Kind = MatchFault::Kind;
     LineFault out;
@@ -140,16 +165,15 @@ void LineReader::report(std::string_view line, const MatchFault& fault) {
         case Kind::GroupTwice: out.row = &diag::IsoGroupTwice, out.arguments = {word, other}; break;
         case Kind::Missing:
             out.row = &diag::IsoWordsMissing, out.arguments = {word, form};
+            if (is_polynomial(fault.form) &&
+                modal_[static_cast<std::size_t>(Group::Motion)] != Function::Polynomial)
+                out.row = &diag::PolynomialAlone, out.arguments = {word};
             if (fault.form != kNoForm && writes_data(tables_.forms[fault.form].function))
                 out.row = &diag::OffsetDataFormat;
             break;
         case Kind::Value:
             out.row = &diag::IsoValueWrong, out.arguments = {word, form};
-            if (fault.argument >= 0) {
-                const Address& call = tables_.addresses[lexed_->words[fault.word].address];
-                out.row = &diag::IsoNotSupported;
-                out.arguments = {argument_words(*lexed_, fault, call.name)};
-            }
+            if (fault.argument >= 0) take_argument_fault(fault, out);
             if (fault.form != kNoForm && tables_.forms[fault.form].function == Function::WorkOffset)
                 out.row = &diag::WorkOffsetUnknown, out.arguments = {other + ' ' + word};
             if (fault.form != kNoForm && writes_data(tables_.forms[fault.form].function))

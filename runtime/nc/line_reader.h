@@ -161,6 +161,8 @@ class LineReader {
     void follow_units();
     void report(std::string_view line, const LineFault& fault);
     void report(std::string_view line, const MatchFault& fault);
+    bool is_polynomial(FormId form) const;
+    void take_argument_fault(const MatchFault& fault, LineFault& out) const;
     std::string word_text(std::string_view line, std::size_t word) const;
 
     const Dialect& dialect_;

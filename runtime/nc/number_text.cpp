@@ -238,6 +238,7 @@ NumberFault check_read(const Decimal& decimal, bool has_minus, double meaning,
                        const NumberFormat& format, Dimension dimension, const TextUnits& units) {
     if (decimal.has_point && format.point == PointRule::Never) return NumberFault::Point;
     if (has_minus && !format.allows_minus) return NumberFault::Negative;
+    if (!std::isfinite(meaning)) return NumberFault::TooLarge;
     if (format.max_digits != 0 && decimal.digits > format.max_digits) return NumberFault::TooLarge;
     const int decimals = text_decimals(format, dimension, units);
     return has_too_many_digits(meaning, format, decimals) ? NumberFault::TooLarge

@@ -26,6 +26,31 @@ Vec2 left_of(const Vec2& direction) { return {-direction.y(), direction.x()}; }
 /// From one direction to the other, −π … π, counter-clockwise positive.
 double angle_between(const Vec2& a, const Vec2& b) { return std::atan2(cross(a, b), a.dot(b)); }
 
+/// 1/mm, positive where it bends to the left.
+double curvature(const Element& path) {
+    return path.is_arc() ? (path.sweep > 0 ? 1 : -1) / radius(path) : 0;
+}
+
+/// From the end of one element to the start of the next one, −π … π, counter-clockwise positive.
+///
+/// At half a turn the tangents do not tell its sense: it is that in which the second element lies
+/// beside the first one just before the corner. At a way s back along the first, which is κ₁·s²/2
+/// left of its tangent, the second one is left of it by δ·s − (κ₁ + κ₂)·s²/2, δ the angle by which
+/// the tangents miss half a turn. Elements that lie on each other there are gone around.
+///
+/// distance  of the cutter, mm, positive to the left
+double turn_between(const Element& before, const Element& after, double distance) {
+    constexpr double kJustBeside = 1e-2;  // mm: s, below every cutter that reaches into a corner
+    constexpr double kNoBend = 1e-12;     // mm: how far apart elements on each other seem to be
+    const double turn = angle_between(end_direction(before), start_direction(after));
+    const double missed = turn > 0 ? pi - turn : -pi - turn;
+    if (std::abs(missed) > kSmooth) return turn;
+    const double bend = (curvature(before) + curvature(after)) * kJustBeside * kJustBeside / 2;
+    if (std::abs(bend) > kNoBend) return missed * kJustBeside > bend ? pi : -pi;
+    if (std::abs(missed) > kReversal) return turn;
+    return distance > 0 ? -pi : pi;
+}
+
 /// A circle or a straight line without ends.
 struct Curve {
     Vec2 point;      // on the line
@@ -199,13 +224,13 @@ std::optional<CompFault> RadiusComp::finish_towards(const Vec2& direction) {
 std::optional<CompFault> RadiusComp::join(Side& a, Side& b) {
     const bool rounds = std::exchange(rounds_next_, false);
     const Vec2 corner = b.contour.from;
-    const double turn = angle_between(end_direction(a.contour), start_direction(b.contour));
+    const double turn = turn_between(a.contour, b.contour, a.distance);
     if (std::abs(turn) < kSmooth) {
         if ((a.path.to - b.path.from).norm() > kSamePoint)  // an arc with another distance
             insert(b, line_element(a.path.to, b.path.from));
         return std::nullopt;
     }
-    const bool closes = turn * a.distance > 0 && pi - std::abs(turn) > kReversal;
+    const bool closes = turn * a.distance > 0;
     if (closes && rounds) return CompFault::Bottleneck;
     if (closes) return join_inside(a, b, corner);
     join_outside(a, b, turn, rounds);
@@ -219,8 +244,14 @@ void RadiusComp::insert(Side& side, const Element& element) {
 std::optional<CompFault> RadiusComp::join_inside(Side& a, Side& b, const Vec2& corner) const {
     std::vector<Vec2> common = crossings_of(curve_of(a.path), curve_of(b.path));
     if (common.empty()) return CompFault::NoIntersection;
-    const Vec2 meeting = *std::ranges::min_element(
-        common, {}, [&](const Vec2& point) { return (point - corner).squaredNorm(); });
+    // Where the elements turn back both crossings may be as far from the corner: the sides are
+    // shortened, not extended.
+    const auto is_nearer = [&](const Vec2& one, const Vec2& other) {
+        const double more = (one - corner).norm() - (other - corner).norm();
+        if (std::abs(more) > kNear) return more < 0;
+        return ahead(a.path, one, a.path.to) > ahead(a.path, other, a.path.to);
+    };
+    const Vec2 meeting = *std::ranges::min_element(common, is_nearer);
     a.to = ahead(a.path, meeting, a.path.to);
     b.from = ahead(b.path, b.path.from, meeting);
     return std::nullopt;

@@ -481,6 +481,29 @@ TEST_F(TraceTest, UntilEndsTheProgramThere) {
     EXPECT_NE(summary.out.find("4 executed"), std::string::npos) << summary.out;
 }
 
+TEST_F(TraceTest, WhatWaitsForABlockBehindThePlaceIsNotMissing) {
+    const struct {
+        const char* waits;
+        const char* to;  // where the tool is, as far as the run knows
+    } rows[] = {
+        {"N20 G1 X10 F100 S100 M3 RND=2", "\"to\":{\"X\":10,\"Y\":0,\"Z\":0}"},
+        {"N20 G1 ANG=30 F100 S100 M3", "\"to\":{\"X\":0,\"Y\":0,\"Z\":0}"},
+        {"N20 G147 G41 DISR=5 X20 Y20 F100 S100 M3 D1", "\"to\":{\"X\":0,\"Y\":0,\"Z\":0}"},
+        {"N20 G41 X10 Y0 D1 F100 S100 M3", "\"to\":{\"X\":10,\"Y\":0,\"Z\":0}"},
+    };
+    for (const auto& row : rows) {
+        SCOPED_TRACE(row.waits);
+        write_file_whole(file("wait.mpf"), std::string("T1 D1 M6\nN10 G0 X0 Y0\nG1\n") + row.waits +
+                                               "\nN30 Y30\nG40 X0\nN40 M30\n");
+        const ProcessResult result = kadr({"run", file("wait.mpf"), "-d", "sinumerik", "--until",
+                                           "N30", "--commands", file("c.jsonl")});
+        EXPECT_EQ(result.status, 0) << result.err;
+        EXPECT_EQ(result.err.find("alarm"), std::string::npos) << result.err;
+        const std::string commands = read_file(file("c.jsonl")).value();
+        EXPECT_NE(commands.find(row.to), std::string::npos) << commands;
+    }
+}
+
 TEST_F(TraceTest, PlacesThatAreNoneAreRefused) {
     for (const char* place : {":0", ":x", "a b", "", "part.mpf:"}) {
         SCOPED_TRACE(place);

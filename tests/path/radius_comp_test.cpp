@@ -163,6 +163,51 @@ TEST(RadiusComp, PointedArcs) {
     EXPECT_LT((full.pieces[1].element.to - Vec2(45, -5)).norm(), 1e-9) << "they meet";
 }
 
+/// Tangents that turn back: the curvatures tell on which side the second element goes.
+TEST(RadiusComp, TurnsBackOnTheSideThatTheCurvaturesTell) {
+    const auto half = [](double x, double sense) {  // from (x − 20, 0) to (x, 0) over the middle
+        return Element{{x - 20, 0}, {x, 0}, {x - 10, 0}, sense * pi};
+    };
+    const Element up = line_element({20, 0}, {20, 30});
+    const Element down = line_element({20, 30}, {20, 0});
+    const Element level = line_element({0, 0}, {20, 0});
+    const Element back = line_element({20, 0}, {0, 0});
+    const double far = std::sqrt(15.0 * 15 - 10 * 10);  // radius 10 + 5, centres 20 apart
+    const double near = std::sqrt(15.0 * 15 - 5 * 5);
+    const struct {
+        const char* name;
+        Element first;
+        Element second;
+        double distance;
+        std::optional<Vec2> corner;  // none: it goes around
+    } rows[] = {
+        {"two arcs, left", half(20, -1), half(40, -1), 5, Vec2(20, far)},
+        {"two arcs, right", half(20, -1), half(40, -1), -5, std::nullopt},
+        {"two arcs below, right", half(20, 1), half(40, 1), -5, Vec2(20, -far)},
+        {"two arcs below, left", half(20, 1), half(40, 1), 5, std::nullopt},
+        {"arc and line, left", half(20, -1), up, 5, Vec2(15, near)},
+        {"arc and line, right", half(20, -1), up, -5, std::nullopt},
+        {"line and arc, left", down, half(40, -1), 5, Vec2(25, near)},
+        {"line and arc, right", down, half(40, -1), -5, std::nullopt},
+        {"line and line", level, back, 5, std::nullopt},
+        {"line and line, right", level, back, -5, std::nullopt},
+        {"an arc and the same back", half(20, -1), {{20, 0}, {0, 0}, {10, 0}, pi}, 5, std::nullopt},
+    };
+    for (const auto& row : rows) {
+        SCOPED_TRACE(row.name);
+        const Outcome outcome = compensate({row.first, row.second}, row.distance, {}, false);
+        ASSERT_FALSE(outcome.fault.has_value()) << words(*outcome.fault);
+        ASSERT_EQ(outcome.pieces.size(), row.corner ? 2u : 3u);
+        if (row.corner) {
+            EXPECT_LT((outcome.pieces[0].element.to - *row.corner).norm(), 1e-9);
+            EXPECT_LT((outcome.pieces[1].element.from - *row.corner).norm(), 1e-9);
+        } else {
+            EXPECT_TRUE(outcome.pieces[1].is_inserted);
+            EXPECT_NEAR(std::abs(outcome.pieces[1].element.sweep), pi, 1e-9);
+        }
+    }
+}
+
 TEST(RadiusComp, AnArcAtOneCorner) {
     const CompRules rules{.outside = OutsideCorner::Intersection};
     const auto pieces = [&](double distance, std::optional<CompFault>& fault) {

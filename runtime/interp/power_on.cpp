@@ -1,0 +1,64 @@
+// power_on.cpp — how the control begins: with the default of every group of its dialect.
+#include <algorithm>
+#include <utility>
+
+#include "interp/executor.h"
+#include "interp/unheard.h"
+#include "nc/tables.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Group;
+
+namespace {
+
+/// How the cutter comes to a contour, and what joins its elements: the rule of that name can say
+/// more than the functions of the group do, and counts where a file sets it.
+bool is_ruled(const nc::Dialect& dialect, Group group) {
+    const std::string_view rule = group == Group::CompStart    ? "comp_start"
+                                  : group == Group::CompCorner ? "comp_corner"
+                                                               : "";
+    return std::ranges::any_of(dialect.rules(),
+                               [&](const nc::RuleSetting& set) { return set.name == rule; });
+}
+
+}  // namespace
+
+/// Every default is executed as if it stood in a block of its own. Nobody has written it: there is
+/// no place to tell anything of it. Units are the reader's matter.
+void Executor::power_on() {
+    Unheard nobody;
+    DiagnosticSink* const sink = std::exchange(sink_, &nobody);
+    const nc::BlockPlaces* const places = std::exchange(places_, nullptr);
+    const nc::DialectTables& tables = dialect_.tables();
+    for (std::size_t i = 0; i < tables.power_on.size(); ++i) {
+        const auto group = static_cast<Group>(i);
+        const Function function = tables.power_on[i];
+        if (function == Function::None || group == Group::Units || is_ruled(dialect_, group))
+            continue;
+        begin_with(function);
+    }
+    for (const nc::DialectGroup& group : tables.groups) {
+        for (const Function function : group.power_on)
+            if (nc::info(function).group == Group::Once) begin_with(function);
+    }
+    tool_.has_changed = tool_.source != Tool::Source::None;
+    sink_ = sink;
+    places_ = places;
+}
+
+void Executor::begin_with(Function function) {
+    Block block{};
+    if (!block.add(function)) return;
+    if (nc::info(function).group == Group::Motion) modal_.motion = function;
+    Actions actions;
+    apply_function(block, block.functions[0], actions);
+    if (!ended_) act_before_motion(block, actions);
+    // What this machine, without a tool, cannot do does not act.
+    if (ended_) comp_.side = Function::RadiusCompOff;
+    ended_ = alarmed_ = false;
+}
+
+}  // namespace kadr::interp
