@@ -344,7 +344,8 @@ Compensation::Fault Compensation::depart(Command& command) {
     if (!is_straight(command.op)) return &diag::CompEndOnArc;
     const Vec2 to = in_plane(command.to);
     std::optional<Element> way;
-    if (has_last_) {
+    // A direction that is said takes the place of the corner.
+    if (has_last_ && !leave_direction_) {
         if (const Fault fault = way_out(to, way)) return fault;
     }
     here_ = command.to;
@@ -383,7 +384,8 @@ void Compensation::emit(const CompPiece& piece) {
     const Element& way = piece.element;
     if (piece.weight > 0) return emit_conic(held, piece);
     if (!way.is_arc()) {
-        emit_line(held, held.is_departure ? in_plane(held.command.to) : way.to, piece.is_inserted);
+        const bool ends_there = held.is_departure && !piece.is_inserted;
+        emit_line(held, ends_there ? in_plane(held.command.to) : way.to, piece.is_inserted);
     } else {
         const bool is_gap = (in_plane(shown_) - way.from).norm() > path::kSamePoint;
         if (is_gap) emit_line(held, way.from, true);
