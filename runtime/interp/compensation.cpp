@@ -153,13 +153,20 @@ Compensation::Fault Compensation::finish(const std::optional<Vec2>& direction) {
 
 std::optional<CompAlarm> Compensation::end_block(const AxisValues& here, const nc::Block& block) {
     bool has_moved = false;
-    for (Command& command : fresh_) {
+    for (std::size_t i = 0; i < fresh_.size(); ++i) {
+        Command& command = fresh_[i];
         has_moved = has_moved || (path::is_motion(command.op) && moves_on(command));
+        // Over a place to a place of the machine: the cutter leaves the contour on the way there.
+        const bool leaves = state_ == State::On && path::is_motion(command.op) &&
+                            !command.is_unshifted && i + 1 < fresh_.size() &&
+                            fresh_[i + 1].is_unshifted;
+        if (leaves) state_ = State::Leaving;
         const Command place = command;
         if (const Fault fault = take(command, here)) {
             fresh_.clear();
             return alarm(fault, place);
         }
+        if (leaves) state_ = State::On;
     }
     fresh_.clear();
     here_ = here;
