@@ -153,13 +153,20 @@ Compensation::Fault Compensation::finish(const std::optional<Vec2>& direction) {
 
 std::optional<CompAlarm> Compensation::end_block(const AxisValues& here, const nc::Block& block) {
     bool has_moved = false;
-    for (Command& command : fresh_) {
+    for (std::size_t i = 0; i < fresh_.size(); ++i) {
+        Command& command = fresh_[i];
         has_moved = has_moved || (path::is_motion(command.op) && moves_on(command));
+        // Over a place to a place of the machine: the cutter leaves the contour on the way there.
+        const bool leaves = state_ == State::On && path::is_motion(command.op) &&
+                            !command.is_unshifted && i + 1 < fresh_.size() &&
+                            fresh_[i + 1].is_unshifted;
+        if (leaves) state_ = State::Leaving;
         const Command place = command;
         if (const Fault fault = take(command, here)) {
             fresh_.clear();
             return alarm(fault, place);
         }
+        if (leaves) state_ = State::On;
     }
     fresh_.clear();
     here_ = here;
@@ -353,7 +360,8 @@ Compensation::Fault Compensation::depart(Command& command) {
     if (!is_straight(command.op)) return &diag::CompEndOnArc;
     const Vec2 to = in_plane(command.to);
     std::optional<Element> way;
-    if (has_last_) {
+    // A direction that is said takes the place of the corner.
+    if (has_last_ && !leave_direction_) {
         if (const Fault fault = way_out(to, way)) return fault;
     }
     here_ = command.to;
@@ -392,7 +400,8 @@ void Compensation::emit(const CompPiece& piece) {
     const Element& way = piece.element;
     if (piece.weight > 0) return emit_conic(held, piece);
     if (!way.is_arc()) {
-        emit_line(held, held.is_departure ? in_plane(held.command.to) : way.to, piece.is_inserted);
+        const bool ends_there = held.is_departure && !piece.is_inserted;
+        emit_line(held, ends_there ? in_plane(held.command.to) : way.to, piece.is_inserted);
     } else {
         const bool is_gap = (in_plane(shown_) - way.from).norm() > path::kSamePoint;
         if (is_gap) emit_line(held, way.from, true);

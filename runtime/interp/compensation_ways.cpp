@@ -45,7 +45,9 @@ Compensation::Fault Compensation::way_in(const Element& first, std::optional<Ele
     const Vec2 tangent = path::start_direction(first);
     const Vec2 along = first.from - from;
     if (along.norm() < path::kSamePoint || distance_ == 0) return nullptr;
-    if (settings_.start == CompStart::Extended) {
+    // From the other side of the contour the way is straight, whatever the corner.
+    const bool is_beside = (from - in_plane(meant_)).norm() > path::kSamePoint;
+    if (settings_.start == CompStart::Extended && !is_beside) {
         const double turn = along.x() * tangent.y() - along.y() * tangent.x();
         if (turn * distance_ < 0) way = path::line_element(from, first.from);
     }

@@ -109,10 +109,11 @@ bool Executor::needs_comp_off(const Block& block, Function function) const {
         case Function::ShiftAdd:
         case Function::PositionReset:
         case Function::SetPosition:
-        case Function::ReferencePoint:
-        case Function::ReferenceReturn:
         case Function::ReferenceCheck:
         case Function::ReferenceLeave: return true;
+        // On the way there the compensation is taken back, and it begins anew behind it.
+        case Function::ReferencePoint:
+        case Function::ReferenceReturn: return comp_.acting != Function::CompInPlane;
         default: return false;
     }
 }
@@ -127,7 +128,6 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         report(diag::TapPlane, block, invocation.function);
         return;
     }
-    if (is_too_late(invocation.function)) {
     if (modal_cycle_.is_active && !cycle_blocks_ && !is_lathe_ &&
         is_other_plane(invocation.function)) {
         // Another tool axis: along it the holes begin where the tool stands.
@@ -136,6 +136,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
                                                                           : Axis::X;
         cycle_data_.initial = position_.here[index(tool_axis)];
     }
+    if (is_too_late(invocation.function)) {
         report(diag::FrameInsideRotation, block, invocation.function)
             .arg(word_of(block, invocation.function));
         return;

@@ -3,8 +3,8 @@ O0001
 (rule: F 3.6 G07.1: G41 and G42 on the developed cylinder)
 (machine: driven)
 (expect: to X20 Z0 C0 rapid)
-(expect: to Y0 Z-20 C0)
-(expect: to Y31.415927 Z-20 C90)
+(expect: to Y-5 Z-20 C-14.323945)
+(expect: to Y36.415927 Z-20 C104.323945)
 (expect: to Y31.415927 Z0 C90)
 G10 P10002 R5. Q0
 G98 G97 S1000 M3

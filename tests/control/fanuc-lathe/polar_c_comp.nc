@@ -5,7 +5,7 @@ O0001
 (expect: to X40 C0 rapid)
 (expect: to X25 Y0 C0)
 (expect: to X25 Y25 C45)
-(expect: to X-40 Y25)
+(expect: to X-45 Y25 C150.945396)
 (expect: to X-40 Y0 C180)
 (expect: to X50 C180 rapid)
 G10 P10002 R5. Q0

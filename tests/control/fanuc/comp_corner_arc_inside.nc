@@ -2,8 +2,7 @@
 O0001
 (rule: F 4.3 G39 at a corner that closes would cut: PS0041)
 (expect: to X0 Y-20)
-(expect: to X0 Y5)
-(expect: alarm PS0041 K5277 at 14:1)
+(expect: alarm PS0041 K5277 at 13:1)
 G10L12P1R5.
 G17G90G40
 M3S1000
