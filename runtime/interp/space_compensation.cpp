@@ -10,7 +10,6 @@
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
 #include "interp/space_compensation_parts.h"
-#include "machine/following.h"
 #include "machine/kinematics.h"
 #include "path/curve_of.h"
 #include "path/turn.h"
@@ -178,7 +177,7 @@ SpaceCompensation::Fault SpaceCompensation::follow(Command& command, path::Curve
     if (settings_.cutter.is_on_faces()) {
         if (!face) return &diag::CompMotion;
         if (const Fault fault = take_face(*face, side)) return fault;
-    } else if (const Fault fault = check_side(side)) {
+    } else if (const Fault fault = check(side)) {
         return fault;
     }
     if (const Fault fault = approach_ ? enter(side) : last_ ? join(side) : nullptr) return fault;
@@ -186,10 +185,19 @@ SpaceCompensation::Fault SpaceCompensation::follow(Command& command, path::Curve
     return nullptr;
 }
 
+/// Whether the cutter can go along what is left of a side; once its corners have cut it, the tool
+/// stands otherwise along it.
+SpaceCompensation::Fault SpaceCompensation::check(Side& side) const {
+    if (side.contact.kind != ContactKind::Face) return check_side(side);
+    if (const Fault fault = check_tilts(side)) return fault;
+    return check_bends(side);
+}
+
 SpaceCompensation::Fault SpaceCompensation::check_side(const Side& side) const {
     // Without the machine's transformation nobody holds the tip on another way.
     if (settings_.chain == nullptr && !keeps_kind(side)) return &diag::CompMotion;
-    for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    for (const double place : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        const double share = side.share_of_way(place);
         const path::CurvePoint at = side.at(share);
         const auto aside = path::beside(at.tangent, tool_on(side, share));
         if (!aside) return &diag::CompAlongTool;
@@ -233,13 +241,13 @@ SpaceCompensation::Fault SpaceCompensation::join(Side& next) {
     return nullptr;
 }
 
-/// Both sides end where the cutter touches both of them. A tool that turns there touches both
-/// lines while it does.
+/// Both sides end where the cutter touches both of them as it stands at the corner. A tool that
+/// turns there touches both lines while it does.
 SpaceCompensation::Fault SpaceCompensation::join_inside(Side& next, const Corner& corner) {
     const bool turns = (corner.behind - corner.tool).norm() > kSameTool;
-    const bool are_even = last_->is_line() && next.is_line() && !last_->turns() && !next.turns();
-    if (turns && !are_even) return &diag::CompTurnsInside;
-    if (are_even) {
+    const bool are_lines = last_->is_line() && next.is_line();
+    if (turns && !are_lines) return &diag::CompTurnsInside;
+    if (are_lines) {
         const auto shorten = [&](Side& side, const Vec3& tool, bool is_first) {
             const Vec3 m1 = *path::beside(corner.first, tool);
             const Vec3 m2 = *path::beside(corner.second, tool);
@@ -260,6 +268,8 @@ SpaceCompensation::Fault SpaceCompensation::join_inside(Side& next, const Corner
             return fault;
     }
     if (last_->end <= last_->begin || next.begin >= 1) return &diag::CompCollision;
+    if (const Fault fault = check(*last_)) return fault;
+    if (const Fault fault = check(next)) return fault;
     emit(*last_);
     Contact contact = standing(corner.first);
     contact.kind = ContactKind::Corner;
@@ -268,11 +278,14 @@ SpaceCompensation::Fault SpaceCompensation::join_inside(Side& next, const Corner
     return nullptr;
 }
 
-/// Where the tips of both sides meet, seen so.
+/// Where the tips of both sides meet, seen so. Wherever that is, the first ends and the second
+/// begins with the tool of the corner.
 SpaceCompensation::Fault SpaceCompensation::meet(Side& a, Side& b, const View& view) const {
     constexpr int kMostSteps = 40;
     constexpr double kStep = 1e-6;
     const auto apart = [&](double end, double begin) -> std::optional<Eigen::Vector2d> {
+        a.end = end;
+        b.begin = begin;
         const auto first = tip_on(a, end);
         const auto second = tip_on(b, begin);
         if (!first || !second) return std::nullopt;
@@ -295,10 +308,11 @@ SpaceCompensation::Fault SpaceCompensation::meet(Side& a, Side& b, const View& v
         Eigen::Matrix2d slopes;
         slopes.col(0) = (*gap - *by_end) / kStep;
         slopes.col(1) = (*by_begin - *gap) / kStep;
-        if (std::abs(slopes.determinant()) < 1e-12) return &diag::CompNoIntersection;
+        if (!(std::abs(slopes.determinant()) > 1e-12)) return &diag::CompNoIntersection;
         const Eigen::Vector2d step = slopes.inverse() * *gap;
-        end = std::clamp(end - step[0], 0.0, 1.0 + kStep);
-        begin = std::clamp(begin - step[1], -kStep, 1.0);
+        // Nothing is left of a side that ends where it begins, and on nothing no tool turns.
+        end = std::min(std::max(end - step[0], a.begin + 2 * kStep), 1.0 + kStep);
+        begin = std::clamp(begin - step[1], -kStep, b.end - 2 * kStep);
     }
     return &diag::CompNoIntersection;
 }
@@ -396,9 +410,12 @@ Vec3 SpaceCompensation::tool_along(const Command& command, const AxisValues& fro
     return machine::tool_vector(chain, joints);
 }
 
+/// At a share of the whole way.
 Vec3 SpaceCompensation::tool_on(const Side& side, double share) const {
-    if (side.command.turning <= path::Turning::Axes && !side.turns()) return side.from_tool;
-    return tool_along(side.command, side.from, side.from_tool, side.way, share);
+    if (side.command.turning > path::Turning::Axes)
+        return path::direction_at(turn_on(side), side.way, share * side.length());
+    if (!side.turns()) return side.from_tool;
+    return tool_along(side.command, side.from, side.from_tool, side.way, side.share_of_part(share));
 }
 
 /// Of the contour its tangent, of a surface its normal.
@@ -408,7 +425,8 @@ Vec3 SpaceCompensation::guide_on(const Side& side, double share) const {
 }
 
 std::optional<Vec3> SpaceCompensation::aside_on(const Side& side, double share) const {
-    return path::tip_or_limit(share, [&](double at) {
+    return path::tip_or_limit(side.share_of_part(share), [&](double place) {
+        const double at = side.share_of_way(place);
         return path::tip_beside(side.contact, guide_on(side, at), tool_on(side, at));
     });
 }
@@ -419,27 +437,10 @@ std::optional<Vec3> SpaceCompensation::tip_on(const Side& side, double share) co
     return side.at(share).position + *aside;
 }
 
-/// Where tip and other axes are; on a cone the rotary ones follow the tool.
+/// Where the tip and the other axes are at one of the ends of what is left.
 AxisValues SpaceCompensation::axes_on(const Side& side, double share) const {
-    AxisValues axes = side.command.to;
-    if (share < 1) {
-        for (std::size_t i = 3; i < kAxes; ++i)
-            axes[i] = side.from[i] + std::max(share, 0.0) * (side.command.to[i] - side.from[i]);
-    }
+    AxisValues axes = share == side.begin ? side.from : side.command.to;
     set_linear(axes, tip_on(side, share).value_or(side.at(share).position));
-    const bool is_between = share > 0 && share < 1;
-    if (!is_between || side.command.turning <= path::Turning::Axes) return axes;
-    const machine::Chain& chain = *settings_.chain;
-    Vec3 near = Vec3::Zero();
-    for (std::size_t k = 0; k < machine::kJoints; ++k) {
-        if (chain.has(k))
-            near[static_cast<Eigen::Index>(k)] = rad_from_deg(axes[index(chain.joints[k].axis)]);
-    }
-    const Vec3 joints = machine::joints_for(chain, tool_on(side, share), near);
-    for (std::size_t k = 0; k < machine::kJoints; ++k) {
-        if (chain.has(k))
-            axes[index(chain.joints[k].axis)] = deg_from_rad(joints[static_cast<Eigen::Index>(k)]);
-    }
     return axes;
 }
 
@@ -458,14 +459,29 @@ path::Turn SpaceCompensation::turn_of(const Command& command, const Vec3& from_t
     return turn;
 }
 
-/// What of the turn belongs to the part that its corners leave of a side.
+/// How the tool turns along the way of a side: a block shares its turn out over the way that it has
+/// in the end (S 7.4: u is the path fraction), so that a corner is passed with the tool that the
+/// program gives it. A second point keeps to the ends of the way as it does to those programmed.
+path::Turn SpaceCompensation::turn_on(const Side& side) {
+    const double length = side.length();
+    const double part = side.part() * length;
+    path::Turn turn = turn_of(side.command, side.from_tool, part);
+    if (turn.kind == path::Turning::Point) {
+        const Vec3 before = side.at(side.begin).position - side.at(0).position;
+        const Vec3 behind = side.at(side.end).position - side.at(1).position;
+        turn.start += before;
+        turn.axis += (behind - before) / part;
+    }
+    const double begin = side.begin * length;
+    return path::part_of(turn, -begin, length - begin);
+}
+
+/// What a command says of it for what is left.
 void SpaceCompensation::cut_turn(const Side& side, Command& command) {
     const double length = side.length();
-    const double part = side.end - side.begin;
-    const path::Turn whole = turn_of(side.command, side.from_tool, length);
-    command.turn_from = path::part_of(whole, side.begin * length, side.end * length).start;
-    command.turn_angle *= part;
-    if (command.turning == path::Turning::Point) command.turn_axis *= part;
+    const path::Turn turn = turn_on(side);
+    command.turn_from = path::part_of(turn, side.begin * length, side.end * length).start;
+    if (turn.kind == path::Turning::Point) command.turn_axis = side.part() * length * turn.axis;
 }
 
 /// The cutter as it stands at a place of the contour or of the surface.
@@ -486,7 +502,7 @@ void SpaceCompensation::emit(Side& side) {
     Command command = side.command;
     const AxisValues to = axes_on(side, side.end);
     const Vec3 tool = tool_on(side, side.end);
-    const double part = side.end - side.begin;
+    const double part = side.part();
     if (keeps_kind(side)) {
         command.center += side.contact.kind == ContactKind::Face
                               ? aside_on(side, 0).value_or(Vec3::Zero())
@@ -494,7 +510,7 @@ void SpaceCompensation::emit(Side& side) {
         command.sweep *= part;
     } else if (settings_.chain == nullptr) {
         return emit_splines(side.command, side.from, [&](double share) {
-            return tip_on(side, side.begin + share * part).value_or(Vec3::Zero());
+            return tip_on(side, side.share_of_way(share)).value_or(Vec3::Zero());
         });
     } else {
         path::ContactMotion motion;

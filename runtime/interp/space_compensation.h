@@ -74,7 +74,8 @@ class SpaceCompensation {
     enum class State : std::uint8_t { Off, Starting, On, Leaving };
     using Fault = const DiagnosticRow*;  // null: none
 
-    /// A motion along the contour, as it is programmed.
+    /// A motion along the contour, as it is programmed. Corners cut its way; the tool and the other
+    /// axes do all of their part on what is left of it.
     struct Side {
         path::Command command;
         path::Curve way;
@@ -82,10 +83,15 @@ class SpaceCompensation {
         path::Vec3 to_tool;
         AxisValues from{};      // where the contour and the rotary axes begin
         path::Contact contact;  // of a Face with its normals
-        double begin = 0;       // shares of the way that its corners leave
+        double begin = 0;       // shares of the way: what its corners leave
         double end = 1;
 
         double length() const { return path::length(way); }
+        double part() const { return end - begin; }
+        /// Of what is left, the share at which the whole has this one …
+        double share_of_part(double share) const { return (share - begin) / part(); }
+        /// … and back.
+        double share_of_way(double share) const { return begin + share * part(); }
         path::CurvePoint at(double share) const;
         bool is_line() const { return std::holds_alternative<path::Line>(way); }
         bool turns() const {
@@ -103,6 +109,7 @@ class SpaceCompensation {
     Fault take(path::Command& command);
     Fault take_motion(path::Command& command);
     Fault follow(path::Command& command, path::Curve way);
+    Fault check(Side& side) const;
     Fault check_side(const Side& side) const;
     Fault enter(const Side& first);
     Fault join(Side& next);
@@ -130,6 +137,7 @@ class SpaceCompensation {
     static bool keeps_kind(const Side& side);
     static path::Turn turn_of(const path::Command& command, const path::Vec3& from_tool,
                               double length);
+    static path::Turn turn_on(const Side& side);
     static void cut_turn(const Side& side, path::Command& command);
     path::Vec3 tool_along(const path::Command& command, const AxisValues& from,
                           const path::Vec3& from_tool, const path::Curve& way, double share) const;

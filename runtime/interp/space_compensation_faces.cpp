@@ -57,8 +57,7 @@ SpaceCompensation::Fault SpaceCompensation::take_face(const Contact& face, Side&
     // At rapid only lines lead anywhere, and between their ends nobody holds the tip.
     if (settings_.chain == nullptr && side.command.op == Op::Rapid && !keeps_kind(side))
         return &diag::CompMotion;
-    if (const Fault fault = check_tilts(side)) return fault;
-    return check_bends(side);
+    return check(side);
 }
 
 /// Of the tool from the normal, rad.
@@ -66,12 +65,14 @@ double SpaceCompensation::tilt_on(const Side& side, double share) const {
     return path::angle_between(guide_on(side, share), tool_on(side, share));
 }
 
-/// The share between two at which the tool is nearest to the normal, if there is one such place.
+/// The share of what is left between two at which the tool is nearest to the normal, if there is
+/// one such place.
 double SpaceCompensation::least_tilt(const Side& side, double from, double to) const {
     constexpr double kNarrow = 1e-10;
+    const auto tilt = [&](double share) { return tilt_on(side, side.share_of_way(share)); };
     while (to - from > kNarrow) {
         const double third = (to - from) / 3;
-        if (tilt_on(side, from + third) < tilt_on(side, to - third)) {
+        if (tilt(from + third) < tilt(to - third)) {
             to -= third;
         } else {
             from += third;
@@ -86,7 +87,8 @@ double SpaceCompensation::least_tilt(const Side& side, double from, double to) c
 SpaceCompensation::Fault SpaceCompensation::check_tilts(Side& side) const {
     std::array<double, kTilts + 1> tilts;
     for (int i = 0; i <= kTilts; ++i)
-        tilts[static_cast<std::size_t>(i)] = tilt_on(side, static_cast<double>(i) / kTilts);
+        tilts[static_cast<std::size_t>(i)] =
+            tilt_on(side, side.share_of_way(static_cast<double>(i) / kTilts));
     const auto [least, most] = std::ranges::minmax(tilts);
     if (most > pi / 2 - settings_.cutter.flank + kTiltRounding) return &diag::CompFaceTilt;
     if (side.contact.radius == side.contact.depth) return nullptr;
@@ -103,7 +105,8 @@ SpaceCompensation::Fault SpaceCompensation::check_tilts(Side& side) const {
         const double to = i == kTilts ? 1 : static_cast<double>(i + 1) / kTilts;
         const double share = least_tilt(side, from, to);
         const bool is_inside = share > kSquare && share < 1 - kSquare;
-        if (is_inside && tilt_on(side, share) < kSquare) return &diag::CompFaceSquare;
+        if (is_inside && tilt_on(side, side.share_of_way(share)) < kSquare)
+            return &diag::CompFaceSquare;
     }
     return nullptr;
 }
@@ -114,7 +117,8 @@ SpaceCompensation::Fault SpaceCompensation::check_bends(const Side& side) const 
     if (side.contact.turn == 0) return nullptr;
     constexpr double kStep = 1e-5;
     for (int i = 0; i <= kBends; ++i) {
-        const double share = std::clamp(static_cast<double>(i) / kBends, kStep, 1 - kStep);
+        const double place = std::clamp(static_cast<double>(i) / kBends, kStep, 1 - kStep);
+        const double share = side.share_of_way(place);
         const Vec3 tangent = side.at(share).tangent;
         const Vec3 tool = tool_on(side, share);
         const auto before =
@@ -157,8 +161,8 @@ SpaceCompensation::Fault SpaceCompensation::join_faces(Side& next) {
     return nullptr;
 }
 
-/// Both ways end where the tips meet. In space they need not: then no place of the cutter touches
-/// both surfaces on the way.
+/// Both ways end where the tips meet as the tool stands at the edge. In space they need not: then
+/// no place of the cutter touches both surfaces on the way.
 SpaceCompensation::Fault SpaceCompensation::join_hollow(Side& next, const Corner& corner) {
     if (std::ranges::any_of(waiting_, [&](const Command& command) { return turns_tool(command); }))
         return &diag::CompTurnsInside;
@@ -170,6 +174,8 @@ SpaceCompensation::Fault SpaceCompensation::join_hollow(Side& next, const Corner
     const auto begin = tip_on(next, next.begin);
     if (!end || !begin || (*end - *begin).norm() > kMiss) return &diag::CompFaceCorner;
     if (last_->end <= last_->begin || next.begin >= 1) return &diag::CompCollision;
+    if (const Fault fault = check(*last_)) return fault;
+    if (const Fault fault = check(next)) return fault;
     const Contact contact = standing(guide_on(*last_, last_->end));
     emit(*last_);
     emit_waiting(contact, corner.place);

@@ -76,7 +76,6 @@ void Executor::swivel(const Block& block, const Invocation& invocation) {
         return;
     }
     if (!has_rotary_axes(block, Function::Swivel)) return;
-    if (orienting_.is_on) return refuse("a transformation acts");
     if (modal_.plane != path::Plane::Xy) return refuse("the working plane is not G17");
     const double direction = block.argument(invocation, kDirection);
     if (direction != -1 && direction != 0 && direction != 1)
@@ -87,7 +86,9 @@ void Executor::swivel(const Block& block, const Invocation& invocation) {
         return;
     }
     if (digit(options, 0) > 1 || digit(options, 1) > 1) return refuse("_ST has a digit above 1");
-    if (!retract_before_swivel(block, invocation)) return;
+    // The cycle sees to it that no transformation acts: the axes stay, as at TRAFOOF. S 6.5.
+    if (orienting_.is_on) switch_transformation(block, {Function::TcpOff});
+    if (ended_ || !retract_before_swivel(block, invocation)) return;
 
     // A new plane is said in the system of the work offset; one that is added, in the plane so far
     // with all that the program has done in it.

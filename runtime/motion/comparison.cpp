@@ -55,7 +55,9 @@ class Walker {
     /// Whether it goes on with the same kind of motion.
     bool goes_on(SegmentKind kind) const { return !is_over() && segment().kind == kind; }
     std::uint32_t line() const { return is_over() ? line_ : segment().line; }
+    /// Where the last piece ended, and whether that was in the workpiece as it is turned.
     const Vec3& end() const { return end_; }
+    bool ended_transformed() const { return ended_transformed_; }
 
     /// Goes on by this way, not farther than the end of the piece. True: the piece is through.
     bool advance(double way) {
@@ -67,6 +69,7 @@ class Walker {
     void next() {
         end_ = is_touching() ? tip_at(length_) : path::end(segment().curve);
         line_ = segment().line;
+        ended_transformed_ = segment().is_transformed();
         ++at_;
         settle();
     }
@@ -107,6 +110,7 @@ class Walker {
     double along_ = 0;
     double length_ = 0;
     Vec3 end_ = Vec3::Zero();
+    bool ended_transformed_ = false;
     std::uint32_t line_ = 0;
 };
 
@@ -172,25 +176,35 @@ class Walk {
 
     /// Where both are through: along the way one may have come farther.
     void look_at_ends() {
+        if (first_.ended_transformed() != second_.ended_transformed()) return;
         const double distance = (second_.end() - first_.end()).norm();
         if (distance <= result_.greatest_distance) return;
         result_.greatest_distance = distance;
         result_.widest = {first_.end(), second_.end(), first_.line(), second_.line()};
     }
 
-    /// What is left of the stretch of one when the other is through.
+    /// What is left of the stretch of one when the other is through. Where it is in other
+    /// coordinates, as the rounding behind the end of a transformation, the ends before it count.
     void finish(Walker& walker, const Walker& other, SegmentKind kind) {
         double left = 0;
         const bool moves = !other.is_over() && is_motion(other.segment().kind);
         while (walker.goes_on(kind) && !result_.parting) {
             left += walker.rest();
             if (left > tolerance_) return part(moves ? Parting::Kind : Parting::Length);
+            if (walker.segment().is_transformed() != other.ended_transformed()) look_at_ends();
             walker.advance(walker.rest());
         }
     }
 
+    /// Whether one is still, or only just, in other coordinates than the other.
+    bool is_between_systems() const {
+        return first_.segment().is_transformed() != second_.segment().is_transformed() &&
+               std::min(first_.rest(), second_.rest()) <= tolerance_;
+    }
+
     /// By how much the second is ahead of the first along the way, mm.
     double look() {
+        if (is_between_systems()) return 0;
         const path::CurvePoint a = first_.here();
         const path::CurvePoint b = second_.here();
         const Vec3 apart = b.position - a.position;

@@ -79,6 +79,42 @@ TEST_F(Borer, TheMacroTurnsTheZeroPointAsTheOracle) {
     }
 }
 
+/// The oracle's zero points as the sum of an external offset and G54: the control adds it to G55
+/// too.
+TEST_F(Borer, TheMacroCountsTheExternalOffsetIn) {
+    save("O9010.nc", kadr::read_file(KADR_ROOT "/examples/borer/O9010.nc").value());
+    const double outer[] = {100, 12.5, -50.25};
+    int quadrants = 0;
+    for (const json& item : oracle()) {
+        SCOPED_TRACE(item["id"].get<std::string>());
+        const json& in = item["input"];
+        const json& out = item["expect"];
+        const auto value = [&](const char* name) { return in[name].get<double>(); };
+        const bool is_right = value("part_zero_X") > value("table_centre_X");
+        const bool is_front = value("part_zero_Z") > value("table_centre_Z");
+        quadrants |= 1 << (2 * is_right + is_front);
+        const auto said = [&](const char* name) { return text(value(name), 4); };
+        const auto inner = [&](const char* name, int axis) {
+            return text(value(name) - outer[axis], 4);
+        };
+        save("main.nc", "%\nO0001\n#500=" + said("table_centre_X") +
+                            "\n#501=" + said("table_centre_Z") +
+                            "\n#502=" + std::to_string(in["dir"].get<int>()) + "\nG90 G10 L2 P0 X" +
+                            text(outer[0], 4) + " Y" + text(outer[1], 4) + " Z" +
+                            text(outer[2], 4) + "\nG10 L2 P1 X" + inner("part_zero_X", 0) +
+                            " Y7.5 Z" + inner("part_zero_Z", 2) + "\nG65 P9010 A54. B" + said("B") +
+                            " C55.\n#101=#5241+#5201\n#102=#5242\n#103=#5243+#5203\n" + "M30\n%\n");
+        const auto result = kadr({"run", file("main.nc"), "-d", "fanuc", "-m", "borer",
+                                  "--variables", file("all.json")});
+        ASSERT_EQ(result.status, 0) << result.err;
+        const json all = json::parse(kadr::read_file(file("all.json")).value());
+        EXPECT_NEAR(all["#101"].get<double>(), out["new_X"].get<double>(), 0.0005 + 1e-9);
+        EXPECT_NEAR(all["#102"].get<double>(), 7.5, 1e-9);
+        EXPECT_NEAR(all["#103"].get<double>(), out["new_Z"].get<double>(), 0.0005 + 1e-9);
+    }
+    EXPECT_EQ(quadrants, 0b1111);
+}
+
 TEST_F(Borer, TheMacroRefusesWhatItCannotWorkOut) {
     save("O9010.nc", kadr::read_file(KADR_ROOT "/examples/borer/O9010.nc").value());
     const std::string axis = "#500=1.\n#501=2.\n#502=1\n";

@@ -26,6 +26,22 @@ TEST_F(Compare, OneSourceMovesAlikeOnTwoControls) {
     EXPECT_NE(text.out.find("the same motion within 0.003 mm"), std::string::npos) << text.out;
 }
 
+/// Behind a transformation the same place has other coordinates, and no axis moves: a millimetre's
+/// last digits that one control moves there are no distance.
+TEST_F(Compare, OtherCoordinatesAreNoDistance) {
+    save("le.kadr",
+         "program le() {\n    units mm;\n    tool(1);\n    S8000 M3;\n    G0 X0 Y0 Z60;\n"
+         "    tcp(on);\n    G1 X40 Y10 F2000 orient(i: 0.5, j: 0.3, k: 1);\n"
+         "    G0 Z80 orient(k: 1);\n    tcp(off);\n    M30;\n}\n");
+    const auto result =
+        kadr({"compare", file("le.kadr"), "-d", "sinumerik", "-d", "fanuc", "-m", "trunnion-bc"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    const std::string said = "the same motion within 0.003 mm: 3 stretches, ";
+    const std::size_t at = result.out.find(said);
+    ASSERT_NE(at, std::string::npos) << result.out;
+    EXPECT_LE(std::stod(result.out.substr(at + said.size())), 3) << result.out;
+}
+
 TEST_F(Compare, SaysWhereProgramsPart) {
     save("a.mpf", "S1000 M3 F200\nG0 X0 Y0\nG1 X10\nY10\nM30\n");
     save("b.nc", "%\nO1\nS1000M3F200.\nG0X0.Y0.\nG1X10.\nY10.02\nM30\n%\n");

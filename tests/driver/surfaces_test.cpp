@@ -220,6 +220,36 @@ TEST_F(OnEveryMill, InAGrooveBothSidesAreKeptTo) {
     }
 }
 
+/// On a floor and up a slope, with a tool that turns on both: where it stands in the edge between
+/// them it touches both, and it turns on from there.
+TEST_F(OnEveryMill, InAHollowEdgeATurningMillKeepsToBothSides) {
+    // The tool stands upright, at the pole of the machine, where it is led a little beside its way.
+    constexpr double kBesidePole = 2e-4;
+    const struct {
+        const char* floor;
+        const char* slope;
+        Vec3 first, second;
+    } cases[] = {
+        {"X0 Z0 A4=0 C4=1", "X20 Z20 A4=-1 C4=1 A3=-0.7 C3=1", {0, 0, 1}, {-1, 0, 1}},
+        {"X0 Z0 A4=0 C4=1 A3=-0.1 C3=1", "X20 Z20 A4=-1 C4=1 A3=-0.6 C3=1", {0, 0, 1}, {-1, 0, 1}},
+        {"X0 Z0 A4=0 C4=1 A3=0.7 C3=1", "X20 Z20 A4=-1 C4=1 A3=-0.3 C3=1", {0, 0, 1}, {-1, 0, 1}}};
+    for (const auto& at : cases) {
+        for (const Mill& mill : kMills) {
+            SCOPED_TRACE(std::string(mill.name) + ", " + at.floor);
+            const std::string text =
+                "TRAORI\nORIVECT\nG0 X-50 Y0 Z30 C3=1\nCUT3DF\nG1 G41 X-40 Y0 Z0 C5=1\n" +
+                std::string(at.floor) + " ; on it\n" + at.slope + " ; on it\nG40 Z60\nTRAFOOF";
+            const Seen seen = walk(mill, text, "trunnion-bc", [&](const Body& body) {
+                return std::min(body.above(Vec3::Zero(), at.first.normalized()),
+                                body.above(Vec3::Zero(), at.second.normalized()));
+            });
+            EXPECT_GT(seen.setpoints, 300);
+            EXPECT_GT(seen.least, -kBesidePole);
+            EXPECT_LT(seen.most, kBesidePole);
+        }
+    }
+}
+
 /// Three axes: the tool stands, the sphere turns under it. Over the pole a face slides. The plane
 /// stays, for the length of the tool lies across it.
 TEST_F(OnEveryMill, ThreeAxesKeepToTheSphereToo) {

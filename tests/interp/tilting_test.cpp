@@ -390,6 +390,30 @@ INSTANTIATE_TEST_SUITE_P(
 
 // ------------------------------------------------------------------------------ SINUMERIK
 
+/// Where the axes stand is where they stood under the transformation.
+TEST(TiltingSinumerik, TheCycleSwitchesATransformationOffAsItsWordDoes) {
+    const auto swivelled = [](const std::string& word, const std::string& cycle) {
+        const Ran ran = read("sinumerik",
+                             "G500\nT1 D1 M6\nTRAORI\nG0 X10 Y-20 Z30 A3=0.2 B3=-0.5 C3=1\n" +
+                                 word + cycle + "\nG0 X5 Y6 Z7\nM30",
+                             stock("trunnion-ac"));
+        EXPECT_EQ(alarms(ran), "") << cycle;
+        return ran.commands;
+    };
+    for (const std::string tens : {"0", "10"}) {
+        const std::string cycle = "CYCLE800(1,\"\"," + tens + ",57,1,2,3,-30,0,0,0,0,0,-1)";
+        const auto wanted = swivelled("TRAFOOF\n", cycle);
+        const auto found = swivelled("", cycle);
+        ASSERT_EQ(found.size(), wanted.size()) << tens;
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            EXPECT_EQ(found[i].op, wanted[i].op) << i;
+            EXPECT_EQ(found[i].to, wanted[i].to) << i;
+            EXPECT_EQ(found[i].turning, wanted[i].turning) << i;
+        }
+        EXPECT_EQ(found.back().turning, path::Turning::None);
+    }
+}
+
 TEST(TiltingSinumerik, ModesOfTheCycleAreItsAngles) {
     const machine::Machine machine = stock("trunnion-ac");
     struct Mode {
