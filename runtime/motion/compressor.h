@@ -17,8 +17,7 @@ class Compressor {
     /// Whether a command may be part of a run: a line at feed of X, Y and Z for which the program
     /// gives a tolerance, and no course of the feed.
     static bool can_take(const path::Command& command) {
-        const bool has_law =
-            !command.dynamics.empty() && command.dynamics.front().law.is_said();
+        const bool has_law = !command.dynamics.empty() && command.dynamics.front().law.is_said();
         return command.compress > 0 && !has_law;
     }
     /// No line waits and no command is ready.

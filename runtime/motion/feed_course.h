@@ -31,9 +31,7 @@ struct FeedCourse {
     bool is_on() const { return time > 0; }
     double entry() const { return feed[0]; }
     double exit() const { return at(length); }
-    double at(double s) const {
-        return feed[0] + s * (feed[1] + s * (feed[2] + s * feed[3]));
-    }
+    double at(double s) const { return feed[0] + s * (feed[1] + s * (feed[2] + s * feed[3])); }
     double slope(double s) const { return feed[1] + s * (2 * feed[2] + s * 3 * feed[3]); }
 };
 

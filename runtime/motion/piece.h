@@ -40,7 +40,7 @@ struct Piece {
     bool follows_spindle = false;  // as of a Stretch
     bool has_dynamics = false;     // the program says what of their limits the axes have
     BentCell cell;
-    FeedCourse course;   // is_on: the feed changes along it
+    FeedCourse course;  // is_on: the feed changes along it
     AxisRates rates{};  // dq/ds at its start
     AxisTable::Loads loads;
 };

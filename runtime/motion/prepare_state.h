@@ -38,7 +38,7 @@ struct CornerMemory {
     double jerk = std::numeric_limits<double>::infinity();
     bool turns_only = false;
     bool is_bent = false;
-    bool must_stop = true;  // the path comes to rest behind it
+    bool must_stop = true;                                       // the path comes to rest behind it
     double exit_feed = std::numeric_limits<double>::infinity();  // of a course of the feed
     double feed_slope = 0;  // of it by the way, in parts of the feed, 1/mm
 };
@@ -63,8 +63,8 @@ struct Emission {
     bool is_inside = false;  // of a way that goes on evenly from the piece before
     /// So far it is from either end of that way: beside a corner the axes have less.
     double margin = std::numeric_limits<double>::infinity();
-    bool follows_spindle = false;  // one of many parts, each with the feed of its radius
-    bool is_by_law = false;        // the feed of the command is that of the piece already …
+    bool follows_spindle = false;        // one of many parts, each with the feed of its radius
+    bool is_by_law = false;              // the feed of the command is that of the piece already …
     const FeedCourse* course = nullptr;  // … or this one
 };
 
