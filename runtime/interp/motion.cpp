@@ -113,7 +113,9 @@ void Executor::move(const Block& block, const Actions& actions) {
         check_carried(block);
     }
     if (actions.way_offset != 0 && !offset_ways(block, actions.way_offset, target)) return;
-    const bool exact_stop = stops_exactly(actions.exact_stop);
+    // At rapid a way to a place of the machine ends at rest on every control.
+    const bool goes_to_machine = frames_off_ && modal_.motion == Function::Rapid;
+    const bool exact_stop = stops_exactly(actions.exact_stop || goes_to_machine);
     if (actions.at_rapid && comp_.side != Function::RadiusCompOff &&
         (targets & plane_mask()) != 0) {
         report(diag::CompMotion, block);
