@@ -292,7 +292,12 @@ bool check_xml(const XmlElement& element, const XmlShape& shape, DiagnosticSink&
         is_good = false;
         auto message = sink.report(diag::XmlUnknownElement, child.range);
         message.arg(shown_value(child.name)).arg(element.name);
-        propose(message, child.range, child.name, rule->children);
+        if (propose(message, child.range, child.name, rule->children)) continue;
+        for (const XmlRule& home : shape.rules) {
+            if (std::ranges::find(home.children, child.name) != home.children.end())
+                message.note("`<" + shown_value(child.name) + ">` may stand inside `<" +
+                             std::string(home.element) + ">`");
+        }
     }
     return is_good;
 }

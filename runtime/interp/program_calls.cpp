@@ -216,7 +216,13 @@ Program::State::Done Program::State::prepare(CompiledLine& line, const ControlSt
     out.site = std::make_shared<nc::CallSite>(
         nc::CallSite{lines.place(line.text, line.place.line.line, span), frame->site});
     if (is_by_text) return prepare_section(line, statement, out);
-    done = prepare_passes(line, words->repeats, out);
+    nc::CallValue passes = words->repeats;
+    if (statement.count.is_given()) {  // `CALL O200 Q2`
+        passes.is_given = true;
+        passes.value = statement.count;
+        passes.span = statement.count.span;
+    }
+    done = prepare_passes(line, passes, out);
     if (is_over()) return done;
     std::optional<double> start;
     done = number_of(line, words->start, start);

@@ -3,6 +3,7 @@
 
 #include "nc/control_line.h"
 #include "nc/control_words.h"
+#include "nc/loop_front.h"
 
 namespace kadr::nc {
 
@@ -61,9 +62,17 @@ class Front {
 
     void find_statement(std::size_t at) {
         const Word word = words_.word_at(at);
-        if (word.text.size() < 2 && !language_.has_label_numbers) return;
         const StatementForm* found = nullptr;
         for (const StatementForm& form : language_.statements) {
+            if (begins_with_loop(form)) {
+                const std::optional<int> loop = loop_in_front(words_, line_, form, at);
+                if (!loop) continue;
+                front_.statement = form.statement;
+                front_.closes = form.closes;
+                front_.loop = *loop;
+                return;
+            }
+            if (word.text.size() < 2 && !language_.has_label_numbers) continue;
             if (!words_.says_with_digits(word, form.tokens[0].text)) continue;
             if (form.statement == Statement::Label && take_label_of(form, at)) return;
             if (found == nullptr || !is_likely(*found, at + word.text.size())) found = &form;

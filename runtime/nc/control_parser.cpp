@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "nc/call_compiler.h"
 #include "nc/control_line.h"
+#include "nc/loop_front.h"
 
 namespace kadr::nc {
 
@@ -230,10 +231,13 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         skip();
         const std::size_t begin = at_;
         const Word word = words_.word_at(at_);
-        if (word.text.size() < 2 && !language_.has_label_numbers) return false;
         std::optional<LineFault> farthest;
         const std::size_t code = out_.code.size();
         for (const StatementForm& form : language_.statements) {
+            const bool has_number_in_front = begins_with_loop(form);
+            if (has_number_in_front ? !loop_in_front(words_, line_, form, begin)
+                                    : word.text.size() < 2 && !language_.has_label_numbers)
+                continue;
             if (!words_.says_with_digits(word, form.tokens[0].text) || !is_wanted(form.statement))
                 continue;
             if (wants_call(form) && !begins_call(begin + word.text.size())) continue;
@@ -257,7 +261,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
                 return true;
             }
             // One letter begins words of other kinds as well.
-            if (form.tokens[0].text.size() == 1) fault_.reset();
+            if (form.tokens[0].text.size() == 1 && !has_number_in_front) fault_.reset();
             else if (!farthest || (fault_ && fault_->span.begin > farthest->span.begin))
                 farthest = fault_;
         }

@@ -3,6 +3,7 @@
 #include <cctype>
 
 #include "nc/load_parts.h"
+#include "nc/statement_holes.h"
 
 namespace kadr::nc {
 
@@ -23,11 +24,6 @@ std::optional<std::size_t> row_named(std::span<const Row> rows, const XmlAttribu
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool is_name_char(char c) { return is_letter(c) || c == '_'; }
-
-constexpr std::string_view kHoleNames[] = {
-    "variable", "value", "condition", "target", "loop",      "first", "last",
-    "number",   "text",  "count",     "from",   "to",        "type",  "declarations",
-    "cases",    "jump",  "statement", "call",   "procedure", "print", "rest"};
 
 class LanguageLoader {
   public:
@@ -61,6 +57,7 @@ class LanguageLoader {
             if (child.name == "codes") load_codes(child);
         }
         load_calls(element, language_, attributes_);
+        check_called_names(element);
     }
 
   private:
@@ -290,9 +287,24 @@ class LanguageLoader {
         }
         if (!fits_operation(form))
             return attributes_.bad_value(name, "its operation takes another number of values");
+        const XmlWord pattern{element.text, element.text_range};
+        if (const std::string fault = fault_of_holes(form); !fault.empty())
+            return attributes_.bad_word(pattern, "statement", fault);
         std::erase_if(language_.statements,
                       [&](const StatementForm& old) { return old.form == form.form; });
         language_.statements.push_back(std::move(form));
+    }
+
+    /// Programs that are named behind a keyword are those that `<call code="{name}">` knows.
+    void check_called_names(const XmlElement& element) {
+        if (std::ranges::any_of(language_.calls.calls, &CallForm::is_name)) return;
+        for (const XmlElement& child : element.children) {
+            if (child.name != "statement" || child.text.find("{call}") == std::string::npos)
+                continue;
+            attributes_.bad_word(
+                {child.text, child.text_range}, "statement",
+                "no program has a name here: `<call code=\"{name}\" …>` is missing");
+        }
     }
 
     void read_closes(const XmlAttribute& attribute, StatementForm& form) {
@@ -344,9 +356,9 @@ class LanguageLoader {
                 token.kind = StatementToken::Kind::Hole;
                 token.is_optional = name.ends_with('?');
                 if (token.is_optional) name.remove_suffix(1);
-                const auto found = std::ranges::find(kHoleNames, name);
-                if (found == std::end(kHoleNames)) return false;
-                token.hole = static_cast<StatementToken::Hole>(found - std::begin(kHoleNames));
+                const auto hole = hole_named(name);
+                if (!hole) return false;
+                token.hole = *hole;
             } else if (is_name_char(c)) {
                 const auto is_inside = [](char sign) {
                     return is_name_char(sign) ||

@@ -114,6 +114,15 @@ TEST(Xml, EveryMistakeHasOneMessage) {
     }
 }
 
+TEST(Xml, AMisplacedElementIsToldWhereItBelongs) {
+    const Read read("<plan name='a'><note><step by=''/></note></plan>");
+    ASSERT_EQ(read.messages.all().size(), 1u);
+    const auto& notes = read.messages.all()[0].notes;
+    ASSERT_EQ(notes.size(), 2u);
+    EXPECT_EQ(notes[0].text, "`<step>` may stand inside `<plan>`");
+    EXPECT_EQ(notes[1].text, "`<step>` may stand inside `<step>`");
+}
+
 TEST(Xml, AttributesOfXmlItselfPass) {
     EXPECT_TRUE(Read("<plan name='a' xmlns:xsi='http://www.w3.org/2001/XMLSchema-instance' "
                      "xsi:noNamespaceSchemaLocation='plan.xsd'/>")

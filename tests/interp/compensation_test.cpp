@@ -144,7 +144,7 @@ TEST(Compensation, Fanuc) {
             "R-20,-20 L0,-5 L45,-5 L45,35 L-5,35 L-5,0 L-20,-20"},
            {"acute ones by the radius",
             "G0 X0. Y-20.\nG42 D1 G1 X0. Y0. F500.\nX40.\nX0. Y10.\nG40 X-20.\n",
-            "R0,-20 L0,-5 L45,-5 L46.063,3.638 L1.213,14.851 L-20,10"},
+            "R0,-20 L0,-5 L45,-5 L46.063,3.638 L0.616,15 L-20,10"},
            {"tangents of arcs are extended",
             "G0 X0. Y-20.\nG42 D1 G1 X0. Y20. F500.\nX20. Y10.\nG3 X20. Y30. R10.\nG1 X0.\n"
             "G40 X-20.\n",
@@ -155,7 +155,7 @@ TEST(Compensation, Fanuc) {
            {"D0 is no radius", "G42 D0 G1 X10. F500.\nX20.\nG40 Y20.\n", "L10,0 L20,0 L20,20"},
            {"another offset in the mode",
             "G0 X0. Y-20.\nG42 D1 G1 X0. Y0. F500.\nX40.\nD2 X80.\nX90.\nG40 Y20.\n",
-            "R0,-20 L0,-5 L40,-5 L80,-3 L90,-3 L90,20"},
+            "R0,-20 L0,-5 L40,-5 L80,-3 L93,-3 L90,20"},
            {"more empty blocks than can be read: to the normal",
             "G0 X-20. Y0.\nG41 D1 G1 X0. Y0. F500.\nX40.\nM8\nM9\nM8\nM9\nY30.\nG40 X0.\n",
             "R-20,0 L0,5 L40,5 coolant coolant coolant coolant L35,30 L0,30"},
@@ -166,7 +166,7 @@ TEST(Compensation, Fanuc) {
             "PS0041"},
            {"PS0041, a groove that is too narrow",
             "G0 X0. Y-20.\nG41 D1 G1 X0. Y0. F500.\nX20.\nY-10.\nX24.\nY0.\nX60.\nG40 Y9.\n",
-            "R0,-20 L0,5", "PS0041"}});
+            "R0,-20 L-5,5", "PS0041"}});
 }
 
 TEST(Compensation, FanucTypeB) {
