@@ -26,7 +26,7 @@ struct RunFigures {
     std::string alarm;  // the first one; empty: none
     motion::Totals totals;
     std::vector<ToolShare> tools;
-    std::vector<CycleShare> cycles;  // the longest first
+    std::vector<CycleShare> cycles;   // the longest first
     std::vector<PlaceShare> longest;  // statements, the longest first
 };
 

@@ -58,6 +58,7 @@ Control control_of(const std::string& example) {
     const auto matches = [&](const char* pattern) {
         return std::regex_search(example, std::regex(pattern, std::regex::multiline));
     };
+    if (has("common core")) return {"iso", ".ngc", mill, "T1 M6\nS1000 M3\nG0 X0 Y0 Z50 F200\n"};
     if (has("HEIDENHAIN"))
         return {KADR_ROOT "/examples/dialects/heidenhain-iso.xml", ".i", mill, ""};
     const std::string driven = "lathe-c.xml";

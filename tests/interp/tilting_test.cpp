@@ -509,7 +509,7 @@ TEST(TiltingSinumerik, TorotAndToframeLayAnAxisAlongTheTool) {
     const double length = machine.find_tool(1)->length;
     const auto run = [&](const std::string& frame, const std::string& moves) {
         const Ran ran = read("sinumerik",
-                             "T1 D1 M6\nG54\nTRAORI\nG0 X10 Y20 Z30 A3=1 B3=0.5 C3=2\n" + frame +
+                             "T1 D1 M6\nTRAORI\nG54\nG0 X10 Y20 Z30 A3=1 B3=0.5 C3=2\n" + frame +
                                  "\n" + moves + "\nM30",
                              machine);
         EXPECT_EQ(alarms(ran), "") << frame;
