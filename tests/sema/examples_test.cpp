@@ -58,6 +58,7 @@ TEST(Examples, WrongOnesCauseTheMessageAndRightOnesNone) {
         if (row == &diag::FeedNotSet || row == &diag::CuttingSpeedNotSet)
             options.target = "sinumerik";
         if (row == &diag::TapByMoves) options.target = "fanuc-lathe";
+        if (row == &diag::CurveIncrement) options.target = "fanuc";
         options.source = dialect_of(row->right);
         const Outcome wrong = without_unused(run(text_of(row->wrong), options), *row);
         EXPECT_TRUE(has_code(wrong, row->code))
