@@ -51,7 +51,7 @@ path::Plane Executor::plane_in(const Block& block) const {
 
 /// Whether the block is a line at an angle whose end only the next one will tell; then it waits.
 bool Executor::opens_line(const Block& block) {
-    if (cycle_blocks_) return false;
+    if (cycle_.blocks) return false;
     const nc::Invocation* angle = block.find(Function::ContourAngle);
     if (angle == nullptr) return false;
     const path::PlaneAxes plane = path::axes_of(plane_in(block));
@@ -90,8 +90,8 @@ void Executor::close_line(const Block& block) {
         return;
     }
     const Vec2 from{position_.here[index(axes.first)], position_.here[index(axes.second)]};
-    const Vec2 to{block.at(slots[0]) * word_scale_[index(axes.first)],
-                  block.at(slots[1]) * word_scale_[index(axes.second)]};
+    const Vec2 to{block.at(slots[0]) * axes_.word_scale[index(axes.first)],
+                  block.at(slots[1]) * axes_.word_scale[index(axes.second)]};
     const Vec2 out = direction_of(first.argument(*first.find(Function::ContourAngle), 0));
     const Vec2 in = direction_of(block.argument(*angle, 0));
     const double w = cross(out, in);

@@ -12,7 +12,7 @@ using nc::Quantity;
 std::optional<Axis> Executor::axis_of(std::int64_t index) const {
     if (index < 0) {
         const auto axis = static_cast<std::size_t>(-index - 1);
-        if (axis >= kAxes || (axes_ >> axis & 1u) == 0) return std::nullopt;
+        if (axis >= kAxes || (axes_.present >> axis & 1u) == 0) return std::nullopt;
         return static_cast<Axis>(axis);
     }
     if (index < 1 || static_cast<std::size_t>(index) > machine_.axes.size()) return std::nullopt;
@@ -33,7 +33,7 @@ bool Executor::is_length(std::int64_t index) const {
 
 double Executor::word_factor(std::int64_t index) const {
     const auto axis = axis_of(index);
-    return axis ? 1 / word_scale_[kadr::index(*axis)] : 1;
+    return axis ? 1 / axes_.word_scale[kadr::index(*axis)] : 1;
 }
 
 std::optional<double> Executor::place_of(Quantity quantity, Axis axis) const {
@@ -73,23 +73,24 @@ double Executor::mirrored_axes() const {
 
 /// The clock takes notice of the commands that came out since it was last asked.
 void Executor::count_time() {
-    for (; timed_ < output_.written(); ++timed_) clock_.add(output_.at(timed_));
+    for (; clocks_.timed < output_.written(); ++clocks_.timed)
+        clocks_.run.add(output_.at(clocks_.timed));
 }
 
 /// How long the program has run, s: what waits for its corner has been executed by then. A corner
 /// may make it a little shorter than it was taken for; time never goes back for that.
 double Executor::run_time() {
     count_time();
-    RunClock clock = clock_;
+    RunClock clock = clocks_.run;
     const auto add = [&](const path::Command& command) { clock.add(command); };
     for (const path::Command& command : output_.waiting()) add(command);
     compensation_.look_at_waiting(add);
     space_comp_.look_at_waiting(add);
     soft_approach_.look_at_waiting(add);
     corners_.look_at_waiting(add);
-    latest_time_ = std::max(latest_time_, clock.seconds());
-    cutting_time_ = std::max(cutting_time_, clock.cutting_seconds());
-    return latest_time_;
+    clocks_.latest = std::max(clocks_.latest, clock.seconds());
+    clocks_.cutting = std::max(clocks_.cutting, clock.cutting_seconds());
+    return clocks_.latest;
 }
 
 std::optional<double> Executor::clock(Quantity quantity) {
@@ -99,8 +100,8 @@ std::optional<double> Executor::clock(Quantity quantity) {
     const double now = run_time();
     switch (quantity) {
         case Quantity::Milliseconds:
-            return std::fmod(std::floor(milliseconds_from_ + now * 1000), kMilliseconds);
-        case Quantity::Hours: return hours_from_ + now / kHour;
+            return std::fmod(std::floor(clocks_.milliseconds_from + now * 1000), kMilliseconds);
+        case Quantity::Hours: return clocks_.hours_from + now / kHour;
         case Quantity::Date: return static_cast<double>(options_.date);
         case Quantity::TimeOfDay: {
             const double of_day = std::fmod(std::floor(options_.time_of_day + now), kDay);
@@ -158,16 +159,16 @@ std::optional<double> Executor::tool_datum(std::int64_t number) const {
 }
 
 double Executor::timer(std::int64_t number) {
-    const auto found = timers_.find(number);
-    if (found == timers_.end()) return 0;
+    const auto found = clocks_.timers.find(number);
+    if (found == clocks_.timers.end()) return 0;
     return found->second.runs ? run_time() + found->second.value : found->second.value;
 }
 
 void Executor::set_timer(std::int64_t number, double value) {
     if (value < 0) {
-        timers_[number] = {timer(number), false};
+        clocks_.timers[number] = {timer(number), false};
     } else {
-        timers_[number] = {value - run_time(), true};
+        clocks_.timers[number] = {value - run_time(), true};
     }
 }
 
@@ -191,7 +192,7 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::UpperLimit: {
             const auto axis = axis_of(first);
             if (!axis) return std::nullopt;
-            return (quantity == Quantity::LowerLimit ? lower_ : upper_)[index(*axis)];
+            return (quantity == Quantity::LowerLimit ? axes_.lower : axes_.upper)[index(*axis)];
         }
         case Quantity::WorkOffset: {
             const auto axis = axis_of(second);
@@ -236,7 +237,7 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
                                               tool_.length_number()) +
                              extra_.lengths[static_cast<Eigen::Index>(first) - 1];
         case Quantity::Timer: return timer(first);
-        case Quantity::CuttingTime: run_time(); return cutting_time_;
+        case Quantity::CuttingTime: run_time(); return clocks_.cutting;
         case Quantity::ToolRadius: return tool_offsets_.radius(tool_.edge_number()) + extra_.radius;
         case Quantity::ActiveToolDatum: return tool_datum(first);
         case Quantity::ToolDatum:
@@ -284,7 +285,7 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
                 quantity == Quantity::CrossGeometry || quantity == Quantity::CrossWear;
             const std::int64_t at = ToolOffsets::of_edge(first, second);
             return tool_offsets_.value(*tool_offsets_.column_of(quantity, at), at) /
-                   (is_cross ? word_scale_[index(Axis::X)] : 1);
+                   (is_cross ? axes_.word_scale[index(Axis::X)] : 1);
         }
         case Quantity::EdgeCount: return number(tool_offsets_.edges(first));
         case Quantity::RadiusAllowance: return comp_.allowance;

@@ -29,7 +29,7 @@ constexpr double kLimitSlack = 1e-6;  // mm, deg
 }  // namespace
 
 bool Executor::check_axes(const Block& block, SlotMask targets) {
-    SlotMask missing = targets & ~SlotMask{axes_};
+    SlotMask missing = targets & ~SlotMask{axes_.present};
     if (virtual_.axes.turns()) {
         missing &= ~bit(nc::slot_of(virtual_.axes.virtual_axis()));
         if (const Slot turning = nc::slot_of(virtual_.axes.rotary); (targets & bit(turning)) != 0) {
@@ -45,7 +45,7 @@ bool Executor::check_axes(const Block& block, SlotMask targets) {
 
 /// Between the code that gears the spindle and the tapping cycle no axis moves.
 bool Executor::check_rigid_tap(const Block& block, SlotMask targets) {
-    if (!taps_rigidly_ || targets == 0 || cycle_blocks_) return true;
+    if (!taps_rigidly_ || targets == 0 || cycle_.blocks) return true;
     if (block.find(Function::TapRigid) != nullptr) return true;
     report(diag::TapMoveBefore, block, first_slot(targets));
     return false;
@@ -77,8 +77,8 @@ bool Executor::check_feed(const Block& block, std::string_view what) {
         return false;
     }
     // The beam of a scanner comes with its marks.
-    if (!warned_spindle_stopped_ && !is_scanning_) {
-        warned_spindle_stopped_ = true;
+    if (!told_.spindle_stopped && !is_scanning_) {
+        told_.spindle_stopped = true;
         report(diag::FeedWithSpindleStopped, block);
     }
     return true;
@@ -99,18 +99,18 @@ void Executor::check_rapid(const Block& block, const Target& target) {
     const bool stands = spindle_.mode == SpindleMode::Stop;
     const bool dives = (target.moved >> kZ & 1u) != 0 && target.here[kZ] < 0 &&
                        target.here[kZ] < position_.here[kZ];
-    const bool is_mill = word_scale_[0] == 1 && modal_.plane == path::Plane::Xy;
-    if (warned_rapid_ || !stands || !dives || !is_mill) return;
-    warned_rapid_ = true;
+    const bool is_mill = axes_.word_scale[0] == 1 && modal_.plane == path::Plane::Xy;
+    if (told_.rapid || !stands || !dives || !is_mill) return;
+    told_.rapid = true;
     report(diag::RapidBelowPlane, block, Slot::Z).arg(round_to(target.here[kZ], 4));
 }
 
 /// A cut on a machine that changes tools, with whatever turns in the spindle.
 void Executor::check_tool(const Block& block) {
-    if (has_called_tool_ || !options_.asks_for_tool || machine_.tool_change_time == 0 ||
+    if (told_.no_tool || !options_.asks_for_tool || machine_.tool_change_time == 0 ||
         tool_.current != 0)
         return;
-    has_called_tool_ = true;  // said once
+    told_.no_tool = true;  // said once
     report(diag::ToolNeverCalled, block);
 }
 
@@ -127,8 +127,8 @@ void Executor::check_units(const Block& block, nc::Function units) {
             .arg(acts);
         return;
     }
-    if (changes && has_moved_ && !warned_units_) {
-        warned_units_ = true;
+    if (changes && has_moved_ && !told_.units) {
+        told_.units = true;
         const bool to_inch = units == nc::Function::Inch;
         report(diag::UnitsMixed, block, units)
             .arg(to_inch ? "millimetres" : "inches")
@@ -147,7 +147,7 @@ bool Executor::check_limits(const Block& block, const AxisValues& base, AxisMask
 /// Whether the tip is inside of the working area that the program has set.
 bool Executor::check_area(const Block& block, const AxisValues& base, AxisMask moved) {
     const AxisMask axes =
-        frames_.is_shift() ? moved : static_cast<AxisMask>(moved | (axes_ & kLinearXYZ));
+        frames_.is_shift() ? moved : static_cast<AxisMask>(moved | (axes_.present & kLinearXYZ));
     const std::optional<WorkArea::Excess> excess = area_.excess(base, axes);
     if (!excess) return true;
     const Slot word = nc::slot_of(excess->axis);
@@ -160,11 +160,11 @@ bool Executor::check_area(const Block& block, const AxisValues& base, AxisMask m
 
 bool Executor::check_machine_limits(const Block& block, const AxisValues& base, AxisMask moved) {
     const AxisMask axes =
-        frames_.is_shift() ? moved : static_cast<AxisMask>(moved | (axes_ & kLinearXYZ));
+        frames_.is_shift() ? moved : static_cast<AxisMask>(moved | (axes_.present & kLinearXYZ));
     for (AxisMask rest = axes; rest != 0; rest = static_cast<AxisMask>(rest & (rest - 1))) {
         const auto i = static_cast<std::size_t>(std::countr_zero(rest));
         const double at = base[i] + length_shift_[i];
-        if (at < lower_[i] - kLimitSlack || at > upper_[i] + kLimitSlack) {
+        if (at < axes_.lower[i] - kLimitSlack || at > axes_.upper[i] + kLimitSlack) {
             report_limit(block, static_cast<Axis>(i), at);
             return false;
         }
@@ -181,7 +181,7 @@ bool Executor::check_arc_limits(const Block& block, const path::Arc& arc, const 
     bool is_far = !area_.acts();
     for (std::size_t i = 0; i < 3; ++i) {
         const double center = arc.center[static_cast<Eigen::Index>(i)] + length_shift_[i];
-        is_far &= center - reach >= lower_[i] && center + reach <= upper_[i];
+        is_far &= center - reach >= axes_.lower[i] && center + reach <= axes_.upper[i];
     }
     if (is_far) return true;
     return check_box(block, path::bounds(path::make_helix(arc.start, arc.end, arc.center,
@@ -193,7 +193,7 @@ bool Executor::check_box(const Block& block, const path::Box& box) {
         const auto k = static_cast<Eigen::Index>(i);
         for (const double edge : {box.lower[k], box.upper[k]}) {
             const double at = edge + length_shift_[i];
-            if (at >= lower_[i] - kLimitSlack && at <= upper_[i] + kLimitSlack) continue;
+            if (at >= axes_.lower[i] - kLimitSlack && at <= axes_.upper[i] + kLimitSlack) continue;
             report_limit(block, static_cast<Axis>(i), at);
             return false;
         }
@@ -210,7 +210,7 @@ bool Executor::check_box(const Block& block, const path::Box& box) {
 
 void Executor::report_limit(const Block& block, Axis axis, double at) {
     const std::size_t i = index(axis);
-    const double limit = at < lower_[i] ? lower_[i] : upper_[i];
+    const double limit = at < axes_.lower[i] ? axes_.lower[i] : axes_.upper[i];
     DiagnosticBuilder builder = block.has(nc::slot_of(axis))
                                     ? report(diag::AxisLimit, block, nc::slot_of(axis))
                                     : report(diag::AxisLimit, block);

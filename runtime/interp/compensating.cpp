@@ -313,9 +313,9 @@ void Executor::take_comp_tool(const Block& block, std::int64_t number, CompChang
     const bool is_turned = tool_offsets_.is_turning(number) && modal_.plane == path::Plane::Zx;
     const bool has_no_tip = is_turned && radius != 0 && tip == 0;
     const bool is_known_gap =
-        std::find(unknown_radii_.begin(), unknown_radii_.end(), number) != unknown_radii_.end();
+        std::find(told_.radii.begin(), told_.radii.end(), number) != told_.radii.end();
     if ((radius == 0 || has_no_tip) && number != 0 && !is_known_gap) {
-        unknown_radii_.push_back(number);
+        told_.radii.push_back(number);
         report(has_no_tip ? diag::CompTipUnknown : diag::CompRadiusUnknown, block, comp_.side)
             .arg(ToolOffsets::tool_of(number));
     }

@@ -59,7 +59,7 @@ void Executor::choose_corner(const Block& block, const Invocation& invocation, A
 
 /// Tells the corners what this block wants, before it puts its motion.
 void Executor::wish_corner(const Block& block, const Actions& actions) {
-    if (cycle_blocks_) return;
+    if (cycle_.blocks) return;
     // Where a soft approach begins its contour, nothing stands before the corner.
     if (actions.soft != nullptr || soft_approach_.needs_place()) {
         if (actions.corner != nullptr) report(diag::CornerNotContour, block);
@@ -122,7 +122,7 @@ bool Executor::wish_square_corner(const Block& block, const Target& target) {
         return std::abs(target.here[index(axis)] - position_.here[index(axis)]) > path::kSamePoint;
     };
     const bool along_first = moves(plane.first);
-    if (!rules_.corner_by_arc_words || cycle_blocks_ || modal_.motion != Function::Line)
+    if (!rules_.corner_by_arc_words || cycle_.blocks || modal_.motion != Function::Line)
         return false;
     const bool has_other = block.find(Function::CornerChamfer) != nullptr ||
                            block.find(Function::CornerRound) != nullptr;

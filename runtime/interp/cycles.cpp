@@ -83,7 +83,7 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
     const Invocation& invocation = *actions.cycle;
     const nc::CycleInfo& info = dialect_.cycles()[block.cycle];
     if (!info.curve.empty()) return move_along_curve(block, invocation);
-    if (cycles_ == nullptr || cycle_blocks_ || shape_) {
+    if (cycles_ == nullptr || cycle_.blocks || shape_) {
         report(diag::CycleUnavailable, block, Function::Cycle).arg(info.name);
         return;
     }
@@ -95,7 +95,7 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
         call.arguments[i] = block.argument(invocation, i);
     }
     complete_call(call);
-    cycle_is_across_ = is_lathe_ && find_parameter(info, kAcrossParameter).has_value();
+    cycle_.is_across = is_lathe_ && find_parameter(info, kAcrossParameter).has_value();
     if (!check_surroundings(block, call)) return;
     complete_surroundings(call, calls_program_at(block));
     take_ends(block, call);
@@ -114,9 +114,9 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
             report(diag::CycleBesideMotion, block, Function::Cycle).arg("the cycle");
         // The level where the cycle mode begins stays the initial level until the mode ends.
         const Axis tool_axis = path::axes_of(cycle_plane()).normal;
-        if (!modal_cycle_.is_active) {
-            cycle_data_ = {};
-            cycle_data_.initial = position_.here[index(tool_axis)];
+        if (!cycles_said_.modal.is_active) {
+            cycles_said_.data = {};
+            cycles_said_.data.initial = position_.here[index(tool_axis)];
         }
         keep_call(call);
         if (info.roles.depth >= 0) keep_levels(block);
@@ -125,7 +125,7 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
     }
     // A pattern leaves the modal cycle as it is, which is called at its places.
     if (find_parameter(info, kPatternParameter)) return start_cycle(block, call);
-    modal_cycle_ = call;
+    cycles_said_.modal = call;
     if (count_times(actions.cycle_words)) start_cycle(block, call);
 }
 
@@ -134,8 +134,8 @@ void Executor::call_behind_motion(const Block& block) {
     // An axis that moves by itself goes along no path.
     const bool is_path =
         (block.given & nc::kTargetSlots) != 0 && block.find(Function::RapidOnce) == nullptr;
-    if (ended_ || cycle_blocks_ || shape_ || !is_path) return;
-    Block call = *call_behind_motions_;
+    if (ended_ || cycle_.blocks || shape_ || !is_path) return;
+    Block call = *cycles_said_.behind_motions;
     call.line = block.line;
     call.source = block.source;
     call.given = 0;
@@ -151,15 +151,15 @@ void Executor::call_behind_motion(const Block& block) {
 
 /// The cycle that was defined last, with the parameters of its definition.
 void Executor::call_defined(const Block& block) {
-    if (!defined_) {
+    if (!cycles_said_.defined) {
         report(diag::CycleUndefined, block, Function::CycleCall);
         return;
     }
     Block call{};
     call.line = block.line;
     call.source = block.source;
-    call.cycle = *defined_;
-    call.add(Function::Cycle, dialect_.cycles()[*defined_].parameters.size());
+    call.cycle = *cycles_said_.defined;
+    call.add(Function::Cycle, dialect_.cycles()[*cycles_said_.defined].parameters.size());
     Actions actions;
     actions.cycle = call.find(Function::Cycle);
     call_cycle(call, actions);
@@ -189,7 +189,7 @@ void Executor::move_instead_of_cycle(const Block& block, const Actions& actions)
 /// a place.
 const Block& Executor::with_depth_apart(const Block& block) {
     const Invocation* const said = block.find(Function::Cycle);
-    if (said == nullptr || cycle_blocks_ || is_lathe_ || !is_modal(block.cycle)) return block;
+    if (said == nullptr || cycle_.blocks || is_lathe_ || !is_modal(block.cycle)) return block;
     const int depth = dialect_.cycles()[block.cycle].roles.depth;
     const bool is_said =
         depth >= 0 && (said->given >> depth & 1u) != 0 && (said->by_form >> depth & 1u) == 0;
@@ -206,7 +206,7 @@ const Block& Executor::with_depth_apart(const Block& block) {
 /// How often the block does the cycle; false: not at all.
 bool Executor::count_times(const CycleWords& words) {
     const auto times = static_cast<int>(words.times.value_or(1));
-    times_left_ = times - 1;
+    cycle_.times_left = times - 1;
     return times > 0;
 }
 
@@ -231,37 +231,37 @@ void Executor::keep_call(const ModalCycle& call) {
     const auto value = [&](int parameter) {
         return call.arguments[static_cast<std::size_t>(parameter)];
     };
-    if (says(roles.depth)) cycle_data_.depth = level_now(value(roles.depth));
-    if (says(roles.retract)) cycle_data_.retract = retract_now(value(roles.retract));
+    if (says(roles.depth)) cycles_said_.data.depth = level_now(value(roles.depth));
+    if (says(roles.retract)) cycles_said_.data.retract = retract_now(value(roles.retract));
     // A stroke and a shift have no direction: their sign does not count.
-    if (says(roles.stroke)) cycle_data_.stroke = std::abs(value(roles.stroke));
+    if (says(roles.stroke)) cycles_said_.data.stroke = std::abs(value(roles.stroke));
     if (says(roles.shift) && !has_shift_vector(info, call))
-        cycle_data_.stroke = std::abs(value(roles.shift));
-    if (says(roles.dwell)) cycle_data_.dwell = value(roles.dwell);
+        cycles_said_.data.stroke = std::abs(value(roles.shift));
+    if (says(roles.dwell)) cycles_said_.data.dwell = value(roles.dwell);
 }
 
 void Executor::keep_words(const CycleWords& words) {
-    if (words.stroke) cycle_data_.stroke = std::abs(*words.stroke);
-    if (words.dwell) cycle_data_.dwell = *words.dwell;
+    if (words.stroke) cycles_said_.data.stroke = std::abs(*words.stroke);
+    if (words.dwell) cycles_said_.data.dwell = *words.dwell;
 }
 
 void Executor::keep_levels(const Block& block) {
     const Slot depth = nc::slot_of(path::axes_of(cycle_plane()).normal);
     if (block.has(depth)) {
         const bool is_distance = (block.incremental & bit(depth)) != 0;
-        const double scale = cycle_is_across_ ? x_scale(block, is_distance) : 1;
-        cycle_data_.depth = level_now(block.at(depth) * scale);
-        cycle_data_.depth.is_distance |= is_distance;
+        const double scale = cycle_.is_across ? x_scale(block, is_distance) : 1;
+        cycles_said_.data.depth = level_now(block.at(depth) * scale);
+        cycles_said_.data.depth.is_distance |= is_distance;
     }
-    if (block.has(Slot::Radius)) cycle_data_.retract = retract_now(block.at(Slot::Radius));
+    if (block.has(Slot::Radius)) cycles_said_.data.retract = retract_now(block.at(Slot::Radius));
 }
 
 void Executor::warn_levels(const Block& block) {
     if (dialect_.cycles()[block.cycle].roles.depth < 0) return;
     // A distance that nobody says is none: the cycle begins where the tool stands.
-    if (!cycle_data_.retract.is_given && !retract_now(0).is_distance)
+    if (!cycles_said_.data.retract.is_given && !retract_now(0).is_distance)
         report(diag::CycleLevelMissing, block, Function::Cycle).arg("retract level");
-    if (!cycle_data_.depth.is_given)
+    if (!cycles_said_.data.depth.is_given)
         report(diag::CycleLevelMissing, block, Function::Cycle).arg("depth");
 }
 
@@ -278,20 +278,23 @@ void Executor::complete_words(ModalCycle& call) {
         return of.is_distance ? from + of.value : of.value;
     };
     // A level that nobody said is 0, or no distance.
-    if (!cycle_data_.retract.is_given) cycle_data_.retract.is_distance = retract_now(0).is_distance;
-    if (!cycle_data_.depth.is_given) cycle_data_.depth.is_distance = level_now(0).is_distance;
-    const double retract = level(cycle_data_.retract, cycle_data_.initial);
-    const double depth = level(cycle_data_.depth, retract);
+    if (!cycles_said_.data.retract.is_given)
+        cycles_said_.data.retract.is_distance = retract_now(0).is_distance;
+    if (!cycles_said_.data.depth.is_given)
+        cycles_said_.data.depth.is_distance = level_now(0).is_distance;
+    const double retract = level(cycles_said_.data.retract, cycles_said_.data.initial);
+    const double depth = level(cycles_said_.data.depth, retract);
     set(roles.retract, retract);
     set(roles.depth, depth);
-    const double stroke = cycle_data_.stroke.value_or(0);
+    const double stroke = cycles_said_.data.stroke.value_or(0);
     set(roles.stroke, stroke > 0 ? stroke : std::abs(retract - depth));
     if (!has_shift_vector(info, call)) set(roles.shift, stroke);
-    if (cycle_data_.dwell) set(roles.dwell, *cycle_data_.dwell);
+    if (cycles_said_.data.dwell) set(roles.dwell, *cycles_said_.data.dwell);
 
     // A level under the bottom (boring from below) is no place to come back to.
-    const bool stays_low = returns_to_retract_ && retract > depth;
-    set_argument(call, find_parameter(info, "initial"), stays_low ? retract : cycle_data_.initial);
+    const bool stays_low = cycles_said_.returns_to_retract && retract > depth;
+    set_argument(call, find_parameter(info, "initial"),
+                 stays_low ? retract : cycles_said_.data.initial);
 }
 
 /// Where a scaling spares what a cycle says of ways, the cycle runs without it, between the levels
@@ -309,7 +312,7 @@ void Executor::take_off_scale(ModalCycle& call) {
         if (is_given(call, levels[i])) places[i][normal] = call.arguments[*levels[i]];
         places[i] = frames_.to_base(places[i]);
     }
-    frames_outside_ = frames_;
+    cycle_.frames_outside = frames_;
     frames_.scale_off();
     frame_changed();
     for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -322,8 +325,8 @@ void Executor::take_off_scale(ModalCycle& call) {
 /// retract level. Where the tool is not at the initial level, the cycle takes it to be there: then
 /// its first way is the one to the retract level.
 void Executor::go_straight(ModalCycle& call) {
-    final_level_.reset();
-    begins_at_.reset();
+    cycle_.final_level.reset();
+    cycle_.begins_at.reset();
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     const nc::CycleInfo::Roles& roles = info.roles;
     const std::optional<std::size_t> initial = find_parameter(info, "initial");
@@ -332,11 +335,11 @@ void Executor::go_straight(ModalCycle& call) {
     const double retract = call.arguments[static_cast<std::size_t>(roles.retract)];
     const double depth = call.arguments[static_cast<std::size_t>(roles.depth)];
     if (retract <= depth) return;  // boring from below
-    if (back > retract) begins_at_ = back;
+    if (back > retract) cycle_.begins_at = back;
     // Where cycles are modal, nothing forbids a retract level above the level they return to.
     if (back >= retract || !is_modal(call.cycle)) return;
     call.arguments[*initial] = retract;
-    final_level_ = back;
+    cycle_.final_level = back;
 }
 
 // ------------------------------------------------------------------------------ calls
@@ -349,10 +352,11 @@ void Executor::preset_cycle(const Block& block, const Invocation& invocation) {
             .arg(dialect_.cycles()[block.cycle].name);
         return;
     }
-    const auto old = std::ranges::find(presets_, block.cycle, &ModalCycle::cycle);
-    ModalCycle& preset = old != presets_.end() ? *old : presets_.emplace_back();
+    const auto old = std::ranges::find(cycles_said_.presets, block.cycle, &ModalCycle::cycle);
+    ModalCycle& preset =
+        old != cycles_said_.presets.end() ? *old : cycles_said_.presets.emplace_back();
     preset.cycle = block.cycle;
-    defined_ = block.cycle;
+    cycles_said_.defined = block.cycle;
     preset.given = invocation.given;
     const std::size_t count = dialect_.cycles()[block.cycle].parameters.size();
     for (std::size_t i = 0; i < count; ++i) preset.arguments[i] = block.argument(invocation, i);
@@ -360,7 +364,7 @@ void Executor::preset_cycle(const Block& block, const Invocation& invocation) {
 
 /// What the call does not give has been given before.
 void Executor::complete_call(ModalCycle& call) const {
-    for (const ModalCycle& preset : presets_) {
+    for (const ModalCycle& preset : cycles_said_.presets) {
         if (preset.cycle != call.cycle) continue;
         const std::size_t count = dialect_.cycles()[call.cycle].parameters.size();
         for (std::size_t i = 0; i < count; ++i) {
@@ -395,10 +399,10 @@ void Executor::take_ends(const Block& block, ModalCycle& call) const {
 void Executor::complete_ends(ModalCycle& call) const {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     if (!is_modal(call.cycle) || !find_parameter(info, "x")) return;
-    const bool goes_on = modal_cycle_.is_active && modal_cycle_.cycle == call.cycle;
+    const bool goes_on = cycles_said_.modal.is_active && cycles_said_.modal.cycle == call.cycle;
     for (std::size_t i = 0; goes_on && i < info.parameters.size(); ++i) {
-        if (!is_given(call, i) && is_given(modal_cycle_, i))
-            set_argument(call, i, modal_cycle_.arguments[i]);
+        if (!is_given(call, i) && is_given(cycles_said_.modal, i))
+            set_argument(call, i, cycles_said_.modal.arguments[i]);
     }
     for (const Axis axis : {Axis::X, Axis::Z}) {
         const std::optional<std::size_t> end = find_parameter(info, end_name(axis));
@@ -407,21 +411,21 @@ void Executor::complete_ends(ModalCycle& call) const {
 }
 
 void Executor::repeat_cycle(const Block& block, const Actions& actions) {
-    const nc::CycleInfo& info = dialect_.cycles()[modal_cycle_.cycle];
+    const nc::CycleInfo& info = dialect_.cycles()[cycles_said_.modal.cycle];
     if (const SlotMask centers = block.given & nc::kCenterSlots; centers != 0)
         warn_arc_word(block, centers);
     keep_levels(block);
     keep_words(actions.cycle_words);
-    ModalCycle ends = modal_cycle_;
+    ModalCycle ends = cycles_said_.modal;
     ends.given = 0;  // what the calls before have said are places already
     take_ends(block, ends);
     for (std::size_t i = 0; i < info.parameters.size(); ++i) {
-        if ((ends.given >> i & 1u) != 0) set_argument(modal_cycle_, i, ends.arguments[i]);
+        if ((ends.given >> i & 1u) != 0) set_argument(cycles_said_.modal, i, ends.arguments[i]);
     }
     if (block.has(Slot::Radius)) {
-        set_argument(modal_cycle_, find_parameter(info, "taper"), block.at(Slot::Radius));
+        set_argument(cycles_said_.modal, find_parameter(info, "taper"), block.at(Slot::Radius));
     }
-    if (count_times(actions.cycle_words)) start_cycle(block, modal_cycle_);
+    if (count_times(actions.cycle_words)) start_cycle(block, cycles_said_.modal);
 }
 
 /// Moves to the place in the plane and opens the stream of the cycle's blocks.
@@ -439,7 +443,7 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
         line(block, target_of(block, place), path::Op::Rapid, stops_exactly());
     if (ended_) return;
 
-    if (is_modal(call.cycle) && cycle_data_.stroke.value_or(0) > 0) {
+    if (is_modal(call.cycle) && cycles_said_.data.stroke.value_or(0) > 0) {
         if (const auto in_strokes = call_in_strokes(dialect_, call)) {
             call = *in_strokes;
             complete_call(call);
@@ -458,7 +462,7 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
     request.arguments = {call.arguments.data(), info.parameters.size()};
     request.given = call.given;
     request.position = position_in_cycle();
-    if (begins_at_) request.position[2] = *begins_at_;
+    if (cycle_.begins_at) request.position[2] = *cycle_.begins_at;
     request.feed = modal_.feed;
     request.feed_mode = modal_.feed_mode;
     request.speed = spindle_.speed;
@@ -468,17 +472,17 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
     if (places_ != nullptr) request.place = places_->place(origin(block));
     // Without a shape it is the plane alone, in which turning cycles work.
     const CycleShape plane_of_lathe{{}, modal_.plane, true};
-    const bool lies_flat = is_lathe_ && !cycle_is_across_;
+    const bool lies_flat = is_lathe_ && !cycle_.is_across;
     request.shape = shape != nullptr || !lies_flat ? shape : &plane_of_lathe;
-    request.x_is_diameter = !lies_flat || word_scale_[index(Axis::X)] != 1;
+    request.x_is_diameter = !lies_flat || axes_.word_scale[index(Axis::X)] != 1;
     std::unique_ptr<Stream<Block>> blocks = cycles_->expand(request);
     if (blocks == nullptr) {
         if (!was_refused(block)) ended_ = alarmed_ = true;  // the expander has said why
         return;
     }
-    cycle_name_ = info.name;
-    cycle_number_ = static_cast<std::uint16_t>(call.cycle + 1);
-    cycle_taps_ = info.taps;
+    cycle_.name = info.name;
+    cycle_.number = static_cast<std::uint16_t>(call.cycle + 1);
+    cycle_.taps = info.taps;
     if (is_given(call, find_parameter(info, kPatternParameter)))
         return begin_pattern(block, std::move(blocks));
     open_cycle(block, std::move(blocks));
@@ -486,19 +490,19 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
 
 /// From here on the blocks of the cycle are executed.
 void Executor::open_cycle(const Block& block, std::unique_ptr<Stream<Block>> blocks) {
-    cycle_stream_ = std::move(blocks);
-    caller_ = block;
-    modal_before_cycle_ = modal_;
-    x_scale_before_cycle_ = word_scale_[index(Axis::X)];
-    after_cycle_ = {};
+    cycle_.stream = std::move(blocks);
+    cycle_.caller = block;
+    cycle_.modal_before = modal_;
+    cycle_.x_scale_before = axes_.word_scale[index(Axis::X)];
+    cycle_.after = {};
     modal_.is_incremental = false;
     modal_.motion = Function::Rapid;
     // The cycle's own motions neither repeat it nor end its mode.
-    is_modal_behind_cycle_ = modal_cycle_.is_active;
-    modal_cycle_.is_active = false;
+    cycle_.is_modal_behind = cycles_said_.modal.is_active;
+    cycles_said_.modal.is_active = false;
     if (corners_.is_active()) settle(block);
     leave_corners(diag::CornerWithoutMotion);
-    cycle_blocks_.emplace(*cycle_stream_, kCycleBatch);
+    cycle_.blocks.emplace(*cycle_.stream, kCycleBatch);
 }
 
 /// A tapping cycle whose words do not say the pitch has it from the feed: F itself where it counts
@@ -603,7 +607,7 @@ void Executor::complete_surroundings(ModalCycle& call, bool calls_program) const
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     set_argument(call, find_parameter(info, "tool_d"),
                  2 * tool_offsets_.radius(tool_.edge_number()));
-    const bool calls = calls_program || call_behind_motions_ || modal_cycle_.is_active;
+    const bool calls = calls_program || cycles_said_.behind_motions || cycles_said_.modal.is_active;
     set_argument(call, find_parameter(info, kPatternParameter), calls ? 1 : 0);
     const path::Plane plane = cycle_plane();
     set_argument(call, find_parameter(info, "plane"),
@@ -613,7 +617,7 @@ void Executor::complete_surroundings(ModalCycle& call, bool calls_program) const
 }
 
 void Executor::finish_cycle() {
-    if (was_refused(caller_)) return;
+    if (was_refused(cycle_.caller)) return;
     // Compensation that the cycle has not ended is over; the cutter stays where it is.
     if (comp_.side != Function::RadiusCompOff) {
         comp_.side = Function::RadiusCompOff;
@@ -622,47 +626,47 @@ void Executor::finish_cycle() {
         position_.base = space_comp_.is_on() ? space_comp_.place() : compensation_.place();
         frame_changed();
     }
-    cycle_blocks_.reset();
-    cycle_stream_.reset();
-    modal_ = modal_before_cycle_;
-    word_scale_[index(Axis::X)] = x_scale_before_cycle_;
-    modal_cycle_.is_active = is_modal_behind_cycle_;
-    if (final_level_) return_to_level();
+    cycle_.blocks.reset();
+    cycle_.stream.reset();
+    modal_ = cycle_.modal_before;
+    axes_.word_scale[index(Axis::X)] = cycle_.x_scale_before;
+    cycles_said_.modal.is_active = cycle_.is_modal_behind;
+    if (cycle_.final_level) return_to_level();
     if (ended_) return;
-    if (frames_outside_) {
-        frames_ = *frames_outside_;
-        frames_outside_.reset();
+    if (cycle_.frames_outside) {
+        frames_ = *cycle_.frames_outside;
+        cycle_.frames_outside.reset();
         frame_changed();
     }
-    if (times_left_ > 0) {
-        --times_left_;
-        const Actions after = after_cycle_;
+    if (cycle_.times_left > 0) {
+        --cycle_.times_left;
+        const Actions after = cycle_.after;
         // Angles and radii that are distances go on from where the last one has come to.
         const Block* const again =
-            said_in_polar_ ? with_polar_axes(Block(*said_in_polar_)) : &caller_;
+            said_in_polar_ ? with_polar_axes(Block(*said_in_polar_)) : &cycle_.caller;
         const Block caller = *again;
-        start_cycle(caller, modal_cycle_);
-        after_cycle_ = after;
+        start_cycle(caller, cycles_said_.modal);
+        cycle_.after = after;
         return;
     }
-    act_after_motion(caller_, after_cycle_);
+    act_after_motion(cycle_.caller, cycle_.after);
 }
 
 /// From the retract level down to where the cycle mode began.
 void Executor::return_to_level() {
     Block way{};
-    way.line = caller_.line;
-    way.source = caller_.source;
+    way.line = cycle_.caller.line;
+    way.source = cycle_.caller.source;
     const Slot slot = nc::slot_of(path::axes_of(cycle_plane()).normal);
-    way.set(slot, *final_level_);
+    way.set(slot, *cycle_.final_level);
     way.absolute = bit(slot);
-    if (cycle_is_across_) way.x_measure = nc::XMeasure::Radius;
+    if (cycle_.is_across) way.x_measure = nc::XMeasure::Radius;
     line(way, target_of(way, bit(slot)), path::Op::Rapid, stops_exactly());
 }
 
 /// The plane in which a cycle works. Lathes drill along Z whatever their plane.
 path::Plane Executor::cycle_plane() const {
-    if (cycle_is_across_) return path::Plane::Yz;
+    if (cycle_.is_across) return path::Plane::Yz;
     return is_lathe_ ? path::Plane::Xy : modal_.plane;
 }
 
@@ -670,8 +674,8 @@ path::Plane Executor::cycle_plane() const {
 /// a lathe is the diameter that programs say.
 AxisValues Executor::position_in_cycle() const {
     AxisValues position = position_.here;
-    if (!cycle_is_across_) {
-        for (std::size_t i = 0; i < kAxes; ++i) position[i] /= word_scale_[i];
+    if (!cycle_.is_across) {
+        for (std::size_t i = 0; i < kAxes; ++i) position[i] /= axes_.word_scale[i];
     }
     const path::PlaneAxes plane = path::axes_of(cycle_plane());
     const AxisValues all = position;
@@ -688,23 +692,23 @@ const Block& Executor::in_plane_of_cycle(const Block& block) {
     const path::PlaneAxes plane = path::axes_of(cycle_plane());
     const std::array<std::size_t, 3> axes = {index(plane.first), index(plane.second),
                                              index(plane.normal)};
-    remapped_ = block;
-    if (cycle_is_across_) remapped_.x_measure = nc::XMeasure::Radius;
+    cycle_.remapped = block;
+    if (cycle_.is_across) cycle_.remapped.x_measure = nc::XMeasure::Radius;
     for (const std::size_t base : {std::size_t{0}, static_cast<std::size_t>(Slot::CenterX)}) {
         const SlotMask three = SlotMask{0b111} << base;
-        remapped_.given &= ~three;
-        remapped_.incremental &= ~three;
-        remapped_.absolute &= ~three;
+        cycle_.remapped.given &= ~three;
+        cycle_.remapped.incremental &= ~three;
+        cycle_.remapped.absolute &= ~three;
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t from = base + i;
             const std::size_t to = base + axes[i];
-            remapped_.values[to] = block.values[from];
-            remapped_.given |= (block.given >> from & 1u) << to;
-            remapped_.incremental |= (block.incremental >> from & 1u) << to;
-            remapped_.absolute |= (block.absolute >> from & 1u) << to;
+            cycle_.remapped.values[to] = block.values[from];
+            cycle_.remapped.given |= (block.given >> from & 1u) << to;
+            cycle_.remapped.incremental |= (block.incremental >> from & 1u) << to;
+            cycle_.remapped.absolute |= (block.absolute >> from & 1u) << to;
         }
     }
-    return remapped_;
+    return cycle_.remapped;
 }
 
 }  // namespace kadr::interp

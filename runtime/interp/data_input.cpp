@@ -44,7 +44,7 @@ void Executor::write_parameter(const Block& block, const Invocation& invocation)
         return;
     }
     if (number == kAxisKind && axis == Axis::X) {
-        word_scale_[index(Axis::X)] = bit_of(value, kDiameter) ? 0.5 : 1;
+        axes_.word_scale[index(Axis::X)] = bit_of(value, kDiameter) ? 0.5 : 1;
         return;
     }
     if (number == kArcTolerance && !has_axis) {
@@ -52,14 +52,14 @@ void Executor::write_parameter(const Block& block, const Invocation& invocation)
         rules_.arc_tolerance = value == 0 ? 1e6 : value * 0.001;
         return;
     }
-    if (std::ranges::find(told_parameters_, number) != told_parameters_.end()) return;
-    told_parameters_.push_back(number);
+    if (std::ranges::find(told_.parameters, number) != told_.parameters.end()) return;
+    told_.parameters.push_back(number);
     report(diag::ParameterIdle, block, Function::ParameterData).arg(number);
 }
 
 /// Lives of tools are the control's matter: no tool wears here.
 void Executor::tell_life_data(const Block& block) {
-    if (!std::exchange(told_life_, true)) report(diag::LifeDataIdle, block, Function::LifeData);
+    if (!std::exchange(told_.life, true)) report(diag::LifeDataIdle, block, Function::LifeData);
 }
 
 }  // namespace kadr::interp

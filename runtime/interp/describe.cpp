@@ -115,8 +115,8 @@ std::vector<StateItem> Executor::state() const {
     }
     if (!frames_.is_shift()) frame += frame.empty() ? "turned" : ", turned";
     add("origin", frame.empty() ? "as the machine's" : frame);
-    if (modal_cycle_.is_active) {
-        add("cycle", dialect_.cycles()[modal_cycle_.cycle].name);
+    if (cycles_said_.modal.is_active) {
+        add("cycle", dialect_.cycles()[cycles_said_.modal.cycle].name);
     }
     return items;
 }

@@ -44,25 +44,25 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
       sink_(&sink),
       rules_(rules_of(dialect, sink)),
       program_(blocks, options.in_step ? 1 : kProgramBatch),
-      clock_(machine) {
-    lower_.fill(-std::numeric_limits<double>::infinity());
-    upper_.fill(std::numeric_limits<double>::infinity());
-    word_scale_.fill(1);
-    if (is_lathe_) word_scale_[index(Axis::X)] = 0.5;
+      clocks_(machine) {
+    axes_.lower.fill(-std::numeric_limits<double>::infinity());
+    axes_.upper.fill(std::numeric_limits<double>::infinity());
+    axes_.word_scale.fill(1);
+    if (is_lathe_) axes_.word_scale[index(Axis::X)] = 0.5;
     for (const machine::MachineAxis& axis : machine.axes) {
         const auto degrees = [&](double value) {
             return axis.is_rotary ? deg_from_rad(value) : value;
         };
-        axes_ |= bit(axis.axis);
-        lower_[index(axis.axis)] = degrees(axis.lower);
-        upper_[index(axis.axis)] = degrees(axis.upper);
+        axes_.present |= bit(axis.axis);
+        axes_.lower[index(axis.axis)] = degrees(axis.lower);
+        axes_.upper[index(axis.axis)] = degrees(axis.upper);
         position_.base[index(axis.axis)] = degrees(axis.home);
         for (std::size_t point = 0; point < machine::kReferencePoints; ++point) {
             const std::optional<double> place =
                 point == 0 ? axis.home : axis.further_homes[point - 1];
             if (!place) continue;
-            reference_points_[point][index(axis.axis)] = degrees(*place);
-            has_reference_point_[point] |= bit(axis.axis);
+            axes_.reference_points[point][index(axis.axis)] = degrees(*place);
+            axes_.has_reference_point[point] |= bit(axis.axis);
         }
     }
     set_up_spindles();
@@ -71,7 +71,7 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
     work_offset_ = rules_.default_work_offset;
     frames_.select_work_offset(work_offset_frame(work_offset_));
     frame_changed();
-    clock_.start(position_.base);
+    clocks_.run.start(position_.base);
     position_.programmed = position_.here;
     for (std::size_t i = 0; i < 3; ++i)
         came_from_[static_cast<Eigen::Index>(i)] = position_.base[i];
@@ -80,7 +80,7 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
 
 std::size_t Executor::pull(std::span<Command> out) {
     output_.open(out);
-    timed_ = 0;
+    clocks_.timed = 0;
     follow_from_here();
     while (output_.has_room() && !ended_) execute_next();
     if (virtual_.axes.is_on()) follow_rotary();
@@ -89,11 +89,11 @@ std::size_t Executor::pull(std::span<Command> out) {
 }
 
 void Executor::execute_next() {
-    if (cycle_blocks_) {
-        const Block* block = cycle_blocks_->next();
+    if (cycle_.blocks) {
+        const Block* block = cycle_.blocks->next();
         if (block == nullptr) {
             finish_cycle();
-            if (has_stages()) settle(caller_);
+            if (has_stages()) settle(cycle_.caller);
         } else {
             const Block& own = in_plane_of_cycle(*block);
             execute(own);
@@ -210,7 +210,7 @@ void Executor::run(const Block& block) {
     const Block* places = has_others ? with_places(block) : &block;
     if (places == nullptr) return;
     move(*places, kNone);
-    if (call_behind_motions_) call_behind_motion(*places);
+    if (cycles_said_.behind_motions) call_behind_motion(*places);
 }
 
 void Executor::run_functions(const Block& said) {
@@ -229,18 +229,18 @@ void Executor::run_functions(const Block& said) {
     if (ended_) return;
     act_before_motion(block, actions);
     if (ended_) return;
-    const bool was_in_cycle = cycle_blocks_.has_value();
+    const bool was_in_cycle = cycle_.blocks.has_value();
     if (is_without_frames(actions) && !take_frames_off(block)) return;
     const Block* places = with_places(block);
     if (places != nullptr && actions.angle != nullptr) places = with_angle(*places, *actions.angle);
     if (places == nullptr) return;
     move_with_own_feed(*places, actions);
     if (frames_off_) put_frames_back(block);
-    if (call_behind_motions_) call_behind_motion(*places);
+    if (cycles_said_.behind_motions) call_behind_motion(*places);
     if (actions.calls_defined && !ended_ && !shape_) call_defined(block);
     if (ended_) return;
-    if (cycle_blocks_ && !was_in_cycle) {
-        after_cycle_ = actions;  // what the calling block does after its motion waits for the cycle
+    if (cycle_.blocks && !was_in_cycle) {
+        cycle_.after = actions;  // what the calling block does after its motion waits for the cycle
     } else {
         act_after_motion(block, actions);
     }
@@ -250,7 +250,7 @@ void Executor::run_functions(const Block& said) {
 /// modal one does again.
 void Executor::move_with_own_feed(const Block& places, const Actions& actions) {
     if (!actions.feed_once) return move(places, actions);
-    const bool was_in_cycle = cycle_blocks_.has_value();
+    const bool was_in_cycle = cycle_.blocks.has_value();
     const bool was_in_shape = shape_.has_value();
     const double feed = std::exchange(modal_.feed, *actions.feed_once);
     const bool has_feed = std::exchange(modal_.has_feed, true);
@@ -259,7 +259,7 @@ void Executor::move_with_own_feed(const Block& places, const Actions& actions) {
         modal.feed = feed;
         modal.has_feed = has_feed;
     };
-    if (cycle_blocks_ && !was_in_cycle) return take_back(modal_before_cycle_);
+    if (cycle_.blocks && !was_in_cycle) return take_back(cycle_.modal_before);
     if (shape_ && !was_in_shape) take_back(shape_->modal);
     take_back(modal_);
 }
@@ -290,7 +290,7 @@ Command& Executor::put(Op op, const Block& block) {
     command.moved = 0;
     command.source = from.source;
     command.line = from.line;
-    command.cycle = cycle_blocks_ ? cycle_number_ : 0;
+    command.cycle = cycle_.blocks ? cycle_.number : 0;
     command.to = position_.base;
     command.turning = path::Turning::None;
     command.contact.clear();
@@ -303,7 +303,9 @@ Command& Executor::put(Op op, const Block& block) {
     return command;
 }
 
-const Block& Executor::origin(const Block& block) const { return cycle_blocks_ ? caller_ : block; }
+const Block& Executor::origin(const Block& block) const {
+    return cycle_.blocks ? cycle_.caller : block;
+}
 
 DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block) {
     const Block& from = origin(block);
@@ -313,13 +315,13 @@ DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block)
 }
 
 DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block, Slot slot) {
-    if (places_ == nullptr || cycle_blocks_) return report(row, block);
+    if (places_ == nullptr || cycle_.blocks) return report(row, block);
     return note_calls(report(row, places_->place(block, slot)), block);
 }
 
 DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block,
                                    Function function) {
-    if (places_ == nullptr || cycle_blocks_) return report(row, block);
+    if (places_ == nullptr || cycle_.blocks) return report(row, block);
     return note_calls(report(row, places_->place(block, function)), block);
 }
 
@@ -362,7 +364,7 @@ std::string_view argument_in(std::string_view call, std::size_t argument) {
 
 DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block, Function function,
                                    std::size_t argument) {
-    if (places_ == nullptr || cycle_blocks_) return report(row, block);
+    if (places_ == nullptr || cycle_.blocks) return report(row, block);
     LinePlace place = places_->place(block, function);
     const std::string call = characters(place.text, place.column - 1, place.length);
     const std::string_view said = argument_in(call, argument);
@@ -376,7 +378,7 @@ DiagnosticBuilder Executor::report(const DiagnosticRow& row, const Block& block,
 std::string Executor::word_of(const Block& block, Function function) const {
     const std::string name(nc::info(function).name);
     const bool is_said = block.motion == function || block.find(function) != nullptr;
-    if (places_ == nullptr || cycle_blocks_ || !is_said) return name;
+    if (places_ == nullptr || cycle_.blocks || !is_said) return name;
     const LinePlace place = places_->place(block, function);
     const std::string word = characters(place.text, place.column - 1, place.length);
     return word.empty() ? name : word;
@@ -404,7 +406,7 @@ DiagnosticBuilder Executor::report(const DiagnosticRow& row, LinePlace place) {
     if (std::optional<nc::AlarmText> alarm = dialect_.alarm(row)) {
         builder.alarm(std::move(alarm->number), std::move(alarm->text));
     }
-    if (cycle_blocks_) builder.note("inside the cycle `" + std::string(cycle_name_) + "`");
+    if (cycle_.blocks) builder.note("inside the cycle `" + std::string(cycle_.name) + "`");
     return builder;
 }
 

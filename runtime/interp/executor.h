@@ -15,25 +15,29 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "interp/axis_data.h"
+#include "interp/block_actions.h"
+#include "interp/block_queue.h"
 #include "interp/compensation.h"
 #include "interp/corners.h"
+#include "interp/cycle_run.h"
 #include "interp/frames.h"
 #include "interp/interpreter.h"
 #include "interp/output.h"
+#include "interp/program_clocks.h"
 #include "interp/rules.h"
-#include "interp/run_clock.h"
 #include "interp/shape_run.h"
 #include "interp/snapshot.h"
 #include "interp/soft_approach.h"
 #include "interp/state.h"
 #include "interp/through_run.h"
+#include "interp/told_once.h"
 #include "interp/tool_names.h"
 #include "interp/tool_offsets.h"
 #include "interp/work_area.h"
@@ -46,111 +50,9 @@
 
 namespace kadr::interp {
 
-/// What the functions of one block ask for besides changing the modal state.
-struct Actions {
-    bool machine_coordinates = false;
-    bool taps = false;    // a line of floating tapping
-    bool probes = false;  // a line that ends where the probe triggers
-    bool exact_stop = false;
-    bool at_rapid = false;  // whatever the modal motion
-    double way_offset = 0;  // times the radius offset by which the ways are longer
-    bool length_changed = false;
-    bool suspends_length = false;
-    bool tool_change = false;
-    bool flood = false;
-    bool mist = false;
-    bool coolant_off = false;
-    double thread_start_deg = 0;
-    nc::Function spindle = nc::Function::None;
-    nc::Function stop = nc::Function::None;
-    nc::Function end = nc::Function::None;
-    nc::Function radius_comp = nc::Function::None;
-    bool comp_changed = false;  // its radius, allowance or rules
-    bool keeps_vector = false;  // of the compensation
-    ToolWords tool;
-    bool switches_length = false;  // the transformation, as a kind of tool length compensation
-    const nc::Invocation* comp_corner = nullptr;
-    const nc::Invocation* soft = nullptr;             // SoftApproach or SoftRetract
-    nc::Function motion_before = nc::Function::None;  // … in the block before
-    double feed_before = 0;
-    bool had_feed = false;
-    const nc::Invocation* corner = nullptr;  // chamfer or rounding at the end of the block
-    double corner_feed = 0;                  // 0: not said
-    std::optional<double> feed_once;         // of this block alone
-    const nc::Invocation* angle = nullptr;
-    const nc::Invocation* orient = nullptr;
-    const nc::Invocation* orient_reset = nullptr;
-    const nc::Invocation* align = nullptr;  // the rotary axes stand to the tilted plane
-    const nc::Invocation* dwell = nullptr;  // Dwell or SpindleDwell
-    const nc::Invocation* message = nullptr;
-    const nc::Invocation* limit = nullptr;
-    const nc::Invocation* data = nullptr;  // WorkOffsetData or ToolOffsetData
-    const nc::Invocation* cycle = nullptr;
-    bool cycle_is_cancelled = false;  // … by a motion code behind it
-    bool calls_behind_motions = false;
-    bool calls_defined = false;  // the cycle that was defined last, behind the motion
-    CycleWords cycle_words;
-    const nc::Invocation* preset = nullptr;
-    const nc::Invocation* measure = nullptr;    // a way to where the tool is measured
-    std::optional<double> tooth_feed;           // mm
-    const nc::Invocation* reference = nullptr;  // a way to the reference point, or from there
-    // Before the block.
-    path::SpindleMode spindle_before = path::SpindleMode::Stop;
-    path::CoolantMode coolant_before = path::CoolantMode::Off;
-};
-
-/// End of a motion in the programmed system and in the base system.
-struct Target {
-    AxisValues here;
-    AxisValues base;
-    AxisMask moved = 0;
-};
-
-/// Where a soft approach or retract touches the contour, in the plane of the base system.
-struct SoftPlace {
-    path::Vec2 place = path::Vec2::Zero();
-    path::Vec2 direction = path::Vec2::Zero();  // of the contour there, unit vector
-    path::Vec2 tool = path::Vec2::Zero();       // where the tool comes from or goes to
-};
-
-/// Blocks of one stream, pulled in batches.
-class BlockQueue {
-  public:
-    BlockQueue(Stream<nc::Block>& blocks, std::size_t batch) : stream_(&blocks), blocks_(batch) {}
-    /// The next block, nullptr at the end. Valid until the next call.
-    const nc::Block* next() {
-        if (next_ == count_) {
-            count_ = stream_->pull(blocks_);
-            next_ = 0;
-            if (count_ == 0) return nullptr;
-        }
-        return &blocks_[next_++];
-    }
-
-  private:
-    Stream<nc::Block>* stream_;
-    std::vector<nc::Block> blocks_;
-    std::size_t next_ = 0;
-    std::size_t count_ = 0;
-};
-
 constexpr CornerSettings corner_settings(const Rules& rules) {
     return {rules.corner_strict, rules.corner_feed_of_next, rules.corner_empty_blocks};
 }
-
-/// Where a probing ended: tool length included, and of the tip, in the programmed system; in
-/// machine coordinates.
-struct Probed {
-    AxisValues head{};
-    AxisValues tip{};
-    AxisValues machine{};
-};
-
-/// The pitch of a thread along an arc, mm a turn, and the axis along which it is said.
-struct Lead {
-    double pitch = 0;
-    Eigen::Index axis = 0;
-};
 
 class Executor {
   public:
@@ -395,6 +297,9 @@ class Executor {
                      Target& target);
     std::optional<path::Vec3> lean_on(const nc::Block& block, const path::Vec3& normal,
                                       const path::Vec3& tangent, const path::Lean& lean);
+    bool rises_too_much(const nc::Block& block, double rise);
+    bool rises_on_the_way(const nc::Block& block, const path::Turn& surface,
+                          const path::Curve& curve);
     bool surface_leads_end() const;
     std::optional<std::array<path::Vec3, 2>> normals_of(const nc::Block& block,
                                                         const ToolWords& tool);
@@ -735,18 +640,7 @@ class Executor {
 
     BlockQueue program_;
     Output output_;
-    RunClock clock_;
-    std::size_t timed_ = 0;    // commands of this batch that the clock knows
-    double latest_time_ = 0;   // that the program has been told, s
-    double cutting_time_ = 0;  // … of it at feed
-    /// A clock of the program's own, s: what it shows, or what is added to the running time.
-    struct Timer {
-        double value = 0;
-        bool runs = false;
-    };
-    std::map<std::int64_t, Timer> timers_;
-    double milliseconds_from_ = 0;  // what the program has set, without the time since
-    double hours_from_ = 0;
+    ProgramClocks clocks_;
     std::optional<Probed> probed_;
     std::uint64_t block_count_ = 0;
     bool ended_ = false;
@@ -778,8 +672,6 @@ class Executor {
     NextTurn next_turn_;
     std::optional<ToolWords> course_;  // of the block: waits until its path is known
     path::Contact face_;               // normals of the surface along the block, of a Face
-    bool warned_spin_ = false;
-    bool warned_shape_ = false;
     Virtual virtual_;
     /// Where the commands that are out have led the tip and the rotary axis.
     struct Followed {
@@ -801,23 +693,12 @@ class Executor {
     Compensation compensation_;
     SpaceCompensation space_comp_;  // in place of it under CompBySide
     path::CoolantMode coolant_ = path::CoolantMode::Off;
-    bool warned_spindle_stopped_ = false;
     bool is_scanning_ = false;  // motions are a scanner's
-    bool warned_rapid_ = false;
-    bool warned_thread_speed_ = false;
-    double warned_bound_ = 0;       // speed of which was said that it is beyond a bound
-    bool has_called_tool_ = false;  // or was told that none was called
     bool has_moved_ = false;
-    bool warned_units_ = false;
     nc::Function units_ = nc::Function::None;  // that the program said last
-    std::vector<std::int64_t> unknown_tools_;  // each is reported once
-    std::vector<std::int64_t> unknown_edges_;  // that were told
-    bool owes_speed_ = false;  // the motion side was not told of a new speed of the spindle
-    std::vector<std::string> shared_names_;  // of tools, that were told
-    std::vector<std::int64_t> unknown_radii_;
-    std::vector<std::int64_t> known_machine_functions_;  // so are these
-    std::optional<SplineRun> spline_;                    // that is being read
-    std::optional<ThroughRun> through_;                  // … through points
+    bool owes_speed_ = false;          // the motion side was not told of a new speed of the spindle
+    std::optional<SplineRun> spline_;  // that is being read
+    std::optional<ThroughRun> through_;  // … through points
     SplineEnds spline_ends_;
     nc::Block spline_end_{};  // place of its latest block
     int spline_degree_ = 3;
@@ -825,61 +706,21 @@ class Executor {
     PanelState panel_;
     AxisMask unplaced_ = 0;  // axes that want a place behind the end of a rotation
 
-    // Of the machine, by logical axis; deg for rotary axes.
-    AxisMask axes_ = 0;
-    AxisValues lower_{};
-    AxisValues upper_{};
-    std::array<AxisValues, machine::kReferencePoints> reference_points_{};
-    std::array<AxisMask, machine::kReferencePoints> has_reference_point_{};
-    AxisValues left_over_{};  // places over which axes went to a reference point last
-    AxisMask has_left_ = 0;
-    AxisValues word_scale_{};    // 0.5 for X of a lathe: a diameter is programmed
+    ToldOnce told_;
+
+    AxisData axes_;
     AxisValues length_shift_{};  // machine position − base position: the tool length in force
     AxisValues preset_{};        // real position − the one that the program has set
     double tooth_feed_ = 0;      // mm; 0: the feed was said by itself
-    std::vector<std::int64_t> told_parameters_;  // that mean nothing here; each is said once
-    bool told_life_ = false;
-    bool warned_preset_ = false;
-    bool warned_measure_ = false;
 
-    // A cycle that runs: its blocks, who called it, and what to restore behind it.
-    ModalCycle modal_cycle_;
-    CycleData cycle_data_;
-    std::optional<nc::Block> call_behind_motions_;
-    int times_left_ = 0;                    // that the block does the cycle again
-    std::optional<Frames> frames_outside_;  // of a cycle whose distances the scaling spares
-    std::optional<double> begins_at_;       // level at which the cycle takes the tool to be
-    std::optional<double> final_level_;   // below its retract level, where the tool goes behind it
-    std::vector<ModalCycle> presets_;     // parameters that the next calls need not give
-    std::optional<nc::CycleId> defined_;  // the one of them that was said last
-    bool returns_to_retract_ = false;
-    bool cycle_is_across_ = false;   // on a lathe: from the side, along X in radii
-    std::optional<ShapeRun> shape_;  // whose blocks are coming
-    std::unique_ptr<Stream<nc::Block>> cycle_stream_;
-    std::optional<BlockQueue> cycle_blocks_;
-    std::string_view cycle_name_;
-    std::uint16_t cycle_number_ = 0;  // its place in the dialect's list, from 1
-    bool cycle_taps_ = false;
-    nc::Block caller_{};
-    Modal modal_before_cycle_;
-    double x_scale_before_cycle_ = 1;
-    bool is_modal_behind_cycle_ = false;
-    Actions after_cycle_;
-    // A pattern of places: a cycle whose blocks are followed by the call behind motions.
-    struct PatternRun {
-        std::unique_ptr<Stream<nc::Block>> stream;
-        BlockQueue places;
-        nc::Block caller;
-        Modal modal_before;
-        bool calls_program = false;
-        bool is_held = false;  // while the program that is called there runs
-    };
+    CyclesSaid cycles_said_;
+    CycleRun cycle_;
+    std::optional<ShapeRun> shape_;     // whose blocks are coming
     std::vector<PatternRun> patterns_;  // a program that is called at places may hold another one
     nc::Block place_{};                 // of the pattern, at its caller's place in the text
     std::array<std::optional<double>, 3> center_;  // that stays, in the programmed system
     nc::Block centered_{};                         // a block with it
-    nc::Block remapped_{};  // a block of the cycle, in another plane than X-Y
-    nc::Block called_{};    // a call whose word of Z is a place, in another plane than X-Y
+    nc::Block called_{};  // a call whose word of Z is a place, in another plane than X-Y
 
     nc::Block cartesian_{};                   // a block whose other words have become places
     std::optional<nc::Block> said_in_polar_;  // … that it was made of

@@ -1,7 +1,6 @@
 #include "interp/feed_courses.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -12,7 +11,8 @@
 namespace kadr::interp {
 
 using path::Command;
-using path::FeedCourse;
+using path::FeedLawKind;
+using path::FeedPolynomial;
 using path::Op;
 using path::Vec3;
 
@@ -30,8 +30,8 @@ constexpr double kStill = 1e-9;  // mm or deg
 
 bool has_feed(Op op) { return op >= Op::Line && op <= Op::Parametric; }
 
-FeedCourse course_of(const Command& command) {
-    return command.dynamics.empty() ? FeedCourse::Constant : command.dynamics.front().law.course;
+FeedLawKind kind_of(const Command& command) {
+    return command.dynamics.empty() ? FeedLawKind::Constant : command.dynamics.front().law.kind;
 }
 
 /// Words behind which lengths are not known, or no motion goes on.
@@ -39,26 +39,9 @@ bool breaks(const Command& command) {
     return command.op == Op::ToolLength || command.op == Op::Tool || command.op == Op::End;
 }
 
-double value(const std::array<double, 4>& c, double p) {
-    return c[0] + p * (c[1] + p * (c[2] + p * c[3]));
-}
-
 /// The same polynomial over a part of its range as one over 0 … 1.
-std::array<double, 4> part_of(const std::array<double, 4>& c, double from, double to) {
-    const double h = to - from;
-    return {value(c, from), h * (c[1] + from * (2 * c[2] + 3 * from * c[3])),
-            h * h * (c[2] + 3 * from * c[3]), h * h * h * c[3]};
-}
-
-double least(const std::array<double, 4>& c) {
-    double lowest = std::min(value(c, 0), value(c, 1));
-    // c1 + 2·c2·p + 3·c3·p² = 0; the second root by the product of both.
-    const double root = c[2] * c[2] - 3 * c[1] * c[3];
-    if (root < 0) return lowest;
-    const double q = -(c[2] + std::copysign(std::sqrt(root), c[2]));
-    for (const double p : {q / (3 * c[3]), c[1] / q})
-        if (p > 0 && p < 1) lowest = std::min(lowest, value(c, p));
-    return lowest;
+FeedPolynomial part_of(const FeedPolynomial& feed, double from, double to) {
+    return path::feed_in_units(path::feed_from(feed, from), 1, to - from);
 }
 
 }  // namespace
@@ -72,7 +55,7 @@ std::size_t FeedCourses::pull(std::span<Command> out) {
         std::size_t plain = written;
         if (has_course_()) {
             const auto first = std::ranges::find_if(out.first(written), [](const Command& c) {
-                return course_of(c) != FeedCourse::Constant;
+                return kind_of(c) != FeedLawKind::Constant;
             });
             plain = static_cast<std::size_t>(first - out.begin());
         }
@@ -113,21 +96,21 @@ void FeedCourses::settle() {
     }
     if (ready_ == held_.size()) return;
     const Command& next = held_[ready_];
-    if (!path::is_motion(next.op) || course_of(next) == FeedCourse::Constant) {
+    if (!path::is_motion(next.op) || kind_of(next) == FeedLawKind::Constant) {
         note(next);
         ++ready_;
         return;
     }
     const Run run = run_from(ready_);
     // Reading has moved what is held.
-    if (course_of(held_[ready_]) == FeedCourse::Spline) settle_spline(run);
+    if (kind_of(held_[ready_]) == FeedLawKind::Spline) settle_spline(run);
     else settle_block(run);
 }
 
 /// Whether the next motion belongs to the same block.
 bool FeedCourses::continues(const Command& command, const Command& next) const {
     const path::FeedLaw& law = command.dynamics.front().law;
-    return course_of(next) == law.course && next.dynamics.front().law.block == law.block &&
+    return kind_of(next) == law.kind && next.dynamics.front().law.block == law.block &&
            next.feed == command.feed && next.feed_mode == command.feed_mode;
 }
 
@@ -173,7 +156,7 @@ void FeedCourses::note(const Command& command) {
 }
 
 /// Over the way of the block: from the feed before to F.
-std::array<double, 4> FeedCourses::polynomial_of(const Run& run, double from) const {
+FeedPolynomial FeedCourses::polynomial_of(const Run& run, double from) const {
     const Command& command = held_[run.first];
     const path::FeedLaw& law = command.dynamics.front().law;
     return {from, command.feed - from - law.square - law.cube, law.square, law.cube};
@@ -183,7 +166,7 @@ void FeedCourses::settle_block(const Run& run) {
     const Command& command = held_[run.first];
     const bool goes_on = reached_ && reached_->mode == command.feed_mode;
     const auto feed = polynomial_of(run, goes_on ? reached_->feed : command.feed);
-    const bool is_tangent = course_of(command) == FeedCourse::Polynomial && run.length > kStill;
+    const bool is_tangent = kind_of(command) == FeedLawKind::Polynomial && run.length > kStill;
     const Reached behind{command.feed, command.feed_mode,
                          is_tangent ? (feed[1] + 2 * feed[2] + 3 * feed[3]) / run.length : 0,
                          is_tangent};
@@ -211,9 +194,9 @@ void FeedCourses::settle_spline(const Run& first) {
         while ((i < held_.size() || read()) && !path::is_motion(held_[i].op))
             is_broken |= breaks(held_[i++]);
         is_open = i < held_.size() && !is_broken && held_[i].feed_mode == mode &&
-                  course_of(held_[i]) == FeedCourse::Spline;
+                  kind_of(held_[i]) == FeedLawKind::Spline;
         const bool is_polynomial = i < held_.size() && !is_broken && held_[i].feed_mode == mode &&
-                                   course_of(held_[i]) == FeedCourse::Polynomial;
+                                   kind_of(held_[i]) == FeedLawKind::Polynomial;
         if (!is_open && !is_polynomial) break;
         const Run next = run_from(i);
         if (is_open) {
@@ -239,8 +222,8 @@ void FeedCourses::settle_spline(const Run& first) {
 }
 
 /// The motions of a block have this feed over the way of all of them, and may go out.
-void FeedCourses::lay(const Run& run, const std::array<double, 4>& feed) {
-    const double lowest = least(feed);
+void FeedCourses::lay(const Run& run, const FeedPolynomial& feed) {
+    const double lowest = path::feed_range(feed, 0, 1).least;
     double way = 0;
     for (std::size_t i = ready_; i < run.end; ++i) {
         Command& command = held_[i];

@@ -95,8 +95,8 @@ double Executor::bounded_speed(const Block& block) {
     if (!(wanted > 0)) return wanted;
     double speed = std::max(wanted, spindle_.least);
     if (spindle_.most > 0) speed = std::min(speed, spindle_.most);
-    if (speed != wanted && wanted != warned_bound_) {
-        warned_bound_ = wanted;
+    if (speed != wanted && wanted != told_.bound) {
+        told_.bound = wanted;
         report(diag::SpeedBounded, block).arg(wanted).arg(speed);
     }
     return speed;
@@ -104,7 +104,8 @@ double Executor::bounded_speed(const Block& block) {
 
 void Executor::set_area_limit(const Block& block, const Invocation& invocation) {
     constexpr std::size_t kFirst = 1;
-    const FrameWords words = frame_words(block, invocation, kFirst, word_scale_[index(Axis::X)]);
+    const FrameWords words =
+        frame_words(block, invocation, kFirst, axes_.word_scale[index(Axis::X)]);
     for (std::size_t i = 0; i < 3; ++i) {
         if (words.has(i))
             area_.set(static_cast<Axis>(i), count_of(block, invocation) != 0, words.values[i]);

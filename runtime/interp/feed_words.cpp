@@ -26,8 +26,8 @@ void Executor::set_feed_words(const Block& block, const Invocation& invocation) 
         default: return set_axis_speed(block, invocation);
     }
     panel_.course =
-        static_cast<path::FeedCourse>(std::clamp<std::int64_t>(count_of(block, invocation), 0, 2));
-    panel_.says_course |= panel_.course != path::FeedCourse::Constant;
+        static_cast<path::FeedLawKind>(std::clamp<std::int64_t>(count_of(block, invocation), 0, 2));
+    panel_.says_course |= panel_.course != path::FeedLawKind::Constant;
 }
 
 /// Of the motions from here on.
@@ -59,7 +59,7 @@ void Executor::choose_feed_axes(const Block& block, const Invocation& invocation
         axes |= bit(*axis);
     }
     // The geometry axes are what F is about where nothing is said.
-    const auto geometry = static_cast<AxisMask>(axes_ & kLinearXYZ);
+    const auto geometry = static_cast<AxisMask>(axes_.present & kLinearXYZ);
     said_dynamics().feed_axes = axes == geometry ? AxisMask{0} : axes;
 }
 
@@ -138,7 +138,7 @@ void Executor::take_polynomial(const Block& block, const Invocation& invocation)
     modal_.has_feed = true;
     tooth_feed_ = 0;
     panel_.says_course = true;
-    panel_.polynomial = {path::FeedCourse::Polynomial,
+    panel_.polynomial = {path::FeedLawKind::Polynomial,
                          static_cast<std::uint32_t>(block_count_),
                          block.argument(invocation, 1),
                          block.argument(invocation, 2),
@@ -151,10 +151,10 @@ void Executor::take_polynomial(const Block& block, const Invocation& invocation)
 void Executor::put_course(path::Command& command) const {
     const auto block = static_cast<std::uint32_t>(block_count_);
     const bool is_polynomial =
-        panel_.polynomial.course != path::FeedCourse::Constant && panel_.polynomial.block == block;
-    if (panel_.course == path::FeedCourse::Constant && !is_polynomial) return;
+        panel_.polynomial.kind != path::FeedLawKind::Constant && panel_.polynomial.block == block;
+    if (panel_.course == path::FeedLawKind::Constant && !is_polynomial) return;
     const bool can_have_one = command.op >= Op::Line && command.op <= Op::Parametric;
-    if (!can_have_one || cycle_blocks_ || modal_.feed_mode == path::FeedMode::PerRevolution) return;
+    if (!can_have_one || cycle_.blocks || modal_.feed_mode == path::FeedMode::PerRevolution) return;
     if (command.dynamics.empty()) command.dynamics.emplace_back();
     path::FeedLaw& law = command.dynamics.front().law;
     law = is_polynomial ? panel_.polynomial : path::FeedLaw{panel_.course, block};

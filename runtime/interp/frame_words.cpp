@@ -28,11 +28,11 @@ void Executor::select_work_offset(const Block& block, std::int64_t number) {
 void Executor::apply_frame(const Block& block, const Invocation& invocation) {
     const bool is_set = invocation.function == Function::SetPosition ||
                         invocation.function == Function::PositionReset;
-    if (is_set && modal_cycle_.is_active) {
+    if (is_set && cycles_said_.modal.is_active) {
         report(diag::SetPositionInCycle, block, invocation.function);
         return;
     }
-    const double x_scale = rules_.shift_in_diameter ? word_scale_[index(Axis::X)] : 1;
+    const double x_scale = rules_.shift_in_diameter ? axes_.word_scale[index(Axis::X)] : 1;
     const FrameWords words = frame_words(block, invocation, 0, x_scale);
     switch (invocation.function) {
         case Function::Shift: frames_.shift(words); break;
@@ -72,7 +72,7 @@ void Executor::apply_frame(const Block& block, const Invocation& invocation) {
 /// Center of a rotation or a scaling; it stands behind their first parameter.
 FrameWords Executor::center_of(const Block& block, const Invocation& invocation) const {
     constexpr std::size_t kFirst = 1;
-    const double x_scale = rules_.shift_in_diameter ? word_scale_[index(Axis::X)] : 1;
+    const double x_scale = rules_.shift_in_diameter ? axes_.word_scale[index(Axis::X)] : 1;
     FrameWords center = frame_words(block, invocation, kFirst, x_scale);
     for (std::size_t i = 0; rules_.frame_center_at_tool && i < 3; ++i) {
         if (!center.has(i)) center.values[i] = position_.here[i];
@@ -122,9 +122,8 @@ void Executor::pass_machine_function(const Block& block, std::int64_t number) {
         }
     }
     if (machine_.find_function(number) != nullptr) return;  // it takes time, which is known
-    if (std::ranges::find(known_machine_functions_, number) != known_machine_functions_.end())
-        return;
-    known_machine_functions_.push_back(number);
+    if (std::ranges::find(told_.machine_functions, number) != told_.machine_functions.end()) return;
+    told_.machine_functions.push_back(number);
     report(diag::MachineFunctionPassed, block, Function::MachineFunction).arg(number);
 }
 

@@ -102,7 +102,7 @@ bool Executor::is_other_plane(Function function) const {
 bool Executor::needs_comp_off(const Block& block, Function function) const {
     const bool acts =
         comp_.side != Function::RadiusCompOff && block.find(Function::RadiusCompOff) == nullptr;
-    if (!rules_.comp_is_innermost || !acts || cycle_blocks_) return false;
+    if (!rules_.comp_is_innermost || !acts || cycle_.blocks) return false;
     switch (function) {
         case Function::Rotate:
         case Function::Shift:
@@ -124,17 +124,17 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             .arg(word_of(block, invocation.function));
         return;
     }
-    if (taps_rigidly_ && !cycle_blocks_ && is_other_plane(invocation.function)) {
+    if (taps_rigidly_ && !cycle_.blocks && is_other_plane(invocation.function)) {
         report(diag::TapPlane, block, invocation.function);
         return;
     }
-    if (modal_cycle_.is_active && !cycle_blocks_ && !is_lathe_ &&
+    if (cycles_said_.modal.is_active && !cycle_.blocks && !is_lathe_ &&
         is_other_plane(invocation.function)) {
         // Another tool axis: along it the holes begin where the tool stands.
         const Axis tool_axis = invocation.function == Function::PlaneXy   ? Axis::Z
                                : invocation.function == Function::PlaneZx ? Axis::Y
                                                                           : Axis::X;
-        cycle_data_.initial = position_.here[index(tool_axis)];
+        cycles_said_.data.initial = position_.here[index(tool_axis)];
     }
     if (is_too_late(invocation.function)) {
         report(diag::FrameInsideRotation, block, invocation.function)
@@ -445,7 +445,8 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::DiameterOn:
         case Function::DiameterOff:
         case Function::DiameterAbsolute:
-            word_scale_[index(Axis::X)] = invocation.function == Function::DiameterOff ? 1 : 0.5;
+            axes_.word_scale[index(Axis::X)] =
+                invocation.function == Function::DiameterOff ? 1 : 0.5;
             diameter_is_absolute_ = invocation.function == Function::DiameterAbsolute;
             break;
         case Function::Pole: set_pole(block, invocation); break;
@@ -512,7 +513,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
 
         case Function::CycleOff:
             actions.cycle_is_cancelled = actions.cycle != nullptr;
-            if (actions.cycle == nullptr) modal_cycle_.is_active = taps_rigidly_ = false;
+            if (actions.cycle == nullptr) cycles_said_.modal.is_active = taps_rigidly_ = false;
             break;
         case Function::CycleCall: actions.calls_defined = true; break;
         case Function::CycleModal: actions.calls_behind_motions = true; break;
@@ -523,8 +524,8 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             if ((invocation.given & 4u) != 0) words.times = block.argument(invocation, 2);
             break;
         }
-        case Function::CycleReturnInitial: returns_to_retract_ = false; break;
-        case Function::CycleReturnRetract: returns_to_retract_ = true; break;
+        case Function::CycleReturnInitial: cycles_said_.returns_to_retract = false; break;
+        case Function::CycleReturnRetract: cycles_said_.returns_to_retract = true; break;
         case Function::CyclePreset: preset_cycle(block, invocation); break;
         case Function::Cycle: actions.cycle = &invocation; break;
     }
@@ -557,7 +558,7 @@ void Executor::act_before_motion(const Block& block, const Actions& actions) {
         return;
     }
     // What was said of a standing spindle is said anew when it stands again.
-    if (actions.spindle != Function::None) warned_spindle_stopped_ = warned_rapid_ = false;
+    if (actions.spindle != Function::None) told_.spindle_stopped = told_.rapid = false;
     if (actions.spindle == Function::SpindleCw) spindle_.mode = SpindleMode::Cw;
     if (actions.spindle == Function::SpindleCcw) spindle_.mode = SpindleMode::Ccw;
     if (!rules_.stops_after_motion) stop_spindle_and_coolant(block, actions);
@@ -571,8 +572,11 @@ void Executor::act_before_motion(const Block& block, const Actions& actions) {
     issue_functions(block, actions, Side::Before);
     if (actions.message != nullptr) put(Op::Message, block).text = block.text;
     if (actions.dwell != nullptr) {
-        const bool is_numbered = actions.dwell->function == Function::SpindleDwell;
-        is_numbered ? dwell_by_spindle(block, *actions.dwell) : dwell(block, *actions.dwell);
+        if (actions.dwell->function == Function::SpindleDwell) {
+            dwell_by_spindle(block, *actions.dwell);
+        } else {
+            dwell(block, *actions.dwell);
+        }
     }
     if (actions.align != nullptr && !ended_) align(block, *actions.align);
 }

@@ -62,7 +62,7 @@ Write Executor::set_quantity(Quantity quantity, std::int64_t first, std::int64_t
         case Quantity::CrossGeometry:
         case Quantity::CrossWear:
             return set_tool_offset(*tool_offsets_.column_of(quantity, first), first,
-                                   value * word_scale_[index(Axis::X)]);
+                                   value * axes_.word_scale[index(Axis::X)]);
         case Quantity::ToolDatum:
             return set_tool_datum(first, second, value) ? Write::Done : Write::NoPlace;
         case Quantity::FirstExtraLength: return set_extra(Quantity::ExtraLength, 1, value);
@@ -74,9 +74,9 @@ Write Executor::set_quantity(Quantity quantity, std::int64_t first, std::int64_t
         case Quantity::EdgeSpeed: return set_edge_speed(value);
         case Quantity::SuppressedPanel: return suppress_panel(value);
         case Quantity::Milliseconds:
-            milliseconds_from_ = value - run_time() * 1000;
+            clocks_.milliseconds_from = value - run_time() * 1000;
             return Write::Done;
-        case Quantity::Hours: hours_from_ = value - run_time() / 3600; return Write::Done;
+        case Quantity::Hours: clocks_.hours_from = value - run_time() / 3600; return Write::Done;
         default: return Write::Refused;
     }
 }
@@ -191,11 +191,11 @@ void Executor::write_work_offset(const Block& block, const Invocation& invocatio
     for (std::size_t i = 0; i < kAxes; ++i) {
         if ((invocation.given >> (i + 1) & 1u) == 0) continue;
         const auto axis = static_cast<Axis>(i);
-        if ((axes_ & bit(axis)) == 0) {
+        if ((axes_.present & bit(axis)) == 0) {
             report(diag::AxisMissing, block, invocation.function).arg(kAxisNames[i]);
             return;
         }
-        double value = block.argument(invocation, i + 1) * word_scale_[i];
+        double value = block.argument(invocation, i + 1) * axes_.word_scale[i];
         const auto n = static_cast<std::size_t>(number);
         if (modal_.is_incremental && n < work_offsets_.size()) value += work_offsets_[n].shift[i];
         set_work_offset(number, axis, value, true);
@@ -236,7 +236,7 @@ void Executor::write_lathe_offset(const Block& block, const Invocation& invocati
         const auto column =
             *tool_offsets_.column_of(is_geometry ? word.geometry : word.wear, number);
         double value = block.argument(invocation, word.parameter);
-        if (word.geometry == Quantity::CrossGeometry) value *= word_scale_[index(Axis::X)];
+        if (word.geometry == Quantity::CrossGeometry) value *= axes_.word_scale[index(Axis::X)];
         if (word.is_added) value += tool_offsets_.value(column, number);
         put_tool_offset(block, invocation, column, value);
         if (ended_) return;

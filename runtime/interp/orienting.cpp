@@ -276,7 +276,7 @@ void Executor::check_offset_said(const Block& block) {
 /// What the control refuses while its transformation is a kind of tool length compensation.
 /// F 4.7: PS5421.
 bool Executor::refuses_under_tcp(const Block& block, Function function) {
-    if (!orienting_.has_length || cycle_blocks_) return false;
+    if (!orienting_.has_length || cycle_.blocks) return false;
     const bool is_by_side = comp_.side != Function::RadiusCompOff && comp_.is_by_side_code;
     if (is_by_side && nc::info(function).group == nc::Group::LengthComp) {
         report(diag::SideCompOrder, block, function).arg(word_of(block, function));

@@ -53,7 +53,7 @@ void Executor::set_dynamics(const Block& block, const Invocation& invocation) {
     }
     const std::int64_t number = std::llround(block.argument(invocation, 0));
     const std::size_t axis = number >= 1 ? static_cast<std::size_t>(number) - 1 : kAxes;
-    if (axis >= kAxes || (axes_ >> axis & 1) == 0) {
+    if (axis >= kAxes || (axes_.present >> axis & 1) == 0) {
         report(diag::AxisMissing, block, function)
             .arg(axis < kAxes ? kAxisNames[axis] : std::string_view("of this number"));
         return;
@@ -98,7 +98,7 @@ bool Executor::stops_exactly(bool once) const {
 void Executor::put_panel(path::Command& command) const {
     const bool is_motion = path::is_motion(command.op);
     const bool is_feed = is_motion && command.op != Op::Rapid;
-    const bool is_tap = is_feed && cycle_blocks_ && cycle_taps_;
+    const bool is_tap = is_feed && cycle_.blocks && cycle_.taps;
     command.keeps_feed = is_tap || (is_feed && (modal_.taps || !panel_.has_override));
     command.ignores_hold = is_tap || (is_motion && (modal_.taps || !panel_.has_hold));
     command.dynamics = panel_.dynamics;

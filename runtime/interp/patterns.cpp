@@ -35,7 +35,7 @@ void Executor::go_to_next_place() {
     place_.line = pattern.caller.line;
     pattern.is_held = pattern.calls_program;
     // A modal cycle is repeated by places; a motion code would end it.
-    if (modal_cycle_.is_active) place_.motion = Function::None;
+    if (cycles_said_.modal.is_active) place_.motion = Function::None;
     execute(place_);
 }
 

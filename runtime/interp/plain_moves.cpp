@@ -18,8 +18,8 @@ using path::Op;
 /// Nothing that waits, repeats or turns acts on a move to a place.
 bool Executor::is_plain_state() const {
     const bool waits =
-        cycle_blocks_ || shape_ || open_line_ || is_in_spline() || call_behind_motions_;
-    const bool has_mode = is_transformed() || modal_cycle_.is_active || taps_rigidly_ ||
+        cycle_.blocks || shape_ || open_line_ || is_in_spline() || cycles_said_.behind_motions;
+    const bool has_mode = is_transformed() || cycles_said_.modal.is_active || taps_rigidly_ ||
                           polar_.is_on || modal_.is_incremental || unplaced_ != 0 || owes_speed_ ||
                           tilting_.carries || tilting_.on_tables || tilting_.open.has_value();
     return !has_stages() && !area_.acts() && rounding_ == 0 && !waits && !has_mode &&
@@ -28,7 +28,7 @@ bool Executor::is_plain_state() const {
 
 /// Words of axes alone, each a place, for a line or a rapid.
 bool Executor::is_plain_block(const Block& block) const {
-    const SlotMask others = block.given & ~SlotMask{axes_};
+    const SlotMask others = block.given & ~SlotMask{axes_.present};
     const bool is_of_places =
         block.given != 0 && others == 0 && block.incremental == 0 && block.rotary_ways == 0;
     return block.kind == Block::Kind::Nc && block.function_count == 0 && block.skip < 0 &&
@@ -40,7 +40,7 @@ bool Executor::move_plainly(const Block& block) {
     if (!is_plain_block(block) || !is_plain_state()) return false;
     const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
     const bool is_rapid = motion == Function::Rapid;
-    if (is_rapid ? !warned_rapid_ && spindle_.mode == path::SpindleMode::Stop
+    if (is_rapid ? !told_.rapid && spindle_.mode == path::SpindleMode::Stop
                  : motion != Function::Line)
         return false;
     if (options_.max_blocks != 0 && block_count_ >= options_.max_blocks) return false;
@@ -48,9 +48,9 @@ bool Executor::move_plainly(const Block& block) {
     AxisValues to;  // in the base system
     for (SlotMask rest = block.given; rest != 0; rest &= rest - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-        to[i] = block.values[i] * word_scale_[i] + shift[i];
+        to[i] = block.values[i] * axes_.word_scale[i] + shift[i];
         const double at = to[i] + length_shift_[i];
-        if (!(at >= lower_[i] && at <= upper_[i])) return false;
+        if (!(at >= axes_.lower[i] && at <= axes_.upper[i])) return false;
     }
 
     ++block_count_;
@@ -67,7 +67,7 @@ bool Executor::move_plainly(const Block& block) {
         const auto i = static_cast<std::size_t>(std::countr_zero(rest));
         is_elsewhere |= i < 3 && to[i] != position_.base[i];
         command.to[i] = position_.base[i] = to[i];
-        position_.here[i] = position_.programmed[i] = block.values[i] * word_scale_[i];
+        position_.here[i] = position_.programmed[i] = block.values[i] * axes_.word_scale[i];
     }
     if (is_elsewhere) came_from_ = before;
     return true;

@@ -55,7 +55,7 @@ void Executor::set_pole(const Block& block, const Invocation& invocation) {
                      radius * std::sin(rad_from_deg(angle_deg))};
     if (!is_polar) {
         const auto word = [&](Axis axis) {
-            return block.argument(invocation, kX + index(axis)) * word_scale_[index(axis)];
+            return block.argument(invocation, kX + index(axis)) * axes_.word_scale[index(axis)];
         };
         place = {word(plane.first), word(plane.second)};
     }
@@ -87,9 +87,9 @@ void Executor::switch_polar(bool is_on) {
 /// The block with places instead of polar coordinates; the block itself if it has none. Null: it
 /// was reported.
 const Block* Executor::with_places(const Block& block) {
-    if (said_in_polar_ && !cycle_blocks_) said_in_polar_.reset();
+    if (said_in_polar_ && !cycle_.blocks) said_in_polar_.reset();
     if ((block.given & nc::kPolarSlots) != 0) return with_polar_slots(block);
-    if (!polar_.is_on || cycle_blocks_) return &block;
+    if (!polar_.is_on || cycle_.blocks) return &block;
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
     const SlotMask words =
         block.given & (bit(nc::slot_of(plane.first)) | bit(nc::slot_of(plane.second)));
@@ -188,11 +188,11 @@ void Executor::set_polar_place(const Block& block) {
 /// The axis goes to a coordinate of the programmed system.
 void Executor::set_place(Block& block, Axis axis, double value) const {
     const Slot slot = nc::slot_of(axis);
-    block.set(slot, value / word_scale_[index(axis)]);
+    block.set(slot, value / axes_.word_scale[index(axis)]);
     block.absolute |= bit(slot);
     block.incremental &= ~bit(slot);
     if (axis == Axis::X) {
-        block.x_measure = word_scale_[0] == 1 ? nc::XMeasure::Radius : nc::XMeasure::Diameter;
+        block.x_measure = axes_.word_scale[0] == 1 ? nc::XMeasure::Radius : nc::XMeasure::Diameter;
     }
 }
 

@@ -272,7 +272,7 @@ void Executor::polynomial(const Block& block, bool exact_stop) {
         const double end = target->here[i];
         if (const Invocation* const own = polynomial_of(block, i)) {
             axes[i] = terms_between(begin, end * weight_at_end, block, *own, 2, range);
-            const double scale = i == 0 ? x_scale(block, true) : word_scale_[i];
+            const double scale = i == 0 ? x_scale(block, true) : axes_.word_scale[i];
             for (std::size_t k = 2; k < kTerms && scale != 1; ++k) {
                 axes[i][1] += (1 - scale) * axes[i][k];
                 axes[i][k] *= scale;

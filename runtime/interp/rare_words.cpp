@@ -69,14 +69,14 @@ void Executor::preset_axes(const Block& block, const Invocation& invocation) {
             report(diag::PresetValue, block, Function::Preset).arg(kAxisNames[index(*axis)]);
             return;
         }
-        const double wanted = block.argument(invocation, i + 1) * word_scale_[index(*axis)] *
+        const double wanted = block.argument(invocation, i + 1) * axes_.word_scale[index(*axis)] *
                               (is_rotary(*axis) || units_ != Function::Inch ? 1 : kMmPerInch);
         const double now = *place_of(Quantity::MachinePosition, *axis);
         frames_.preset(*axis, now - wanted);
         preset_[index(*axis)] += now - wanted;
     }
     frame_changed();
-    if (!std::exchange(warned_preset_, true)) report(diag::PresetLimits, block, Function::Preset);
+    if (!std::exchange(told_.preset, true)) report(diag::PresetLimits, block, Function::Preset);
 }
 
 /// The feed of a tooth times the number of teeth is the feed of a turn.
@@ -121,12 +121,12 @@ void Executor::measure_length(const Block& block, const Invocation& invocation) 
         report(diag::ProbeCompensated, block, Function::MeasureLength);
         return;
     }
-    if (modal_cycle_.is_active) {
+    if (cycles_said_.modal.is_active) {
         report(diag::MotionInCycle, block, Function::MeasureLength).arg("measure_length");
         return;
     }
     if (!check_axes(block, targets)) return;
-    if (!std::exchange(warned_measure_, true)) report(diag::MeasureFinds, block);
+    if (!std::exchange(told_.measure, true)) report(diag::MeasureFinds, block);
     line(block, target_of(block, targets), Op::Rapid, true);
 }
 

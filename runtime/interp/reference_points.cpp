@@ -102,7 +102,7 @@ void Executor::move_in_machine_coordinates(const Block& block) {
     const SlotMask incremental = modal_.is_incremental ? ~block.absolute : block.incremental;
     for (SlotMask rest = targets; rest != 0; rest &= rest - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-        const double value = block.values[i] * word_scale_[i];
+        const double value = block.values[i] * axes_.word_scale[i];
         const bool is_distance = (incremental >> i & 1u) != 0;
         to[i] = is_distance ? to[i] + value : value + (has_length ? length_shift_[i] : 0);
     }
@@ -149,7 +149,7 @@ void Executor::refer(const Block& block, const nc::Invocation& invocation) {
         }
         return;
     }
-    if (modal_cycle_.is_active) {
+    if (cycles_said_.modal.is_active) {
         report(diag::ReferenceInCycle, block, invocation.function);
         return;
     }
@@ -169,11 +169,11 @@ void Executor::check_reference(const Block& block) {
     for (std::size_t i = 0; i < kAxes && !ended_; ++i) {
         if ((targets >> i & 1u) == 0) continue;
         const double at = position_.base[i] + length_shift_[i];
-        if (std::abs(at - reference_points_[0][i]) <= kWidth) continue;
+        if (std::abs(at - axes_.reference_points[0][i]) <= kWidth) continue;
         report(diag::ReferenceMissed, block, Function::ReferenceCheck)
             .arg(kAxisNames[i])
             .arg(round_to(at, 4))
-            .arg(round_to(reference_points_[0][i], 4));
+            .arg(round_to(axes_.reference_points[0][i], 4));
     }
 }
 
@@ -185,11 +185,11 @@ void Executor::leave_reference(const Block& block) {
     Target over{position_.here, {}, static_cast<AxisMask>(targets)};
     for (std::size_t i = 0; i < kAxes; ++i) {
         if ((targets >> i & 1u) == 0) continue;
-        if ((has_left_ >> i & 1u) == 0) {
+        if ((axes_.has_left >> i & 1u) == 0) {
             report(diag::ReferenceNoPlace, block, Function::ReferenceLeave).arg(kAxisNames[i]);
             return;
         }
-        over.here[i] = left_over_[i];
+        over.here[i] = axes_.left_over[i];
     }
     over.base = frames_.to_base(over.here);
     if (over.base != position_.base) line(block, over, Op::Rapid, true);
@@ -230,7 +230,7 @@ void Executor::return_to_reference(const Block& block, const nc::Invocation& inv
     const double number = block.argument(invocation, 0, 1);
     const auto point = static_cast<std::size_t>(number - 1);
     if (!(number >= 1) || point >= machine::kReferencePoints ||
-        (moved & ~has_reference_point_[point]) != 0) {
+        (moved & ~axes_.has_reference_point[point]) != 0) {
         report(diag::ReferenceUnknown, block, invocation.function).arg(number);
         return;
     }
@@ -242,11 +242,11 @@ void Executor::return_to_reference(const Block& block, const nc::Invocation& inv
     AxisValues to = position_.base;
     for (std::size_t i = 0; i < kAxes; ++i) {
         to[i] += length_shift_[i];
-        if ((moved >> i & 1u) != 0) to[i] = reference_points_[point][i];
+        if ((moved >> i & 1u) != 0) to[i] = axes_.reference_points[point][i];
     }
     for (std::size_t i = 0; i < kAxes; ++i)
-        if ((moved >> i & 1u) != 0) left_over_[i] = position_.here[i];
-    has_left_ = static_cast<AxisMask>(has_left_ | moved);
+        if ((moved >> i & 1u) != 0) axes_.left_over[i] = position_.here[i];
+    axes_.has_left = static_cast<AxisMask>(axes_.has_left | moved);
     if (moved != 0) rapid_to_machine_position(block, to, moved);
 }
 

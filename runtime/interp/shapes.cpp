@@ -78,7 +78,7 @@ void Executor::begin_shape(const Block& block, const ModalCycle& call) {
         report(diag::ShapePlane, block, Function::Cycle);
         return;
     }
-    modal_cycle_.is_active = false;
+    cycles_said_.modal.is_active = false;
     shape_.emplace();
     shape_->block = block;
     shape_->call = call;
@@ -166,7 +166,7 @@ void Executor::finish_shape() {
     set("both",
         (run.approach_axes & bit(nc::Slot::X)) != 0 && (run.approach_axes & bit(nc::Slot::Z)) != 0);
     const CycleShape shape = shape_of(run);
-    modal_cycle_ = call;
+    cycles_said_.modal = call;
     start_cycle(run.block, call, &shape);
 }
 
@@ -185,7 +185,7 @@ CycleShape Executor::shape_of(const ShapeRun& run) const {
     const path::Plane plane = run.modal.plane;
     // Where the words of a cycle are turned into another plane, so is its shape.
     shape.plane = run.is_named && !is_lathe_ ? path::Plane::Xy : plane;
-    shape.is_diameter = is_lathe_ || word_scale_[index(Axis::X)] != 1;
+    shape.is_diameter = is_lathe_ || axes_.word_scale[index(Axis::X)] != 1;
     const path::PlaneAxes axes = path::axes_of(plane);
     const auto in_plane = [&](const AxisValues& base) -> Vec2 {
         const AxisValues here = frames_.from_base(base);

@@ -8,13 +8,13 @@ namespace kadr::interp {
 
 Snapshot Executor::snapshot() const {
     Snapshot now;
-    now.axes = axes_;
+    now.axes = axes_.present;
     // Beside a contour the axes stand where the blocks have sent them that are settled.
     const AxisValues machine = space_comp_.is_on()     ? machine_axes_at(space_comp_.place())
                                : compensation_.is_on() ? machine_axes_at(compensation_.place())
                                                        : machine_axes();
     for (std::size_t i = 0; i < kAxes; ++i) {
-        now.work[i] = position_.here[i] / word_scale_[i];
+        now.work[i] = position_.here[i] / axes_.word_scale[i];
         now.machine[i] = machine[i];
     }
     if (modal_.has_feed) now.feed = modal_.feed;
@@ -36,7 +36,7 @@ Snapshot Executor::snapshot() const {
     now.tool_length = tool_.lengths[static_cast<Eigen::Index>(index(tool_.axis))];
     now.work_offset = work_offset_;
     now.coolant = coolant_;
-    if (modal_cycle_.is_active) now.cycle = dialect_.cycles()[modal_cycle_.cycle].name;
+    if (cycles_said_.modal.is_active) now.cycle = dialect_.cycles()[cycles_said_.modal.cycle].name;
     return now;
 }
 

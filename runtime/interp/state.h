@@ -50,9 +50,9 @@ struct PanelState {
         }
     };
     Positioning positioning;
-    bool says_course = false;                              // whatever follows was said once
-    path::FeedCourse course = path::FeedCourse::Constant;  // of the feeds from here on
-    path::FeedLaw polynomial;                              // … of its block alone
+    bool says_course = false;                                // whatever follows was said once
+    path::FeedLawKind course = path::FeedLawKind::Constant;  // of the feeds from here on
+    path::FeedLaw polynomial;                                // … of its block alone
 };
 
 /// Where the tool tip stands. Lengths mm, angles deg; X of a lathe is a radius here.
@@ -169,11 +169,11 @@ struct Orienting {
     path::Lean lean;          // from the surface normal
     bool leans = false;       // … at the end of every block, until one says a direction
     // Behind the latest motion, in the base system:
-    path::Vec3 normal = path::Vec3::UnitZ();  // of the surface
-    path::Vec3 rate = path::Vec3::Zero();     // how the tool's direction changed at its end
-    std::optional<path::Vec3> point;          // the second point of the tool's axis
-    bool owes_offset = false;                 // a work offset was to be said behind the switch …
-    bool warned_offset = false;               // … and it was told that none was
+    std::optional<path::Vec3> normal;      // of the surface; nothing: none was said yet
+    path::Vec3 rate = path::Vec3::Zero();  // how the tool's direction changed at its end
+    std::optional<path::Vec3> point;       // the second point of the tool's axis
+    bool owes_offset = false;              // a work offset was to be said behind the switch …
+    bool warned_offset = false;            // … and it was told that none was
 };
 
 /// What the words of one block say of the tool. Components and angles that are not said are 0.

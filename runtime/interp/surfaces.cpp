@@ -26,8 +26,8 @@ std::optional<SpaceCutter> Executor::face_cutter_now(const Block& block) {
                      : "its side leans by 90 degrees and more, or inwards");
         return std::nullopt;
     }
-    if (!found->is_known && number != 0 && !warned_shape_) {
-        warned_shape_ = true;
+    if (!found->is_known && number != 0 && !told_.shape) {
+        told_.shape = true;
         report(diag::CompFaceShape, block, comp_.side).arg(tool_offsets_.type(number));
     }
     SpaceCutter cutter;

@@ -178,11 +178,11 @@ bool Executor::retract_before_swivel(const Block& block, const Invocation& invoc
     const auto to_reference = [&](AxisMask axes) {
         AxisValues to = machine_axes();
         for (std::size_t i = 0; i < 3; ++i)
-            if ((axes >> i & 1u) != 0) to[i] = reference_points_[0][i];
+            if ((axes >> i & 1u) != 0) to[i] = axes_.reference_points[0][i];
         rapid_to_machine_position(block, to, axes);
         return !ended_;
     };
-    const auto across = static_cast<AxisMask>((bit(Axis::X) | bit(Axis::Y)) & axes_);
+    const auto across = static_cast<AxisMask>((bit(Axis::X) | bit(Axis::Y)) & axes_.present);
     if (kind == 0) return true;
     if (kind == 1) return to_reference(bit(Axis::Z));
     if (kind == 2) return to_reference(bit(Axis::Z)) && to_reference(across);
@@ -200,7 +200,7 @@ bool Executor::retract_along_tool(const Block& block, std::optional<double> by) 
     for (std::size_t i = 0; i < 3; ++i) {
         const double along = tool[static_cast<Eigen::Index>(i)];
         if (std::abs(along) < 1e-12) continue;
-        most = std::min(most, ((along > 0 ? upper_[i] : lower_[i]) - axes[i]) / along);
+        most = std::min(most, ((along > 0 ? axes_.upper[i] : axes_.lower[i]) - axes[i]) / along);
     }
     const double way = by.value_or(most);
     if (!std::isfinite(way) || way < 0 || way > most + 1e-6) {
@@ -208,7 +208,8 @@ bool Executor::retract_along_tool(const Block& block, std::optional<double> by) 
         return false;
     }
     if (way == 0) return true;
-    Target target{position_.here, position_.base, static_cast<AxisMask>(axes_ & kLinearXYZ)};
+    Target target{position_.here, position_.base,
+                  static_cast<AxisMask>(axes_.present & kLinearXYZ)};
     for (std::size_t i = 0; i < 3; ++i) target.base[i] += way * tool[static_cast<Eigen::Index>(i)];
     target.here = frames_.from_base(target.base);
     line(block, target, Op::Rapid, true);

@@ -84,8 +84,8 @@ bool Executor::check_thread_spindle(const Block& block) {
         report(diag::RevolutionFeedStands, block);
         return false;
     }
-    if (spindle_.has_cutting_speed && !warned_thread_speed_) {
-        warned_thread_speed_ = true;
+    if (spindle_.has_cutting_speed && !told_.thread_speed) {
+        told_.thread_speed = true;
         report(diag::ThreadUnderCuttingSpeed, block);
     }
     return true;
@@ -116,7 +116,7 @@ std::optional<double> Executor::thread_pitch(const Block& block, const Vec3& way
     const double most = way.cwiseAbs().maxCoeff(&longest);
     const std::string_view name = kAxisNames[static_cast<std::size_t>(longest)];
     // The blocks of a cycle are neutral ones: they say it in a word.
-    if (rules_.thread_pitch_is_feed && !cycle_blocks_) {
+    if (rules_.thread_pitch_is_feed && !cycle_.blocks) {
         if (words != 0) warn_arc_word(block, words);
         if (modal_.has_feed && modal_.feed > 0) return modal_.feed;
         report(diag::ThreadPitchMissing, block).arg(name);

@@ -292,7 +292,7 @@ std::optional<Vec3> Executor::joints_for_plane(const Block& block, Function func
     for (std::size_t k = 0; k < machine::kJoints; ++k) {
         if (!chain.has(k)) continue;
         const std::size_t i = index(chain.joints[k].axis);
-        query.limits[k] = {rad_from_deg(lower_[i]), rad_from_deg(upper_[i])};
+        query.limits[k] = {rad_from_deg(axes_.lower[i]), rad_from_deg(axes_.upper[i])};
     }
     const auto joints = machine::choose_swivel(chain, query);
     if (joints) return *joints;

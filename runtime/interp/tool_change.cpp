@@ -38,8 +38,8 @@ void Executor::check_edge(const Block& block) {
         report(diag::EdgeMissing, block, Function::ToolEdge).arg(tool_.current).arg(tool_.edge);
         return;
     }
-    if (std::ranges::find(unknown_edges_, number) != unknown_edges_.end()) return;
-    unknown_edges_.push_back(number);
+    if (std::ranges::find(told_.edges, number) != told_.edges.end()) return;
+    told_.edges.push_back(number);
     report(diag::EdgeUnknown, block, Function::ToolEdge).arg(tool_.edge).arg(tool_.current);
 }
 
@@ -58,14 +58,14 @@ std::int64_t Executor::named_tool(const Block& block) {
     const std::vector<std::int64_t> known = tool_names_.numbers(block.text);
     if (known.empty()) {
         const std::int64_t number = tool_names_.invent(block.text, tool_offsets_.last_tool());
-        unknown_tools_.push_back(number);
+        told_.tools.push_back(number);
         report(diag::ToolUnknown, block).arg(block.text);
         return number;
     }
-    const bool is_told =
-        std::find(shared_names_.begin(), shared_names_.end(), block.text) != shared_names_.end();
+    const bool is_told = std::find(told_.shared_names.begin(), told_.shared_names.end(),
+                                   block.text) != told_.shared_names.end();
     if (known.size() > 1 && !is_told) {
-        shared_names_.push_back(block.text);
+        told_.shared_names.push_back(block.text);
         report(diag::ToolNameShared, block).arg(block.text).arg(known[0]).arg(known[1]);
     }
     return known[0];
@@ -90,7 +90,7 @@ void Executor::change_tool(const Block& block) {
     }
     if (rules_.tool_change_stops_spindle && !is_lathe_) {
         spindle_.mode = SpindleMode::Stop;
-        warned_spindle_stopped_ = warned_rapid_ = false;
+        told_.spindle_stopped = told_.rapid = false;
         update_spindle(block);
     }
     // What the block says of the edge itself is said.

@@ -40,7 +40,7 @@ Vec3 Executor::wanted_lengths() const {
     if (number == 0) return lengths;
     const auto put = [&](Axis axis, std::size_t part) {
         const double extra = extra_.lengths[static_cast<Eigen::Index>(part) - 1];
-        if ((axes_ & bit(axis)) != 0)
+        if ((axes_.present & bit(axis)) != 0)
             lengths[static_cast<Eigen::Index>(index(axis))] =
                 tool_offsets_.length(part, number) + extra;
     };
@@ -70,9 +70,8 @@ void Executor::check_length_known(const Block& block) {
     const std::int64_t number = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
     if (number == 0 || machine_.tools.empty() || tool_offsets_.is_known(number)) return;
     const std::int64_t tool = ToolOffsets::tool_of(number);
-    if (std::find(unknown_tools_.begin(), unknown_tools_.end(), tool) != unknown_tools_.end())
-        return;
-    unknown_tools_.push_back(tool);
+    if (std::find(told_.tools.begin(), told_.tools.end(), tool) != told_.tools.end()) return;
+    told_.tools.push_back(tool);
     report(diag::ToolUnknown, block).arg(tool);
 }
 

@@ -210,7 +210,7 @@ std::optional<VirtualAxes> Executor::wanted_face(const Block& block) {
         return std::nullopt;
     };
     constexpr AxisMask kNeeded = bit(Axis::X) | bit(Axis::Z) | bit(Axis::C);
-    if ((axes_ & kNeeded) != kNeeded) return refuse("it needs the axes X, Z and C");
+    if ((axes_.present & kNeeded) != kNeeded) return refuse("it needs the axes X, Z and C");
     VirtualAxes axes;
     axes.kind = VirtualKind::Face;
     const double angle = position_.base[index(Axis::C)];
@@ -233,7 +233,7 @@ std::optional<VirtualAxes> Executor::wanted_face(const Block& block) {
             std::abs(std::remainder(said, 360)) > kAtZero)
             report(diag::FaceStart, block, Function::FaceOn).arg("C").arg(round_to(said, 4));
     }
-    if ((axes_ & bit(Axis::Y)) != 0) {
+    if ((axes_.present & bit(Axis::Y)) != 0) {
         const double beside = position_.base[1] - axes.center_y;
         if (std::abs(beside) > kBeside)
             return refuse("Y stands " + format_shortest(round_to(beside, 4)) +
@@ -255,10 +255,10 @@ std::optional<VirtualAxes> Executor::wanted_cylinder(const Block& block,
     axes.kind = VirtualKind::Cylinder;
     axes.rotary = named[static_cast<std::size_t>(std::clamp<std::int64_t>(axis, 0, 3))];
     // Without a word for the axis a machine has one.
-    if (axis == 0 && (axes_ & bit(Axis::C)) == 0)
-        axes.rotary = (axes_ & bit(Axis::A)) != 0 ? Axis::A : Axis::B;
+    if (axis == 0 && (axes_.present & bit(Axis::C)) == 0)
+        axes.rotary = (axes_.present & bit(Axis::A)) != 0 ? Axis::A : Axis::B;
     const AxisMask needed = bit(axes.rotary) | bit(axis_along(axes.rotary));
-    if ((axes_ & needed) != needed) {
+    if ((axes_.present & needed) != needed) {
         report(diag::CylinderUnavailable, block, Function::CylinderOn)
             .arg(machine_.name)
             .arg(axis == 0 ? "it needs a rotary axis, and the linear one along it"
@@ -290,7 +290,7 @@ std::optional<VirtualAxes> Executor::wanted_cylinder(const Block& block,
 std::optional<VirtualAxes> Executor::wanted_inclined(const Block& block,
                                                      const Invocation& invocation) {
     constexpr AxisMask kNeeded = bit(Axis::X) | bit(Axis::Z);
-    if ((axes_ & kNeeded) != kNeeded) {
+    if ((axes_.present & kNeeded) != kNeeded) {
         report(diag::InclinedUnavailable, block, Function::InclinedOn)
             .arg(machine_.name)
             .arg("it needs the axes X and Z");

@@ -30,34 +30,11 @@ double time_between(const FeedCourse& course, double from, double to) {
 
 }  // namespace
 
-FeedRange feed_range(const FeedPolynomial& feed, double from, double to) {
-    const FeedCourse course{feed};
-    FeedRange range{std::min(course.at(from), course.at(to)),
-                    std::max(course.at(from), course.at(to))};
-    const auto look = [&](double s) {
-        if (!(s > from && s < to)) return;
-        range.least = std::min(range.least, course.at(s));
-        range.most = std::max(range.most, course.at(s));
-    };
-    // f' = 0; the second root by the product of both.
-    const double root = feed[2] * feed[2] - 3 * feed[1] * feed[3];
-    if (root < 0) return range;
-    const double q = -(feed[2] + std::copysign(std::sqrt(root), feed[2]));
-    if (feed[3] != 0) look(q / (3 * feed[3]));
-    if (q != 0) look(feed[1] / q);
-    return range;
-}
-
-FeedPolynomial feed_from(const FeedPolynomial& feed, double from) {
-    const FeedCourse course{feed};
-    return {course.at(from), course.slope(from), feed[2] + 3 * feed[3] * from, feed[3]};
-}
-
-FeedCourse course_of(const FeedPolynomial& feed, double length) {
+FeedCourse course_of(const path::FeedPolynomial& feed, double length) {
     FeedCourse course;
     course.feed = feed;
     course.length = length;
-    const FeedRange range = feed_range(feed, 0, length);
+    const path::FeedRange range = path::feed_range(feed, 0, length);
     course.least = range.least;
     course.most = range.most;
     course.time = time_between(course, 0, length);

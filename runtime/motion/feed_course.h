@@ -10,18 +10,16 @@
 // are within the limits. Where neighbours go on with the same feed, ρ goes on.
 #pragma once
 
-#include <array>
 #include <limits>
+
+#include "path/feed_polynomial.h"
 
 namespace kadr::motion {
 
-/// f(s) = Σ c_i·s^i, mm/s (deg/s) over mm (deg).
-using FeedPolynomial = std::array<double, 4>;
-
 /// What a feed takes where it is run as it is.
 struct FeedCourse {
-    FeedPolynomial feed{};
-    double length = 0;        // mm, of the piece
+    path::FeedPolynomial feed{};  // mm/s (deg/s) over mm (deg)
+    double length = 0;            // mm, of the piece
     double time = 0;          // s: τ at its end; 0: the feed is constant, and this says nothing
     double least = 0;         // mm/s
     double most = 0;          // mm/s
@@ -31,24 +29,14 @@ struct FeedCourse {
     bool is_on() const { return time > 0; }
     double entry() const { return feed[0]; }
     double exit() const { return at(length); }
-    double at(double s) const { return feed[0] + s * (feed[1] + s * (feed[2] + s * feed[3])); }
-    double slope(double s) const { return feed[1] + s * (2 * feed[2] + s * 3 * feed[3]); }
+    double at(double s) const { return path::feed_at(feed, s); }
+    double slope(double s) const { return path::feed_slope(feed, s); }
 };
-
-/// Least and greatest feed between two places.
-struct FeedRange {
-    double least = 0;
-    double most = 0;
-};
-FeedRange feed_range(const FeedPolynomial& feed, double from, double to);
-
-/// The same feed counted from another place.
-FeedPolynomial feed_from(const FeedPolynomial& feed, double from);
 
 /// A piece of path with this feed.
 ///
 /// length  > 0; the feed is above 0 on it and changes by a factor of two at most
-FeedCourse course_of(const FeedPolynomial& feed, double length);
+FeedCourse course_of(const path::FeedPolynomial& feed, double length);
 
 /// The place at the course's time τ, 0 … time; to the last digits.
 double place_at(const FeedCourse& course, double time);

@@ -102,8 +102,8 @@ LossTrace::Ramps LossTrace::ramps_of(const Piece& piece, double speed) {
     const Profile& profile = piece.segment.profile;
     Ramps ramps;
     if (profile.has_course()) {
-        const double loss = profile.duration() - profile.rate.course.time;
-        (profile.rate.exit > profile.rate.entry ? ramps.up : ramps.down) = loss;
+        const double loss = profile.duration() - profile.rate->course.time;
+        (profile.rate->exit > profile.rate->entry ? ramps.up : ramps.down) = loss;
         return ramps;
     }
     // A part of the way on which the speed goes from one value to another.

@@ -41,8 +41,9 @@ void Preparer::State::begin_law(double from, double length) { lawful = {from, le
 
 /// The feed over the next piece, overrides included; nothing where F says nothing of the axes that
 /// move.
-std::optional<FeedPolynomial> Preparer::State::law_on(const path::Command& command,
-                                                      const Segment& segment, double length) const {
+std::optional<path::FeedPolynomial> Preparer::State::law_on(const path::Command& command,
+                                                            const Segment& segment,
+                                                            double length) const {
     path::Command unit = command;
     unit.feed = 1;
     double scale = lawful.length / 60;  // of the inverse of a time
@@ -54,13 +55,8 @@ std::optional<FeedPolynomial> Preparer::State::law_on(const path::Command& comma
     scale *= feed_override(command);
     // From the part of the whole way to mm of this piece.
     const double begin = std::min(lawful.done / lawful.length, 1.0);
-    FeedPolynomial feed = feed_from(command.dynamics.front().law.feed, begin);
-    double power = scale;
-    for (double& coefficient : feed) {
-        coefficient *= power;
-        power /= lawful.length;
-    }
-    return feed;
+    const path::FeedPolynomial feed = path::feed_from(command.dynamics.front().law.feed, begin);
+    return path::feed_in_units(feed, scale, 1 / lawful.length);
 }
 
 void Preparer::State::emit_by_law(const path::Command& command, const Segment& segment,
@@ -81,11 +77,11 @@ void Preparer::State::emit_by_law(const path::Command& command, const Segment& s
 
 /// A part of a piece, or both its halves; `share` is the command with this feed.
 void Preparer::State::emit_law_part(path::Command& share, const Segment& segment,
-                                    const FeedPolynomial& feed, const WayPart& part,
+                                    const path::FeedPolynomial& feed, const WayPart& part,
                                     const Emission& how) {
     if (has_ended) return;
     const double length = part.to - part.from;
-    const FeedRange range = feed_range(feed, part.from, part.to);
+    const path::FeedRange range = path::feed_range(feed, part.from, part.to);
     const bool is_short = length < 2 * kShortestTicks * tick * range.most;
     // A curve around a corner stays one; and so does a tool that only turns.
     const bool is_pivot =
@@ -110,7 +106,7 @@ void Preparer::State::emit_law_part(path::Command& share, const Segment& segment
     const bool is_even = range.most <= kEven * range.least;
     if (is_even || most <= range.least) return emit_at(range.least);
     if (!is_glide && range.most <= kCourse * range.least && most >= range.most / kEven) {
-        if (const auto course = course_on(limits, feed_from(feed, part.from), length)) {
+        if (const auto course = course_on(limits, path::feed_from(feed, part.from), length)) {
             own.course = &*course;
             return emit_at(range.most);
         }
@@ -123,7 +119,7 @@ void Preparer::State::emit_law_part(path::Command& share, const Segment& segment
 
 /// The course of a piece, if its axes have enough beside it.
 std::optional<FeedCourse> Preparer::State::course_on(const PathLimits& limits,
-                                                     const FeedPolynomial& feed,
+                                                     const path::FeedPolynomial& feed,
                                                      double length) const {
     if (!options.events.empty() || has_pulses()) return std::nullopt;
     const FeedCourse course = course_of(feed, length);

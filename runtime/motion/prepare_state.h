@@ -158,13 +158,13 @@ struct Preparer::State {
     /// prepare_feed_course.cpp
     void begin_law(double from, double length);
     bool has_law(const path::Command& command) const;
-    std::optional<FeedPolynomial> law_on(const path::Command& command, const Segment& segment,
-                                         double length) const;
+    std::optional<path::FeedPolynomial> law_on(const path::Command& command, const Segment& segment,
+                                               double length) const;
     void emit_by_law(const path::Command& command, const Segment& segment, double length,
                      const Emission& how);
-    void emit_law_part(path::Command& share, const Segment& segment, const FeedPolynomial& feed,
-                       const WayPart& part, const Emission& how);
-    std::optional<FeedCourse> course_on(const PathLimits& limits, const FeedPolynomial& feed,
+    void emit_law_part(path::Command& share, const Segment& segment,
+                       const path::FeedPolynomial& feed, const WayPart& part, const Emission& how);
+    std::optional<FeedCourse> course_on(const PathLimits& limits, const path::FeedPolynomial& feed,
                                         double length) const;
     void take_course(Piece& piece, const AxisRates& in) const;
 

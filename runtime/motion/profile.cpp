@@ -83,14 +83,15 @@ Profile in_phases(const Profile& trapezoid) {
 
 /// The run of phases of the rate, over the course's time.
 Profile rate_of(const Profile& profile) {
+    const Profile::Rate& own = *profile.rate;
     Profile rate = profile;
-    rate.rate.course = {};
-    rate.length = profile.rate.course.time;
-    rate.entry_speed = profile.rate.entry;
-    rate.exit_speed = profile.rate.exit;
-    rate.entry_acceleration = profile.rate.entry_acceleration;
-    rate.acceleration = rate.deceleration = profile.rate.acceleration;
-    rate.jerk = profile.rate.jerk;
+    rate.rate = nullptr;
+    rate.length = own.course.time;
+    rate.entry_speed = own.entry;
+    rate.exit_speed = own.exit;
+    rate.entry_acceleration = own.entry_acceleration;
+    rate.acceleration = rate.deceleration = own.acceleration;
+    rate.jerk = own.jerk;
     return rate;
 }
 
@@ -99,12 +100,9 @@ Profile rate_of(const Profile& profile) {
 Profile over_course(const Profile& rate, const FeedCourse& course) {
     const Profile phased = rate.is_smooth ? rate : in_phases(rate);
     Profile profile = phased;
-    profile.rate = {course,
-                    phased.entry_speed,
-                    phased.entry_acceleration,
-                    phased.exit_speed,
-                    phased.acceleration,
-                    phased.jerk};
+    profile.rate = std::make_shared<const Profile::Rate>(
+        Profile::Rate{course, phased.entry_speed, phased.entry_acceleration, phased.exit_speed,
+                      phased.acceleration, phased.jerk});
     profile.length = course.length;
     profile.entry_speed = course.entry() * phased.entry_speed;
     profile.exit_speed = course.exit() * phased.exit_speed;
@@ -123,7 +121,7 @@ Profile over_course(const Profile& rate, const FeedCourse& course) {
 }
 
 ProfileState state_on_course(const Profile& profile, double time) {
-    const FeedCourse& course = profile.rate.course;
+    const FeedCourse& course = profile.rate->course;
     const ProfileState rate = state_in_phases(rate_of(profile), time);
     const double place = place_at(course, rate.distance);
     const double feed = course.at(place);

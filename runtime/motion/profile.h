@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 
 #include "base/result.h"
 #include "motion/feed_course.h"
@@ -61,9 +62,9 @@ struct Profile {
         double acceleration = 0;
         double jerk = std::numeric_limits<double>::infinity();
     };
-    Rate rate;
+    std::shared_ptr<const Rate> rate;  // hardly a piece has one
 
-    bool has_course() const { return rate.course.is_on(); }
+    bool has_course() const { return rate != nullptr; }
     double duration() const { return accelerating + cruising + braking; }
 };
 

@@ -4,12 +4,12 @@
 // What they mean for a motion is motion/'s matter.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <numbers>
 
 #include "base/axes.h"
+#include "path/feed_polynomial.h"
 
 namespace kadr::path {
 
@@ -17,7 +17,7 @@ namespace kadr::path {
 inline constexpr double kRadiusOfDegrees = 180 / std::numbers::pi;
 
 /// How the feed comes to F along a motion.
-enum class FeedCourse : std::uint8_t {
+enum class FeedLawKind : std::uint8_t {
     Constant,    // F from its start on
     Linear,      // evenly over the way, from the feed before
     Spline,      // by a cubic spline over the way of several blocks
@@ -26,13 +26,13 @@ enum class FeedCourse : std::uint8_t {
 
 /// What the program says of the course of the feed along a motion, and what has come of it.
 struct FeedLaw {
-    FeedCourse course = FeedCourse::Constant;
+    FeedLawKind kind = FeedLawKind::Constant;
     std::uint32_t block = 0;  // of the program: its motions have one course together
     double square = 0;        // Polynomial: coefficients, unit of F, over the way of the block
     double cube = 0;
     /// The feed in the unit of F over the part of this motion's way, 0 … 1, by powers; all 0 where
     /// F is the feed.
-    std::array<double, 4> feed{};
+    FeedPolynomial feed{};
 
     bool is_said() const { return feed[0] > 0; }
     bool is_constant() const { return feed[1] == 0 && feed[2] == 0 && feed[3] == 0; }

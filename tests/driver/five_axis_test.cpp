@@ -1,5 +1,6 @@
 // One program with orientations on machines of every class: the same commands, the same tip and the
 // same directions of the tool, by axes that differ.
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -94,6 +95,54 @@ TEST_F(FiveAxis, EveryMachineLeadsTheTipAlongTheSameWay) {
             for (std::size_t i = 0; i < 6; ++i)
                 EXPECT_NEAR(pose.place[i], first.at(line).place[i], kTickWay) << line;
         }
+    }
+}
+
+/// A line of 50 mm on which A turns by atan 0.5 beside it, under what `words` say of feeds.
+std::string tilting_line(const std::string& words) {
+    return "G17 G54 G90\nT1 D1 M6\nS8000 M3\nG0 X0 Y0 Z50 A0 C90\nTRAORI\nG54\nORIWKS ORIVECT\n"
+           "G0 X0 Y0 Z0 C3=1\n" +
+           words + "\nG1 X50 A3=0.5 C3=1 F1000\nTRAFOOF\nM30\n";
+}
+
+// F is the speed of the tip, of tip and rotary axes together where FGROUP names them (SINUMERIK
+// reference 3.2 and 8.4), and FL holds back an axis that follows.
+TEST_F(FiveAxis, FeedOfTipAndRotaryAxes) {
+    constexpr double kFeed = 1000.0 / 60;  // mm/s
+    struct Case {
+        const char* words;
+        double weight;  // mm, of A's way in radians
+        double turns;   // deg/s, greatest of A; 0: as the feed has it
+    };
+    for (const Case& row :
+         {Case{"FGROUP(X,Y,Z)", 0, 0}, Case{"FGROUP(X,Y,Z,A,C) FGREF[A]=100", 100, 0},
+          Case{"FL[A]=100", 0, 100.0 / 60}}) {
+        SCOPED_TRACE(row.words);
+        save("part.mpf", tilting_line(row.words));
+        const auto result = kadr({"run", file("part.mpf"), "-d", "sinumerik", "-m", "trunnion-ac",
+                                  "--setpoints", file("part.csv")});
+        ASSERT_EQ(result.status, 0) << result.err;
+        const std::vector<Row> rows = rows_of(read_file(file("part.csv")).value());
+        double fastest = 0;
+        double turning = 0;
+        for (std::size_t i = 1; i < rows.size(); ++i) {
+            const Row& now = rows[i];
+            const Row& before = rows[i - 1];
+            if (now.at("iso") != 10 || before.at("iso") != 10) continue;
+            const double time = now.at("t") - before.at("t");
+            const auto rate = [&](const char* name) {
+                return (now.at(name) - before.at(name)) / time;
+            };
+            const double tip = std::hypot(rate("tip_x"), rate("tip_y"), rate("tip_z"));
+            const double turn = rate("A");
+            turning = std::max(turning, std::abs(turn));
+            fastest =
+                std::max(fastest, std::hypot(tip, row.weight * turn * std::numbers::pi / 180));
+        }
+        // Places are written to a millionth of a millimetre, a tick is a thousandth of a second.
+        constexpr double kRounding = 3e-3;
+        if (row.turns > 0) EXPECT_NEAR(turning, row.turns, kRounding);
+        else EXPECT_NEAR(fastest, kFeed, kRounding);
     }
 }
 

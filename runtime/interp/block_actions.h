@@ -1,0 +1,97 @@
+// block_actions.h — what one block asks for, and places and pitches that are worked out of it.
+// Internal to interp.
+#pragma once
+
+#include <optional>
+
+#include "base/axes.h"
+#include "interp/state.h"
+#include "nc/block.h"
+#include "path/command.h"
+#include "path/curve.h"
+
+namespace kadr::interp {
+
+/// What the functions of one block ask for besides changing the modal state.
+struct Actions {
+    bool machine_coordinates = false;
+    bool taps = false;    // a line of floating tapping
+    bool probes = false;  // a line that ends where the probe triggers
+    bool exact_stop = false;
+    bool at_rapid = false;  // whatever the modal motion
+    double way_offset = 0;  // times the radius offset by which the ways are longer
+    bool length_changed = false;
+    bool suspends_length = false;
+    bool tool_change = false;
+    bool flood = false;
+    bool mist = false;
+    bool coolant_off = false;
+    double thread_start_deg = 0;
+    nc::Function spindle = nc::Function::None;
+    nc::Function stop = nc::Function::None;
+    nc::Function end = nc::Function::None;
+    nc::Function radius_comp = nc::Function::None;
+    bool comp_changed = false;  // its radius, allowance or rules
+    bool keeps_vector = false;  // of the compensation
+    ToolWords tool;
+    bool switches_length = false;  // the transformation, as a kind of tool length compensation
+    const nc::Invocation* comp_corner = nullptr;
+    const nc::Invocation* soft = nullptr;             // SoftApproach or SoftRetract
+    nc::Function motion_before = nc::Function::None;  // … in the block before
+    double feed_before = 0;
+    bool had_feed = false;
+    const nc::Invocation* corner = nullptr;  // chamfer or rounding at the end of the block
+    double corner_feed = 0;                  // 0: not said
+    std::optional<double> feed_once;         // of this block alone
+    const nc::Invocation* angle = nullptr;
+    const nc::Invocation* orient = nullptr;
+    const nc::Invocation* orient_reset = nullptr;
+    const nc::Invocation* align = nullptr;  // the rotary axes stand to the tilted plane
+    const nc::Invocation* dwell = nullptr;  // Dwell or SpindleDwell
+    const nc::Invocation* message = nullptr;
+    const nc::Invocation* limit = nullptr;
+    const nc::Invocation* data = nullptr;  // WorkOffsetData or ToolOffsetData
+    const nc::Invocation* cycle = nullptr;
+    bool cycle_is_cancelled = false;  // … by a motion code behind it
+    bool calls_behind_motions = false;
+    bool calls_defined = false;  // the cycle that was defined last, behind the motion
+    CycleWords cycle_words;
+    const nc::Invocation* preset = nullptr;
+    const nc::Invocation* measure = nullptr;    // a way to where the tool is measured
+    std::optional<double> tooth_feed;           // mm
+    const nc::Invocation* reference = nullptr;  // a way to the reference point, or from there
+    // Before the block.
+    path::SpindleMode spindle_before = path::SpindleMode::Stop;
+    path::CoolantMode coolant_before = path::CoolantMode::Off;
+};
+
+/// End of a motion in the programmed system and in the base system.
+struct Target {
+    AxisValues here;
+    AxisValues base;
+    AxisMask moved = 0;
+    AxisMask carried = 0;  // of them by the tool's turn alone: what the program said of them stays
+};
+
+/// Where a soft approach or retract touches the contour, in the plane of the base system.
+struct SoftPlace {
+    path::Vec2 place = path::Vec2::Zero();
+    path::Vec2 direction = path::Vec2::Zero();  // of the contour there, unit vector
+    path::Vec2 tool = path::Vec2::Zero();       // where the tool comes from or goes to
+};
+
+/// Where a probing ended: tool length included, and of the tip, in the programmed system; in
+/// machine coordinates.
+struct Probed {
+    AxisValues head{};
+    AxisValues tip{};
+    AxisValues machine{};
+};
+
+/// The pitch of a thread along an arc, mm a turn, and the axis along which it is said.
+struct Lead {
+    double pitch = 0;
+    Eigen::Index axis = 0;
+};
+
+}  // namespace kadr::interp

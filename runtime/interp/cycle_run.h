@@ -1,0 +1,59 @@
+// cycle_run.h — the cycles that a program has said, and the one that runs. Internal to interp.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "base/stream.h"
+#include "interp/block_actions.h"
+#include "interp/block_queue.h"
+#include "interp/frames.h"
+#include "interp/state.h"
+#include "nc/block.h"
+
+namespace kadr::interp {
+
+/// What holds for the cycles that follow.
+struct CyclesSaid {
+    ModalCycle modal;
+    CycleData data;
+    std::optional<nc::Block> behind_motions;  // the call that every motion is followed by
+    std::vector<ModalCycle> presets;          // parameters that the next calls need not give
+    std::optional<nc::CycleId> defined;       // the one of them that was said last
+    bool returns_to_retract = false;
+};
+
+/// A cycle that runs: its blocks, who called it, and what to restore behind it.
+struct CycleRun {
+    std::unique_ptr<Stream<nc::Block>> stream;
+    std::optional<BlockQueue> blocks;  // while it runs
+    std::string_view name;
+    std::uint16_t number = 0;  // its place in the dialect's list, from 1
+    bool taps = false;
+    bool is_across = false;                // on a lathe: from the side, along X in radii
+    int times_left = 0;                    // that the block does the cycle again
+    std::optional<double> begins_at;       // level at which it takes the tool to be
+    std::optional<double> final_level;     // below its retract level: where the tool goes behind it
+    std::optional<Frames> frames_outside;  // where its distances are spared by the scaling
+    nc::Block caller{};
+    Modal modal_before;
+    double x_scale_before = 1;
+    bool is_modal_behind = false;
+    Actions after;
+    nc::Block remapped{};  // a block of it, in another plane than X-Y
+};
+
+/// A pattern of places: a cycle whose blocks are followed by the call behind motions.
+struct PatternRun {
+    std::unique_ptr<Stream<nc::Block>> stream;
+    BlockQueue places;
+    nc::Block caller;
+    Modal modal_before;
+    bool calls_program = false;
+    bool is_held = false;  // while the program that is called there runs
+};
+
+}  // namespace kadr::interp
