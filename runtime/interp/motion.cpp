@@ -38,8 +38,8 @@ path::Curve straight_way(const Vec3& from, const Vec3& to) {
 void Executor::move(const Block& block, const Actions& actions) {
     if (block.motion != Function::None) {
         modal_.motion = block.motion;
-        taps_rigidly_ &= !modal_cycle_.is_active;
-        modal_cycle_.is_active = false;  // a motion code ends a modal cycle
+        taps_rigidly_ &= !cycles_said_.modal.is_active;
+        cycles_said_.modal.is_active = false;  // a motion code ends a modal cycle
     }
     const SlotMask targets = block.given & nc::kTargetSlots;
     SlotMask arc_words = block.given & kArcSlots;
@@ -60,21 +60,21 @@ void Executor::move(const Block& block, const Actions& actions) {
         report(diag::ProbeCompensated, block, Function::Probe);
         return;
     }
-    const bool is_in_cycle = modal_cycle_.is_active || actions.cycle != nullptr;
+    const bool is_in_cycle = cycles_said_.modal.is_active || actions.cycle != nullptr;
     if (is_in_cycle && targets != 0 && (actions.machine_coordinates || actions.probes)) {
         const Function own = actions.probes ? Function::Probe : Function::MachineCoordinates;
         report(diag::MotionInCycle, block, own).arg(word_of(block, own));
         return;
     }
     if (actions.calls_behind_motions) {
-        call_behind_motions_.reset();
-        if (actions.cycle != nullptr) call_behind_motions_ = block;
+        cycles_said_.behind_motions.reset();
+        if (actions.cycle != nullptr) cycles_said_.behind_motions = block;
         return;
     }
     if (actions.cycle_is_cancelled) return move_instead_of_cycle(block, actions);
     if (actions.cycle != nullptr) return call_cycle(block, actions);
     constexpr SlotMask kCycleSlots = nc::kTargetSlots | bit(Slot::Radius);
-    if (modal_cycle_.is_active && (block.given & kCycleSlots) != 0)
+    if (cycles_said_.modal.is_active && (block.given & kCycleSlots) != 0)
         return repeat_cycle(block, actions);
     if (!check_rigid_tap(block, targets)) return;
     if (actions.orient_reset != nullptr) return reset_orientation(block, *actions.orient_reset);
@@ -109,7 +109,7 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (comp_.takes_faces() && !lay_face(block, actions.tool)) return;
     if (tilting_.carries || tilting_.on_tables) {
         // In the base system every linear axis may move, whatever the block names.
-        target.moved = static_cast<AxisMask>(target.moved | (axes_ & kLinearXYZ));
+        target.moved = static_cast<AxisMask>(target.moved | (axes_.present & kLinearXYZ));
         check_carried(block);
     }
     if (actions.way_offset != 0 && !offset_ways(block, actions.way_offset, target)) return;
@@ -160,7 +160,8 @@ Target Executor::target_of(const Block& block, SlotMask targets) const {
     for (SlotMask rest = targets; rest != 0; rest &= rest - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(rest));
         const bool is_distance = (incremental >> i & 1u) != 0;
-        double value = block.values[i] * (i == 0 ? x_scale(block, is_distance) : word_scale_[i]);
+        double value =
+            block.values[i] * (i == 0 ? x_scale(block, is_distance) : axes_.word_scale[i]);
         if (is_distance) value += last[i];
         target.here[i] = value;
         target.base[i] = value + shift[i];
@@ -177,7 +178,7 @@ double Executor::x_scale(const Block& block, bool is_distance) const {
         case nc::XMeasure::Radius: return 1;
         case nc::XMeasure::Modal: break;
     }
-    return diameter_is_absolute_ && is_distance ? 1 : word_scale_[index(Axis::X)];
+    return diameter_is_absolute_ && is_distance ? 1 : axes_.word_scale[index(Axis::X)];
 }
 
 /// Places of rotary axes whose direction is said lie within one turn.
@@ -214,7 +215,8 @@ void Executor::arrive(const Target& target) {
     if (before != linear(target.base)) came_from_ = before;
     position_.here = target.here;
     position_.base = target.base;
-    for (AxisMask rest = target.moved; rest != 0; rest = static_cast<AxisMask>(rest & (rest - 1))) {
+    const auto said = static_cast<AxisMask>(target.moved & ~target.carried);
+    for (AxisMask rest = said; rest != 0; rest = static_cast<AxisMask>(rest & (rest - 1))) {
         const auto i = static_cast<std::size_t>(std::countr_zero(rest));
         position_.programmed[i] = target.here[i];
     }

@@ -79,6 +79,7 @@ Vec3 axis_between(const Vec3& axis, const Vec3& from, const Vec3& to) {
 /// reported.
 bool Executor::orient(const Block& block, const Actions& actions, Target& target) {
     // Every axis may move, whatever the block names.
+    target.carried = static_cast<AxisMask>(kLinearXYZ & ~target.moved);
     target.moved = static_cast<AxisMask>(target.moved | kLinearXYZ | joint_axes());
     next_turn_ = {};
     course_.reset();
@@ -154,7 +155,7 @@ machine::JointLimits Executor::joint_limits() const {
     for (std::size_t k = 0; k < machine::kJoints; ++k) {
         if (!chain.has(k)) continue;
         const std::size_t i = index(chain.joints[k].axis);
-        limits[k] = {rad_from_deg(lower_[i]), rad_from_deg(upper_[i])};
+        limits[k] = {rad_from_deg(axes_.lower[i]), rad_from_deg(axes_.upper[i])};
     }
     return limits;
 }
@@ -339,18 +340,37 @@ std::optional<Vec3> Executor::lean_on(const Block& block, const Vec3& normal, co
         report(diag::LeanWithoutTravel, block);
         return std::nullopt;
     }
-    const double rise = path::rise_of(normal, tangent);
-    if (std::abs(rise) > rad_from_deg(rules_.surface_rise)) {
-        report(diag::SurfaceAcross, block).arg(degrees(std::abs(rise)));
-        return std::nullopt;
-    }
+    if (rises_too_much(block, path::rise_of(normal, tangent))) return std::nullopt;
     return path::leaning(normal, tangent, lean);
+}
+
+/// Whether the direction of travel leads out of the surface by more than the control takes, rad;
+/// reported. S 7.4.
+bool Executor::rises_too_much(const Block& block, double rise) {
+    if (std::abs(rise) <= rad_from_deg(rules_.surface_rise)) return false;
+    report(diag::SurfaceAcross, block).arg(degrees(std::abs(rise)));
+    return true;
+}
+
+/// … anywhere on the way along which the surface leads the tool.
+bool Executor::rises_on_the_way(const Block& block, const path::Turn& surface,
+                                const path::Curve& curve) {
+    // At the ends of the parts; between them the rise of a full circle differs by a tenth of a
+    // degree.
+    constexpr int kParts = 64;
+    double rise = 0;
+    for (int i = 1; i < kParts; ++i) {
+        const double way = surface.length * i / kParts;
+        const Vec3 normal = Eigen::AngleAxisd(surface.rate * way, surface.axis) * surface.start;
+        const double here = path::rise_of(normal, path::evaluate(curve, way).tangent);
+        if (std::abs(here) > std::abs(rise)) rise = here;
+    }
+    return rises_too_much(block, rise);
 }
 
 /// The surface normals at start and end of the block, in the base system: nothing said is +Z, one
 /// that is not said at the start goes on from the block before. S 7.3.
 std::optional<std::array<Vec3, 2>> Executor::normals_of(const Block& block, const ToolWords& tool) {
-    std::array<Vec3, 2> normals;
     const auto said = [&](std::size_t i) {
         const Vec3 normal = tool.normals[i].vector();
         const bool is_none = comp_.takes_faces() && normal.isZero(0);
@@ -361,16 +381,13 @@ std::optional<std::array<Vec3, 2>> Executor::normals_of(const Block& block, cons
     };
     const bool has_start = tool.normals[0].is_said();
     const bool has_end = tool.normals[1].is_said();
-    if (!has_start && !has_end) {
-        normals[0] = normals[1] = turn_into_base() * Vec3::UnitZ();
-        return normals;
-    }
-    const auto start = has_start ? said(0) : std::optional<Vec3>(orienting_.normal);
+    const std::optional<Vec3> unsaid = turn_into_base() * Vec3::UnitZ();
+    if (!has_start && !has_end) return std::array{*unsaid, *unsaid};
+    const auto start = has_start ? said(0) : orienting_.normal ? orienting_.normal : unsaid;
     if (!start) return std::nullopt;
     const auto end = has_end ? said(1) : start;
     if (!end) return std::nullopt;
-    normals = {*start, *end};
-    return normals;
+    return std::array{*start, *end};
 }
 
 bool Executor::lead_by_surface(const Block& block, const ToolWords& tool, const path::Curve& curve,
@@ -395,15 +412,17 @@ bool Executor::lead_by_surface(const Block& block, const ToolWords& tool, const 
         report(diag::OrientationOpposite, block);
         return false;
     }
+    const path::Turn surface{Turning::Surface,   length, (*normals)[0], arc->axis,
+                             arc->turn / length, lean};
+    const bool leans = lean.lead != 0 || lean.tilt != 0;
+    if (leans && rises_on_the_way(block, surface, curve)) return false;
     if (!turn_first(block, *start)) return false;
     next_turn_.turning = Turning::Surface;
     next_turn_.from = (*normals)[0];
     next_turn_.axis = arc->axis;
     next_turn_.angle = arc->turn;
     next_turn_.lean = lean;
-    return follow_course(
-        block, {Turning::Surface, length, (*normals)[0], arc->axis, arc->turn / length, lean},
-        curve, target);
+    return follow_course(block, surface, curve, target);
 }
 
 /// A second point of the tool's axis goes straight to the place that the block says, S 7.4
@@ -447,7 +466,8 @@ bool Executor::turn_first(const Block& block, const Vec3& to) {
     const Chain& chain = machine_.kinematics->chain;
     const Vec3 from = machine::tool_vector(chain, joints_of(position_.base));
     if (path::angle_between(from, to) < kSameStart) return true;
-    Target here{position_.here, position_.base, static_cast<AxisMask>(kLinearXYZ | joint_axes())};
+    Target here{position_.here, position_.base, static_cast<AxisMask>(kLinearXYZ | joint_axes()),
+                kLinearXYZ};
     const Function turning = std::exchange(orienting_.turning, Function::TurnPlane);
     const bool is_laid = lay_turn(block, to, here);
     orienting_.turning = turning;
@@ -506,8 +526,8 @@ bool Executor::lay_spin(const Block& block, const ToolWords& tool, Target& targe
     if (!tool.spin && !tool.spin_by) return true;
     const Chain& chain = machine_.kinematics->chain;
     if (!chain.has(machine::kPsi)) {
-        if (!warned_spin_) report(diag::SpinWithoutAxis, block, Function::ToolSpin);
-        warned_spin_ = true;
+        if (!told_.spin) report(diag::SpinWithoutAxis, block, Function::ToolSpin);
+        told_.spin = true;
         return true;
     }
     Vec3 joints = joints_of(target.base);
@@ -551,7 +571,8 @@ void Executor::reset_orientation(const Block& block, const nc::Invocation& invoc
         return;
     }
     const Chain& chain = machine_.kinematics->chain;
-    Target target{position_.here, position_.base, static_cast<AxisMask>(kLinearXYZ | joint_axes())};
+    Target target{position_.here, position_.base, static_cast<AxisMask>(kLinearXYZ | joint_axes()),
+                  kLinearXYZ};
     Vec3 joints = Vec3::Zero();
     std::size_t place = 0;
     const auto [first, second] = joints_in_order();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -15,6 +16,7 @@ using std::numbers::pi;
 
 /// Two directions that differ by less make no corner: the gap is far below an increment.
 constexpr double kSmooth = 1e-6;           // rad
+constexpr double kHardly = 1e-3;           // rad: … where the sides end at one place, either
 constexpr double kNear = 10 * kSamePoint;  // mm: the joint of two sides, found as a crossing
 constexpr double kReversal = 1e-9;         // rad short of turning back
 constexpr double kCut = 5e-4;              // mm: half an increment is not a cut into the contour
@@ -60,10 +62,15 @@ struct Curve {
     bool is_circle = false;
 };
 
-Curve curve_of(const Element& path) {
-    if (path.is_arc()) return {{}, {}, path.center, (path.from - path.center).norm(), true};
+/// On which the element lies at its start, or at its end: an arc of a program may end some
+/// micrometres beside the circle on which it begins, and a neighbour that is tangent to it there
+/// meets only the circle through its end.
+Curve curve_at(const Element& path, const Vec2& end) {
+    if (path.is_arc()) return {{}, {}, path.center, (end - path.center).norm(), true};
     return {path.from, (path.to - path.from).normalized(), {}, 0, false};
 }
+Curve curve_at_start(const Element& path) { return curve_at(path, path.from); }
+Curve curve_at_end(const Element& path) { return curve_at(path, path.to); }
 
 std::vector<Vec2> crossings_of_lines(const Curve& a, const Curve& b) {
     const double sine = cross(a.direction, b.direction);
@@ -153,6 +160,37 @@ double distance_between(const Element& a, const Element& b) {
     return least;
 }
 
+/// Where an element lies that has left another one.
+enum class Beside : std::uint8_t { Nowhere, Left, Right };
+
+/// On which side of the other the way goes on (direction 1) or comes from (-1), seen from a place
+/// on one of its pieces at which both meet: nowhere, if it ends before more than rounding is
+/// between them.
+Beside side_beyond(const std::vector<Element>& way, std::size_t piece, double share, int direction,
+                   const Element& other) {
+    constexpr double kGrowth = 1.5;
+    for (double step = kCut;;) {
+        const double whole = length(way[piece]);
+        const double at = whole > 0 ? share + direction * step / whole : direction;
+        const Vec2 point = point_at(way[piece], std::clamp(at, 0.0, 1.0));
+        const Nearest foot = nearest(other, point);
+        // Beyond an end of the other its tangent goes on.
+        const bool is_behind = foot.share >= 1;
+        const Vec2 along =
+            is_behind ? end_direction(other) : start_direction(part(other, foot.share, 1));
+        const double aside = cross(along, point - foot.point);
+        if (std::abs(aside) > kCut) return aside > 0 ? Beside::Left : Beside::Right;
+        if (at > 0 && at < 1) {
+            step *= kGrowth;
+            continue;
+        }
+        if (piece == (direction > 0 ? way.size() - 1 : 0)) return Beside::Nowhere;
+        piece = direction > 0 ? piece + 1 : piece - 1;
+        share = direction > 0 ? 0 : 1;
+        step = kCut;
+    }
+}
+
 }  // namespace
 
 Vec2 conic_at(const CompPiece& piece, double u) {
@@ -211,8 +249,8 @@ std::optional<CompFault> RadiusComp::finish_towards(const Vec2& direction) {
     Side& last = sides_.back();
     const Vec2 corner = last.contour.to;
     const Vec2 beside = corner + left_of(direction) * last.distance;
-    const std::vector<Vec2> common =
-        crossings_of(curve_of(last.path), {beside, direction.normalized(), Vec2::Zero(), 0, false});
+    const std::vector<Vec2> common = crossings_of(
+        curve_at_end(last.path), {beside, direction.normalized(), Vec2::Zero(), 0, false});
     if (!common.empty()) {
         const Vec2 meeting = *std::ranges::min_element(
             common, {}, [&](const Vec2& point) { return (point - corner).squaredNorm(); });
@@ -225,11 +263,13 @@ std::optional<CompFault> RadiusComp::join(Side& a, Side& b) {
     const bool rounds = std::exchange(rounds_next_, false);
     const Vec2 corner = b.contour.from;
     const double turn = turn_between(a.contour, b.contour, a.distance);
+    const double gap = (a.path.to - b.path.from).norm();
     if (std::abs(turn) < kSmooth) {
-        if ((a.path.to - b.path.from).norm() > kSamePoint)  // an arc with another distance
+        if (gap > kSamePoint)  // an arc with another distance
             insert(b, line_element(a.path.to, b.path.from));
         return std::nullopt;
     }
+    if (gap < kSamePoint && std::abs(turn) < kHardly) return std::nullopt;
     const bool closes = turn * a.distance > 0;
     if (closes && rounds) return CompFault::Bottleneck;
     if (closes) return join_inside(a, b, corner);
@@ -242,7 +282,7 @@ void RadiusComp::insert(Side& side, const Element& element) {
 }
 
 std::optional<CompFault> RadiusComp::join_inside(Side& a, Side& b, const Vec2& corner) const {
-    std::vector<Vec2> common = crossings_of(curve_of(a.path), curve_of(b.path));
+    std::vector<Vec2> common = crossings_of(curve_at_end(a.path), curve_at_start(b.path));
     if (common.empty()) return CompFault::NoIntersection;
     // Where the elements turn back both crossings may be as far from the corner: the sides are
     // shortened, not extended.
@@ -373,15 +413,18 @@ bool RadiusComp::cuts_into(const Side& side, const Side& other) {
 bool RadiusComp::runs_into_earlier(std::size_t done) const {
     if (std::abs(sides_[done].distance) < kCut) return false;
     const std::vector<Element> latest = way_of(sides_[done]);
+    const auto meets_at = [&](const Element& earlier, bool is_neighbour, std::size_t piece,
+                              double share) {
+        const Beside beyond = side_beyond(latest, piece, share, 1, earlier);
+        if (beyond == Beside::Nowhere) return false;  // what follows tells
+        const Beside before = side_beyond(latest, piece, share, -1, earlier);
+        return before == Beside::Nowhere ? !is_neighbour : before != beyond;
+    };
     const auto crosses = [&](const Element& earlier, bool is_neighbour) {
-        return std::any_of(latest.begin(), latest.end(), [&](const Element& piece) {
-            const std::vector<Crossing> common = crossings(earlier, piece);
-            return std::any_of(common.begin(), common.end(), [&](const Crossing& crossing) {
-                const bool is_joint = (crossing.point - latest.front().from).norm() < kNear;
-                const bool closes_up = (crossing.point - latest.back().to).norm() < kNear;
-                return !closes_up && !(is_neighbour && is_joint);
-            });
-        });
+        for (std::size_t piece = 0; piece < latest.size(); ++piece)
+            for (const Crossing& crossing : crossings(earlier, latest[piece]))
+                if (meets_at(earlier, is_neighbour, piece, crossing.share_b)) return true;
+        return false;
     };
     for (std::size_t i = 0; i < done; ++i) {
         const std::vector<Element> way = way_of(sides_[i]);

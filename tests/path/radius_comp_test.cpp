@@ -11,6 +11,7 @@
 #include <numbers>
 #include <string>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "tests/path/oracle_arcs.h"
@@ -275,6 +276,53 @@ double least_distance(const std::vector<CompPiece>& pieces, const Contour& conto
         }
     }
     return least;
+}
+
+double rounded(double value) { return std::round(value * 1000) / 1000; }
+Vec2 rounded(const Vec2& place) { return {rounded(place.x()), rounded(place.y())}; }
+
+/// A line, an arc tangent to it and a line tangent to that, all with three decimals, the centre as
+/// a distance from the start of the arc: the arc ends up to a micrometre beside its circle.
+Contour rounded_fillet(Dice& dice) {
+    const double radius = dice.between(6, 20);
+    const double heading = dice.between(-pi, pi);
+    const double turn = dice.between(0.3, 2.5) * (dice.below(2) == 0 ? 1 : -1);
+    const auto along = [](double angle) { return Vec2(std::cos(angle), std::sin(angle)); };
+    const Vec2 aside = Vec2(-along(heading).y(), along(heading).x()) * (turn > 0 ? 1 : -1);
+    const Vec2 first = along(heading) * 30;
+    const Vec2 center = first + aside * radius;
+    const Vec2 second = center + Eigen::Rotation2Dd(turn) * (first - center);
+    const Vec2 last = second + along(heading + turn) * 30;
+    Contour contour{line_element(Vec2::Zero(), rounded(first)),
+                    Element{rounded(first), rounded(second), Vec2::Zero(), 0},
+                    line_element(rounded(second), rounded(last))};
+    Element& arc = contour[1];
+    arc.center = arc.from + rounded(Vec2(center - first));
+    const Vec2 from = arc.from - arc.center;
+    const Vec2 to = arc.to - arc.center;
+    arc.sweep = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+    return contour;
+}
+
+TEST(RadiusComp, TangentArcsWithThreeDecimals) {
+    constexpr double kDecimals = 2e-3;  // mm: what rounding moves a wall by
+    for (std::uint32_t seed = 1; seed <= 400; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(seed);
+        const Contour contour = rounded_fillet(dice);
+        const double distance = dice.between(1, 5) * (dice.below(2) == 0 ? 1 : -1);
+        CompRules rules;
+        rules.look_ahead = contour.size();
+        const Outcome outcome = compensate(contour, distance, rules, false);
+        ASSERT_FALSE(outcome.fault) << words(*outcome.fault);
+        EXPECT_GT(least_distance(outcome.pieces, contour), std::abs(distance) - kDecimals);
+        double length = 0;
+        double wanted = 0;
+        for (const CompPiece& piece : outcome.pieces) length += path::length(piece.element);
+        for (const Element& element : contour)
+            wanted += path::length(element) - element.sweep * distance;
+        EXPECT_NEAR(length, wanted, 20 * kDecimals);
+    }
 }
 
 /// Whether the cutter can touch the element anywhere without cutting into the contour elsewhere.
