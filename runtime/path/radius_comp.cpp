@@ -160,6 +160,12 @@ double distance_between(const Element& a, const Element& b) {
     return least;
 }
 
+/// How far an arc ends beside the circle on which it begins, mm: so much may be wrong about where
+/// it lies between its ends.
+double spread(const Element& path) {
+    return path.is_arc() ? std::abs((path.to - path.center).norm() - radius(path)) : 0;
+}
+
 /// Where an element lies that has left another one.
 enum class Beside : std::uint8_t { Nowhere, Left, Right };
 
@@ -179,7 +185,8 @@ Beside side_beyond(const std::vector<Element>& way, std::size_t piece, double sh
         const Vec2 along =
             is_behind ? end_direction(other) : start_direction(part(other, foot.share, 1));
         const double aside = cross(along, point - foot.point);
-        if (std::abs(aside) > kCut) return aside > 0 ? Beside::Left : Beside::Right;
+        const double touching = kCut + spread(way[piece]) + spread(other);
+        if (std::abs(aside) > touching) return aside > 0 ? Beside::Left : Beside::Right;
         if (at > 0 && at < 1) {
             step *= kGrowth;
             continue;
@@ -400,9 +407,10 @@ std::vector<Element> RadiusComp::way_of(const Side& side) {
 
 /// Whether the cutter on its way along one side comes too near to the contour's element of another.
 bool RadiusComp::cuts_into(const Side& side, const Side& other) {
-    const double least = std::min(std::abs(side.distance), std::abs(other.distance)) - kCut;
+    const double apart = std::min(std::abs(side.distance), std::abs(other.distance)) - kCut;
     const std::vector<Element> way = way_of(side);
     return std::any_of(way.begin(), way.end(), [&](const Element& piece) {
+        const double least = apart - spread(piece) - spread(other.contour);
         return !crossings(piece, other.contour).empty() ||
                distance_between(piece, other.contour) < least;
     });

@@ -291,7 +291,7 @@ Contour rounded_fillet(Dice& dice) {
     const Vec2 aside = Vec2(-along(heading).y(), along(heading).x()) * (turn > 0 ? 1 : -1);
     const Vec2 first = along(heading) * 30;
     const Vec2 center = first + aside * radius;
-    const Vec2 second = center + Eigen::Rotation2Dd(turn) * (first - center);
+    const Vec2 second = center + Eigen::Rotation2D<double>(turn) * (first - center);
     const Vec2 last = second + along(heading + turn) * 30;
     Contour contour{line_element(Vec2::Zero(), rounded(first)),
                     Element{rounded(first), rounded(second), Vec2::Zero(), 0},
@@ -322,6 +322,46 @@ TEST(RadiusComp, TangentArcsWithThreeDecimals) {
         for (const Element& element : contour)
             wanted += path::length(element) - element.sweep * distance;
         EXPECT_NEAR(length, wanted, 20 * kDecimals);
+    }
+}
+
+/// The arc about a centre as a program says it: three decimals, the centre as a distance from the
+/// start. Equal ends make a full circle.
+Element said_arc(const Vec2& from, const Vec2& to, const Vec2& center) {
+    Element arc{rounded(from), rounded(to), rounded(from) + rounded(Vec2(center - from)), 0};
+    const Vec2 a = arc.from - arc.center;
+    const Vec2 b = arc.to - arc.center;
+    arc.sweep = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+    if (arc.sweep <= 1e-12) arc.sweep += 2 * pi;
+    return arc;
+}
+
+// A bore as it is finished: in along a quarter, around, and out along a quarter.
+TEST(RadiusComp, BoresWithThreeDecimals) {
+    for (std::uint32_t seed = 1; seed <= 400; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(seed);
+        const double bore = dice.between(10, 30);
+        const double arc = bore * dice.between(0.4, 0.7);
+        const double cutter = arc * dice.between(0.2, 0.8);
+        const Vec2 center(dice.between(-50, 50), dice.between(-50, 50));
+        const double angle = dice.between(0, 2 * pi);
+        const Vec2 out(std::cos(angle), std::sin(angle));
+        const Vec2 along(-out.y(), out.x());
+        const Vec2 touching = center + bore * out;
+        const Vec2 middle = center + (bore - arc) * out;
+        const Contour contour{said_arc(middle - arc * along, touching, middle),
+                              said_arc(touching, touching, center),
+                              said_arc(touching, middle + arc * along, middle)};
+        CompRules rules;
+        rules.outside = OutsideCorner::Intersection;
+        rules.look_ahead = contour.size();
+        const Outcome outcome = compensate(contour, cutter, rules, false);
+        ASSERT_FALSE(outcome.fault) << words(*outcome.fault);
+        double sweep = 0;
+        for (const CompPiece& piece : outcome.pieces) sweep += piece.element.sweep;
+        EXPECT_NEAR(sweep, 3 * pi, 2e-3);
+        EXPECT_GT(least_distance(outcome.pieces, {contour[1]}), cutter - 2e-3);
     }
 }
 
