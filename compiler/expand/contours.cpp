@@ -2,6 +2,7 @@
 // that `follow` makes of them.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/assert.h"
 #include "base/diagnostics/expand.h"
@@ -489,6 +490,8 @@ bool Expander::State::keep(const Block& block, std::uint32_t where) {
         }
         path::ArcTolerance tolerance;
         tolerance.mode = path::RadiusError::ShiftCenter;
+        // The last decimal of a short arc turns its centre far and moves the way by that decimal.
+        tolerance.shift_angle = std::numbers::pi / 4;
         arc = path::arc_about_center(ends, center, turning, tolerance);
     }
     if (!arc) {

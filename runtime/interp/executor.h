@@ -155,6 +155,7 @@ class Executor {
     void set_area_limit(const nc::Block& block, const nc::Invocation& invocation);
     void update_spindle(const nc::Block& block);
     void orient_spindle(const nc::Block& block, const nc::Invocation& invocation);
+    void check_edge_turns(const nc::Block& block);
     void stand_spindle(const nc::Block& block, nc::Function function, double angle, bool is_by);
     // numbered_spindles.cpp
     void set_up_spindles();

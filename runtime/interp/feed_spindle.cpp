@@ -147,6 +147,7 @@ void Executor::stand_spindle(const Block& block, Function function, double angle
         angle = std::fmod(spindle_.angle_deg + angle, 360);
         if (angle < 0) angle += 360;
     }
+    if (cycle_.blocks && !cycle_.taps) check_edge_turns(block);
     spindle_.angle_deg = angle;
     spindle_.mode = SpindleMode::Orient;
     spindle_.told = {SpindleMode::Orient, 0, false};
@@ -155,6 +156,18 @@ void Executor::stand_spindle(const Block& block, Function function, double angle
     command.speed = 0;
     command.cutting_speed = false;
     command.angle_deg = angle;
+}
+
+/// A boring cycle is about to take the edge off the wall.
+void Executor::check_edge_turns(const Block& block) {
+    if (told_.turned_edge) return;
+    const path::Vec3 across = path::unit(path::axes_of(modal_.plane).first);
+    const path::Vec3 turned = frames_.total().direction(across).normalized();
+    constexpr double kTurned = 1e-6;
+    if ((turned - across).norm() < kTurned && !frames_.is_mirrored(modal_.plane)) return;
+    told_.turned_edge = true;
+    report(diag::EdgeNotTurned, block)
+        .arg(frames_.is_mirrored(modal_.plane) ? "mirrored" : "turned");
 }
 
 void Executor::set_coolant(const Block& block, path::CoolantMode mode) {

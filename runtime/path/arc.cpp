@@ -22,10 +22,6 @@ constexpr double kNoLength = 1e-9;  // mm
 /// Sine of the angle below which three points, or a tangent and a chord, are on one line.
 constexpr double kOneLine = 1e-9;
 
-/// How far the centre may turn about the start when it is shifted; beyond it the correction would
-/// be no correction any more (SINUMERIK, reference chapter "Circles").
-constexpr double kMaxShiftAngle = 1.8 * std::numbers::pi / 180;
-
 /// The part of a vector that lies in the plane.
 Vec3 in_plane(const Vec3& vector, const Vec3& normal) {
     return vector - vector.dot(normal) * normal;
@@ -47,8 +43,8 @@ bool is_possible(int turns) { return turns >= 0 && turns <= kMaxTurns; }
 
 /// Moves the centre onto the perpendicular bisector of start and end, at the distance `radius` from
 /// both, on the side where it was. Both vectors lie in the plane and point from the start.
-Result<Vec3, ArcFault> shifted_center(const Vec3& to_center, const Vec3& chord,
-                                      const Vec3& normal) {
+Result<Vec3, ArcFault> shifted_center(const Vec3& to_center, const Vec3& chord, const Vec3& normal,
+                                      double most_turn) {
     const double half_chord = chord.norm() / 2;
     if (half_chord < kNoLength) return to_center;
     const double radius = std::max(to_center.norm(), half_chord);
@@ -57,7 +53,7 @@ Result<Vec3, ArcFault> shifted_center(const Vec3& to_center, const Vec3& chord,
     const double side = to_center.dot(left) < 0 ? -1 : 1;
     const Vec3 shifted = chord / 2 + side * height * left;
     const double turned = std::atan2(to_center.cross(shifted).norm(), to_center.dot(shifted));
-    if (turned > kMaxShiftAngle) return ArcFault::RadiusMismatch;
+    if (turned > most_turn) return ArcFault::RadiusMismatch;
     return shifted;
 }
 
@@ -78,7 +74,8 @@ Result<Arc, ArcFault> arc_about_center(const ArcEnds& ends, const Vec3& center,
         return ArcFault::RadiusMismatch;
     }
     if (error > kNoLength && tolerance.mode == RadiusError::ShiftCenter) {
-        const Result<Vec3, ArcFault> shifted = shifted_center(to_center, chord, normal);
+        const Result<Vec3, ArcFault> shifted =
+            shifted_center(to_center, chord, normal, tolerance.shift_angle);
         if (!shifted) return shifted.error();
         to_center = *shifted;
     }

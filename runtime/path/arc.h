@@ -5,6 +5,8 @@
 // rad.
 #pragma once
 
+#include <numbers>
+
 #include "base/result.h"
 #include "path/command.h"
 #include "path/frame.h"
@@ -45,6 +47,9 @@ struct ArcTolerance {
     double constant = 0.01;  // mm
     double factor = 1e-3;
     RadiusError mode = RadiusError::Spread;
+    /// How far the centre may turn about the start when it is shifted, rad; beyond it the
+    /// correction would be none any more. Source: SINUMERIK, reference chapter "Circles".
+    double shift_angle = 1.8 * std::numbers::pi / 180;
 };
 
 enum class ArcFault : std::uint8_t {

@@ -28,6 +28,10 @@ constexpr double kLooseEnd = 0.2;
 constexpr double kNudge = 1.3e-7;
 constexpr int kAttempts = 6;
 
+/// Alone beside an open contour a piece is a crumb up to this length, mm: where parallels of
+/// elements that are tangent but for the last decimal cross twice.
+constexpr double kCrumb = 1e-3;
+
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 Vec2 left_of(const Vec2& v) { return {-v.y(), v.x()}; }
 
@@ -306,6 +310,10 @@ class Offsetting {
                 if (!follow(start, result)) return std::nullopt;
             }
         }
+        const bool has_whole = std::ranges::any_of(
+            result, [](const Contour& contour) { return length(contour) > kCrumb; });
+        if (!is_closed_ && has_whole)
+            std::erase_if(result, [](const Contour& c) { return length(c) <= kCrumb; });
         return result;
     }
 

@@ -21,7 +21,8 @@ inline constexpr double kOffsetTolerance = 1e-6;
 /// returns   of a closed contour: closed contours, none if nothing is left, several if it falls
 ///           into parts. They travel as the contour does; one that bounds an enclosed rest runs
 ///           the other way around. Of an open contour: the pieces beside it, without caps at its
-///           ends, in the order of travel. Corners that open are rounded about the corner.
+///           ends, in the order of travel, without crumbs of a micrometre. Corners that open are
+///           rounded about the corner.
 /// promise   every point is at least |distance| − kOffsetTolerance from every point of the
 ///           contour, and nothing that is farther from it is left out
 /// source    the offset is part of: the parallels of the elements and the circles about the

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include "path/contour_offset.h"
+#include "tests/path/random_contour.h"
 
 namespace kadr::path {
 namespace {
@@ -268,6 +270,46 @@ TEST(ContourOffset, OpenContour) {
     ASSERT_EQ((*right)[0].size(), 3u);
     EXPECT_TRUE((*right)[0][1].is_arc());
     EXPECT_NEAR(length((*right)[0]), 35 + 3 * kPi / 2, 1e-9);
+}
+
+double rounded(double value) { return std::round(value * 1000) / 1000; }
+Vec2 rounded(const Vec2& place) { return {rounded(place.x()), rounded(place.y())}; }
+
+// Lines and arcs that are tangent but for the third decimal: beside them goes one piece.
+TEST(ContourOffset, TangentElementsWithThreeDecimals) {
+    for (int seed = 1; seed <= 300; ++seed) {
+        SCOPED_TRACE(seed);
+        test::Dice dice(static_cast<std::uint32_t>(seed));
+        Contour contour;
+        Vec2 at(0, 0);
+        double heading = 0;
+        const auto go = [&](double way) {
+            const Vec2 to = at + way * Vec2(std::cos(heading), std::sin(heading));
+            contour.push_back(line_element(rounded(at), rounded(to)));
+            at = to;
+        };
+        go(20);
+        for (int i = 0; i < 3; ++i) {
+            const double turn = dice.between(0.2, 1.2) * (heading > 0 ? -1 : 1);
+            const double radius = dice.between(3, 8);
+            const Vec2 left(-std::sin(heading), std::cos(heading));
+            const Vec2 center = at + left * std::copysign(radius, turn);
+            const Vec2 to = center + Eigen::Rotation2D<double>(turn) * (at - center);
+            // The centre as it is said, on the bisector of the ends.
+            const Vec2 from = rounded(at);
+            const Vec2 end = rounded(to);
+            Vec2 said = from + rounded(Vec2(center - at));
+            const Vec2 along = (end - from).normalized();
+            said -= along * (said - (from + end) / 2).dot(along);
+            contour.push_back(arc_element(from, end, said, turn < 0));
+            at = to;
+            heading += turn;
+            go(dice.between(5, 20));
+        }
+        const auto beside = offset(contour, dice.between(0.4, 2.8) * (seed % 2 == 0 ? 1 : -1));
+        ASSERT_TRUE(beside);
+        EXPECT_EQ(beside->size(), 1u);
+    }
 }
 
 // ---------------------------------------------------------------- properties
