@@ -487,7 +487,8 @@ class Matcher {
             }
         }
         for (const Function also : form.sets) {
-            if (modal_[static_cast<std::size_t>(info(also).group)] == also) continue;
+            const Group group = info(also).group;
+            if (group != Group::Motion && modal_[static_cast<std::size_t>(group)] == also) continue;
             if (Fault fault = say(also, head, 0)) return fault;
         }
         return {};
