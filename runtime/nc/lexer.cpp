@@ -418,6 +418,12 @@ class Lexer {
             for (const char c : line_.substr(begin, end - begin))
                 if (!is_blank(c)) text += rules_.ignores_case ? upper(c) : c;
             return tables_.passed.find(text);
+        const auto count =
+            std::ranges::count(out_.passed, &found->second, &LexedLine::Passed::word);
+        if (found->second.read_max != 0 && count >= found->second.read_max) {
+            fail(diag::IsoAddressTwice, begin, at_, {found->first});
+            return true;
+        }
         };
         const std::size_t end = end_of_passed(begin);
         auto found = named(end);
