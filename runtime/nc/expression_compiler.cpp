@@ -228,7 +228,8 @@ bool ExpressionCompiler::take_number() {
     double value = decimal.value;
     bool has_point = decimal.has_point;
     if (words_.has_exponents() && take_exponent(value)) has_point = true;
-    if (!std::isfinite(value)) {
+    const bool is_too_long = rules_.constant_digits != 0 && decimal.digits > rules_.constant_digits;
+    if (is_too_long || !std::isfinite(value)) {
         fail(diag::IsoTooManyDigits, span_from(begin));
         fault_->arguments = {std::string(line_.substr(begin, at_ - begin))};
         return false;
@@ -558,7 +559,6 @@ bool ExpressionCompiler::take_named(const Word& word, Reference& out) {
     return false;
 }
 
-/// The edge behind the number of a datum, as Quantity::ToolDatum has them. A datum of the whole
 bool ExpressionCompiler::take_own_name(Reference& out) {
     const VariableForm* form = nullptr;  // the one with the longest beginning: `#<_` before `#<`
     std::size_t place = 0;
@@ -585,6 +585,7 @@ bool ExpressionCompiler::take_own_name(Reference& out) {
     return place_in_family(*form, place, number, begin, out.load);
 }
 
+/// The edge behind the number of a datum, as Quantity::ToolDatum has them. A datum of the whole
 /// tool has no index of an edge.
 void ExpressionCompiler::add_datum(std::int64_t datum, std::size_t begin, Instruction& load) {
     emit_number(static_cast<double>(datum * kDatum), ValueType::Int, begin);
