@@ -107,7 +107,7 @@ class Dialect {
                           std::vector<Refusal>* refusals = nullptr) const;
     /// Whether the control can say this function at all.
     bool can_write(Function function) const;
-    /// The increment to which X is written, mm.
+    /// The increment to which X is written, mm; 0 if the control has no X.
     double written_increment(bool is_inch) const;
     /// Member of a modal group at power-on; None if the dialect does not say.
     Function power_on(Group group) const;
