@@ -23,6 +23,7 @@ namespace {
 /// The blocks of an example's source, or what is wrong with it.
 struct Trial {
     std::vector<nc::Block> blocks;
+    std::vector<nc::Refusal> refusals;  // forms of cycles that do not fit
     std::string fault;
 };
 
@@ -64,7 +65,9 @@ Trial run_source(Session& session, const nc::Example& example, const nc::Dialect
     const std::optional<Program> program = load_program(inner, file);
     Trial trial;
     if (program) {
-        expand::Expander expander(*program->code, dialect, {}, messages);
+        expand::ExpandOptions options;
+        options.refusals = &trial.refusals;
+        expand::Expander expander(*program->code, dialect, options, messages);
         std::array<nc::Block, 8> batch;
         bool is_running = expander.start("", {});
         while (is_running) {
@@ -138,7 +141,7 @@ void check_examples(Session& session, const nc::Dialect& dialect) {
         Trial trial;
         if (!example.source.empty()) trial = run_source(session, example, dialect);
         if (trial.fault.empty()) {
-            nc::check_example(dialect, example, trial.blocks, session.messages());
+            nc::check_example(dialect, example, trial.blocks, session.messages(), trial.refusals);
         } else {
             session.messages()
                 .report(diag::DialectExampleSource, example.source_range)

@@ -60,6 +60,7 @@ struct ExpandOptions {
     std::function<const machine::Machine*()> machine = nullptr;
     /// Whether the source allows this warning at this place; empty: nothing is allowed.
     std::function<bool(const DiagnosticRow&, const SourceRange&)> is_allowed = nullptr;
+    std::vector<nc::Refusal>* refusals = nullptr;  // gets forms of cycles that do not fit a call
     const std::atomic<bool>* stop = nullptr;  // set from outside: the evaluation ends with an error
     std::vector<std::string>* shown = nullptr;  // gets the values that the code shows; null: nobody
 };

@@ -100,11 +100,11 @@ bool Expander::State::emit_cycle(nc::CycleId cycle, const sema::Slot* registers)
         values[i] = neat(values[i] * kMinute);
     }
     const std::span<const double> arguments(values.data(), parameters.size());
-    if (!target.has_native_cycle(cycle, given, arguments)) {
+    if (!target.has_native_cycle(cycle, given, arguments, options.refusals)) {
         // A call in the control's own words: what it does not say, the control has by itself.
         given &= frame.given;
         const bool is_said = said_cycle.is_running;
-        if (!is_said || !target.has_native_cycle(cycle, given, arguments)) {
+        if (!is_said || !target.has_native_cycle(cycle, given, arguments, options.refusals)) {
             if (turns_spindle(parameters, given, values)) warn_of_tap();
             return false;
         }

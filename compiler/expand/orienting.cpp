@@ -12,6 +12,7 @@
 #include "base/numbers.h"
 #include "expand/numbers.h"
 #include "expand/state.h"
+#include "nc/spelling.h"
 #include "nc/tables.h"
 
 namespace kadr::expand {
@@ -239,12 +240,19 @@ bool Expander::State::begin_tcp(std::span<const nc::Invocation> said, SourceId s
 }
 
 /// Whether the switch takes the work offset off is a matter of the machine: said behind it, it acts
-/// on each.
+/// on each. Where the program has said none, it is that of the text's head.
 void Expander::State::say_offset_again(SourceId source, std::uint32_t at, unsigned depth) {
-    const bool is_known = modal[Group::WorkOffsets] == Function::WorkOffset &&
-                          (modal.lost & sema::group_bit(Group::WorkOffsets)) == 0;
-    if (is_known && target.has_rule("transformation_wants_offset"))
-        say_function(Function::WorkOffset, std::array{modal.work_offset}, source, at, depth);
+    if (!target.has_rule("transformation_wants_offset")) return;
+    if ((modal.lost & sema::group_bit(Group::WorkOffsets)) != 0) return;
+    Function& active = modal.active[static_cast<std::size_t>(Group::WorkOffsets)];
+    if (active == Function::None && modal.due_offset == 0) {
+        const std::optional<int> offset = nc::offset_of_head(target);
+        if (!offset) return;
+        active = Function::WorkOffset;
+        modal.work_offset = *offset;
+    }
+    const double offset = modal.due_offset != 0 ? modal.due_offset : modal.work_offset;
+    say_function(Function::WorkOffset, std::array{offset}, source, at, depth);
 }
 
 /// Great circles or the rotary axes in proportion, on a control that says so with the length.

@@ -470,6 +470,7 @@ std::string element_name(const nc::Symbol& symbol, std::uint32_t place, char ope
 
 /// As the program writes it: `R1`, `#100`.
 std::string ControlVariables::name_of(const nc::VariableForm& form, std::int64_t number) const {
+    if (!form.closing.empty()) return std::string(names_->name_of(number)) + form.closing;
     std::string name = form.name;
     const std::string digits = std::to_string(number);
     if (form.is_family) name += digits;

@@ -30,6 +30,8 @@ class ControlVariables final : public Variables {
     ControlVariables(const nc::Dialect& dialect, const nc::LineReader& reader);
 
     void follow(ControlState& state) { state_ = &state; }
+    /// Who numbers the variables that the program names itself.
+    nc::NameTable* names() const { return names_.get(); }
     void begin_batch() { in_step_ = true; }
     /// Whether everything that was given is executed.
     void set_in_step(bool in_step) { in_step_ = in_step; }
@@ -146,6 +148,7 @@ class ControlVariables final : public Variables {
     const nc::DialectTables& tables_;
     const nc::Language& language_;
     const nc::LineReader& reader_;
+    std::unique_ptr<nc::NameTable> names_ = std::make_unique<nc::NameTable>();
     ControlState* state_ = nullptr;
     Store globals_;
     Level main_;

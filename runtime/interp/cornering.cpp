@@ -42,6 +42,7 @@ void Executor::choose_corner(const Block& block, const Invocation& invocation, A
             break;
         }
         default: {
+            take_corner_feed(block, invocation, actions);
             const bool is_round = invocation.function == Function::CornerRound;
             const bool was_round =
                 actions.corner != nullptr && actions.corner->function == Function::CornerRound;
@@ -55,6 +56,16 @@ void Executor::choose_corner(const Block& block, const Invocation& invocation, A
             if (!was_round) actions.corner = &invocation;
         }
     }
+}
+
+/// The feed that stands in the same form as the chamfer or the rounding.
+void Executor::take_corner_feed(const Block& block, const Invocation& invocation,
+                                Actions& actions) {
+    const std::size_t place = invocation.function == Function::CornerRound ? 1 : 2;
+    if ((invocation.given >> place & 1u) == 0) return;
+    const double feed = block.argument(invocation, place);
+    if (feed > 0) actions.corner_feed = feed;
+    else report(diag::CornerFeedInvalid, block, invocation.function).arg(feed);
 }
 
 /// Tells the corners what this block wants, before it puts its motion.
@@ -85,7 +96,8 @@ void Executor::wish_corner(const Block& block, const Actions& actions) {
             return;
         }
     } else {
-        wish.kind = CornerWish::Kind::Round;
+        wish.is_open = rounding_ == 0;
+        wish.kind = wish.is_open ? CornerWish::Kind::None : CornerWish::Kind::Round;
         wish.size = rounding_;
         wish.is_modal = true;
     }
@@ -95,9 +107,10 @@ void Executor::wish_corner(const Block& block, const Actions& actions) {
 
 /// The size counts in the programmed system, the commands are of the base system.
 void Executor::put_wish(const Block& block, CornerWish wish) {
-    if (!(wish.size > 0)) return;
+    if (!(wish.size > 0) && !wish.is_open) return;
     if (comp_.acts_on_faces()) {
-        report(diag::IsoNotSupported, block).arg("a chamfer or a rounding on a surface");
+        if (!wish.is_open)
+            report(diag::IsoNotSupported, block).arg("a chamfer or a rounding on a surface");
         return;
     }
     if (frames_.is_stretched(modal_.plane)) {
@@ -105,12 +118,16 @@ void Executor::put_wish(const Block& block, CornerWish wish) {
         return;
     }
     if (frames_.is_tilted(modal_.plane)) {
+        if (wish.is_open) return;
         report(diag::IsoNotSupported, block).arg("a chamfer or a rounding in a tilted plane");
         return;
     }
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
     wish.size *= frames_.total().direction(path::unit(plane.first)).norm();
-    corners_.wish(wish, position_.base, {block.source, block.line});
+    const CornerPlace place{block.source, block.line};
+    if (!rules_.corner_in_own_block || wish.is_modal)
+        return corners_.wish(wish, position_.base, place);
+    if (const DiagnosticRow* why = corners_.wish_behind(wish, place)) report(*why, block);
 }
 
 /// A chamfer or a rounding at a square corner, said by the words of arcs beside a line: the centre

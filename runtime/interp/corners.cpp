@@ -40,6 +40,16 @@ void Corners::wish(const CornerWish& wish, const AxisValues& here, const CornerP
     wish_ = wish;
 }
 
+const DiagnosticRow* Corners::wish_behind(const CornerWish& wish, const CornerPlace& place) {
+    if (!waits_ || !held_wish_.is_modal) return &diag::CornerWithoutMotion;
+    const bool is_rapid = held_.front().command.op == Op::Rapid;
+    if (settings_.is_strict && is_rapid) return &diag::CornerNotContour;
+    held_wish_ = wish;
+    place_ = block_place_ = place;
+    empty_blocks_ = 0;
+    return nullptr;
+}
+
 Command& Corners::next() { return fresh_.emplace_back().command; }
 
 void Corners::change(const CompChange& change) {
@@ -153,12 +163,13 @@ Corners::Fault Corners::take_motion(Item& item) {
                              ? item.command.sweep > path::kNoTurn
                              : (in_plane(at_) - in_plane(from)).norm() > path::kSamePoint;
     if (!is_left) return nullptr;  // the corner has taken all of it
-    if (wish_.kind == CornerWish::Kind::None) {
+    if (wish_.kind == CornerWish::Kind::None && !wish_.is_open) {
         settled_.push_back(std::move(item));
         return nullptr;
     }
     place_ = block_place_;
-    if (settings_.is_strict && item.command.op == Op::Rapid) return &diag::CornerNotContour;
+    if (settings_.is_strict && item.command.op == Op::Rapid && !wish_.is_open)
+        return &diag::CornerNotContour;
     wait(std::move(item), from);
     return nullptr;
 }
@@ -175,6 +186,7 @@ void Corners::wait(Item item, const AxisValues& from) {
 // ------------------------------------------------------------------------------ the corner
 
 Corners::Fault Corners::join(Command& next) {
+    if (held_wish_.kind == CornerWish::Kind::None) return nullptr;  // nobody wished for one
     const Command first = held_.front().command;
     if (settings_.is_strict && next.op == Op::Rapid) return &diag::CornerNotContour;
     const Element a = element_of(first, held_from_);

@@ -26,6 +26,7 @@ struct CornerWish {
     double size = 0;         // mm in the base system
     double feed = 0;         // of the inserted element; 0: that of a neighbour
     bool is_modal = false;   // nothing is said where there is no corner
+    bool is_open = false;    // no corner so far: a block behind this one may wish for it
     bool is_square = false;  // along `next` the contour goes on, in the direction of `sign`
     Axis next = Axis::X;
     double sign = 1;
@@ -82,6 +83,10 @@ class Corners {
     bool is_active() const { return is_active_; }
     /// The block that begins now wants a corner. `here` is where the tool is.
     void wish(const CornerWish& wish, const AxisValues& here, const CornerPlace& place);
+
+    /// The block that begins now wants a corner at the end of the motion before it. Null: it will
+    /// be made as any other; else why there can be none.
+    const DiagnosticRow* wish_behind(const CornerWish& wish, const CornerPlace& place);
 
     /// Where the executor puts a command while corners are active.
     path::Command& next();

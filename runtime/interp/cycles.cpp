@@ -90,7 +90,7 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
     ModalCycle call;
     call.cycle = block.cycle;
     call.given = invocation.given;
-    call.by_form = invocation.by_form;
+    call.by_form = block.cycle_by_form;
     for (std::size_t i = 0; i < info.parameters.size(); ++i) {
         call.arguments[i] = block.argument(invocation, i);
     }
@@ -192,7 +192,7 @@ const Block& Executor::with_depth_apart(const Block& block) {
     if (said == nullptr || cycle_.blocks || is_lathe_ || !is_modal(block.cycle)) return block;
     const int depth = dialect_.cycles()[block.cycle].roles.depth;
     const bool is_said =
-        depth >= 0 && (said->given >> depth & 1u) != 0 && (said->by_form >> depth & 1u) == 0;
+        depth >= 0 && (said->given >> depth & 1u) != 0 && (block.cycle_by_form >> depth & 1u) == 0;
     if (!is_said || plane_in(block) == path::Plane::Xy) return block;
     called_ = block;
     called_.set(Slot::Z, block.argument(*said, static_cast<std::size_t>(depth)));

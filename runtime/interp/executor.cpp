@@ -205,8 +205,9 @@ void Executor::run(const Block& block) {
     if (block.has(Slot::Feed)) set_feed(block);
     if (block.has(Slot::Speed)) program_speed(block);
     if (block.has(Slot::Speed) || owes_speed_) update_spindle(block);
-    if (rounding_ > 0) wish_corner(block, kNone);
-    const bool has_others = polar_.is_on || (block.given & nc::kPolarSlots) != 0;
+    if (wishes_corners()) wish_corner(block, kNone);
+    const bool has_others =
+        polar_.is_on || polar_.is_by_points || (block.given & nc::kPolarSlots) != 0;
     const Block* places = has_others ? with_places(block) : &block;
     if (places == nullptr) return;
     move(*places, kNone);
@@ -225,7 +226,7 @@ void Executor::run_functions(const Block& said) {
     if (block.has(Slot::Feed)) set_feed(block);
     if (actions.tooth_feed) set_tooth_feed(block, *actions.tooth_feed);
     if (actions.preset != nullptr) preset_axes(block, *actions.preset);
-    if (actions.corner != nullptr || rounding_ > 0) wish_corner(block, actions);
+    if (actions.corner != nullptr || wishes_corners()) wish_corner(block, actions);
     if (ended_) return;
     act_before_motion(block, actions);
     if (ended_) return;

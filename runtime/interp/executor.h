@@ -400,6 +400,8 @@ class Executor {
     path::Vec2 place_in_plane() const;
     void switch_polar(bool is_on);
     const nc::Block* with_places(const nc::Block& block);
+    const nc::Block* with_polar_point(const nc::Block& block, const nc::Invocation& point);
+    bool take_pole(const nc::Block& block);
     const nc::Block* with_polar_slots(const nc::Block& block);
     const nc::Block* with_polar_axes(const nc::Block& block);
     bool is_distance(const nc::Block& block, nc::Slot slot) const;
@@ -415,8 +417,12 @@ class Executor {
 
     // cornering.cpp
     void choose_corner(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
+    void take_corner_feed(const nc::Block& block, const nc::Invocation& invocation,
+                          Actions& actions);
     void wish_corner(const nc::Block& block, const Actions& actions);
     void put_wish(const nc::Block& block, CornerWish wish);
+    /// Whether a corner at the end of a motion may still be wished for, by a block behind it.
+    bool wishes_corners() const { return rounding_ > 0 || rules_.corner_in_own_block; }
     bool wish_square_corner(const nc::Block& block, const Target& target);
     bool has_stages() const;
     void settle(const nc::Block& block);

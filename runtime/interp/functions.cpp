@@ -450,6 +450,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             diameter_is_absolute_ = invocation.function == Function::DiameterAbsolute;
             break;
         case Function::Pole: set_pole(block, invocation); break;
+        case Function::PolarPoint: break;  // the motion's matter
         case Function::PolarOn: switch_polar(true); break;
         case Function::PolarOff: switch_polar(false); break;
         case Function::CornerChamfer:

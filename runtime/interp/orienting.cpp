@@ -12,6 +12,7 @@
 #include "interp/executor.h"
 #include "interp/linear.h"
 #include "machine/kinematics.h"
+#include "nc/spelling.h"
 
 namespace kadr::interp {
 
@@ -269,8 +270,9 @@ void Executor::end_length_transformation(Actions& actions) {
 void Executor::check_offset_said(const Block& block) {
     if (!std::exchange(orienting_.owes_offset, false) || orienting_.warned_offset) return;
     orienting_.warned_offset = true;
-    const std::string offset = work_offset_ == 0 ? "G54" : "G" + std::to_string(53 + work_offset_);
-    report(diag::TransformationOffset, block).fix("say it there: `" + offset + "`");
+    DiagnosticBuilder warning = report(diag::TransformationOffset, block);
+    const std::string offset = nc::spelling_of_offset(dialect_, work_offset_);
+    if (!offset.empty()) warning.fix("say it there: `" + offset + "`");
 }
 
 /// What the control refuses while its transformation is a kind of tool length compensation.

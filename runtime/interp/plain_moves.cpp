@@ -20,9 +20,10 @@ bool Executor::is_plain_state() const {
     const bool waits =
         cycle_.blocks || shape_ || open_line_ || is_in_spline() || cycles_said_.behind_motions;
     const bool has_mode = is_transformed() || cycles_said_.modal.is_active || taps_rigidly_ ||
-                          polar_.is_on || modal_.is_incremental || unplaced_ != 0 || owes_speed_ ||
-                          tilting_.carries || tilting_.on_tables || tilting_.open.has_value();
-    return !has_stages() && !area_.acts() && rounding_ == 0 && !waits && !has_mode &&
+                          polar_.is_on || polar_.is_by_points || modal_.is_incremental ||
+                          unplaced_ != 0 || owes_speed_ || tilting_.carries || tilting_.on_tables ||
+                          tilting_.open.has_value();
+    return !has_stages() && !area_.acts() && !wishes_corners() && !waits && !has_mode &&
            !tool_.has_changed && frames_.is_shift();
 }
 

@@ -64,6 +64,9 @@ void Executor::set_pole(const Block& block, const Invocation& invocation) {
     if (from == kPole) place += polar_.pole;
     polar_.pole = place;
     polar_.angle_deg = 0;
+    if (!rules_.center_stays) return;
+    center_[index(plane.first)] = place.x();
+    center_[index(plane.second)] = place.y();
 }
 
 path::Vec2 Executor::place_in_plane() const {
@@ -88,6 +91,14 @@ void Executor::switch_polar(bool is_on) {
 /// was reported.
 const Block* Executor::with_places(const Block& block) {
     if (said_in_polar_ && !cycle_.blocks) said_in_polar_.reset();
+    if (!cycle_.blocks) {
+        if (const Invocation* point = block.find(Function::PolarPoint))
+            return with_polar_point(block, *point);
+        if (block.motion != Function::None) polar_.is_by_points = false;
+        const bool goes_on =
+            polar_.is_by_points && block.has(Slot::Radius) && (block.given & nc::kTargetSlots) == 0;
+        if (goes_on) return with_polar_point(block, {});
+    }
     if ((block.given & nc::kPolarSlots) != 0) return with_polar_slots(block);
     if (!polar_.is_on || cycle_.blocks) return &block;
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
@@ -98,6 +109,70 @@ const Block* Executor::with_places(const Block& block) {
     if (words == 0 || is_place) return &block;
     said_in_polar_ = block;
     return with_polar_axes(block);
+}
+
+/// The end by angle and radius from the pole, in one form with its code or beside none. A radius
+/// that has slipped to the word of an arc is the polar one: such an arc has no other.
+const Block* Executor::with_polar_point(const Block& block, const Invocation& point) {
+    constexpr std::size_t kAngle = 0;
+    constexpr std::size_t kRadius = 1;
+    const bool has_angle = (point.given >> kAngle & 1u) != 0;
+    const bool has_own_radius = (point.given >> kRadius & 1u) != 0;
+    const bool has_radius = has_own_radius || block.has(Slot::Radius);
+    if (block.motion != Function::None) polar_.is_by_points = true;
+    if (!polar_.is_by_points) {
+        report(diag::PolarPointAlone, block, Function::PolarPoint);
+        return nullptr;
+    }
+    if (!take_pole(block)) return nullptr;
+    if (has_radius && modal_.is_incremental) {
+        report(diag::IsoNotSupported, block).arg("a polar radius under incremental dimensions");
+        return nullptr;
+    }
+    Block said = block;
+    said.given &= ~(nc::kCenterSlots | bit(Slot::Radius));
+    if (has_radius)
+        said.set(Slot::PolarRadius,
+                 has_own_radius ? block.argument(point, kRadius) : block.at(Slot::Radius));
+    if (!has_angle) {
+        said.set(Slot::PolarAngle, polar_.angle_deg);
+        said.absolute |= bit(Slot::PolarAngle);
+        return with_polar_slots(said);
+    }
+    // Full turns beyond the angle of the end, of which a helix has several.
+    const double angle_deg = block.argument(point, kAngle);
+    const double turns = std::trunc(angle_deg / kFullTurn);
+    const double rest = angle_deg - turns * kFullTurn;
+    said.set(Slot::PolarAngle, rest);
+    const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
+    const double more = std::abs(turns) - (rest == 0 ? 1 : 0);
+    if (!modal_.is_incremental || !is_arc(motion) || more < 1) return with_polar_slots(said);
+    if ((angle_deg < 0) != (motion == Function::ArcCw)) {
+        report(diag::PolarAngleTooLarge, block, Function::PolarPoint, kAngle).arg(angle_deg);
+        return nullptr;
+    }
+    said.set(Slot::Turns, more);
+    return with_polar_slots(said);
+}
+
+/// The pole is the centre that stays, and the tool's place is where angles and radii count on from;
+/// false: no pole has been said.
+bool Executor::take_pole(const Block& block) {
+    const path::PlaneAxes plane = path::axes_of(modal_.plane);
+    if (rules_.center_stays) {
+        const std::optional<double> first = center_[index(plane.first)];
+        const std::optional<double> second = center_[index(plane.second)];
+        if (!first || !second) {
+            report(diag::PolarPoleMissing, block);
+            return false;
+        }
+        polar_.pole = {*first, *second};
+    }
+    const path::Vec2 arm = place_in_plane() - polar_.pole;
+    polar_.radius = arm.norm();
+    if (arm.norm() > path::kSamePoint)
+        polar_.angle_deg = deg_from_rad(std::atan2(arm.y(), arm.x()));
+    return true;
 }
 
 /// Angle and radius have words of their own.

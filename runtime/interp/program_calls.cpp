@@ -663,7 +663,8 @@ bool Program::State::takes_blocks() const {
 }
 
 nc::LineContext Program::State::context() const {
-    return {frame->is_in_code_call, !modal_calls.empty() && takes_blocks(), options.skip_levels};
+    return {variables.names(), frame->is_in_code_call, !modal_calls.empty() && takes_blocks(),
+            options.skip_levels};
 }
 
 /// Behind a block that moves an axis the modal call is made.

@@ -260,7 +260,8 @@ struct NextTurn {
 
 /// Polar coordinates, in the working plane of the programmed system.
 struct Polar {
-    bool is_on = false;  // the words of the plane's axes are radius and angle
+    bool is_on = false;         // the words of the plane's axes are radius and angle
+    bool is_by_points = false;  // the motion that acts was said with an end by angle and radius
     path::Vec2 pole = path::Vec2::Zero();
     double radius = 0;  // said last, mm
     double angle_deg = 0;

@@ -15,8 +15,8 @@ struct ToldOnce {
     bool rapid = false;  // a rapid into the work
     bool thread_speed = false;
     bool turned_edge = false;  // the spindle stops in a cycle whose plane is turned
-    double bound = 0;      // speed of the spindle that is beyond one
-    bool no_tool = false;  // … or one was called
+    double bound = 0;          // speed of the spindle that is beyond one
+    bool no_tool = false;      // … or one was called
     bool units = false;
     bool preset = false;
     bool measure = false;

@@ -72,9 +72,9 @@ struct Invocation {
     Function function = Function::None;
     std::uint8_t first =
         0;  // of its parameters in Block::arguments, in the order of the vocabulary
-    std::uint16_t by_form = 0;  // bit i: no word says parameter i, the form does (of the first 16)
-    std::uint32_t given = 0;    // bit i: parameter i was given
+    std::uint32_t given = 0;  // bit i: parameter i was given
 };
+static_assert(sizeof(Invocation) == 8, "batches of blocks are full of them");
 
 /// Which cycle a block calls: index into the dialects' common list of cycles (Dialect::cycles).
 using CycleId = std::uint16_t;
@@ -90,18 +90,20 @@ struct Block {
     };
 
     Kind kind = Kind::Nc;
+    XMeasure x_measure = XMeasure::Modal;
     Function motion = Function::None;  // None: the modal motion continues
     SlotMask given = 0;                // which of `values` hold
     SlotMask incremental = 0;  // of the given targets and centres: incremental by themselves
     SlotMask absolute = 0;     // … absolute by themselves; neither: as the modal state says
     std::uint8_t function_count = 0;
     std::uint8_t argument_count = 0;
-    std::int8_t skip = -1;        // optional skip level 0…9; -1 none
-    std::uint16_t skip_also = 0;  // bit n: the block is left out at level n as well
-    XMeasure x_measure = XMeasure::Modal;
-    bool feed_along_arc = false;        // F of a helix is meant along its arc, not its path
-    std::uint8_t rotary_ways = 0;       // of A, B, C: two bits each, a RotaryWay
-    CycleId cycle = 0;                  // holds if Function::Cycle is among the functions
+    std::int8_t skip = -1;         // optional skip level 0…9; -1 none
+    bool feed_along_arc = false;   // F of a helix is meant along its arc, not its path
+    std::uint16_t skip_also = 0;   // bit n: the block is left out at level n as well
+    std::uint8_t rotary_ways = 0;  // of A, B, C: two bits each, a RotaryWay
+    CycleId cycle = 0;             // holds if Function::Cycle is among the functions
+    // Of its parameters, the first 16, bit i: no word says it, the form of the cycle does.
+    std::uint16_t cycle_by_form = 0;
     std::int32_t number = -1;           // N; -1 none
     std::uint32_t line = 0;             // line of the ISO-7bit text it came from or went to, from 1
     SourceId source;                    // statement of the Kadr program behind it
@@ -123,6 +125,7 @@ struct Block {
         feed_along_arc = false;
         rotary_ways = 0;
         cycle = 0;
+        cycle_by_form = 0;
         number = -1;
         line = 0;
         source = {};
@@ -164,6 +167,7 @@ struct Block {
                                                          : fallback;
     }
 };
+static_assert(sizeof(Block) <= 728, "blocks travel in batches of a thousand");
 
 /// Same meaning: what masks and counts do not name is not compared; nor are line and source.
 bool operator==(const Block& a, const Block& b);

@@ -122,6 +122,8 @@ class BlockWriter {
     FormId choose_form(const Block& block, const Invocation& invocation);
     Function effective_motion(const Block& block) const;
     Misfit misfit(const Form& form, const Block& block, const Invocation& invocation) const;
+    void note_refusal(const Form& form, const Block& block, const Invocation& invocation,
+                      const Misfit& misfit) const;
     static std::string misfit_words(std::span<const Parameter> parameters, const Misfit& misfit);
     bool holds(const Form& form, const Block& block, Function asked, bool allow_unknown) const;
     bool is_suppressed(Function function) const;

@@ -5,26 +5,17 @@
 #include <charconv>
 #include <cmath>
 #include <string>
-#include <utility>
 
 #include "base/diagnostics/dialect.h"
 #include "base/numbers.h"
 #include "nc/reader.h"
+#include "nc/spelling.h"
 #include "nc/tables.h"
 #include "nc/writer.h"
 
 namespace kadr::nc {
 
 namespace {
-
-class OneText final : public TextSource {
-  public:
-    explicit OneText(std::string_view text) : text_(text) {}
-    std::string_view next() override { return std::exchange(text_, {}); }
-
-  private:
-    std::string_view text_;
-};
 
 /// `(0=-10, 1=2)` at the front of the text, which is taken off: `(to=-10, retract=2)`.
 std::string named_arguments(const CycleInfo& cycle, std::string_view& text) {
@@ -84,7 +75,7 @@ struct Reading {
 Reading read(const Dialect& dialect, std::string_view text) {
     Reading reading;
     DiagnosticList messages;
-    OneText source(text);
+    WholeText source(text);
     Reader reader(dialect, source, "example", messages);
     std::array<Block, 8> batch;
     while (const std::size_t count = reader.pull(batch)) {
@@ -129,29 +120,6 @@ std::string one_line(std::string_view text) {
     return line;
 }
 
-/// What the blocks are written as in the middle of a program, or why they cannot be written.
-struct Writing {
-    std::string text;
-    std::string fault;
-};
-
-Writing write(const Dialect& dialect, std::span<const Block> blocks) {
-    Writing writing;
-    DiagnosticList messages;
-    Writer writer(dialect, {.number_blocks = false}, messages);
-    writer.begin({"example", 1, "", false}, writing.text);
-    // Another motion before, so that the example's own is written.
-    Block before;
-    const bool is_rapid = !blocks.empty() && blocks[0].motion == Function::Rapid;
-    before.motion = is_rapid ? Function::Line : Function::Rapid;
-    writer.write(before, writing.text);
-    writing.text.clear();
-    for (const Block& block : blocks) writer.write(block, writing.text);
-    while (writing.text.ends_with('\n') || writing.text.ends_with('\r')) writing.text.pop_back();
-    if (!messages.all().empty()) writing.fault = messages.all()[0].message();
-    return writing;
-}
-
 /// The text with line ends as the file may have them.
 std::string without_returns(std::string_view text) {
     std::string out;
@@ -159,6 +127,18 @@ std::string without_returns(std::string_view text) {
         if (c != '\r') out += c;
     }
     return out;
+}
+
+/// Why the text has not the form that its author may have expected; each is said once.
+void note_refusals(const std::vector<Refusal>& refusals, DiagnosticBuilder& message) {
+    constexpr std::size_t kMost = 4;
+    std::vector<std::string> said;
+    for (const Refusal& refusal : refusals) {
+        std::string note = "`" + refusal.pattern + "` is not taken: " + refusal.why;
+        if (std::ranges::find(said, note) != said.end() || said.size() == kMost) continue;
+        message.note(refusal.range, note);
+        said.push_back(std::move(note));
+    }
 }
 
 }  // namespace
@@ -189,19 +169,20 @@ void check_frame(const Dialect& dialect, DiagnosticSink& sink) {
 }
 
 void check_example(const Dialect& dialect, const Example& example, std::span<const Block> blocks,
-                   DiagnosticSink& sink) {
+                   DiagnosticSink& sink, std::vector<Refusal> refusals) {
     std::string meant = with_names(dialect, example.block);
     if (!blocks.empty()) {
-        const Writing writing = write(dialect, blocks);
+        const Spelling writing = spelling_of(dialect, blocks, &refusals);
         const std::string text = without_returns(writing.text);
         if (!writing.fault.empty()) {
             sink.report(diag::DialectExampleSource, example.source_range).arg(writing.fault);
             return;
         }
         if (text != without_returns(example.text)) {
-            sink.report(diag::DialectExampleWritten, example.text_range)
-                .arg(one_line(text))
-                .arg(one_line(example.text));
+            DiagnosticBuilder message =
+                sink.report(diag::DialectExampleWritten, example.text_range);
+            message.arg(one_line(text)).arg(one_line(example.text));
+            note_refusals(refusals, message);
             return;
         }
         if (meant.empty()) {

@@ -7,9 +7,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "nc/block.h"
 #include "nc/dialect.h"
+#include "nc/refusals.h"
 
 namespace kadr::nc {
 
@@ -29,7 +31,9 @@ void check_frame(const Dialect& dialect, DiagnosticSink& sink);
 /// Whether the blocks that an example's source gives are written as its text, and whether the text
 /// reads as what they mean or as what the example says instead. Without blocks (the example has no
 /// source) only the reading is tried. Reported at the attribute that is wrong.
+///
+/// refusals  forms that were passed over when the blocks were made of the source
 void check_example(const Dialect& dialect, const Example& example, std::span<const Block> blocks,
-                   DiagnosticSink& sink);
+                   DiagnosticSink& sink, std::vector<Refusal> refusals = {});
 
 }  // namespace kadr::nc

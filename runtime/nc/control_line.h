@@ -225,8 +225,32 @@ class SymbolTable {
     std::map<std::string, std::uint32_t, std::less<>> by_name_;
 };
 
+/// Numbers of the variables that a program names itself, `#<depth>`, in the order in which its
+/// lines are first read. They hold for the whole run.
+class NameTable {
+  public:
+    /// From 1 on; `name` as the language compares names.
+    std::int64_t number_of(const std::string& name) {
+        const auto [place, is_new] =
+            numbers_.emplace(name, static_cast<std::int64_t>(names_.size()) + 1);
+        if (is_new) names_.push_back(name);
+        return place->second;
+    }
+    /// Empty: no name has the number.
+    std::string_view name_of(std::int64_t number) const {
+        const bool is_there = number >= 1 && static_cast<std::size_t>(number) <= names_.size();
+        return is_there ? std::string_view(names_[static_cast<std::size_t>(number) - 1])
+                        : std::string_view();
+    }
+
+  private:
+    std::map<std::string, std::int64_t> numbers_;
+    std::vector<std::string> names_;
+};
+
 /// How a line is understood beyond what stands in it.
 struct LineContext {
+    NameTable* names = nullptr;     // gets the names of variables; null: the line is only looked at
     bool has_plain_codes = false;   // codes that call a program of their own mean what they are
     bool is_argument = false;       // the words are arguments of a modal call
     std::uint16_t skip_levels = 0;  // bit n: the operator leaves out what has the level n

@@ -28,7 +28,9 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
   public:
     LineCompiler(const DialectTables& tables, const SymbolTable& symbols, std::string_view line,
                  ControlLine& out, const LineContext& context)
-        : CallCompiler(tables, symbols, line, out), context_(context) {}
+        : CallCompiler(tables, symbols, line, out), context_(context) {
+        names_ = context.names;
+    }
 
     std::optional<LineFault> run() {
         auto fault = lex_line(tables_, line_, out_.words, language_.is_present ? this : nullptr);

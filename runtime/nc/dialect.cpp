@@ -11,6 +11,7 @@
 #include "base/units.h"
 #include "nc/check.h"
 #include "nc/load.h"
+#include "nc/refusals.h"
 
 namespace kadr::nc {
 
@@ -111,25 +112,10 @@ void collect_parameters(const std::vector<FormWord>& words, FormParameters& para
     }
 }
 
-/// Whether the form takes the values of the parameters that are given.
-bool takes_values(const Form& form, std::uint32_t given, std::span<const double> values) {
-    const auto is_given = [&](int parameter) { return (given >> parameter & 1u) != 0; };
-    const auto value = [&](int parameter) { return values[static_cast<std::size_t>(parameter)]; };
-    return std::ranges::all_of(form.fixed,
-                               [&](const auto& fixed) {
-                                   return !is_given(fixed.first) ||
-                                          value(fixed.first) == fixed.second;
-                               }) &&
-           std::ranges::all_of(form.when, [&](const Constraint& c) {
-               return !is_given(c.parameter) ||
-                      (value(c.parameter) >= c.least && value(c.parameter) <= c.most);
-           });
-}
-
 }  // namespace
 
-bool Dialect::has_native_cycle(CycleId cycle, std::uint32_t given,
-                               std::span<const double> values) const {
+bool Dialect::has_native_cycle(CycleId cycle, std::uint32_t given, std::span<const double> values,
+                               std::vector<Refusal>* refusals) const {
     if (cycle >= tables_->forms_of_cycle.size()) return false;
     const bool looks_at_values =
         !values.empty() &&
@@ -143,8 +129,11 @@ bool Dialect::has_native_cycle(CycleId cycle, std::uint32_t given,
         for (const int parameter : form.implied) parameters.said |= 1u << parameter;
         for (const auto& [parameter, value] : form.fixed) parameters.said |= 1u << parameter;
         if (form.spindle_parameter >= 0) parameters.said |= 1u << form.spindle_parameter;
-        if (looks_at_values && !takes_values(form, given, values)) return false;
-        return (given & ~parameters.said) == 0 && (parameters.needed & ~given) == 0;
+        std::uint32_t wrong = (given & ~parameters.said) | (parameters.needed & ~given);
+        if (looks_at_values) wrong |= excluded_values(form, given, values);
+        if (wrong != 0 && refusals != nullptr)
+            refusals->push_back(refusal_of(*tables_, form, wrong, given, values));
+        return wrong == 0;
     });
 }
 

@@ -18,6 +18,7 @@
 namespace kadr::nc {
 
 struct DialectTables;  // tables.h, for the rooms of nc only
+struct Refusal;        // refusals.h
 
 /// A machining cycle that dialects may map to a control's own. All dialects share the list of the
 /// common core, so a CycleId means the same everywhere.
@@ -101,11 +102,12 @@ class Dialect {
     /// Whether a cycle of the control takes these parameters (bit i: given), and needs no others.
     /// Where the dialect wants moves otherwise, their values count too; elsewhere a value that the
     /// control cannot take is an error of the writer.
-    bool has_native_cycle(CycleId cycle, std::uint32_t given,
-                          std::span<const double> values = {}) const;
+    /// `refusals` gets the forms that do not fit; null: nobody asks.
+    bool has_native_cycle(CycleId cycle, std::uint32_t given, std::span<const double> values = {},
+                          std::vector<Refusal>* refusals = nullptr) const;
     /// Whether the control can say this function at all.
     bool can_write(Function function) const;
-    /// The increment to which X is written, mm.
+    /// The increment to which X is written, mm; 0 if the control has no X.
     double written_increment(bool is_inch) const;
     /// Member of a modal group at power-on; None if the dialect does not say.
     Function power_on(Group group) const;

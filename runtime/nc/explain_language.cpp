@@ -38,6 +38,11 @@ void explain_range(const VariableForm& form, const VariableRange& range,
 void explain_variables(const Language& language, std::string_view word,
                        std::vector<std::string>& lines) {
     for (const VariableForm& form : language.variables) {
+        if (!form.closing.empty()) {
+            if (word.starts_with(form.name) && word.ends_with(form.closing))
+                explain_range(form, form.ranges[0], lines);
+            continue;
+        }
         if (!form.is_family) {
             if (form.name == word) explain_range(form, form.ranges[0], lines);
             continue;

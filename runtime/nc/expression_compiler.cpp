@@ -228,7 +228,8 @@ bool ExpressionCompiler::take_number() {
     double value = decimal.value;
     bool has_point = decimal.has_point;
     if (words_.has_exponents() && take_exponent(value)) has_point = true;
-    if (!std::isfinite(value)) {
+    const bool is_too_long = rules_.constant_digits != 0 && decimal.digits > rules_.constant_digits;
+    if (is_too_long || !std::isfinite(value)) {
         fail(diag::IsoTooManyDigits, span_from(begin));
         fault_->arguments = {std::string(line_.substr(begin, at_ - begin))};
         return false;
@@ -433,8 +434,8 @@ bool ExpressionCompiler::take_reference(Reference& out) {
     const std::size_t begin = at_;
     out.indices.first = static_cast<std::uint32_t>(out_.code.size());
     const Word word = words_.word_at(at_);
-    const bool is_fine = take_family(word, out) || (!fault_ && take_named(word, out)) ||
-                         (!fault_ && take_symbol(word, out));
+    const bool is_fine = take_own_name(out) || (!fault_ && take_family(word, out)) ||
+                         (!fault_ && take_named(word, out)) || (!fault_ && take_symbol(word, out));
     const bool is_sign = word.text == "#" || word.text == "$";  // without a number or a name
     if (!is_fine && !fault_ && is_sign) return fail_here(diag::ExpressionSyntax);
     if (!is_fine) return fault_ ? false : fail_unknown(word);
@@ -556,6 +557,32 @@ bool ExpressionCompiler::take_named(const Word& word, Reference& out) {
         return true;
     }
     return false;
+}
+
+bool ExpressionCompiler::take_own_name(Reference& out) {
+    const VariableForm* form = nullptr;  // the one with the longest beginning: `#<_` before `#<`
+    std::size_t place = 0;
+    for (std::size_t i = 0; i < language_.variables.size(); ++i) {
+        const VariableForm& other = language_.variables[i];
+        const bool is_here = !other.closing.empty() && words_.starts_with(at_, other.name);
+        if (!is_here || (form != nullptr && form->name.size() > other.name.size())) continue;
+        form = &other;
+        place = i;
+    }
+    if (form == nullptr) return false;
+    const std::size_t begin = at_;
+    const std::size_t first = at_ + form->name.size();
+    const std::size_t close = line_.find(form->closing, first);
+    std::string name = form->name;  // of two families names may be alike
+    for (const char c : line_.substr(first, std::min(close, line_.size()) - first))
+        if (c != ' ' && c != '\t') name += c;
+    if (close == std::string_view::npos || name.size() == form->name.size()) {
+        at_ = std::min(first, line_.size());
+        return fail_here(diag::ExpressionSyntax);
+    }
+    at_ = close + form->closing.size();
+    const std::int64_t number = names_ == nullptr ? 1 : names_->number_of(words_.normal(name));
+    return place_in_family(*form, place, number, begin, out.load);
 }
 
 /// The edge behind the number of a datum, as Quantity::ToolDatum has them. A datum of the whole

@@ -102,6 +102,8 @@ class ExpressionCompiler {
     bool fail_unsupported(const VariableRange& range, std::size_t begin);
     /// `$P_EP[X]`, `$PI`, `TRUE`, `#_ABSIO[1]`
     bool take_named(const Word& word, Reference& out);
+    /// `#<depth>`
+    bool take_own_name(Reference& out);
     bool take_indices(const VariableForm& form, Instruction& load);
     bool take_index(const IndexHole& hole);
     bool take_axis_index();
@@ -120,6 +122,7 @@ class ExpressionCompiler {
     ControlLine& out_;
     std::size_t at_ = 0;
     int depth_ = 0;
+    NameTable* names_ = nullptr;       // of the program's own variables
     bool takes_whole_arrays_ = false;  // a name of an array without indices is one
     std::optional<LineFault> fault_;
 };

@@ -151,10 +151,11 @@ struct IndexHole {
     std::string word;  // Kind::Word: must stand there, `TR`
 };
 
-/// `#{n}`, `R{n}`, `$P_EP[{axis}]`, `#_ABSIO[{n}]`.
+/// `#{n}`, `R{n}`, `$P_EP[{axis}]`, `#_ABSIO[{n}]`, `#<{name}>`.
 struct VariableForm {
     std::string form;
     std::string name;           // the letters before the number or the indices
+    std::string closing;        // stands behind a name of the program's own; empty: it has none
     bool is_family = false;     // a number stands behind the name, or an index in brackets
     bool has_namesake = false;  // of two names alike one has indices
     std::vector<IndexHole> indices;

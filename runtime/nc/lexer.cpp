@@ -7,6 +7,7 @@
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
 #include "base/text.h"
+#include "nc/refused_words.h"
 
 namespace kadr::nc {
 
@@ -91,20 +92,9 @@ class Lexer {
         const std::string known =
             tables_.unsupported_words(rules_.ignores_case ? upper_ascii(written) : written);
         if (!known.empty()) return fail(diag::IsoNotSupported, begin, end, {known});
-        if (is_call(written)) return fail(diag::CallNotAlone, begin, end, {written});
+        if (is_program_call(tables_, written))
+            return fail(diag::CallNotAlone, begin, end, {written});
         if (!fail_at_unsupported()) fail(diag::IsoUnknownWord, begin, end, {written});
-    }
-    /// `L10`: a code and the number of a program behind it.
-    bool is_call(std::string_view written) const {
-        constexpr std::string_view kDigits = "{digits}";
-        return std::ranges::any_of(tables_.language.calls.calls, [&](const CallForm& form) {
-            const std::string_view code = form.code;
-            if (!code.ends_with(kDigits)) return false;
-            const std::size_t letters = code.size() - kDigits.size();
-            return written.size() > letters &&
-                   upper_ascii(written.substr(0, letters)) == code.substr(0, letters) &&
-                   std::ranges::all_of(written.substr(letters), is_digit);
-        });
     }
     /// `A3=`: a letter with a number of its own, behind which `=` stands.
     void fail_assigned(std::size_t begin, const char* otherwise) {
@@ -428,6 +418,12 @@ class Lexer {
         if (found == tables_.passed.end()) return false;
         at_ = found->second.takes_rest ? line_.size() : end;
         if (!is_passed_value(found->second, begin)) return true;
+        const auto count =
+            std::ranges::count(out_.passed, &found->second, &LexedLine::Passed::word);
+        if (found->second.read_max != 0 && count >= found->second.read_max) {
+            fail(diag::IsoAddressTwice, begin, at_, {found->first});
+            return true;
+        }
         out_.passed.push_back(
             {{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)}, &found->second});
         return true;
@@ -728,11 +724,7 @@ class Lexer {
     bool fail_at_axis(std::size_t begin) {
         const std::size_t end = at_;
         const std::string name = upper_ascii(line_.substr(begin, end - begin));
-        const bool takes_axis = std::ranges::any_of(kAxisNames, [&](std::string_view axis) {
-            const AddressId word = tables_.find_address(name + '[' + std::string(axis) + ']');
-            return word != kNoAddress && tables_.addresses[word].kind == Address::Kind::Value;
-        });
-        if (!takes_axis) return false;
+        if (!takes_axis(tables_, name)) return false;
         const std::size_t next = std::min(line_.find_first_not_of(" \t", end), line_.size());
         const std::size_t close =
             next < line_.size() && line_[next] == '[' ? end_of_brackets(next) : next;
@@ -748,26 +740,8 @@ class Lexer {
         const bool is_spindle = is_spindle_name(index);
         if (is_spindle && tables_.passed.contains(name)) return false;
         fail(diag::AxisIndexWrong, first, std::max(last, first + 1),
-             {index, name, is_spindle ? "it is a spindle" : why_no_axis(index)});
+             {index, name, is_spindle ? "it is a spindle" : why_no_axis(tables_, index)});
         return true;
-    }
-
-    /// `S1`, `SPI(2)`
-    static bool is_spindle_name(std::string_view index) {
-        if (index.starts_with("SPI(")) return true;
-        return index.size() > 1 && index[0] == 'S' &&
-               std::ranges::all_of(index.substr(1), [](char c) { return is_digit(c); });
-    }
-
-    std::string why_no_axis(const std::string& index) const {
-        const AddressId other = tables_.find_address(index);
-        if (other != kNoAddress && !tables_.addresses[other].doc.empty())
-            return "it is another word (" + tables_.addresses[other].doc + ')';
-        if (index.find_first_not_of("0123456789") == std::string::npos)
-            return "an axis is said by its name";
-        const bool is_computed = index.find_first_of("($[") != std::string::npos;
-        if (is_computed) return "an axis that is worked out is not read here yet";
-        return "no axis has this name, and a variable is not read here yet";
     }
 
     /// `DIAMONA[X]`: a word of its own by the name with its brackets; `at_` stands at the bracket.
@@ -785,7 +759,6 @@ class Lexer {
         return true;
     }
 
-    /// `=10`, `=AC(10)`, `=IC(-5)`, `=DC(90)`, `="text"`; behind the address.
     /// `F=FPO(100,5)`, which a dialect declares as a call of the name `F=FPO`; `at_` is behind the
     /// sign.
     bool take_call_behind(const Address& head, std::size_t begin) {
@@ -803,6 +776,7 @@ class Lexer {
         return true;
     }
 
+    /// `=10`, `=AC(10)`, `=IC(-5)`, `=DC(90)`, `="text"`; behind the address.
     void take_assigned(AddressId address, std::size_t begin) {
         const Address& head = tables_.addresses[address];
         if (head.kind == Address::Kind::Code &&

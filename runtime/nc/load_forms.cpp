@@ -78,7 +78,26 @@ void FormLoader::load_group(const XmlElement& element) {
     const int group = group_named(needed(element, "name").value);
     attributes_.read_functions(element, "default",
                                tables_.groups[static_cast<std::size_t>(group)].power_on);
+    check_default(element);
     for (const XmlElement& code : element.children) load_code(code, group);
+}
+
+/// What a group begins with is a name alone: a command that needs a parameter would do nothing.
+void FormLoader::check_default(const XmlElement& element) {
+    const XmlAttribute* attribute = element.find("default");
+    if (attribute == nullptr) return;
+    for (const XmlWord& word : words_of(*attribute)) {
+        const std::optional<Function> function = find_function(word.text);
+        if (!function) continue;
+        const std::span<const Parameter> parameters = info(*function).parameters;
+        const auto needed_one = std::ranges::find(parameters, false, &Parameter::is_optional);
+        if (needed_one == parameters.end()) continue;
+        attributes_.fail();
+        attributes_.sink()
+            .report(diag::DialectDefaultParameter, word.range)
+            .arg(word.text)
+            .arg(needed_one->name);
+    }
 }
 
 void FormLoader::load_code(const XmlElement& element, int group) {

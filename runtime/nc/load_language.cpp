@@ -165,7 +165,9 @@ class LanguageLoader {
         form.range = text.value_range;
         if (!read_variable_form(text.value, form)) {
             return attributes_.bad_value(
-                text, "a name is expected, and {n} or indices behind it: `R{n}`, `$P_EP[{axis}]`");
+                text,
+                "a name is expected, and {n}, indices or {name} and a sign behind it: `R{n}`, "
+                "`$P_EP[{axis}]`, `#<{name}>`");
         }
         for (const XmlElement& child : element.children) {
             if (child.name == "range") load_range(child, form);
@@ -196,6 +198,11 @@ class LanguageLoader {
         if (text == "{n}") {
             form.is_family = true;
             return true;
+        }
+        constexpr std::string_view kName = "{name}";
+        if (text.starts_with(kName)) {
+            form.closing = text.substr(kName.size());
+            return !form.closing.empty() && form.closing.find_first_of("{}") == std::string::npos;
         }
         if (text.front() != language_.index_open || text.back() != language_.index_close)
             return false;

@@ -83,6 +83,7 @@ void load_passed(const XmlElement& element, DialectTables& tables, Attributes& a
     passed.meaning = needed(element, "meaning").value;
     attributes.read_flag(element, "warns", passed.is_said);
     attributes.read_flag(element, "rest", passed.takes_rest);
+    attributes.read_number(element, "read_max", passed.read_max);
     attributes.read_number(element, "least", passed.least);
     attributes.read_number(element, "most", passed.most);
     for (const XmlWord& word : words_of(needed(element, "words"))) {

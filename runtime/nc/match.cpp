@@ -465,13 +465,16 @@ class Matcher {
         }
         const Function said = form.is_preset ? Function::CyclePreset : form.function;
         if (Fault fault = say(said, head, tables_.parameters(form).size())) return fault;
-        if (form.function == Function::Cycle) block_.cycle = form.cycle;
+        if (form.function == Function::Cycle) {
+            block_.cycle = form.cycle;
+            block_.cycle_by_form = 0;
+        }
         const auto invocation = static_cast<std::uint8_t>(block_.function_count - 1u);
         for (const auto& [parameter, value] : form.fixed) {
             block_.set_argument(block_.functions[invocation], static_cast<std::size_t>(parameter),
                                 value);
-            if (parameter < 16)
-                block_.functions[invocation].by_form |= static_cast<std::uint16_t>(1u << parameter);
+            if (form.function == Function::Cycle && parameter < 16)
+                block_.cycle_by_form |= static_cast<std::uint16_t>(1u << parameter);
         }
         WordSet left = fit.taken;
         left[head] = false;
@@ -487,7 +490,8 @@ class Matcher {
             }
         }
         for (const Function also : form.sets) {
-            if (modal_[static_cast<std::size_t>(info(also).group)] == also) continue;
+            const Group group = info(also).group;
+            if (group != Group::Motion && modal_[static_cast<std::size_t>(group)] == also) continue;
             if (Fault fault = say(also, head, 0)) return fault;
         }
         return {};

@@ -57,6 +57,18 @@ std::string shown(const Form& form) {
     return out;
 }
 
+/// The words of the pattern before its first hole, as the control spells them: `G05.1 Q1` of
+/// `G05.1 Q1 R{?}`; empty if it begins with one.
+std::string fixed_words(const Form& form) {
+    std::string pattern = first_line(form);
+    const std::size_t hole = pattern.find('{');
+    if (hole == std::string::npos) return pattern;
+    const std::size_t blank = pattern.rfind(' ', hole);
+    pattern.resize(blank == std::string::npos ? 0 : blank);
+    while (pattern.ends_with(' ')) pattern.pop_back();
+    return pattern;
+}
+
 Hole hole_of(const Claim& claim, const DialectTables& tables) {
     Hole hole;
     hole.dimension = claim.dimension;
@@ -106,9 +118,8 @@ class Planner {
             const bool is_empty = form.function == Function::None && form.sets.empty();
             if (form.lost == "nothing" || (form.lost.empty() && !is_empty)) continue;
             const SourceWord& head = head_of(form);
-            const std::string pattern = first_line(form);
-            LostWord word{pattern, form.lost, head.range};
-            if (pattern.find('{') != std::string::npos) word.text = text_of(head);
+            LostWord word{fixed_words(form), form.lost, head.range};
+            if (word.text.empty()) word.text = text_of(head);
             if (word.why.empty()) word.why = "the language has no meaning for it";
             found.push_back(std::move(word));
         }

@@ -255,8 +255,9 @@ struct AlarmAbout {
 /// A word of the control on which nothing that Kadr executes depends, with its brackets and value.
 struct PassedWord {
     std::string meaning;
-    bool is_said = false;     // that it has no effect here: on the control it has one
-    bool takes_rest = false;  // whatever stands behind it in the line belongs to it
+    bool is_said = false;       // that it has no effect here: on the control it has one
+    bool takes_rest = false;    // whatever stands behind it in the line belongs to it
+    std::uint8_t read_max = 0;  // words of the name in a block; 0: no limit
     // What a number behind `=` may be; another one is an alarm.
     double least = -std::numeric_limits<double>::infinity();
     double most = std::numeric_limits<double>::infinity();

@@ -10,7 +10,7 @@
 
 namespace kadr::nc {
 
-enum class Function : std::uint8_t {
+enum class Function : std::uint16_t {
 #define KADR_FUNCTION(id, name, group, parameters, meaning) id,
 #include "nc/vocabulary.def"
 #undef KADR_FUNCTION

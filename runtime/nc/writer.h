@@ -8,15 +8,17 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "nc/dialect.h"
 
 namespace kadr::nc {
 
 struct WriteOptions {
-    bool verbose_modal = false;  // repeat modal words
-    bool number_blocks = true;   // as the dialect says; false: never
-    bool native_cycles = true;   // false: cycles have been expanded by the caller
+    bool verbose_modal = false;                // repeat modal words
+    bool number_blocks = true;                 // as the dialect says; false: never
+    bool native_cycles = true;                 // false: cycles have been expanded by the caller
+    std::vector<Refusal>* refusals = nullptr;  // gets the forms that were passed over; null: nobody
 };
 
 struct ProgramInfo {

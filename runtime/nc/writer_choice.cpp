@@ -1,11 +1,14 @@
 // Which form says a function: what it needs, what must not act, and why none fits.
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "base/assert.h"
 #include "base/diagnostics/dialect.h"
 #include "nc/block_writer.h"
 #include "nc/frame_words.h"
+#include "nc/quoted.h"
+#include "nc/refusals.h"
 
 namespace kadr::nc {
 
@@ -129,6 +132,7 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
             if (is_own) {
                 const Misfit why = misfit(form, block, invocation);
                 if (!why.is_none()) {
+                    if (options_.refusals != nullptr) note_refusal(form, block, invocation, why);
                     if (!nearest || why.count() < nearest->count()) nearest = why;
                     continue;
                 }
@@ -167,6 +171,21 @@ FormId BlockWriter::choose_form(const Block& block, const Invocation& invocation
     }
     cannot_express(block, what);
     return kNoForm;
+}
+
+/// Tells whoever looks on that the form was passed over.
+void BlockWriter::note_refusal(const Form& form, const Block& block, const Invocation& invocation,
+                               const Misfit& misfit) const {
+    std::array<double, kMaxArguments> values{};
+    const std::size_t count = std::min(tables_.parameters(form).size(), values.size());
+    for (std::size_t i = 0; i < count; ++i) values[i] = block.argument(invocation, i, 0);
+    Refusal refusal = refusal_of(tables_, form, misfit.parameters, invocation.given,
+                                 std::span(values).first(count));
+    if (misfit.state != Function::None) {
+        if (!refusal.why.empty()) refusal.why += ", ";
+        refusal.why += quoted(info(misfit.state).name) + " is not active";
+    }
+    options_.refusals->push_back(std::move(refusal));
 }
 
 /// " with this `back`": what the control does not take as it was given; " unless `absolute` is
