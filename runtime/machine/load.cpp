@@ -329,7 +329,7 @@ class MachineBuilder {
         function.acts = static_cast<FunctionTime>(
             reader.choice("acts", kFunctionTimes).value_or(is_off ? 2 : 0));
         function.waits = reader.choice("waits", kYesNo).value_or(0) == 0;
-        if (described_.is_first("function " + text, reader.place("code")))
+        if (described_.is_first("function M" + std::to_string(function.code), reader.place("code")))
             machine_.functions.push_back(function);
     }
 
@@ -441,6 +441,11 @@ class MachineBuilder {
         laser.mode = static_cast<PulseMode>(reader.choice("mode", kPulseModes).value_or(0));
         laser.power = reader.positive("power", Dimension::Power).value_or(0);
         laser.least_power = reader.magnitude("least_power", Dimension::Power).value_or(0);
+        if (laser.power > 0 && laser.least_power > laser.power) {
+            sink_.report(diag::LaserLeastPower, reader.place("least_power"))
+                .arg(laser.least_power)
+                .arg(laser.power);
+        }
         machine_.laser = laser;
         laser_place_ = reader.place("pulse");
     }

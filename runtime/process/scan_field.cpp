@@ -15,6 +15,10 @@ constexpr double kFinest = 1.0 / 65536;
 // Places looked at between the ends of a vector that shall stand for a bent way.
 constexpr std::size_t kProbes = 7;
 constexpr std::size_t kMostProbes = 1024;
+// Of the tolerance, what the places that are looked at may take.
+constexpr double kOfTolerance = 0.95;
+// A place on a way to a millionth of a cell.
+constexpr int kHalvings = 20;
 // Rounding of frames and of the matrix, mm: no place beyond the field.
 constexpr double kRounding = 1e-6;
 
@@ -114,17 +118,52 @@ std::size_t ScanField::probes(const Way& way, double from, double to) const {
     return std::clamp(static_cast<std::size_t>(std::ceil(crossed)), kProbes, kMostProbes);
 }
 
+/// Where a way crosses a line of the table between two places that are no farther apart than a
+/// cell: by its share, along X and along Y.
+std::vector<double> ScanField::kinks(const Way& way, const FieldStep& from,
+                                     const FieldStep& to) const {
+    std::vector<double> shares;
+    const machine::FieldGrid& grid = scanner_.correction;
+    if (grid.is_empty()) return shares;
+    for (const Eigen::Index axis : {0, 1}) {
+        const std::vector<double>& values = axis == 0 ? grid.x : grid.y;
+        const auto cell = [&](const FieldStep& step) {
+            return cell_of(values, step.field[axis]).index;
+        };
+        const std::size_t first = cell(from);
+        if (first == cell(to)) continue;
+        double inside = from.share;
+        double beyond = to.share;
+        for (int i = 0; i < kHalvings; ++i) {
+            const double middle = (inside + beyond) / 2;
+            (cell(at(way, middle)) == first ? inside : beyond) = middle;
+        }
+        shares.push_back(beyond);
+    }
+    return shares;
+}
+
 bool ScanField::is_straight(const Way& way, double from, double to) const {
     if (cell_ == 0 && std::holds_alternative<path::Line>(way.curve)) return true;
     if (to - from <= kFinest) return true;
-    const Vec2 start = at(way, from).to;
-    const Vec2 end = at(way, to).to;
+    const FieldStep start = at(way, from);
+    const FieldStep end = at(way, to);
+    // Between the places that are looked at the way bends by little of what it bends in all.
+    const double most = kOfTolerance * scanner_.chord_tolerance;
+    const auto is_near = [&](const FieldStep& step) {
+        return distance_to_chord(step.to, start.to, end.to) <= most;
+    };
     const std::size_t count = probes(way, from, to);
-    for (std::size_t i = 1; i <= count; ++i) {
+    FieldStep before = start;
+    for (std::size_t i = 1; i <= count + 1; ++i) {
         const double share =
             std::lerp(from, to, static_cast<double>(i) / static_cast<double>(count + 1));
-        if (distance_to_chord(at(way, share).to, start, end) > scanner_.chord_tolerance)
-            return false;
+        const FieldStep step = i > count ? end : at(way, share);
+        if (!is_near(step)) return false;
+        // A way has a kink where it comes into another cell.
+        for (const double kink : kinks(way, before, step))
+            if (!is_near(at(way, kink))) return false;
+        before = step;
     }
     return true;
 }

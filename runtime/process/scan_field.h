@@ -51,6 +51,7 @@ class ScanField {
     FieldStep at(const Way& way, double share) const;
     bool is_straight(const Way& way, double from, double to) const;
     void cut(const Way& way, double from, double to, std::vector<FieldStep>& out) const;
+    std::vector<double> kinks(const Way& way, const FieldStep& from, const FieldStep& to) const;
     std::size_t probes(const Way& way, double from, double to) const;
 
     const machine::Scanner& scanner_;

@@ -257,6 +257,46 @@ TEST(Scanner, TheTableCorrects) {
     EXPECT_EQ(vectors, 16u);
 }
 
+// A table of rough steps bends a straight mark at every line that it crosses: no place of the mark
+// is farther from its vectors than the tolerance.
+TEST(Scanner, MarksKeepTheToleranceAtTheLinesOfTheTable) {
+    machine::Machine machine = scanner_of();
+    machine::FieldGrid& grid = machine.scanner->correction;
+    constexpr int kLines = 11;
+    for (int i = 0; i < kLines; ++i) grid.x.push_back(-50 + 10 * i);
+    grid.y = grid.x;
+    for (int i = 0; i < kLines * kLines; ++i) {
+        grid.dx.push_back(0.02 * ((i * 7) % 5 - 2));
+        grid.dy.push_back(0.02 * ((i * 11) % 7 - 3));
+    }
+    const ScanField field(*machine.scanner);
+    const double tolerance = machine.scanner->chord_tolerance;
+    for (int k = 0; k < 40; ++k) {
+        SCOPED_TRACE(k);
+        const Vec3 from(-45 + k, 40 - 1.7 * k, 0);
+        const Vec3 to(47 - 1.3 * k, -44 + 0.9 * k, 0);
+        const path::Curve mark = path::Line{from, to};
+        const std::vector<FieldStep> steps = field.vectors(mark, Vec3::Zero());
+        Vec2 begin = field.corrected(from.head<2>());
+        double done = 0;
+        double farthest = 0;
+        for (const FieldStep& step : steps) {
+            constexpr int kPlaces = 50;
+            for (int i = 1; i < kPlaces; ++i) {
+                const double share = std::lerp(done, step.share, i / double{kPlaces});
+                const Vec2 place = field.corrected((from + share * (to - from)).head<2>());
+                const Vec2 chord = step.to - begin;
+                const double along =
+                    std::clamp((place - begin).dot(chord) / chord.squaredNorm(), 0.0, 1.0);
+                farthest = std::max(farthest, (place - begin - along * chord).norm());
+            }
+            begin = step.to;
+            done = step.share;
+        }
+        EXPECT_LE(farthest, tolerance);
+    }
+}
+
 TEST(Scanner, LongListsAreCut) {
     machine::Machine machine = scanner_of();
     machine.scanner->list_size = 10;
