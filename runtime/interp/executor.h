@@ -698,6 +698,7 @@ class Executor {
     bool stops_exactly(bool once = false) const;
     void put_panel(path::Command& command) const;
     double compressing(path::Op op) const;
+    void choose_high_speed(const nc::Block& block, const nc::Invocation& invocation);
     void choose_smoothing(const nc::Block& block, const nc::Invocation& invocation);
     void frame_changed();
     AxisMask plane_mask() const;

@@ -402,6 +402,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::BlendRapidDistance:
         case Function::PathTolerance:
         case Function::OrientTolerance:
+        case Function::HighSpeed:
         case Function::CompressOn:
         case Function::CompressOff: choose_smoothing(block, invocation); break;
         case Function::MachineCoordinates: actions.machine_coordinates = true; break;
