@@ -528,6 +528,8 @@ class Executor {
     void change_space_comp(const CompChange& change);
     bool is_in_space(CompChange::Kind kind) const;
     bool is_comp_in_plane(const nc::Block& block, nc::Function function);
+    path::Mat3 comp_lie() const;
+    path::Mat3 plane_lie() const;
     SpaceCompSettings space_comp_settings() const;
     path::Vec3 tool_direction() const;
     void change_comp(const CompChange& change);

@@ -207,6 +207,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::CompCheckOff:
         case Function::CompAllowance:
         case Function::CompInPlane:
+        case Function::CompInFrame:
         case Function::CompBySide:
         case Function::CompByFace:
         case Function::CompByFaceInFrame:
