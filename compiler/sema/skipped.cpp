@@ -41,6 +41,7 @@ bool stays_unsaid(nc::Function function) {
         case Function::BlendRapidDistance:
         case Function::PathTolerance:
         case Function::OrientTolerance:
+        case Function::HighSpeed:
         case Function::CyclePreset:
         case Function::CycleModal:
         case Function::Cycle: return true;

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
 #include "interp/executor.h"
@@ -16,6 +18,7 @@ using nc::Invocation;
 
 namespace {
 
+constexpr double kSameLie = 1e-9;          // of planes: the rounding of frames
 constexpr std::size_t kCheckedBlocks = 3;  // MD20240 CUTCOM_MAXNUM_CHECK_BLOCKS
 
 /// Where the tip lies, seen from the centre of the nose, in Z and X.
@@ -48,6 +51,10 @@ void Executor::choose_comp(const Block& block, const Invocation& invocation, Act
         case Function::CompCheckOff: comp_.has_check = false; break;
         case Function::CompAllowance: comp_.allowance = block.argument(invocation, 0); break;
         case Function::CompInPlane:
+        case Function::CompInFrame:
+            comp_.system = Function::CompInPlane;
+            comp_.is_in_frame = invocation.function == Function::CompInFrame;
+            break;
         case Function::CompBySide:
         case Function::CompByFace:
         case Function::CompByFaceInFrame:
@@ -102,7 +109,7 @@ void Executor::act_on_comp(const Block& block, const Actions& actions) {
 /// A direction of the programmed system as one in the plane of the base system; none: it has no
 /// length there.
 std::optional<path::Vec2> Executor::direction_in_base(const path::Vec3& programmed) const {
-    const path::Vec3 base = frames_.total().direction(programmed);
+    const path::Vec3 base = comp_lie().transpose() * frames_.total().direction(programmed);
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
     const path::Vec2 direction{base[static_cast<Eigen::Index>(index(axes.first))],
                                base[static_cast<Eigen::Index>(index(axes.second))]};
@@ -221,7 +228,7 @@ path::Vec3 Executor::tool_direction() const {
 
 SpaceCompSettings Executor::space_comp_settings() const {
     SpaceCompSettings settings;
-    if (orienting_.is_on) settings.chain = &machine_.kinematics->chain;
+    if (orienting_.is_on) settings.turner = {&machine_.kinematics->chain, joint_limits()};
     settings.direction = tool_direction();
     settings.cutter.contact.kind = path::ContactKind::Side;
     settings.cutter.contact.depth = comp_.depth;
@@ -295,7 +302,31 @@ CompSettings Executor::comp_settings() const {
     settings.takes_inverse_time = rules_.comp_takes_inverse_time;
     settings.empty_blocks = rules_.comp_empty_blocks;
     settings.more_empty_is_fault = rules_.comp_more_empty_is_alarm;
+    if (orienting_.is_on) settings.turner = {&machine_.kinematics->chain, joint_limits()};
+    settings.lie = comp_lie();
     return settings;
+}
+
+/// How the plane lies in which the cutter is compensated: that of the base system, or that of the
+/// program, if frames have tilted it; there left and right are the program's.
+path::Mat3 Executor::comp_lie() const {
+    const bool is_in_base = rules_.comp_in_base_plane && !tilting_.is_on && !comp_.is_in_frame;
+    return is_in_base ? path::Mat3::Identity() : plane_lie();
+}
+
+/// How the plane of the program lies, if frames have tilted it.
+path::Mat3 Executor::plane_lie() const {
+    if (!frames_.is_tilted(modal_.plane)) return path::Mat3::Identity();
+    const path::PlaneAxes axes = path::axes_of(modal_.plane);
+    const path::Frame& frame = frames_.total();
+    const path::Vec3 first = frame.direction(path::unit(axes.first)).normalized();
+    const path::Vec3 second = frame.direction(path::unit(axes.second));
+    const path::Vec3 normal = first.cross(second).normalized();
+    path::Mat3 lie;
+    lie.col(static_cast<Eigen::Index>(index(axes.first))) = first;
+    lie.col(static_cast<Eigen::Index>(index(axes.second))) = normal.cross(first);
+    lie.col(static_cast<Eigen::Index>(index(axes.normal))) = normal;
+    return lie;
 }
 
 /// Number of the offset whose radius acts, 0 for none; nothing: no edge of a tool acts.
@@ -320,7 +351,8 @@ void Executor::take_comp_tool(const Block& block, std::int64_t number, CompChang
             .arg(ToolOffsets::tool_of(number));
     }
     const bool is_left =
-        (comp_.side == Function::RadiusCompLeft) != frames_.is_mirrored(modal_.plane);
+        (comp_.side == Function::RadiusCompLeft) !=
+        (change.settings.lie == path::Mat3::Identity() && frames_.is_mirrored(modal_.plane));
     change.distance = (radius + comp_.allowance) * (is_left ? 1 : -1);
     if (is_turned) change.aside = radius * tip_direction(tip);
 }
@@ -336,11 +368,9 @@ void Executor::settle_comp(const Block& block, const AxisValues& here, bool is_l
         if (!alarmed_ && !alarm && ended_ && is_last) alarm = space_comp_.flush();
         return take_comp(alarm);
     }
-    if (!alarmed_ && modal_.plane != compensation_.plane()) {
-        report(diag::CompPlane, block);
-    } else if (!alarmed_ && frames_.is_tilted(modal_.plane)) {
-        report(diag::IsoNotSupported, block).arg("cutter radius compensation in a tilted plane");
-    }
+    const bool is_same_plane =
+        modal_.plane == compensation_.plane() && compensation_.lie().isApprox(comp_lie(), kSameLie);
+    if (!alarmed_ && !is_same_plane) report(diag::CompPlane, block);
     if (!alarmed_) alarm = compensation_.end_block(here, block);
     if (!alarmed_ && !alarm && ended_ && is_last) alarm = compensation_.flush();
     take_comp(alarm);

@@ -8,6 +8,8 @@
 #include <Eigen/Geometry>
 
 #include "base/diagnostics/iso.h"
+#include "interp/turned_command.h"
+#include "machine/kinematics.h"
 
 namespace kadr::interp {
 
@@ -48,13 +50,15 @@ const DiagnosticRow* row_of(CompFault fault) {
 
 void Compensation::begin(const CompSettings& settings, path::Plane plane, double distance,
                          const AxisValues& here) {
-    if (state_ == State::Off) shown_ = here;
-    meant_ = here;
+    const AxisValues shown = state_ == State::Off ? here : place();
     settings_ = settings;
+    lie_ = settings.lie;
+    lies_aside_ = lie_ != path::Mat3::Identity();
     plane_ = plane;
     axes_ = path::axes_of(plane);
     distance_ = distance;
-    here_ = here;
+    here_ = meant_ = into_plane(here);
+    shown_ = into_plane(shown);
     corners_ = path::RadiusComp(settings.corners);
     has_last_ = approaches_ = keeps_vector_ = is_paused_ = comes_back_ = false;
     leave_direction_.reset();
@@ -98,6 +102,7 @@ std::optional<CompAlarm> Compensation::stop() {
 }
 
 void Compensation::begin_soft_approach(Command motion) {
+    motion = into_plane(std::move(motion));
     lead(motion);
     begin_approach(motion);
     goes_straight_ = true;
@@ -126,7 +131,8 @@ std::optional<CompAlarm> Compensation::round_corner(const Command& motion,
 
 std::optional<CompAlarm> Compensation::flush() {
     const Command nowhere;
-    const Fault fault = finish();
+    Fault fault = finish();
+    if (std::exchange(cannot_turn_, false)) fault = &diag::CompTurnsInside;
     if (fault == nullptr) return std::nullopt;
     return alarm(fault, held_.empty() ? nowhere : held_.back().command);
 }
@@ -155,6 +161,7 @@ std::optional<CompAlarm> Compensation::end_block(const AxisValues& here, const n
     bool has_moved = false;
     for (std::size_t i = 0; i < fresh_.size(); ++i) {
         Command& command = fresh_[i];
+        if (!command.machine_coordinates) command = into_plane(std::move(command));
         has_moved = has_moved || (path::is_motion(command.op) && moves_on(command));
         // Over a place to a place of the machine: the cutter leaves the contour on the way there.
         const bool leaves = state_ == State::On && path::is_motion(command.op) &&
@@ -169,7 +176,9 @@ std::optional<CompAlarm> Compensation::end_block(const AxisValues& here, const n
         if (leaves) state_ = State::On;
     }
     fresh_.clear();
-    here_ = here;
+    if (std::exchange(cannot_turn_, false))
+        return CompAlarm{&diag::CompTurnsInside, block.source, block.line};
+    here_ = into_plane(here);
     if (is_on_contour()) lead(here_);
     keeps_vector_ = false;
     if (has_moved || !has_last_) {
@@ -200,12 +209,15 @@ Compensation::Fault Compensation::take(Command& command, const AxisValues& behin
         // For this way the compensation is taken back, and it begins anew behind it.
         if (const Fault fault = finish()) return fault;
         if (state_ == State::On) state_ = State::Starting;
-        // Axes that it does not name stay where the cutter is.
-        for (const Axis axis : {axes_.first, axes_.second}) {
-            if ((command.moved & bit(axis)) == 0) command.to[index(axis)] = shown_[index(axis)];
+        const AxisValues stood = shown_;
+        here_ = shown_ = into_plane(behind);
+        if (!lies_aside_) {
+            // Axes that it does not name stay where the cutter is.
+            for (const Axis axis : {axes_.first, axes_.second}) {
+                if ((command.moved & bit(axis)) == 0) command.to[index(axis)] = stood[index(axis)];
+            }
+            set_in_plane(shown_, in_plane(command.to));
         }
-        here_ = shown_ = behind;
-        set_in_plane(shown_, in_plane(command.to));
         meant_ = shown_;
         settled_.push_back(std::move(command));
         return nullptr;
@@ -260,19 +272,21 @@ Compensation::Fault Compensation::follow_kept(Command& command) {
     }
     const Vec2 vector = in_plane(shown_) - in_plane(here_);
     const Vec2 to = in_plane(command.to) + vector;
-    here_ = meant_ = command.to;
+    const AxisValues programmed = command.to;
     emit_line({std::move(command), 0, 0, false}, to, false);
+    here_ = meant_ = programmed;
     return nullptr;
 }
 
 /// As it is programmed, so far beside as the contour before has ended.
 Compensation::Fault Compensation::follow_paused(Command& command) {
     const Vec2 vector = in_plane(shown_) - in_plane(here_);
-    here_ = meant_ = command.to;
+    const AxisValues to = command.to;
     set_in_plane(command.to, in_plane(command.to) + vector);
     command.center[static_cast<Eigen::Index>(index(axes_.first))] += vector.x();
     command.center[static_cast<Eigen::Index>(index(axes_.second))] += vector.y();
-    put(std::move(command));
+    put_beside(std::move(command), to);
+    here_ = meant_ = to;
     return nullptr;
 }
 
@@ -417,9 +431,10 @@ void Compensation::emit(const CompPiece& piece) {
 void Compensation::emit_empty() {
     Held& held = held_.front();
     if (!path::is_motion(held.command.op)) return settled_.push_back(std::move(held.command));
-    meant_ = held.command.to;
+    const AxisValues to = held.command.to;
     set_in_plane(held.command.to, in_plane(shown_));
-    put(std::move(held.command));
+    put_beside(std::move(held.command), to);
+    meant_ = to;
 }
 
 void Compensation::emit_line(const Held& held, const Vec2& to, bool is_inserted) {
@@ -428,10 +443,11 @@ void Compensation::emit_line(const Held& held, const Vec2& to, bool is_inserted)
     if (is_inserted) {
         command.to = shown_;
         command.exact_stop = false;
+        stand_tool(command);
     }
     set_in_plane(command.to, to);
     // What nothing is left of is no block: an exact stop has its corner.
-    if (!is_same(command.to, shown_)) put(std::move(command));
+    if (!is_same(command.to, shown_)) put_beside(std::move(command), held.command.to);
 }
 
 void Compensation::emit_arc(const Held& held, const CompPiece& piece) {
@@ -444,6 +460,7 @@ void Compensation::emit_arc(const Held& held, const CompPiece& piece) {
         command.center = {shown_[0], shown_[1], shown_[2]};
         command.exact_stop = false;
         command.turns = 0;
+        stand_tool(command);
     } else if (held.radius > 0 && (held.feed == CompFeed::Contour ||
                                    (held.feed == CompFeed::Inside && radius < held.radius))) {
         command.feed *= radius / held.radius;
@@ -454,7 +471,28 @@ void Compensation::emit_arc(const Held& held, const CompPiece& piece) {
     command.normal = path::unit(axes_.normal) * (arc.sweep > 0 ? 1 : -1);
     command.sweep = std::abs(arc.sweep) + 2 * pi * command.turns;
     command.is_clockwise = arc.sweep < 0;
+    if (!piece.is_inserted) turn_along_arc(held, arc, command);
     put(std::move(command));
+}
+
+/// The tool that is led by a second point of its axis keeps its direction on an arc beside the
+/// programmed one: about the same centre, of which corners have left a part.
+void Compensation::turn_along_arc(const Held& held, const Element& arc, Command& command) const {
+    if (command.turning != path::Turning::Point) return;
+    const double radius = path::radius(arc);
+    const double scale = radius > path::kSamePoint ? held.radius / radius : 0;
+    shift_point({linear(meant_), linear(held.command.to), beside_center(arc, scale, shown_),
+                 beside_center(arc, scale, command.to)},
+                command);
+    command.turn_outwards = held.radius - radius;
+}
+
+/// A place on the way beside an arc as it lies on the programmed one.
+path::Vec3 Compensation::beside_center(const Element& arc, double scale,
+                                       const AxisValues& at) const {
+    AxisValues place = at;
+    set_in_plane(place, arc.center + scale * (in_plane(at) - arc.center));
+    return linear(place);
 }
 
 /// The arc about a corner that has been made more pointed; at rapid the tangents at its ends and at
@@ -471,6 +509,7 @@ void Compensation::emit_conic(const Held& held, const CompPiece& piece) {
     command.op = Op::Spline;
     command.to = shown_;
     command.exact_stop = false;
+    stand_tool(command);
     AxisValues apex = shown_;
     set_in_plane(apex, piece.apex);
     command.spline.degree = 2;
@@ -495,8 +534,24 @@ void Compensation::emit_rapid_around(const Held& held, const Element& arc) {
 
 void Compensation::put(Command command) {
     command.moved = static_cast<AxisMask>(command.moved | bit(axes_.first) | bit(axes_.second));
-    shown_ = command.to;
-    settled_.push_back(std::move(command));
+    const AxisValues from = out_of_plane(std::exchange(shown_, command.to));
+    if (!put_turned(settings_.turner, from, out_of_plane(std::move(command)), settled_))
+        cannot_turn_ = true;
+}
+
+/// … that is no arc: from where the last one was programmed to end.
+void Compensation::put_beside(Command command, const AxisValues& programmed_to) {
+    shift_point({linear(meant_), linear(programmed_to), linear(shown_), linear(command.to)},
+                command);
+    put(std::move(command));
+}
+
+/// What a corner inserts the tool passes as it stands.
+void Compensation::stand_tool(Command& command) const {
+    if (settings_.turner.chain == nullptr || command.turning == path::Turning::None) return;
+    const machine::Chain& chain = *settings_.turner.chain;
+    command.turning = path::Turning::Axes;
+    command.direction = lie_.transpose() * machine::tool_vector(chain, joints_at(chain, shown_));
 }
 
 Command Compensation::as_far_beside(Command command) const {
@@ -539,6 +594,32 @@ Element Compensation::element_of(const Command& command) const {
     const bool is_left = command.normal.dot(path::unit(axes_.normal)) > 0;
     arc.sweep = (command.sweep - 2 * pi * command.turns) * (is_left ? 1 : -1);
     return arc;
+}
+
+AxisValues Compensation::into_plane(const AxisValues& base) const {
+    if (!lies_aside_) return base;
+    AxisValues values = base;
+    turn(lie_.transpose(), values);
+    return values;
+}
+
+AxisValues Compensation::out_of_plane(const AxisValues& values) const {
+    if (!lies_aside_) return values;
+    AxisValues base = values;
+    turn(lie_, base);
+    return base;
+}
+
+Command Compensation::into_plane(Command command) const {
+    if (lies_aside_ && path::is_motion(command.op)) turn(lie_.transpose(), command);
+    return command;
+}
+
+Command Compensation::out_of_plane(Command command) const {
+    if (!lies_aside_ || !path::is_motion(command.op)) return command;
+    turn(lie_, command);
+    command.moved |= kLinearXYZ;
+    return command;
 }
 
 Vec2 Compensation::in_plane(const AxisValues& values) const {

@@ -13,6 +13,7 @@
 
 #include "base/diagnostic.h"
 #include "interp/rules.h"
+#include "interp/turns_beside.h"
 #include "nc/block.h"
 #include "path/command.h"
 #include "path/frame.h"
@@ -29,6 +30,10 @@ struct CompSettings {
     bool takes_inverse_time = false;  // F of the block as it is programmed
     int empty_blocks = 3;             // without motion in the plane that may stand in a row
     bool more_empty_is_fault = true;  // else the cutter goes to the normal before them
+    ToolTurner turner;                // of a transformation
+    /// Turns the working plane, where it is one of two axes, to where it lies in the base system;
+    /// taken over where the compensation begins.
+    path::Mat3 lie = path::Mat3::Identity();
 };
 
 /// What was wrong, and where: the command of the block.
@@ -61,8 +66,9 @@ class Compensation {
     /// Compensation is over at once: what waits is let go of, and the cutter stays where it is.
     std::optional<CompAlarm> stop();
     /// Where the cutter is, once nothing waits any more.
-    const AxisValues& place() const { return shown_; }
+    AxisValues place() const { return out_of_plane(shown_); }
     path::Plane plane() const { return plane_; }
+    const path::Mat3& lie() const { return lie_; }
 
     /// The motions of the block that follows leave the cutter as far beside the contour as it is.
     void keep_vector() { keeps_vector_ = true; }
@@ -91,8 +97,9 @@ class Compensation {
     /// from what is programmed as it is now.
     template <typename See>
     void look_at_waiting(See see) const {
-        for (const Held& held : held_) see(as_far_beside(held.command));
-        for (const path::Command& command : fresh_) see(as_far_beside(command));
+        for (const Held& held : held_) see(out_of_plane(as_far_beside(held.command)));
+        for (const path::Command& command : fresh_)
+            see(out_of_plane(as_far_beside(into_plane(command))));
     }
 
   private:
@@ -142,7 +149,15 @@ class Compensation {
     void emit_curve_out(path::Command& command);
     double curvature_beside(const path::Element& element) const;
     void put(path::Command command);
+    void put_beside(path::Command command, const AxisValues& programmed_to);
+    void stand_tool(path::Command& command) const;
+    void turn_along_arc(const Held& held, const path::Element& arc, path::Command& command) const;
+    path::Vec3 beside_center(const path::Element& arc, double scale, const AxisValues& at) const;
     path::Command as_far_beside(path::Command command) const;
+    AxisValues into_plane(const AxisValues& base) const;
+    AxisValues out_of_plane(const AxisValues& values) const;
+    path::Command into_plane(path::Command command) const;
+    path::Command out_of_plane(path::Command command) const;
     path::Vec2 in_plane(const AxisValues& values) const;
     void set_in_plane(AxisValues& values, const path::Vec2& at) const;
 
@@ -150,6 +165,8 @@ class Compensation {
     CompSettings settings_;
     path::PlaneAxes axes_;
     path::Plane plane_ = path::Plane::Xy;
+    path::Mat3 lie_ = path::Mat3::Identity();  // of the plane; all that follows lies in it
+    bool lies_aside_ = false;
     double distance_ = 0;
     path::Vec2 aside_ = path::Vec2::Zero();
     AxisValues here_{};   // programmed
@@ -168,6 +185,7 @@ class Compensation {
     bool comes_back_ = false;  // behind a pause: by a line to the contour
     std::optional<path::Vec2> leave_direction_;
     int empty_blocks_ = 0;
+    bool cannot_turn_ = false;  // the tool, as the way beside the contour asks for it
     std::deque<Held> held_;
     std::vector<path::Command> fresh_;
     std::vector<path::Command> settled_;

@@ -111,7 +111,7 @@ void Compensation::emit_curve_in(const Element& first) {
         place(0, end - tangent * reach * 2 / 3 + bend / 6);
         place(1, end - tangent * reach / 3);
     }
-    put(std::move(command));
+    put_beside(std::move(command), held_.front().command.to);
 }
 
 /// The same, travelled back.
@@ -137,7 +137,8 @@ void Compensation::emit_curve_out(Command& command) {
         place(0, from + tangent * reach / 3);
         place(1, from + tangent * reach * 2 / 3 + bend / 6);
     }
-    put(std::move(command));
+    const AxisValues to = command.to;
+    put_beside(std::move(command), to);
 }
 
 }  // namespace kadr::interp

@@ -117,11 +117,8 @@ void Executor::put_wish(const Block& block, CornerWish wish) {
         if (!wish.is_modal) report(diag::ArcStretched, block);
         return;
     }
-    if (frames_.is_tilted(modal_.plane)) {
-        if (wish.is_open) return;
-        report(diag::IsoNotSupported, block).arg("a chamfer or a rounding in a tilted plane");
-        return;
-    }
+    wish.lie = plane_lie();
+    if (corners_.waits_elsewhere(wish.lie)) leave_corners(diag::CornerNotContour);
     const path::PlaneAxes plane = path::axes_of(modal_.plane);
     wish.size *= frames_.total().direction(path::unit(plane.first)).norm();
     const CornerPlace place{block.source, block.line};
@@ -199,8 +196,7 @@ void Executor::leave_corners(const DiagnosticRow& why) {
 }
 
 void Executor::pass_corners() {
-    std::vector<Corners::Item> items;
-    items.swap(corners_.settled());
+    std::vector<Corners::Item> items = corners_.take_settled();
     Block at{};
     bool has_put = false;  // since the last end of a block
     for (Corners::Item& item : items) {

@@ -9,6 +9,7 @@
 
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
+#include "interp/turned_command.h"
 
 namespace kadr::interp {
 
@@ -34,7 +35,11 @@ void keep_speed(Command& command, double share) {
 }  // namespace
 
 void Corners::wish(const CornerWish& wish, const AxisValues& here, const CornerPlace& place) {
-    if (!is_active_) at_ = here;
+    if (!is_active_) {
+        lie_ = wish.lie;
+        at_ = here;
+        turn(lie_.transpose(), at_);
+    }
     block_place_ = place;
     is_active_ = true;
     wish_ = wish;
@@ -63,6 +68,7 @@ std::optional<CornerMessage> Corners::end_block(const AxisValues& here, const Co
     const std::size_t motions = motions_;
     const bool waited = waits_;
     for (Item& item : fresh_) {
+        turn_item(lie_.transpose(), item);
         if (const Fault fault = take(item)) return end_with(*fault);
     }
     fresh_.clear();
@@ -70,6 +76,7 @@ std::optional<CornerMessage> Corners::end_block(const AxisValues& here, const Co
     end.kind = Item::Kind::EndOfBlock;
     end.here = here;
     end.place = place;
+    turn_item(lie_.transpose(), end);
     pass(std::move(end));
     // A wish that found no motion in its own block.
     const bool is_lost = wish_.kind != CornerWish::Kind::None && !wish_.is_modal;
@@ -102,6 +109,30 @@ CornerMessage Corners::end_with(const DiagnosticRow& row) {
     release();
     is_active_ = false;
     return {&row, place_, 0, 0};
+}
+
+std::vector<Corners::Item> Corners::take_settled() {
+    std::vector<Item> items;
+    items.swap(settled_);
+    for (Item& item : items) turn_item(lie_, item);
+    return items;
+}
+
+Corners::Item Corners::in_base(Item item) const {
+    turn_item(lie_, item);
+    return item;
+}
+
+void Corners::turn_item(const path::Mat3& by, Item& item) const {
+    if (lie_ == path::Mat3::Identity()) return;
+    switch (item.kind) {
+        case Item::Kind::Comp: turn(by, item.change.here); return;
+        case Item::Kind::EndOfBlock: turn(by, item.here); return;
+        case Item::Kind::Command:
+            if (!path::is_motion(item.command.op) || item.command.machine_coordinates) return;
+            turn(by, item.command);
+            item.command.moved |= kLinearXYZ;
+    }
 }
 
 void Corners::release() {

@@ -16,6 +16,7 @@
 #include "interp/space_compensation.h"
 #include "path/command.h"
 #include "path/contour_corner.h"
+#include "path/frame.h"
 
 namespace kadr::interp {
 
@@ -30,6 +31,7 @@ struct CornerWish {
     bool is_square = false;  // along `next` the contour goes on, in the direction of `sign`
     Axis next = Axis::X;
     double sign = 1;
+    path::Mat3 lie = path::Mat3::Identity();  // of the plane: into the base system
 };
 
 struct CornerSettings {
@@ -81,6 +83,8 @@ class Corners {
 
     /// Whether commands go through here: from a block with a wish to the corner's other side.
     bool is_active() const { return is_active_; }
+    /// Whether a corner waits in a plane that lies otherwise.
+    bool waits_elsewhere(const path::Mat3& lie) const { return is_active_ && lie != lie_; }
     /// The block that begins now wants a corner. `here` is where the tool is.
     void wish(const CornerWish& wish, const AxisValues& here, const CornerPlace& place);
 
@@ -96,14 +100,15 @@ class Corners {
     /// Nothing follows that could be the other side of a corner; `why` is said if one waits that
     /// was wished for.
     std::optional<CornerMessage> leave(const DiagnosticRow& why);
-    /// Items that are settled. The caller clears them.
-    std::vector<Item>& settled() { return settled_; }
+    /// Items that are settled, in the base system.
+    std::vector<Item> take_settled();
     /// Calls `see` for every command that waits, in order.
     template <typename See>
     void look_at_waiting(See see) const {
         for (const auto* items : {&held_, &fresh_}) {
             for (const Item& item : *items)
-                if (item.kind == Item::Kind::Command) see(item.command);
+                if (item.kind == Item::Kind::Command)
+                    see(items == &held_ ? in_base(item).command : item.command);
         }
     }
     /// Warnings; the caller clears them.
@@ -112,6 +117,8 @@ class Corners {
   private:
     using Fault = const DiagnosticRow*;  // null: none
 
+    Item in_base(Item item) const;
+    void turn_item(const path::Mat3& by, Item& item) const;
     Fault take(Item& item);
     Fault take_motion(Item& item);
     Fault take_other_motion(Item& item);
@@ -136,6 +143,7 @@ class Corners {
     CornerMessage end_with(const DiagnosticRow& row);
 
     CornerSettings settings_;
+    path::Mat3 lie_ = path::Mat3::Identity();  // what is taken lies in the plane so
     bool is_active_ = false;
     bool waits_ = false;  // the first of `held_` is the motion before the corner
     CornerWish wish_;     // of the block that is being taken

@@ -440,6 +440,8 @@ class Executor {
     void change_space_comp(const CompChange& change);
     bool is_in_space(CompChange::Kind kind) const;
     bool is_comp_in_plane(const nc::Block& block, nc::Function function);
+    path::Mat3 comp_lie() const;
+    path::Mat3 plane_lie() const;
     SpaceCompSettings space_comp_settings() const;
     path::Vec3 tool_direction() const;
     void change_comp(const CompChange& change);
@@ -610,6 +612,7 @@ class Executor {
     bool stops_exactly(bool once = false) const;
     void put_panel(path::Command& command) const;
     double compressing(path::Op op) const;
+    void choose_high_speed(const nc::Block& block, const nc::Invocation& invocation);
     void choose_smoothing(const nc::Block& block, const nc::Invocation& invocation);
     void frame_changed();
     AxisMask plane_mask() const;

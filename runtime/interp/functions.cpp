@@ -207,6 +207,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::CompCheckOff:
         case Function::CompAllowance:
         case Function::CompInPlane:
+        case Function::CompInFrame:
         case Function::CompBySide:
         case Function::CompByFace:
         case Function::CompByFaceInFrame:
@@ -402,6 +403,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::BlendRapidDistance:
         case Function::PathTolerance:
         case Function::OrientTolerance:
+        case Function::HighSpeed:
         case Function::CompressOn:
         case Function::CompressOff: choose_smoothing(block, invocation); break;
         case Function::MachineCoordinates: actions.machine_coordinates = true; break;

@@ -11,6 +11,7 @@
 #include "base/units.h"
 #include "interp/executor.h"
 #include "interp/linear.h"
+#include "interp/turns_beside.h"
 #include "machine/kinematics.h"
 #include "nc/spelling.h"
 
@@ -63,13 +64,7 @@ std::string written_direction(const Vec3& direction) {
 }  // namespace
 
 Vec3 Executor::joints_of(const AxisValues& base) const {
-    Vec3 joints = Vec3::Zero();
-    const Chain& chain = machine_.kinematics->chain;
-    for (std::size_t k = 0; k < machine::kJoints; ++k) {
-        if (chain.has(k))
-            joints[static_cast<Eigen::Index>(k)] = rad_from_deg(base[index(chain.joints[k].axis)]);
-    }
-    return joints;
+    return joints_at(machine_.kinematics->chain, base);
 }
 
 /// The joints as the control counts its rotary axes 1 and 2. Of a head or a table alone axis 1

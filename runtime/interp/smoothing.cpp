@@ -2,6 +2,7 @@
 //
 // The commands carry it; where a curve fits, and which one, is the motion side's matter.
 #include <algorithm>
+#include <cmath>
 
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
@@ -18,6 +19,7 @@ void Executor::choose_smoothing(const Block& block, const nc::Invocation& invoca
     switch (invocation.function) {
         case Function::CompressOn: smoothing_.compresses = true; return;
         case Function::CompressOff: smoothing_.compresses = false; return;
+        case Function::HighSpeed: choose_high_speed(block, invocation); return;
         default: break;
     }
     const double size = block.argument(invocation, 0);
@@ -32,6 +34,25 @@ void Executor::choose_smoothing(const Block& block, const nc::Invocation& invoca
     if (size < 0) report(diag::BlendDistanceNegative, block, invocation.function).arg(size);
     const bool is_rapid = invocation.function == Function::BlendRapidDistance;
     (is_rapid ? smoothing_.rapid_distance : smoothing_.feed_distance) = std::max(size, 0.0);
+}
+
+/// S 10.4 CYCLE832. Which of G642, G643 and G645 the cycle says, and which compressor, is a matter
+/// of its set-up (unsure): here they are those that give the smoothest path within the tolerance,
+/// whatever the kind of machining. The kinds differ in their dynamics, of which a machine file has
+/// one set.
+void Executor::choose_high_speed(const Block& block, const nc::Invocation& invocation) {
+    constexpr Function kCorners = Function::BlendSmooth;
+    constexpr bool kCompresses = true;
+    const double tolerance = block.argument(invocation, 0);
+    const std::int64_t kind = std::llround(block.argument(invocation, 1));
+    const bool is_on = kind % 10 != 0 && tolerance > 0;
+    const bool says_orientation = is_on && kind / 10 % 10 == 1;
+    smoothing_.tolerance = is_on ? std::optional(tolerance) : std::nullopt;
+    smoothing_.orientation = says_orientation
+                                 ? std::optional(rad_from_deg(block.argument(invocation, 2)))
+                                 : std::nullopt;
+    smoothing_.compresses = is_on && kCompresses;
+    modal_.set(is_on ? kCorners : Function::ContinuousPath);
 }
 
 /// How the corner behind a motion of this block is rounded.

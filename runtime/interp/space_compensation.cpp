@@ -80,6 +80,8 @@ std::optional<CompAlarm> SpaceCompensation::end_block(const nc::Block& block) {
         has_moved = has_moved || (linear(here_) - before).norm() > kStill || place.op == Op::Arc;
     }
     fresh_.clear();
+    if (std::exchange(cannot_turn_, false))
+        return CompAlarm{&diag::CompTurnsInside, block.source, block.line};
     if (has_moved || (!last_ && !approach_)) {
         empty_blocks_ = 0;
         return std::nullopt;
@@ -90,11 +92,11 @@ std::optional<CompAlarm> SpaceCompensation::end_block(const nc::Block& block) {
 
 /// Of the tool where a motion ends.
 Vec3 SpaceCompensation::tool_behind(const Command& command) const {
-    return settings_.chain == nullptr ? settings_.direction : command.direction;
+    return settings_.turner.chain == nullptr ? settings_.direction : command.direction;
 }
 
 bool SpaceCompensation::turns_tool(const Command& command) const {
-    return settings_.chain != nullptr && path::is_motion(command.op);
+    return settings_.turner.chain != nullptr && path::is_motion(command.op);
 }
 
 /// What is wrong at a corner is told of the side before it.
@@ -143,14 +145,16 @@ SpaceCompensation::Fault SpaceCompensation::take_motion(Command& command) {
     if (state_ == State::On) return follow(command, std::move(way));
     if (!is_straight(command.op))
         return state_ == State::Leaving ? &diag::CompEndOnArc : &diag::CompStartOnArc;
+    const Vec3 from = linear(here_);
     here_ = command.to;
     tool_ = tool_behind(command);
     if (state_ == State::Leaving) {
         if (const Fault fault = finish()) return fault;
-        put(std::move(command));
+        put_way(std::move(command), from, linear(here_));
         state_ = State::Off;
         return nullptr;
     }
+    approach_from_ = from;
     approach_ = std::move(command);
     state_ = State::On;
     return nullptr;
@@ -195,7 +199,7 @@ SpaceCompensation::Fault SpaceCompensation::check(Side& side) const {
 
 SpaceCompensation::Fault SpaceCompensation::check_side(const Side& side) const {
     // Without the machine's transformation nobody holds the tip on another way.
-    if (settings_.chain == nullptr && !keeps_kind(side)) return &diag::CompMotion;
+    if (settings_.turner.chain == nullptr && !keeps_kind(side)) return &diag::CompMotion;
     for (const double place : {0.0, 0.25, 0.5, 0.75, 1.0}) {
         const double share = side.share_of_way(place);
         const path::CurvePoint at = side.at(share);
@@ -216,8 +220,9 @@ SpaceCompensation::Fault SpaceCompensation::enter(const Side& first) {
     if (!aside && first.contact.kind == ContactKind::Face)
         aside = path::tip_square(first.contact, tool);
     if (!aside) return &diag::CompAlongTool;
-    set_linear(command.to, linear(command.to) + *aside);
-    put(std::move(command));
+    const Vec3 programmed = linear(command.to);
+    set_linear(command.to, programmed + *aside);
+    put_way(std::move(command), approach_from_, programmed);
     emit_waiting(contact, linear(first.from));
     return nullptr;
 }
@@ -354,7 +359,8 @@ void SpaceCompensation::extend(Side& next, const Corner& corner) {
 /// The contour ends here, square to it.
 SpaceCompensation::Fault SpaceCompensation::finish() {
     if (approach_) {  // of no contour at all
-        put(std::move(*approach_));
+        const Vec3 to = linear(approach_->to);
+        put_way(std::move(*approach_), approach_from_, to);
         approach_.reset();
     }
     if (!last_) {
@@ -395,19 +401,13 @@ bool SpaceCompensation::keeps_kind(const Side& side) {
 Vec3 SpaceCompensation::tool_along(const Command& command, const AxisValues& from,
                                    const Vec3& from_tool, const path::Curve& way,
                                    double share) const {
-    if (settings_.chain == nullptr) return from_tool;
+    if (settings_.turner.chain == nullptr) return from_tool;
     const double length = std::holds_alternative<path::Point>(way) ? 1 : path::length(way);
     if (command.turning > path::Turning::Axes)
         return path::direction_at(turn_of(command, from_tool, length), way, share * length);
-    const machine::Chain& chain = *settings_.chain;
-    Vec3 joints = Vec3::Zero();
-    for (std::size_t k = 0; k < machine::kJoints; ++k) {
-        if (!chain.has(k)) continue;
-        const std::size_t i = index(chain.joints[k].axis);
-        joints[static_cast<Eigen::Index>(k)] =
-            rad_from_deg(from[i] + share * (command.to[i] - from[i]));
-    }
-    return machine::tool_vector(chain, joints);
+    AxisValues axes{};
+    for (std::size_t i = 3; i < kAxes; ++i) axes[i] = from[i] + share * (command.to[i] - from[i]);
+    return machine::tool_vector(*settings_.turner.chain, joints_at(*settings_.turner.chain, axes));
 }
 
 /// At a share of the whole way.
@@ -442,21 +442,6 @@ AxisValues SpaceCompensation::axes_on(const Side& side, double share) const {
     AxisValues axes = share == side.begin ? side.from : side.command.to;
     set_linear(axes, tip_on(side, share).value_or(side.at(share).position));
     return axes;
-}
-
-/// How the tool turns on a way of this length.
-path::Turn SpaceCompensation::turn_of(const Command& command, const Vec3& from_tool,
-                                      double length) {
-    const double share = 1 / length;
-    path::Turn turn;
-    turn.kind = command.turning;
-    turn.length = length;
-    turn.start = turn.kind == path::Turning::Cone ? from_tool : command.turn_from;
-    turn.axis =
-        turn.kind == path::Turning::Point ? Vec3(share * command.turn_axis) : command.turn_axis;
-    turn.rate = share * command.turn_angle;
-    turn.lean = command.lean;
-    return turn;
 }
 
 /// How the tool turns along the way of a side: a block shares its turn out over the way that it has
@@ -508,7 +493,7 @@ void SpaceCompensation::emit(Side& side) {
                               ? aside_on(side, 0).value_or(Vec3::Zero())
                               : Vec3(-side.contact.depth * side.from_tool);
         command.sweep *= part;
-    } else if (settings_.chain == nullptr) {
+    } else if (settings_.turner.chain == nullptr) {
         return emit_splines(side.command, side.from, [&](double share) {
             return tip_on(side, side.share_of_way(share)).value_or(Vec3::Zero());
         });
@@ -613,6 +598,14 @@ void SpaceCompensation::emit_line_to(const Command& model, const AxisValues& to,
     command.to = to;
     command.direction = tool;
     put(std::move(command));
+}
+
+/// A way to the contour or from it, between two places as it is programmed.
+void SpaceCompensation::put_way(Command command, const Vec3& from, const Vec3& to) {
+    shift_point({from, to, linear(shown_), linear(command.to)}, command);
+    shown_tool_ = tool_behind(command);
+    const AxisValues begin = std::exchange(shown_, command.to);
+    if (!put_turned(settings_.turner, begin, std::move(command), settled_)) cannot_turn_ = true;
 }
 
 void SpaceCompensation::put(Command command) {

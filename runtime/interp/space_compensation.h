@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "interp/compensation.h"
-#include "machine/chain.h"
+#include "interp/turns_beside.h"
 #include "nc/block.h"
 #include "path/command.h"
 #include "path/curve.h"
@@ -32,7 +32,7 @@ struct SpaceCutter {
 
 struct SpaceCompSettings {
     SpaceCutter cutter;
-    const machine::Chain* chain = nullptr;       // null: the tool keeps its direction
+    ToolTurner turner;                           // without a chain the tool keeps its direction
     path::Vec3 direction = path::Vec3::UnitZ();  // of the tool where the compensation begins
     bool extends_lines = false;  // at a corner around which the cutter goes, until they meet …
     double limit = 0;            // … up to this change of direction, rad; else an arc about it
@@ -135,8 +135,6 @@ class SpaceCompensation {
     path::Vec3 tool_behind(const path::Command& command) const;
     bool turns_tool(const path::Command& command) const;
     static bool keeps_kind(const Side& side);
-    static path::Turn turn_of(const path::Command& command, const path::Vec3& from_tool,
-                              double length);
     static path::Turn turn_on(const Side& side);
     static void cut_turn(const Side& side, path::Command& command);
     path::Vec3 tool_along(const path::Command& command, const AxisValues& from,
@@ -154,16 +152,19 @@ class SpaceCompensation {
     void emit_arc(const path::Command& model, const path::Vec3& at, const path::Vec3& from,
                   const path::Vec3& to, double turn);
     void emit_line_to(const path::Command& model, const AxisValues& to, const path::Vec3& tool);
+    void put_way(path::Command command, const path::Vec3& from, const path::Vec3& to);
     void put(path::Command command);
     CompAlarm alarm(Fault fault, const path::Command& command) const;
 
     State state_ = State::Off;
     SpaceCompSettings settings_;
+    bool cannot_turn_ = false;
     AxisValues here_{};  // programmed, behind what was taken …
     path::Vec3 tool_ = path::Vec3::UnitZ();
     AxisValues shown_{};  // … and where the tip is behind what was let go
     path::Vec3 shown_tool_ = path::Vec3::UnitZ();
-    std::optional<path::Command> approach_;  // it ends where the first side says
+    std::optional<path::Command> approach_;          // it ends where the first side says …
+    path::Vec3 approach_from_ = path::Vec3::Zero();  // … and begins here, as programmed
     std::optional<Side> last_;
     std::vector<path::Command> waiting_;  // behind the approach or the last side: no ways
     int empty_blocks_ = 0;

@@ -53,9 +53,9 @@ SpaceCompensation::Fault SpaceCompensation::take_face(const Contact& face, Side&
     side.contact.guide = face.guide;
     side.contact.axis = face.axis;
     side.contact.turn = face.turn;
-    if (settings_.chain == nullptr && side.turns()) return &diag::CompMotion;
+    if (settings_.turner.chain == nullptr && side.turns()) return &diag::CompMotion;
     // At rapid only lines lead anywhere, and between their ends nobody holds the tip.
-    if (settings_.chain == nullptr && side.command.op == Op::Rapid && !keeps_kind(side))
+    if (settings_.turner.chain == nullptr && side.command.op == Op::Rapid && !keeps_kind(side))
         return &diag::CompMotion;
     return check(side);
 }
@@ -219,7 +219,7 @@ void SpaceCompensation::roll_part(const Contact& contact, const Side& next, cons
     Command command = like(next.command, Op::Line);
     command.to = end;
     command.direction = tool;
-    if (settings_.chain == nullptr) return emit_splines(command, shown_, tip);
+    if (settings_.turner.chain == nullptr) return emit_splines(command, shown_, tip);
     path::ContactMotion motion;
     motion.contact = contact;
     motion.from = motion.to = at;

@@ -125,6 +125,7 @@ struct RadiusCompState {
     double pointed = 0;                // of arcs about corners, percent
     double allowance = 0;              // mm
     nc::Function system = nc::Function::CompInPlane;  // chosen for where it begins next …
+    bool is_in_frame = false;                         // … in the plane that frames have tilted
     bool is_by_side_code = false;                     // … unless its own code says by the side
     nc::Function acting = nc::Function::CompInPlane;  // where it has begun
     bool turns_on_arc = true;  // in space: blocks at corners that only turn the tool

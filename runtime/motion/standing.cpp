@@ -171,6 +171,7 @@ void Standing::lay_turn(const Command& command, double& length, Segment& segment
         turn.axis = is_point ? Vec3(share * command.turn_axis) : command.turn_axis;
         turn.rate = share * command.turn_angle;
         turn.lean = command.lean;
+        turn.outwards = command.turn_outwards;
     }
     turn.length = length;
     if (!command.contact.empty()) segment.contact = command.contact.front().contact;

@@ -127,6 +127,7 @@ struct Command {
     Vec3 turn_from = Vec3::UnitZ();  // Surface, Point
     Vec3 turn_axis = Vec3::Zero();   // Cone, Surface, Point
     double turn_angle = 0;           // Cone, Surface; by the right-hand rule
+    double turn_outwards = 0;        // Point
     Lean lean;                       // Surface
     // … whose path is that of the place where the cutter touches: one; else none.
     std::vector<ContactMotion> contact;

@@ -20,8 +20,10 @@ Vec3 turned(const Turn& turn, double distance) {
 
 /// The tip is where the curve is at the distance; of a Point it stands.
 Vec3 along_point(const Turn& turn, const Curve& curve, double distance) {
-    const Vec3 way = turn.start + distance * turn.axis - position(curve, distance);
-    return way.normalized();
+    const Vec3 second = turn.start + distance * turn.axis;
+    if (turn.outwards == 0) return (second - position(curve, distance)).normalized();
+    const CurvePoint at = evaluate(curve, distance);
+    return (second - at.position + turn.outwards * at.curvature.normalized()).normalized();
 }
 
 }  // namespace

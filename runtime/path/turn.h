@@ -23,6 +23,9 @@ struct Turn {
     Lean lean;        // Surface
     /// Joints: the rotary axes as three coordinates, rad.
     Glide joints{{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}, 0};
+    /// Point: the curve is an arc, and the place to which the direction counts lies so far outwards
+    /// of it, mm: it is a way beside the one that is programmed.
+    double outwards = 0;
 };
 
 /// Direction of the tool at a distance along a piece, from tip to holder: unit vector. Of Joints

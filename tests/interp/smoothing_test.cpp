@@ -61,6 +61,37 @@ TEST(Smoothing, HowFarTheToolMayLeanIsSaidInDegrees) {
     EXPECT_EQ(ran.commands[2].blending.orientation, leaning);
 }
 
+/// S 10.4 CYCLE832: a kind whose tens are 1 says how far the tool may lean; kind 0 ends all of it.
+TEST(Smoothing, ACycleSaysAllOfIt) {
+    const machine::Machine machine = mill();
+    const Ran ran = run({
+        fn(Function::PathTolerance, {{0, 0.3}}).motion(Function::Line).x(1).f(100),
+        fn(Function::HighSpeed, {{0, 0.02}, {1, 12}, {2, 0.5}}).x(2),
+        fn(Function::HighSpeed, {{0, 0.1}, {1, 3}, {2, 0.5}}).x(3),
+        fn(Function::HighSpeed, {{0, 0}, {1, 0}}).x(4),
+        fn(Function::HighSpeed, {{0, 0.05}, {1, 1}}).x(5),
+        fn(Function::HighSpeed).x(6),
+        fn(Function::BlendTolerance).x(7),
+    });
+    EXPECT_EQ(ran.codes(), "");
+    const double leaning = machine.orientation_tolerance;
+    const std::vector<Blending> blendings = {
+        {},
+        {BlendKind::Tolerance, true, 0.02, rad_from_deg(0.5)},
+        {BlendKind::Tolerance, true, 0.1, leaning},
+        {},
+        {BlendKind::Tolerance, true, 0.05, leaning},
+        {},
+        {BlendKind::Tolerance, false, machine.corner_tolerance, leaning},
+    };
+    const std::vector<double> compressed = {0, 0.02, 0.1, 0, 0.05, 0, 0};
+    ASSERT_EQ(ran.commands.size(), blendings.size());
+    for (std::size_t i = 0; i < blendings.size(); ++i) {
+        EXPECT_EQ(ran.commands[i].blending, blendings[i]) << i;
+        EXPECT_EQ(ran.commands[i].compress, compressed[i]) << i;
+    }
+}
+
 TEST(Smoothing, LinesAtFeedAreCompressed) {
     const machine::Machine machine = mill();
     const Ran ran = run({

@@ -1,0 +1,167 @@
+#include "interp/turns_beside.h"
+
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "base/units.h"
+#include "interp/linear.h"
+#include "machine/following.h"
+#include "machine/kinematics.h"
+#include "machine/orientation.h"
+#include "path/curve_of.h"
+
+namespace kadr::interp {
+
+using path::Command;
+using path::Op;
+using path::Turning;
+using path::Vec3;
+
+namespace {
+
+/// Directions that differ by the rounding of words and of rotary axes, rad.
+constexpr double kSameTool = 1e-7;
+/// Ways shorter than this are none: rounding of frames, mm.
+constexpr double kNoWay = 1e-9;
+
+bool is_same(const Vec3& a, const Vec3& b) { return (a - b).norm() < kSameTool; }
+
+/// The tool where a command begins and where it ends, by its own words.
+struct Ends {
+    Vec3 first;
+    Vec3 last;
+};
+
+Ends ends_of(const Command& command, const path::Curve& way, const Vec3& now) {
+    if (command.turning == Turning::Cone) {
+        const Eigen::AngleAxisd back(-command.turn_angle, command.turn_axis);
+        return {command.turn_angle == 0 ? command.direction : back * command.direction,
+                command.direction};
+    }
+    const double length = path::length(way);
+    const path::Turn turn = turn_of(command, now, length > kNoWay ? length : 1);
+    return {path::direction_at(turn, way, 0), path::direction_at(turn, way, turn.length)};
+}
+
+/// The command turns the tool along the great circle instead. False: there is none.
+bool turn_straight(const Vec3& from, Command& command) {
+    const auto arc = machine::great_circle(from, command.direction);
+    if (!arc) return false;
+    command.turning = Turning::Cone;
+    command.turn_axis = arc->axis;
+    command.turn_angle = arc->turn;
+    return true;
+}
+
+/// The rotary axes where the tool ends on its way there. False: they cannot go.
+bool lead_joints(const ToolTurner& turner, const AxisValues& from, const machine::Course& course,
+                 AxisValues& to) {
+    const machine::Chain& chain = *turner.chain;
+    const auto end = machine::follow(chain, {joints_at(chain, from), turner.limits}, course);
+    if (!end) return false;
+    for (std::size_t k = 0; k < machine::kJoints; ++k) {
+        if (!chain.has(k)) continue;
+        to[index(chain.joints[k].axis)] = deg_from_rad(end->rotary[static_cast<Eigen::Index>(k)]);
+    }
+    return true;
+}
+
+/// The tip stands where the axes are while the tool turns along the great circle.
+bool put_standing_turn(const ToolTurner& turner, const Command& model, const Vec3& to,
+                       AxisValues& axes, std::vector<Command>& settled) {
+    const Vec3 from = machine::tool_vector(*turner.chain, joints_at(*turner.chain, axes));
+    if (is_same(from, to)) return true;
+    Command turn = model;
+    turn.op = model.op == Op::Rapid ? Op::Rapid : Op::Line;
+    turn.exact_stop = false;
+    turn.curve.clear();
+    turn.direction = to;
+    turn.to = axes;
+    if (!turn_straight(from, turn)) return false;
+    const Eigen::AngleAxisd whole(turn.turn_angle, turn.turn_axis);
+    const auto course = [&](double share) -> Vec3 {
+        return Eigen::AngleAxisd(share * whole.angle(), whole.axis()) * from;
+    };
+    if (!lead_joints(turner, axes, course, turn.to)) return false;
+    axes = turn.to;
+    settled.push_back(std::move(turn));
+    return true;
+}
+
+/// Along an arc the tool stays led by it: it turns there before, and to what is programmed behind.
+bool put_led(const ToolTurner& turner, AxisValues axes, const Command& programmed, const Ends& ends,
+             std::vector<Command>& settled) {
+    const std::size_t before = settled.size();
+    const auto put = [&] {
+        if (!put_standing_turn(turner, programmed, ends.first, axes, settled)) return false;
+        Command command = programmed;
+        const path::Curve way = path::curve_of(command, linear(axes), linear(command.to));
+        const path::Turn turn = turn_of(command, ends.first, path::length(way));
+        const auto course = [&](double share) {
+            return path::direction_at(turn, way, share * turn.length);
+        };
+        if (!lead_joints(turner, axes, course, command.to)) return false;
+        command.direction = ends.last;
+        axes = command.to;
+        settled.push_back(std::move(command));
+        return put_standing_turn(turner, programmed, programmed.direction, axes, settled);
+    };
+    if (put()) return true;
+    settled.resize(before);
+    return false;
+}
+
+}  // namespace
+
+Vec3 joints_at(const machine::Chain& chain, const AxisValues& axes) {
+    Vec3 joints = Vec3::Zero();
+    for (std::size_t k = 0; k < machine::kJoints; ++k) {
+        if (chain.has(k))
+            joints[static_cast<Eigen::Index>(k)] = rad_from_deg(axes[index(chain.joints[k].axis)]);
+    }
+    return joints;
+}
+
+path::Turn turn_of(const Command& command, const Vec3& from_tool, double length) {
+    const double share = 1 / length;
+    path::Turn turn;
+    turn.kind = command.turning;
+    turn.length = length;
+    turn.start = turn.kind == Turning::Cone ? from_tool : command.turn_from;
+    turn.axis = turn.kind == Turning::Point ? Vec3(share * command.turn_axis) : command.turn_axis;
+    turn.rate = share * command.turn_angle;
+    turn.lean = command.lean;
+    turn.outwards = command.turn_outwards;
+    return turn;
+}
+
+void shift_point(const WayBeside& way, Command& command) {
+    if (command.turning != Turning::Point) return;
+    const Vec3 before = way.from_beside - way.from;
+    const Vec3 behind = way.to_beside - way.to;
+    command.turn_from += before;
+    command.turn_axis += behind - before;
+}
+
+bool put_turned(const ToolTurner& turner, const AxisValues& from, Command command,
+                std::vector<Command>& settled) {
+    const bool is_led = turner.chain != nullptr && path::is_motion(command.op) &&
+                        command.turning > Turning::Axes && command.contact.empty();
+    if (!is_led) {
+        settled.push_back(std::move(command));
+        return true;
+    }
+    const Vec3 now = machine::tool_vector(*turner.chain, joints_at(*turner.chain, from));
+    const path::Curve way = path::curve_of(command, linear(from), linear(command.to));
+    const Ends ends = ends_of(command, way, now);
+    if (!is_same(ends.first, now) || !is_same(ends.last, command.direction)) {
+        if (command.op == Op::Arc && command.turning != Turning::Cone)
+            return put_led(turner, from, command, ends, settled);
+        if (!turn_straight(now, command)) return false;
+    }
+    settled.push_back(std::move(command));
+    return true;
+}
+
+}  // namespace kadr::interp

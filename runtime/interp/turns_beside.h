@@ -1,0 +1,50 @@
+// turns_beside.h — how the tool turns on a way that a cutter compensation has laid beside the one
+// that is programmed, under the machine's transformation.
+//
+// The control shares the turn of a block out over its path (S 7.4: u is the path fraction), so that
+// beside the contour, too, a block begins and ends with the tool that the program gives it. Where
+// the way says how the tool stands, it does so on the way that is left.
+#pragma once
+
+#include <vector>
+
+#include "machine/chain.h"
+#include "machine/path_choice.h"
+#include "path/command.h"
+#include "path/turn.h"
+
+namespace kadr::interp {
+
+/// What turns the tool; without a chain nothing does.
+struct ToolTurner {
+    const machine::Chain* chain = nullptr;
+    machine::JointLimits limits;
+};
+
+/// R1, R2 and Ψ of the chain as the axes say them, rad.
+path::Vec3 joints_at(const machine::Chain& chain, const AxisValues& axes);
+
+/// How the tool turns on a way of this length, mm, that begins with the tool so.
+path::Turn turn_of(const path::Command& command, const path::Vec3& from_tool, double length);
+
+/// The ends of a way: as it is programmed, and beside that; mm.
+struct WayBeside {
+    path::Vec3 from = path::Vec3::Zero();
+    path::Vec3 to = path::Vec3::Zero();
+    path::Vec3 from_beside = path::Vec3::Zero();
+    path::Vec3 to_beside = path::Vec3::Zero();
+};
+
+/// The second point of the tool's axis goes aside with the tip, so that the tool keeps its
+/// direction at both ends. Other turns stay what they are.
+void shift_point(const WayBeside& way, path::Command& command);
+
+/// A command beside the contour, behind `settled`; before it and behind it turns of the tool while
+/// the tip stands, if its way would have it stand otherwise at its ends than it is programmed.
+///
+/// from     where the axes are
+/// returns  false if the rotary axes cannot follow; then nothing is put out
+bool put_turned(const ToolTurner& turner, const AxisValues& from, path::Command command,
+                std::vector<path::Command>& settled);
+
+}  // namespace kadr::interp
