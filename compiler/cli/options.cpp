@@ -57,8 +57,8 @@ double parse_length(const std::string& text, const char* option) {
 /// As for the tick of a machine: the path between two setpoints says nothing beyond a second.
 double parse_tick(const std::string& text) {
     const double tick = parse_time(text, "--tick");
-    if (tick > machine::kLongestTick)
-        throw CLI::ValidationError("--tick", "`" + text + "` is more than 1 s");
+    if (tick < machine::kShortestTick || tick > machine::kLongestTick)
+        throw CLI::ValidationError("--tick", "`" + text + "` is not from 1 us to 1 s");
     return tick;
 }
 

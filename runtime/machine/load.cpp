@@ -188,8 +188,9 @@ class MachineBuilder {
 
     void check_tick() {
         const XmlAttribute* attribute = root_.find("tick");
-        if (attribute == nullptr || machine_.tick <= kLongestTick) return;
-        sink_.report(diag::MachineTickLong, attribute->value_range).arg(attribute->value);
+        if (attribute == nullptr || !(machine_.tick > 0)) return;
+        if (machine_.tick >= kShortestTick && machine_.tick <= kLongestTick) return;
+        sink_.report(diag::MachineTick, attribute->value_range).arg(attribute->value);
         machine_.tick = kLongestTick;
     }
 

@@ -71,12 +71,13 @@ struct MachineFunction {
 };
 
 /// Longest interpolation period, s: limits hold from tick to tick.
+inline constexpr double kShortestTick = 1e-6;
 inline constexpr double kLongestTick = 1;
 
 struct Machine {
     std::string name;
     std::string title;
-    double tick = 0.001;             // s, interpolation period, up to kLongestTick
+    double tick = 0.001;             // s, interpolation period, kShortestTick to kLongestTick
     double corner_tolerance = 0.05;  // mm, of rounded corners if the program says none
     double orientation_tolerance = rad_from_deg(0.05);  // rad, of the tool at rounded corners
     double compressor_tolerance = 0.01;      // mm, of compressed lines if the program says none
