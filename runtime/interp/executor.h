@@ -224,7 +224,8 @@ class Executor {
     Axis wanted_length_axis() const;
     path::Vec3 wanted_lengths() const;
     void check_length_known(const nc::Block& block);
-    void activate_length(const nc::Block& block, AxisMask moved);
+    path::Vec3 activate_length(const nc::Block& block, AxisMask moved);
+    bool activate_length_on_arc(const nc::Block& block, const path::Vec3& normal, AxisMask moved);
     void move_length_alone(const nc::Block& block);
     void move_behind_switch(const nc::Block& block);
     void arc(const nc::Block& block, const Target& target, bool exact_stop);
