@@ -269,12 +269,14 @@ class Executor {
     void take_orientation(const nc::Block& block, const nc::Invocation& invocation,
                           Actions& actions);
     void take_lean(const nc::Block& block, const nc::Invocation& invocation, ToolWords& tool);
+    void take_opening(const nc::Block& block, const nc::Invocation& invocation, ToolWords& tool);
     bool turns_in_two_ways(const nc::Block& block, const ToolWords& tool);
     bool has_idle_words(const nc::Block& block, const ToolWords& tool);
     bool leans_on_surface() const;
     bool is_led_by_surface(const ToolWords& tool) const;
     machine::Mat3 rotation_by_angles(const path::Vec3& angles_deg) const;
     machine::Mat3 turn_into_base() const;
+    bool mirrors_words() const;
     std::optional<path::Vec3> direction_in_base(const nc::Block& block, const path::Vec3& said,
                                                 nc::Function word);
     std::optional<path::Vec3> wanted_direction(const nc::Block& block, const ToolWords& tool);
