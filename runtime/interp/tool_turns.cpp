@@ -91,6 +91,14 @@ bool Executor::orient(const Block& block, const Actions& actions, Target& target
         return false;
     }
     if (!check_side_arc(block)) return false;
+    if (!lay_tool_words(block, tool, target)) return false;
+    settle_turn(target);
+    return true;
+}
+
+/// How the tool turns by what a block says; what depends on the block's path waits for it in
+/// `course_`. False: it was reported.
+bool Executor::lay_tool_words(const Block& block, const ToolWords& tool, Target& target) {
     if (tool.says_direction() || tool.point.is_said() || (block.given & joint_axes()) != 0)
         orienting_.leans = false;
     const bool is_led = is_led_by_surface(tool) || tool.point.is_said() || tool.lead;
@@ -107,7 +115,6 @@ bool Executor::orient(const Block& block, const Actions& actions, Target& target
         if (!waits && !lay_spin(block, tool, target)) return false;
         orienting_.point.reset();
     }
-    settle_turn(target);
     return true;
 }
 
