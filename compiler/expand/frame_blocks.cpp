@@ -208,4 +208,13 @@ void Expander::State::write_frame(const ProgramFrame& next, SourceId source, std
     modal.lost &= ~sema::kFrameBit;
 }
 
+/// The whole frame of the program, where the control may have taken it off: said on top of itself
+/// it is the same. S 7.1.
+void Expander::State::say_frame_again(SourceId source, std::uint32_t at, unsigned depth) {
+    const bool is_known = (modal.lost & sema::kFrameBit) == 0;
+    if (!is_known || modal.frame.is_identity()) return;
+    modal.lost |= sema::kFrameBit;  // whatever acts is deleted
+    write_frame(modal.frame, source, at, depth);
+}
+
 }  // namespace kadr::expand

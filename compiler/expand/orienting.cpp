@@ -222,6 +222,7 @@ bool Expander::State::begin_tcp(std::span<const nc::Invocation> said, SourceId s
     if (has_own) {
         say_function(Function::TcpOn, {}, source, at, depth);
         say_offset_again(source, at, depth);
+        if (target.has_rule("transformation_wants_offset")) say_frame_again(source, at, depth);
         for (const nc::Invocation& invocation : said) {
             if (invocation.function != Function::TcpOn && target.can_write(invocation.function))
                 say_function(invocation.function, {}, source, at, depth);

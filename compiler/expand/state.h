@@ -310,6 +310,7 @@ struct Expander::State {
     void say_place(const sema::Plan& plan, const sema::Instruction& instruction, std::uint32_t at);
     void scale_frame_x(nc::Block& block, double factor) const;
     void write_frame(const ProgramFrame& next, SourceId source, std::uint32_t at, unsigned depth);
+    void say_frame_again(SourceId source, std::uint32_t at, unsigned depth);
 
     // ---- scopes.cpp
     bool set_back(const OpenWith& scope, SourceId source, std::uint32_t at, unsigned depth);

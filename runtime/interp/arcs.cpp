@@ -44,7 +44,6 @@ void Executor::arc(const Block& block, const Target& target, bool exact_stop) {
     if (!has_form && !has_opening && rules_.arc_without_center == ArcWithoutCenter::Line) {
         return line(block, target, Op::Line, exact_stop);
     }
-    if (tool_.has_changed) activate_length(block, target.moved);
     if (const SlotMask through = block.given & nc::kThroughSlots; through != 0) {
         report_arc_words(block, through);
         return;
@@ -85,7 +84,6 @@ void Executor::stretched_arc(const Block& block, const Target& target, bool exac
     if (!block.has(Slot::Radius)) return stretched_arc_about_center(block, target, exact_stop);
     const std::optional<int> turns = turns_of(block);
     if (!turns) return;
-    if (tool_.has_changed) activate_length(block, target.moved);
     const path::ArcEnds ends{linear(position_.base), linear(target.base)};
     const bool is_cw = (modal_.motion == Function::ArcCw) != frames_.is_mirrored(modal_.plane);
     const Result<path::Arc, path::ArcFault> arc =
@@ -112,7 +110,6 @@ void Executor::stretched_arc_about_center(const Block& block, const Target& targ
         report(diag::ArcCenterMissing, block, modal_.motion);
         return;
     }
-    if (tool_.has_changed) activate_length(block, target.moved);
     const bool is_cw = (modal_.motion == Function::ArcCw) != frames_.is_mirrored(modal_.plane);
     const Vec3 normal = is_cw ? Vec3(-third) : third;
     double sweep = std::atan2(normal.dot(out.cross(to_end)), out.dot(to_end));
@@ -131,6 +128,7 @@ void Executor::put_base_arc(const Block& block, const path::Arc& arc, const Targ
                             bool exact_stop) {
     const Vec3 third = path::unit(path::axes_of(modal_.plane).normal);
     Target target = programmed;
+    if (tool_.has_changed && !activate_length_on_arc(block, arc.normal, target.moved)) return;
     if (course_) {
         const path::Curve way =
             path::make_helix(arc.start, arc.end, arc.center, arc.normal, arc.sweep);

@@ -106,7 +106,6 @@ void Executor::arc_over_point(const Block& block, const Target& target, bool exa
         report(diag::ArcStretched, block, modal_.motion);
         return;
     }
-    if (tool_.has_changed) activate_length(block, target.moved);
     const path::ArcEnds ends{linear(position_.here), linear(target.here)};
     Vec3 through = ends.start;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -156,7 +155,6 @@ void Executor::arc_along(const Block& block, const Target& target, bool exact_st
         report(diag::ArcTangentMissing, block);
         return;
     }
-    if (tool_.has_changed) activate_length(block, target.moved);
     path::Arc found = *arc;
     found.end = linear(target.here);
     put_arc(block, found, target, exact_stop);

@@ -225,7 +225,8 @@ class Executor {
     Axis wanted_length_axis() const;
     path::Vec3 wanted_lengths() const;
     void check_length_known(const nc::Block& block);
-    void activate_length(const nc::Block& block, AxisMask moved);
+    path::Vec3 activate_length(const nc::Block& block, AxisMask moved);
+    bool activate_length_on_arc(const nc::Block& block, const path::Vec3& normal, AxisMask moved);
     void move_length_alone(const nc::Block& block);
     void move_behind_switch(const nc::Block& block);
     void arc(const nc::Block& block, const Target& target, bool exact_stop);
@@ -269,18 +270,21 @@ class Executor {
     void take_orientation(const nc::Block& block, const nc::Invocation& invocation,
                           Actions& actions);
     void take_lean(const nc::Block& block, const nc::Invocation& invocation, ToolWords& tool);
+    void take_opening(const nc::Block& block, const nc::Invocation& invocation, ToolWords& tool);
     bool turns_in_two_ways(const nc::Block& block, const ToolWords& tool);
     bool has_idle_words(const nc::Block& block, const ToolWords& tool);
     bool leans_on_surface() const;
     bool is_led_by_surface(const ToolWords& tool) const;
     machine::Mat3 rotation_by_angles(const path::Vec3& angles_deg) const;
     machine::Mat3 turn_into_base() const;
+    bool mirrors_words() const;
     std::optional<path::Vec3> direction_in_base(const nc::Block& block, const path::Vec3& said,
                                                 nc::Function word);
     std::optional<path::Vec3> wanted_direction(const nc::Block& block, const ToolWords& tool);
 
     // tool_turns.cpp: how the tool turns
     bool orient(const nc::Block& block, const Actions& actions, Target& target);
+    bool lay_tool_words(const nc::Block& block, const ToolWords& tool, Target& target);
     void settle_turn(const Target& target);
     bool turn_by_axes(const nc::Block& block, Target& target);
     bool turn_to(const nc::Block& block, const ToolWords& tool, const path::Vec3& to,
@@ -320,6 +324,15 @@ class Executor {
     void put_joints(const path::Vec3& joints, Target& target) const;
     void report_no_way(const nc::Block& block, const machine::PathRefusal& refusal);
     void put_turn(path::Command& command);
+    // spline_turns.cpp: … along splines and polynomials
+    bool may_turn_along(const nc::Block& block, const ToolWords& tool);
+    bool direct_pole(const nc::Block& block, const ToolWords& tool, PoleBlock& pole);
+    bool turn_along(const nc::Block& at, const PoleBlock& said, const path::Curve& span,
+                    AxisValues& to);
+    bool lay_span_turn(const nc::Block& at, const PoleBlock& said, const path::Curve& span,
+                       Target& target);
+    bool share_turn(const nc::Block& block, const ToolWords& tool,
+                    const std::vector<double>& shares, const std::vector<PoleBlock*>& pieces);
     // tilting.cpp: tilted planes, and the rotary axes that stand to them
     void tilt(const nc::Block& block, const nc::Invocation& invocation);
     std::optional<path::Frame> plane_by_angles(const nc::Block& block,
@@ -487,9 +500,9 @@ class Executor {
     // splines.cpp
     bool continues_spline(const nc::Block& block) const;
     void set_spline_degree(const nc::Block& block, const nc::Invocation& invocation);
-    void spline(const nc::Block& block);
+    void spline(const nc::Block& block, const ToolWords& tool);
     bool start_spline(const nc::Block& block, bool by_knots);
-    bool add_pole(const nc::Block& block, nc::SlotMask targets);
+    bool add_pole(const nc::Block& block, nc::SlotMask targets, const ToolWords& tool);
     void move_along_spline();
     void finish_spline();
     void put_span(const path::SplineSpan& span, const PoleBlock& said, AxisMask moved,
@@ -499,7 +512,7 @@ class Executor {
     // through_splines.cpp: splines through points
     void choose_spline_end(const nc::Block& block, const nc::Invocation& invocation);
     bool continues_through(const nc::Block& block) const;
-    void go_through(const nc::Block& block, nc::SlotMask targets);
+    void go_through(const nc::Block& block, nc::SlotMask targets, const ToolWords& tool);
     bool start_through(const nc::Block& block);
     void move_through();
     void finish_through(const nc::Block* next);
@@ -511,7 +524,7 @@ class Executor {
 
     // polynomials.cpp
     std::optional<Target> end_of_polynomials(const nc::Block& block);
-    void polynomial(const nc::Block& block, bool exact_stop);
+    void polynomial(const nc::Block& block, const ToolWords& tool, bool exact_stop);
 
     // involutes.cpp
     void involute(const nc::Block& block, const Target& programmed, bool exact_stop);

@@ -85,7 +85,7 @@ void Executor::put_involute(const Block& block, const path::InvoluteWords& words
     const Vec3 center = frame(words.center);
     const path::Involute involute = path::make_involute(linear(position_.base), linear(target.base),
                                                         center, normal, base_radius);
-    if (tool_.has_changed) activate_length(block, target.moved);
+    if (tool_.has_changed && !activate_length_on_arc(block, normal, target.moved)) return;
     if (!check_limits(block, target.base, target.moved)) return;
     if (!check_box(block, path::bounds(involute))) return;
     has_moved_ = true;

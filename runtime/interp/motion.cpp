@@ -24,7 +24,9 @@ constexpr SlotMask kArcSlots = nc::kArcSlots | nc::kThroughSlots | bit(Slot::Ope
 /// Motions on which the tool may turn as its words say.
 bool takes_tool_words(Function motion) {
     return motion == Function::Rapid || motion == Function::Line || is_arc(motion) ||
-           motion == Function::ArcThrough || motion == Function::ArcTangent;
+           motion == Function::ArcThrough || motion == Function::ArcTangent ||
+           motion == Function::Spline || motion == Function::AkimaSpline ||
+           motion == Function::CubicSpline || motion == Function::Polynomial;
 }
 
 path::Curve straight_way(const Vec3& from, const Vec3& to) {
@@ -80,18 +82,19 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (actions.orient_reset != nullptr) return reset_orientation(block, *actions.orient_reset);
     const bool is_elsewhere = actions.machine_coordinates && !frames_off_;
     if (actions.tool.is_any() && !takes_tool_words(modal_.motion)) {
-        report(diag::IsoNotSupported, block).arg("a tool that turns beside a spline or a thread");
+        report(diag::IsoNotSupported, block).arg("a tool that turns beside a thread");
         return;
     }
     if (modal_.motion == Function::Spline && !is_elsewhere &&
         (targets != 0 || block.find(Function::SplineKnot) != nullptr))
-        return spline(block);
+        return spline(block, actions.tool);
     const bool goes_through =
         modal_.motion == Function::AkimaSpline || modal_.motion == Function::CubicSpline;
-    if (goes_through && !is_elsewhere && targets != 0) return go_through(block, targets);
+    if (goes_through && !is_elsewhere && targets != 0)
+        return go_through(block, targets, actions.tool);
     const bool has_polynomial = targets != 0 || block.find(Function::PolynomialAxis) != nullptr;
     if (modal_.motion == Function::Polynomial && !is_elsewhere && has_polynomial)
-        return polynomial(block, stops_exactly(actions.exact_stop));
+        return polynomial(block, actions.tool, stops_exactly(actions.exact_stop));
     if (targets == 0 && !actions.tool.turns() && (arc_words == 0 || !is_circle(modal_.motion))) {
         if (arc_words != 0) warn_arc_word(block, arc_words);
         if (actions.switches_length) return move_behind_switch(block);

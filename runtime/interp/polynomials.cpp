@@ -205,6 +205,21 @@ std::vector<SaidSpan> said_spans(const std::vector<Piece>& pieces, const path::F
     return spans;
 }
 
+/// Of the whole length.
+std::vector<double> shares_of(const std::vector<SaidSpan>& spans) {
+    std::vector<double> shares;
+    double whole = 0;
+    for (const SaidSpan& span : spans) whole += shares.emplace_back(span_length(span.span).whole);
+    for (double& share : shares) share = whole > 0 ? share / whole : 1;
+    return shares;
+}
+
+std::vector<PoleBlock*> blocks_of(std::vector<SaidSpan>& spans) {
+    std::vector<PoleBlock*> blocks;
+    for (SaidSpan& span : spans) blocks.push_back(&span.said);
+    return blocks;
+}
+
 /// The greatest way of an axis beside X, Y and Z, mm or deg.
 double greatest_other_way(const AxisValues& from, const AxisValues& to) {
     double way = 0;
@@ -246,7 +261,7 @@ std::optional<Target> Executor::end_of_polynomials(const Block& block) {
     return target_of(places, targets);
 }
 
-void Executor::polynomial(const Block& block, bool exact_stop) {
+void Executor::polynomial(const Block& block, const ToolWords& tool, bool exact_stop) {
     if (!check_feed(block, "polynomial")) return;
     leave_corners(diag::CornerNotContour);
     if (ended_) return;
@@ -256,7 +271,7 @@ void Executor::polynomial(const Block& block, bool exact_stop) {
         report(diag::PolynomialRange, block, Function::PolynomialRange).arg(range);
         return;
     }
-    const std::optional<Target> target = end_of_polynomials(block);
+    std::optional<Target> target = end_of_polynomials(block);
     if (!target) return;
     const Invocation* const divisor = block.find(Function::PolynomialWeight);
     Terms weight{1};
@@ -301,17 +316,20 @@ void Executor::polynomial(const Block& block, bool exact_stop) {
     std::vector<Piece> pieces;
     for (const Piece& piece : positive)
         cut_evenly(piece, way, frames_.total(), kMostFollowedCuts, pieces);
+    if (!may_turn_along(block, tool)) return;
     if (tool_.has_changed) activate_length(block, target->moved);
     if (!check_limits(block, target->base, target->moved)) return;
-    const PoleBlock said{block.line, block.source, modal_.feed, target->base};
+    const PoleBlock said{block.line, block.source, modal_.feed, target->base, {}, {}};
     const bool shares_time = modal_.feed_mode == path::FeedMode::InverseTime;
-    const std::vector<SaidSpan> spans =
+    std::vector<SaidSpan> spans =
         said_spans(pieces, frames_.total(), position_.base, said, shares_time);
+    if (!share_turn(block, tool, shares_of(spans), blocks_of(spans))) return;
     for (std::size_t i = 0; i < spans.size() && !ended_; ++i) {
         const bool is_last = i + 1 == spans.size();
         put_span(spans[i].span, spans[i].said, target->moved, is_last && exact_stop);
     }
     if (ended_) return;
+    if (orienting_.is_on) put_joints(joints_of(position_.base), *target);
     arrive(*target);
     const path::SplineSpan& last = spans.back().span;
     const Vec3 came_from = degree > 1 ? last.shape.inner[degree - 2] : last.start;

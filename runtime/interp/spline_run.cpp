@@ -18,7 +18,12 @@ path::Vec3 three_of(const AxisValues& values, std::size_t from) {
 }  // namespace
 
 SplineRun::SplineRun(int degree, bool by_knots)
-    : degree_(degree), by_knots_(by_knots), spans_(degree), rotary_(degree), parallel_(degree) {
+    : degree_(degree),
+      by_knots_(by_knots),
+      spans_(degree),
+      rotary_(degree),
+      parallel_(degree),
+      directions_(degree) {
     if (by_knots) return;
     for (int i = 0; i <= degree; ++i) (void)add_to_all(0);
 }
@@ -31,6 +36,9 @@ void SplineRun::add_pole(const path::Vec3& pole, double weight, const PoleBlock&
     spans_.add_pole(pole, weight);
     rotary_.add_pole(three_of(block.to, kRotary), weight);
     parallel_.add_pole(three_of(block.to, kParallel), weight);
+    turns_ |= direction_ && block.direction && *direction_ != *block.direction;
+    direction_ = block.direction;
+    directions_.add_pole(direction_.value_or(path::Vec3::Zero()), weight);
     blocks_.push_back(block);
 }
 
@@ -38,6 +46,7 @@ std::optional<NurbsFault> SplineRun::add_to_all(double knot) {
     if (const auto fault = spans_.add_knot(knot)) return fault;
     (void)rotary_.add_knot(knot);
     (void)parallel_.add_knot(knot);
+    (void)directions_.add_knot(knot);
     return std::nullopt;
 }
 
@@ -75,6 +84,8 @@ std::optional<SplineStep> SplineRun::next() {
         SplineStep step{*span, blocks_.front()};
         const path::Vec3 rotary = rotary_.next()->end;  // they have the same spans
         const path::Vec3 parallel = parallel_.next()->end;
+        const path::Vec3 direction = directions_.next()->end;
+        if (step.block.direction && turns_) step.block.direction = direction;
         for (std::size_t i = 3; i < kAxes; ++i) {
             // An axis that stands must not move by what is rounded.
             const bool is_rotary = i < kParallel;
@@ -89,6 +100,7 @@ std::optional<SplineStep> SplineRun::next() {
     if (held_) {
         held_->is_last = true;
         held_->block.to = blocks_.front().to;  // the last pole, not rounded
+        held_->block.direction = blocks_.front().direction;
     }
     return std::exchange(held_, std::nullopt);
 }

@@ -7,7 +7,7 @@
 //
 // X, Y and Z make the way. The other axes have poles in the same blocks, of the same knots and
 // weights: at the end of every span each is where its own spline is, and between they go in
-// proportion to the way.
+// proportion to the way. So it is with the direction of the tool, on great circles.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +16,7 @@
 
 #include "base/axes.h"
 #include "base/source.h"
+#include "interp/state.h"
 #include "path/nurbs.h"
 
 namespace kadr::interp {
@@ -26,7 +27,13 @@ struct PoleBlock {
     SourceId source;
     double feed = 0;
     AxisValues to{};  // of the pole, or of the end of the span, base coordinates
+    /// Of the tool likewise, in the base system; between poles that lie against each other zero.
+    std::optional<path::Vec3> direction;
+    std::optional<ToolWords> tool;  // … or what it says of the tool along the span
 };
+
+/// Whether a word says how the tool stands or turns: it may stand in the blocks of a spline.
+bool is_tool_word(nc::Function function);
 
 /// A span, and the block that completed it.
 struct SplineStep {
@@ -42,6 +49,8 @@ class SplineRun {
     bool is_by_knots() const { return by_knots_; }
     std::size_t poles() const { return spans_.poles(); }
     int degree() const { return degree_; }
+    /// Of the tool, beside the latest pole.
+    const std::optional<path::Vec3>& direction() const { return direction_; }
 
     void add_pole(const path::Vec3& pole, double weight, const PoleBlock& block);
     /// By knots: the next one.
@@ -65,6 +74,9 @@ class SplineRun {
     path::SplineSpans spans_;
     path::SplineSpans rotary_;      // … of A, B, C as a place
     path::SplineSpans parallel_;    // … of U, V, W
+    path::SplineSpans directions_;  // … of the tool
+    std::optional<path::Vec3> direction_;
+    bool turns_ = false;            // directions beside poles differ
     AxisValues first_{};            // of the first pole
     AxisMask led_ = 0;              // axes of which poles differ from it
     double knot_ = 0;               // the sum of the intervals

@@ -57,6 +57,7 @@ bool Executor::continues_spline(const Block& block) const {
     bool has_knot = false;
     for (std::size_t i = 0; i < block.function_count; ++i) {
         const Function function = block.functions[i].function;
+        if (is_tool_word(function)) continue;
         if (!is_spline_word(function) || function == Function::SplineDegree) return false;
         has_knot |= function == Function::SplineKnot;
     }
@@ -76,7 +77,7 @@ void Executor::set_spline_degree(const Block& block, const nc::Invocation& invoc
 }
 
 /// A block under the spline function: a pole, a knot or both.
-void Executor::spline(const Block& block) {
+void Executor::spline(const Block& block, const ToolWords& tool) {
     const SlotMask targets = block.given & nc::kTargetSlots;
     const std::optional<double> knot = word(block, Function::SplineKnot);
     const SlotMask others = targets & ~SlotMask{kLinearXYZ};
@@ -87,12 +88,13 @@ void Executor::spline(const Block& block) {
         return;
     }
     if (!check_axes(block, targets) || !check_rotary_ways(block)) return;
+    if (!may_turn_along(block, tool)) return;
     if (!spline_ && !start_spline(block, knot.has_value())) return;
     spline_end_.line = block.line;
     spline_end_.source = block.source;
     std::optional<NurbsFault> fault;
     if (targets != 0) {
-        if (!add_pole(block, targets)) return;
+        if (!add_pole(block, targets, tool)) return;
         if (!spline_->is_by_knots())
             fault = spline_->add_interval(word(block, Function::SplineInterval).value_or(1));
     }
@@ -113,12 +115,14 @@ bool Executor::start_spline(const Block& block, bool by_knots) {
     if (!check_feed(block, "spline")) return false;
     if (tool_.has_changed) activate_length(block, kLinearXYZ);
     spline_.emplace(spline_degree_, by_knots);
-    if (!by_knots)
-        spline_->add_pole(linear(position_.base), 1, {block.line, block.source, 0, position_.base});
+    if (by_knots) return true;
+    PoleBlock start{block.line, block.source, 0, position_.base, {}, {}};
+    if (!direct_pole(block, {}, start)) return false;
+    spline_->add_pole(linear(position_.base), 1, start);
     return true;
 }
 
-bool Executor::add_pole(const Block& block, SlotMask targets) {
+bool Executor::add_pole(const Block& block, SlotMask targets, const ToolWords& tool) {
     const double weight = word(block, Function::SplineWeight).value_or(1);
     if (!(weight > 0)) {
         report(diag::SplineValue, block, Function::SplineWeight)
@@ -137,8 +141,10 @@ bool Executor::add_pole(const Block& block, SlotMask targets) {
         report(diag::SplineStart, block).arg(round_to((pole - linear(position_.base)).norm(), 4));
         return false;
     }
+    PoleBlock said{block.line, block.source, modal_.feed, target.base, {}, {}};
+    if (!direct_pole(block, tool, said)) return false;
     spline_->moved = static_cast<AxisMask>(spline_->moved | target.moved);
-    spline_->add_pole(pole, weight, {block.line, block.source, modal_.feed, target.base});
+    spline_->add_pole(pole, weight, said);
     arrive(target);
     return true;
 }
@@ -159,14 +165,18 @@ void Executor::put_span(const path::SplineSpan& span, const PoleBlock& said, Axi
     at.line = said.line;
     at.source = said.source;
     const auto& [start, end, shape, last] = span;
-    const path::Box box = shape.degree > 3 ? path::bounds(path::make_quintic(start, end, shape))
-                                           : path::bounds(path::make_spline(start, end, shape));
-    if (!check_box(at, box)) return;
+    path::Curve curve = path::Point{start};
+    if (shape.degree > 3) curve = path::make_quintic(start, end, shape);
+    else curve = path::make_spline(start, end, shape);
+    if (!check_box(at, path::bounds(curve))) return;
+    AxisValues to = said.to;
+    for (std::size_t i = 0; i < 3; ++i) to[i] = end[static_cast<Eigen::Index>(i)];
+    if (orienting_.is_on && !turn_along(at, said, curve, to)) return;
     has_moved_ = true;
+    const bool turns = next_turn_.turning != path::Turning::Axes;
     Command& command = put(Op::Spline, at);
-    command.to = said.to;
-    for (std::size_t i = 0; i < 3; ++i) command.to[i] = end[static_cast<Eigen::Index>(i)];
-    command.moved = moved;
+    command.to = to;
+    command.moved = turns ? static_cast<AxisMask>(moved | kLinearXYZ | joint_axes()) : moved;
     command.spline = shape;
     command.feed = said.feed;
     command.exact_stop = exact_stop;

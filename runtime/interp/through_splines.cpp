@@ -47,13 +47,14 @@ bool Executor::continues_through(const Block& block) const {
     if (block.motion != Function::None && block.motion != through_->function) return false;
     for (std::size_t i = 0; i < block.function_count; ++i) {
         const Function function = block.functions[i].function;
+        if (is_tool_word(function)) continue;
         if (function != Function::SplineStart && function != Function::SplineEnd) return false;
     }
     return (block.given & (nc::kTargetSlots | nc::kPolarSlots)) != 0;
 }
 
 /// A block with a position under such a function.
-void Executor::go_through(const Block& block, SlotMask targets) {
+void Executor::go_through(const Block& block, SlotMask targets, const ToolWords& tool) {
     const SlotMask others = targets & ~SlotMask{kLinearXYZ};
     const auto refuse_others = [&] {
         const auto other = static_cast<Slot>(std::countr_zero(others));
@@ -62,6 +63,7 @@ void Executor::go_through(const Block& block, SlotMask targets) {
     if (others != 0 && is_transformed()) return refuse_others();
     if (!check_axes(block, targets) || !check_rotary_ways(block)) return;
     if (!check_feed(block, "spline")) return;
+    if (!may_turn_along(block, tool)) return;
     if (!through_ && !start_through(block)) return;
     spline_end_.line = block.line;
     spline_end_.source = block.source;
@@ -75,7 +77,8 @@ void Executor::go_through(const Block& block, SlotMask targets) {
         return;
     }
     through_->moved = static_cast<AxisMask>(through_->moved | target.moved);
-    through_->blocks.push_back({block.line, block.source, modal_.feed, target.base});
+    through_->blocks.push_back({block.line, block.source, modal_.feed, target.base, {}, {}});
+    if (tool.is_any()) through_->blocks.back().tool = tool;
     arrive(target);
     move_through();
 }

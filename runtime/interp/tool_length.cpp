@@ -2,7 +2,10 @@
 #include <algorithm>
 
 #include "base/diagnostics/iso.h"
+#include "base/diagnostics/orienting.h"
+#include "base/numbers.h"
 #include "interp/executor.h"
+#include "machine/kinematics.h"
 #include "machine/tilted_plane.h"
 
 namespace kadr::interp {
@@ -77,7 +80,9 @@ void Executor::check_length_known(const Block& block) {
 
 /// A length that was selected acts along an axis with the first motion of that axis: the motion
 /// side is told just before it, and only if the length is another one than before.
-void Executor::activate_length(const Block& block, AxisMask moved) {
+///
+/// returns  how far the tip goes by it while the axes stand, in the base system, mm
+Vec3 Executor::activate_length(const Block& block, AxisMask moved) {
     const Axis axis = wanted_length_axis();
     if ((moved & bit(axis)) != 0) check_length_known(block);
     const Vec3 wanted = wanted_lengths();
@@ -90,11 +95,27 @@ void Executor::activate_length(const Block& block, AxisMask moved) {
         changed = static_cast<AxisMask>(changed | 1u << i);
     }
     tool_.has_changed = lengths != wanted;
-    if (changed == 0) return;
+    if (changed == 0) return Vec3::Zero();
+    const Vec3 shift = length_shift_of(lengths);
+    Vec3 carried = shift - length_shift_of(tool_.lengths);
+    if (orienting_.is_on)
+        carried = machine::rotation_of(machine_.kinematics->chain, joints_of(position_.base)) *
+                  (lengths - tool_.lengths);
     tool_.lengths = lengths;
     tool_.axis = axis;
-    set_length_shift(length_shift_of(lengths));
+    set_length_shift(shift);
     put_tool_length(block, axis).moved = changed;
+    return -carried;
+}
+
+/// … with an arc. On a line the tip comes from wherever the length has left it; an arc that begins
+/// beside its circle is none. Along its axis it rises. False: it was reported.
+bool Executor::activate_length_on_arc(const Block& block, const Vec3& normal, AxisMask moved) {
+    const Vec3 way = activate_length(block, moved);
+    const double aside = (way - way.dot(normal) * normal).norm();
+    if (aside <= rules_.arc_tolerance) return true;
+    report(diag::ArcLengthChange, block, modal_.motion).arg(round_to(aside, 4));
+    return false;
 }
 
 /// Tells the motion side what lies between the tip and what the linear axes carry.

@@ -91,6 +91,14 @@ bool Executor::orient(const Block& block, const Actions& actions, Target& target
         return false;
     }
     if (!check_side_arc(block)) return false;
+    if (!lay_tool_words(block, tool, target)) return false;
+    settle_turn(target);
+    return true;
+}
+
+/// How the tool turns by what a block says; what depends on the block's path waits for it in
+/// `course_`. False: it was reported.
+bool Executor::lay_tool_words(const Block& block, const ToolWords& tool, Target& target) {
     if (tool.says_direction() || tool.point.is_said() || (block.given & joint_axes()) != 0)
         orienting_.leans = false;
     const bool is_led = is_led_by_surface(tool) || tool.point.is_said() || tool.lead;
@@ -107,7 +115,6 @@ bool Executor::orient(const Block& block, const Actions& actions, Target& target
         if (!waits && !lay_spin(block, tool, target)) return false;
         orienting_.point.reset();
     }
-    settle_turn(target);
     return true;
 }
 
@@ -192,8 +199,10 @@ bool Executor::lay_turn(const Block& block, const Vec3& to, Target& target,
     if ((to - from).norm() < kSameDirection && !fixes_spin) return true;
     machine::PathQuery query = machine::query_for(chain, to);
     if (fixes_spin) {
-        query.rotation = turn_into_base() * rotation_by_angles(angles->angles.vector()) *
-                         base_rotation().transpose();
+        machine::Mat3 said = turn_into_base() * rotation_by_angles(angles->angles.vector());
+        // What is mirrored of a tool is the axis from which its own angle counts.
+        if (mirrors_words()) said.col(1) = said.col(2).cross(said.col(0));
+        query.rotation = said * base_rotation().transpose();
         query.fixes_spin = true;
     }
     query.start = joints;
@@ -235,8 +244,8 @@ machine::Mat3 Executor::base_rotation() const {
 std::optional<machine::OrientationArc> Executor::cone_to(const Block& block, const ToolWords& tool,
                                                          const Vec3& from, const Vec3& to) {
     using machine::ConeSense;
-    const ConeSense sense =
-        orienting_.turning == Function::TurnConeCw ? ConeSense::Cw : ConeSense::Ccw;
+    const bool is_cw = (orienting_.turning == Function::TurnConeCw) != mirrors_words();
+    const ConeSense sense = is_cw ? ConeSense::Cw : ConeSense::Ccw;
     const auto refuse = [&](const DiagnosticRow& row) {
         report(row, block);
         return std::nullopt;
@@ -395,18 +404,22 @@ bool Executor::lead_by_surface(const Block& block, const ToolWords& tool, const 
     const auto normals = normals_of(block, tool);
     if (!normals) return false;
     path::Lean lean = orienting_.lean;
+    if (mirrors_words()) lean.tilt = -lean.tilt;
     lean.about = rules_.tilt_about_normal ? path::TiltAbout::Normal : path::TiltAbout::Tangent;
     const double length = path::length(curve);
     const bool is_still_leant = length == 0 && !leans_on_surface() && !tool.says_surface();
     if (is_still_leant) return true;
-    const auto start = lean_on(block, (*normals)[0], path::evaluate(curve, 0).tangent, lean);
+    // Where the tip stands there is no path to be led by, and where the control only looks at the
+    // block's end it is not.
+    const bool is_led = length > 0 && leans_on_surface();
+    const auto start = is_led
+                           ? lean_on(block, (*normals)[0], path::evaluate(curve, 0).tangent, lean)
+                           : normals->front();
     if (!start) return false;
     const auto end = lean_on(block, (*normals)[1], path::evaluate(curve, length).tangent, lean);
     if (!end) return false;
     orienting_.normal = (*normals)[1];
-    // Where the tip stands there is no path to be led by, and where the control only looks at the
-    // block's end it is not.
-    if (length == 0 || !leans_on_surface()) return turn_to(block, tool, *end, target);
+    if (!is_led) return turn_to(block, tool, *end, target);
     const auto arc = machine::great_circle((*normals)[0], (*normals)[1]);
     if (!arc) {
         report(diag::OrientationOpposite, block);
@@ -533,8 +546,9 @@ bool Executor::lay_spin(const Block& block, const ToolWords& tool, Target& targe
     Vec3 joints = joints_of(target.base);
     double& psi = joints[2];
     const double sign = chain.joints[machine::kPsi].sign;
+    const double sense = mirrors_words() ? -1 : 1;
     if (tool.spin_by) {
-        psi += sign * rad_from_deg(*tool.spin_by);
+        psi += sign * sense * rad_from_deg(*tool.spin_by);
     } else {
         const Vec3 direction = machine::tool_vector(chain, joints);
         const auto reference = spin_reference(direction, curve);
@@ -545,7 +559,8 @@ bool Executor::lay_spin(const Block& block, const ToolWords& tool, Target& targe
         // Where the tool's own X would be without Ψ, and where it is wanted.
         const Vec3 across =
             machine::rotation_of(chain, {joints[0], joints[1], 0}) * base_rotation().col(0);
-        const Vec3 wanted = Eigen::AngleAxisd(rad_from_deg(*tool.spin), direction) * *reference;
+        const Vec3 wanted =
+            Eigen::AngleAxisd(sense * rad_from_deg(*tool.spin), direction) * *reference;
         const double angle =
             std::atan2(direction.dot(across.cross(wanted)), across.dot(wanted)) * sign;
         const double before = joints_of(position_.base)[2];

@@ -3,7 +3,10 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/LU>
+
 #include "base/diagnostics/iso.h"
+#include "base/diagnostics/orienting.h"
 #include "base/numbers.h"
 #include "base/units.h"
 #include "interp/executor.h"
@@ -19,6 +22,8 @@ namespace {
 
 /// A lead or a tilt leans the tool out of the surface by less than this, deg.
 constexpr double kMostLean = 90;
+/// … and a cone opens by no more, deg; a sign says another form of the same.
+constexpr double kMostOpening = 180;
 
 bool is_cone(Function turning) {
     return turning == Function::TurnConeCw || turning == Function::TurnConeCcw ||
@@ -59,7 +64,7 @@ void Executor::take_orientation(const Block& block, const nc::Invocation& invoca
             if (end < 2 && part < 3) tool.normals[end].set(part, block.argument(invocation, 2));
             return;
         }
-        case Function::ConeOpening: tool.opening = block.argument(invocation, 0); return;
+        case Function::ConeOpening: return take_opening(block, invocation, tool);
         case Function::ToolLead: tool.lead = block.argument(invocation, 0); return;
         case Function::ToolSpin:
             if ((invocation.given & 1u) != 0) tool.spin = block.argument(invocation, 0);
@@ -68,6 +73,15 @@ void Executor::take_orientation(const Block& block, const nc::Invocation& invoca
         case Function::LeanLead:
         case Function::LeanTilt: return take_lean(block, invocation, tool);
         default: return;
+    }
+}
+
+void Executor::take_opening(const Block& block, const nc::Invocation& invocation, ToolWords& tool) {
+    const double opening = block.argument(invocation, 0);
+    if (std::abs(opening) <= kMostOpening) {
+        tool.opening = opening;
+    } else {
+        report(diag::ConeOpeningRange, block, invocation.function).arg(opening);
     }
 }
 
@@ -149,6 +163,8 @@ bool Executor::has_idle_words(const Block& block, const ToolWords& tool) {
         {tool.normals[0].is_said() && !takes_surface, Function::SurfaceNormal},
         {tool.normals[1].is_said() && !takes_surface, Function::SurfaceNormal},
         {tool.lead.has_value() && !tool.vector.is_said(), Function::ToolLead},
+        {tool.changes_lean && tool.says_direction(),
+         block.find(Function::LeanLead) != nullptr ? Function::LeanLead : Function::LeanTilt},
         {tool.says_direction() && tool.point.is_said(), Function::ToolVector},
     };
     for (const auto& check : checks) {
@@ -186,6 +202,10 @@ machine::Mat3 Executor::turn_into_base() const {
         turn.col(i) = frames_.total().direction(Vec3::Unit(i)).normalized();
     return turn;
 }
+
+/// Whether frames mirror what is said of the tool: what goes by the right-hand rule about something
+/// goes the other way round then.
+bool Executor::mirrors_words() const { return turn_into_base().determinant() < 0; }
 
 /// A direction that words say, in the base system; nothing if it was reported.
 std::optional<Vec3> Executor::direction_in_base(const Block& block, const Vec3& said,

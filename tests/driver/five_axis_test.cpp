@@ -286,4 +286,52 @@ TEST_F(FiveAxis, CoursesAreTheSameOnEveryMachine) {
     }
 }
 
+/// The parabola y = x²/40 as a polynomial and as a B-spline of the second degree, on which the tool
+/// turns about Y by atan 0.5; behind it two splines through points.
+std::string splines(const std::string& parabola) {
+    return "G17 G54 G90 G64\nT1 D1 M6\nS8000 M3\nTRAORI\nG54\nORIWKS ORIVECT\nG0 X0 Y0 Z20 C3=1\n" +
+           parabola +
+           "ASPLINE\nX30 Y15 A3=0.3 C3=1\nX40 Y10 Z25 A3=0.2 B3=0.3 C3=1\nX50 Y15 C3=1\n"
+           "CSPLINE\nX60 Y10 A3=-0.2 B3=0.1 C3=1\nX70 Y12 Z20 A3=-0.2 B3=-0.3 C3=1\n"
+           "G1 X80\nTRAFOOF\nM30\n";
+}
+
+TEST_F(FiveAxis, ToolsTurnInProportionAlongSplinesOnEveryMachine) {
+    // The line of the block in which the parabola ends.
+    const std::pair<std::string, int> ways[] = {
+        {"G1 F1500\nPOLY PO[X]=(20) PO[Y]=(10,10) A3=0.5 C3=1\n", 9},
+        {"G1 F1500\nBSPLINE SD=2 X10 A3=-0.3 B3=1 C3=1\nX20 Y10 A3=0.5 C3=1\n", 10}};
+    const auto length_to = [](double x) {  // of y = x²/40 from 0
+        return 10 * (std::asinh(x / 20) + x / 20 * std::hypot(1, x / 20));
+    };
+    for (const auto& [parabola, line] : ways) {
+        save("part.mpf", splines(parabola));
+        std::vector<std::string> first;
+        for (const std::string& machine : kMachines) {
+            SCOPED_TRACE(machine + parabola);
+            const auto result =
+                kadr({"run", file("part.mpf"), "-d", "sinumerik", "-m", machine, "--commands",
+                      file("part.jsonl"), "--setpoints", file("part.csv")});
+            ASSERT_EQ(result.status, 0) << result.err;
+            std::vector<std::string> tools;
+            for (const std::string& way : tool_motions(read_file(file("part.jsonl")).value()))
+                tools.push_back(way.substr(way.find("\"tool\"")));
+            if (first.empty()) first = tools;
+            EXPECT_EQ(tools, first);
+            int count = 0;
+            for (const Row& row : rows_of(read_file(file("part.csv")).value())) {
+                if (row.at("iso") != line) continue;
+                ++count;
+                const double x = row.at("tip_x");
+                EXPECT_NEAR(row.at("tip_y"), x * x / 40, 1e-6);
+                EXPECT_NEAR(row.at("tip_z"), 20, 1e-6);
+                const double turn = std::atan(0.5) * length_to(x) / length_to(20);
+                EXPECT_NEAR(row.at("tool_i"), std::sin(turn), 1e-6);
+                EXPECT_NEAR(row.at("tool_j"), 0, 1e-6);
+            }
+            EXPECT_GT(count, 400);
+        }
+    }
+}
+
 }  // namespace

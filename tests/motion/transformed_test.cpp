@@ -12,6 +12,7 @@
 
 #include "base/units.h"
 #include "machine/path_choice.h"
+#include "path/curve_of.h"
 #include "tests/motion/any_program.h"
 #include "tests/motion/tick_limits.h"
 
@@ -403,6 +404,69 @@ TEST(Transformed, SecondPointsLeadTheToolAtEveryTick) {
                          command.turn_axis = point_to - point;
                      });
         expect_led(machine, program.commands, {program.commands[1], from, tool});
+    }
+}
+
+/// A span that bends both ways and rises, of a rational and of a plain spline; X grows all along.
+Command bent_span(double weight) {
+    Command command = line_to({40, 12, 5}, 2500);
+    command.op = Op::Spline;
+    command.spline.degree = 3;
+    command.spline.inner[0] = {10, 25, 0};
+    command.spline.inner[1] = {25, -20, 3};
+    command.spline.weights = {1, weight, 1 / weight, 1};
+    return command;
+}
+
+/// The distance along the curve at which X is this: by halving.
+double distance_at(const path::Curve& curve, double x) {
+    double low = 0, high = path::length(curve);
+    for (int i = 0; i < 60; ++i) {
+        const double middle = (low + high) / 2;
+        (path::position(curve, middle).x() < x ? low : high) = middle;
+    }
+    return (low + high) / 2;
+}
+
+TEST(Transformed, ToolsTurnInProportionAlongSplines) {
+    for (const machine::Machine& machine : every_class()) {
+        for (const double weight : {1.0, 1.7}) {
+            const Vec3 from = direction(30, 20), to = direction(140, 35);
+            const Command span = bent_span(weight);
+            const path::Curve curve = path::curve_of(span, {0, 0, 0}, {40, 12, 5});
+            const double whole = std::atan2(from.cross(to).norm(), from.dot(to));
+            const Vec3 axis = from.cross(to).normalized();
+            Program program(machine);
+            program.go_fast({0, 0, 0}, from);
+            program.lead(span, curve, [&](Command& command, const Vec3&) {
+                command.turning = Turning::Cone;
+                command.turn_axis = axis;
+                command.turn_angle = whole;
+            });
+            std::vector<Command> commands = program.commands;
+            commands.insert(commands.begin(), with_tool_length(90));
+            const Motion motion = run(machine, commands);
+            ASSERT_FALSE(motion.alarmed);
+            TickWatch watch(machine, motion.segments);
+            std::size_t count = 0;
+            for (const Setpoint& setpoint : sample(machine, commands)) {
+                watch.add(setpoint);
+                const machine::Pose pose = pose_of(machine, setpoint, 90);
+                if (setpoint.line < commands.size()) continue;
+                constexpr std::size_t kLookedAt =
+                    5;  // one of so many: to find the place takes long
+                if (++count % kLookedAt != 0) continue;
+                const double distance = distance_at(curve, pose.tip.x());
+                ASSERT_LT((path::position(curve, distance) - pose.tip).norm(), 1e-3 * kMicrometre);
+                const double share = distance / path::length(curve);
+                const Vec3 tool = Eigen::AngleAxisd(share * whole, axis) * from;
+                ASSERT_LT((pose.rotation * Vec3::UnitZ() - tool).norm(), 1e-6) << share;
+            }
+            EXPECT_GT(count, 300u);
+            EXPECT_LT(watch.shares().velocity, 1.001);
+            EXPECT_LT(watch.shares().acceleration, 1.001);
+            EXPECT_LT(watch.shares().jerk, 1.001);
+        }
     }
 }
 

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "path/curve_of.h"
 #include "tests/path/oracle_arcs.h"
 
 namespace kadr::path {
@@ -190,6 +191,26 @@ RC_GTEST_PROP(Line, PartsKeepTheDirection, ()) {
     const Line piece = part(line, from, to);
     RC_ASSERT(piece.direction == line.direction);
     RC_ASSERT((piece.end - position(line, to)).norm() == 0);
+}
+
+/// A tip that is a little beside the start of its arc, as controls forgive it, comes to its end all
+/// the same: the last point that is worked out by the angle lies beside the end that is programmed.
+TEST(CurveOf, AnArcEndsAtItsEndWhereverTheTipIs) {
+    Command command;
+    command.op = Op::Arc;
+    command.center = {0, 0, 0};
+    command.sweep = kPi / 2;
+    for (const Vec3& from : {Vec3(10, 0, 0), Vec3(10, 0.01, 0), Vec3(10.01, -0.01, 3)}) {
+        const Vec3 to{0, 10, 0};
+        const Curve curve = curve_of(command, from, to);
+        EXPECT_EQ(start(curve), from);
+        EXPECT_EQ(end(curve), to);
+        const Helix& helix = std::get<Helix>(curve);
+        EXPECT_LT((position_at_angle(helix, helix.sweep) - to).norm(), 1e-12);
+        EXPECT_NEAR(helix.sweep, kPi / 2, 0.0011);  // 0.01 of 10 mm, rad
+    }
+    // A start that another turn would belong to keeps the sweep that is programmed.
+    EXPECT_EQ(std::get<Helix>(curve_of(command, {0, -10, 0}, {0, 10, 0})).sweep, kPi / 2);
 }
 
 }  // namespace

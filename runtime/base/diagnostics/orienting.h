@@ -1,0 +1,12 @@
+// orienting.h — the rows of orienting.def, for those who report them: K584x: tools that lean under
+// the machine's transformation.
+#pragma once
+
+#include "base/diagnostic.h"
+
+namespace kadr::diag {
+#define KADR_DIAGNOSTIC(name, code, severity, message, explanation, wrong, right) \
+    extern const DiagnosticRow name;
+#include "base/diagnostics/orienting.def"
+#undef KADR_DIAGNOSTIC
+}  // namespace kadr::diag

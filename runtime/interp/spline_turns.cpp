@@ -1,0 +1,174 @@
+// spline_turns.cpp — how the tool turns along splines and polynomials.
+//
+// Blocks of a spline are read before their spans are known: what they say of the tool waits with
+// them. Along a span the tool turns as along any other way, in proportion to its length. A pole of
+// a B-spline is no place of the way; the directions beside the poles are poles themselves, and at
+// the end of every span the tool stands as their spline says.
+#include <bit>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "base/diagnostics/iso.h"
+#include "interp/executor.h"
+#include "interp/linear.h"
+#include "machine/chain.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using path::Vec3;
+
+namespace {
+
+/// Poles of directions that lie against each other make none, as a part of their length.
+constexpr double kNoDirection = 1e-3;
+
+}  // namespace
+
+/// Whether a word says how the tool stands or turns: it may stand in the blocks of a spline.
+bool is_tool_word(Function function) {
+    switch (function) {
+        case Function::ToolVector:
+        case Function::ToolAngle:
+        case Function::ToolLead:
+        case Function::ToolSpin:
+        case Function::ToolBetween:
+        case Function::ToolPoint:
+        case Function::ConeAxis:
+        case Function::ConeOpening:
+        case Function::SurfaceNormal:
+        case Function::LeanLead:
+        case Function::LeanTilt: return true;
+        default: return false;
+    }
+}
+
+/// Whether the tool may turn as it is said beside a spline or a polynomial; if not, it was
+/// reported.
+bool Executor::may_turn_along(const Block& block, const ToolWords& tool) {
+    if (!orienting_.is_on && !tool.is_any()) return true;
+    const bool is_alone = orienting_.is_on && !orienting_.has_length && !is_any_comp_on();
+    // What is modal would act on the spans that wait, too.
+    bool is_refused = tool.is_any() && (!is_alone || (tool.changes_lean && is_in_spline()));
+    if (modal_.motion == Function::Spline) {
+        const Function turning = orienting_.turning;
+        const bool is_free = turning == Function::TurnPlane || turning == Function::TurnAxes;
+        const bool spins = tool.spin || tool.spin_by ||
+                           (tool.angles.is_said() && machine_.kinematics->chain.has(machine::kPsi));
+        is_refused |= is_led_by_surface(tool) || (tool.is_any() && !is_free) || spins;
+    }
+    if (is_refused) {
+        report(diag::IsoNotSupported, block).arg("a tool that turns so beside a spline");
+        return false;
+    }
+    if (!orienting_.is_on) return true;
+    check_offset_said(block);
+    return !turns_in_two_ways(block, tool) && !has_idle_words(block, tool);
+}
+
+/// What a pole of a B-spline says of the tool: a direction, or the one of the pole before it.
+/// Nothing where no transformation turns the tool; false: it was reported.
+bool Executor::direct_pole(const Block& block, const ToolWords& tool, PoleBlock& pole) {
+    if (!orienting_.is_on) return true;
+    if (tool.says_direction()) {
+        if (lacks_axis_for_direction(block)) return false;
+        const std::optional<Vec3> said = wanted_direction(block, tool);
+        if (!said) return false;
+        pole.direction = *said;
+        return true;
+    }
+    const Vec3 joints = joints_of(position_.base);
+    pole.direction =
+        spline_->direction().value_or(machine::tool_vector(machine_.kinematics->chain, joints));
+    return true;
+}
+
+/// How the tool turns along a span, and where the rotary axes stand at its end: in `to` and in the
+/// position, of which X, Y and Z are behind blocks that have been read meanwhile. False: it was
+/// reported.
+///
+/// at  whose place messages show
+bool Executor::turn_along(const Block& at, const PoleBlock& said, const path::Curve& span,
+                          AxisValues& to) {
+    const Position read = position_;
+    const double feed = std::exchange(modal_.feed, said.feed);
+    for (std::size_t i = 0; i < 3; ++i)
+        position_.base[i] = path::start(span)[static_cast<Eigen::Index>(i)];
+    position_.here = frames_.from_base(position_.base);
+    Target target{position_.here, position_.base, static_cast<AxisMask>(kLinearXYZ | joint_axes()),
+                  kLinearXYZ};
+    for (std::size_t i = 0; i < 3; ++i)
+        target.base[i] = path::end(span)[static_cast<Eigen::Index>(i)];
+    target.here = frames_.from_base(target.base);
+    const bool is_laid =
+        lay_span_turn(at, said, span, target) && check_limits(at, target.base, joint_axes());
+    modal_.feed = feed;
+    position_ = read;
+    if (!is_laid) return false;
+    for (AxisMask rest = joint_axes(); rest != 0; rest = static_cast<AxisMask>(rest & (rest - 1))) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+        to[i] = position_.base[i] = target.base[i];
+        position_.here[i] = position_.programmed[i] = target.here[i];
+    }
+    return true;
+}
+
+bool Executor::lay_span_turn(const Block& at, const PoleBlock& said, const path::Curve& span,
+                             Target& target) {
+    next_turn_ = {};
+    course_.reset();
+    if (said.direction) {
+        if (said.direction->norm() < kNoDirection) {
+            report(diag::OrientationOpposite, at);
+            return false;
+        }
+        if (!lay_turn(at, said.direction->normalized(), target)) return false;
+        orienting_.leans = false;
+    } else {
+        if (!lay_tool_words(at, said.tool.value_or(ToolWords{}), target)) return false;
+        if (course_) return lay_course(at, span, target);
+    }
+    settle_turn(target);
+    return true;
+}
+
+/// What a block says of the tool, shared out to the pieces of its polynomial by their lengths: the
+/// directions in which they end. False: it was reported.
+bool Executor::share_turn(const Block& block, const ToolWords& tool,
+                          const std::vector<double>& shares,
+                          const std::vector<PoleBlock*>& pieces) {
+    if (!orienting_.is_on) return true;
+    const bool is_led = is_led_by_surface(tool);
+    if (pieces.size() == 1 || (!tool.is_any() && !is_led)) {
+        if (tool.is_any() || is_led) pieces.back()->tool = tool;
+        return true;
+    }
+    const bool is_plane = orienting_.turning == Function::TurnPlane && tool.says_direction() &&
+                          !is_led && !tool.spin && !tool.spin_by;
+    if (!is_plane) {
+        report(diag::IsoNotSupported, block)
+            .arg("a tool that turns so beside a polynomial with such a denominator");
+        return false;
+    }
+    if (lacks_axis_for_direction(block)) return false;
+    const std::optional<Vec3> to = wanted_direction(block, tool);
+    if (!to) return false;
+    const Vec3 from = machine::tool_vector(machine_.kinematics->chain, joints_of(position_.base));
+    const auto arc = machine::great_circle(from, *to);
+    if (!arc) {
+        report(diag::OrientationOpposite, block);
+        return false;
+    }
+    double reached = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        reached += shares[i];
+        const bool is_last = i + 1 == pieces.size();
+        pieces[i]->direction =
+            is_last ? *to : Vec3(Eigen::AngleAxisd(reached * arc->turn, arc->axis) * from);
+    }
+    return true;
+}
+
+}  // namespace kadr::interp
