@@ -239,6 +239,14 @@ M30
     }
 }
 
+/// How the tool stands at the ends of the motions.
+std::vector<std::string> tools_in(const std::string& commands) {
+    std::vector<std::string> tools;
+    for (const std::string& way : tool_motions(commands))
+        tools.push_back(way.substr(way.find("\"tool\"")));
+    return tools;
+}
+
 /// Lines, an arc and a turn about the tip on which the tool goes along cones, leans on a surface
 /// and follows a second point.
 const std::string kCourses = R"(N10 G17 G54 G90 G64
@@ -270,9 +278,7 @@ TEST_F(FiveAxis, CoursesAreTheSameOnEveryMachine) {
             kadr({"run", file("part.mpf"), "-d", "sinumerik", "-m", machine, "--commands",
                   file("part.jsonl"), "--setpoints", file("part.csv")});
         ASSERT_EQ(result.status, 0) << result.err;
-        std::vector<std::string> tools;
-        for (const std::string& way : tool_motions(read_file(file("part.jsonl")).value()))
-            tools.push_back(way.substr(way.find("\"tool\"")));
+        const auto tools = tools_in(read_file(file("part.jsonl")).value());
         if (first.empty()) first = tools;
         EXPECT_EQ(tools, first);
         for (const Row& row : rows_of(read_file(file("part.csv")).value())) {
@@ -313,9 +319,7 @@ TEST_F(FiveAxis, ToolsTurnInProportionAlongSplinesOnEveryMachine) {
                 kadr({"run", file("part.mpf"), "-d", "sinumerik", "-m", machine, "--commands",
                       file("part.jsonl"), "--setpoints", file("part.csv")});
             ASSERT_EQ(result.status, 0) << result.err;
-            std::vector<std::string> tools;
-            for (const std::string& way : tool_motions(read_file(file("part.jsonl")).value()))
-                tools.push_back(way.substr(way.find("\"tool\"")));
+            const auto tools = tools_in(read_file(file("part.jsonl")).value());
             if (first.empty()) first = tools;
             EXPECT_EQ(tools, first);
             int count = 0;
