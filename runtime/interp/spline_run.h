@@ -25,7 +25,9 @@ struct PoleBlock {
     std::uint32_t line = 0;
     SourceId source;
     double feed = 0;
-    AxisValues to{};  // of the pole, or of the end of the span, base coordinates
+    AxisValues to{};           // of the pole, or of the end of the span, base coordinates
+    std::uint32_t number = 0;  // among the blocks of its spline, from 1
+    bool stops = false;        // exactly, at the end of the block
 };
 
 /// A span, and the block that completed it.
