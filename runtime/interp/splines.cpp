@@ -89,6 +89,11 @@ void Executor::spline(const Block& block) {
         return;
     }
     if (!check_axes(block, targets) || !check_rotary_ways(block)) return;
+    if (const auto interval = word(block, Function::SplineInterval); interval && *interval < 0) {
+        report(diag::IsoMinusNotAllowed, block, Function::SplineInterval)
+            .arg(word_of(block, Function::SplineInterval));
+        return;
+    }
     if (!spline_ && !start_spline(block, knot.has_value())) return;
     spline_end_.line = block.line;
     spline_end_.source = block.source;

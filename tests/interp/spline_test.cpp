@@ -209,13 +209,23 @@ TEST(Splines, IncrementalAndShifted) {
     EXPECT_EQ(splines(shifted).at(0).spline.inner[0].x(), 110);
 }
 
+/// SINUMERIK reference 4.4, 4.5: PL is the range of polynomials, which is above zero, and of a
+/// B-spline a distance of knots.
+TEST(Splines, IntervalsBelowZeroHaveTheirAlarms) {
+    const std::string start = "M3 S100 F500 G1 X0 Y0\n";
+    for (const std::string range : {"PL=0", "PL=-1"})
+        EXPECT_EQ(alarms(read("sinumerik", start + "POLY PO[X]=(10,2) " + range + "\nM30\n")),
+                  "14093");
+    EXPECT_EQ(alarms(read("sinumerik", start + "BSPLINE X10 Y5 PL=-1\nX20\nX30\nM30\n")), "12560");
+}
+
 TEST(Splines, WhatIsWrong) {
     const auto codes = [](std::vector<Block> blocks) {
         blocks.insert(blocks.begin(), line().x(0).y(0).f(500));
         return run(blocks).codes();
     };
     EXPECT_EQ(codes({begin(3), pole(10, 10), pole(20, 0)}), "K5203");
-    EXPECT_EQ(codes({begin(2), by_interval(10, 10, -1), pole(20, 0)}), "K5204");
+    EXPECT_EQ(codes({begin(2), by_interval(10, 10, -1), pole(20, 0)}), "K5006");
     EXPECT_EQ(
         codes({begin(1).x(0).y(0).fn(Function::SplineKnot, {{0, 0}}), by_knot(10, 0, 0), knot(1)}),
         "K5204");
