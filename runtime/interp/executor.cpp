@@ -276,9 +276,19 @@ Command& Executor::behind_corners() {
 }
 
 Command& Executor::put(Op op, const Block& block) {
-    const Block& from = origin(block);
-    Command& command = corners_.is_active() ? corners_.next() : behind_corners();
+    const bool waits = is_in_spline() && op != Op::Spline && !puts_span_;
+    Command& command = waits                  ? said_in_spline_.next()
+                       : corners_.is_active() ? corners_.next()
+                                              : behind_corners();
     command.op = op;
+    fill_in(command, block);
+    return command;
+}
+
+/// What the modal state says of a command.
+void Executor::fill_in(Command& command, const Block& block) {
+    const Block& from = origin(block);
+    const Op op = command.op;
     command.feed_mode = modal_.feed_mode;
     command.plane = modal_.plane;
     command.exact_stop = false;
@@ -301,7 +311,6 @@ Command& Executor::put(Op op, const Block& block) {
     command.virtual_axes = {};
     if (is_transformed()) put_turn(command);
     command.text.clear();
-    return command;
 }
 
 const Block& Executor::origin(const Block& block) const {

@@ -35,6 +35,7 @@
 #include "interp/shape_run.h"
 #include "interp/snapshot.h"
 #include "interp/soft_approach.h"
+#include "interp/spline_said.h"
 #include "interp/state.h"
 #include "interp/through_run.h"
 #include "interp/told_once.h"
@@ -188,6 +189,7 @@ class Executor {
     bool selects_at_once() const;
     /// M functions that take the machine time, at one side of the block's motion.
     enum class Side : std::uint8_t { Before, Behind };
+    bool is_awaited(const nc::Block& block, const nc::Invocation& invocation) const;
     void issue_functions(const nc::Block& block, const Actions& actions, Side side);
     bool has_changed(std::int64_t code, const Actions& actions) const;
     void pass_machine_function(const nc::Block& block, std::int64_t number);
@@ -520,6 +522,11 @@ class Executor {
     bool frames_change_in(const nc::Block& block) const;
     std::optional<path::Vec3> tangent_of_arc(const nc::Block& block, const path::Vec3& end) const;
     bool is_in_spline() const { return spline_ || through_; }
+    bool leaves_spline_open(const nc::Block& block, const nc::Invocation& invocation) const;
+    PoleBlock pole_block(const nc::Block& block, const AxisValues& to);
+    path::Command span_as_said(const nc::Block& block);
+    void as_said(path::Command& command) const;
+    void put_said_before(std::uint32_t number);
     void finish_open_spline(const nc::Block* next = nullptr);
 
     // polynomials.cpp
@@ -605,6 +612,7 @@ class Executor {
 
     path::Command& behind_corners();
     path::Command& put(path::Op op, const nc::Block& block);
+    void fill_in(path::Command& command, const nc::Block& block);
     path::Blending blending(path::Op op) const;  // smoothing.cpp
     // panel.cpp
     void set_dynamics(const nc::Block& block, const nc::Invocation& invocation);
@@ -722,6 +730,8 @@ class Executor {
     bool owes_speed_ = false;          // the motion side was not told of a new speed of the spindle
     std::optional<SplineRun> spline_;  // that is being read
     std::optional<ThroughRun> through_;  // … through points
+    SplineSaid said_in_spline_;          // beside the points of the one that is being read
+    bool puts_span_ = false;             // what is put stands in front of it, not of the next one
     SplineEnds spline_ends_;
     nc::Block spline_end_{};  // place of its latest block
     int spline_degree_ = 3;

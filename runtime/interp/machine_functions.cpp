@@ -37,6 +37,12 @@ bool Executor::has_changed(std::int64_t code, const Actions& actions) const {
     return true;
 }
 
+/// Whether the path stops until the machine has acknowledged a function of a block.
+bool Executor::is_awaited(const nc::Block& block, const nc::Invocation& invocation) const {
+    const machine::MachineFunction* known = machine_.find_function(code_of(block, invocation));
+    return known != nullptr && known->waits;
+}
+
 void Executor::issue_functions(const nc::Block& block, const Actions& actions, Side side) {
     if (machine_.functions.empty()) return;
     for (std::size_t i = 0; i < block.function_count; ++i) {

@@ -26,10 +26,13 @@ struct PoleBlock {
     std::uint32_t line = 0;
     SourceId source;
     double feed = 0;
-    AxisValues to{};  // of the pole, or of the end of the span, base coordinates
-    /// Of the tool likewise, in the base system; between poles that lie against each other zero.
-    std::optional<path::Vec3> direction;
-    std::optional<ToolWords> tool;  // … or what it says of the tool along the span
+    AxisValues to{};           // of the pole, or of the end of the span, base coordinates
+    std::uint32_t number = 0;  // among the blocks of its spline, from 1
+    bool stops = false;        // exactly, at the end of the block
+    /// Of the tool beside the pole, in the base system; between poles that lie against each other
+    /// zero.
+    std::optional<path::Vec3> direction = std::nullopt;
+    std::optional<ToolWords> tool = std::nullopt;  // … or what it says of the tool along the span
 };
 
 /// Whether a word says how the tool stands or turns: it may stand in the blocks of a spline.

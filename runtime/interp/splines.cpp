@@ -1,9 +1,11 @@
 // splines.cpp — B-splines: their blocks are collected, their spans executed as soon as they are
 // known.
 #include <bit>
+#include <utility>
 
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
+#include "interp/block_words.h"
 #include "interp/executor.h"
 #include "interp/linear.h"
 #include "path/curve.h"
@@ -58,8 +60,9 @@ bool Executor::continues_spline(const Block& block) const {
     for (std::size_t i = 0; i < block.function_count; ++i) {
         const Function function = block.functions[i].function;
         if (is_tool_word(function)) continue;
-        if (!is_spline_word(function) || function == Function::SplineDegree) return false;
         has_knot |= function == Function::SplineKnot;
+        if (is_spline_word(function) && function != Function::SplineDegree) continue;
+        if (spline_->is_by_knots() || !leaves_spline_open(block, block.functions[i])) return false;
     }
     return has_knot || (block.given & nc::kTargetSlots) != 0;
 }
@@ -88,6 +91,11 @@ void Executor::spline(const Block& block, const ToolWords& tool) {
         return;
     }
     if (!check_axes(block, targets) || !check_rotary_ways(block)) return;
+    if (const auto interval = word(block, Function::SplineInterval); interval && *interval < 0) {
+        report(diag::IsoMinusNotAllowed, block, Function::SplineInterval)
+            .arg(word_of(block, Function::SplineInterval));
+        return;
+    }
     if (!may_turn_along(block, tool)) return;
     if (!spline_ && !start_spline(block, knot.has_value())) return;
     spline_end_.line = block.line;
@@ -114,6 +122,7 @@ bool Executor::start_spline(const Block& block, bool by_knots) {
     }
     if (!check_feed(block, "spline")) return false;
     if (tool_.has_changed) activate_length(block, kLinearXYZ);
+    said_in_spline_.begin(span_as_said(block));
     spline_.emplace(spline_degree_, by_knots);
     if (by_knots) return true;
     PoleBlock start{block.line, block.source, 0, position_.base, {}, {}};
@@ -141,7 +150,7 @@ bool Executor::add_pole(const Block& block, SlotMask targets, const ToolWords& t
         report(diag::SplineStart, block).arg(round_to((pole - linear(position_.base)).norm(), 4));
         return false;
     }
-    PoleBlock said{block.line, block.source, modal_.feed, target.base, {}, {}};
+    PoleBlock said = pole_block(block, target.base);
     if (!direct_pole(block, tool, said)) return false;
     spline_->moved = static_cast<AxisMask>(spline_->moved | target.moved);
     spline_->add_pole(pole, weight, said);
@@ -149,13 +158,115 @@ bool Executor::add_pole(const Block& block, SlotMask targets, const ToolWords& t
     return true;
 }
 
+/// Whether a spline goes on in a block with a position beside which this stands. Another motion
+/// ends it, and what makes the path stop; what moves places or the tool ends it as well.
+/// source: SINUMERIK reference 4.4
+bool Executor::leaves_spline_open(const Block& block, const nc::Invocation& invocation) const {
+    switch (invocation.function) {
+        case Function::Inch:
+        case Function::Metric:
+        case Function::Absolute:
+        case Function::Incremental:
+        case Function::DiameterOn:
+        case Function::DiameterOff:
+        case Function::DiameterAbsolute:
+        case Function::FeedPerMinute:
+        case Function::FeedPerRevolution:
+        case Function::FeedInverseTime:
+        case Function::FeedOnce:
+        case Function::ToothFeed:
+        case Function::FeedAxes:
+        case Function::FeedRadius:
+        case Function::FeedOverride:
+        case Function::RapidOverride:
+        case Function::AxisVelocity:
+        case Function::AxisAcceleration:
+        case Function::AxisJerk:
+        case Function::AxisSpeed:
+        case Function::AxisFeed:
+        case Function::AxisOverride:
+        case Function::CuttingSpeedOn:
+        case Function::CuttingSpeedOff:
+        case Function::SpeedLimit:
+        case Function::SpindleSpeed:
+        case Function::SpindleLimit:
+        case Function::ExactStop:
+        case Function::ExactStopOnce:
+        case Function::ContinuousPath:
+        case Function::TappingMode:
+        case Function::BlendDistance:
+        case Function::BlendTolerance:
+        case Function::BlendSmooth:
+        case Function::BlendFeedDistance:
+        case Function::BlendRapidDistance:
+        case Function::PathTolerance:
+        case Function::OrientTolerance:
+        case Function::CompressOn:
+        case Function::CompressOff:
+        case Function::Message: return true;
+        case Function::PlaneXy:
+        case Function::PlaneZx:
+        case Function::PlaneYz: return !is_other_plane(invocation.function);
+        case Function::WorkOffset: return count_of(block, invocation) == work_offset_;
+        case Function::ToolSelect: return !selects_at_once() && (invocation.given & 2u) == 0;
+        case Function::SpindleCw:
+        case Function::SpindleCcw:
+        case Function::SpindleStop:
+        case Function::CoolantFlood:
+        case Function::CoolantMist:
+        case Function::CoolantOff:
+        case Function::MachineFunction: return !is_awaited(block, invocation);
+        default: return false;
+    }
+}
+
+/// A block with a point, as its span is executed.
+PoleBlock Executor::pole_block(const Block& block, const AxisValues& to) {
+    // A course of the feed counts blocks.
+    if (block.function_count != 0 || panel_.says_course)
+        said_in_spline_.change(span_as_said(block));
+    return {block.line,
+            block.source,
+            modal_.feed,
+            to,
+            said_in_spline_.count(),
+            stops_exactly(block.find(Function::ExactStopOnce) != nullptr)};
+}
+
+Command Executor::span_as_said(const Block& block) {
+    Command span;
+    span.op = Op::Spline;
+    fill_in(span, block);
+    return span;
+}
+
+/// Puts out what stands in front of the span of a block of the open spline.
+void Executor::put_said_before(std::uint32_t number) {
+    while (said_in_spline_.has_before(number)) behind_corners() = said_in_spline_.take();
+}
+
 /// Puts out the spans that are known by now.
 void Executor::move_along_spline() {
     while (!ended_) {
         const std::optional<SplineStep> step = spline_->next();
         if (!step) return;
-        put_span(step->span, step->block, spline_->moved, step->is_last && stops_exactly());
+        put_said_before(step->block.number);
+        // Between the ends no block ends at a place of its own.
+        put_span(step->span, step->block, spline_->moved, step->is_last && step->block.stops);
     }
+}
+
+/// A span of an open spline is as its own block has said, and turns as it was laid just now.
+void Executor::as_said(Command& command) const {
+    const Command laid = std::exchange(command, said_in_spline_.span());
+    command.source = laid.source;
+    command.line = laid.line;
+    command.turning = laid.turning;
+    command.direction = laid.direction;
+    command.turn_from = laid.turn_from;
+    command.turn_axis = laid.turn_axis;
+    command.turn_angle = laid.turn_angle;
+    command.lean = laid.lean;
 }
 
 /// A span as a command, said by a block.
@@ -171,10 +282,14 @@ void Executor::put_span(const path::SplineSpan& span, const PoleBlock& said, Axi
     if (!check_box(at, path::bounds(curve))) return;
     AxisValues to = said.to;
     for (std::size_t i = 0; i < 3; ++i) to[i] = end[static_cast<Eigen::Index>(i)];
-    if (orienting_.is_on && !turn_along(at, said, curve, to)) return;
+    puts_span_ = true;
+    const bool is_laid = !orienting_.is_on || turn_along(at, said, curve, to);
+    puts_span_ = false;
+    if (!is_laid) return;
     has_moved_ = true;
     const bool turns = next_turn_.turning != path::Turning::Axes;
     Command& command = put(Op::Spline, at);
+    if (is_in_spline()) as_said(command);
     command.to = to;
     command.moved = turns ? static_cast<AxisMask>(moved | kLinearXYZ | joint_axes()) : moved;
     command.spline = shape;
@@ -189,6 +304,7 @@ void Executor::finish_spline() {
     } else {
         move_along_spline();
     }
+    put_said_before(SplineSaid::kBehindAll);
     spline_.reset();
 }
 

@@ -41,14 +41,15 @@ void Executor::choose_spline_end(const Block& block, const nc::Invocation& invoc
     (invocation.function == Function::SplineStart ? spline_ends_.start : spline_ends_.end) = kind;
 }
 
-/// Whether a block belongs to the spline that runs: a position, with nothing beside it but words of
-/// the ends. The function may stand there again.
+/// Whether a block belongs to the spline that runs: a position, with nothing beside it that ends
+/// the spline. The function may stand there again.
 bool Executor::continues_through(const Block& block) const {
     if (block.motion != Function::None && block.motion != through_->function) return false;
     for (std::size_t i = 0; i < block.function_count; ++i) {
         const Function function = block.functions[i].function;
         if (is_tool_word(function)) continue;
-        if (function != Function::SplineStart && function != Function::SplineEnd) return false;
+        if (function == Function::SplineStart || function == Function::SplineEnd) continue;
+        if (!leaves_spline_open(block, block.functions[i])) return false;
     }
     return (block.given & (nc::kTargetSlots | nc::kPolarSlots)) != 0;
 }
@@ -77,7 +78,7 @@ void Executor::go_through(const Block& block, SlotMask targets, const ToolWords&
         return;
     }
     through_->moved = static_cast<AxisMask>(through_->moved | target.moved);
-    through_->blocks.push_back({block.line, block.source, modal_.feed, target.base, {}, {}});
+    through_->blocks.push_back(pole_block(block, target.base));
     if (tool.is_any()) through_->blocks.back().tool = tool;
     arrive(target);
     move_through();
@@ -96,6 +97,7 @@ bool Executor::start_through(const Block& block) {
         start.tangent = *direction;
     }
     if (tool_.has_changed) activate_length(block, kLinearXYZ);
+    said_in_spline_.begin(span_as_said(block));
     const bool is_akima = modal_.motion == Function::AkimaSpline;
     const auto kind = is_akima ? path::ThroughKind::Akima : path::ThroughKind::CubicSpline;
     through_.emplace(
@@ -112,8 +114,8 @@ void Executor::move_through() {
         const PoleBlock block = through_->blocks.front();
         through_->blocks.pop_front();
         const bool is_last = through_->blocks.empty();
-        put_span({span->start, span->end, span->shape}, block, through_->moved,
-                 is_last && stops_exactly());
+        put_said_before(block.number);
+        put_span({span->start, span->end, span->shape}, block, through_->moved, block.stops);
         if (is_last) came_from_ = span->shape.inner[1];
     }
 }
@@ -132,6 +134,7 @@ void Executor::finish_through(const Block* next) {
     }
     through_->spline.finish(end);
     move_through();
+    put_said_before(SplineSaid::kBehindAll);
     through_.reset();
 }
 

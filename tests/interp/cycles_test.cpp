@@ -249,7 +249,7 @@ TEST(Cycles, WordsAreModalAmongCycles) {
 TEST(Cycles, WhatTheCodeSaysByItselfIsNotForOthers) {
     Drill cycles;
     Block without_dwell = drill({{kTo, -12}, {kRetract, 2}, {kDwell, 0}}).x(1).f(100);
-    without_dwell.functions[0].by_form = 1u << kDwell;  // G81
+    without_dwell.cycle_by_form = 1u << kDwell;  // G81
     const Ran ran = run(
         {rapid().z(20), without_dwell, fn(Function::CycleWords, {{1, 0.25}}).x(2), drill({}).x(3)},
         {.rules = kModal, .cycles = &cycles});

@@ -1,6 +1,6 @@
 // B-splines: poles by intervals and by knots become the same spans; where they end, and what is
 // wrong with them.
-#include "tests/interp/bench.h"
+#include "tests/interp/text_bench.h"
 
 namespace kadr::interp {
 namespace {
@@ -114,6 +114,73 @@ TEST(Splines, EndAtAnotherMotionOrFunction) {
               1u);
 }
 
+/// Through four points, with words beside the third one.
+std::string four_points(const std::string& kind, const std::string& beside_third) {
+    return "G64 F500 G1 X0 Y0\n" + kind + " X20 Y10\nX40 Y0\nX60 Y10 " + beside_third +
+           "\nX80 Y0\nG1 X90\nM30\n";
+}
+
+bool has_same_shape(const path::Command& a, const path::Command& b) {
+    if (a.spline.degree != b.spline.degree) return false;
+    const auto inside = static_cast<std::size_t>(a.spline.degree) - 1;
+    return std::equal(a.spline.inner.begin(), a.spline.inner.begin() + inside,
+                      b.spline.inner.begin());
+}
+
+/// SINUMERIK reference 4.4: another motion, a stop or a block without a position ends a spline.
+TEST(Splines, GoOnBesideWordsThatEndNone) {
+    for (const std::string kind : {"ASPLINE", "CSPLINE", "BSPLINE"}) {
+        const auto plain = splines(read("sinumerik", four_points(kind, "")));
+        ASSERT_FALSE(plain.empty());
+        for (const std::string word : {"MSG(\"A\")", "G64", "G60", "G9", "G641 ADIS=1", "OVR=50",
+                                       "ACC[X]=50", "VELOLIM[Y]=50", "S2000", "F300", "T2", "M8",
+                                       "M3 S100", "G90", "G17", "LIMS=2000", "COMPON"}) {
+            SCOPED_TRACE(kind + " " + word);
+            const Ran ran = read("sinumerik", four_points(kind, word));
+            EXPECT_FALSE(ran.alarmed) << ran.codes();
+            const auto found = splines(ran);
+            ASSERT_EQ(found.size(), plain.size());
+            for (std::size_t i = 0; i < found.size(); ++i) {
+                EXPECT_TRUE(has_same_shape(found[i], plain[i])) << i;
+                EXPECT_EQ(found[i].to, plain[i].to) << i;
+            }
+        }
+        // A stop ends it.
+        const Ran stopped = read("sinumerik", four_points(kind, "M0"));
+        const bool is_same = splines(stopped).size() == plain.size() &&
+                             has_same_shape(splines(stopped)[1], plain[1]);
+        EXPECT_FALSE(is_same) << kind;
+    }
+}
+
+/// What stands beside a point acts from its span on, and not on those that waited for the point.
+TEST(Splines, WordsBesideAPointActFromItsSpanOn) {
+    for (const std::string kind : {"ASPLINE", "CSPLINE"}) {
+        SCOPED_TRACE(kind);
+        const Ran ran = read("sinumerik", four_points(kind, "MSG(\"A\") OVR=50 G94 F300 G9"));
+        EXPECT_FALSE(ran.alarmed) << ran.codes();
+        const auto spans = splines(ran);
+        ASSERT_EQ(spans.size(), 4u);
+        for (std::size_t i = 0; i < 4; ++i) {
+            const auto& dynamics = spans[i].dynamics;
+            EXPECT_EQ(dynamics.empty() ? 1 : dynamics.front().feed, i < 2 ? 1 : 0.5) << i;
+            EXPECT_EQ(spans[i].feed, i < 2 ? 500 : 300) << i;
+            EXPECT_EQ(spans[i].exact_stop, i == 2) << i;
+            EXPECT_EQ(spans[i].line, i + 2) << i;
+        }
+        std::string order;
+        for (const path::Command& command : ran.commands) {
+            if (command.op == path::Op::Message) order += 'm';
+            if (command.op == path::Op::Spline) order += 's';
+        }
+        EXPECT_EQ(order, "ssmss");
+    }
+    // Under G60 every block ends at rest.
+    const auto stopping = splines(read("sinumerik", "F500 G1 X0 Y0 G60\nCSPLINE X1 Y1\nX2\nM30\n"));
+    ASSERT_EQ(stopping.size(), 2u);
+    EXPECT_TRUE(stopping[0].exact_stop && stopping[1].exact_stop);
+}
+
 TEST(Splines, FeedWeightsAndExactStop) {
     Words heavy = pole(10, 10);
     heavy.fn(Function::SplineWeight, {{0, 2}});
@@ -142,13 +209,23 @@ TEST(Splines, IncrementalAndShifted) {
     EXPECT_EQ(splines(shifted).at(0).spline.inner[0].x(), 110);
 }
 
+/// SINUMERIK reference 4.4, 4.5: PL is the range of polynomials, which is above zero, and of a
+/// B-spline a distance of knots.
+TEST(Splines, IntervalsBelowZeroHaveTheirAlarms) {
+    const std::string start = "M3 S100 F500 G1 X0 Y0\n";
+    for (const std::string range : {"PL=0", "PL=-1"})
+        EXPECT_EQ(alarms(read("sinumerik", start + "POLY PO[X]=(10,2) " + range + "\nM30\n")),
+                  "14093");
+    EXPECT_EQ(alarms(read("sinumerik", start + "BSPLINE X10 Y5 PL=-1\nX20\nX30\nM30\n")), "12560");
+}
+
 TEST(Splines, WhatIsWrong) {
     const auto codes = [](std::vector<Block> blocks) {
         blocks.insert(blocks.begin(), line().x(0).y(0).f(500));
         return run(blocks).codes();
     };
     EXPECT_EQ(codes({begin(3), pole(10, 10), pole(20, 0)}), "K5203");
-    EXPECT_EQ(codes({begin(2), by_interval(10, 10, -1), pole(20, 0)}), "K5204");
+    EXPECT_EQ(codes({begin(2), by_interval(10, 10, -1), pole(20, 0)}), "K5006");
     EXPECT_EQ(
         codes({begin(1).x(0).y(0).fn(Function::SplineKnot, {{0, 0}}), by_knot(10, 0, 0), knot(1)}),
         "K5204");
