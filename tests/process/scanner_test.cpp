@@ -275,7 +275,7 @@ TEST(Scanner, MarksKeepTheToleranceAtTheLinesOfTheTable) {
         SCOPED_TRACE(k);
         const Vec3 from(-45 + k, 40 - 1.7 * k, 0);
         const Vec3 to(47 - 1.3 * k, -44 + 0.9 * k, 0);
-        const path::Curve mark = path::Line{from, to};
+        const path::Curve mark = path::make_line(from, to);
         const std::vector<FieldStep> steps = field.vectors(mark, Vec3::Zero());
         Vec2 begin = field.corrected(from.head<2>());
         double done = 0;

@@ -1,7 +1,7 @@
 %
 O0001
 (rule: F 5.2 G76 No.5148: the spindle stops at one angle whatever mirrors the program)
-(expect: warning K5850)
+(expect: warning K5850 at 8:1)
 G17G21G90
 S500M3
 G51.1X0
