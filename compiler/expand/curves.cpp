@@ -226,7 +226,7 @@ Expander::State::Progress Expander::State::follow_curve(const Instruction& instr
         if (!has_room) return Progress::BatchFull;
         Following& curve = *following;
         if (curve.fit == nullptr) {
-            if (curve.next_knot == block_count(curve.spline)) break;
+            if (curve.next_knot >= block_count(curve.spline)) break;
             if (!emit_pole(curve.next, where)) return Progress::Failed;
             ++curve.next_knot;
             curve.next.feed = sema::kNotGivenNumber;

@@ -102,7 +102,8 @@ void Expander::State::warn_of_plane(const Block& block, std::uint32_t at) {
 
 bool Expander::State::check_cut(const Block& block, std::uint32_t at) {
     const Function motion = modal[Group::Motion];
-    const bool is_cut = motion == Function::Line || nc::is_arc(motion);
+    const bool is_cut =
+        motion == Function::Line || motion == Function::Spline || nc::is_arc(motion);
     const bool moves = (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0 ||
                        (block.function_count != 0 && block.find(Function::ToolVector) != nullptr);
     if (!is_cut || !moves || block.find(Function::ReferenceReturn) != nullptr) return true;

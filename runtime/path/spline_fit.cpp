@@ -28,7 +28,7 @@ constexpr int kSteps = 8;
 constexpr int kDeepest = 5;
 /// Share of the tolerance below which closer samples would not change the answer.
 constexpr double kWellMeasured = 1.0 / 64;
-/// Points of a corner that are closer are the same, mm.
+/// Points of a corner that are closer are the same, mm; a curve within it does not move.
 constexpr double kSameCorner = 1e-6;
 
 struct Node {
@@ -54,7 +54,9 @@ class Fitter {
     SplineFitResult run() {
         const auto first = sample(options_.from);
         const auto last = first ? sample(options_.to) : std::nullopt;
-        if (last) add_stretches({0, options_.from, *first}, {0, options_.to, *last});
+        if (last && options_.from != options_.to)
+            add_stretches({0, options_.from, *first}, {0, options_.to, *last});
+        if (!moves(result_.spline)) result_.spline = {};
         return std::move(result_);
     }
 
@@ -68,6 +70,12 @@ class Fitter {
         if (result_.fault) return;
         result_.fault = why;
         result_.parameter = parameter;
+    }
+
+    static bool moves(const Nurbs& spline) {
+        return std::any_of(spline.poles.begin(), spline.poles.end(), [&](const Vec3& pole) {
+            return (pole - spline.poles[0]).norm() > kSameCorner;
+        });
     }
 
     // ------------------------------------------------------------ measuring
@@ -269,8 +277,8 @@ class Fitter {
         }
         // The curve's own slopes keep it; every knot stands twice.
         stretch.is_curvature_continuous = false;
-        for (std::size_t i = 0; i < stretch.nodes.size(); ++i)
-            stretch.slopes[i] = stretch.nodes[i].at.derivative;
+        stretch.slopes.clear();
+        for (const Node& node : stretch.nodes) stretch.slopes.push_back(node.at.derivative);
         return true;
     }
 
