@@ -48,6 +48,15 @@ Frame mirroring(AxisMask axes) {
     return scaling(signs);
 }
 
+Mat3 unit_axes(const Frame& frame) {
+    const Vec3 x = frame.linear.col(0).normalized();
+    const Vec3 y = (frame.linear.col(1) - x * x.dot(frame.linear.col(1))).normalized();
+    const Vec3 z = frame.linear.col(2);
+    Mat3 axes;
+    axes << x, y, (z - x * x.dot(z) - y * y.dot(z)).normalized();
+    return axes;
+}
+
 Result<Frame, FrameFault> inverse(const Frame& frame) {
     Mat3 back;
     double determinant = 0;

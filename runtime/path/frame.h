@@ -53,6 +53,9 @@ Frame scaling(const Vec3& factors);
 /// Changes the sign of the named linear axes.
 Frame mirroring(AxisMask axes);
 
+/// Unit vectors along the frame's axes: that of X, and of Y and Z what is square to those before.
+Mat3 unit_axes(const Frame& frame);
+
 enum class FrameFault { Singular };
 
 /// The way back. A frame that flattens space (a scale of zero) has none.

@@ -1,6 +1,7 @@
 #include "path/through_spline.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "path/cubic.h"
@@ -33,8 +34,9 @@ double akima_slope(double before2, double before, double behind, double behind2)
 
 }  // namespace
 
-ThroughSpline::ThroughSpline(ThroughKind kind, const SplineEnd& start, const Vec3& first)
-    : kind_(kind), start_(start) {
+ThroughSpline::ThroughSpline(ThroughKind kind, const SplineEnd& start, const Vec3& first,
+                             const Mat3& axes)
+    : kind_(kind), start_(start), axes_(axes) {
     nodes_.emplace_back().point = first;
 }
 
@@ -98,12 +100,14 @@ bool ThroughSpline::settle_akima(std::size_t i) {
 
 Vec3 ThroughSpline::akima_inside(std::size_t i) const {
     const auto at = static_cast<std::ptrdiff_t>(i);
+    const auto chord = [&](std::ptrdiff_t place) -> Vec3 {
+        return axes_.transpose() * chord_beyond(place);
+    };
+    const std::array<Vec3, 4> beside = {chord(at - 2), chord(at - 1), chord(at), chord(at + 1)};
     Vec3 slope;
-    for (Eigen::Index k = 0; k < 3; ++k) {
-        slope[k] = akima_slope(chord_beyond(at - 2)[k], chord_beyond(at - 1)[k],
-                               chord_beyond(at)[k], chord_beyond(at + 1)[k]);
-    }
-    return slope;
+    for (Eigen::Index k = 0; k < 3; ++k)
+        slope[k] = akima_slope(beside[0][k], beside[1][k], beside[2][k], beside[3][k]);
+    return axes_ * slope;
 }
 
 /// A chord, or what Akima continues them with: each changes by as much as the one before.

@@ -13,6 +13,7 @@
 #include <deque>
 #include <optional>
 
+#include "path/frame.h"
 #include "path/spline.h"
 
 namespace kadr::path {
@@ -49,7 +50,10 @@ struct ThroughSpan {
 /// Span i runs from point i to point i + 1.
 class ThroughSpline {
   public:
-    ThroughSpline(ThroughKind kind, const SplineEnd& start, const Vec3& first);
+    /// `axes`: unit vectors, square to each other. Akima's weights are taken along each of them, so
+    /// his spline is the same curve in a turned system only if they turn with it.
+    ThroughSpline(ThroughKind kind, const SplineEnd& start, const Vec3& first,
+                  const Mat3& axes = Mat3::Identity());
 
     /// The next point; false: it is where the one before is, and was not taken.
     bool add_point(const Vec3& point);
@@ -91,6 +95,7 @@ class ThroughSpline {
 
     ThroughKind kind_;
     SplineEnd start_;
+    Mat3 axes_;
     std::optional<SplineEnd> end_;
     std::deque<Node> nodes_;  // from number gone_ on
     std::size_t gone_ = 0;

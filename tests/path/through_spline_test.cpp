@@ -24,8 +24,9 @@ struct Ends {
 
 /// params  of the points; none: chords
 std::vector<CubicSpan> curve_through(ThroughKind kind, const std::vector<Vec3>& points,
-                                     const Ends& ends, const std::vector<double>& params = {}) {
-    ThroughSpline spline(kind, ends.start, points[0]);
+                                     const Ends& ends, const std::vector<double>& params = {},
+                                     const Mat3& axes = Mat3::Identity()) {
+    ThroughSpline spline(kind, ends.start, points[0], axes);
     std::vector<CubicSpan> spans;
     const auto take = [&] {
         while (const auto span = spline.next())
@@ -230,6 +231,31 @@ TEST(ThroughSpline, AkimaStaysStraightOnStraightRuns) {
     for (std::size_t i = 0; i < 3; ++i)
         for (const double u : {0.25, 0.5, 0.75}) EXPECT_EQ(point_at(spans[i], u).position.y(), 0);
     EXPECT_GT(std::fabs(point_at(spans[4], 0.5).position.y() - 2.5), 0.01);
+}
+
+TEST(ThroughSpline, AkimaTurnsWithItsAxes) {
+    const std::vector<Vec3> points = {{0, 0, 0},  {7, 3, 1},  {11, 9, -2}, {20, 8, 4},
+                                      {26, 1, 5}, {30, 1, 5}, {37, 6, 0}};
+    const Ends ends = {{Kind::Auto, {}}, {Kind::Natural, {}}};
+    const Frame frame =
+        rotation_rpy({0.2, -0.14, 0.52}) * mirroring(bit(Axis::Y)) * scaling(Vec3::Constant(2));
+    std::vector<Vec3> turned;
+    for (const Vec3& point : points) turned.push_back(frame(point));
+    const auto plain = curve_through(ThroughKind::Akima, points, ends);
+    const auto with = curve_through(ThroughKind::Akima, turned, ends, {}, unit_axes(frame));
+    const auto without = curve_through(ThroughKind::Akima, turned, ends);
+    double apart_with = 0;
+    double apart_without = 0;
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+        for (const double u : {0.25, 0.5, 0.75}) {
+            const Vec3 place = frame(point_at(plain[i], u).position);
+            apart_with = std::max(apart_with, (point_at(with[i], u).position - place).norm());
+            apart_without =
+                std::max(apart_without, (point_at(without[i], u).position - place).norm());
+        }
+    }
+    EXPECT_LT(apart_with, 1e-12);
+    EXPECT_GT(apart_without, 0.1);
 }
 
 TEST(ThroughSpline, LeavesOutAPointThatIsTheOneBefore) {
