@@ -10,7 +10,7 @@ using nc::Quantity;
 
 /// What a variable of texts gets: a character or a truth value is written out. S 8.2.
 std::string ControlVariables::written_text(const Value& value, std::string_view text) {
-    if (value.kind == Value::Kind::Char) return {static_cast<char>(value.number)};
+    if (value.kind == Value::Kind::Char) return {value.character()};
     if (value.kind == Value::Kind::Bool) return value.number != 0 ? "1" : "0";
     return std::string(text);
 }

@@ -44,6 +44,8 @@ struct Value {
         if (kind != Kind::Axis || !(number < kSpindles)) return std::nullopt;
         return static_cast<std::int64_t>(kSpindles - number);
     }
+    /// Of a Char: its code is 0 to 255, also where `char` has a sign.
+    char character() const { return static_cast<char>(static_cast<unsigned char>(number)); }
     bool is_vacant() const { return kind == Kind::Vacant; }
     /// Whole by its type.
     bool is_whole() const { return kind >= Kind::Int && kind <= Kind::Char; }

@@ -679,10 +679,10 @@ ControlVariables::Fault ControlVariables::store(const Instruction& target,
             if (converted.number == 0) {
                 whole.resize(std::min(whole.size(), at));
             } else if (at < whole.size()) {
-                whole[at] = static_cast<char>(converted.number);
+                whole[at] = converted.character();
             } else {
                 whole.resize(at, ' ');
-                whole += static_cast<char>(converted.number);
+                whole += converted.character();
             }
             change(texts, *slot, &symbol, [&] { texts.set_text(*slot, whole); });
             return {};

@@ -709,7 +709,7 @@ bool Evaluator::plane_rotation(Value* a) {
 
 std::string Evaluator::written(const Value& value) const {
     if (value.is_text()) return std::string(text(value));
-    if (value.kind == Value::Kind::Char) return {static_cast<char>(value.number)};
+    if (value.kind == Value::Kind::Char) return {value.character()};
     if (value.kind != Value::Kind::Real) return shown(value.number);
     std::array<char, kMaxFixedLength> digits;
     char* end = format_fixed(digits.data(), std::round(value.number * 1e10) / 1e10, 9);

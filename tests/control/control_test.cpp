@@ -12,6 +12,7 @@
 //                            letters at feed, t1.5: before a thread of that lead, cw: and ccw:
 //                            before an arc; f0.2 where the feed changes; X of a lathe is a diameter
 //   expect: message TEXT     the next message;  expect: stop  a stop of the program
+//   expect: dwell 0.5        the next dwell, s; if one is told, all are
 //   expect: print [TEXT]        the next line that is printed, between brackets
 //   expect: warning K5488 at 3:1  the next warning; if one is told, all are
 //   expect: alarm PS0115 K5410 at 3:4   the alarm that ends it, its row, line and column
@@ -82,6 +83,7 @@ struct Expected {
     std::vector<std::string> way;
     std::string path;
     std::vector<std::string> shown;     // messages and stops
+    std::vector<std::string> dwells;    // s; if any is told
     std::vector<std::string> printed;   // lines
     std::vector<std::string> warnings;  // if any is told
     std::string alarm;
@@ -124,6 +126,8 @@ Expected parse(const std::string& text) {
         } else if (value.starts_with("called ")) {
             if (!expected.called.empty()) expected.called += ' ';
             expected.called += value.substr(7);
+        } else if (value.starts_with("dwell ")) {
+            expected.dwells.push_back(value.substr(6));
         } else if (value.starts_with("print [")) {
             expected.printed.push_back(value.substr(7, value.size() - 8));
         } else if (value.starts_with("warning ")) {
@@ -281,6 +285,7 @@ struct Outcome {
     std::vector<ControlVariable> variables;
     std::vector<path::Command> motions;
     std::vector<std::string> shown;
+    std::vector<std::string> dwells;
     std::vector<std::string> printed;
     std::vector<Diagnostic> messages;
 };
@@ -343,6 +348,8 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
                 outcome.shown.push_back(command.text.empty() ? "message"
                                                              : "message " + command.text);
             }
+            if (command.op == path::Op::Dwell)
+                outcome.dwells.push_back(format_shortest(round_to(command.time, 6)));
             if (command.op == path::Op::Stop) outcome.shown.emplace_back("stop");
         }
     }
@@ -385,6 +392,9 @@ void check(const Expected& expected, const Outcome& outcome, bool is_lathe) {
         EXPECT_EQ(found, value) << name;
     }
     EXPECT_EQ(outcome.shown, expected.shown);
+    if (!expected.dwells.empty()) {
+        EXPECT_EQ(outcome.dwells, expected.dwells);
+    }
     EXPECT_EQ(outcome.printed, expected.printed);
     std::vector<std::string> warnings;
     for (const Diagnostic& message : outcome.messages) {
