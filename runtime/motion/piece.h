@@ -34,6 +34,8 @@ struct Piece {
     bool can_be_held = false;
     std::size_t issues = 0;        // so many M functions are issued where it begins
     bool awaits = false;           // stands until all that was issued is acknowledged
+    bool awaits_mark = false;      // stands until the spindle is at `mark`
+    double mark = 0;               // of a turn
     double programmed = 0;         // feed at 100 %, of the tool; rapid: what the axes can
     bool is_cell = false;          // planned as `cell` instead
     bool is_geared = false;        // to the spindle: its acceleration begins and ends at once

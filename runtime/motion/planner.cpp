@@ -184,7 +184,7 @@ bool Planner::State::next(Segment& segment) {
         Piece& piece = pieces.front();
         if (panel.waits_for_block()) note_block(piece);
         plan(piece, left == 0);
-        const bool is_over = piece.awaits && !(piece.segment.duration > 0);
+        const bool is_over = is_over_at_once(piece);
         if (!is_over) {
             record(piece);
             segment = piece.segment;
@@ -206,11 +206,20 @@ void Planner::State::issue(Piece& piece) {
     if (piece.awaits) piece.segment.duration = std::max(0.0, acknowledged - totals.time);
 }
 
+/// What is waited for has come already.
+bool Planner::State::is_over_at_once(const Piece& piece) {
+    return (piece.awaits || piece.awaits_mark) && !(piece.segment.duration > 0);
+}
+
 /// `is_last`: of its stretch.
 void Planner::State::plan(Piece& piece, bool is_last) {
     Segment& segment = piece.segment;
     segment.start_time = totals.time;
     if (piece.issues > 0 || piece.awaits) issue(piece);
+    if (piece.awaits_mark) {
+        const double speed = segment.spindle.speed_at(path::start(segment.curve)[0]);
+        segment.duration = speed > 0 ? spindle_angle.time_to(piece.mark, speed) : 0;
+    }
     if (!is_motion(segment.kind)) return;
     if (piece.is_cell) {
         segment.profile = profile_over(piece.cell, speeds.entry, speeds.exit);
@@ -250,6 +259,7 @@ void Planner::State::record(const Piece& piece) {
     const Segment& segment = piece.segment;
     losses.add(piece, panel.is_held() ? 0 : panel.dials().feed);
     totals.time += segment.duration;
+    spindle_angle.pass(segment);
     switch (segment.kind) {
         case SegmentKind::Rapid: totals.rapid_time += segment.duration; break;
         case SegmentKind::Feed: totals.cutting_time += segment.duration; break;

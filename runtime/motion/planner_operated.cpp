@@ -52,7 +52,7 @@ bool Planner::State::next_operated(Segment& segment) {
         Piece& piece = pieces.front();
         note_block(piece);
         plan(piece, left == 1);
-        if (piece.awaits && !(piece.segment.duration > 0)) {
+        if (is_over_at_once(piece)) {
             --left;
             pieces.pop_front();
             continue;

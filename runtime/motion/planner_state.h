@@ -15,6 +15,7 @@
 #include "motion/prepare.h"
 #include "motion/profile_cut.h"
 #include "motion/reaction.h"
+#include "motion/spindle_angle.h"
 #include "motion/stretch.h"
 
 namespace kadr::motion {
@@ -49,6 +50,7 @@ struct Planner::State {
     PlannedStretch take_stretch();
     bool joins_stretches() const;
     void issue(Piece& piece);
+    static bool is_over_at_once(const Piece& piece);
     void plan(Piece& piece, bool is_last);
     void plan_course(Piece& piece, bool is_last);
     void record(const Piece& piece);
@@ -90,6 +92,7 @@ struct Planner::State {
     MachinePlc machine_plc;
     Plc& plc;
     LossTrace losses;
+    SpindleAngle spindle_angle;
     double acknowledged = 0;       // s, all that was issued so far
     PathMoment start;              // in it the oldest stretch begins; its speed the look-ahead has
     std::optional<Profile> given;  // of the current stretch, if its jerk is not limited

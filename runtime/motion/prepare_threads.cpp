@@ -1,4 +1,4 @@
-// prepare_threads.cpp — threads whose pitch changes along them.
+// prepare_threads.cpp — threads: they begin at the spindle's mark, and some change their pitch.
 //
 // The spindle turns at n; from turn to turn the pitch p changes by k. So dp/dt = k·n and the speed
 // along the path is v = p·n: dv/dt = k·n², a constant acceleration, and p² = p0² + 2·k·s. A piece
@@ -8,8 +8,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/diagnostics/machine.h"
+#include "base/numbers.h"
 #include "motion/feed.h"
 #include "motion/prepare_state.h"
+#include "motion/report.h"
 #include "motion/smooth_profile.h"
 
 namespace kadr::motion {
@@ -18,6 +21,8 @@ namespace {
 
 /// Rounding: by so much more than it needs may a geared piece accelerate.
 constexpr double kGearSlack = 1e-9;
+/// A corner of a chain of threads that takes less of the speed leaves the pitch as it is.
+constexpr double kThreadKept = 0.99;
 /// What a look-ahead that never takes a speed back leaves of a smooth ramp, and a little more.
 constexpr double kRampReserve = 1.1;
 /// Ramps end where the speed of the thread meets them; a few steps find it.
@@ -37,6 +42,33 @@ double ramp_to(double speed, const PathLimits& limits) {
 }
 
 }  // namespace
+
+/// A thread begins when the spindle is at the angle that it says, so that passes run in one groove.
+/// One that goes on with another does not wait. S 4.6.
+void Preparer::State::meet_spindle(const path::Command& command) {
+    const bool is_thread = command.op == path::Op::Thread;
+    thread_goes_on = is_thread && is_threading && !last.must_stop;
+    is_threading = is_thread;
+    if (!is_thread || thread_goes_on || !spindle.is_turning) return;
+    release();
+    if (has_ended) return;
+    last.must_stop = true;
+    Piece& stand = emit_stand(command, SegmentKind::Wait);
+    stand.awaits_mark = true;
+    stand.mark = command.angle_deg / 360;
+}
+
+/// No axis changes its velocity at once: where a chain of threads turns, the pitch goes down with
+/// the speed. Behind the thread of a cycle that is its run-out.
+void Preparer::State::check_thread_corner(const path::Command& command, const Piece& piece) {
+    const double through = std::min(piece.entry_limit, last.speed);
+    const double wanted = std::min(piece.speed, last.speed);
+    if (thread_corner_reported || command.cycle != 0 || through >= wanted * kThreadKept) return;
+    thread_corner_reported = true;
+    report(sink, diag::ThreadCorner, command, options.place_of)
+        .arg(round_to(100 * through / wanted, 1))
+        .fix("a slower spindle loses less; or let the thread run out before it turns");
+}
 
 void Preparer::State::emit_varying_thread(const path::Command& command, const Segment& whole,
                                           double length) {

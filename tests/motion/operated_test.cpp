@@ -193,7 +193,8 @@ TEST(Operated, DwellsAreStoppedByAHoldOnly) {
 }
 
 TEST(Operated, ThreadsAreRunToTheirEnd) {
-    // 60 rpm, 10 mm pitch: 10 mm/s. Down 100 mm, a dwell of 1 s, up again: 21 s and ramps.
+    // 60 rpm, 10 mm pitch: 10 mm/s. Down 100 mm, a dwell of 1 s, to the spindle's mark, and up
+    // again.
     Command thread = line_to({0, 0, -100}, 10);
     thread.op = Op::Thread;
     thread.feed_mode = path::FeedMode::PerRevolution;
@@ -204,7 +205,7 @@ TEST(Operated, ThreadsAreRunToTheirEnd) {
     dwell.time = 1;
     const std::vector<Command> program = {spindle_on(60), thread, dwell, back,
                                           line_to({100, 0, 0}, 6000)};
-    const double tapped = 21 + 2 * 10.0 / 4000;
+    const double tapped = 12 + 10 + 10.0 / 4000;
     const auto result =
         run(machine_of(), program,
             operated({feed_to(0.5, 0), hold_at(5), start_at(30), hold_at(30.5), start_at(31)}));
