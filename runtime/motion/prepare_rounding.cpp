@@ -63,14 +63,14 @@ constexpr bool is_rounded(Op op) {
 
 }  // namespace
 
-/// The path speed that a motion asks for; nothing if it cannot be said, which is reported when the
-/// motion becomes pieces.
+/// The path speed that the program asks for; nothing if it cannot be said, which is reported when
+/// the motion becomes pieces. Without the operator's override: the way does not depend on it.
 std::optional<double> Preparer::State::feed_of(const Command& command, const Segment& segment,
                                                double length) const {
     if (command.op == Op::Rapid) return kInfinity;
     const auto feed = path_feed(command, segment, length, spindle, &axes);
     if (!feed) return std::nullopt;
-    return *feed * feed_override(command);
+    return *feed * programmed_override(command);
 }
 
 /// Whether there can be a curve before or behind a motion. Axes beside X, Y, Z have no curve but

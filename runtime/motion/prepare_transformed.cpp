@@ -322,7 +322,8 @@ bool Preparer::State::emit_leg(const Command& command, const Segment& leg, doubl
 std::optional<LogicalAxes> Preparer::State::emit_way(const Command& command, const Segment& leg,
                                                      double length) {
     const Chain& chain = axes.chain();
-    const double wanted = feed_of(command, leg, leg.turn.length).value_or(kInfinity);
+    const double wanted = feed_of(command, leg, leg.turn.length).value_or(kInfinity) *
+                          (command.keeps_feed ? 1 : options.feed_override);
     const bool is_rapid = leg.kind == SegmentKind::Rapid;
     const bool as_cells = allows_cells(command) && (!is_rapid || options.rapid_override == 1);
     const std::vector<Segment> parts =

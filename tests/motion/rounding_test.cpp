@@ -114,6 +114,25 @@ TEST(Rounding, StaysInsideTheToleranceAndIsQuicker) {
     }
 }
 
+TEST(Rounding, LeavesTheWayToTheProgram) {
+    // Where a curve is worth it does not depend on what the operator does meanwhile.
+    for (const Way& way : pairs()) {
+        SCOPED_TRACE(way.name);
+        for (double feed = 100; feed < 40000; feed *= 1.5) {
+            std::vector<Command> commands = rounded(way.commands, within(0.1));
+            for (Command& command : commands)
+                if (command.op != Op::Rapid) command.feed = feed;
+            const double usual = run(machine_of(), commands).totals.length;
+            for (const double dial : {0.1, 0.5, 1.5, 3.0}) {
+                PlannerOptions options;
+                options.feed_override = dial;
+                EXPECT_NEAR(run(machine_of(), commands, options).totals.length, usual, 1e-9)
+                    << feed << " mm/min, " << dial;
+            }
+        }
+    }
+}
+
 TEST(Rounding, KeepsTheJerkAndCostsNoTime) {
     // A corner as it is lets the velocity of an axis jump by what a tick's acceleration makes; the
     // curve keeps to the jerk. At the feeds of cutting it is quicker all the same, and where it
