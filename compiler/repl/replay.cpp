@@ -143,7 +143,12 @@ std::string command_text(const path::Command& command) {
             if (command.spindle == path::SpindleMode::Stop)
                 return fmt::format("spindle {} stops", command.spindle_number);
             return fmt::format("spindle {}: {:g} rpm", command.spindle_number, command.speed);
-        case Op::SpeedLimit: return fmt::format("spindle at most {:g} rpm", command.speed);
+        case Op::SpeedLimit:
+            if (command.least_speed == 0)
+                return fmt::format("spindle at most {:g} rpm", command.speed);
+            if (command.speed == 0)
+                return fmt::format("spindle at least {:g} rpm", command.least_speed);
+            return fmt::format("spindle from {:g} to {:g} rpm", command.least_speed, command.speed);
         case Op::Tool: return fmt::format("tool {}", command.tool);
         case Op::ToolLength: return fmt::format("tool length {:g} mm", command.length);
         case Op::Coolant:

@@ -54,7 +54,7 @@ double Executor::turning_speed() const {
     double highest = most > 0 ? rpm_from_speed(most) : std::numeric_limits<double>::infinity();
     if (highest_speed() > 0) highest = std::min(highest, highest_speed());
     const double mm_min = 1000 * spindle_.cutting_speed;
-    return std::min(mm_min / (std::numbers::pi * diameter), highest);
+    return std::min(std::max(mm_min / (std::numbers::pi * diameter), spindle_.least), highest);
 }
 
 void Executor::limit_speed(const Block& block, Function function, double limit) {
@@ -62,9 +62,9 @@ void Executor::limit_speed(const Block& block, Function function, double limit) 
         report(diag::SpeedLimitInvalid, block, function).arg(limit);
         return;
     }
-    const double before = highest_speed();
+    const SpeedLimits before = speed_limits();
     spindle_.limit = limit;
-    tell_speed_limit(block, before);
+    tell_speed_limits(block, before);
 }
 
 /// The limit that acts under constant cutting speed, rpm; 0: none.
@@ -73,10 +73,15 @@ double Executor::highest_speed() const {
     return std::min(spindle_.limit, spindle_.most);
 }
 
-void Executor::tell_speed_limit(const Block& block, double before) {
-    const double now = highest_speed();
+SpeedLimits Executor::speed_limits() const { return {spindle_.least, highest_speed()}; }
+
+void Executor::tell_speed_limits(const Block& block, const SpeedLimits& before) {
+    const SpeedLimits now = speed_limits();
     // Of another spindle it matters when that is the master.
-    if (now != before && !is_master_away_) put(Op::SpeedLimit, block).speed = now;
+    if (now == before || is_master_away_) return;
+    Command& command = put(Op::SpeedLimit, block);
+    command.speed = now.most;
+    command.least_speed = now.least;
 }
 
 void Executor::bound_speed(const Block& block, Function function, bool is_upper, double bound) {
@@ -84,9 +89,9 @@ void Executor::bound_speed(const Block& block, Function function, bool is_upper,
         report(diag::SpeedLimitInvalid, block, function).arg(bound);
         return;
     }
-    const double before = highest_speed();
+    const SpeedLimits before = speed_limits();
     (is_upper ? spindle_.most : spindle_.least) = bound;
-    tell_speed_limit(block, before);
+    tell_speed_limits(block, before);
 }
 
 /// The programmed speed within the bounds of the spindle, rpm; said once of each speed.

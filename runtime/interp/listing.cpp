@@ -322,7 +322,10 @@ void Listing::append(const Command& command, std::string_view source, std::strin
             break;
         case Op::Spindle:
         case Op::OtherSpindle: append_spindle(out, command); break;
-        case Op::SpeedLimit: append_field(out, "speed", command.speed); break;
+        case Op::SpeedLimit:
+            append_field(out, "speed", command.speed);
+            if (command.least_speed > 0) append_field(out, "least_speed", command.least_speed);
+            break;
         case Op::Tool: append_field(out, "tool", static_cast<double>(command.tool)); break;
         case Op::ToolLength:
             append_field(out, "tool", static_cast<double>(command.tool));

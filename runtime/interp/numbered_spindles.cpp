@@ -104,7 +104,7 @@ void Executor::select_master(const Block& block, const Invocation& invocation) {
         report(diag::MasterUnderCuttingSpeed, block, invocation.function).arg(number);
         return;
     }
-    const double limit = highest_speed();
+    const SpeedLimits limits = speed_limits();
     std::swap(spindle_, *other);
     told_.spindle_stopped = told_.rapid = false;
     told_.bound = spindle_.speed;  // of which was told when it was said
@@ -115,7 +115,7 @@ void Executor::select_master(const Block& block, const Invocation& invocation) {
     command.speed = runs ? spindle_.told.speed : 0;
     command.cutting_speed = false;
     command.angle_deg = 0;
-    tell_speed_limit(block, limit);
+    tell_speed_limits(block, limits);
 }
 
 /// What a word says of a spindle by its number.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "base/units.h"
@@ -53,6 +54,10 @@ void RunClock::add(const path::Command& command) {
         case Op::OtherSpindle:
             if (command.spindle == path::SpindleMode::Orient)
                 seconds_ += machine_.orient_time_of(command.spindle_number);
+            return;
+        case Op::SpeedLimit:
+            limit_ = command.speed;
+            least_ = command.least_speed;
             return;
         case Op::Function: {
             const machine::MachineFunction* known = machine_.find_function(command.code);
@@ -124,8 +129,10 @@ double RunClock::way(const path::Command& command, const AxisValues& to) const {
 double RunClock::speed_at(double x) const {
     if (!has_cutting_speed_) return spindle_;
     const double diameter = 2 * std::abs(x + length_[index(Axis::X)]);
-    const double most = most_speed_ > 0 ? rpm_from_speed(most_speed_) : spindle_;
-    return diameter > 0 ? std::min(most, 1000 * spindle_ / (std::numbers::pi * diameter)) : most;
+    double most =
+        most_speed_ > 0 ? rpm_from_speed(most_speed_) : std::numeric_limits<double>::infinity();
+    if (limit_ > 0) most = std::min(most, limit_);
+    return std::min(most, std::max(least_, 1000 * spindle_ / (std::numbers::pi * diameter)));
 }
 
 }  // namespace kadr::interp

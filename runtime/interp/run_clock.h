@@ -40,6 +40,8 @@ class RunClock {
     double cutting_seconds_ = 0;
     double spindle_ = 0;  // rpm, or m/min
     bool has_cutting_speed_ = false;
+    double limit_ = 0;   // of the program under constant cutting speed, rpm; 0: none
+    double least_ = 0;   // … below which the spindle does not turn then
     double most_speed_;  // of the master spindle, rev/s; 0: no limit
 };
 

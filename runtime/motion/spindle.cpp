@@ -12,6 +12,7 @@ double Spindle::speed_at(double radius) const {
     double turns = speed;
     if (holds_cutting_speed) {
         turns = cutting_speed / (2 * std::numbers::pi * std::max(std::abs(radius), kLeastRadius));
+        turns = std::max(turns, least);
         if (limit > 0) turns = std::min(turns, limit);
     }
     return machine_limit > 0 ? std::min(turns, machine_limit) : turns;

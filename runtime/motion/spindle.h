@@ -16,6 +16,7 @@ struct Spindle {
     double speed = 0;                  // rev/s, if it does not
     double cutting_speed = 0;          // mm/s, if it does
     double limit = 0;                  // rev/s, of the program; 0: none
+    double least = 0;                  // … below which it does not turn then; `limit` comes first
     double machine_limit = 0;          // rev/s; 0: none
 
     /// rev/s with the tool at this distance from the spindle's axis, mm; 0 if it stands.

@@ -136,6 +136,7 @@ struct Command {
     double feed = 0;            // mm/min, mm/rev or 1/min, as feed_mode says; of a thread mm/rev
     double lead_change = 0;     // Thread: by how much `feed` changes in a turn, mm/rev
     double speed = 0;           // spindles: rpm or m/min; SpeedLimit: rpm
+    double least_speed = 0;     // SpeedLimit: rpm, under constant cutting speed; 0: none
     double angle_deg = 0;       // spindles: orient; Thread: angle of the spindle at its start
     double time = 0;            // Dwell, s; 0 if revolutions; External, s
     double revolutions = 0;     // Dwell

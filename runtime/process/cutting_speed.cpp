@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace kadr::process {
@@ -18,6 +19,12 @@ double top_speed(const motion::Spindle& spindle) {
     return std::max(spindle.limit, spindle.machine_limit);
 }
 
+/// The speed below which the spindle does not turn, rev/s; 0: none.
+double least_speed(const motion::Spindle& spindle) {
+    const double top = top_speed(spindle);
+    return top > 0 ? std::min(spindle.least, top) : spindle.least;
+}
+
 /// By how much the radius changes in a revolution, mm.
 double radial_feed(const FacePass& pass) { return pass.feed_per_revolution * std::cos(pass.cone); }
 
@@ -26,6 +33,12 @@ double radial_feed(const FacePass& pass) { return pass.feed_per_revolution * std
 double limit_radius(const motion::Spindle& spindle) {
     const double top = top_speed(spindle);
     return top > 0 ? spindle.cutting_speed / (kTurn * top) : 0;
+}
+
+double least_speed_radius(const motion::Spindle& spindle) {
+    const double least = least_speed(spindle);
+    return least > 0 ? spindle.cutting_speed / (kTurn * least)
+                     : std::numeric_limits<double>::infinity();
 }
 
 double cutting_speed(const motion::Spindle& spindle, double radius) {
@@ -38,7 +51,7 @@ double feed_speed(const motion::Spindle& spindle, const FacePass& pass, double r
 
 double spindle_acceleration(const motion::Spindle& spindle, const FacePass& pass, double radius) {
     const double distance = std::abs(radius);
-    if (distance <= limit_radius(spindle)) return 0;
+    if (distance <= limit_radius(spindle) || distance >= least_speed_radius(spindle)) return 0;
     // ω = V/R and dR/dt = −f·ω/2π.
     const double speed = spindle.cutting_speed / distance;
     return speed / distance * radial_feed(pass) * speed / kTurn;
@@ -54,9 +67,12 @@ double pass_time(const motion::Spindle& spindle, const FacePass& pass) {
     const double near = std::min(std::abs(pass.from), std::abs(pass.to));
     const double far = std::max(std::abs(pass.from), std::abs(pass.to));
     const double edge = std::clamp(limit_radius(spindle), near, far);
+    const double outer = std::clamp(least_speed_radius(spindle), edge, far);
     const double feed = radial_feed(pass);
-    double time = std::numbers::pi * (far - edge) * (far + edge) / (feed * spindle.cutting_speed);
+    double time =
+        std::numbers::pi * (outer - edge) * (outer + edge) / (feed * spindle.cutting_speed);
     if (edge > near) time += (edge - near) / (feed * top_speed(spindle));
+    if (far > outer) time += (far - outer) / (feed * least_speed(spindle));
     return time;
 }
 

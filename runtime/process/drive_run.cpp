@@ -64,7 +64,8 @@ void DriveRun::set_spindle(const Segment& segment) {
     const bool is_new = to.is_turning != commanded_.is_turning ||
                         to.holds_cutting_speed != commanded_.holds_cutting_speed ||
                         to.cutting_speed != commanded_.cutting_speed ||
-                        to.speed != commanded_.speed || to.limit != commanded_.limit;
+                        to.speed != commanded_.speed || to.limit != commanded_.limit ||
+                        to.least != commanded_.least;
     commanded_ = to;
     follows_radius_ = to.is_turning && to.holds_cutting_speed && segment.kind == SegmentKind::Feed;
     if (is_new || follows_radius_) wanted_ = kTurn * to.speed_at(radius());

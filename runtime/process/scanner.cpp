@@ -150,7 +150,10 @@ void ScannerCommands::follow(const Command& command) {
 }
 
 void ScannerCommands::follow_spindle(const Command& command) {
-    if (command.op == Op::SpeedLimit) spindle_.limit = speed_from_rpm(command.speed);
+    if (command.op == Op::SpeedLimit) {
+        spindle_.limit = speed_from_rpm(command.speed);
+        spindle_.least = speed_from_rpm(command.least_speed);
+    }
     if (command.op != Op::Spindle) return;
     spindle_.is_turning = command.spindle != path::SpindleMode::Stop &&
                           command.spindle != path::SpindleMode::Orient && command.speed > 0;

@@ -1,4 +1,5 @@
 // Machines with several spindles: what the motion side is told of each. S 2.3, 3.2.
+#include "interp/run_clock.h"
 #include "tests/interp/text_bench.h"
 
 namespace kadr::interp {
@@ -81,6 +82,54 @@ TEST(NumberedSpindles, ListingSaysTheNumber) {
     EXPECT_EQ(text,
               "{\"op\":\"spindle\",\"spindle\":1,\"mode\":\"cw\",\"speed\":800}\n"
               "{\"op\":\"other_spindle\",\"spindle\":2,\"mode\":\"ccw\",\"speed\":500}\n");
+}
+
+/// G25 S and LIMS hold under constant cutting speed, the lower one of both first.
+/// source: SINUMERIK reference 3.2, motion reference 9.1
+TEST(SpeedLimits, ReachTheMotion) {
+    const Ran ran = read("sinumerik", "G25 S400\nG96 S200 M3\nLIMS=3000\nG26 S2000\nM30\n");
+    EXPECT_FALSE(ran.alarmed) << ran.codes();
+    std::vector<std::pair<double, double>> limits;  // least, most
+    for (const path::Command& command : ran.commands)
+        if (command.op == path::Op::SpeedLimit)
+            limits.emplace_back(command.least_speed, command.speed);
+    const std::vector<std::pair<double, double>> expected = {{400, 0}, {400, 3000}, {400, 2000}};
+    EXPECT_EQ(limits, expected);
+}
+
+TEST(SpeedLimits, HoldForTheClockOfTheProgram) {
+    struct Row {
+        double least;
+        double most;
+        double speed;  // rpm with 200 m/min at a radius of 90 mm
+    };
+    // Without limits 200000 / (2π·90) rpm.
+    for (const Row& row : {Row{0, 0, 353.6776513}, {400, 0, 400}, {0, 300, 300}, {400, 300, 300}}) {
+        SCOPED_TRACE(row.speed);
+        const machine::Machine machine = mill();
+        RunClock clock(machine);
+        AxisValues at{};
+        at[0] = 100;
+        clock.start(at);
+        path::Command limit;
+        limit.op = path::Op::SpeedLimit;
+        limit.least_speed = row.least;
+        limit.speed = row.most;
+        clock.add(limit);
+        path::Command spindle;
+        spindle.op = path::Op::Spindle;
+        spindle.spindle = path::SpindleMode::Cw;
+        spindle.speed = 200;
+        spindle.cutting_speed = true;
+        clock.add(spindle);
+        path::Command cut;
+        cut.op = path::Op::Line;
+        cut.feed_mode = path::FeedMode::PerRevolution;
+        cut.feed = 0.3;
+        cut.to[0] = 90;
+        clock.add(cut);
+        EXPECT_NEAR(clock.seconds(), 10 / (0.3 * row.speed) * 60, 1e-6);
+    }
 }
 
 }  // namespace

@@ -51,6 +51,27 @@ TEST(CuttingSpeedOracle, SpeedsAccelerationsAndTimes) {
     EXPECT_GE(samples, 20);
 }
 
+TEST(CuttingSpeed, TheLeastSpeedActsOutside) {
+    // 200 m/min at 400 rpm: 200000 / (2π·400) = 79.577 mm.
+    motion::Spindle spindle = spindle_of(200, 3000);
+    spindle.least = speed_from_rpm(400);
+    EXPECT_NEAR(least_speed_radius(spindle), 79.5775, 1e-4);
+    EXPECT_NEAR(rpm_from_speed(spindle.speed_at(100)), 400, 1e-9);
+    EXPECT_NEAR(rpm_from_speed(spindle.speed_at(50)), 200000 / (std::numbers::pi * 100), 1e-9);
+    // 10 mm at 0.3 mm a revolution and 400 revolutions a minute.
+    EXPECT_NEAR(pass_time(spindle, {100, 90, 0.3}), 10 / (0.3 * 400) * 60, 1e-9);
+    // Outside of the edge steady, inside as without the bound.
+    const double edge = least_speed_radius(spindle);
+    EXPECT_NEAR(pass_time(spindle, {100, 50, 0.3}),
+                (100 - edge) / (0.3 * 400) * 60 + pass_time(spindle_of(200, 3000), {edge, 50, 0.3}),
+                1e-9);
+    EXPECT_EQ(spindle_acceleration(spindle, {100, 50, 0.3}, 90), 0);
+    EXPECT_GT(spindle_acceleration(spindle, {100, 50, 0.3}, 70), 0);
+    spindle.limit = speed_from_rpm(300);  // the lower one of both counts
+    EXPECT_NEAR(rpm_from_speed(spindle.speed_at(10)), 300, 1e-9);
+    EXPECT_NEAR(pass_time(spindle, {100, 90, 0.3}), 10 / (0.3 * 300) * 60, 1e-9);
+}
+
 TEST(CuttingSpeed, APassThroughTheCentreIsTwoPasses) {
     const motion::Spindle spindle = spindle_of(200, 3000);
     const FacePass in{50, 0, 0.3};
@@ -84,6 +105,17 @@ TEST(CuttingSpeed, ThePlannerTakesTheTimeOfTheLaw) {
         constexpr double kRamps = 5e-4;  // s, from rest and to it
         EXPECT_NEAR(run.totals.cutting_time, want, 2e-4 * want + kRamps);
     }
+}
+
+TEST(CuttingSpeed, ThePlannerKeepsTheLeastSpeed) {
+    std::vector<path::Command> commands = facing(200, 3000, 100, 50, 0.3);
+    commands[1].least_speed = 400;
+    motion::Spindle spindle = spindle_of(200, 3000);
+    spindle.least = speed_from_rpm(400);
+    const double want = pass_time(spindle, {100, 50, 0.3});
+    const motion::test::Motion run = motion::test::run(motion::test::machine_of(), commands);
+    EXPECT_NEAR(run.totals.cutting_time, want, 2e-4 * want + 5e-4);
+    EXPECT_LT(want, pass_time(spindle_of(200, 3000), {100, 50, 0.3}) - 0.1);
 }
 
 }  // namespace
