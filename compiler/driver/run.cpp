@@ -232,11 +232,7 @@ void Run::execute() {
     if (outputs_.limits) limits_ = std::make_unique<LimitReport>(*execution_, session_, has_pulses);
     // An alarm of the motion has to come before the next block is shown.
     if (outputs_.summary) times_ = std::make_unique<WorkTimes>(*execution_, session_);
-    std::unique_ptr<WorkTap> watched;
-    if (times_) watched = std::make_unique<WorkTap>(*execution_, *times_);
-    Stream<path::Command>& commands =
-        watched ? static_cast<Stream<path::Command>&>(*watched) : *execution_;
-    CommandTap tap(commands, look, debugger_ ? 1 : 0);
+    CommandTap tap(*execution_, look, debugger_ ? 1 : 0);
     motion::PlannerOptions options;
     options.tick = session_.options().tick.value_or(0);
     options.lookahead = machine.pipeline.ahead;

@@ -22,15 +22,12 @@ void add_to(WorkShare& share, const motion::Segment& segment, double length) {
 
 }  // namespace
 
-void WorkTimes::see(const path::Command& command) {
-    if (command.op == path::Op::Tool) calls_.push_back(command.tool);
-}
-
 void WorkTimes::add(const motion::Segment& segment) {
-    if (segment.kind == motion::SegmentKind::ToolChange) take_next_tool();
+    // A module beside the axes does not know of tools.
+    if (!motion::is_external(segment.kind)) take_tool(segment.tool_number);
     const bool moves = motion::is_motion(segment.kind) || motion::is_external(segment.kind);
     const bool has_way = moves && !segment.turns_only;
-    const double length = has_way ? path::length(segment.curve) : 0;
+    const double length = has_way ? path::arc_length(segment.curve) : 0;
     add_to(tools_[tool_at_].share, segment, length);
     add_to(share_of(segment), segment, length);
     if (segment.cycle != 0) {
@@ -40,10 +37,8 @@ void WorkTimes::add(const motion::Segment& segment) {
     if (rows_.size() > kMostRows) forget_least();
 }
 
-void WorkTimes::take_next_tool() {
-    if (calls_.empty()) return;
-    const std::int64_t tool = calls_.front();
-    calls_.pop_front();
+void WorkTimes::take_tool(std::int64_t tool) {
+    if (tools_[tool_at_].tool == tool) return;
     const auto found = std::ranges::find(tools_, tool, &ToolShare::tool);
     tool_at_ = static_cast<std::size_t>(found - tools_.begin());
     if (found == tools_.end()) tools_.push_back({tool, {}});
@@ -82,7 +77,6 @@ void WorkTimes::forget_least() {
 }
 
 std::vector<ToolShare> WorkTimes::tools() const {
-    if (!(execution_.machine().tool_change_time > 0)) return {};
     std::vector<ToolShare> all = tools_;
     std::erase_if(all, [](const ToolShare& tool) { return tool.share.time == 0; });
     return all;

@@ -2,17 +2,14 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
-#include "base/stream.h"
 #include "driver/execution.h"
 #include "driver/session.h"
 #include "driver/work_places.h"
 #include "motion/segment.h"
-#include "path/command.h"
 
 namespace kadr::driver {
 
@@ -48,13 +45,10 @@ class WorkTimes {
     WorkTimes(const Execution& execution, const Session& session)
         : execution_(execution), places_(execution, session) {}
 
-    /// A command on its way to the planner.
-    void see(const path::Command& command);
-    /// … and a piece that it became; pieces come in the order of the commands.
+    /// A piece of motion; pieces come in the order of the run.
     void add(const motion::Segment& segment);
 
-    /// In the order in which they were called first; a tool that is called again has one row. Empty
-    /// where a change of the tool takes no time: then nothing tells them apart.
+    /// In the order in which they were called first; a tool that is called again has one row.
     std::vector<ToolShare> tools() const;
     /// Of the cycles that the control runs, what they move themselves: the way to their places is
     /// not theirs. The longest first.
@@ -70,13 +64,12 @@ class WorkTimes {
 
     WorkShare& share_of(const motion::Segment& segment);
     std::uint64_t key_of(const WorkPlace& place);
-    void take_next_tool();
+    void take_tool(std::int64_t tool);
     void forget_least();
     PlaceShare shown(const Row& row) const;
 
     const Execution& execution_;
     WorkPlaces places_;
-    std::deque<std::int64_t> calls_;  // of tools, that are not planned yet
     std::vector<ToolShare> tools_ = {{}};
     std::size_t tool_at_ = 0;
     std::vector<WorkShare> cycles_;  // by Segment::cycle
@@ -88,22 +81,6 @@ class WorkTimes {
     Row* last_ = nullptr;
     std::uint32_t last_line_ = 0;
     SourceId last_source_;
-};
-
-/// Shows every command to the times on its way.
-class WorkTap final : public Stream<path::Command> {
-  public:
-    WorkTap(Stream<path::Command>& commands, WorkTimes& times)
-        : commands_(commands), times_(times) {}
-    std::size_t pull(std::span<path::Command> out) override {
-        const std::size_t count = commands_.pull(out);
-        for (const path::Command& command : out.first(count)) times_.see(command);
-        return count;
-    }
-
-  private:
-    Stream<path::Command>& commands_;
-    WorkTimes& times_;
 };
 
 }  // namespace kadr::driver

@@ -91,7 +91,7 @@ Piece& Preparer::State::fresh_piece() {
     piece.can_be_held = false;
     piece.course.time = 0;
     piece.issues = std::exchange(to_issue, 0);
-    piece.awaits = false;
+    piece.awaits = piece.awaits_mark = false;
     return piece;
 }
 
@@ -139,8 +139,14 @@ void Preparer::State::execute(const Command& command) {
         case Op::Dwell: dwell(command); return;
         case Op::Spindle: set_spindle(command); return;
         case Op::OtherSpindle: set_other_spindle(command); return;
-        case Op::SpeedLimit: spindle.limit = speed_from_rpm(command.speed); return;
-        case Op::Tool: stand(command, SegmentKind::ToolChange, machine.tool_change_time); return;
+        case Op::SpeedLimit:
+            spindle.limit = speed_from_rpm(command.speed);
+            spindle.least = speed_from_rpm(command.least_speed);
+            return;
+        case Op::Tool:
+            tool_number = command.tool;
+            stand(command, SegmentKind::ToolChange, machine.tool_change_time);
+            return;
         case Op::ToolLength: standing.set_tool_length(command, axes); return;
         case Op::Stop:
         case Op::OptionalStop:
@@ -225,6 +231,7 @@ Piece& Preparer::State::emit_stand(const Command& command, SegmentKind kind) {
     piece.segment.source = command.source;
     piece.segment.duration = 0;
     piece.segment.spindle = spindle;
+    piece.segment.tool_number = tool_number;
     // Length 0 between two stops: speed and acceleration only have to be above zero.
     piece.speed = piece.acceleration = 1;
     return piece;
@@ -247,6 +254,7 @@ void Preparer::State::issue(const Command& command) {
 void Preparer::State::move(const Command& command) {
     follow_dynamics(command);
     if (standing.follow_transformation(command)) last.must_stop = true;
+    meet_spindle(command);
     Standing::Target target = standing.target_of(command);
     Segment segment = standing.still();
     segment.kind = command.op == Op::Rapid ? SegmentKind::Rapid : SegmentKind::Feed;
@@ -427,6 +435,7 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
         segment.kind == SegmentKind::Feed ? programmed / programmed_override(command) : 0;
     piece.segment.ends_command = false;
     piece.segment.spindle = spindle;
+    piece.segment.tool_number = tool_number;
     if (segment.kind == SegmentKind::Feed && command.feed_mode == path::FeedMode::PerRevolution) {
         piece.segment.feed_per_revolution = command.feed * feed_override(command);
     }
@@ -443,6 +452,7 @@ void Preparer::State::emit(const Command& command, const Segment& segment, doubl
     piece.rates = in;
     piece.loads = axes.loads(segment, in);
     take_corner(piece);
+    if (thread_goes_on) check_thread_corner(command, piece);
     if (how.as_cell && piece.ramp == 1 && segment.is_transformed()) {
         const double most = segment.kind == SegmentKind::Rapid ? kInfinity : feed;
         const auto cell = cell_on(AxisCourse(axes.chain(), segment), axes.bounds(), most);

@@ -127,6 +127,8 @@ struct Preparer::State {
     void emit_parts(const path::Command& command, const Segment& whole,
                     const std::vector<double>& bounds);
     /// prepare_threads.cpp
+    void meet_spindle(const path::Command& command);
+    void check_thread_corner(const path::Command& command, const Piece& piece);
     void emit_varying_thread(const path::Command& command, const Segment& whole, double length);
     bool allows_cells(const path::Command& command) const;
     std::vector<double> cells_in(const path::Command& command, const Segment& whole, double length);
@@ -208,9 +210,13 @@ struct Preparer::State {
     bool has_ended = false;
     bool has_alarmed = false;
     bool feed_reported = false;
+    bool thread_corner_reported = false;
+    bool is_threading = false;    // the latest motion is a thread …
+    bool thread_goes_on = false;  // … that goes on with the one before it
 
     Standing standing;
     Spindle spindle;
+    std::int64_t tool_number = 0;  // called last
     AxisCheck check;
     CornerMemory last;
     HeldMotion held;

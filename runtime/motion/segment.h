@@ -23,7 +23,7 @@ enum class SegmentKind : std::uint8_t {
     ToolChange,
     Orient,  // the spindle turns to an angle
     Hold,    // the operator keeps the axes from going on
-    Wait,    // for the machine to acknowledge an M function
+    Wait,    // for the machine to acknowledge an M function, or for the spindle's mark
     // Of a module beside the axes, which stand at `stage` meanwhile:
     External,  // nothing moves, or the module is not asked
     Jump,      // a scanner's positioning
@@ -52,12 +52,13 @@ inline constexpr std::size_t kFollowers = kAxes - 3;
 /// how to colour it and whence it came.
 struct Segment {
     SegmentKind kind = SegmentKind::Rapid;
-    bool ends_command = true;  // no further piece of its command comes
-    bool has_pulse = false;    // a pulse of the laser burns the point where it ends
-    bool turns_only = false;   // no linear axis moves: lengths are degrees, not mm
-    AxisMask followers = 0;    // axes beside X, Y, Z that move in this piece
-    std::uint32_t line = 0;    // of the ISO-7bit text
-    std::uint16_t cycle = 0;   // of the command
+    bool ends_command = true;      // no further piece of its command comes
+    bool has_pulse = false;        // a pulse of the laser burns the point where it ends
+    bool turns_only = false;       // no linear axis moves: lengths are degrees, not mm
+    AxisMask followers = 0;        // axes beside X, Y, Z that move in this piece
+    std::uint32_t line = 0;        // of the ISO-7bit text
+    std::uint16_t cycle = 0;       // of the command
+    std::int64_t tool_number = 0;  // that was called last; 0: none
     SourceId source;
 
     path::Curve curve;  // way of the tip, or of the contact; a Point if it stands
