@@ -54,6 +54,13 @@ double parse_length(const std::string& text, const char* option) {
     return number.value * factor;
 }
 
+/// A decimal number, which neither infinity nor "nan" is. What it returns is what CLI11 shows.
+std::string check_number(const std::string& text) {
+    const char* const end = text.data() + text.size();
+    const bool is_number = !text.empty() && parse_decimal(text.data(), end).end == end;
+    return is_number ? std::string() : '`' + text + "` is not a number";
+}
+
 /// As for the tick of a machine: the path between two setpoints says nothing beyond a second.
 double parse_tick(const std::string& text) {
     const double tick = parse_time(text, "--tick");
@@ -440,7 +447,7 @@ void Parser::add_solve(CLI::App& machine) {
         "--from", job.from, "where the rotary axes come from: A0,C0; for the choice of the way");
     CLI::Option* vector = solve->add_flag("--vector", job.follows_vector,
                                           "the tool goes there along the great circle");
-    solve->add_option("--length", job.length, "of the tool in mm");
+    solve->add_option("--length", job.length, "of the tool in mm")->check(check_number);
     solve->add_flag("--json", job.as_json, "one JSON object");
     for (CLI::Option* other : {at, tool, euler, from, vector}) axes->excludes(other);
     tool->excludes(euler);

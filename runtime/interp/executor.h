@@ -149,7 +149,8 @@ class Executor {
     void leave_cutting_speed();
     void limit_speed(const nc::Block& block, nc::Function function, double limit);
     void bound_speed(const nc::Block& block, nc::Function function, bool is_upper, double bound);
-    void tell_speed_limit(const nc::Block& block, double before);
+    SpeedLimits speed_limits() const;
+    void tell_speed_limits(const nc::Block& block, const SpeedLimits& before);
     double highest_speed() const;
     double bounded_speed(const nc::Block& block);
     double turning_speed() const;
@@ -513,7 +514,9 @@ class Executor {
 
     // through_splines.cpp: splines through points
     void choose_spline_end(const nc::Block& block, const nc::Invocation& invocation);
-    bool continues_through(const nc::Block& block) const;
+    bool continues_through(const nc::Block& block);
+    bool only_turns(const nc::Block& block);
+    Target target_in(const nc::Block& block, nc::SlotMask targets);
     void go_through(const nc::Block& block, nc::SlotMask targets, const ToolWords& tool);
     bool start_through(const nc::Block& block);
     void move_through();

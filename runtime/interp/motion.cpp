@@ -90,7 +90,7 @@ void Executor::move(const Block& block, const Actions& actions) {
         return spline(block, actions.tool);
     const bool goes_through =
         modal_.motion == Function::AkimaSpline || modal_.motion == Function::CubicSpline;
-    if (goes_through && !is_elsewhere && targets != 0)
+    if (goes_through && !is_elsewhere && targets != 0 && !only_turns(block))
         return go_through(block, targets, actions.tool);
     const bool has_polynomial = targets != 0 || block.find(Function::PolynomialAxis) != nullptr;
     if (modal_.motion == Function::Polynomial && !is_elsewhere && has_polynomial)

@@ -289,6 +289,12 @@ bool Executor::refuses_under_tcp(const Block& block, Function function) {
         case Function::Scale:
         case Function::Mirror:
         case Function::PolarOn:
+        case Function::Tilt:
+        case Function::TiltEuler:
+        case Function::TiltPlane:
+        case Function::TiltPoint:
+        case Function::TiltVector:
+        case Function::TiltAlongTool:
         case Function::Cycle: break;
         default: return false;
     }

@@ -319,7 +319,8 @@ void Executor::polynomial(const Block& block, const ToolWords& tool, bool exact_
     if (!may_turn_along(block, tool)) return;
     if (tool_.has_changed) activate_length(block, target->moved);
     if (!check_limits(block, target->base, target->moved)) return;
-    const PoleBlock said{block.line, block.source, modal_.feed, target->base, {}, {}};
+    PoleBlock said{block.line, block.source, modal_.feed, target->base, {}, {}};
+    said.modes = orienting_;
     const bool shares_time = modal_.feed_mode == path::FeedMode::InverseTime;
     std::vector<SaidSpan> spans =
         said_spans(pieces, frames_.total(), position_.base, said, shares_time);

@@ -32,7 +32,8 @@ struct PoleBlock {
     /// Of the tool beside the pole, in the base system; between poles that lie against each other
     /// zero.
     std::optional<path::Vec3> direction = std::nullopt;
-    std::optional<ToolWords> tool = std::nullopt;  // … or what it says of the tool along the span
+    std::optional<ToolWords> tool = std::nullopt;  // … or what it says of the tool along the span,
+    OrientModes modes = {};                        // … understood like this
 };
 
 /// Whether a word says how the tool stands or turns: it may stand in the blocks of a spline.

@@ -94,6 +94,7 @@ bool Executor::turn_along(const Block& at, const PoleBlock& said, const path::Cu
                           AxisValues& to) {
     const Position read = position_;
     const double feed = std::exchange(modal_.feed, said.feed);
+    const OrientModes modes = std::exchange(static_cast<OrientModes&>(orienting_), said.modes);
     for (std::size_t i = 0; i < 3; ++i)
         position_.base[i] = path::start(span)[static_cast<Eigen::Index>(i)];
     position_.here = frames_.from_base(position_.base);
@@ -105,6 +106,7 @@ bool Executor::turn_along(const Block& at, const PoleBlock& said, const path::Cu
     const bool is_laid =
         lay_span_turn(at, said, span, target) && check_limits(at, target.base, joint_axes());
     modal_.feed = feed;
+    static_cast<OrientModes&>(orienting_) = modes;
     position_ = read;
     if (!is_laid) return false;
     for (AxisMask rest = joint_axes(); rest != 0; rest = static_cast<AxisMask>(rest & (rest - 1))) {

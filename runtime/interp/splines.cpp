@@ -126,6 +126,7 @@ bool Executor::start_spline(const Block& block, bool by_knots) {
     spline_.emplace(spline_degree_, by_knots);
     if (by_knots) return true;
     PoleBlock start{block.line, block.source, 0, position_.base, {}, {}};
+    start.modes = orienting_;
     if (!direct_pole(block, {}, start)) return false;
     spline_->add_pole(linear(position_.base), 1, start);
     return true;
@@ -203,7 +204,11 @@ bool Executor::leaves_spline_open(const Block& block, const nc::Invocation& invo
         case Function::OrientTolerance:
         case Function::CompressOn:
         case Function::CompressOff:
+        case Function::FeedCourse:
         case Function::Message: return true;
+        case Function::CompFeed:
+        case Function::CompDepth:
+        case Function::CompCornerPointed: return !is_any_comp_on();
         case Function::PlaneXy:
         case Function::PlaneZx:
         case Function::PlaneYz: return !is_other_plane(invocation.function);
@@ -216,6 +221,18 @@ bool Executor::leaves_spline_open(const Block& block, const nc::Invocation& invo
         case Function::CoolantMist:
         case Function::CoolantOff:
         case Function::MachineFunction: return !is_awaited(block, invocation);
+        default: break;
+    }
+    switch (nc::info(invocation.function).group) {
+        case nc::Group::Turning:
+        case nc::Group::OrientAngles:
+        case nc::Group::OrientSystem:
+        case nc::Group::Spinning: return true;
+        case nc::Group::CompStart:
+        case nc::Group::CompCorner:
+        case nc::Group::CompCheck:
+        case nc::Group::CompSystem:
+        case nc::Group::CompTurning: return !is_any_comp_on();
         default: return false;
     }
 }
@@ -230,7 +247,10 @@ PoleBlock Executor::pole_block(const Block& block, const AxisValues& to) {
             modal_.feed,
             to,
             said_in_spline_.count(),
-            stops_exactly(block.find(Function::ExactStopOnce) != nullptr)};
+            stops_exactly(block.find(Function::ExactStopOnce) != nullptr),
+            std::nullopt,
+            std::nullopt,
+            orienting_};
 }
 
 Command Executor::span_as_said(const Block& block) {

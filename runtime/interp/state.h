@@ -62,6 +62,14 @@ struct Position {
     AxisValues base{};        // in the base coordinate system; always the frame of `here`
 };
 
+/// Speeds of a spindle under constant cutting speed, rpm; 0: none.
+struct SpeedLimits {
+    double least = 0;
+    double most = 0;
+
+    friend bool operator==(const SpeedLimits&, const SpeedLimits&) = default;
+};
+
 struct Spindle {
     std::int64_t number = 1;
     path::SpindleMode mode = path::SpindleMode::Stop;
@@ -159,16 +167,20 @@ struct Smoothing {
 };
 
 /// What the program has chosen of the machine's transformation and of the tool's turning.
-struct Orienting {
-    bool is_on = false;          // X, Y and Z are the tip in the workpiece
-    bool has_length = false;     // it was switched on as a kind of tool length compensation
-    bool takes_vectors = false;  // … whose blocks say the tool's direction
+/// How words of the orientation are understood, and on which way the tool turns.
+struct OrientModes {
     nc::Function turning = nc::Function::TurnPlane;
     nc::Function angles = nc::Function::AnglesEuler;
     nc::Function spin = nc::Function::SpinFixed;
     bool is_in_base = false;  // orientations are said in the base system
-    path::Lean lean;          // from the surface normal
-    bool leans = false;       // … at the end of every block, until one says a direction
+};
+
+struct Orienting : OrientModes {
+    bool is_on = false;          // X, Y and Z are the tip in the workpiece
+    bool has_length = false;     // it was switched on as a kind of tool length compensation
+    bool takes_vectors = false;  // … whose blocks say the tool's direction
+    path::Lean lean;             // from the surface normal
+    bool leans = false;          // … at the end of every block, until one says a direction
     // Behind the latest motion, in the base system:
     std::optional<path::Vec3> normal;      // of the surface; nothing: none was said yet
     path::Vec3 rate = path::Vec3::Zero();  // how the tool's direction changed at its end

@@ -43,8 +43,9 @@ void Executor::choose_spline_end(const Block& block, const nc::Invocation& invoc
 
 /// Whether a block belongs to the spline that runs: a position, with nothing beside it that ends
 /// the spline. The function may stand there again.
-bool Executor::continues_through(const Block& block) const {
+bool Executor::continues_through(const Block& block) {
     if (block.motion != Function::None && block.motion != through_->function) return false;
+    if (only_turns(block)) return false;
     for (std::size_t i = 0; i < block.function_count; ++i) {
         const Function function = block.functions[i].function;
         if (is_tool_word(function)) continue;
@@ -52,6 +53,28 @@ bool Executor::continues_through(const Block& block) const {
         if (!leaves_spline_open(block, block.functions[i])) return false;
     }
     return (block.given & (nc::kTargetSlots | nc::kPolarSlots)) != 0;
+}
+
+/// Whether a block says how the tool stands at the place where it is: no point of a spline, as a
+/// point cannot stand twice, but not to be left out either. It is run by itself.
+bool Executor::only_turns(const Block& block) {
+    bool is_turned = false;
+    for (std::size_t i = 0; i < block.function_count; ++i)
+        is_turned = is_turned || is_tool_word(block.functions[i].function);
+    const SlotMask targets = block.given & nc::kTargetSlots;
+    if (!is_turned || targets == 0 || (block.given & nc::kPolarSlots) != 0) return false;
+    const Target target = target_in(block, targets);
+    return !((linear(target.base) - linear(position_.base)).norm() > path::kSameKnot);
+}
+
+/// Where a block that is not executed yet leads.
+Target Executor::target_in(const Block& block, SlotMask targets) {
+    const Modal before = modal_;
+    if (block.find(Function::Incremental) != nullptr) modal_.is_incremental = true;
+    if (block.find(Function::Absolute) != nullptr) modal_.is_incremental = false;
+    const Target target = target_of(block, targets);
+    modal_ = before;
+    return target;
 }
 
 /// A block with a position under such a function.
@@ -100,8 +123,10 @@ bool Executor::start_through(const Block& block) {
     said_in_spline_.begin(span_as_said(block));
     const bool is_akima = modal_.motion == Function::AkimaSpline;
     const auto kind = is_akima ? path::ThroughKind::Akima : path::ThroughKind::CubicSpline;
+    // The contour keeps its shape when a frame turns it.
+    const path::Mat3 axes = path::unit_axes(frames_.total());
     through_.emplace(
-        ThroughRun{modal_.motion, {kind, start, linear(position_.base)}, {}, AxisMask{0}});
+        ThroughRun{modal_.motion, {kind, start, linear(position_.base), axes}, {}, AxisMask{0}});
     return true;
 }
 
@@ -144,11 +169,7 @@ std::optional<Vec3> Executor::direction_into(const Block& next) {
     const SlotMask targets = next.given & nc::kTargetSlots;
     const bool is_moved = targets != 0 && (next.given & nc::kPolarSlots) == 0;
     if (!is_moved || frames_change_in(next)) return std::nullopt;
-    const Modal before = modal_;
-    if (next.find(Function::Incremental) != nullptr) modal_.is_incremental = true;
-    if (next.find(Function::Absolute) != nullptr) modal_.is_incremental = false;
-    const Target target = target_of(next, targets);
-    modal_ = before;
+    const Target target = target_in(next, targets);
     const Vec3 start = linear(position_.here);
     const bool is_line = next.motion == Function::Line || next.motion == Function::Rapid;
     Vec3 way = linear(target.here) - start;

@@ -152,6 +152,11 @@ bool Executor::has_idle_words(const Block& block, const ToolWords& tool) {
     const bool is_about_axis = turning == Function::TurnConeCw || turning == Function::TurnConeCcw;
     const bool takes_surface =
         turning == Function::TurnSurface || surface_leads_end() || comp_.takes_faces();
+    if (tool.lead.has_value() && !tool.vector.is_said()) {
+        report(diag::OrientLeadAlone, block, Function::ToolLead)
+            .arg(word_of(block, Function::ToolLead));
+        return true;
+    }
     const struct {
         bool is_idle;
         Function word;
@@ -162,7 +167,6 @@ bool Executor::has_idle_words(const Block& block, const ToolWords& tool) {
         {tool.point.is_said() && turning != Function::TurnPoint, Function::ToolPoint},
         {tool.normals[0].is_said() && !takes_surface, Function::SurfaceNormal},
         {tool.normals[1].is_said() && !takes_surface, Function::SurfaceNormal},
-        {tool.lead.has_value() && !tool.vector.is_said(), Function::ToolLead},
         {tool.changes_lean && tool.says_direction(),
          block.find(Function::LeanLead) != nullptr ? Function::LeanLead : Function::LeanTilt},
         {tool.says_direction() && tool.point.is_said(), Function::ToolVector},

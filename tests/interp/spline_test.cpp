@@ -132,9 +132,12 @@ TEST(Splines, GoOnBesideWordsThatEndNone) {
     for (const std::string kind : {"ASPLINE", "CSPLINE", "BSPLINE"}) {
         const auto plain = splines(read("sinumerik", four_points(kind, "")));
         ASSERT_FALSE(plain.empty());
-        for (const std::string word : {"MSG(\"A\")", "G64", "G60", "G9", "G641 ADIS=1", "OVR=50",
-                                       "ACC[X]=50", "VELOLIM[Y]=50", "S2000", "F300", "T2", "M8",
-                                       "M3 S100", "G90", "G17", "LIMS=2000", "COMPON"}) {
+        for (const std::string word :
+             {"MSG(\"A\")", "G64",           "G60",     "G9",        "G641 ADIS=1", "OVR=50",
+              "ACC[X]=50",  "VELOLIM[Y]=50", "S2000",   "F300",      "T2",          "M8",
+              "M3 S100",    "G90",           "G17",     "LIMS=2000", "COMPON",      "FNORM",
+              "FLIN",       "CFC",           "CFTCP",   "ISD=0",     "ORIC",        "G451",
+              "KONT",       "ORIVECT",       "ORIAXES", "ORIRPY",    "ORIMKS",      "ORIROTT"}) {
             SCOPED_TRACE(kind + " " + word);
             const Ran ran = read("sinumerik", four_points(kind, word));
             EXPECT_FALSE(ran.alarmed) << ran.codes();
