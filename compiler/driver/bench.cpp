@@ -11,6 +11,7 @@
 #include "driver/execution.h"
 #include "driver/generated_text.h"
 #include "motion/pipeline.h"
+#include "motion/transformed.h"
 
 namespace kadr::driver {
 
@@ -80,7 +81,15 @@ std::unique_ptr<Recording> Bench::perform(const CallUnderTest& call, const std::
         motion::Planner planner(tap, *machine, options, execution->sink());
         std::vector<motion::Segment> batch(64);
         while (const std::size_t count = planner.pull(batch)) {
-            for (std::size_t i = 0; i < count; ++i) recording->add(batch[i]);
+            for (std::size_t i = 0; i < count; ++i) {
+                if (batch[i].goes_straight()) {
+                    for (const motion::Segment& line :
+                         motion::tip_lines(machine->kinematics->chain, batch[i]))
+                        recording->add(line);
+                } else {
+                    recording->add(batch[i]);
+                }
+            }
         }
         const std::uint64_t read = planner.totals().commands;
         tap.pass_until(planner.alarmed() && read > 0 ? read - 1 : read);

@@ -30,7 +30,7 @@ double turn_along(const motion::Segment& segment, double length) {
 }  // namespace
 
 void PlotTools::add(const machine::Chain& chain, const motion::Segment& segment) {
-    if (!segment.is_transformed() || segment.kind != motion::SegmentKind::Feed) return;
+    if (!segment.is_in_workpiece() || segment.kind != motion::SegmentKind::Feed) return;
     const double length = path::length(segment.curve);
     const double way = segment.turns_only ? 0 : length;
     const double wanted = std::max({1.0, turn_along(segment, length) / kTurn, way / kWay});

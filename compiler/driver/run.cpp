@@ -36,6 +36,7 @@
 #include "driver/variables.h"
 #include "driver/work_times.h"
 #include "motion/pipeline.h"
+#include "motion/transformed.h"
 #include "process/drive_run.h"
 #include "process/planned_motion.h"
 
@@ -211,9 +212,14 @@ void Run::draw(const motion::Segment& segment) {
         shade = range.file.is_valid() ? session_.sources().locate(range.file, range.begin).line
                                       : segment.line;
     }
-    scene_.add(segment, shade);
-    if (const auto& kinematics = execution_->machine().kinematics)
-        tools_.add(kinematics->chain, segment);
+    const auto& kinematics = execution_->machine().kinematics;
+    if (!segment.goes_straight()) {
+        scene_.add(segment, shade);
+    } else {
+        for (const motion::Segment& line : motion::tip_lines(kinematics->chain, segment))
+            scene_.add(line, shade);
+    }
+    if (kinematics) tools_.add(kinematics->chain, segment);
 }
 
 void Run::execute() {

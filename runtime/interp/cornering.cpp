@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/diagnostics/iso.h"
+#include "base/diagnostics/orienting.h"
 #include "interp/executor.h"
 
 namespace kadr::interp {
@@ -71,6 +72,10 @@ void Executor::take_corner_feed(const Block& block, const Invocation& invocation
 /// Tells the corners what this block wants, before it puts its motion.
 void Executor::wish_corner(const Block& block, const Actions& actions) {
     if (cycle_.blocks) return;
+    if (goes_straight(block, actions)) {
+        if (actions.corner != nullptr) report(diag::PointCorner, block, actions.corner->function);
+        return;
+    }
     // Where a soft approach begins its contour, nothing stands before the corner.
     if (actions.soft != nullptr || soft_approach_.needs_place()) {
         if (actions.corner != nullptr) report(diag::CornerNotContour, block);

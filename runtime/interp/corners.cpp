@@ -158,6 +158,7 @@ Corners::Fault Corners::take(Item& item) {
     plane_ = command.plane;
     axes_ = path::axes_of(plane_);
     const bool is_contour = (is_straight(command.op) || command.op == Op::Arc) &&
+                            command.turning != path::Turning::Straight &&
                             !command.machine_coordinates && command.turns == 0;
     if (!is_contour || (command.op == Op::Arc && !is_in_plane(command)))
         return take_other_motion(item);

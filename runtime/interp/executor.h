@@ -327,6 +327,17 @@ class Executor {
     void put_joints(const path::Vec3& joints, Target& target) const;
     void report_no_way(const nc::Block& block, const machine::PathRefusal& refusal);
     void put_turn(path::Command& command);
+    machine::PathQuery query_to(const path::Vec3& to, const ToolWords* angles) const;
+    // point_to_point.cpp: … where the axes go straight
+    bool goes_straight(path::Op op) const;
+    bool goes_straight(const nc::Block& block, const Actions& actions) const;
+    bool refuses_point_to_point(const nc::Block& block, const Actions& actions);
+    void choose_axes(const nc::Block& block, const nc::Invocation& invocation, ToolWords& tool);
+    machine::JointLimits signed_limits(const ToolWords& tool) const;
+    bool lay_point_to_point(const nc::Block& block, const ToolWords& tool, Target& target);
+    bool stand_along(const nc::Block& block, const ToolWords& tool, const path::Vec3& to,
+                     Target& target);
+    bool turn_by_signs(const nc::Block& block, const ToolWords& tool, Target& target);
     // spline_turns.cpp: … along splines and polynomials
     bool may_turn_along(const nc::Block& block, const ToolWords& tool);
     bool direct_pole(const nc::Block& block, const ToolWords& tool, PoleBlock& pole);

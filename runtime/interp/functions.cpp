@@ -350,6 +350,11 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::OrientInBase:
             orienting_.is_in_base = invocation.function == Function::OrientInBase;
             break;
+        case Function::PathMoves:
+        case Function::PointMoves:
+        case Function::PointRapids: orienting_.moves = invocation.function; break;
+        case Function::AxisConfiguration:
+        case Function::AxisSigns: choose_axes(block, invocation, actions.tool); break;
         case Function::OrientReset: actions.orient_reset = &invocation; break;
         case Function::ToolVector:
         case Function::ToolAngle:

@@ -181,6 +181,7 @@ void append_target(std::string& out, const Command& command, AxisMask axes) {
     if (command.turning == path::Turning::None) return;
     append_key(out, "tool");
     append_numbers(out, {command.direction.data(), 3});
+    if (command.turning == path::Turning::Straight) out += ",\"point_to_point\":true";
     if (!command.contact.empty()) append_contact(out, command.contact.front());
 }
 

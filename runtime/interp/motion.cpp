@@ -45,6 +45,9 @@ void Executor::move(const Block& block, const Actions& actions) {
     }
     const SlotMask targets = block.given & nc::kTargetSlots;
     SlotMask arc_words = block.given & kArcSlots;
+    const bool has_arc = arc_words != 0 && is_circle(modal_.motion);
+    const bool may_move = targets != 0 || actions.tool.turns() || has_arc;
+    if (may_move && refuses_point_to_point(block, actions)) return;
     // They have told where the compensation ends.
     if (arc_words != 0 && leave_direction(block)) arc_words &= ~nc::kCenterSlots;
     if (actions.soft != nullptr &&

@@ -158,6 +158,7 @@ void Executor::switch_transformation(const Block& block, const nc::Invocation& i
     drop_carry(block);
     const AxisValues axes = machine_axes();
     orienting_.is_on = is_wanted;
+    orienting_.configuration = 0;
     const bool has_frame =
         work_offset_ != 0 || !frames_.is_shift() || frames_.shift_values() != AxisValues{};
     orienting_.owes_offset = is_wanted && rules_.transformation_wants_offset && has_frame &&

@@ -7,6 +7,8 @@
 
 #include "base/units.h"
 #include "interp/linear.h"
+#include "interp/turns_beside.h"
+#include "machine/kinematics.h"
 #include "path/arc.h"
 
 namespace kadr::interp {
@@ -82,7 +84,9 @@ void RunClock::add(const path::Command& command) {
 }
 
 double RunClock::motion(const path::Command& command, const AxisValues& to) const {
-    if (command.op == Op::Rapid) return rapid(to);
+    const bool is_straight = command.turning == path::Turning::Straight;
+    if (command.op == Op::Rapid && is_straight) return rapid(machine_place(at_), machine_place(to));
+    if (command.op == Op::Rapid) return rapid(at_, to);
     const double feed = command.feed;
     if (!(feed > 0)) return 0;
     const bool is_by_turns =
@@ -97,21 +101,34 @@ double RunClock::motion(const path::Command& command, const AxisValues& to) cons
     return mm_min > 0 ? distance / mm_min * 60 : 0;
 }
 
-double RunClock::rapid(const AxisValues& to) const {
+/// Where the axes of the machine are for a place of the tip under its transformation.
+AxisValues RunClock::machine_place(const AxisValues& at) const {
+    const machine::Chain& chain = machine_.kinematics->chain;
+    const machine::ChainPosition position{
+        Vec3::Zero(), {at[6], at[7], at[8]}, joints_at(chain, at)};
+    const Vec3 xyz = machine::inverse_linear(chain, linear(at), position, -linear(length_));
+    AxisValues place = at;
+    for (std::size_t i = 0; i < 3; ++i) place[i] = xyz[static_cast<Eigen::Index>(i)];
+    return place;
+}
+
+double RunClock::rapid(const AxisValues& from, const AxisValues& to) const {
     double longest = 0;
     for (const machine::MachineAxis& axis : machine_.axes) {
         const std::size_t i = index(axis.axis);
-        const double distance = std::abs(to[i] - at_[i]);
+        const double distance = std::abs(to[i] - from[i]);
         longest =
             std::max(longest, (axis.is_rotary ? rad_from_deg(distance) : distance) / axis.velocity);
     }
     return longest;
 }
 
-/// Of an arc along it, of a spline its chord; where no linear axis moves the angle of the others.
+/// Of an arc along it, of a spline its chord, from point to point that of the axes; where no linear
+/// axis moves the angle of the others.
 double RunClock::way(const path::Command& command, const AxisValues& to) const {
-    const Vec3 from = linear(at_);
-    const Vec3 end = linear(to);
+    const bool is_straight = command.turning == path::Turning::Straight;
+    const Vec3 from = linear(is_straight ? machine_place(at_) : at_);
+    const Vec3 end = linear(is_straight ? machine_place(to) : to);
     if (command.op == Op::Arc) {
         // Only the distance across the normal counts.
         const Vec3 out = from - command.center;

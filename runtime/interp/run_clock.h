@@ -28,8 +28,9 @@ class RunClock {
     void follow_virtual(const path::VirtualAxes& axes);
     void move(const path::Command& command, const AxisValues& to);
     double motion(const path::Command& command, const AxisValues& to) const;
-    double rapid(const AxisValues& to) const;
+    double rapid(const AxisValues& from, const AxisValues& to) const;
     double way(const path::Command& command, const AxisValues& to) const;
+    AxisValues machine_place(const AxisValues& at) const;
     double speed_at(double x) const;
 
     const machine::Machine& machine_;

@@ -179,8 +179,10 @@ struct Orienting : OrientModes {
     bool is_on = false;          // X, Y and Z are the tip in the workpiece
     bool has_length = false;     // it was switched on as a kind of tool length compensation
     bool takes_vectors = false;  // … whose blocks say the tool's direction
-    path::Lean lean;             // from the surface normal
-    bool leans = false;          // … at the end of every block, until one says a direction
+    nc::Function moves = nc::Function::PathMoves;  // or from point to point
+    int configuration = 0;                         // wanted there, 1 or 2; 0: any
+    path::Lean lean;                               // from the surface normal
+    bool leans = false;  // … at the end of every block, until one says a direction
     // Behind the latest motion, in the base system:
     std::optional<path::Vec3> normal;      // of the surface; nothing: none was said yet
     path::Vec3 rate = path::Vec3::Zero();  // how the tool's direction changed at its end
@@ -214,6 +216,8 @@ struct ToolWords {
     std::optional<double> spin;     // deg, about the tool
     std::optional<double> spin_by;  // deg
     bool changes_lean = false;
+    std::optional<unsigned> signs;    // bit i: axis i of the machine shall stand below 0
+    bool says_configuration = false;  // of the rotary axes
 
     bool says_direction() const { return vector.is_said() || angles.is_said(); }
     bool says_surface() const {

@@ -91,7 +91,9 @@ bool Executor::orient(const Block& block, const Actions& actions, Target& target
         return false;
     }
     if (!check_side_arc(block)) return false;
-    if (!lay_tool_words(block, tool, target)) return false;
+    const bool is_laid = goes_straight(block, actions) ? lay_point_to_point(block, tool, target)
+                                                       : lay_tool_words(block, tool, target);
+    if (!is_laid) return false;
     settle_turn(target);
     return true;
 }
@@ -197,21 +199,10 @@ bool Executor::lay_turn(const Block& block, const Vec3& to, Target& target,
     const Vec3 from = machine::tool_vector(chain, joints);
     const bool fixes_spin = angles != nullptr && chain.has(machine::kPsi);
     if ((to - from).norm() < kSameDirection && !fixes_spin) return true;
-    machine::PathQuery query = machine::query_for(chain, to);
-    if (fixes_spin) {
-        machine::Mat3 said = turn_into_base() * rotation_by_angles(angles->angles.vector());
-        // What is mirrored of a tool is the axis from which its own angle counts.
-        if (mirrors_words()) said.col(1) = said.col(2).cross(said.col(0));
-        query.rotation = said * base_rotation().transpose();
-        query.fixes_spin = true;
-    }
-    query.start = joints;
-    query.rule = machine_.kinematics->rule;
-    query.pole_tolerance = machine_.kinematics->pole_tolerance;
+    machine::PathQuery query = query_to(to, angles);
     const bool is_plane =
         orienting_.turning == Function::TurnPlane || orienting_.turning == Function::TurnSurface;
     query.mode = is_plane ? machine::PathMode::Vector : machine::PathMode::Axis;
-    query.limits = joint_limits();
     const auto arc = machine::great_circle(from, to);
     if (is_plane && !arc) {
         report(diag::OrientationOpposite, block);
@@ -229,6 +220,24 @@ bool Executor::lay_turn(const Block& block, const Vec3& to, Target& target,
         next_turn_.angle = arc->turn;
     }
     return true;
+}
+
+/// From where the rotary axes stand to a direction, with three rotary axes to what angles say.
+machine::PathQuery Executor::query_to(const Vec3& to, const ToolWords* angles) const {
+    const Chain& chain = machine_.kinematics->chain;
+    machine::PathQuery query = machine::query_for(chain, to);
+    if (angles != nullptr && chain.has(machine::kPsi)) {
+        machine::Mat3 said = turn_into_base() * rotation_by_angles(angles->angles.vector());
+        // What is mirrored of a tool is the axis from which its own angle counts.
+        if (mirrors_words()) said.col(1) = said.col(2).cross(said.col(0));
+        query.rotation = said * base_rotation().transpose();
+        query.fixes_spin = true;
+    }
+    query.start = joints_of(position_.base);
+    query.rule = machine_.kinematics->rule;
+    query.pole_tolerance = machine_.kinematics->pole_tolerance;
+    query.limits = joint_limits();
+    return query;
 }
 
 /// The tool's base position as a rotation from Z: angles and spins are said of a tool along Z.
@@ -620,6 +629,7 @@ void Executor::put_turn(Command& command) {
     command.turn_axis = next_turn_.axis;
     command.turn_angle = next_turn_.angle;
     command.lean = next_turn_.lean;
+    if (goes_straight(command.op)) command.turning = Turning::Straight;
 }
 
 }  // namespace kadr::interp

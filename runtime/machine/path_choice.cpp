@@ -147,6 +147,13 @@ class Choice {
         for (const Solution& solution : solutions) {
             // At the pole R1 stays where it is.
             const Solution wanted = at_pole(chain_, solution, query_.start[kR1]);
+            const bool is_other =
+                query_.configuration != 0 && wanted.configuration != query_.configuration;
+            if (is_other && !wanted.is_pole && !wanted.is_equator) {
+                refusal_.configurations[static_cast<std::size_t>(wanted.configuration - 1)] =
+                    outside(CandidateFault::OtherConfiguration, kR2, wanted.rotary[kR2]);
+                continue;
+            }
             if (auto refused = consider(wanted, mode))
                 refusal_.configurations[static_cast<std::size_t>(wanted.configuration - 1)] =
                     *refused;

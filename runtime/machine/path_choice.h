@@ -35,6 +35,7 @@ struct PathQuery {
     PathMode mode = PathMode::Axis;
     PathRule rule = PathRule::LongInAxisMode;
     JointLimits limits;
+    int configuration = 0;         // 1, 2: only this one, where they differ; 0: either
     double pole_tolerance = 1e-6;  // Kinematics::pole_tolerance, rad
 };
 

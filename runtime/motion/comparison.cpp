@@ -36,7 +36,7 @@ class Walker {
     /// Where the tip is, and its direction.
     path::CurvePoint here() const {
         path::CurvePoint point = path::evaluate(segment().curve, along_);
-        if (!is_touching()) return point;
+        if (!is_beside()) return point;
         point.position = tip_at(along_);
         const Vec3 slope = slope_of_tip();
         if (slope.norm() > kStanding) point.tangent = slope.normalized();
@@ -45,7 +45,7 @@ class Walker {
     /// How far the tip goes for each millimetre of the path. Where it stands, all the same: the
     /// walk is to come to an end.
     double pace() const {
-        if (!is_touching()) return 1;
+        if (!is_beside()) return 1;
         const double pace = slope_of_tip().norm();
         return pace > kStanding ? pace : 1;
     }
@@ -67,9 +67,9 @@ class Walker {
         return true;
     }
     void next() {
-        end_ = is_touching() ? tip_at(length_) : path::end(segment().curve);
+        end_ = is_beside() ? tip_at(length_) : path::end(segment().curve);
         line_ = segment().line;
-        ended_transformed_ = segment().is_transformed();
+        ended_transformed_ = segment().is_in_workpiece();
         ++at_;
         settle();
     }
@@ -90,7 +90,10 @@ class Walker {
         }
     }
 
-    bool is_touching() const { return segment().contact.kind != path::ContactKind::Tip; }
+    /// Whether the tip is somewhere else than on the path.
+    bool is_beside() const {
+        return segment().contact.kind != path::ContactKind::Tip || segment().goes_straight();
+    }
     Vec3 tip_at(double along) const {
         return placed_at(chain_, segment(), along, path::position(segment().curve, along)).tip;
     }
@@ -191,14 +194,14 @@ class Walk {
         while (walker.goes_on(kind) && !result_.parting) {
             left += walker.rest();
             if (left > tolerance_) return part(moves ? Parting::Kind : Parting::Length);
-            if (walker.segment().is_transformed() != other.ended_transformed()) look_at_ends();
+            if (walker.segment().is_in_workpiece() != other.ended_transformed()) look_at_ends();
             walker.advance(walker.rest());
         }
     }
 
     /// Whether one is still, or only just, in other coordinates than the other.
     bool is_between_systems() const {
-        return first_.segment().is_transformed() != second_.segment().is_transformed() &&
+        return first_.segment().is_in_workpiece() != second_.segment().is_in_workpiece() &&
                std::min(first_.rest(), second_.rest()) <= tolerance_;
     }
 

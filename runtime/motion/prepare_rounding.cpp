@@ -124,7 +124,8 @@ double Preparer::State::round_corner(const Command& command, const Segment& segm
     const double length = arrival.length;
     const bool is_transformed = segment.is_transformed();
     if (!can_be_rounded(command, segment, arrival) ||
-        held.segment.is_transformed() != is_transformed)
+        held.segment.is_transformed() != is_transformed ||
+        held.segment.goes_straight() != segment.goes_straight())
         return release(), 0;
     if (is_transformed) return round_turned_corner(command, segment, length);
     const auto found =

@@ -107,7 +107,7 @@ inline void Sampler::State::place(const Segment& segment, const path::Vec3& tip,
     out.line = segment.line;
     out.source = segment.source;
     out.tip = tip;
-    if (segment.is_transformed()) return place_transformed(segment, distance, out);
+    if (segment.is_in_workpiece()) return place_transformed(segment, distance, out);
     const path::Vec3& carried = is_external(segment.kind) ? segment.stage : tip;
     const path::Vec3 carrier = carried + segment.carrier;
     out.tool = segment.tool;
@@ -120,7 +120,8 @@ inline void Sampler::State::place(const Segment& segment, const path::Vec3& tip,
     for (; column < kAxes; ++column) out.axis[column] = 0;
 }
 
-/// The tip stays on its path, whatever the tool does.
+/// The tip stays on its path, whatever the tool does; from point to point it is where the axes lead
+/// it.
 void Sampler::State::place_transformed(const Segment& segment, double distance,
                                        Setpoint& out) const {
     const Placed placed = placed_at(*chain, segment, distance, out.tip);

@@ -87,7 +87,13 @@ struct Segment {
     std::array<double, kFollowers> follower_start{};  // rad or mm
     std::array<double, kFollowers> follower_rate{};   // per unit of path length
 
-    bool is_transformed() const { return turn.kind != path::Turning::None; }
+    /// Whether the transformation holds the tip on the path.
+    bool is_transformed() const { return turn.kind > path::Turning::Straight; }
+    /// … or the axes go straight to where it holds the tip at the end: `curve` is as without a
+    /// transformation, and the tip is somewhere else.
+    bool goes_straight() const { return turn.kind == path::Turning::Straight; }
+    /// Whether tip and tool are those in the workpiece system.
+    bool is_in_workpiece() const { return turn.kind != path::Turning::None; }
     double end_time() const { return start_time + duration; }
 };
 

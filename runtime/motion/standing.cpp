@@ -70,14 +70,14 @@ Standing::Standing(const machine::Machine& machine) {
     }
 }
 
-/// Where X, Y and Z of the machine stand.
-Vec3 Standing::carrier() const {
-    if (virtual_.is_on()) return path::real_place(virtual_, tip_) + held_;
-    if (!is_transformed_) return tip_ + held_;
-    const machine::ChainPosition position{Vec3::Zero(),
-                                          {followers_[3], followers_[4], followers_[5]},
-                                          joints_of(*chain_, followers_)};
-    return machine::inverse_linear(*chain_, tip_, position, -held_);
+/// Where X, Y and Z of the machine stand there.
+Vec3 Standing::carrier_at(const Target& target) const {
+    const auto& [tip, followers] = target;
+    if (virtual_.is_on()) return path::real_place(virtual_, tip) + held_;
+    if (!is_transformed_) return tip + held_;
+    const machine::ChainPosition position{
+        Vec3::Zero(), {followers[3], followers[4], followers[5]}, joints_of(*chain_, followers)};
+    return machine::inverse_linear(*chain_, tip, position, -held_);
 }
 
 void Standing::put_carrier(const Vec3& carrier) {
@@ -131,12 +131,22 @@ Standing::Target Standing::target_of(const Command& command) const {
 }
 
 double Standing::lay_path(const Command& command, const Target& target, Segment& segment) const {
-    segment.curve = command.contact.empty() ? path::curve_of(command, tip_, target.tip)
-                                            : touched_way(command, command.contact.front());
+    if (command.turning == path::Turning::Straight) lay_straight(target, segment);
+    else if (command.contact.empty()) segment.curve = path::curve_of(command, tip_, target.tip);
+    else segment.curve = touched_way(command, command.contact.front());
     double length = std::max(path::length(segment.curve), pivot_length(command, segment.curve));
     if (target.followers != followers_) lay_followers(target, length, segment);
     if (segment.is_transformed()) lay_turn(command, length, segment);
     return length > kStill ? length : 0;
+}
+
+/// From point to point every axis goes evenly, as if no transformation acted.
+void Standing::lay_straight(const Target& target, Segment& segment) const {
+    const Vec3 from = carrier() - held_;
+    const Vec3 to = carrier_at(target) - held_;
+    segment.turn.kind = path::Turning::Straight;
+    if ((to - from).norm() > kStill) segment.curve = path::make_line(from, to);
+    else segment.curve = path::Point{from};
 }
 
 /// A rotary axis of virtual coordinates follows the path. Where the tool's way is given R1 and R2

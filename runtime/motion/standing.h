@@ -48,9 +48,11 @@ class Standing {
     const path::Vec3& tip() const { return tip_; }
 
   private:
-    path::Vec3 carrier() const;
+    path::Vec3 carrier() const { return carrier_at({tip_, followers_}); }
+    path::Vec3 carrier_at(const Target& target) const;
     double virtual_angle() const;
     void put_carrier(const path::Vec3& carrier);
+    void lay_straight(const Target& target, Segment& segment) const;
     void lay_turn(const path::Command& command, double& length, Segment& segment) const;
     void lay_followers(const Target& target, double& length, Segment& segment) const;
 

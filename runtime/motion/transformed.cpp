@@ -187,9 +187,23 @@ Vec3 tip_beside(const Chain& chain, const Segment& piece, double distance, const
     return aside ? Vec3(place + *aside) : place;  // that there is one was checked
 }
 
+/// From point to point the axes say where the tip is.
+Placed placed_straight(const Chain& chain, const Segment& piece, double distance,
+                       const Vec3& place) {
+    Placed placed;
+    const Vec3 linear = place + piece.carrier;
+    for (std::size_t i = 0; i < 3; ++i) placed.axes[i] = linear[at(i)];
+    const auto followers = followers_at(piece, distance);
+    std::ranges::copy(followers, placed.axes.begin() + 3);
+    placed.tip = tip_at(chain, placed.axes, piece.carrier);
+    placed.tool = machine::tool_vector(chain, joints_of(chain, followers));
+    return placed;
+}
+
 /// placed_at() with the joints going on from where they stand in `near`.
 Placed placed_near(const Chain& chain, const Segment& piece, double distance, const Vec3& place,
                    const LogicalAxes& near) {
+    if (piece.goes_straight()) return placed_straight(chain, piece, distance, place);
     if (piece.virtual_axes.is_on()) return virtual_near(piece, distance, place, near);
     Placed placed;
     auto followers = followers_at(piece, distance);
@@ -231,6 +245,30 @@ Placed placed_at(const Chain& chain, const Segment& piece, double distance, cons
 
 LogicalAxes axes_at(const Chain& chain, const Segment& piece, double distance) {
     return axes_near(chain, piece, distance, start_of(piece));
+}
+
+std::vector<Segment> tip_lines(const Chain& chain, const Segment& piece) {
+    // A circle of half a metre is missed by a fifth of a millimetre.
+    constexpr double kTurn = 3 * std::numbers::pi / 180;
+    const double length = path::length(piece.curve);
+    double turned = 0;
+    for (std::size_t i = 0; i < 3; ++i) turned += std::abs(piece.follower_rate[i]) * length;
+    const double count = std::clamp(std::ceil(turned / kTurn), 1.0, 1000.0);
+    std::vector<Segment> lines;
+    const auto tip = [&](double distance) {
+        return placed_at(chain, piece, distance, path::position(piece.curve, distance)).tip;
+    };
+    Vec3 from = tip(0);
+    for (double i = 0; i < count; ++i) {
+        const Vec3 to = tip(length * (i + 1) / count);
+        Segment& line = lines.emplace_back(piece);
+        if ((to - from).norm() > 0) line.curve = path::make_line(from, to);
+        else line.curve = path::Point{from};
+        line.start_time += piece.duration * i / count;
+        line.duration /= count;
+        from = to;
+    }
+    return lines;
 }
 
 Vec3 tip_at(const Chain& chain, const LogicalAxes& axes, const Vec3& carrier) {

@@ -49,9 +49,15 @@ LogicalAxes axes_near(const machine::Chain& chain, const Segment& piece, double 
 /// Where the axes stand where the piece begins; the linear ones are 0.
 LogicalAxes start_of(const Segment& piece);
 
-/// place  of the curve of the piece at that distance
+/// place  of the curve of the piece at that distance; the piece may also be one from point to point
 Placed placed_at(const machine::Chain& chain, const Segment& piece, double distance,
                  const path::Vec3& place);
+
+/// The way of the tip from point to point as lines, for those who draw and measure it: one for
+/// every few degrees that the tool turns. What follows the path is shared out evenly.
+///
+/// piece  goes_straight()
+std::vector<Segment> tip_lines(const machine::Chain& chain, const Segment& piece);
 
 /// Where the tip is for these axes; Segment::carrier tells how the tool is carried at base.
 path::Vec3 tip_at(const machine::Chain& chain, const LogicalAxes& axes, const path::Vec3& carrier);

@@ -31,6 +31,7 @@ Vec3 along_point(const Turn& turn, const Curve& curve, double distance) {
 Vec3 direction_at(const Turn& turn, const Curve& curve, double distance) {
     switch (turn.kind) {
         case Turning::None:
+        case Turning::Straight:
         case Turning::Joints:
         case Turning::Axes: return turn.start;
         case Turning::Cone: return turned(turn, distance);

@@ -7,13 +7,14 @@ namespace kadr::path {
 
 /// How the tool turns while the transformation of the machine holds its tip on the path.
 enum class Turning : std::uint8_t {
-    None,     // no transformation: every axis goes as `to` says
-    Joints,   // the rotary axes go along a cubic of the path: around a corner that is rounded
-    Axes,     // the rotary axes go in proportion to the path
-    Cone,     // the tool goes about an axis in space, in proportion to the path; square to the
-              // axis that is a great circle
-    Surface,  // the tool keeps its lead and tilt to a surface normal and the direction of travel
-    Point,    // a second point of the tool's axis goes along a line, in proportion to the path
+    None,      // no transformation: every axis goes as `to` says
+    Straight,  // every axis of the machine goes straight from point to point: the tip is on no path
+    Joints,    // the rotary axes go along a cubic of the path: around a corner that is rounded
+    Axes,      // the rotary axes go in proportion to the path
+    Cone,      // the tool goes about an axis in space, in proportion to the path; square to the
+               // axis that is a great circle
+    Surface,   // the tool keeps its lead and tilt to a surface normal and the direction of travel
+    Point,     // a second point of the tool's axis goes along a line, in proportion to the path
 };
 
 /// What a tilt turns about: the manuals say the path tangent, the article the surface normal

@@ -166,6 +166,7 @@ std::string kind_of(const path::Command& command) {
 std::string turning_of(const path::Command& command) {
     switch (command.turning) {
         case path::Turning::None: return "";
+        case path::Turning::Straight: return "ptp";
         case path::Turning::Joints:
         case path::Turning::Axes: return "axes";
         case path::Turning::Cone: return "cone";

@@ -98,6 +98,42 @@ TEST_F(FiveAxis, EveryMachineLeadsTheTipAlongTheSameWay) {
     }
 }
 
+// From point to point the ends are the same on every machine, and so are tip and tool there. The
+// plot, the page and the comparison know that the tip is on no line.
+TEST_F(FiveAxis, FromPointToPointEveryMachineComesToTheSameEnds) {
+    const auto program = [](const std::string& moves) {
+        return "G17 G54 G90\nT1 D1 M6\nS8000 M3\nTRAORI\nG54\nORIAXES\nG0 X0 Y0 Z60 C3=1\n" +
+               moves +
+               "\nG0 X40 Y10 Z30 A3=0.5 C3=1\nG4 F0.1\nG1 X-20 B3=0.4 C3=1 F3000\nG4 F0.1\n"
+               "CP G1 X0 F2000\nTRAFOOF\nM30\n";
+    };
+    save("straight.mpf", program("PTP"));
+    save("path.mpf", program("CP"));
+    for (const std::string& machine : kMachines) {
+        SCOPED_TRACE(machine);
+        std::vector<std::map<int, Pose>> ends;
+        std::vector<std::map<int, double>> turned;
+        for (const char* name : {"straight.mpf", "path.mpf"}) {
+            const auto result =
+                kadr({"run", file(name), "-d", "sinumerik", "-m", machine, "--setpoints",
+                      file("part.csv"), "--plot", file("part.svg"), "--page", file("part.html")});
+            ASSERT_EQ(result.status, 0) << result.err;
+            ends.push_back(ends_of(rows_of(read_file(file("part.csv")).value())));
+        }
+        // Behind each of both motions the axes stand.
+        for (const int line : {10, 12}) {
+            for (std::size_t i = 0; i < 6; ++i)
+                EXPECT_NEAR(ends[0].at(line).place[i], ends[1].at(line).place[i], 1e-6) << line;
+        }
+        const auto same = kadr({"compare", file("straight.mpf"), file("straight.mpf"), "-d",
+                                "sinumerik", "-m", machine});
+        EXPECT_EQ(same.status, 0) << same.out << same.err;
+        const auto other = kadr(
+            {"compare", file("straight.mpf"), file("path.mpf"), "-d", "sinumerik", "-m", machine});
+        EXPECT_NE(other.status, 0) << other.out;
+    }
+}
+
 /// A line of 50 mm on which A turns by atan 0.5 beside it, under what `words` say of feeds.
 std::string tilting_line(const std::string& words) {
     return "G17 G54 G90\nT1 D1 M6\nS8000 M3\nG0 X0 Y0 Z50 A0 C90\nTRAORI\nG54\nORIWKS ORIVECT\n"

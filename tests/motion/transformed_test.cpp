@@ -246,6 +246,96 @@ TEST(Transformed, GreatCirclesThroughThePoleKeepTipAndLimits) {
     }
 }
 
+/// Commands behind a tool length, the second one from point to point.
+std::vector<Command> to_a_point(const machine::Machine& machine, double feed, Turning turning) {
+    Program program(machine);
+    program.go_fast({10, -5, 20}, direction(30, 20));
+    program.go({60, 35, -8}, direction(125, 50), feed, turning);
+    if (feed == 0) program.commands.back().op = Op::Rapid;
+    std::vector<Command> commands = program.commands;
+    commands.insert(commands.begin(), with_tool_length(80));
+    return commands;
+}
+
+TEST(Transformed, FromPointToPointAllAxesGoStraightAndTogether) {
+    constexpr double kFeed = 3000;
+    for (const machine::Machine& machine : every_class()) {
+        for (const double feed : {0.0, kFeed}) {
+            const auto commands = to_a_point(machine, feed, Turning::Straight);
+            const auto start = sample(machine, {commands.begin(), commands.end() - 1}).back();
+            const auto end = sample(machine, to_a_point(machine, feed, Turning::Axes)).back();
+            const Motion motion = run(machine, commands);
+            EXPECT_FALSE(motion.alarmed);
+            TickWatch watch(machine, motion.segments);
+            const auto setpoints = sample(machine, commands);
+            double beside = 0;
+            double fastest = 0;
+            const Setpoint* before = nullptr;
+            for (const Setpoint& setpoint : setpoints) {
+                watch.add(setpoint);
+                const machine::Pose pose = pose_of(machine, setpoint, 80);
+                EXPECT_LT((pose.tip - setpoint.tip).norm(), 1e-9);
+                EXPECT_LT((pose.rotation * Vec3::UnitZ() - setpoint.tool).norm(), 1e-9);
+                if (setpoint.line < 3) continue;
+                const double share =
+                    (setpoint.axis[0] - start.axis[0]) / (end.axis[0] - start.axis[0]);
+                EXPECT_GE(share, -1e-9);
+                EXPECT_LE(share, 1 + 1e-9);
+                for (std::size_t a = 0; a < machine.axes.size(); ++a)
+                    EXPECT_NEAR(setpoint.axis[a],
+                                start.axis[a] + share * (end.axis[a] - start.axis[a]), 1e-9);
+                const Vec3 way = end.tip - start.tip;
+                beside =
+                    std::max(beside, (setpoint.tip - start.tip).cross(way.normalized()).norm());
+                if (before != nullptr)
+                    fastest = std::max(fastest, std::hypot(setpoint.axis[0] - before->axis[0],
+                                                           setpoint.axis[1] - before->axis[1],
+                                                           setpoint.axis[2] - before->axis[2]));
+                before = &setpoint;
+            }
+            const Setpoint& last = setpoints.back();
+            for (std::size_t a = 0; a < machine.axes.size(); ++a)
+                EXPECT_NEAR(last.axis[a], end.axis[a], 1e-9);
+            EXPECT_LT((last.tip - Vec3(60, 35, -8)).norm(), 1e-9);
+            EXPECT_LT((last.tool - direction(125, 50)).norm(), 1e-9);
+            EXPECT_GT(beside, 1) << "the tip is on no line";
+            EXPECT_LT(watch.shares().velocity, 1.001);
+            EXPECT_LT(watch.shares().acceleration, 1.001);
+            // F is the speed of X, Y and Z on their straight way; at rapid an axis has all it can.
+            if (feed > 0) EXPECT_LT(fastest, feed / 60 * machine.tick * (1 + 1e-9));
+            else EXPECT_GT(std::max(watch.shares().velocity, watch.shares().acceleration), 0.9);
+        }
+    }
+}
+
+// Corners between two lines of the axes are rounded as without a transformation; beside a path they
+// are corners.
+TEST(Transformed, FromPointToPointCornersAreThoseOfTheAxes) {
+    const machine::Machine machine = table_table();
+    Program program(machine);
+    const Vec3 tool = direction(30, 20);
+    program.go_fast({0, 0, 0}, tool);
+    program.go({40, 0, 0}, tool, 3000, Turning::Straight);
+    program.go({40, 40, 0}, tool, 3000, Turning::Straight);
+    program.go({0, 40, 0}, tool, 3000, Turning::Axes);
+    for (Command& command : program.commands)
+        std::copy(program.commands[0].to.begin() + 3, program.commands[0].to.end(),
+                  command.to.begin() + 3);
+    const auto plain = run(machine, program.commands);
+    const auto commands = rounded(program.commands, by_distance(2));
+    const Motion motion = run(machine, commands);
+    EXPECT_FALSE(motion.alarmed);
+    EXPECT_LT(motion.segments.back().end_time(), plain.segments.back().end_time());
+    double between = kUnlimited;
+    double beside = kUnlimited;
+    for (const Setpoint& setpoint : sample(machine, commands)) {
+        between = std::min(between, (setpoint.tip - Vec3(40, 0, 0)).norm());
+        beside = std::min(beside, (setpoint.tip - Vec3(40, 40, 0)).norm());
+    }
+    EXPECT_GT(between, 0.3);
+    EXPECT_LT(beside, 0.3);
+}
+
 /// Five-axis programs: lines of all lengths with all kinds of turning.
 std::vector<Command> any_turning_program(const machine::Machine& machine) {
     Program program(machine);

@@ -1,0 +1,204 @@
+// point_to_point.cpp — motions from point to point under the machine's transformation.
+//
+// Where such a block ends is said as ever: the tip and the tool in the workpiece. On the way every
+// axis of the machine goes straight (motion/standing.h), so nothing leads the tool there, and the
+// block may ask for one of several positions of the rotary axes. S 7.4, alarms 14140 and 14144.
+#include <algorithm>
+#include <numbers>
+#include <string>
+
+#include "base/diagnostics/iso.h"
+#include "base/diagnostics/orienting.h"
+#include "base/units.h"
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+using machine::Chain;
+using nc::Block;
+using nc::Function;
+using path::Op;
+using path::Vec3;
+
+namespace {
+
+constexpr double kWhole = 360;  // deg
+/// A place below 0 is so far below, rad: 0 itself is not negative.
+constexpr double kBelowZero = 1e-8;
+
+/// A rotary axis that goes farther either way has several places of the same sign: there the sign
+/// says nothing, and the axis takes its nearest way.
+bool is_told_by_sign(const machine::MachineAxis& axis) {
+    constexpr double kSlack = 1e-9;  // rad
+    const double whole = 2 * std::numbers::pi + kSlack;
+    return axis.lower >= -whole && axis.upper <= whole;
+}
+
+}  // namespace
+
+/// Whether a motion of this kind goes from point to point.
+bool Executor::goes_straight(Op op) const {
+    if (!orienting_.is_on || orienting_.has_length) return false;
+    switch (orienting_.moves) {
+        case Function::PointMoves: return op == Op::Rapid || op == Op::Line;
+        // Beside a contour the tip goes along its path at rapid, too.
+        case Function::PointRapids: return op == Op::Rapid && comp_.side == Function::RadiusCompOff;
+        default: return false;
+    }
+}
+
+/// … the motion of a block.
+bool Executor::goes_straight(const Block& block, const Actions& actions) const {
+    const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
+    const bool is_rapid = actions.at_rapid || motion == Function::Rapid;
+    return goes_straight(is_rapid ? Op::Rapid : Op::Line);
+}
+
+/// What has a path of its own has no place where axes go from point to point: reported. S 14144.
+bool Executor::refuses_point_to_point(const Block& block, const Actions& actions) {
+    const bool is_wanted = orienting_.moves == Function::PointMoves ||
+                           (orienting_.moves == Function::PointRapids &&
+                            (actions.at_rapid || modal_.motion == Function::Rapid));
+    if (is_wanted && virtual_.axes.is_on()) {
+        report(diag::IsoNotSupported, block)
+            .arg(
+                "a motion from point to point on a face, on a cylinder or along an inclined slide");
+        return true;
+    }
+    if (orienting_.moves != Function::PointMoves || !orienting_.is_on || orienting_.has_length)
+        return false;
+    std::string why;
+    if (actions.soft != nullptr) why = word_of(block, actions.soft->function);
+    else if (comp_.side != Function::RadiusCompOff) why = spelling_of(comp_.side);
+    else if (actions.probes) why = word_of(block, Function::Probe);
+    else if (!actions.at_rapid && modal_.motion != Function::Rapid &&
+             modal_.motion != Function::Line)
+        why = spelling_of(modal_.motion);
+    else if (actions.taps) why = word_of(block, Function::TapFloating);
+    if (why.empty()) return false;
+    report(diag::PointMotion, block).arg(why);
+    return true;
+}
+
+/// Which position of the rotary axes the block wants: `STAT` from here on, `TU` here. S 7.4.
+void Executor::choose_axes(const Block& block, const nc::Invocation& invocation, ToolWords& tool) {
+    const Function function = invocation.function;
+    if (!is_transformed()) {
+        report(diag::AxisChoiceAlone, block, function).arg(word_of(block, function));
+        return;
+    }
+    constexpr double kMost = 1 << 16;
+    const double value = block.argument(invocation, 0);
+    const auto bits = static_cast<unsigned>(value >= 0 && value < kMost ? value : kMost);
+    unsigned known = function == Function::AxisConfiguration ? 1 : 0;
+    if (function == Function::AxisSigns) {
+        for (std::size_t i = 0; i < machine_.axes.size(); ++i)
+            if (machine_.axes[i].is_rotary) known |= 1u << i;
+    }
+    if ((bits & ~known) != 0) {
+        report(diag::AxisChoiceBit, block, function).arg(value).arg(word_of(block, function));
+        return;
+    }
+    if (function == Function::AxisConfiguration) {
+        orienting_.configuration = static_cast<int>(bits) + 1;
+        tool.says_configuration = true;
+    } else {
+        tool.signs = bits;
+    }
+}
+
+/// The limits of the joints, as the block's signs leave them.
+machine::JointLimits Executor::signed_limits(const ToolWords& tool) const {
+    machine::JointLimits limits = joint_limits();
+    if (!tool.signs) return limits;
+    const Chain& chain = machine_.kinematics->chain;
+    for (std::size_t i = 0; i < machine_.axes.size(); ++i) {
+        const machine::MachineAxis& axis = machine_.axes[i];
+        if (!is_told_by_sign(axis)) continue;
+        for (std::size_t k = 0; k < machine::kJoints; ++k) {
+            if (!chain.has(k) || chain.joints[k].axis != axis.axis) continue;
+            const bool is_negative = (*tool.signs >> i & 1u) != 0;
+            if (is_negative) limits[k].upper = std::min(limits[k].upper, -kBelowZero);
+            else limits[k].lower = std::max(limits[k].lower, 0.0);
+        }
+    }
+    return limits;
+}
+
+/// Where the axes stand for the tool that the block says. What leads a tool along a path leads
+/// none here: reported.
+bool Executor::lay_point_to_point(const Block& block, const ToolWords& tool, Target& target) {
+    const bool is_led = is_led_by_surface(tool) || tool.point.is_said() || spins_with_path(tool);
+    if (is_led || tool.lead) {
+        const Function word = tool.lead ? Function::ToolLead : orienting_.turning;
+        report(diag::PointMotion, block)
+            .arg(spins_with_path(tool) ? spelling_of(orienting_.spin)
+                 : tool.lead           ? word_of(block, word)
+                                       : spelling_of(word));
+        return false;
+    }
+    orienting_.point.reset();
+    if (tool.says_direction()) {
+        if (lacks_axis_for_direction(block)) return false;
+        const std::optional<Vec3> to = wanted_direction(block, tool);
+        if (!to || !stand_along(block, tool, *to, target)) return false;
+    } else if ((block.given & joint_axes()) != 0) {
+        if (!turn_by_signs(block, tool, target)) return false;
+    } else if (tool.signs || tool.says_configuration) {
+        const Vec3 stays =
+            machine::tool_vector(machine_.kinematics->chain, joints_of(position_.base));
+        if (!stand_along(block, tool, stays, target)) return false;
+    }
+    return lay_spin(block, tool, target);
+}
+
+/// The rotary axes hold the tool along a direction, in the position that the block asks for, or the
+/// nearest one. False: it was reported.
+bool Executor::stand_along(const Block& block, const ToolWords& tool, const Vec3& to,
+                           Target& target) {
+    const Chain& chain = machine_.kinematics->chain;
+    machine::PathQuery query = query_to(to, tool.angles.is_said() ? &tool : nullptr);
+    query.mode = machine::PathMode::Axis;
+    const auto nearest = machine::choose_path(chain, query);
+    if (!nearest) {
+        report_no_way(block, nearest.error());
+        return false;
+    }
+    query.configuration = orienting_.configuration;
+    query.limits = signed_limits(tool);
+    const auto end = machine::choose_path(chain, query);
+    if (!end) {
+        report(diag::AxisChoiceMissing, block);
+        return false;
+    }
+    put_joints(end->rotary, target);
+    return true;
+}
+
+/// Rotary axes that are programmed go to the turn that has the sign of the block. False: there is
+/// none, which was reported.
+bool Executor::turn_by_signs(const Block& block, const ToolWords& tool, Target& target) {
+    if (!tool.signs) return true;
+    const Chain& chain = machine_.kinematics->chain;
+    const machine::JointLimits limits = signed_limits(tool);
+    for (std::size_t k = 0; k < machine::kJoints; ++k) {
+        if (!chain.has(k) || !block.has(nc::slot_of(chain.joints[k].axis))) continue;
+        const std::size_t i = index(chain.joints[k].axis);
+        double& place = target.base[i];
+        const auto fits = [&](double at) {
+            constexpr double kSlack = 1e-9;  // rad
+            return rad_from_deg(at) >= limits[k].lower - kSlack &&
+                   rad_from_deg(at) <= limits[k].upper + kSlack;
+        };
+        for (const double other : {place - kWhole, place + kWhole})
+            if (!fits(place) && fits(other)) place = other;
+        if (!fits(place)) {
+            report(diag::AxisChoiceMissing, block);
+            return false;
+        }
+        target.here[i] = place - frames_.shift_values()[i];
+    }
+    return true;
+}
+
+}  // namespace kadr::interp
