@@ -470,6 +470,10 @@ class Matcher {
             block_.cycle_by_form = 0;
         }
         const auto invocation = static_cast<std::uint8_t>(block_.function_count - 1u);
+        if (form.function == Function::PolynomialAxis && !form.fixed.empty()) {
+            const auto axis = static_cast<Axis>(form.fixed[0].second - 1);
+            take_mode(words_[head].mode, slot_of(axis));
+        }
         for (const auto& [parameter, value] : form.fixed) {
             block_.set_argument(block_.functions[invocation], static_cast<std::size_t>(parameter),
                                 value);
