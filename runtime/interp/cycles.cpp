@@ -96,6 +96,7 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
     }
     complete_call(call);
     cycle_.is_across = is_lathe_ && find_parameter(info, kAcrossParameter).has_value();
+    cycle_.lies_flat = !cycle_.is_across && (is_lathe_ || cycles_->turns(info.name));
     if (!check_surroundings(block, call)) return;
     complete_surroundings(call, calls_program_at(block));
     take_ends(block, call);
@@ -472,9 +473,8 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
     if (places_ != nullptr) request.place = places_->place(origin(block));
     // Without a shape it is the plane alone, in which turning cycles work.
     const CycleShape plane_of_lathe{{}, modal_.plane, true};
-    const bool lies_flat = is_lathe_ && !cycle_.is_across;
-    request.shape = shape != nullptr || !lies_flat ? shape : &plane_of_lathe;
-    request.x_is_diameter = !lies_flat || axes_.word_scale[index(Axis::X)] != 1;
+    request.shape = shape != nullptr || !cycle_.lies_flat ? shape : &plane_of_lathe;
+    request.x_is_diameter = !cycle_.lies_flat || axes_.word_scale[index(Axis::X)] != 1;
     std::unique_ptr<Stream<Block>> blocks = cycles_->expand(request);
     if (blocks == nullptr) {
         if (!was_refused(block)) ended_ = alarmed_ = true;  // the expander has said why
@@ -667,7 +667,7 @@ void Executor::return_to_level() {
 /// The plane in which a cycle works. Lathes drill along Z whatever their plane.
 path::Plane Executor::cycle_plane() const {
     if (cycle_.is_across) return path::Plane::Yz;
-    return is_lathe_ ? path::Plane::Xy : modal_.plane;
+    return is_lathe_ || cycle_.lies_flat ? path::Plane::Xy : modal_.plane;
 }
 
 /// The programmed position as a cycle sees it: first and second axis of the plane, tool axis. X of
