@@ -402,6 +402,7 @@ void Executor::complete_ends(ModalCycle& call) const {
     if (!is_modal(call.cycle) || !find_parameter(info, "x")) return;
     const bool goes_on = cycles_said_.modal.is_active && cycles_said_.modal.cycle == call.cycle;
     for (std::size_t i = 0; goes_on && i < info.parameters.size(); ++i) {
+        if (static_cast<int>(i) == info.roles.start) continue;  // of its block alone
         if (!is_given(call, i) && is_given(cycles_said_.modal, i))
             set_argument(call, i, cycles_said_.modal.arguments[i]);
     }
@@ -425,6 +426,12 @@ void Executor::repeat_cycle(const Block& block, const Actions& actions) {
     }
     if (block.has(Slot::Radius)) {
         set_argument(cycles_said_.modal, find_parameter(info, "taper"), block.at(Slot::Radius));
+    }
+    if (info.roles.start >= 0) {
+        const auto start = static_cast<std::size_t>(info.roles.start);
+        cycles_said_.modal.given &= ~(1u << start);
+        if (actions.cycle_words.start_deg)
+            set_argument(cycles_said_.modal, start, *actions.cycle_words.start_deg);
     }
     if (count_times(actions.cycle_words)) start_cycle(block, cycles_said_.modal);
 }

@@ -235,6 +235,8 @@ class Matcher {
             if (is_cycle && words_of_ == WordsOf::Source) return is_place;
             if (is_place && is_word_of_cycle(first)) return false;
             const bool calls_cycle = block_.find(Function::Cycle) != nullptr;
+            if (is_cycle && form.of_cycle && *form.of_cycle != cycle_called(calls_cycle))
+                return false;
             if (is_cycle && calls_cycle) return true;
             const Group group = is_cycle ? Group::CycleMode : info(needed).group;
             // Axis words of a modal cycle are no motion that words could belong to.
@@ -249,6 +251,9 @@ class Matcher {
             return active == needed || (active == Function::None && may_act);
         });
     }
+
+    /// The cycle of this block, or the one whose mode lasts.
+    CycleId cycle_called(bool by_block) const { return by_block ? block_.cycle : modal_.cycle; }
 
     /// A block of a source without a motion, which may be a place of a cycle.
     bool is_source_place() const {
@@ -700,7 +705,10 @@ void follow_modal(const Block& block, ModalFunctions& modal) {
     for (std::size_t i = 0; i < block.function_count; ++i) {
         const Function function = block.functions[i].function;
         const Group group = info(function).group;
-        if (function == Function::Cycle) cycle_mode = Function::Cycle;
+        if (function == Function::Cycle) {
+            cycle_mode = Function::Cycle;
+            modal.cycle = block.cycle;
+        }
         if (group != Group::Once) modal[static_cast<std::size_t>(group)] = function;
     }
 }
