@@ -97,7 +97,7 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
     complete_call(call);
     cycle_.is_across = is_lathe_ && find_parameter(info, kAcrossParameter).has_value();
     cycle_.lies_flat = !cycle_.is_across && (is_lathe_ || cycles_->turns(info.name));
-    if (!check_surroundings(block, call)) return;
+    if (!check_surroundings(block, call) || !check_cycle_words(block, actions)) return;
     complete_surroundings(call, calls_program_at(block));
     take_ends(block, call);
     complete_ends(call);
@@ -406,13 +406,62 @@ void Executor::complete_ends(ModalCycle& call) const {
         if (!is_given(call, i) && is_given(cycles_said_.modal, i))
             set_argument(call, i, cycles_said_.modal.arguments[i]);
     }
+    end_where_tool_stands(call);
+}
+
+void Executor::end_where_tool_stands(ModalCycle& call) const {
     for (const Axis axis : {Axis::X, Axis::Z}) {
-        const std::optional<std::size_t> end = find_parameter(info, end_name(axis));
+        const std::optional<std::size_t> end =
+            find_parameter(dialect_.cycles()[call.cycle], end_name(axis));
         if (end && !is_given(call, end)) set_argument(call, end, position_in_cycle()[index(axis)]);
     }
 }
 
+/// A code of a single motion is executed in the mode of a cycle to an end in X and Z; what the
+/// calls before have said of the end holds no longer.
+void Executor::forget_ends() {
+    ModalCycle& modal = cycles_said_.modal;
+    for (const std::string_view name : {"x", "z", "taper"}) {
+        const std::optional<std::size_t> said =
+            find_parameter(dialect_.cycles()[modal.cycle], name);
+        if (said) modal.given &= ~(1u << *said);
+    }
+}
+
+/// Whether a modal cycle acts among whose places no other motion stands.
+bool Executor::is_among_places() const {
+    const ModalCycle& modal = cycles_said_.modal;
+    return modal.is_active && !find_parameter(dialect_.cycles()[modal.cycle], "x");
+}
+
+/// Whether all that the block says beside a cycle to an end in X and Z is the cycle's; false: it is
+/// not, and it was said. Drilling cycles take words that wait for another cycle, and go to a place
+/// by any axis.
+bool Executor::check_cycle_words(const Block& block, const Actions& actions) {
+    const bool is_called = actions.cycle != nullptr;
+    const nc::CycleInfo& info =
+        dialect_.cycles()[is_called ? block.cycle : cycles_said_.modal.cycle];
+    const bool is_turning = info.takes_shape() || find_parameter(info, "x").has_value();
+    if (!rules_.modal_cycles || !is_turning || info.roles.depth >= 0) return true;
+    const CycleWords& words = actions.cycle_words;
+    if (words.stroke || words.dwell || words.times) {
+        report(diag::IsoWordUnused, block, Function::CycleWords)
+            .arg(word_of(block, Function::CycleWords));
+        return false;
+    }
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        const auto axis = static_cast<Axis>(i);
+        const Slot slot = nc::slot_of(axis);
+        if (!block.has(slot) || find_parameter(info, end_name(axis))) continue;
+        report(info.is_modal ? diag::CycleAxis : diag::CycleAxisBeside, block, slot)
+            .arg(kAxisNames[i]);
+        return false;
+    }
+    return true;
+}
+
 void Executor::repeat_cycle(const Block& block, const Actions& actions) {
+    if (!check_cycle_words(block, actions)) return;
     const nc::CycleInfo& info = dialect_.cycles()[cycles_said_.modal.cycle];
     if (const SlotMask centers = block.given & nc::kCenterSlots; centers != 0)
         warn_arc_word(block, centers);
@@ -424,6 +473,7 @@ void Executor::repeat_cycle(const Block& block, const Actions& actions) {
     for (std::size_t i = 0; i < info.parameters.size(); ++i) {
         if ((ends.given >> i & 1u) != 0) set_argument(cycles_said_.modal, i, ends.arguments[i]);
     }
+    if (find_parameter(info, "x")) end_where_tool_stands(cycles_said_.modal);
     if (block.has(Slot::Radius)) {
         set_argument(cycles_said_.modal, find_parameter(info, "taper"), block.at(Slot::Radius));
     }
