@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/diagnostics/iso.h"
+#include "base/numbers.h"
 #include "interp/cycle_strokes.h"
 #include "interp/executor.h"
 #include "interp/named_shape.h"
@@ -95,6 +96,7 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
         call.arguments[i] = block.argument(invocation, i);
     }
     complete_call(call);
+    if (!check_counts(block, call)) return;
     cycle_.is_across = is_lathe_ && find_parameter(info, kAcrossParameter).has_value();
     cycle_.lies_flat = !cycle_.is_across && (is_lathe_ || cycles_->turns(info.name));
     if (!check_surroundings(block, call) || !check_cycle_words(block, actions)) return;
@@ -376,6 +378,22 @@ void Executor::complete_call(ModalCycle& call) const {
         const auto parameter = static_cast<std::size_t>(setting.parameter);
         if ((call.given >> parameter & 1u) == 0) set_argument(call, parameter, setting.value);
     }
+}
+
+/// Whether what counts is a whole number; false: it is not, and it was said. Controls that round
+/// such numbers have no modal cycles.
+bool Executor::check_counts(const Block& block, const ModalCycle& call) {
+    if (!rules_.modal_cycles) return true;
+    const std::vector<nc::Parameter>& parameters = dialect_.cycles()[call.cycle].parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const double value = call.arguments[i];
+        const bool counts = parameters[i].dimension == nc::Dimension::Count;
+        if (!counts || !is_given(call, i) || value == std::floor(value)) continue;
+        refuse_cycle(block, '`' + std::string(parameters[i].name) + "` is " +
+                                format_shortest(value) + ", and must be a whole number");
+        return false;
+    }
+    return true;
 }
 
 /// Cycles of a lathe have their end in X and Z. What a word of the call says of it may be a

@@ -143,7 +143,7 @@ void Executor::end_shape_block(const Block& block) {
 }
 
 void Executor::finish_shape() {
-    leave_corners(diag::CornerWithoutMotion);
+    leave_corners(shape_->is_named ? diag::CornerWithoutMotion : diag::ShapeLastBlock);
     if (alarmed_) return;
     if (shape_->is_followed) return return_from_shape();
     const ShapeRun run = std::move(*shape_);

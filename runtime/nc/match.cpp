@@ -22,6 +22,7 @@ struct Fit {
     std::size_t matched = 0;  // words of the block that it takes
     std::size_t culprit = 0;  // word of the block, for Value and Mode
     int argument = -1;        // … of a call
+    bool is_idle = false;     // the modal functions are not active that it needs
     WordSet taken;
 };
 
@@ -156,7 +157,7 @@ class Matcher {
             const Fit fit = fit_form(head, tables_.forms[id]);
             if (fit.answer == Fit::Answer::Yes) {
                 if (best == kNoForm || fit.matched > best_fit.matched) best = id, best_fit = fit;
-            } else if (nearest == kNoForm || fit.matched > nearest_fit.matched) {
+            } else if (nearest == kNoForm || is_nearer(fit, nearest_fit)) {
                 nearest = id, nearest_fit = fit;
             }
         }
@@ -166,9 +167,24 @@ class Matcher {
             !best_fit.taken[nearest_fit.culprit] && !is_slot_word(nearest_fit.culprit)) {
             return no_form(head, nearest, nearest_fit);
         }
+        if (nearest != kNoForm && is_unfinished_call(best, best_fit, nearest, nearest_fit))
+            return no_form(head, nearest, nearest_fit);
         if (Fault fault = check_rivals(head, candidates, best, best_fit)) return fault;
         if (Fault fault = apply(tables_.forms[best], best, head, best_fit)) return fault;
         return take_joined(head, candidates, best);
+    }
+
+    /// Whether the block comes nearer to a form than to another one.
+    static bool is_nearer(const Fit& fit, const Fit& other) {
+        if (fit.is_idle != other.is_idle) return other.is_idle;
+        return fit.matched > other.matched;
+    }
+
+    /// Of a cycle of two lines: what looks like settings is the work, and lacks a word of it.
+    bool is_unfinished_call(FormId best, const Fit& best_fit, FormId nearest,
+                            const Fit& fit) const {
+        return tables_.forms[best].is_preset && !tables_.forms[nearest].is_preset &&
+               fit.answer == Fit::Answer::Missing && !fit.is_idle && fit.matched > best_fit.matched;
     }
 
     /// What the words that are left say by another form of the same code.
@@ -286,7 +302,8 @@ class Matcher {
         Fit fit;
         fit.taken[head] = true;
         fit.matched = 1;
-        if (!acts(form)) fit.answer = Fit::Answer::Missing;
+        fit.is_idle = !acts(form);
+        if (fit.is_idle) fit.answer = Fit::Answer::Missing;
         fit_word(form, form.words[0], head, fit);
         for (std::size_t f = 1; f < form.words.size(); ++f) {
             const FormWord& wanted = form.words[f];
