@@ -59,12 +59,13 @@ class CycleBlocks final : public Stream<nc::Block> {
     CycleMessages::Caller caller_;
 };
 
-bool has_cycle(const Program& program, std::string_view name) {
+const sema::FunctionCode* find_cycle(const Program& program, std::string_view name) {
     const auto& functions = program.code->functions;
-    return std::any_of(functions.begin(), functions.end(), [name](const auto& function) {
+    const auto found = std::ranges::find_if(functions, [name](const auto& function) {
         return function.kind == sema::FunctionKind::Cycle && function.is_main_file &&
                function.name == name;
     });
+    return found == functions.end() ? nullptr : &*found;
 }
 
 }  // namespace
@@ -98,7 +99,7 @@ const Program* LibraryCycles::find(std::string_view cycle) {
     if (!files_) files_ = files_of_cycles();
     for (std::size_t i = 0; i < files_->size(); ++i) {
         if (i == programs_.size()) programs_.push_back(load_program(session_, (*files_)[i]));
-        if (programs_[i] && has_cycle(*programs_[i], cycle)) return &*programs_[i];
+        if (programs_[i] && find_cycle(*programs_[i], cycle) != nullptr) return &*programs_[i];
     }
     return nullptr;
 }
@@ -113,6 +114,14 @@ std::vector<std::string> LibraryCycles::files_of_cycles() const {
     const std::vector<std::string> library = cycle_files(session_.share().library);
     files.insert(files.end(), library.begin(), library.end());
     return files;
+}
+
+/// A cycle that counts X as a diameter turns.
+bool LibraryCycles::turns(std::string_view cycle) {
+    const Program* const library = find(cycle);
+    if (library == nullptr) return false;
+    const std::vector<nc::Function>& needs = find_cycle(*library, cycle)->needs;
+    return std::ranges::find(needs, nc::Function::DiameterOn) != needs.end();
 }
 
 std::unique_ptr<Stream<nc::Block>> LibraryCycles::expand(const interp::CycleCall& call) {

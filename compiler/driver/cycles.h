@@ -59,6 +59,7 @@ class LibraryCycles final : public interp::CycleExpander {
     }
 
     std::unique_ptr<Stream<nc::Block>> expand(const interp::CycleCall& call) override;
+    bool turns(std::string_view cycle) override;
     std::optional<std::string> refusal() const override { return messages_.refusal(); }
 
   private:

@@ -34,6 +34,7 @@ struct CycleRun {
     std::uint16_t number = 0;  // its place in the dialect's list, from 1
     bool taps = false;
     bool is_across = false;                // on a lathe: from the side, along X in radii
+    bool lies_flat = false;                // its axes are those of the machine, whatever the plane
     int times_left = 0;                    // that the block does the cycle again
     std::optional<double> begins_at;       // level at which it takes the tool to be
     std::optional<double> final_level;     // below its retract level: where the tool goes behind it

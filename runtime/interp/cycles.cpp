@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/diagnostics/iso.h"
+#include "base/numbers.h"
 #include "interp/cycle_strokes.h"
 #include "interp/executor.h"
 #include "interp/named_shape.h"
@@ -95,8 +96,10 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
         call.arguments[i] = block.argument(invocation, i);
     }
     complete_call(call);
+    if (!check_counts(block, call)) return;
     cycle_.is_across = is_lathe_ && find_parameter(info, kAcrossParameter).has_value();
-    if (!check_surroundings(block, call)) return;
+    cycle_.lies_flat = !cycle_.is_across && (is_lathe_ || cycles_->turns(info.name));
+    if (!check_surroundings(block, call) || !check_cycle_words(block, actions)) return;
     complete_surroundings(call, calls_program_at(block));
     take_ends(block, call);
     complete_ends(call);
@@ -377,6 +380,22 @@ void Executor::complete_call(ModalCycle& call) const {
     }
 }
 
+/// Whether what counts is a whole number; false: it is not, and it was said. Controls that round
+/// such numbers have no modal cycles.
+bool Executor::check_counts(const Block& block, const ModalCycle& call) {
+    if (!rules_.modal_cycles) return true;
+    const std::vector<nc::Parameter>& parameters = dialect_.cycles()[call.cycle].parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const double value = call.arguments[i];
+        const bool counts = parameters[i].dimension == nc::Dimension::Count;
+        if (!counts || !is_given(call, i) || value == std::floor(value)) continue;
+        refuse_cycle(block, '`' + std::string(parameters[i].name) + "` is " +
+                                format_shortest(value) + ", and must be a whole number");
+        return false;
+    }
+    return true;
+}
+
 /// Cycles of a lathe have their end in X and Z. What a word of the call says of it may be a
 /// distance, and so is what the block says besides, where the end has letters of its own for them.
 void Executor::take_ends(const Block& block, ModalCycle& call) const {
@@ -401,16 +420,66 @@ void Executor::complete_ends(ModalCycle& call) const {
     if (!is_modal(call.cycle) || !find_parameter(info, "x")) return;
     const bool goes_on = cycles_said_.modal.is_active && cycles_said_.modal.cycle == call.cycle;
     for (std::size_t i = 0; goes_on && i < info.parameters.size(); ++i) {
+        if (static_cast<int>(i) == info.roles.start) continue;  // of its block alone
         if (!is_given(call, i) && is_given(cycles_said_.modal, i))
             set_argument(call, i, cycles_said_.modal.arguments[i]);
     }
+    end_where_tool_stands(call);
+}
+
+void Executor::end_where_tool_stands(ModalCycle& call) const {
     for (const Axis axis : {Axis::X, Axis::Z}) {
-        const std::optional<std::size_t> end = find_parameter(info, end_name(axis));
+        const std::optional<std::size_t> end =
+            find_parameter(dialect_.cycles()[call.cycle], end_name(axis));
         if (end && !is_given(call, end)) set_argument(call, end, position_in_cycle()[index(axis)]);
     }
 }
 
+/// A code of a single motion is executed in the mode of a cycle to an end in X and Z; what the
+/// calls before have said of the end holds no longer.
+void Executor::forget_ends() {
+    ModalCycle& modal = cycles_said_.modal;
+    for (const std::string_view name : {"x", "z", "taper"}) {
+        const std::optional<std::size_t> said =
+            find_parameter(dialect_.cycles()[modal.cycle], name);
+        if (said) modal.given &= ~(1u << *said);
+    }
+}
+
+/// Whether a modal cycle acts among whose places no other motion stands.
+bool Executor::is_among_places() const {
+    const ModalCycle& modal = cycles_said_.modal;
+    return modal.is_active && !find_parameter(dialect_.cycles()[modal.cycle], "x");
+}
+
+/// Whether all that the block says beside a cycle to an end in X and Z is the cycle's; false: it is
+/// not, and it was said. Drilling cycles take words that wait for another cycle, and go to a place
+/// by any axis.
+bool Executor::check_cycle_words(const Block& block, const Actions& actions) {
+    const bool is_called = actions.cycle != nullptr;
+    const nc::CycleInfo& info =
+        dialect_.cycles()[is_called ? block.cycle : cycles_said_.modal.cycle];
+    const bool is_turning = info.takes_shape() || find_parameter(info, "x").has_value();
+    if (!rules_.modal_cycles || !is_turning || info.roles.depth >= 0) return true;
+    const CycleWords& words = actions.cycle_words;
+    if (words.stroke || words.dwell || words.times) {
+        report(diag::IsoWordUnused, block, Function::CycleWords)
+            .arg(word_of(block, Function::CycleWords));
+        return false;
+    }
+    for (std::size_t i = 0; i < kAxes; ++i) {
+        const auto axis = static_cast<Axis>(i);
+        const Slot slot = nc::slot_of(axis);
+        if (!block.has(slot) || find_parameter(info, end_name(axis))) continue;
+        report(info.is_modal ? diag::CycleAxis : diag::CycleAxisBeside, block, slot)
+            .arg(kAxisNames[i]);
+        return false;
+    }
+    return true;
+}
+
 void Executor::repeat_cycle(const Block& block, const Actions& actions) {
+    if (!check_cycle_words(block, actions)) return;
     const nc::CycleInfo& info = dialect_.cycles()[cycles_said_.modal.cycle];
     if (const SlotMask centers = block.given & nc::kCenterSlots; centers != 0)
         warn_arc_word(block, centers);
@@ -422,8 +491,15 @@ void Executor::repeat_cycle(const Block& block, const Actions& actions) {
     for (std::size_t i = 0; i < info.parameters.size(); ++i) {
         if ((ends.given >> i & 1u) != 0) set_argument(cycles_said_.modal, i, ends.arguments[i]);
     }
+    if (find_parameter(info, "x")) end_where_tool_stands(cycles_said_.modal);
     if (block.has(Slot::Radius)) {
         set_argument(cycles_said_.modal, find_parameter(info, "taper"), block.at(Slot::Radius));
+    }
+    if (info.roles.start >= 0) {
+        const auto start = static_cast<std::size_t>(info.roles.start);
+        cycles_said_.modal.given &= ~(1u << start);
+        if (actions.cycle_words.start_deg)
+            set_argument(cycles_said_.modal, start, *actions.cycle_words.start_deg);
     }
     if (count_times(actions.cycle_words)) start_cycle(block, cycles_said_.modal);
 }
@@ -472,9 +548,8 @@ void Executor::start_cycle(const Block& block, ModalCycle call, const CycleShape
     if (places_ != nullptr) request.place = places_->place(origin(block));
     // Without a shape it is the plane alone, in which turning cycles work.
     const CycleShape plane_of_lathe{{}, modal_.plane, true};
-    const bool lies_flat = is_lathe_ && !cycle_.is_across;
-    request.shape = shape != nullptr || !lies_flat ? shape : &plane_of_lathe;
-    request.x_is_diameter = !lies_flat || axes_.word_scale[index(Axis::X)] != 1;
+    request.shape = shape != nullptr || !cycle_.lies_flat ? shape : &plane_of_lathe;
+    request.x_is_diameter = !cycle_.lies_flat || axes_.word_scale[index(Axis::X)] != 1;
     std::unique_ptr<Stream<Block>> blocks = cycles_->expand(request);
     if (blocks == nullptr) {
         if (!was_refused(block)) ended_ = alarmed_ = true;  // the expander has said why
@@ -667,7 +742,7 @@ void Executor::return_to_level() {
 /// The plane in which a cycle works. Lathes drill along Z whatever their plane.
 path::Plane Executor::cycle_plane() const {
     if (cycle_.is_across) return path::Plane::Yz;
-    return is_lathe_ ? path::Plane::Xy : modal_.plane;
+    return is_lathe_ || cycle_.lies_flat ? path::Plane::Xy : modal_.plane;
 }
 
 /// The programmed position as a cycle sees it: first and second axis of the plane, tool axis. X of

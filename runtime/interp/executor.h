@@ -612,6 +612,8 @@ class Executor {
     bool was_refused(const nc::Block& block);
     void refuse_cycle(const nc::Block& block, std::string_view words);
     bool check_surroundings(const nc::Block& block, const ModalCycle& call);
+    bool check_counts(const nc::Block& block, const ModalCycle& call);
+    bool check_cycle_words(const nc::Block& block, const Actions& actions);
     void complete_surroundings(ModalCycle& call, bool calls_program) const;
     void begin_pattern(const nc::Block& block, std::unique_ptr<Stream<nc::Block>> places);
     void go_to_next_place();
@@ -620,6 +622,10 @@ class Executor {
     void return_to_level();
     void take_ends(const nc::Block& block, ModalCycle& call) const;
     void complete_ends(ModalCycle& call) const;
+    void end_where_tool_stands(ModalCycle& call) const;
+    void forget_ends();
+    bool is_among_places() const;
+    bool may_move_in_cycle(const nc::Block& block, const Actions& actions);
     path::Plane cycle_plane() const;
     AxisValues position_in_cycle() const;
     const nc::Block& in_plane_of_cycle(const nc::Block& block);

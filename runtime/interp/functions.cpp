@@ -530,6 +530,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             if ((invocation.given & 1u) != 0) words.stroke = block.argument(invocation, 0);
             if ((invocation.given & 2u) != 0) words.dwell = block.argument(invocation, 1);
             if ((invocation.given & 4u) != 0) words.times = block.argument(invocation, 2);
+            if ((invocation.given & 8u) != 0) words.start_deg = block.argument(invocation, 3);
             break;
         }
         case Function::CycleReturnInitial: cycles_said_.returns_to_retract = false; break;

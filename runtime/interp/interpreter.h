@@ -56,6 +56,11 @@ class CycleExpander {
   public:
     virtual ~CycleExpander() = default;
     virtual std::unique_ptr<Stream<nc::Block>> expand(const CycleCall& call) = 0;
+    /// Whether the cycle turns: its X and Z are those of the machine, whatever the plane.
+    virtual bool turns(std::string_view cycle) {
+        (void)cycle;
+        return false;
+    }
     /// Why the definition of the latest cycle refused its parameters, in its own words; nothing: it
     /// did not, or not yet. Known when its blocks have come to their end.
     virtual std::optional<std::string> refusal() const { return std::nullopt; }

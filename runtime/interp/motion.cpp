@@ -37,6 +37,20 @@ path::Curve straight_way(const Vec3& from, const Vec3& to) {
 
 }  // namespace
 
+/// Whether the block may go to a machine coordinate or probe though a cycle acts; false: it was
+/// said. Behind a single cycle to an end in X and Z the way to a machine coordinate is a motion of
+/// its own.
+bool Executor::may_move_in_cycle(const Block& block, const Actions& actions) {
+    if (!cycles_said_.modal.is_active && actions.cycle == nullptr) return true;
+    if (actions.cycle == nullptr && !actions.probes && !is_among_places()) {
+        forget_ends();
+        return true;
+    }
+    const Function own = actions.probes ? Function::Probe : Function::MachineCoordinates;
+    report(diag::MotionInCycle, block, own).arg(word_of(block, own));
+    return false;
+}
+
 void Executor::move(const Block& block, const Actions& actions) {
     if (block.motion != Function::None) {
         modal_.motion = block.motion;
@@ -65,12 +79,9 @@ void Executor::move(const Block& block, const Actions& actions) {
         report(diag::ProbeCompensated, block, Function::Probe);
         return;
     }
-    const bool is_in_cycle = cycles_said_.modal.is_active || actions.cycle != nullptr;
-    if (is_in_cycle && targets != 0 && (actions.machine_coordinates || actions.probes)) {
-        const Function own = actions.probes ? Function::Probe : Function::MachineCoordinates;
-        report(diag::MotionInCycle, block, own).arg(word_of(block, own));
+    if (targets != 0 && (actions.machine_coordinates || actions.probes) &&
+        !may_move_in_cycle(block, actions))
         return;
-    }
     if (actions.calls_behind_motions) {
         cycles_said_.behind_motions.reset();
         if (actions.cycle != nullptr) cycles_said_.behind_motions = block;
@@ -79,7 +90,8 @@ void Executor::move(const Block& block, const Actions& actions) {
     if (actions.cycle_is_cancelled) return move_instead_of_cycle(block, actions);
     if (actions.cycle != nullptr) return call_cycle(block, actions);
     constexpr SlotMask kCycleSlots = nc::kTargetSlots | bit(Slot::Radius);
-    if (cycles_said_.modal.is_active && (block.given & kCycleSlots) != 0)
+    if (cycles_said_.modal.is_active && (block.given & kCycleSlots) != 0 &&
+        !actions.machine_coordinates)
         return repeat_cycle(block, actions);
     if (!check_rigid_tap(block, targets)) return;
     if (actions.orient_reset != nullptr) return reset_orientation(block, *actions.orient_reset);

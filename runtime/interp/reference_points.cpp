@@ -149,10 +149,11 @@ void Executor::refer(const Block& block, const nc::Invocation& invocation) {
         }
         return;
     }
-    if (cycles_said_.modal.is_active) {
+    if (is_among_places()) {
         report(diag::ReferenceInCycle, block, invocation.function);
         return;
     }
+    if (cycles_said_.modal.is_active) forget_ends();
     switch (invocation.function) {
         case Function::ReferenceCheck: return check_reference(block);
         case Function::ReferenceLeave: return leave_reference(block);

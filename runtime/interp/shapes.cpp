@@ -143,7 +143,7 @@ void Executor::end_shape_block(const Block& block) {
 }
 
 void Executor::finish_shape() {
-    leave_corners(diag::CornerWithoutMotion);
+    leave_corners(shape_->is_named ? diag::CornerWithoutMotion : diag::ShapeLastBlock);
     if (alarmed_) return;
     if (shape_->is_followed) return return_from_shape();
     const ShapeRun run = std::move(*shape_);
@@ -184,8 +184,8 @@ CycleShape Executor::shape_of(const ShapeRun& run) const {
     CycleShape shape;
     const path::Plane plane = run.modal.plane;
     // Where the words of a cycle are turned into another plane, so is its shape.
-    shape.plane = run.is_named && !is_lathe_ ? path::Plane::Xy : plane;
-    shape.is_diameter = is_lathe_ || axes_.word_scale[index(Axis::X)] != 1;
+    shape.plane = run.is_named && !cycle_.lies_flat ? path::Plane::Xy : plane;
+    shape.is_diameter = cycle_.lies_flat || axes_.word_scale[index(Axis::X)] != 1;
     const path::PlaneAxes axes = path::axes_of(plane);
     const auto in_plane = [&](const AxisValues& base) -> Vec2 {
         const AxisValues here = frames_.from_base(base);

@@ -305,6 +305,7 @@ struct CycleWords {
     std::optional<double> stroke;
     std::optional<double> dwell;
     std::optional<double> times;
+    std::optional<double> start_deg;  // angle at which the thread of this block begins
 };
 
 /// A cycle that is called, and repeated in every block with axis words while it is active.

@@ -40,6 +40,7 @@ struct CycleInfo {
         int stroke = -1;   // left out: the whole way in one
         int shift = -1;    // said by the same word as a stroke
         int dwell = -1;
+        int start = -1;        // angle at which a thread begins; said in its block alone
         int first_block = -1;  // number of the block with which the shape begins …
         int last_block = -1;   // … and ends, of a cycle that works along a shape in the program
     };

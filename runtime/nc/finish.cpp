@@ -230,6 +230,7 @@ class Finisher {
             all += '@';
             all += info(needed).name;
         }
+        if (form.of_cycle) all += std::to_string(*form.of_cycle);  // as of two functions
         return all;
     }
 

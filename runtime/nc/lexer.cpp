@@ -828,6 +828,18 @@ class Lexer {
         return nullptr;
     }
 
+    /// `AC(` or `IC(` in front of the end of an axis in a polynomial, `PO[X]=(AC(10),2)`.
+    const ModeName* end_mode_here(AddressId address) const {
+        const bool is_end =
+            std::ranges::any_of(tables_.addresses[address].forms, [&](const FormId id) {
+                return tables_.forms[id].function == Function::PolynomialAxis;
+            });
+        const ModeName* const mode = is_end && rules_.has_modes ? mode_here() : nullptr;
+        const bool is_way = mode != nullptr && (mode->mode == GivenWord::Mode::Absolute ||
+                                                mode->mode == GivenWord::Mode::Incremental);
+        return is_way ? mode : nullptr;
+    }
+
     /// Whether more than one text stands here: `"X="<<R1`.
     bool is_computed_text() const {
         if (compiler_ == nullptr) return false;
@@ -866,11 +878,19 @@ class Lexer {
     void take_call(AddressId address, std::size_t begin) {
         ++at_;
         const auto first = static_cast<std::uint16_t>(out_.arguments.size());
+        auto mode = GivenWord::Mode::Modal;
         while (skip_blanks() && peek() != ')') {
             if (out_.arguments.size() - first >= kMaxCallArguments) {
                 return fail(diag::IsoTooManyWords, begin, at_, {});
             }
             GivenArgument argument;
+            const ModeName* const own_mode =
+                out_.arguments.size() == first ? end_mode_here(address) : nullptr;
+            if (own_mode != nullptr) {
+                mode = own_mode->mode;
+                at_ += own_mode->name.size() + 1;
+                skip_blanks();
+            }
             if (peek() == '"' ? is_computed_text() : peek() != ',' && is_computed(at_)) {
                 fault_ = compiler_->take_value(at_, static_cast<std::uint16_t>(out_.words.size()),
                                                static_cast<std::int32_t>(out_.arguments.size()));
@@ -895,6 +915,11 @@ class Lexer {
             }
             out_.arguments.push_back(argument);
             skip_blanks();
+            if (own_mode != nullptr) {
+                if (peek() != ')') return fail_here(diag::IsoSyntax);
+                ++at_;
+                skip_blanks();
+            }
             if (peek() == ',') {
                 ++at_;
             } else if (peek() != ')') {
@@ -906,6 +931,7 @@ class Lexer {
         add_word(address, begin);
         GivenWord& word = out_.words.back();
         word.is_call = true;
+        word.mode = mode;
         word.first_argument = first;
         word.argument_count = static_cast<std::uint16_t>(out_.arguments.size() - first);
     }

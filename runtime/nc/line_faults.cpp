@@ -1,5 +1,6 @@
 // What is wrong with a line of ISO-7bit text, in the control's words where it has some.
 #include <algorithm>
+#include <sstream>
 #include <utility>
 
 #include "base/diagnostics/iso.h"
@@ -41,6 +42,33 @@ std::string shown_pattern(std::string_view pattern) {
         pattern.remove_prefix(close + 1);
     }
     return out;
+}
+
+/// Whether the block has the word of a form, or the distance that may stand for it.
+bool has_word(const DialectTables& tables, const LexedLine& lexed, const FormWord& wanted) {
+    if (wanted.address == kNoAddress) return true;
+    const Address& place = tables.addresses[wanted.address];
+    return std::ranges::any_of(lexed.words, [&](const GivenWord& word) {
+        if (word.address == wanted.address) return true;
+        const Address& other = tables.addresses[word.address];
+        return place.slot >= 0 && other.is_incremental && other.slot == place.slot;
+    });
+}
+
+/// What the block lacks of a form: `P_ Q_`; the whole form where no word of it can be told apart.
+std::string missing_words(const DialectTables& tables, const Form& form, const LexedLine& lexed) {
+    const std::string whole = first_line(form);
+    std::istringstream words(whole);
+    std::string missing;
+    std::size_t place = 0;
+    for (std::string word; words >> word;) {
+        if (place == form.words.size()) return shown_pattern(whole);
+        const FormWord& wanted = form.words[place++];
+        const bool may_lack = wanted.is_kept || wanted.is_optional || wanted.has_default;
+        if (may_lack || has_word(tables, lexed, wanted)) continue;
+        missing.append(missing.empty() ? "" : " ").append(shown_pattern(word));
+    }
+    return missing.empty() || place != form.words.size() ? shown_pattern(whole) : missing;
 }
 
 /// "`CYCLE83` with -5 as its 17th argument", "`CYCLE97` without its 3rd argument"
@@ -165,6 +193,8 @@ void LineReader::report(std::string_view line, const MatchFault& fault) {
         case Kind::GroupTwice: out.row = &diag::IsoGroupTwice, out.arguments = {word, other}; break;
         case Kind::Missing:
             out.row = &diag::IsoWordsMissing, out.arguments = {word, form};
+            if (fault.form != kNoForm)
+                out.arguments = {word, missing_words(tables_, tables_.forms[fault.form], *lexed_)};
             if (is_polynomial(fault.form) &&
                 modal_[static_cast<std::size_t>(Group::Motion)] != Function::Polynomial)
                 out.row = &diag::PolynomialAlone, out.arguments = {word};

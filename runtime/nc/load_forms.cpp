@@ -168,6 +168,7 @@ void FormLoader::read_form_attributes(const XmlElement& element, Form& form) {
     attributes_.read_functions(element, "needs", form.needs);
     attributes_.read_functions(element, "before", form.before);
     attributes_.read_functions(element, "during", form.during);
+    read_cycle_of_words(element, form);
     attributes_.read_functions(element, "outside", form.outside);
     attributes_.read_functions(element, "first", form.first);
     if (const auto use = attributes_.choice(element, "use", {"both", "write", "read"})) {
@@ -332,6 +333,14 @@ void FormLoader::load_cycle(const XmlElement& element) {
     load_forms(element, prototype);
 }
 
+/// `cycle="thread_once"`: the words are those of this modal cycle and of no other.
+void FormLoader::read_cycle_of_words(const XmlElement& element, Form& form) {
+    const XmlAttribute* attribute = element.find("cycle");
+    if (attribute == nullptr) return;
+    form.of_cycle = cycle_named(tables_, attribute->value);
+    if (!form.of_cycle) attributes_.bad_value(*attribute, "there is no such cycle");
+}
+
 /// Which parameters the words of modal cycles set.
 void FormLoader::read_roles(const XmlElement& element, CycleInfo& cycle) {
     const auto read = [&](std::string_view role, std::string_view usual, int& parameter) {
@@ -348,6 +357,7 @@ void FormLoader::read_roles(const XmlElement& element, CycleInfo& cycle) {
     read("stroke", "", cycle.roles.stroke);
     read("shift", "", cycle.roles.shift);
     read("dwell", "dwell", cycle.roles.dwell);
+    cycle.roles.start = parameter_named(cycle.parameters, "start_at");
     cycle.roles.first_block = parameter_named(cycle.parameters, "first_block");
     cycle.roles.last_block = parameter_named(cycle.parameters, "last_block");
 }

@@ -55,6 +55,7 @@ class FormLoader {
     void load_examples(const XmlElement& element);
     void begin_function(Function function);
     std::optional<CycleId> cycle_of(const XmlElement& element);
+    void read_cycle_of_words(const XmlElement& element, Form& form);
     void read_roles(const XmlElement& element, CycleInfo& cycle);
     void read_settings(const XmlElement& element, CycleInfo& cycle);
     void read_cycle_file(const XmlAttribute& file, CycleInfo& cycle);

@@ -22,6 +22,7 @@ struct Fit {
     std::size_t matched = 0;  // words of the block that it takes
     std::size_t culprit = 0;  // word of the block, for Value and Mode
     int argument = -1;        // … of a call
+    bool is_idle = false;     // the modal functions are not active that it needs
     WordSet taken;
 };
 
@@ -156,7 +157,7 @@ class Matcher {
             const Fit fit = fit_form(head, tables_.forms[id]);
             if (fit.answer == Fit::Answer::Yes) {
                 if (best == kNoForm || fit.matched > best_fit.matched) best = id, best_fit = fit;
-            } else if (nearest == kNoForm || fit.matched > nearest_fit.matched) {
+            } else if (nearest == kNoForm || is_nearer(fit, nearest_fit)) {
                 nearest = id, nearest_fit = fit;
             }
         }
@@ -166,9 +167,24 @@ class Matcher {
             !best_fit.taken[nearest_fit.culprit] && !is_slot_word(nearest_fit.culprit)) {
             return no_form(head, nearest, nearest_fit);
         }
+        if (nearest != kNoForm && is_unfinished_call(best, best_fit, nearest, nearest_fit))
+            return no_form(head, nearest, nearest_fit);
         if (Fault fault = check_rivals(head, candidates, best, best_fit)) return fault;
         if (Fault fault = apply(tables_.forms[best], best, head, best_fit)) return fault;
         return take_joined(head, candidates, best);
+    }
+
+    /// Whether the block comes nearer to a form than to another one.
+    static bool is_nearer(const Fit& fit, const Fit& other) {
+        if (fit.is_idle != other.is_idle) return other.is_idle;
+        return fit.matched > other.matched;
+    }
+
+    /// Of a cycle of two lines: what looks like settings is the work, and lacks a word of it.
+    bool is_unfinished_call(FormId best, const Fit& best_fit, FormId nearest,
+                            const Fit& fit) const {
+        return tables_.forms[best].is_preset && !tables_.forms[nearest].is_preset &&
+               fit.answer == Fit::Answer::Missing && !fit.is_idle && fit.matched > best_fit.matched;
     }
 
     /// What the words that are left say by another form of the same code.
@@ -235,6 +251,8 @@ class Matcher {
             if (is_cycle && words_of_ == WordsOf::Source) return is_place;
             if (is_place && is_word_of_cycle(first)) return false;
             const bool calls_cycle = block_.find(Function::Cycle) != nullptr;
+            if (is_cycle && form.of_cycle && *form.of_cycle != cycle_called(calls_cycle))
+                return false;
             if (is_cycle && calls_cycle) return true;
             const Group group = is_cycle ? Group::CycleMode : info(needed).group;
             // Axis words of a modal cycle are no motion that words could belong to.
@@ -249,6 +267,9 @@ class Matcher {
             return active == needed || (active == Function::None && may_act);
         });
     }
+
+    /// The cycle of this block, or the one whose mode lasts.
+    CycleId cycle_called(bool by_block) const { return by_block ? block_.cycle : modal_.cycle; }
 
     /// A block of a source without a motion, which may be a place of a cycle.
     bool is_source_place() const {
@@ -281,7 +302,8 @@ class Matcher {
         Fit fit;
         fit.taken[head] = true;
         fit.matched = 1;
-        if (!acts(form)) fit.answer = Fit::Answer::Missing;
+        fit.is_idle = !acts(form);
+        if (fit.is_idle) fit.answer = Fit::Answer::Missing;
         fit_word(form, form.words[0], head, fit);
         for (std::size_t f = 1; f < form.words.size(); ++f) {
             const FormWord& wanted = form.words[f];
@@ -470,6 +492,10 @@ class Matcher {
             block_.cycle_by_form = 0;
         }
         const auto invocation = static_cast<std::uint8_t>(block_.function_count - 1u);
+        if (form.function == Function::PolynomialAxis && !form.fixed.empty()) {
+            const auto axis = static_cast<Axis>(form.fixed[0].second - 1);
+            take_mode(words_[head].mode, slot_of(axis));
+        }
         for (const auto& [parameter, value] : form.fixed) {
             block_.set_argument(block_.functions[invocation], static_cast<std::size_t>(parameter),
                                 value);
@@ -696,7 +722,10 @@ void follow_modal(const Block& block, ModalFunctions& modal) {
     for (std::size_t i = 0; i < block.function_count; ++i) {
         const Function function = block.functions[i].function;
         const Group group = info(function).group;
-        if (function == Function::Cycle) cycle_mode = Function::Cycle;
+        if (function == Function::Cycle) {
+            cycle_mode = Function::Cycle;
+            modal.cycle = block.cycle;
+        }
         if (group != Group::Once) modal[static_cast<std::size_t>(group)] = function;
     }
 }

@@ -104,7 +104,11 @@ struct Match {
 };
 
 /// Active members of the modal groups as far as they are known; None: not known.
-using ModalFunctions = std::array<Function, kGroups>;
+struct ModalFunctions : std::array<Function, kGroups> {
+    CycleId cycle = 0;  // the one that was called last; it is modal if the cycle mode is Cycle
+
+    bool operator==(const ModalFunctions&) const = default;
+};
 
 /// What the words are: a text, where words of modal cycles may have been said before and other
 /// cycles' words wait for their turn, or a block of a source, which says all of its own.

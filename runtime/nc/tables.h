@@ -12,6 +12,7 @@
 #include <deque>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -145,6 +146,7 @@ struct Form {
     std::vector<Function> needs;       // modal functions that are written before it in the line
     std::vector<Function> before;      // functions that are written on lines of their own before it
     std::vector<Function> during;      // modal functions of which one must be active
+    std::optional<CycleId> of_cycle;   // the modal cycle whose words these are
     std::vector<Function> outside;   // rotate, scale, mirror that must not act where it is written
     std::vector<AddressId> without;  // words that must not stand beside it
     int group = -1;                  // modal group of the dialect; -1 none

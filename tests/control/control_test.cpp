@@ -10,7 +10,8 @@
 //                            way on which the tool turns, and O0.6,0,0.8, its direction at the end
 //   expect: path X20 x40z-30  the next motions in short, what they change: capitals at rapid, small
 //                            letters at feed, t1.5: before a thread of that lead, cw: and ccw:
-//                            before an arc; f0.2 where the feed changes; X of a lathe is a diameter
+//                            before an arc, t1.5@90: where it begins at 90 deg of the spindle; f0.2
+//                            where the feed changes; X of a lathe is a diameter
 //   expect: message TEXT     the next message;  expect: stop  a stop of the program
 //   expect: dwell 0.5        the next dwell, s; if one is told, all are
 //   expect: print [TEXT]        the next line that is printed, between brackets
@@ -239,6 +240,13 @@ std::string place_of(const path::Command& command) {
     return out + " F" + format_shortest(command.feed);
 }
 
+/// `t1.5:`, or `t1.5@90:` where the thread begins at an angle of the spindle.
+std::string thread_kind(const path::Command& command) {
+    std::string out = 't' + format_shortest(round_to(command.feed, 4));
+    if (command.angle_deg != 0) out += '@' + format_shortest(round_to(command.angle_deg, 3));
+    return out + ':';
+}
+
 /// All motions in short; X of a lathe is a diameter.
 std::string path_of(const std::vector<path::Command>& motions, bool is_lathe) {
     std::string out;
@@ -255,11 +263,10 @@ std::string path_of(const std::vector<path::Command>& motions, bool is_lathe) {
             word += format_shortest(round_to(value, 3));
         }
         here = command.to;
-        const std::string kind = command.op == path::Op::Thread
-                                     ? 't' + format_shortest(round_to(command.feed, 4)) + ':'
-                                 : command.op != path::Op::Arc ? ""
-                                 : command.is_clockwise        ? "cw:"
-                                                               : "ccw:";
+        const std::string kind = command.op == path::Op::Thread ? thread_kind(command)
+                                 : command.op != path::Op::Arc  ? ""
+                                 : command.is_clockwise         ? "cw:"
+                                                                : "ccw:";
         if (!is_rapid && command.op != path::Op::Thread && command.feed != feed) {
             feed = command.feed;
             word += 'f' + format_shortest(round_to(feed, 4));

@@ -7,5 +7,5 @@ G74 X20. Z-20. F0.1
 M30
 %
 (args: run {file} -d fanuc-lathe -m lathe --commands {out})
-(expect: 6:1 PS0066 UNAVAILABLE COMMAND IS IN THE MULTIPLE REPETITIVE CYCLES BLOCK: the line gives words of `stock_peck`, and words of a motion that it does not have)
+(expect: 6:1 PS0066 UNAVAILABLE COMMAND IS IN THE MULTIPLE REPETITIVE CYCLES BLOCK: `G74` lacks words: `Q_`)
 (exit: 3)
