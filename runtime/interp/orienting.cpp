@@ -222,6 +222,7 @@ void Executor::begin_length_transformation(const Block& block, const nc::Invocat
     orienting_.takes_vectors = invocation.function == Function::TcpVector;
     orienting_.turning =
         block.argument(invocation, 1) == 1 ? Function::TurnPlane : Function::TurnAxes;
+    orienting_.lead = orienting_.takes_vectors ? block.argument(invocation, 2) : 0;
     const bool was_on = orienting_.is_on;
     if (!was_on) {
         orienting_.is_on = orienting_.has_length = true;
@@ -249,6 +250,7 @@ void Executor::end_length_transformation(Actions& actions) {
                             ? Vec3(machine::rotation_of(chain, head) * tool_.lengths)
                             : tool_.lengths;
     orienting_.is_on = orienting_.has_length = orienting_.takes_vectors = false;
+    orienting_.lead = 0;
     frames_.release_table();
     position_.base = axes;
     for (std::size_t i = 0; i < 3; ++i) {

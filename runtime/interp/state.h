@@ -166,7 +166,6 @@ struct Smoothing {
     bool compresses = false;
 };
 
-/// What the program has chosen of the machine's transformation and of the tool's turning.
 /// How words of the orientation are understood, and on which way the tool turns.
 struct OrientModes {
     nc::Function turning = nc::Function::TurnPlane;
@@ -175,13 +174,15 @@ struct OrientModes {
     bool is_in_base = false;  // orientations are said in the base system
 };
 
+/// What the program has chosen of the machine's transformation and of the tool's turning.
 struct Orienting : OrientModes {
     bool is_on = false;          // X, Y and Z are the tip in the workpiece
     bool has_length = false;     // it was switched on as a kind of tool length compensation
     bool takes_vectors = false;  // … whose blocks say the tool's direction
     nc::Function moves = nc::Function::PathMoves;  // or from point to point
     int configuration = 0;                         // wanted there, 1 or 2; 0: any
-    path::Lean lean;                               // from the surface normal
+    double lead = 0;     // deg, of a direction whose block does not say another one
+    path::Lean lean;     // from the surface normal
     bool leans = false;  // … at the end of every block, until one says a direction
     // Behind the latest motion, in the base system:
     std::optional<path::Vec3> normal;      // of the surface; nothing: none was said yet

@@ -53,7 +53,10 @@ void Executor::take_orientation(const Block& block, const nc::Invocation& invoca
         if (part < 3) triple.set(part, block.argument(invocation, 1));
     };
     switch (invocation.function) {
-        case Function::ToolVector: return component(tool.vector);
+        case Function::ToolVector:
+            component(tool.vector);
+            if (orienting_.lead != 0 && !tool.lead) tool.lead = orienting_.lead;
+            return;
         case Function::ToolAngle: return component(tool.angles);
         case Function::ConeAxis: return component(tool.cone_axis);
         case Function::ToolBetween: return component(tool.between);
@@ -69,6 +72,7 @@ void Executor::take_orientation(const Block& block, const nc::Invocation& invoca
         case Function::ToolSpin:
             if ((invocation.given & 1u) != 0) tool.spin = block.argument(invocation, 0);
             if ((invocation.given & 2u) != 0) tool.spin_by = block.argument(invocation, 1);
+            if ((invocation.given & 4u) != 0) tool.spin = block.argument(invocation, 2);
             return;
         case Function::LeanLead:
         case Function::LeanTilt: return take_lean(block, invocation, tool);
@@ -152,6 +156,12 @@ bool Executor::has_idle_words(const Block& block, const ToolWords& tool) {
     const bool is_about_axis = turning == Function::TurnConeCw || turning == Function::TurnConeCcw;
     const bool takes_surface =
         turning == Function::TurnSurface || surface_leads_end() || comp_.takes_faces();
+    const nc::Invocation* const spin = block.find(Function::ToolSpin);
+    if (spin != nullptr && (spin->given & 4u) != 0 && orienting_.spin == Function::SpinPath) {
+        report(diag::SpinAgainstPath, block, Function::ToolSpin)
+            .arg(word_of(block, Function::ToolSpin));
+        return true;
+    }
     if (tool.lead.has_value() && !tool.vector.is_said()) {
         report(diag::OrientLeadAlone, block, Function::ToolLead)
             .arg(word_of(block, Function::ToolLead));
