@@ -156,6 +156,7 @@ struct Smoothing {
     std::optional<double> tolerance;    // mm; nothing: as the machine has it
     std::optional<double> orientation;  // rad; likewise
     bool compresses = false;
+    bool smooths_turns = false;  // of the tool, from motion to motion
 };
 
 /// What the program has chosen of the machine's transformation and of the tool's turning.
