@@ -408,6 +408,8 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::BlendRapidDistance:
         case Function::PathTolerance:
         case Function::OrientTolerance:
+        case Function::OrientSmooth:
+        case Function::OrientSmoothOff:
         case Function::HighSpeed:
         case Function::CompressOn:
         case Function::CompressOff: choose_smoothing(block, invocation); break;

@@ -19,6 +19,8 @@ void Executor::choose_smoothing(const Block& block, const nc::Invocation& invoca
     switch (invocation.function) {
         case Function::CompressOn: smoothing_.compresses = true; return;
         case Function::CompressOff: smoothing_.compresses = false; return;
+        case Function::OrientSmooth: smoothing_.smooths_turns = true; return;
+        case Function::OrientSmoothOff: smoothing_.smooths_turns = false; return;
         case Function::HighSpeed: choose_high_speed(block, invocation); return;
         default: break;
     }
@@ -57,15 +59,23 @@ void Executor::choose_high_speed(const Block& block, const nc::Invocation& invoc
 
 /// How the corner behind a motion of this block is rounded.
 path::Blending Executor::blending(Op op) const {
-    if (virtual_.axes.is_on()) return {};
-    if (modal_.blend == Function::None || !path::is_motion(op)) return {};
+    path::Blending blending;
+    if (virtual_.axes.is_on() || !path::is_motion(op)) return blending;
+    const double orientation = smoothing_.orientation.value_or(machine_.orientation_tolerance);
     if (modal_.blend == Function::BlendDistance) {
-        return {BlendKind::Distance, false,
-                op == Op::Rapid ? smoothing_.rapid_distance : smoothing_.feed_distance};
+        blending.kind = BlendKind::Distance;
+        blending.size = op == Op::Rapid ? smoothing_.rapid_distance : smoothing_.feed_distance;
+    } else if (modal_.blend != Function::None) {
+        blending.kind = BlendKind::Tolerance;
+        blending.with_tangents = modal_.blend == Function::BlendSmooth;
+        blending.size = smoothing_.tolerance.value_or(machine_.corner_tolerance);
+        blending.orientation = orientation;
     }
-    return {BlendKind::Tolerance, modal_.blend == Function::BlendSmooth,
-            smoothing_.tolerance.value_or(machine_.corner_tolerance),
-            smoothing_.orientation.value_or(machine_.orientation_tolerance)};
+    if (orienting_.is_on && smoothing_.smooths_turns && orientation > 0) {
+        blending.smooths_turns = true;
+        blending.orientation = orientation;
+    }
+    return blending;
 }
 
 /// Within which tolerance a motion of this block may become a part of a curve; 0: not at all. The

@@ -164,6 +164,7 @@ struct Smoothing {
     std::optional<double> tolerance;    // mm; nothing: as the machine has it
     std::optional<double> orientation;  // rad; likewise
     bool compresses = false;
+    bool smooths_turns = false;  // of the tool, from motion to motion
 };
 
 /// How words of the orientation are understood, and on which way the tool turns.

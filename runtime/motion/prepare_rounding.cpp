@@ -87,7 +87,9 @@ bool Preparer::State::can_be_rounded(const Command& command, const Segment& segm
 bool Preparer::State::hold(const Command& command, const Segment& segment, const Arrival& arrival,
                            double from) {
     const path::Blending& wish = command.blending;
-    if (wish.kind == path::BlendKind::None || command.exact_stop || !(wish.size > 0)) return false;
+    const bool rounds = wish.kind != path::BlendKind::None && wish.size > 0;
+    const bool smooths = wish.smooths_turns && segment.is_transformed();
+    if (command.exact_stop || !(rounds || smooths)) return false;
     if (!can_be_rounded(command, segment, arrival)) return false;
     held.is_held = true;
     held.command = command;
@@ -150,15 +152,15 @@ double Preparer::State::round_corner(const Command& command, const Segment& segm
     return found->way;
 }
 
-/// The same on which the tool turns: its way is rounded, too.
-double Preparer::State::round_turned_corner(const Command& command, const Segment& segment,
-                                            double length) {
-    if (held.segment.carrier != segment.carrier) return release(), 0;
-    const TurningWay before(axes.chain(), held.segment);
-    const TurningWay behind(axes.chain(), segment);
-    const auto found =
-        turned_rounding(axes.chain(), before, held.command.blending, behind, command.blending);
-    if (!found) return release(), 0;
+/// The way of tip and tool around the corner between two motions, if the program asks for one and
+/// it takes less time than the corner.
+std::optional<TurnedRounding> Preparer::State::rounded_turn(const Command& command,
+                                                            const TurningWay& before,
+                                                            const TurningWay& behind) const {
+    const path::Blending& wish = held.command.blending;
+    if (wish.kind == path::BlendKind::None || !(wish.size > 0)) return std::nullopt;
+    const auto found = turned_rounding(axes.chain(), before, wish, behind, command.blending);
+    if (!found) return std::nullopt;
     const Segment tail = before.part(held.length - found->way, held.length);
     const Segment head = behind.part(0, found->way);
     const std::array<PathLimits, 2> beside = {limits_on(held.command, tail, found->way),
@@ -167,8 +169,22 @@ double Preparer::State::round_turned_corner(const Command& command, const Segmen
     for (const Segment& piece : found->pieces)
         on_curve = std::min(on_curve, axes.limits(piece, axes.start_rates(piece), on_curve).speed);
     const double at_corner = corner_estimate(tail, head, beside);
-    if (!saves_time({found->way, on_curve, at_corner, std::min(held.length, length) / 2}, beside))
-        return release(), 0;
+    const double half = std::min(held.length, behind.whole().turn.length) / 2;
+    const bool is_quicker = saves_time({found->way, on_curve, at_corner, half}, beside);
+    return is_quicker ? found : std::nullopt;
+}
+
+/// The same on which the tool turns: its way is rounded, too, or it alone.
+double Preparer::State::round_turned_corner(const Command& command, const Segment& segment,
+                                            double length) {
+    if (held.segment.carrier != segment.carrier) return release(), 0;
+    const TurningWay before(axes.chain(), held.segment);
+    const TurningWay behind(axes.chain(), segment);
+    auto found = rounded_turn(command, before, behind);
+    const path::Blending& wish = held.command.blending;
+    if (!found && wish.smooths_turns)
+        found = smoothed_turn(axes.chain(), before, behind, wish.orientation);
+    if (!found) return release(), 0;
     held.is_held = false;
     if (has_law(held.command)) begin_law(held.from, held.length);
     if (const double to = held.length - found->way; to - held.from > kStill)

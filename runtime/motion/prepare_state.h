@@ -21,6 +21,7 @@
 #include "motion/spindle.h"
 #include "motion/standing.h"
 #include "motion/transformed.h"
+#include "motion/turned_corner.h"
 
 namespace kadr::motion {
 
@@ -181,6 +182,9 @@ struct Preparer::State {
     double round_corner(const path::Command& command, const Segment& segment,
                         const Arrival& arrival);
     double round_turned_corner(const path::Command& command, const Segment& segment, double length);
+    std::optional<TurnedRounding> rounded_turn(const path::Command& command,
+                                               const TurningWay& before,
+                                               const TurningWay& behind) const;
     void emit_rest(const path::Command& command, const Segment& whole, double length, double from);
     bool is_one_way(const Segment& whole, const path::Vec3& to) const;  // prepare_transformed.cpp
     PathLimits limits_on(const path::Command& command, const Segment& segment, double length) const;

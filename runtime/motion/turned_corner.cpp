@@ -137,8 +137,8 @@ class TurnedCorner {
         return most;
     }
 
-    TurnedRounding pieces(double way) const {
-        const path::Transition tip = tip_.curve(way);
+    /// tip  around the corner as well; nothing: along its path
+    TurnedRounding pieces(double way, const std::optional<path::Transition>& tip) const {
         const path::Transition turn = joints(way);
         TurnedRounding found;
         found.way = way;
@@ -148,12 +148,12 @@ class TurnedCorner {
         for (std::size_t i = 0; i < found.pieces.size(); ++i) {
             const std::size_t side = i / 2;
             Segment& piece = found.pieces[i];
-            piece = part_of(sides[side], from[side], from[side] + tip[i].length);
-            from[side] += tip[i].length;
-            piece.curve = tip[i];
+            piece = part_of(sides[side], from[side], from[side] + turn[i].length);
+            from[side] += turn[i].length;
+            if (tip) piece.curve = (*tip)[i];
             piece.turn = {};
             piece.turn.kind = path::Turning::Joints;
-            piece.turn.length = tip[i].length;
+            piece.turn.length = turn[i].length;
             piece.turn.joints = turn[i];
             put_joints(chain_, path::start(turn[i]), piece.follower_start);
             for (const machine::RotaryJoint& joint : chain_.joints)
@@ -193,7 +193,18 @@ std::optional<TurnedRounding> turned_rounding(const Chain& chain, const TurningW
                           },
                           *most);
     if (way < kLeastWay) return std::nullopt;
-    return corner.pieces(way);
+    return corner.pieces(way, corner.tip().curve(way));
+}
+
+std::optional<TurnedRounding> smoothed_turn(const Chain& chain, const TurningWay& before,
+                                            const TurningWay& behind, double tolerance) {
+    const TurnedCorner corner(chain, before, behind);
+    const double most = std::min(before.whole().turn.length, behind.whole().turn.length) / 2;
+    if (corner.turns_evenly(most)) return std::nullopt;
+    const auto used = [&](double way) { return corner.leaning(way) / tolerance; };
+    const double way = longest_way(used, most);
+    if (way < kLeastWay) return std::nullopt;
+    return corner.pieces(way, std::nullopt);
 }
 
 }  // namespace kadr::motion

@@ -57,4 +57,12 @@ std::optional<TurnedRounding> turned_rounding(const machine::Chain& chain, const
                                               const path::Blending& wish, const TurningWay& behind,
                                               const path::Blending& wish_behind);
 
+/// The tip stays on its path, corner or not, and the rotary axes alone are led around theirs: their
+/// speed and how it changes go on along the path, on a way as long as the tolerance allows.
+///
+/// tolerance  how far the tool may be from its programmed direction, rad
+/// returns    nothing if the rotary axes have no corner, or if nothing is left of the way
+std::optional<TurnedRounding> smoothed_turn(const machine::Chain& chain, const TurningWay& before,
+                                            const TurningWay& behind, double tolerance);
+
 }  // namespace kadr::motion

@@ -73,6 +73,8 @@ struct Blending {
     double size = 0;             // mm
     /// So far the tool's direction may leave the programmed one meanwhile, rad.
     double orientation = std::numeric_limits<double>::infinity();
+    /// Where the tip is not led around the corner, the tool is: the tip stays on its path.
+    bool smooths_turns = false;
 
     friend bool operator==(const Blending&, const Blending&) = default;
 };

@@ -612,6 +612,11 @@ path::Blending within(double tolerance, double orientation_deg) {
     return {path::BlendKind::Tolerance, false, tolerance, rad_from_deg(orientation_deg)};
 }
 
+/// The tip stays on its path.
+path::Blending of_the_tool(double orientation_deg) {
+    return {path::BlendKind::None, false, 0, rad_from_deg(orientation_deg), true};
+}
+
 /// The angle between a tool and the great circle between two others, both ends included, rad.
 double beside_circle(const Vec3& tool, const Vec3& from, const Vec3& to) {
     double least = std::min(path::angle_between(tool, from), path::angle_between(tool, to));
@@ -623,13 +628,13 @@ double beside_circle(const Vec3& tool, const Vec3& from, const Vec3& to) {
     return is_between ? std::min(least, path::angle_between(tool, nearest)) : least;
 }
 
-TEST(TurnedCorner, TheToolTurnsEvenlyWithinItsTolerance) {
+void expect_even_turns(const path::Blending& blending) {
     const std::vector<machine::Machine> machines = every_class();
     for (const machine::Machine& machine : machines) {
         SCOPED_TRACE(&machine - machines.data());
         const std::vector<Command> sharp = turning_in_chords(machine, {});
         const double tolerance = rad_from_deg(0.1);
-        const std::vector<Command> commands = turning_in_chords(machine, within(0.05, 0.1));
+        const std::vector<Command> commands = turning_in_chords(machine, blending);
         const Motion before = run(machine, sharp);
         const Motion motion = run(machine, commands);
         ASSERT_FALSE(motion.alarmed);
@@ -658,6 +663,61 @@ TEST(TurnedCorner, TheToolTurnsEvenlyWithinItsTolerance) {
     }
 }
 
+TEST(TurnedCorner, TheToolTurnsEvenlyWithinItsTolerance) { expect_even_turns(within(0.05, 0.1)); }
+
+TEST(TurnedCorner, TheToolAloneTurnsEvenlyWithinItsTolerance) {
+    expect_even_turns(of_the_tool(0.1));
+}
+
+// Around a corner of the tip the tool goes on evenly by the path; the tip does not leave it, and
+// passes the corner as without.
+TEST(TurnedCorner, TheToolAloneIsLedAroundACornerOfTheTip) {
+    for (const machine::Machine& machine : every_class()) {
+        Program program(machine);
+        program.go_fast({0, 0, 0}, direction(30, 30));
+        program.go({40, 0, 0}, direction(40, 35), 3000);
+        program.commands.back().blending = of_the_tool(1);
+        program.go({40, 40, 0}, direction(60, 30), 3000);
+        const Motion motion = run(machine, program.commands);
+        TickWatch watch(machine, motion.segments);
+        double most = 0;
+        for (const Setpoint& setpoint : sample(machine, program.commands)) {
+            watch.add(setpoint);
+            if (setpoint.line < 2) continue;
+            const Vec3& tip = setpoint.tip;
+            const double beside =
+                std::min(std::hypot(tip.y(), tip.z()), std::hypot(tip.x() - 40, tip.z()));
+            ASSERT_LT(beside, 1e-9);
+            // The programmed direction at this place of the path.
+            const bool is_behind = tip.y() > 0;
+            const Vec3 from = is_behind ? direction(40, 35) : direction(30, 30);
+            const Vec3 to = is_behind ? direction(60, 30) : direction(40, 35);
+            const double share = (is_behind ? tip.y() : tip.x()) / 40;
+            const double angle = path::angle_between(from, to);
+            const Vec3 programmed =
+                (std::sin((1 - share) * angle) * from + std::sin(share * angle) * to) /
+                std::sin(angle);
+            most = std::max(most, path::angle_between(setpoint.tool, programmed));
+        }
+        EXPECT_LT(most, rad_from_deg(1));
+        EXPECT_GT(most, rad_from_deg(0.5));
+        EXPECT_LT(watch.shares().velocity, 1.001);
+        EXPECT_LT(watch.shares().acceleration, 1.001);
+        // By the path no axis changes its rate at once where the ways of the tool meet.
+        const AxisTable axes(machine);
+        double jump = 0;
+        for (std::size_t k = 1; k < motion.segments.size(); ++k) {
+            if (motion.segments[k - 1].line < 2 || motion.segments[k].kind != SegmentKind::Feed)
+                continue;
+            const AxisRates in = axes.end_rates(motion.segments[k - 1]);
+            const AxisRates out = axes.start_rates(motion.segments[k]);
+            for (std::size_t a = 3; a < machine.axes.size(); ++a)
+                jump = std::max(jump, std::abs(out[a] - in[a]));
+        }
+        EXPECT_LT(jump, 1e-6);
+    }
+}
+
 TEST(TurnedCorner, CornersOfTheTipAreRoundedToo) {
     const machine::Machine machine = table_table();
     Program program(machine);
@@ -682,10 +742,14 @@ RC_GTEST_PROP(TurnedCorner, KeepsTolerancesAndLimits, ()) {
     const machine::Machine& machine = machines[*rc::gen::inRange<std::size_t>(0, machines.size())];
     std::vector<Command> commands = any_turning_program(machine);
     const double tolerance = *rc::gen::element(0.01, 0.1, 2.0);
-    const bool by_distance = *rc::gen::element(true, false);
-    const path::Blending blending =
-        by_distance ? path::Blending{path::BlendKind::Distance, false, tolerance}
-                    : within(tolerance, *rc::gen::element(0.02, 0.5));
+    const int kind = *rc::gen::inRange(0, 4);
+    path::Blending blending = of_the_tool(*rc::gen::element(0.02, 0.5));
+    if (kind == 0) blending = {path::BlendKind::Distance, false, tolerance};
+    if (kind == 1) blending = within(tolerance, *rc::gen::element(0.02, 0.5));
+    if (kind == 2) {  // both
+        blending.kind = path::BlendKind::Tolerance;
+        blending.size = tolerance;
+    }
     for (Command& command : commands) command.blending = blending;
     const Motion motion = run(machine, commands);
     RC_ASSERT(!motion.alarmed);
@@ -713,7 +777,7 @@ RC_GTEST_PROP(TurnedCorner, KeepsTolerancesAndLimits, ()) {
                     : 0;
             least = std::min(least, (setpoint.tip - tip_of(k - 1) - f * way).norm());
         }
-        RC_ASSERT(least < tolerance + 1e-9);
+        RC_ASSERT(least < (kind == 3 ? 0 : tolerance) + 1e-9);
     }
     RC_ASSERT(watch.shares().velocity < 1.001);
     RC_ASSERT(watch.shares().acceleration < 1.001);
