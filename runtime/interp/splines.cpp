@@ -202,6 +202,8 @@ bool Executor::leaves_spline_open(const Block& block, const nc::Invocation& invo
         case Function::BlendRapidDistance:
         case Function::PathTolerance:
         case Function::OrientTolerance:
+        case Function::OrientSmooth:
+        case Function::OrientSmoothOff:
         case Function::CompressOn:
         case Function::CompressOff:
         case Function::FeedCourse:

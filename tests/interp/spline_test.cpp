@@ -137,7 +137,8 @@ TEST(Splines, GoOnBesideWordsThatEndNone) {
               "ACC[X]=50",  "VELOLIM[Y]=50", "S2000",   "F300",      "T2",          "M8",
               "M3 S100",    "G90",           "G17",     "LIMS=2000", "COMPON",      "FNORM",
               "FLIN",       "CFC",           "CFTCP",   "ISD=0",     "ORIC",        "G451",
-              "KONT",       "ORIVECT",       "ORIAXES", "ORIRPY",    "ORIMKS",      "ORIROTT"}) {
+              "KONT",       "ORIVECT",       "ORIAXES", "ORIRPY",    "ORIMKS",      "ORIROTT",
+              "ORISON",     "ORISOF"}) {
             SCOPED_TRACE(kind + " " + word);
             const Ran ran = read("sinumerik", four_points(kind, word));
             EXPECT_FALSE(ran.alarmed) << ran.codes();
