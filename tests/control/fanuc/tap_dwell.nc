@@ -1,8 +1,7 @@
 %
 O0001
-(rule: F 5.2 G84 and G74: P waits at the bottom and once more at R)
+(rule: F 5.2 G84: P waits at the bottom; the dwell at R is not executed, see dialects/fanuc.xml)
 (expect: path Z20 X10 Z3 z-10f1 z3 Z20)
-(expect: dwell 0.5)
 (expect: dwell 0.5)
 G94
 G00Z20.
