@@ -53,6 +53,7 @@ bool Planner::State::next_operated(Segment& segment) {
         note_block(piece);
         plan(piece, left == 1);
         if (is_over_at_once(piece)) {
+            went_through |= piece.awaits_mark;
             --left;
             pieces.pop_front();
             continue;
@@ -88,7 +89,9 @@ void Planner::State::deliver(Segment& segment) {
     --left;
     const Piece& piece = pieces.front();
     record(piece);
+    // Between the spindle's mark and the thread that begins there nothing may pass.
     if (is_motion(piece.segment.kind)) went_through = goes_through_hold(piece);
+    else if (piece.awaits_mark) went_through = true;
     segment = piece.segment;
     if (std::isfinite(piece.feed_asked)) {
         const double dial = panel.dials().feed;
@@ -146,6 +149,7 @@ bool Planner::State::wait(Segment& segment) {
     segment.duration = panel.next_time() - totals.time;
     totals.time += segment.duration;
     totals.hold_time += segment.duration;
+    spindle_angle.pass(segment);
     return true;
 }
 

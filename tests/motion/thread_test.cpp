@@ -57,6 +57,30 @@ TEST(Thread, PassesBeginAtTheMark) {
     }
 }
 
+TEST(Thread, PassesKeepTheirMarkBehindHolds) {
+    constexpr double kTurns = 1000.0 / 60;
+    std::vector<Command> program = {spindle_on(1000)};
+    for (int pass = 0; pass < 3; ++pass) {
+        program.push_back(rapid_to({0, 0, 5}));
+        program.push_back(thread_to({0, 0, -20}, 2, 36));
+        program.push_back(rapid_to({10, 0, -20}));
+    }
+    const double usual = run(machine_of(), program).totals.time;
+    for (double from = 0.01; from < usual; from += 0.037) {
+        for (const double length : {0.004, 0.0217, 1.3}) {
+            SCOPED_TRACE(testing::Message() << from << " s, for " << length << " s");
+            PlannerOptions options;
+            options.events = {{OperatorAct::FeedHold, 1, from, 0, -1},
+                              {OperatorAct::CycleStart, 1, from + length, 0, -1}};
+            const Motion motion = run(machine_of(), program, options);
+            EXPECT_TRUE(motion.diagnostics.all().empty());
+            const std::vector<double> found = marks(motion, kTurns);
+            ASSERT_EQ(found.size(), 3u);
+            for (const double mark : found) EXPECT_NEAR(mark, 0.1, 1e-6);
+        }
+    }
+}
+
 TEST(Thread, AChainDoesNotWait) {
     const Motion motion =
         run(machine_of(), {spindle_on(600), rapid_to({0, 0, 5}), thread_to({0, 0, -10}, 2),
