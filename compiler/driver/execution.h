@@ -77,6 +77,12 @@ class Execution final : public Stream<path::Command> {
     void print_to(interp::Printer& printer) { reader_->print_to(printer); }
 
     bool alarmed() const { return is_late_ || interpreter_->alarmed(); }
+    /// Whether the command has computed for longer than it may. Any thread may ask.
+    bool is_time_over() const { return deadline_.is_over(); }
+    /// Says so where nobody has: what was left of the motion when the time was over is lost.
+    void end_in_time() {
+        if (!is_late_) came_too_late();
+    }
     /// Evaluating, writing or reading came to an error.
     bool failed() const;
     std::uint64_t blocks() const { return interpreter_->blocks(); }

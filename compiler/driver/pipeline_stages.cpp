@@ -32,27 +32,28 @@ class Periods final : public Stream<motion::Segment> {
 };
 
 void write_all(Stream<motion::Setpoint>& setpoints, std::size_t batch,
-               const std::function<void(std::span<const motion::Setpoint>)>& write) {
+               const SetpointReader& reader) {
     std::vector<motion::Setpoint> gathered(batch);
     std::size_t count = 0;
-    while (const std::size_t more = setpoints.pull(std::span(gathered).subspan(count))) {
+    while (!reader.has_enough()) {
+        const std::size_t more = setpoints.pull(std::span(gathered).subspan(count));
+        if (more == 0) break;
         count += more;
         if (count < batch) continue;
-        write(gathered);
+        reader.write(gathered);
         count = 0;
     }
-    if (count > 0) write(std::span(gathered).first(count));
+    if (count > 0) reader.write(std::span(gathered).first(count));
 }
 
 }  // namespace
 
 void run_stages(Stream<motion::Segment>& segments, const machine::Machine& machine, double tick,
-                bool has_threads,
-                const std::function<void(std::span<const motion::Setpoint>)>& write) {
+                bool has_threads, const SetpointReader& reader) {
     const machine::Pipeline& pipeline = machine.pipeline;
     if (!has_threads) {
         motion::Sampler sampler(segments, machine, tick);
-        write_all(sampler, pipeline.output.batch, write);
+        write_all(sampler, pipeline.output.batch, reader);
         return;
     }
     Periods periods(segments, pipeline.translate.period);
@@ -63,7 +64,7 @@ void run_stages(Stream<motion::Segment>& segments, const machine::Machine& machi
     motion::Sampler sampler(planned, machine, tick);
     ReadAhead<motion::Setpoint> sampled(sampler, pipeline.interpolate.batch,
                                         pipeline.interpolate.queue);
-    write_all(sampled, pipeline.output.batch, write);
+    write_all(sampled, pipeline.output.batch, reader);
 }
 
 bool has_modules(const machine::Machine& machine, DiagnosticSink& sink) {

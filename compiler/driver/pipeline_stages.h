@@ -16,11 +16,17 @@
 
 namespace kadr::driver {
 
+/// Who gets the setpoints.
+struct SetpointReader {
+    std::function<void(std::span<const motion::Setpoint>)> write;
+    /// Asked in front of each batch: whether it wants no more of them.
+    std::function<bool()> has_enough;
+};
+
 /// Walks planned motion at `tick` (0: the machine's) and hands its setpoints over in the batches of
-/// the last stage.
+/// the last stage, until the motion ends or the reader has enough.
 void run_stages(Stream<motion::Segment>& segments, const machine::Machine& machine, double tick,
-                bool has_threads,
-                const std::function<void(std::span<const motion::Setpoint>)>& write);
+                bool has_threads, const SetpointReader& reader);
 
 /// Whether every module that the machine file names is linked into the program; if not, it has been
 /// reported.

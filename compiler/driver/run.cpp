@@ -301,7 +301,9 @@ void Run::sample(Stream<motion::Segment>& segments, double tick) {
                                                 job_.curves_window);
     }
     run_stages(segments, machine, tick, has_threads(),
-               [this](std::span<const motion::Setpoint> some) { write_setpoints(some); });
+               {.write = [this](std::span<const motion::Setpoint> some) { write_setpoints(some); },
+                .has_enough = [this] { return execution_->is_time_over(); }});
+    execution_->end_in_time();
 }
 
 void Run::write_setpoints(std::span<const motion::Setpoint> some) {

@@ -50,6 +50,19 @@ inline bool is_involute(nc::Function motion) {
     return motion == nc::Function::InvoluteCw || motion == nc::Function::InvoluteCcw;
 }
 
+/// Functions that tilt the plane in which the program works.
+inline bool is_tilt(nc::Function function) {
+    switch (function) {
+        case nc::Function::Tilt:
+        case nc::Function::TiltEuler:
+        case nc::Function::TiltPlane:
+        case nc::Function::TiltPoint:
+        case nc::Function::TiltVector:
+        case nc::Function::TiltAlongTool: return true;
+        default: return false;
+    }
+}
+
 /// Motions of which the words of an arc say something.
 inline bool is_circle(nc::Function motion) {
     return is_arc(motion) || is_involute(motion) || motion == nc::Function::ArcThrough ||

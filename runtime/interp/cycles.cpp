@@ -427,6 +427,7 @@ void Executor::complete_ends(ModalCycle& call) const {
     end_where_tool_stands(call);
 }
 
+/// What nothing has said of the end of a cycle is where the tool stands.
 void Executor::end_where_tool_stands(ModalCycle& call) const {
     for (const Axis axis : {Axis::X, Axis::Z}) {
         const std::optional<std::size_t> end =

@@ -73,8 +73,10 @@ double Executor::highest_speed() const {
     return std::min(spindle_.limit, spindle_.most);
 }
 
+/// What bounds the spindle under constant cutting speed.
 SpeedLimits Executor::speed_limits() const { return {spindle_.least, highest_speed()}; }
 
+/// A command where a function of the block has changed the bounds.
 void Executor::tell_speed_limits(const Block& block, const SpeedLimits& before) {
     const SpeedLimits now = speed_limits();
     // Of another spindle it matters when that is the master.

@@ -78,14 +78,8 @@ bool Executor::is_too_late(Function function) const {
         case Function::ReferenceLeave:
         case Function::MachineCoordinates:
         case Function::PositionReset:
-        case Function::Tilt:
-        case Function::TiltEuler:
-        case Function::TiltPlane:
-        case Function::TiltPoint:
-        case Function::TiltVector:
-        case Function::TiltAlongTool:
         case Function::SetPosition: return true;
-        default: return is_other_plane(function);
+        default: return is_tilt(function) || is_other_plane(function);
     }
 }
 

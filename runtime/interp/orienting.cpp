@@ -9,6 +9,7 @@
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
 #include "base/units.h"
+#include "interp/block_words.h"
 #include "interp/executor.h"
 #include "interp/linear.h"
 #include "interp/turns_beside.h"
@@ -292,14 +293,9 @@ bool Executor::refuses_under_tcp(const Block& block, Function function) {
         case Function::Scale:
         case Function::Mirror:
         case Function::PolarOn:
-        case Function::Tilt:
-        case Function::TiltEuler:
-        case Function::TiltPlane:
-        case Function::TiltPoint:
-        case Function::TiltVector:
-        case Function::TiltAlongTool:
         case Function::Cycle: break;
-        default: return false;
+        default:
+            if (!is_tilt(function)) return false;
     }
     report(diag::TcpForbidden, block, function).arg(word_of(block, function));
     return true;

@@ -4,6 +4,7 @@
 // axis of the machine goes straight (motion/standing.h), so nothing leads the tool there, and the
 // block may ask for one of several positions of the rotary axes. S 7.4, alarms 14140 and 14144.
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <string>
 
@@ -89,7 +90,8 @@ void Executor::choose_axes(const Block& block, const nc::Invocation& invocation,
     }
     constexpr double kMost = 1 << 16;
     const double value = block.argument(invocation, 0);
-    const auto bits = static_cast<unsigned>(value >= 0 && value < kMost ? value : kMost);
+    const bool is_whole = value >= 0 && value < kMost && value == std::trunc(value);
+    const auto bits = static_cast<unsigned>(is_whole ? value : kMost);
     unsigned known = function == Function::AxisConfiguration ? 1 : 0;
     if (function == Function::AxisSigns) {
         for (std::size_t i = 0; i < machine_.axes.size(); ++i)

@@ -207,6 +207,8 @@ bool Executor::leaves_spline_open(const Block& block, const nc::Invocation& invo
         case Function::CompressOn:
         case Function::CompressOff:
         case Function::FeedCourse:
+        case Function::PathMoves:
+        case Function::PointRapids:
         case Function::Message: return true;
         case Function::CompFeed:
         case Function::CompDepth:

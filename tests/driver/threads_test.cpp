@@ -89,6 +89,15 @@ TEST_F(Threads, EveryEndEndsThem) {
     }
     expect_same({file("endless.nc"), "-d", "fanuc", "--max-blocks", "500"}, 3);
 
+    // One block of 11 days has 10^9 setpoints.
+    save("long.nc", "G21 G90 G94\nG4 X1000000.\nM30\n");
+    for (const char* threads : {"on", "off"}) {
+        const Outcome long_one =
+            run(threads, {file("long.nc"), "-d", "fanuc", "--max-time", "0.2s"});
+        EXPECT_EQ(long_one.status, 3);
+        EXPECT_NE(long_one.setpoints.find("\n# not complete, ended by "), std::string::npos);
+    }
+
     // An error leaves no file, and nobody waits for it.
     save("wrong.kadr", "program p() {\n    G1 X1 F100;\n    require(1 > 2, \"never\");\n}\n");
     expect_same({file("wrong.kadr"), "-d", "fanuc"}, 1);

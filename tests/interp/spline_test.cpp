@@ -138,7 +138,7 @@ TEST(Splines, GoOnBesideWordsThatEndNone) {
               "M3 S100",    "G90",           "G17",     "LIMS=2000", "COMPON",      "FNORM",
               "FLIN",       "CFC",           "CFTCP",   "ISD=0",     "ORIC",        "G451",
               "KONT",       "ORIVECT",       "ORIAXES", "ORIRPY",    "ORIMKS",      "ORIROTT",
-              "ORISON",     "ORISOF"}) {
+              "ORISON",     "ORISOF",        "CP",      "PTPG0"}) {
             SCOPED_TRACE(kind + " " + word);
             const Ran ran = read("sinumerik", four_points(kind, word));
             EXPECT_FALSE(ran.alarmed) << ran.codes();
