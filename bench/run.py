@@ -218,8 +218,16 @@ class Bench:
         self.add("plan cells of fast circles, look-ahead 1024", f"{time:.2f} µs", "", "", "", "")
         for kind in ("lines", "arcs", "helices"):
             setpoints = self.items("sample", kind)
-            self.add(f"sample {kind}", rate(setpoints, "setpoints"), "", "", "5 M/s, aim 20",
-                     judge(setpoints, 5e6, 20e6))
+            # What the laser paper reached along lines and along splines.
+            self.add(f"sample {kind}", rate(setpoints, "setpoints"), "50 kHz (laser paper)",
+                     f"{setpoints / 5e4:.0f}", "5 M/s, aim 20", judge(setpoints, 5e6, 20e6))
+        for kind in ("cspline", "bspline", "nurbs", "poly", "involute"):
+            setpoints = self.items("curves", kind)
+            self.add(f"sample {kind}", rate(setpoints, "setpoints"), "10 kHz (laser paper)",
+                     f"{setpoints / 1e4:.0f}", "1 M/s, aim 5", judge(setpoints, 1e6, 5e6))
+            setpoints = self.items("curves", kind, "whole")
+            self.add("… text to setpoints", rate(setpoints, "setpoints"), "10 kHz (laser paper)",
+                     f"{setpoints / 1e4:.0f}", "", "")
         for machine, length in (("trunnion-ac", 20), ("head-cb", 20), ("trunnion-ac", 1)):
             setpoints = self.items("five_axis", machine, length)
             self.add(f"five axes, {machine}, lines of {length} mm: text to setpoints",

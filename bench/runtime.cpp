@@ -6,17 +6,22 @@
 //                                           commands → segments, look-ahead DEPTH; under a limit of
 //                                           the jerk; circles at the limits of the axes
 //   bench_runtime sample lines|arcs|helices segments → setpoints
+//   bench_runtime curves KIND [whole]       segments → setpoints along cspline, bspline, nurbs,
+//   poly
+//                                           or involute; `whole`: text → setpoints
 //   bench_runtime five_axis MACHINE LENGTH  text → setpoints under the transformation of a stock
 //                                           machine, lines of LENGTH mm with a vector each
 //
 // Prints `items seconds`: how many came out, and the CPU time of the process for them.
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <ctime>
+#include <map>
 #include <numbers>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -138,77 +143,198 @@ std::string bowl_program(double length) {
     return text + "M30\n";
 }
 
-/// What the rooms have to say, at the end.
-int verdict(const kadr::DiagnosticList& sink, const kadr::Sources& sources) {
-    for (const kadr::Diagnostic& diagnostic : sink.all()) {
-        std::fputs(kadr::render_text(diagnostic, sources).c_str(), stderr);
+/// Places on a closed wave in space, about `kStep` mm apart.
+constexpr double kStep = 5;
+kadr::path::Vec3 on_wave(int i) {
+    const double around = i * kStep / 90;
+    const double radius = 80 + 12 * std::cos(5 * around);
+    return {radius * std::cos(around), radius * std::sin(around), 8 * std::sin(3 * around)};
+}
+
+/// A program of one kind of curve, 40 m long, in the language that has it.
+struct CurveProgram {
+    std::string text;
+    std::string dialect = "sinumerik";
+};
+
+CurveProgram curve_program(const std::string& kind) {
+    constexpr int kCount = 8000;
+    CurveProgram program;
+    program.text = "T1 D1 M6\nS10000 M3\nG64 G0 X92 Y0 Z0\nG1 F6000\n";
+    if (kind == "nurbs") {
+        program.dialect = "fanuc";
+        program.text = "%\nO0001\nG05.1Q1\nG01X92.Y0.Z0.M3S500F6000\n";
     }
-    return sink.has_errors() ? 1 : 0;
+    char line[160];
+    for (int i = 0; i < kCount; ++i) {
+        const kadr::path::Vec3 at = on_wave(i), next = on_wave(i + 1) - at;
+        if (kind == "nurbs") {
+            // Knots of order 4: four at the beginning, four at the end.
+            const int knot = std::max(0, i - 3);
+            std::snprintf(line, sizeof line, "%sK%d.X%.4fY%.4fZ%.4fR%.2f\n",
+                          i == 0 ? "G06.2P4" : "", knot, at.x(), at.y(), at.z(),
+                          i % 2 == 0 ? 1.0 : 1.2);
+        } else if (kind == "poly") {
+            std::snprintf(line, sizeof line,
+                          "POLY PO[X]=(%.4f,%.4f) PO[Y]=(%.4f,%.4f) PO[Z]=(%.4f,0.2,-0.2)\n",
+                          at.x() + next.x(), next.y() / 8, at.y() + next.y(), -next.x() / 8,
+                          at.z() + next.z());
+        } else if (kind == "involute") {
+            std::snprintf(
+                line, sizeof line, "%s\n",
+                i % 2 == 0 ? "INVCCW AR=120 I-20 J0 CR=8" : "INVCW X20 Y0 I=AC(0) J=AC(0) CR=8");
+            if (i == 0) program.text += "X20 Y0\n";
+        } else {
+            std::snprintf(line, sizeof line, "%s X%.4f Y%.4f Z%.4f\n",
+                          i > 0               ? ""
+                          : kind == "bspline" ? "BSPLINE SD=3"
+                                              : "CSPLINE",
+                          at.x() + next.x(), at.y() + next.y(), at.z() + next.z());
+        }
+        program.text += line;
+    }
+    if (kind == "nurbs") {
+        for (int i = 0; i < 4; ++i) program.text += "K" + std::to_string(kCount - 3) + ".\n";
+        program.text += "G01X92.\n";
+    }
+    program.text += "M30\n";
+    return program;
+}
+
+/// Motion that is planned already.
+class PlannedBefore final : public kadr::Stream<kadr::motion::Segment> {
+  public:
+    explicit PlannedBefore(kadr::Stream<kadr::motion::Segment>& from) {
+        std::vector<kadr::motion::Segment> batch(kadr::kBatch);
+        while (const std::size_t count = from.pull(batch))
+            segments_.insert(segments_.end(), batch.begin(),
+                             batch.begin() + static_cast<std::ptrdiff_t>(count));
+    }
+
+    std::size_t pull(std::span<kadr::motion::Segment> out) override {
+        const std::size_t count = std::min(out.size(), segments_.size() - next_);
+        for (std::size_t i = 0; i < count; ++i) out[i] = segments_[next_ + i];
+        next_ += count;
+        return count;
+    }
+
+  private:
+    std::vector<kadr::motion::Segment> segments_;
+    std::size_t next_ = 0;
+};
+
+/// What every room of the bench works with.
+struct Bench {
+    kadr::Sources sources;
+    kadr::DiagnosticList sink;
+    std::vector<std::string> arguments;
+
+    std::string argument(std::size_t i) const {
+        return i < arguments.size() ? arguments[i] : std::string();
+    }
+    std::optional<kadr::machine::Machine> machine(const std::string& name) {
+        return kadr::machine::load_machine(name, {KADR_ROOT "/runtime/machines"}, sources, sink);
+    }
+    std::optional<kadr::machine::Machine> own_machine() {
+        return machine(KADR_ROOT "/bench/machine.xml");
+    }
+    auto dialect(const std::string& name) {
+        return kadr::nc::load_dialect(name, {KADR_ROOT "/dialects"}, sources, sink);
+    }
+};
+
+bool read(Bench& bench) {
+    const auto machine = bench.own_machine();
+    const auto dialect = bench.dialect(bench.argument(2));
+    const auto file = kadr::read_file(bench.argument(1));
+    if (!machine || !dialect || !file) return false;
+    WholeText text(*file);
+    kadr::nc::Reader reader(*dialect, text, bench.argument(1), bench.sink);
+    if (bench.argument(0) == "read") {
+        drain(reader);
+        return true;
+    }
+    kadr::interp::Interpreter interpreter(*dialect, *machine, reader, &reader, nullptr, {},
+                                          bench.sink);
+    drain(interpreter);
+    return true;
+}
+
+bool plan(Bench& bench) {
+    auto machine = bench.own_machine();
+    if (!machine) return false;
+    kadr::motion::PlannerOptions options;
+    options.lookahead = std::strtoul(bench.argument(1).c_str(), nullptr, 10);
+    if (bench.argument(2) == "smooth") {
+        for (auto& axis : machine->axes) axis.jerk = 20 * axis.acceleration;
+    }
+    const bool is_circles = bench.argument(2) == "circles";
+    MadeCommands commands(is_circles ? fast_circle : short_line, is_circles ? 10'000 : 1'000'000);
+    kadr::motion::Planner planner(commands, *machine, options, bench.sink);
+    drain(planner);
+    return true;
+}
+
+bool sample(Bench& bench) {
+    const auto machine = bench.own_machine();
+    if (!machine) return false;
+    const std::string kind = bench.argument(1);
+    MadeCommands commands(kind == "arcs" ? circle : kind == "helices" ? helix : long_line, 3000);
+    kadr::motion::Planner planner(commands, *machine, {}, bench.sink);
+    kadr::motion::Sampler sampler(planner, *machine, 0);
+    drain(sampler);
+    return true;
+}
+
+/// A program of the control, from its text on, or its motion alone.
+bool execute(Bench& bench, const CurveProgram& program, const kadr::machine::Machine& machine,
+             bool from_text) {
+    const auto dialect = bench.dialect(program.dialect);
+    if (!dialect) return false;
+    WholeText text(program.text);
+    kadr::nc::Reader reader(*dialect, text, "bench", bench.sink);
+    kadr::interp::Interpreter interpreter(*dialect, machine, reader, &reader, nullptr, {},
+                                          bench.sink);
+    kadr::motion::Planner planner(interpreter, machine, {}, bench.sink);
+    if (from_text) {
+        kadr::motion::Sampler sampler(planner, machine, 0);
+        drain(sampler);
+        return true;
+    }
+    PlannedBefore planned(planner);
+    kadr::motion::Sampler sampler(planned, machine, 0);
+    drain(sampler);
+    return true;
+}
+
+bool curves(Bench& bench) {
+    const auto machine = bench.own_machine();
+    return machine &&
+           execute(bench, curve_program(bench.argument(1)), *machine, bench.argument(2) == "whole");
+}
+
+bool five_axis(Bench& bench) {
+    const auto machine = bench.machine(bench.argument(1));
+    if (!machine) return false;
+    const double length = std::strtod(bench.argument(2).c_str(), nullptr);
+    return execute(bench, {.text = bowl_program(length)}, *machine, true);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    const auto argument = [&](int i) { return std::string(i < argc ? argv[i] : ""); };
-    kadr::Sources sources;
-    kadr::DiagnosticList sink;
-    const auto machine =
-        kadr::machine::load_machine(KADR_ROOT "/bench/machine.xml", {}, sources, sink);
-    if (!machine) return verdict(sink, sources);
-    if (argument(1) == "read" || argument(1) == "interpret") {
-        const auto dialect =
-            kadr::nc::load_dialect(argument(3), {KADR_ROOT "/dialects"}, sources, sink);
-        const auto file = kadr::read_file(argument(2));
-        if (!dialect || !file) return 1 | verdict(sink, sources);
-        WholeText text(*file);
-        kadr::nc::Reader reader(*dialect, text, argument(2), sink);
-        if (argument(1) == "read") {
-            drain(reader);
-        } else {
-            kadr::interp::Interpreter interpreter(*dialect, *machine, reader, &reader, nullptr, {},
-                                                  sink);
-            drain(interpreter);
-        }
-        return verdict(sink, sources);
+    Bench bench;
+    bench.arguments.assign(argv + 1, argv + argc);
+    const std::map<std::string, bool (*)(Bench&)> rooms = {
+        {"read", read},     {"interpret", read}, {"plan", plan},
+        {"sample", sample}, {"curves", curves},  {"five_axis", five_axis}};
+    const auto room = rooms.find(bench.argument(0));
+    if (room == rooms.end()) {
+        std::fputs("usage: bench_runtime read|interpret|plan|sample|curves|five_axis …\n", stderr);
+        return 2;
     }
-    kadr::motion::PlannerOptions options;
-    if (argument(1) == "plan") {
-        options.lookahead = std::strtoul(argument(2).c_str(), nullptr, 10);
-        kadr::machine::Machine moved = *machine;
-        if (argument(3) == "smooth") {
-            for (auto& axis : moved.axes) axis.jerk = 20 * axis.acceleration;
-        }
-        const bool is_circles = argument(3) == "circles";
-        MadeCommands commands(is_circles ? fast_circle : short_line,
-                              is_circles ? 10'000 : 1'000'000);
-        kadr::motion::Planner planner(commands, moved, options, sink);
-        drain(planner);
-        return verdict(sink, sources);
-    }
-    if (argument(1) == "sample") {
-        const bool is_arcs = argument(2) == "arcs", is_helices = argument(2) == "helices";
-        MadeCommands commands(is_arcs ? circle : is_helices ? helix : long_line, 3000);
-        kadr::motion::Planner planner(commands, *machine, options, sink);
-        kadr::motion::Sampler sampler(planner, *machine, 0);
-        drain(sampler);
-        return verdict(sink, sources);
-    }
-    if (argument(1) == "five_axis") {
-        const auto turning = kadr::machine::load_machine(
-            argument(2), {KADR_ROOT "/runtime/machines"}, sources, sink);
-        const auto dialect =
-            kadr::nc::load_dialect("sinumerik", {KADR_ROOT "/dialects"}, sources, sink);
-        if (!turning || !dialect) return 1 | verdict(sink, sources);
-        const std::string program = bowl_program(std::strtod(argument(3).c_str(), nullptr));
-        WholeText text(program);
-        kadr::nc::Reader reader(*dialect, text, "bowl.mpf", sink);
-        kadr::interp::Interpreter interpreter(*dialect, *turning, reader, &reader, nullptr, {},
-                                              sink);
-        kadr::motion::Planner planner(interpreter, *turning, options, sink);
-        kadr::motion::Sampler sampler(planner, *turning, 0);
-        drain(sampler);
-        return verdict(sink, sources);
-    }
-    std::fputs("usage: bench_runtime read|interpret|plan|sample|five_axis …\n", stderr);
-    return 2;
+    const bool has_run = room->second(bench);
+    for (const kadr::Diagnostic& diagnostic : bench.sink.all())
+        std::fputs(kadr::render_text(diagnostic, bench.sources).c_str(), stderr);
+    return has_run && !bench.sink.has_errors() ? 0 : 1;
 }
