@@ -156,7 +156,12 @@ Decimal parse_decimal(const char* begin, const char* end) {
 void append_shortest(std::string& out, double value) {
     std::array<char, 32> text;
     if (value == 0) value = 0;  // no sign on zero
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+    // Where a person reads it, an exponent is for what is very large or very small.
+    const double size = std::fabs(value);
+    const bool is_ordinary = size >= 1e-5 && size < 1e15;
+    const auto end = is_ordinary ? std::to_chars(text.data(), text.data() + text.size(), value,
+                                                 std::chars_format::fixed)
+                                 : std::to_chars(text.data(), text.data() + text.size(), value);
     out.append(text.data(), end.ptr);
 }
 

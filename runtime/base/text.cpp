@@ -31,6 +31,100 @@ std::string_view code_points(std::string_view text, std::size_t from, std::size_
     return text.substr(0, past(text, count));
 }
 
+namespace {
+
+/// Bytes of the well-formed code point that the text begins with; 0: it begins with none.
+std::size_t well_formed_length(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned char first = byte(0);
+    const std::size_t length = first < 0x80    ? 1
+                               : first < 0xC2  ? 0
+                               : first < 0xE0  ? 2
+                               : first < 0xF0  ? 3
+                               : first <= 0xF4 ? 4
+                                               : 0;
+    if (length == 0 || length > text.size()) return 0;
+    for (std::size_t i = 1; i < length; ++i)
+        if ((byte(i) & 0xC0) != 0x80) return 0;
+    const bool is_overlong = (first == 0xE0 && byte(1) < 0xA0) || (first == 0xF0 && byte(1) < 0x90);
+    const bool is_surrogate = first == 0xED && byte(1) >= 0xA0;
+    const bool is_beyond = first == 0xF4 && byte(1) >= 0x90;
+    return is_overlong || is_surrogate || is_beyond ? 0 : length;
+}
+
+/// Every code point of a text through a function.
+template <typename Change>
+std::string changed(std::string_view text, Change change) {
+    std::string out;
+    while (!text.empty()) {
+        append_code_point(out, change(first_code_point(text)));
+        text.remove_prefix(std::max<std::size_t>(well_formed_length(text), 1));
+    }
+    return out;
+}
+
+/// How far a letter's other case is from it, where whole rows of an alphabet lie apart.
+struct LetterRow {
+    char32_t first_lower;
+    char32_t last_lower;
+    char32_t to_upper;
+    char32_t left_out;
+};
+constexpr LetterRow kRows[] = {{U'a', U'z', 0x20, 0},
+                               {0xE0, 0xFE, 0x20, 0xF7},      // Latin-1 but for the sign of division
+                               {0x430, 0x44F, 0x20, 0},       // Cyrillic
+                               {0x450, 0x45F, 0x50, 0}};
+
+}  // namespace
+
+char32_t first_code_point(std::string_view text) {
+    const std::size_t length = well_formed_length(text);
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    if (length < 2) return byte(0);
+    char32_t code = byte(0) & (0xFFu >> (length + 1));
+    for (std::size_t i = 1; i < length; ++i) code = code << 6 | (byte(i) & 0x3Fu);
+    return code;
+}
+
+void append_code_point(std::string& text, char32_t code) {
+    if (code < 0x80) {
+        text += static_cast<char>(code);
+        return;
+    }
+    const int tails = code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
+    const unsigned mark = tails == 1 ? 0xC0 : tails == 2 ? 0xE0 : 0xF0;
+    text += static_cast<char>(static_cast<unsigned char>(mark | code >> (6 * tails)));
+    for (int i = tails - 1; i >= 0; --i)
+        text += static_cast<char>(static_cast<unsigned char>(0x80 | (code >> (6 * i) & 0x3F)));
+}
+
+std::string utf8_text(std::string_view bytes) {
+    const bool is_plain = std::all_of(bytes.begin(), bytes.end(),
+                                      [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+    if (is_plain) return std::string(bytes);
+    return changed(bytes, [](char32_t code) { return code; });
+}
+
+std::string upper_letters(std::string_view text) {
+    return changed(text, [](char32_t code) -> char32_t {
+        for (const LetterRow& row : kRows)
+            if (code >= row.first_lower && code <= row.last_lower && code != row.left_out)
+                return code - row.to_upper;
+        return code;
+    });
+}
+
+std::string lower_letters(std::string_view text) {
+    return changed(text, [](char32_t code) -> char32_t {
+        for (const LetterRow& row : kRows) {
+            const char32_t lower = code + row.to_upper;
+            if (lower >= row.first_lower && lower <= row.last_lower && lower != row.left_out)
+                return lower;
+        }
+        return code;
+    });
+}
+
 std::optional<std::string> read_file(const std::string& path) {
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) return std::nullopt;

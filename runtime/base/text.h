@@ -14,6 +14,19 @@ std::size_t count_code_points(std::string_view text);
 /// `count` code points of a UTF-8 text from the one at `from` on; fewer if it has no more.
 std::string_view code_points(std::string_view text, std::size_t from, std::size_t count);
 
+/// Its first code point; a malformed byte is the character with that code. The text is not empty.
+char32_t first_code_point(std::string_view text);
+
+/// Writes a code point behind a UTF-8 text.
+void append_code_point(std::string& text, char32_t code);
+
+/// Bytes of a program as UTF-8: what is malformed was written in Latin-1, a character a byte.
+std::string utf8_text(std::string_view bytes);
+
+/// Letters of Latin-1 and of the Cyrillic alphabet in the other case; other characters stay.
+std::string upper_letters(std::string_view text);
+std::string lower_letters(std::string_view text);
+
 /// The whole file as bytes, or nothing if it cannot be read (missing, a folder, no permission).
 std::optional<std::string> read_file(const std::string& path);
 

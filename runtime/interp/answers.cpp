@@ -320,9 +320,22 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::Minute:
         case Quantity::Second:
         case Quantity::Millisecond: return calendar(quantity);
+        case Quantity::ChannelBaseMask: return frames_.bases().channel_mask;
+        case Quantity::GlobalBaseMask: return frames_.bases().global_mask;
         case Quantity::SettableFrame:
         case Quantity::ActiveFrame:
         case Quantity::BaseFrame:
+        case Quantity::ChannelBaseFrame:
+        case Quantity::ChannelBaseNow:
+        case Quantity::GlobalBaseFrame:
+        case Quantity::GlobalBaseNow:
+        case Quantity::AllBaseFrames:
+        case Quantity::ExternalFrame:
+        case Quantity::SetFrame:
+        case Quantity::TableFrame:
+        case Quantity::ToolFrame:
+        case Quantity::PlaneFrame:
+        case Quantity::InnerFrame:
         case Quantity::ProgrammableFrame:
         case Quantity::TotalFrame:
         case Quantity::ProgramLevel:
@@ -365,40 +378,6 @@ std::optional<std::int64_t> Executor::axis_number(Axis axis) const {
     const auto found = std::ranges::find(machine_.axes, axis, &machine::MachineAxis::axis);
     if (found == machine_.axes.end()) return std::nullopt;
     return found - machine_.axes.begin() + 1;
-}
-
-/// From the base system to the programmed one; S 6.1.
-ControlFrame Executor::total_frame() const {
-    const ControlFrame outside = chain(frames_.base(), frames_.work_offset());
-    if (!frames_.is_swivelled()) return chain(outside, frames_.programmable());
-    const ControlFrame planes = plain_frame(frames_.tool_frame() * frames_.tilt());
-    return chain(plain_frame(frames_.tables()),
-                 chain(outside, chain(planes, frames_.programmable())));
-}
-
-std::optional<ControlFrame> Executor::frame(Quantity quantity, std::int64_t number) {
-    switch (quantity) {
-        case Quantity::SettableFrame: {
-            if (number < 0 || number > rules_.work_offsets) return std::nullopt;
-            const auto i = static_cast<std::size_t>(number);
-            return i < work_offsets_.size() ? work_offsets_[i] : ControlFrame();
-        }
-        case Quantity::ActiveFrame: return frames_.work_offset();
-        case Quantity::BaseFrame: return frames_.base();
-        case Quantity::ProgrammableFrame: return frames_.programmable();
-        case Quantity::TotalFrame: return total_frame();
-        default: return std::nullopt;
-    }
-}
-
-void Executor::restore_frames(bool is_wanted) {
-    if (kept_frames_.empty()) return;
-    if (is_wanted) {
-        frames_ = kept_frames_.back().frames;
-        work_offset_ = kept_frames_.back().work_offset;
-        frame_changed();
-    }
-    kept_frames_.pop_back();
 }
 
 }  // namespace kadr::interp

@@ -6,6 +6,9 @@
 
 #include <Eigen/Geometry>
 
+#include "base/text.h"
+#include "interp/control_value.h"
+
 namespace kadr::interp {
 
 namespace {
@@ -64,9 +67,10 @@ std::optional<std::string> shown(const Place& place, const FormatValue& value) {
             if (!value.is_text) return std::nullopt;
             return std::string(value.text);
         case 'C':
-            if (value.is_text && value.text.size() == 1) return std::string(value.text);
+            if (value.is_text && count_code_points(value.text) == 1)
+                return std::string(value.text);
             if (!is_whole || whole < 0 || whole > 255) return std::nullopt;
-            return std::string(1, static_cast<char>(whole));
+            return Value::of(whole, nc::ValueType::Char).character();
         case 'B':
             if (value.is_text) return std::nullopt;
             return value.number != 0 ? "TRUE" : "FALSE";
@@ -135,7 +139,8 @@ Formatted format_text(std::string_view format, std::span<const FormatValue> valu
             return out;
         }
         const auto width = static_cast<std::size_t>(place.width);
-        out.text.append(width > text->size() ? width - text->size() : 0, ' ').append(*text);
+        const std::size_t length = count_code_points(*text);
+        out.text.append(width > length ? width - length : 0, ' ').append(*text);
     }
     return out;
 }

@@ -10,7 +10,7 @@ using nc::Quantity;
 
 /// What a variable of texts gets: a character or a truth value is written out. S 8.2.
 std::string ControlVariables::written_text(const Value& value, std::string_view text) {
-    if (value.kind == Value::Kind::Char) return {value.character()};
+    if (value.kind == Value::Kind::Char) return value.character();
     if (value.kind == Value::Kind::Bool) return value.number != 0 ? "1" : "0";
     return std::string(text);
 }
@@ -26,8 +26,8 @@ ControlVariables::Fault ControlVariables::store_text(Quantity quantity, std::int
         return fault;
     const std::string written = written_text(value, text);
     const auto most = static_cast<std::size_t>(language_.rules.most_tool_name);
-    if (written.size() > most)
-        return {&diag::TextTooLong, {std::to_string(written.size()), std::to_string(most)}};
+    if (const std::size_t length = count_code_points(written); length > most)
+        return {&diag::TextTooLong, {std::to_string(length), std::to_string(most)}};
     if (written.empty()) return {&diag::ToolNameEmpty, {}};
     switch (state_->set_text(quantity, index, written)) {
         case ControlState::Write::Done: return {};

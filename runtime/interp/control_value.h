@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text.h"
 #include "interp/control_frame.h"
 #include "nc/control_line.h"
 
@@ -44,8 +45,12 @@ struct Value {
         if (kind != Kind::Axis || !(number < kSpindles)) return std::nullopt;
         return static_cast<std::int64_t>(kSpindles - number);
     }
-    /// Of a Char: its code is 0 to 255, also where `char` has a sign.
-    char character() const { return static_cast<char>(static_cast<unsigned char>(number)); }
+    /// Of a Char: what stands for its code in a text.
+    std::string character() const {
+        std::string out;
+        append_code_point(out, static_cast<char32_t>(number));
+        return out;
+    }
     bool is_vacant() const { return kind == Kind::Vacant; }
     /// Whole by its type.
     bool is_whole() const { return kind >= Kind::Int && kind <= Kind::Char; }

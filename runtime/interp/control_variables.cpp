@@ -580,10 +580,9 @@ ControlVariables::Fault ControlVariables::convert(nc::ValueType type, Value& val
             value = Value::of(text.empty() ? 0 : 1, type);
             return {};
         }
-        if (type != nc::ValueType::Char || text.size() != 1)
+        if (type != nc::ValueType::Char || count_code_points(text) != 1)
             return {&diag::TypesDiffer, {std::string(type_name(type)), "a text"}};
-        value = Value::of(static_cast<unsigned char>(text[0]), type);
-        return {};
+        value = Value::of(first_code_point(text), type);
     }
     double number = value.number;
     const auto range_fault = [&] {
@@ -676,14 +675,14 @@ ControlVariables::Fault ControlVariables::store(const Instruction& target,
             if (place < 0 || place >= symbol.text_size)
                 return {&diag::IndexWrong, {'`' + symbol.name + '`'}};
             const auto at = static_cast<std::size_t>(place);
-            if (converted.number == 0) {
-                whole.resize(std::min(whole.size(), at));
-            } else if (at < whole.size()) {
-                whole[at] = converted.character();
-            } else {
-                whole.resize(at, ' ');
-                whole += converted.character();
+            const std::size_t length = count_code_points(whole);
+            std::string changed(code_points(whole, 0, at));
+            if (converted.number != 0) {
+                if (at > length) changed.append(at - length, ' ');
+                changed += converted.character();
+                if (at < length) changed += code_points(whole, at + 1, length);
             }
+            whole = std::move(changed);
             change(texts, *slot, &symbol, [&] { texts.set_text(*slot, whole); });
             return {};
         }
@@ -711,9 +710,8 @@ ControlVariables::Fault ControlVariables::store_element(const nc::Symbol& symbol
         return {};
     }
     const std::string written = written_text(value, text);
-    if (written.size() > symbol.text_size) {
-        return {&diag::TextTooLong,
-                {std::to_string(written.size()), std::to_string(symbol.text_size)}};
+    if (const std::size_t length = count_code_points(written); length > symbol.text_size) {
+        return {&diag::TextTooLong, {std::to_string(length), std::to_string(symbol.text_size)}};
     }
     change(store, slot, &symbol, [&] { store.set_text(slot, written); });
     return {};

@@ -7,6 +7,7 @@
 
 #include "base/diagnostics/iso.h"
 #include "base/numbers.h"
+#include "interp/block_words.h"
 #include "interp/cycle_strokes.h"
 #include "interp/executor.h"
 #include "interp/named_shape.h"
@@ -134,9 +135,10 @@ void Executor::call_cycle(const Block& block, const Actions& actions) {
 
 /// The cycle that is called wherever an axis has moved; its place in the text is the motion's.
 void Executor::call_behind_motion(const Block& block) {
+    const bool is_circle_said = (block.given & nc::kArcSlots) != 0 && is_circle(modal_.motion);
     // An axis that moves by itself goes along no path.
-    const bool is_path =
-        (block.given & nc::kTargetSlots) != 0 && block.find(Function::RapidOnce) == nullptr;
+    const bool is_path = ((block.given & nc::kTargetSlots) != 0 || is_circle_said) &&
+                         block.find(Function::RapidOnce) == nullptr;
     if (ended_ || cycle_.blocks || shape_ || !is_path) return;
     Block call = *cycles_said_.behind_motions;
     call.line = block.line;

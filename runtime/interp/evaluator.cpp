@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
@@ -281,7 +282,8 @@ bool Evaluator::load_element(const Instruction& instruction) {
     if (place < 0 || place >= symbol.text_size)
         return fail(diag::IndexWrong, {'`' + symbol.name + '`'});
     const auto i = static_cast<std::size_t>(place);
-    const auto code = i < text.size() ? static_cast<unsigned char>(text[i]) : 0;
+    const std::string_view character = code_points(text, i, 1);
+    const char32_t code = character.empty() ? 0 : first_code_point(character);
     push(Value::of(code, nc::ValueType::Char));
     return true;
 }
@@ -707,23 +709,40 @@ bool Evaluator::plane_rotation(Value* a) {
 
 // ---------------------------------------------------------------- texts
 
+/// With 10 decimals at most, and no more of them than the number has digits. S 8.4.
 std::string Evaluator::written(const Value& value) const {
     if (value.is_text()) return std::string(text(value));
-    if (value.kind == Value::Kind::Char) return {value.character()};
-    if (value.kind != Value::Kind::Real) return shown(value.number);
-    std::array<char, kMaxFixedLength> digits;
-    char* end = format_fixed(digits.data(), std::round(value.number * 1e10) / 1e10, 9);
-    if (std::fabs(value.number) < 1e5) {  // the tenth decimal has a place
-        std::array<char, 64> fine;
-        const auto result = std::to_chars(fine.data(), fine.data() + fine.size(), value.number,
-                                          std::chars_format::fixed, 10);
-        end = std::copy(fine.data(), result.ptr, digits.data());
+    if (value.kind == Value::Kind::Char) return value.character();
+    constexpr int kMostDecimals = 10;
+    constexpr int kDigits = std::numeric_limits<double>::digits10;
+    int decimals = 0;
+    if (value.kind == Value::Kind::Real || value.is_vacant()) {
+        const double size = std::clamp(std::fabs(value.number), 1.0, 1e300);
+        decimals = std::clamp(kDigits - 1 - static_cast<int>(std::log10(size)), 0, kMostDecimals);
     }
-    while (end[-1] == '0') --end;
-    if (end[-1] == '.') --end;
+    std::array<char, 400> digits;  // the greatest number has 309 before its point
+    const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value.number,
+                                      std::chars_format::fixed, decimals);
+    char* end = result.ptr;
+    if (decimals > 0) {
+        while (end[-1] == '0') --end;
+        if (end[-1] == '.') --end;
+    }
     std::string out(digits.data(), end);
     return out == "-0" ? "0" : out;
 }
+
+namespace {
+
+/// Where the first character stands that is one of `signs`.
+std::size_t first_of(std::string_view text, std::string_view signs) {
+    std::size_t first = std::string_view::npos;
+    for (std::size_t i = 0; i < count_code_points(signs); ++i)
+        first = std::min(first, text.find(code_points(signs, i, 1)));
+    return first;
+}
+
+}  // namespace
 
 bool Evaluator::text_function(Operation operation, Value* a, int count) {
     const bool takes_numbers =
@@ -735,44 +754,37 @@ bool Evaluator::text_function(Operation operation, Value* a, int count) {
     const std::string subject = takes_numbers ? written(*a) : std::string(text(*a));
     const auto place = [&](std::size_t found) {
         const bool is_missing = found == std::string::npos;
-        *a = Value::of(is_missing ? -1.0 : static_cast<double>(found), nc::ValueType::Int);
+        const std::string_view before = std::string_view(subject).substr(0, found);
+        *a = Value::of(is_missing ? -1.0 : static_cast<double>(count_code_points(before)),
+                       nc::ValueType::Int);
         return true;
     };
     switch (operation) {
         case Operation::ToText: *a = keep_text(subject); return true;
         case Operation::Concatenate: {
             std::string joined = subject + written(a[1]);
-            if (joined.size() > kLongestText) {
+            if (const std::size_t length = count_code_points(joined); length > kLongestText)
                 return fail(diag::JoinedTooLong,
-                            {std::to_string(joined.size()), std::to_string(kLongestText)});
-            }
+                            {std::to_string(length), std::to_string(kLongestText)});
             *a = keep_text(std::move(joined));
             return true;
         }
         case Operation::TextLength:
-            *a = Value::of(static_cast<double>(subject.size()), nc::ValueType::Int);
+            *a = Value::of(static_cast<double>(count_code_points(subject)), nc::ValueType::Int);
             return true;
-        case Operation::UpperCase: *a = keep_text(upper_ascii(subject)); return true;
-        case Operation::LowerCase: {
-            std::string lower = subject;
-            for (char& c : lower) {
-                if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-            }
-            *a = keep_text(std::move(lower));
-            return true;
-        }
-        case Operation::FindFirst: return place(subject.find(written(a[1]).substr(0, 1)));
-        case Operation::FindLast: return place(subject.rfind(written(a[1]).substr(0, 1)));
-        case Operation::FindAny: return place(subject.find_first_of(written(a[1])));
+        case Operation::UpperCase: *a = keep_text(upper_letters(subject)); return true;
+        case Operation::LowerCase: *a = keep_text(lower_letters(subject)); return true;
+        case Operation::FindFirst: return place(subject.find(code_points(written(a[1]), 0, 1)));
+        case Operation::FindLast: return place(subject.rfind(code_points(written(a[1]), 0, 1)));
+        case Operation::FindAny: return place(first_of(subject, written(a[1])));
         case Operation::FindText: return place(subject.find(written(a[1])));
         case Operation::PartOfText: {
             const double from = a[1].number;
             const double length = count > 2 ? std::min(a[2].number, 1e6) : 1e6;
             if (from < 0 || length < 0) return fail(diag::IndexWrong, {"a text"});
             const auto begin = static_cast<std::size_t>(std::min(from, 1e6));
-            *a = keep_text(begin >= subject.size()
-                               ? std::string()
-                               : subject.substr(begin, static_cast<std::size_t>(length)));
+            *a = keep_text(
+                std::string(code_points(subject, begin, static_cast<std::size_t>(length))));
             return true;
         }
         case Operation::IsNumber: *a = Value::truth(number_in(subject).has_value()); return true;

@@ -50,10 +50,8 @@ bool Evaluator::format_text(Value* a, int count) {
     }
     Formatted formatted = interp::format_text(text(*a), values);
     if (!formatted.wrong.empty()) return fail(diag::FormatMismatch, {formatted.wrong});
-    if (formatted.text.size() > kLongestText) {
-        return fail(diag::JoinedTooLong,
-                    {std::to_string(formatted.text.size()), std::to_string(kLongestText)});
-    }
+    if (const std::size_t length = count_code_points(formatted.text); length > kLongestText)
+        return fail(diag::JoinedTooLong, {std::to_string(length), std::to_string(kLongestText)});
     *a = keep_text(std::move(formatted.text));
     return true;
 }

@@ -75,10 +75,14 @@ class Executor {
     std::optional<double> quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second);
     ControlState::Write set_quantity(nc::Quantity quantity, std::int64_t first, std::int64_t second,
                                      double value, bool acts_at_once);  // offsets.cpp
+    // frame_variables.cpp
     ControlFrame total_frame() const;
     std::optional<ControlFrame> frame(nc::Quantity quantity, std::int64_t number);
     ControlState::Write set_frame(nc::Quantity quantity, std::int64_t number,
-                                  const ControlFrame& frame, bool acts_at_once);  // offsets.cpp
+                                  const ControlFrame& frame, bool acts_at_once);
+    void keep_frames() { kept_frames_.push_back({frames_, work_offset_}); }
+    void restore_frames(bool is_wanted);
+    // answers.cpp
     bool is_length(std::int64_t axis) const;
     std::optional<std::string> text(nc::Quantity quantity, std::int64_t index);
     ControlState::Write set_text(nc::Quantity quantity, std::int64_t index, std::string_view text);
@@ -89,14 +93,17 @@ class Executor {
     bool is_at_place() const;
     void leave_place();
     void leave_pattern();
-    void keep_frames() { kept_frames_.push_back({frames_, work_offset_}); }
-    void restore_frames(bool is_wanted);
 
   private:
     std::optional<Axis> axis_of(std::int64_t index) const;
     std::optional<double> place_of(nc::Quantity quantity, Axis axis) const;
     double place_within(const ControlFrame& frame, Axis axis) const;
     double mirrored_axes() const;
+    // frame_variables.cpp
+    bool set_plain_frame(nc::Quantity quantity, const ControlFrame& frame);
+    void select_stored_bases();
+    ControlState::Write set_base_mask(nc::Quantity quantity, double mask);
+    // answers.cpp
     std::optional<double> clock(nc::Quantity quantity);
     std::optional<double> calendar(nc::Quantity quantity);
     std::optional<double> tool_datum(std::int64_t number) const;
@@ -705,6 +712,13 @@ class Executor {
         std::int64_t work_offset;
     };
     std::vector<KeptFrames> kept_frames_;  // of programs that go back to them
+    /// Base frames that were written and act when a work offset is called next.
+    struct StoredBases {
+        BaseFrames frames;
+        std::uint16_t new_global = 0;  // a bit for each number
+        std::uint16_t new_channel = 0;
+    };
+    StoredBases stored_bases_;
     /// What a block in machine coordinates goes back to behind it.
     struct FramesOff {
         Frames frames;

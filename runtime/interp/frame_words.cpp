@@ -21,6 +21,7 @@ void Executor::select_work_offset(const Block& block, std::int64_t number) {
         return;
     }
     frames_.select_work_offset(work_offset_frame(number));
+    select_stored_bases();
     work_offset_ = number;
     frame_changed();
 }

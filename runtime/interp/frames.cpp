@@ -38,13 +38,15 @@ void Frames::select_work_offset(const ControlFrame& offset) {
     update();
 }
 
-void Frames::select_base(const ControlFrame& base) {
-    base_ = base;
+void Frames::select_bases(const BaseFrames& bases) {
+    bases_ = bases;
+    base_ = bases.whole();
     update();
 }
 
-bool Frames::has_base() const {
-    return !base_.is_shift() || base_.shift != AxisValues{} || base_.fine != AxisValues{};
+void Frames::select_inner(const ControlFrame& inner) {
+    inner_ = inner;
+    update();
 }
 
 ControlFrame Frames::programmable() const {
@@ -137,7 +139,7 @@ Frame Frames::outside_tool_frame() const {
 Frame Frames::inside_tool_frame() const {
     Frame frame = tilt_ * path::translation(own_shift());
     for (const Step& step : steps_) frame = frame * step.frame;
-    return frame;
+    return frame * inner_.whole();
 }
 
 void Frames::turn(const path::Mat3& rotation) {
@@ -227,6 +229,14 @@ void Frames::reset_position(AxisMask axes) {
     update();
 }
 
+Frames Frames::machine_frames(std::int64_t keeps) const {
+    Frames left(*rules_);
+    if (keeps == 0) return left;
+    left.set_shift_ = set_shift_;
+    left.select_bases(keeps == 1 ? bases_.without_numbered() : bases_);
+    return left;
+}
+
 void Frames::append(Step::Kind kind, const Frame& frame) {
     if (!steps_.empty() && steps_.back().kind == kind) {
         steps_.back().frame = steps_.back().frame * frame;
@@ -257,7 +267,8 @@ bool Frames::is_rotated() const {
 }
 
 AxisMask Frames::mirrored() const {
-    return static_cast<AxisMask>(base_.mirrored ^ work_offset_.mirrored ^ mirrored_by_steps());
+    return static_cast<AxisMask>(base_.mirrored ^ work_offset_.mirrored ^ mirrored_by_steps() ^
+                                 inner_.mirrored);
 }
 
 AxisMask Frames::mirrored_by_steps() const {
@@ -286,10 +297,8 @@ void Frames::release_table() {
 
 void Frames::update() {
     const Vec3 own = own_shift();
-    const auto is_nothing = [](const Frame& frame) {
-        return frame.linear == path::Mat3::Identity() && frame.shift == Vec3::Zero();
-    };
-    is_swivelled_ = !(is_nothing(tables_) && is_nothing(tilt_) && is_nothing(tool_frame_));
+    is_swivelled_ = !(path::is_nothing(tables_) && path::is_nothing(tilt_) &&
+                      path::is_nothing(tool_frame_));
     if (is_swivelled_) {
         total_ = tables_ * outside_tool_frame() * tool_frame_ * tilt_ * path::translation(own);
     } else if (work_offset_.is_shift() && base_.is_shift()) {
@@ -300,13 +309,15 @@ void Frames::update() {
                  path::translation(own);
     }
     for (const Step& step : steps_) total_ = total_ * step.frame;
+    total_ = total_ * inner_.whole();
     if (table_) total_ = *table_ * total_;
     is_shift_ = total_.linear == path::Mat3::Identity();
     for (std::size_t i = 0; i < 3; ++i)
         shift_values_[i] = total_.shift[static_cast<Eigen::Index>(i)];
     for (std::size_t i = 3; i < kAxes; ++i) {
         shift_values_[i] = work_offset_.shift[i] + work_offset_.fine[i] + set_shift_[i] +
-                           base_.shift[i] + base_.fine[i] + shift_[i] + fine_[i];
+                           base_.shift[i] + base_.fine[i] + shift_[i] + fine_[i] + inner_.shift[i] +
+                           inner_.fine[i];
     }
     const Result<Frame, path::FrameFault> back = path::inverse(total_);
     KADR_ASSERT(back, "rotations, mirrors, shifts and scales other than 0 can be undone");

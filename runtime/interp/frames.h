@@ -1,14 +1,15 @@
 // frames.h — the frames in force: work offset, set position, programmable frame.
 //
-// base = table : tables : set shift + base frame : work offset : tool frame : tilted plane :
-// programmable frame (programmed point). Keeps the product and its inverse ready, so that a block
-// pays for frames only when one changes.
+// base = table : tables : set shift + base frames : work offset : tool frame : tilted plane :
+// programmable frame : inner frame (programmed point). Keeps the product and its inverse ready, so
+// that a block pays for frames only when one changes.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <vector>
 
+#include "interp/base_frames.h"
 #include "interp/control_frame.h"
 #include "interp/rules.h"
 #include "path/frame.h"
@@ -27,13 +28,17 @@ class Frames {
     explicit Frames(const Rules& rules) : rules_(&rules) {}
 
     void select_work_offset(const ControlFrame& offset);
-    void select_base(const ControlFrame& base);
+    void select_bases(const BaseFrames& bases);
+    /// Inside of all others.
+    void select_inner(const ControlFrame& inner);
     /// Outside of all others: from the place where the table stands into the workpiece.
     void set_table(const path::Frame& table);
     const ControlFrame& work_offset() const { return work_offset_; }
+    const BaseFrames& bases() const { return bases_; }
+    /// All base frames, one behind the other.
     const ControlFrame& base() const { return base_; }
+    const ControlFrame& inner() const { return inner_; }
     void release_table();
-    bool has_base() const;
     /// What the functions below have made, and in its place another one.
     ControlFrame programmable() const;
     void set_programmable(const ControlFrame& frame);
@@ -81,10 +86,14 @@ class Frames {
     const path::Frame& tool_frame() const { return tool_frame_; }
     /// Whether one of the three frames above is not nothing.
     bool is_swivelled() const { return is_swivelled_; }
-    /// From the tool frame inwards: tilted plane and programmable frame.
+    /// From the tool frame inwards: tilted plane, programmable and inner frame.
     path::Frame inside_tool_frame() const;
     /// From the base system, without tables, to the work offset.
     path::Frame outside_tool_frame() const;
+
+    /// What is left of them in a block in machine coordinates (MachineCoordinates of
+    /// nc/vocabulary.def).
+    Frames machine_frames(std::int64_t keeps) const;
 
     AxisValues to_base(const AxisValues& programmed) const;
     AxisValues from_base(const AxisValues& base) const;
@@ -118,7 +127,8 @@ class Frames {
 
     const Rules* rules_;
     path::Frame tables_;
-    ControlFrame base_;
+    BaseFrames bases_;
+    ControlFrame base_;  // their product
     ControlFrame work_offset_;
     std::optional<path::Frame> table_;
     path::Frame tool_frame_;
@@ -129,6 +139,7 @@ class Frames {
     AxisValues shift_{};
     AxisValues fine_{};        // added before any step
     std::vector<Step> steps_;  // in the order in which they were programmed
+    ControlFrame inner_;
     path::Frame total_;
     path::Frame back_;
     AxisValues shift_values_{};  // of all axes, if is_shift_

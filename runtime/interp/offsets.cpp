@@ -72,6 +72,8 @@ Write Executor::set_quantity(Quantity quantity, std::int64_t first, std::int64_t
         case Quantity::ExtraBoth: return set_extra(quantity, first, value);
         case Quantity::Timer: set_timer(first, value); return Write::Done;
         case Quantity::EdgeSpeed: return set_edge_speed(value);
+        case Quantity::ChannelBaseMask:
+        case Quantity::GlobalBaseMask: return set_base_mask(quantity, value);
         case Quantity::SuppressedPanel: return suppress_panel(value);
         case Quantity::Milliseconds:
             clocks_.milliseconds_from = value - run_time() * 1000;
@@ -97,24 +99,6 @@ Write Executor::set_work_offset(std::int64_t number, Axis axis, double value, bo
     finish_open_spline();
     work_offset_at(number).shift[index(axis)] = value;
     work_offset_changed(number, acts_at_once);
-    return Write::Done;
-}
-
-Write Executor::set_frame(Quantity quantity, std::int64_t number, const ControlFrame& frame,
-                          bool acts_at_once) {
-    finish_open_spline();
-    switch (quantity) {
-        case Quantity::SettableFrame:
-            if (number < 0 || number > rules_.work_offsets) return Write::NoPlace;
-            work_offset_at(number) = frame;
-            work_offset_changed(number, acts_at_once);
-            return Write::Done;
-        case Quantity::ActiveFrame: frames_.select_work_offset(frame); break;
-        case Quantity::BaseFrame: frames_.select_base(frame); break;
-        case Quantity::ProgrammableFrame: frames_.set_programmable(frame); break;
-        default: return Write::Refused;
-    }
-    frame_changed();
     return Write::Done;
 }
 

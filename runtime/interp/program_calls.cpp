@@ -5,6 +5,7 @@
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
+#include "interp/block_words.h"
 #include "interp/named_shape.h"
 #include "interp/program_state.h"
 #include "nc/control_words.h"
@@ -22,7 +23,10 @@ namespace {
 
 /// Whether an axis moves in the block, as far as words tell.
 bool moves(const Block& block) {
-    if ((block.given & nc::kTargetSlots) != 0) return true;
+    if ((block.given & (nc::kTargetSlots | nc::kPolarSlots)) != 0) return true;
+    // A full circle names no end, and an arc may say the angle that it goes.
+    const bool is_arc_said = (block.given & (nc::kArcSlots | bit(nc::Slot::Opening))) != 0;
+    if (is_arc_said && (block.motion == Function::None || is_circle(block.motion))) return true;
     return block.find(Function::ReferenceReturn) != nullptr ||
            block.find(Function::ReferencePoint) != nullptr;
 }

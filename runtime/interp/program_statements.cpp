@@ -95,7 +95,7 @@ Program::State::Done Program::State::assign(CompiledLine& line, const ControlSta
             quantity = variables.quantity_of(load.index, number[0]);
         // The value of the assignment lives in the texts of the evaluator, not on its stack.
     }
-    const std::string& comment = line.line.words.comment;
+    const std::string comment = utf8_text(line.line.words.comment);
     if (quantity == nc::Quantity::Alarm) return raise(line, statement.span, value.number, comment);
     if (quantity == nc::Quantity::MessageStop) return stop_with_message(comment, out);
     done = fit_text(line, statement, value);
@@ -112,12 +112,13 @@ Program::State::Done Program::State::fit_text(CompiledLine& line, const ControlS
     const std::string text(evaluator.text(value));
     const nc::Expression& said = statement.value;
     const nc::Instruction& last = line.line.code[said.first + said.count - 1];
-    const bool fits = symbol.type != nc::ValueType::Text || text.size() <= symbol.text_size;
+    const std::size_t length = count_code_points(text);
+    const bool fits = symbol.type != nc::ValueType::Text || length <= symbol.text_size;
     if (fits || last.kind == Kind::Text) return Done::Nothing;
     if (last.kind == Kind::Operate && last.operation == nc::Operation::Concatenate)
         return fail(line, diag::JoinedTooLong, said.span,
-                    {std::to_string(text.size()), std::to_string(symbol.text_size)});
-    value = evaluator.keep_text(text.substr(0, symbol.text_size));
+                    {std::to_string(length), std::to_string(symbol.text_size)});
+    value = evaluator.keep_text(std::string(code_points(text, 0, symbol.text_size)));
     return Done::Nothing;
 }
 

@@ -44,14 +44,14 @@ bool Executor::take_frames_off(const Block& block) {
         return false;
     }
     const Function motion = block.motion != Function::None ? block.motion : modal_.motion;
-    if (frames_.has_base() || is_spline(motion)) {
+    if (is_spline(motion)) {
         report(diag::IsoNotSupported, block, Function::MachineCoordinates)
-            .arg(is_spline(motion) ? "a spline in machine coordinates"
-                                   : "machine coordinates while a base frame acts");
+            .arg("a spline in machine coordinates");
         return false;
     }
+    const nc::Invocation* said = block.find(Function::MachineCoordinates);
     frames_off_.emplace(FramesOff{frames_, position_});
-    frames_ = Frames(rules_);
+    frames_ = frames_.machine_frames(said != nullptr ? count_of(block, *said) : 0);
     frame_changed();
     position_.programmed = position_.here;
     return true;
@@ -84,11 +84,6 @@ void Executor::move_in_machine_coordinates(const Block& block) {
     }
     if (is_arc(modal_.motion) && !rules_.machine_coordinates_rapid) {
         report(diag::ArcInMachineCoordinates, block, Function::MachineCoordinates);
-        return;
-    }
-    if (frames_.has_base()) {
-        report(diag::IsoNotSupported, block, Function::MachineCoordinates)
-            .arg("machine coordinates while a base frame acts");
         return;
     }
     const bool is_rapid = rules_.machine_coordinates_rapid || modal_.motion == Function::Rapid;

@@ -296,10 +296,10 @@ bool ExpressionCompiler::take_text() {
     Instruction instruction;
     instruction.kind = Instruction::Kind::Text;
     instruction.index = static_cast<std::uint32_t>(out_.texts.size());
-    out_.texts.emplace_back(line_.substr(at_ + 1, close - at_ - 1));
+    out_.texts.push_back(utf8_text(line_.substr(at_ + 1, close - at_ - 1)));
     at_ = close + 1;
     const auto most = static_cast<std::size_t>(rules_.most_text);
-    if (const std::size_t length = out_.texts.back().size(); length > most) {
+    if (const std::size_t length = count_code_points(out_.texts.back()); length > most) {
         fail(diag::TextTooLong, span_from(begin));
         fault_->arguments = {std::to_string(length), std::to_string(most)};
         return false;

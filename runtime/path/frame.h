@@ -30,6 +30,11 @@ Frame operator*(const Frame& outer, const Frame& inner);
 
 Frame translation(const Vec3& shift);
 
+/// Whether the frame leaves every point where it is.
+inline bool is_nothing(const Frame& frame) {
+    return frame.linear == Mat3::Identity() && frame.shift == Vec3::Zero();
+}
+
 /// Angles about the axes X, Y, Z, rad.
 struct AxisAngles {
     double x = 0;

@@ -91,7 +91,7 @@ TEST(Listing, NumbersAreShortAndWithoutNoise) {
                            {48.66025403784439, "48.660254038"},
                            {-2.5, "-2.5"},
                            {123456, "123456"},
-                           {1e12, "1e+12"}}) {
+                           {1e12, "1000000000000"}}) {
         Command rapid;
         rapid.to[0] = row.value;
         EXPECT_EQ(line_of(rapid), std::string("{\"op\":\"rapid\",\"to\":{\"X\":") + row.text +

@@ -1,0 +1,162 @@
+// frame_variables.cpp — the frames of the run as variables of a program. S 6.1, 6.4.
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+using nc::Quantity;
+using Write = ControlState::Write;
+
+namespace {
+
+constexpr bool is_global(Quantity quantity) {
+    return quantity == Quantity::GlobalBaseFrame || quantity == Quantity::GlobalBaseNow ||
+           quantity == Quantity::GlobalBaseMask;
+}
+
+constexpr bool is_numbered_base(Quantity quantity) {
+    return quantity == Quantity::ChannelBaseFrame || quantity == Quantity::ChannelBaseNow ||
+           quantity == Quantity::GlobalBaseFrame || quantity == Quantity::GlobalBaseNow;
+}
+
+/// Whether what is written waits until a work offset is called.
+constexpr bool waits_for_call(Quantity quantity) {
+    return quantity == Quantity::ChannelBaseFrame || quantity == Quantity::GlobalBaseFrame;
+}
+
+bool has_base_frame(std::int64_t number) {
+    return number >= 0 && number < static_cast<std::int64_t>(BaseFrames::kEach);
+}
+
+/// The frame of a number.
+template <typename Bases>
+auto& numbered(Bases& bases, Quantity quantity, std::int64_t number) {
+    const auto i = static_cast<std::size_t>(number);
+    return is_global(quantity) ? bases.global[i] : bases.channel[i];
+}
+
+}  // namespace
+
+/// From the base system to the programmed one; S 6.1.
+ControlFrame Executor::total_frame() const {
+    const ControlFrame outside = chain(frames_.base(), frames_.work_offset());
+    const ControlFrame inside = chain(frames_.programmable(), frames_.inner());
+    if (!frames_.is_swivelled()) return chain(outside, inside);
+    const ControlFrame planes = plain_frame(frames_.tool_frame() * frames_.tilt());
+    return chain(plain_frame(frames_.tables()), chain(outside, chain(planes, inside)));
+}
+
+std::optional<ControlFrame> Executor::frame(Quantity quantity, std::int64_t number) {
+    if (is_numbered_base(quantity)) {
+        if (!has_base_frame(number)) return std::nullopt;
+        const BaseFrames& bases = waits_for_call(quantity) ? stored_bases_.frames : frames_.bases();
+        return numbered(bases, quantity, number);
+    }
+    switch (quantity) {
+        case Quantity::SettableFrame: {
+            if (number < 0 || number > rules_.work_offsets) return std::nullopt;
+            const auto i = static_cast<std::size_t>(number);
+            return i < work_offsets_.size() ? work_offsets_[i] : ControlFrame();
+        }
+        case Quantity::ActiveFrame: return frames_.work_offset();
+        case Quantity::BaseFrame: return frames_.bases().channel[0];
+        case Quantity::AllBaseFrames: return frames_.bases().numbered();
+        case Quantity::ExternalFrame: return frames_.bases().external;
+        case Quantity::SetFrame: return frames_.bases().set;
+        case Quantity::TableFrame: return plain_frame(frames_.tables());
+        case Quantity::ToolFrame: return plain_frame(frames_.tool_frame());
+        case Quantity::PlaneFrame: return plain_frame(frames_.tilt());
+        case Quantity::ProgrammableFrame: return frames_.programmable();
+        case Quantity::InnerFrame: return frames_.inner();
+        case Quantity::TotalFrame: return total_frame();
+        default: return std::nullopt;
+    }
+}
+
+Write Executor::set_frame(Quantity quantity, std::int64_t number, const ControlFrame& frame,
+                          bool acts_at_once) {
+    finish_open_spline();
+    if (quantity == Quantity::SettableFrame) {
+        if (number < 0 || number > rules_.work_offsets) return Write::NoPlace;
+        work_offset_at(number) = frame;
+        work_offset_changed(number, acts_at_once);
+        return Write::Done;
+    }
+    if (is_numbered_base(quantity)) {
+        if (!has_base_frame(number)) return Write::NoPlace;
+        if (waits_for_call(quantity)) {
+            numbered(stored_bases_.frames, quantity, number) = frame;
+            std::uint16_t& fresh =
+                is_global(quantity) ? stored_bases_.new_global : stored_bases_.new_channel;
+            fresh = static_cast<std::uint16_t>(fresh | 1u << number);
+            return Write::Done;
+        }
+        BaseFrames bases = frames_.bases();
+        numbered(bases, quantity, number) = frame;
+        frames_.select_bases(bases);
+    } else if (!set_plain_frame(quantity, frame)) {
+        return Write::Refused;
+    }
+    frame_changed();
+    return Write::Done;
+}
+
+/// Frames of which there is one each. False: nobody sets this one.
+bool Executor::set_plain_frame(Quantity quantity, const ControlFrame& frame) {
+    BaseFrames bases = frames_.bases();
+    switch (quantity) {
+        case Quantity::ActiveFrame: frames_.select_work_offset(frame); return true;
+        case Quantity::ProgrammableFrame: frames_.set_programmable(frame); return true;
+        case Quantity::InnerFrame: frames_.select_inner(frame); return true;
+        case Quantity::BaseFrame: bases.channel[0] = frame; break;
+        case Quantity::ExternalFrame: bases.external = frame; break;
+        case Quantity::SetFrame: bases.set = frame; break;
+        case Quantity::TableFrame: frames_.set_tables(frame.whole()); return true;
+        case Quantity::ToolFrame: {
+            const path::Frame whole = frame.whole();
+            const bool is_nothing = path::is_nothing(whole);
+            frames_.set_tool_frame(is_nothing ? std::nullopt : std::optional(whole));
+            return true;
+        }
+        case Quantity::PlaneFrame: frames_.set_tilt(frame.whole()); return true;
+        default: return false;
+    }
+    frames_.select_bases(bases);
+    return true;
+}
+
+/// What was written of base frames acts from now on.
+void Executor::select_stored_bases() {
+    StoredBases& stored = stored_bases_;
+    if (stored.new_channel == 0 && stored.new_global == 0) return;
+    BaseFrames bases = frames_.bases();
+    for (std::size_t i = 0; i < BaseFrames::kEach; ++i) {
+        if ((stored.new_channel >> i & 1u) != 0) bases.channel[i] = stored.frames.channel[i];
+        if ((stored.new_global >> i & 1u) != 0) bases.global[i] = stored.frames.global[i];
+    }
+    stored.new_channel = stored.new_global = 0;
+    frames_.select_bases(bases);
+}
+
+Write Executor::set_base_mask(Quantity quantity, double mask) {
+    constexpr double kMost = 0xffff;
+    if (!(mask >= 0 && mask <= kMost)) return Write::TooLarge;
+    finish_open_spline();
+    BaseFrames bases = frames_.bases();
+    (is_global(quantity) ? bases.global_mask : bases.channel_mask) =
+        static_cast<std::uint16_t>(mask);
+    frames_.select_bases(bases);
+    frame_changed();
+    return Write::Done;
+}
+
+void Executor::restore_frames(bool is_wanted) {
+    if (kept_frames_.empty()) return;
+    if (is_wanted) {
+        frames_ = kept_frames_.back().frames;
+        work_offset_ = kept_frames_.back().work_offset;
+        frame_changed();
+    }
+    kept_frames_.pop_back();
+}
+
+}  // namespace kadr::interp
