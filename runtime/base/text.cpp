@@ -71,8 +71,8 @@ struct LetterRow {
     char32_t left_out;
 };
 constexpr LetterRow kRows[] = {{U'a', U'z', 0x20, 0},
-                               {0xE0, 0xFE, 0x20, 0xF7},      // Latin-1 but for the sign of division
-                               {0x430, 0x44F, 0x20, 0},       // Cyrillic
+                               {0xE0, 0xFE, 0x20, 0xF7},  // Latin-1 but for the sign of division
+                               {0x430, 0x44F, 0x20, 0},   // Cyrillic
                                {0x450, 0x45F, 0x50, 0}};
 
 }  // namespace

@@ -67,8 +67,7 @@ std::optional<std::string> shown(const Place& place, const FormatValue& value) {
             if (!value.is_text) return std::nullopt;
             return std::string(value.text);
         case 'C':
-            if (value.is_text && count_code_points(value.text) == 1)
-                return std::string(value.text);
+            if (value.is_text && count_code_points(value.text) == 1) return std::string(value.text);
             if (!is_whole || whole < 0 || whole > 255) return std::nullopt;
             return Value::of(whole, nc::ValueType::Char).character();
         case 'B':

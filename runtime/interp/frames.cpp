@@ -297,8 +297,8 @@ void Frames::release_table() {
 
 void Frames::update() {
     const Vec3 own = own_shift();
-    is_swivelled_ = !(path::is_nothing(tables_) && path::is_nothing(tilt_) &&
-                      path::is_nothing(tool_frame_));
+    is_swivelled_ =
+        !(path::is_nothing(tables_) && path::is_nothing(tilt_) && path::is_nothing(tool_frame_));
     if (is_swivelled_) {
         total_ = tables_ * outside_tool_frame() * tool_frame_ * tilt_ * path::translation(own);
     } else if (work_offset_.is_shift() && base_.is_shift()) {
