@@ -238,7 +238,9 @@ std::optional<int> Executor::turns_of(const Block& block) {
     return std::nullopt;
 }
 
-/// The centre that the words say, in the programmed system; nothing if it was reported.
+/// The centre that the words say, in the programmed system; nothing if it was reported. A distance
+/// is a radius, a coordinate is a diameter where X is one: "Channel-specific diameter/radius
+/// programming" in SINUMERIK's manual of fundamentals.
 std::optional<Vec3> Executor::center_of_arc(const Block& block, const Vec3& start) {
     const Slot across = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) +
                                           index(path::axes_of(modal_.plane).normal));
@@ -251,7 +253,8 @@ std::optional<Vec3> Executor::center_of_arc(const Block& block, const Vec3& star
         const Slot slot = static_cast<Slot>(static_cast<std::size_t>(Slot::CenterX) + i);
         if (!block.has(slot)) continue;
         double& value = center[static_cast<Eigen::Index>(i)];
-        value = (block.absolute & bit(slot)) != 0 ? block.at(slot) : value + block.at(slot);
+        const bool is_place = (block.absolute & bit(slot)) != 0;
+        value = is_place ? block.at(slot) * axes_.word_scale[i] : value + block.at(slot);
     }
     return center;
 }

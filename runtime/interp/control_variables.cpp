@@ -103,10 +103,20 @@ ControlVariables::ControlVariables(const nc::Dialect& dialect, const nc::LineRea
     main_.locals.grow(language_.local_slots);
 }
 
-std::unique_ptr<Level> ControlVariables::new_level() const {
+std::unique_ptr<Level> ControlVariables::new_level() {
     auto level = std::make_unique<Level>();
     level->locals.grow(language_.local_slots);
+    share_definitions(*level);
     return level;
+}
+
+void ControlVariables::share_definitions(Level& level) {
+    const std::span<const nc::Symbol> all = definitions_.symbols.all();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        nc::Symbol symbol = all[i];
+        symbol.is_reference = symbol.is_shared = true;
+        bind(level, std::move(symbol), *definitions_.stores[i]);
+    }
 }
 
 const nc::Symbol& ControlVariables::declare(nc::Symbol symbol) {

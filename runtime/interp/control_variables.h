@@ -64,8 +64,12 @@ class ControlVariables final : public Variables {
     const Store& globals() const { return globals_; }
     Level& level() { return *level_; }
     Level& main_level() { return main_; }
+    /// What is declared in it, all levels made from now on have.
+    Level& definitions() { return definitions_; }
+    /// The level has the variables of the definitions; before anything is declared in it.
+    void share_definitions(Level& level);
     /// A level with the variables of the language, none of them set.
-    std::unique_ptr<Level> new_level() const;
+    std::unique_ptr<Level> new_level();
     /// What follows reads and writes the variables of this level.
     void enter(Level& level) { level_ = &level; }
     const nc::Symbol& declare(nc::Symbol symbol);
@@ -152,6 +156,7 @@ class ControlVariables final : public Variables {
     ControlState* state_ = nullptr;
     Store globals_;
     Level main_;
+    Level definitions_;
     Level* level_ = &main_;
     std::int64_t block_number_ = 0;
     std::function<double()> modal_call_;

@@ -30,7 +30,8 @@ bool takes_no_axis(const Block& block) {
     const auto names_axis = [](const nc::Parameter& parameter) {
         return parameter.name.starts_with("axis");
     };
-    for (const nc::Invocation& invocation : block.functions) {
+    for (const nc::Invocation& invocation :
+         std::span(block.functions).first(block.function_count)) {
         const auto parameters = nc::info(invocation.function).parameters;
         if (invocation.function == Function::Cycle) return true;
         if (!parameters.empty() && std::ranges::none_of(parameters, names_axis)) return true;
@@ -81,7 +82,7 @@ std::size_t Program::State::pull(std::span<Block> out) {
         Block& block = out[given];
         block.reset();
         const bool had_fault = lines.failed();
-        const Done done = step(block);
+        const Done done = frame->is_definition ? step_in_definition(block) : step(block);
         if (done == Done::Block) ++given;
         // The interpreter goes to a place before the program does there what it does.
         if (frame->at_places && given > 0) return given;
@@ -104,6 +105,7 @@ void Program::State::begin_main() {
     units.settle_main();
     frames[0]->unit = &units.main();
     frames[0]->here = units.main().begin;
+    begin_definitions();
 }
 
 /// Whether nothing but the next line of the text decides what comes.

@@ -381,6 +381,7 @@ Program::State::Done Program::State::begin(CompiledLine& line, const PreparedCal
     callee->is_external = frame->is_external || is_external;
     callee->modal_limit = frame->modal_limit;
     callee->saves = saves;
+    callee->macros = shared_macros;
     if (call.is_macro()) {
         callee->own_level = call.level;
     } else if (language.rules.subprograms_have_variables &&
@@ -895,6 +896,7 @@ Program::State::Done Program::State::finish_return(Block& out) {
         resume_frame(*frames.back());
         leave_places(*left);
         note_returned(*left);
+        if (left->is_definition) leave_definition(*left);
         if (left->saves) interpreter->restore_frames(true);
         if (left->call.is_shape) out.add(Function::CycleCall);
         if (left->saves || left->call.is_shape) lines.restore(left->modal_before, out);

@@ -2,8 +2,8 @@
 // Internal to interp.
 //
 // Told in chapters: program.cpp (the order of lines, statements, jumps, structures),
-// program_calls.cpp (calls, modal calls, returns), and program_places.cpp (modal calls at the
-// places of a pattern).
+// program_calls.cpp (calls, modal calls, returns), program_places.cpp (modal calls at the places of
+// a pattern), and definitions.cpp (what all programs have).
 #pragma once
 
 #include <map>
@@ -107,6 +107,7 @@ struct Frame {
     std::int64_t left = 1;  // passes, this one included
     bool saves = false;
     nc::ModalFunctions modal_before{};
+    bool is_definition = false;    // it says what all programs have, and moves nothing
     bool is_in_code_call = false;  // codes that call programs mean what they are here
     bool is_external = false;
     TextMacros macros;
@@ -149,6 +150,7 @@ struct Program::State {
 
     std::vector<std::unique_ptr<Frame>> frames;    // the main program first
     Frame* frame = nullptr;                        // that runs
+    TextMacros shared_macros;                      // of the definitions
     std::unique_ptr<Frame> begins;                 // called by the line that is executed
     std::optional<PreparedCall> due;               // behind the block that was given last
     std::set<std::string, std::less<>> externals;  // programs that a line has named beforehand
@@ -209,6 +211,10 @@ struct Program::State {
     bool runs_flat();
     void take_flat(std::span<nc::Block> out);
     void begin_main();
+    void begin_definitions();
+    void leave_definition(const Frame& left);
+    Done step_in_definition(nc::Block& out);
+    bool may_execute(CompiledLine& line, const nc::ControlStatement& statement);
     bool may_go_on();
     bool is_in_cycle_mode() const {
         return lines.modal()[static_cast<std::size_t>(nc::Group::CycleMode)] == nc::Function::Cycle;

@@ -17,6 +17,7 @@ using nc::Statement;
 
 Program::State::Done Program::State::execute(CompiledLine& line, const ControlStatement& statement,
                                              Block& out) {
+    if (!may_execute(line, statement)) return Done::Nothing;
     switch (statement.kind) {
         case Statement::None:
         case Statement::JumpToStart:
@@ -181,6 +182,8 @@ Program::State::Done Program::State::assign_list(CompiledLine& line,
 
 Program::State::Done Program::State::declare(CompiledLine& line,
                                              const ControlStatement& statement) {
+    if (statement.scope.begin != statement.scope.end && !frame->is_definition)
+        return fail(line, diag::ScopeMisplaced, statement.scope);
     if (frame->has_executed) return fail(line, diag::DeclarationMisplaced, statement.span);
     // Behind a mistake names are declared for the sake of the lines that are only read.
     const bool had_failed = lines.failed();
@@ -228,7 +231,7 @@ Program::State::Done Program::State::declare_one(CompiledLine& line,
         }
         symbol.sizes[i] = static_cast<std::uint32_t>(length.number);
     }
-    if (variables.level().symbols.find(symbol.name) != nullptr)
+    if (variables.level().symbols.has_own(symbol.name))
         return fail(line, diag::NameTwice, declaration.span, {symbol.name});
     const nc::Symbol& added = variables.declare(std::move(symbol));
     if (declaration.values.size() > added.count())

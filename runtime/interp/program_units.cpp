@@ -60,6 +60,10 @@ LinePosition ProgramUnits::main_begin() const {
             is_behind_subprogram = true;
             if (text.is_kept && !text.kept_text.keep_all()) break;
         }
+        if (head != nullptr) {
+            const auto name = nc::program_of_header(calls, line, tables_.rules.ignores_case);
+            if (name) text.programs.emplace(*name, here);
+        }
         here = {text.source.offset(), here.line + 1};
     }
     text.source.seek(0);
@@ -74,21 +78,39 @@ ProgramUnit* ProgramUnits::find(const std::string& name, ProgramText& near) {
         text = texts_[0].get();
         begin = find_in(*text, name);
     }
-    if (!begin && files_ != nullptr) {
-        auto file = files_->open(dialect_, name);
-        if (!file) return nullptr;
-        texts_.push_back(std::make_unique<ProgramText>(*file->text, std::move(file->name), kept_,
-                                                       tables_.rules.max_line));
-        text = texts_.back().get();
-        text->own = std::move(file->text);
-        // One that stands behind another in its file begins at its own head.
-        begin = find_in(*text, name);
-        if (!begin || text->programs.size() == 1) begin = LinePosition{};
-    }
-    if (!begin) return nullptr;
-    auto unit = std::make_unique<ProgramUnit>(tables_, *text, *begin, name);
+    if (!begin) begin = find_in_file(name, text);
+    return begin ? &keep(name, *text, *begin) : nullptr;
+}
+
+ProgramUnit* ProgramUnits::find_definitions(const std::string& name) {
+    // A look for it in the whole text would read that before it runs.
+    ProgramText* text = texts_[0].get();
+    const auto known = text->programs.find(name);
+    if (known != text->programs.end()) return &keep(name, *text, known->second);
+    const std::optional<LinePosition> begin = find_in_file(name, text);
+    return begin ? &keep(name, *text, *begin) : nullptr;
+}
+
+/// text  is set to that of the file
+std::optional<LinePosition> ProgramUnits::find_in_file(const std::string& name,
+                                                       ProgramText*& text) {
+    if (files_ == nullptr) return std::nullopt;
+    auto file = files_->open(dialect_, name);
+    if (!file) return std::nullopt;
+    texts_.push_back(std::make_unique<ProgramText>(*file->text, std::move(file->name), kept_,
+                                                   tables_.rules.max_line));
+    text = texts_.back().get();
+    text->own = std::move(file->text);
+    // One that stands behind another in its file begins at its own head.
+    const std::optional<LinePosition> begin = find_in(*text, name);
+    return begin && text->programs.size() != 1 ? *begin : LinePosition{};
+}
+
+ProgramUnit& ProgramUnits::keep(const std::string& name, ProgramText& text,
+                                const LinePosition& begin) {
+    auto unit = std::make_unique<ProgramUnit>(tables_, text, begin, name);
     look_for_head(*unit);
-    return units_.emplace(name, std::move(unit)).first->second.get();
+    return *units_.emplace(name, std::move(unit)).first->second;
 }
 
 /// Where the program begins in the text; heads on the way are remembered.

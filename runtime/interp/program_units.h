@@ -84,6 +84,9 @@ class ProgramUnits {
     void settle_main();
     /// The program with this name, looked for in `near` first; nullptr: there is none.
     ProgramUnit* find(const std::string& name, ProgramText& near);
+    /// The program with definitions for all the others: one that stands in front of the main
+    /// program in its text, or a file. nullptr: there is none. `settle_main` comes first.
+    ProgramUnit* find_definitions(const std::string& name);
     /// What a line is called in a block: one number for all texts, the line's own in the main one.
     std::uint32_t line_id(ProgramText& text, std::uint64_t line);
     struct Line {
@@ -93,6 +96,8 @@ class ProgramUnits {
     Line line_of(std::uint32_t id) const;
 
   private:
+    std::optional<LinePosition> find_in_file(const std::string& name, ProgramText*& text);
+    ProgramUnit& keep(const std::string& name, ProgramText& text, const LinePosition& begin);
     std::optional<LinePosition> find_in(ProgramText& text, const std::string& name) const;
     LinePosition main_begin() const;
     void look_for_head(ProgramUnit& unit) const;

@@ -66,6 +66,10 @@ struct CallLanguage {
     std::string reference_word;        // before a parameter that is the caller's variable: `VAR`
     std::string save_word;             // of a procedure that leaves the modal state as it was
     std::vector<std::string> options;  // words of a procedure that change nothing here
+    /// Programs that hold definitions for all the others, in the order in which they are read, and
+    /// the words before the type of what they define.
+    std::vector<std::string> definitions;
+    std::vector<std::string> scope_words;
 };
 
 /// The head that this line is; nullptr: none.

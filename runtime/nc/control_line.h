@@ -141,6 +141,7 @@ struct ControlStatement {
     int loop = 0;
     ValueType type = ValueType::Real;
     Expression type_size;  // characters of a text
+    Span scope;            // of the word that says for whom it is declared, if one does
     std::vector<Declaration> declarations;
     std::string name;                            // of a procedure
     std::vector<ProcedureParameter> parameters;  // … and what it takes
@@ -196,6 +197,7 @@ struct Symbol {
     std::array<std::uint32_t, 3> sizes{1, 1, 1};
     std::uint32_t text_size = 0;
     bool is_reference = false;  // stands for a variable of the caller
+    bool is_shared = false;     // of the definitions for all programs
     /// Whether it is one value in the store of the level, that code names by its slot.
     bool is_plain() const { return dimensions == 0 && !is_kept_apart() && !is_reference; }
     /// Whether it is kept where values are of any size.
@@ -210,13 +212,19 @@ class SymbolTable {
         const auto found = by_name_.find(name);
         return found == by_name_.end() ? nullptr : &symbols_[found->second];
     }
+    /// Whether the program itself, and nobody for all, has declared the name.
+    bool has_own(std::string_view name) const {
+        const Symbol* const found = find(name);
+        return found != nullptr && !found->is_shared;
+    }
     std::uint32_t index_of(const Symbol& symbol) const {
         return static_cast<std::uint32_t>(&symbol - symbols_.data());
     }
     const Symbol& at(std::uint32_t index) const { return symbols_[index]; }
     std::span<const Symbol> all() const { return symbols_; }
+    /// Hides one of the same name that all programs have.
     void add(Symbol symbol) {
-        by_name_.emplace(symbol.name, static_cast<std::uint32_t>(symbols_.size()));
+        by_name_.insert_or_assign(symbol.name, static_cast<std::uint32_t>(symbols_.size()));
         symbols_.push_back(std::move(symbol));
     }
 

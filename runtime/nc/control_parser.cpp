@@ -386,7 +386,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
             case Hole::From: return take_target(out.from);
             case Hole::To: return take_target(out.to);
             case Hole::Loop: return take_loop_number(out);
-            case Hole::Type: return take_type(out);
+            case Hole::Type: return take_scope(out) && take_type(out);
             case Hole::Declarations: return take_declarations(out);
             case Hole::Cases: return take_cases(next, out);
             case Hole::Jump: return take_inner(out, false);
@@ -522,6 +522,20 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
 
     // ------------------------------------------------------------ declarations
 
+    /// `NCK`, `CHAN` in front of the type.
+    bool take_scope(ControlStatement& out) {
+        const Word word = words_.word_at(at_);
+        const bool is_scope = std::ranges::any_of(
+            language_.calls.scope_words,
+            [&](const std::string& scope) { return words_.is_same(word.text, scope); });
+        if (!is_scope) return true;
+        out.scope = {static_cast<std::uint32_t>(at_),
+                     static_cast<std::uint32_t>(at_ + word.text.size())};
+        at_ += word.text.size();
+        skip();
+        return true;
+    }
+
     bool take_type(ControlStatement& out) {
         const Word word = words_.word_at(at_);
         const auto found = std::ranges::find_if(language_.types, [&](const TypeName& type) {
@@ -593,7 +607,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
     }
 
     bool is_taken(const std::string& name, const Word& word) const {
-        if (symbols_.find(name) != nullptr || tables_.find_address(name) != kNoAddress) return true;
+        if (symbols_.has_own(name) || tables_.find_address(name) != kNoAddress) return true;
         const auto same = [&](const auto& form) { return words_.is_same(word.text, form.name); };
         return words_.is_same(word.text, language_.axis_word) || is_lone_axis_word(word.text) ||
                std::ranges::any_of(language_.functions, same) ||

@@ -16,10 +16,9 @@ class CallLoader {
     void load(const XmlElement& element) {
         Attributes::read_text(element, "reference_word", calls_.reference_word);
         Attributes::read_text(element, "save_word", calls_.save_word);
-        if (const XmlAttribute* options = element.find("options")) {
-            calls_.options.clear();
-            for (const XmlWord& word : words_of(*options)) calls_.options.push_back(word.text);
-        }
+        read_names(element, "options", calls_.options);
+        read_names(element, "definitions", calls_.definitions);
+        read_names(element, "scope_words", calls_.scope_words);
         for (const XmlElement& child : element.children) {
             if (child.name == "begins") load_pattern(child, calls_.headers);
             if (child.name == "file") load_pattern(child, calls_.files);
@@ -29,6 +28,14 @@ class CallLoader {
     }
 
   private:
+    static void read_names(const XmlElement& element, std::string_view name,
+                           std::vector<std::string>& out) {
+        const XmlAttribute* names = element.find(name);
+        if (names == nullptr) return;
+        out.clear();
+        for (const XmlWord& word : words_of(*names)) out.push_back(word.text);
+    }
+
     void load_pattern(const XmlElement& element, std::vector<ProgramPattern>& out) {
         const XmlAttribute& form = needed(element, "program");
         ProgramPattern pattern;

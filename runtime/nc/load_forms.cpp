@@ -79,6 +79,8 @@ void FormLoader::load_group(const XmlElement& element) {
     attributes_.read_functions(element, "default",
                                tables_.groups[static_cast<std::size_t>(group)].power_on);
     check_default(element);
+    attributes_.read_flag(element, "together",
+                          tables_.groups[static_cast<std::size_t>(group)].stands_together);
     for (const XmlElement& code : element.children) load_code(code, group);
 }
 

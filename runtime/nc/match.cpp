@@ -96,7 +96,8 @@ class Matcher {
     Fault check_repeated_groups() {
         for (std::size_t i = 1; i < words_.size(); ++i) {
             const int group = used_[i] ? -1 : group_of(i);
-            if (group < 0) continue;
+            if (group < 0 || tables_.groups[static_cast<std::size_t>(group)].stands_together)
+                continue;
             for (std::size_t j = 0; j < i; ++j) {
                 if (used_[j] || group_of(j) != group) continue;
                 if (tables_.rules.group == Repeated::Alarm) {

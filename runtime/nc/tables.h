@@ -188,6 +188,7 @@ inline std::string first_line(const Form& form) {
 struct DialectGroup {
     std::string name;
     std::vector<Function> power_on;
+    bool stands_together = false;  // several of its codes may stand in one block
 };
 
 struct CommentStyle {

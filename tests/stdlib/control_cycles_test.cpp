@@ -198,10 +198,11 @@ TEST(ControlCycles, FaceAndSpigot) {
 
         const double r = dice.length(5, 15), blank_d = 2 * r + 1.5 * tool_d;
         const std::string spigot =
-            call("CYCLE77", {40, 0, 2, -depth, kNone, r, 0, 0, 1, 0.2, 0, 500, 100,
+            call("CYCLE77", {40, 0, 2, -depth, kNone, 2 * r, 0, 0, 1, 0.2, 0, 500, 100,
                              static_cast<double>(dice.number(0, 3)), 1, blank_d}) +
             '\n' +
-            call("CYCLE77", {40, 0, 2, -depth, kNone, r, 0, 0, 1, 0.2, 0, 500, 100, 0, 2, blank_d});
+            call("CYCLE77",
+                 {40, 0, 2, -depth, kNone, 2 * r, 0, 0, 1, 0.2, 0, 500, 100, 0, 2, blank_d});
         SCOPED_TRACE(spigot);
         Stock bar(40, kCell, 0, disc(blank_d));
         bar.cut(commands_of_calls(spigot, tool_d), tool_d);

@@ -1,0 +1,73 @@
+// definitions.cpp — variables and macros that all programs have. They are said in programs of their
+// own, SINUMERIK's SGUD, MGUD, UGUD and SMAC, MMAC, UMAC, which are read before the main program
+// runs.
+
+#include "base/diagnostics/control.h"
+#include "interp/program_state.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Statement;
+
+namespace {
+
+/// What may stand in a program of definitions.
+bool defines(const nc::ControlStatement& statement) {
+    switch (statement.kind) {
+        case Statement::Declare:
+        case Statement::DefineMacro:
+        case Statement::Procedure:
+        case Statement::Return: return true;
+        default: return false;
+    }
+}
+
+}  // namespace
+
+/// They are on top of the main program as if it had called them, the first one last.
+void Program::State::begin_definitions() {
+    const std::vector<std::string>& names = language.calls.definitions;
+    for (auto name = names.rbegin(); name != names.rend(); ++name) {
+        ProgramUnit* const unit = units.find_definitions(*name);
+        if (unit == nullptr) continue;
+        auto open = std::make_unique<Frame>();
+        open->unit = unit;
+        open->text.name = unit->text->name;
+        open->text.program = unit->name;
+        open->level = &variables.definitions();
+        open->here = unit->begin;
+        open->is_definition = true;
+        frames.push_back(std::move(open));
+    }
+    if (frames.size() > 1) resume_frame(*frames.back());
+}
+
+/// The next program has its macros, and so have, behind the last one, all.
+void Program::State::leave_definition(const Frame& left) {
+    frames.back()->macros = left.macros;
+    if (frames.size() > 1) return;
+    shared_macros = left.macros;
+    variables.share_definitions(variables.main_level());
+}
+
+/// A line that defines something, or the end of the program.
+Program::State::Done Program::State::step_in_definition(Block& out) {
+    const LinePosition here = frame->here;
+    const Done done = step(out);
+    if (done != Done::Block || frame->is_returning)
+        return done == Done::Block ? Done::Nothing : done;
+    lines.begin(here.line);
+    CompiledLine line;
+    line.place = {here, here};
+    has_ended = true;
+    return fail(line, diag::DefinitionsOnly, {}, {frame->unit->name});
+}
+
+bool Program::State::may_execute(CompiledLine& line, const nc::ControlStatement& statement) {
+    if (!frame->is_definition || defines(statement)) return true;
+    fail(line, diag::DefinitionsOnly, statement.span, {frame->unit->name});
+    return false;
+}
+
+}  // namespace kadr::interp
