@@ -60,7 +60,7 @@ void Compensation::begin(const CompSettings& settings, path::Plane plane, double
     here_ = meant_ = into_plane(here);
     shown_ = into_plane(shown);
     corners_ = path::RadiusComp(settings.corners);
-    has_last_ = approaches_ = keeps_vector_ = is_paused_ = comes_back_ = false;
+    has_last_ = approaches_ = keeps_vector_ = is_paused_ = comes_back_ = is_let_go_ = false;
     leave_direction_.reset();
     empty_blocks_ = 0;
     state_ = State::Starting;
@@ -93,6 +93,27 @@ std::optional<CompAlarm> Compensation::pause() {
 void Compensation::resume() {
     comes_back_ = is_paused_ || comes_back_;
     is_paused_ = false;
+}
+
+std::optional<CompAlarm> Compensation::let_go() {
+    if (state_ != State::On || is_paused_) return std::nullopt;
+    is_let_go_ = true;
+    if (!has_last_) return flush();
+    // The block of the last element waits for the corner at its end, with what stands behind it.
+    const auto last = std::ranges::find(held_, elements_, &Held::index);
+    if (last != held_.end()) {
+        if (last_.is_arc())
+            return CompAlarm{&diag::CompAnewOnArc, last->command.source, last->command.line};
+        set_in_plane(last->command.to, in_plane(last->command.to) - aside_);
+        last->is_departure = true;
+    }
+    return flush();
+}
+
+std::optional<CompAlarm> Compensation::begin_again() {
+    if (state_ != State::On || !has_last_) return std::nullopt;
+    is_let_go_ = true;
+    return flush();
 }
 
 std::optional<CompAlarm> Compensation::stop() {
@@ -310,7 +331,7 @@ void Compensation::begin_approach(Command& command) {
     held_.push_back({std::move(command), ++elements_, 0, false});
     approaches_ = true;
     approach_distance_ = distance_;
-    goes_straight_ = false;
+    goes_straight_ = is_let_go_ = false;
     state_ = State::On;
 }
 
@@ -324,6 +345,8 @@ Compensation::Fault Compensation::follow(Command& command) {
         if (const Fault fault = enter(element, element.is_arc() ? distance_ : before)) return fault;
     }
     if (comes_back_) come_back(command, element);
+    // On an arc the cutter cannot come straight to its end.
+    if (std::exchange(is_let_go_, false) && element.is_arc()) return &diag::CompAnewOnArc;
     const double radius = element.is_arc() ? path::radius(element) : 0;
     last_distance_ = distance_;
     here_ = command.to;
