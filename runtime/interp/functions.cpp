@@ -374,6 +374,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::TiltAlign:
         case Function::TiltAlignTip: actions.align = &invocation; break;
         case Function::TiltOff: end_tilt(block); break;
+        case Function::TurnInSpace: turn_in_space(block, invocation); break;
         case Function::Swivel: swivel(block, invocation); break;
         case Function::ToolFrame: frame_along_tool(block, invocation); break;
         case Function::ToolFrameOff:
