@@ -227,9 +227,12 @@ CompAlarm Compensation::alarm(Fault fault, const Command& command) const {
 
 Compensation::Fault Compensation::take(Command& command, const AxisValues& behind) {
     if (path::is_motion(command.op) && command.machine_coordinates) {
-        // For this way the compensation is taken back, and it begins anew behind it.
+        // For this way the compensation is taken back, and it begins anew behind it. Across the
+        // plane it is like blocks without motion there: the contour goes on from its normal.
+        const bool crosses = (command.moved & (bit(axes_.first) | bit(axes_.second))) == 0;
+        const bool stays = crosses && !lies_aside_ && !settings_.more_empty_is_fault;
         if (const Fault fault = finish()) return fault;
-        if (state_ == State::On) state_ = State::Starting;
+        if (state_ == State::On && !stays) state_ = State::Starting;
         const AxisValues stood = shown_;
         here_ = shown_ = into_plane(behind);
         if (!lies_aside_) {
@@ -240,6 +243,8 @@ Compensation::Fault Compensation::take(Command& command, const AxisValues& behin
             set_in_plane(shown_, in_plane(command.to));
         }
         meant_ = shown_;
+        if (stays && state_ == State::On)
+            set_in_plane(meant_, in_plane(into_plane(behind)) + aside_);
         settled_.push_back(std::move(command));
         return nullptr;
     }
