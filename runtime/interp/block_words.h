@@ -58,6 +58,7 @@ inline bool is_tilt(nc::Function function) {
         case nc::Function::TiltPlane:
         case nc::Function::TiltPoint:
         case nc::Function::TiltVector:
+        case nc::Function::TurnInSpace:
         case nc::Function::TiltAlongTool: return true;
         default: return false;
     }

@@ -102,6 +102,10 @@ void Executor::act_on_comp(const Block& block, const Actions& actions) {
         return;
     }
     if (comp_.side == Function::RadiusCompOff) return;
+    const bool is_again = actions.radius_comp != Function::None && rules_.comp_again_on_normal;
+    if (is_again && comp_.acting == Function::CompInPlane)
+        send_comp({CompChange::Kind::Again, {}, modal_.plane, 0, position_.base, {}, {}});
+    if (ended_) return;
     const CompChange change = comp_change(block, CompChange::Kind::Set);
     if (!ended_) send_comp(change);
 }
@@ -163,6 +167,8 @@ void Executor::change_comp(const CompChange& change) {
         case CompChange::Kind::KeepVector: compensation_.keep_vector(); break;
         case CompChange::Kind::Pause: take_comp(compensation_.pause()); break;
         case CompChange::Kind::Resume: compensation_.resume(); break;
+        case CompChange::Kind::LetGo: take_comp(compensation_.let_go()); break;
+        case CompChange::Kind::Again: take_comp(compensation_.begin_again()); break;
         case CompChange::Kind::RoundCorner:
             take_comp(compensation_.round_corner(change.motion, change.direction));
             break;
@@ -210,7 +216,9 @@ void Executor::change_space_comp(const CompChange& change) {
         case CompChange::Kind::KeepVector:
         case CompChange::Kind::RoundCorner:
         case CompChange::Kind::Pause:
-        case CompChange::Kind::Resume: break;  // refused before: is_comp_in_plane()
+        case CompChange::Kind::Resume:
+        case CompChange::Kind::LetGo:
+        case CompChange::Kind::Again: break;  // refused before: is_comp_in_plane()
     }
 }
 

@@ -60,7 +60,7 @@ void Compensation::begin(const CompSettings& settings, path::Plane plane, double
     here_ = meant_ = into_plane(here);
     shown_ = into_plane(shown);
     corners_ = path::RadiusComp(settings.corners);
-    has_last_ = approaches_ = keeps_vector_ = is_paused_ = comes_back_ = false;
+    has_last_ = approaches_ = keeps_vector_ = is_paused_ = comes_back_ = is_let_go_ = false;
     leave_direction_.reset();
     empty_blocks_ = 0;
     state_ = State::Starting;
@@ -93,6 +93,27 @@ std::optional<CompAlarm> Compensation::pause() {
 void Compensation::resume() {
     comes_back_ = is_paused_ || comes_back_;
     is_paused_ = false;
+}
+
+std::optional<CompAlarm> Compensation::let_go() {
+    if (state_ != State::On || is_paused_) return std::nullopt;
+    is_let_go_ = true;
+    if (!has_last_) return flush();
+    // The block of the last element waits for the corner at its end, with what stands behind it.
+    const auto last = std::ranges::find(held_, elements_, &Held::index);
+    if (last != held_.end()) {
+        if (last_.is_arc())
+            return CompAlarm{&diag::CompAnewOnArc, last->command.source, last->command.line};
+        set_in_plane(last->command.to, in_plane(last->command.to) - aside_);
+        last->is_departure = true;
+    }
+    return flush();
+}
+
+std::optional<CompAlarm> Compensation::begin_again() {
+    if (state_ != State::On || !has_last_) return std::nullopt;
+    is_let_go_ = true;
+    return flush();
 }
 
 std::optional<CompAlarm> Compensation::stop() {
@@ -206,9 +227,12 @@ CompAlarm Compensation::alarm(Fault fault, const Command& command) const {
 
 Compensation::Fault Compensation::take(Command& command, const AxisValues& behind) {
     if (path::is_motion(command.op) && command.machine_coordinates) {
-        // For this way the compensation is taken back, and it begins anew behind it.
+        // For this way the compensation is taken back, and it begins anew behind it. Across the
+        // plane it is like blocks without motion there: the contour goes on from its normal.
+        const bool crosses = (command.moved & (bit(axes_.first) | bit(axes_.second))) == 0;
+        const bool stays = crosses && !lies_aside_ && !settings_.more_empty_is_fault;
         if (const Fault fault = finish()) return fault;
-        if (state_ == State::On) state_ = State::Starting;
+        if (state_ == State::On && !stays) state_ = State::Starting;
         const AxisValues stood = shown_;
         here_ = shown_ = into_plane(behind);
         if (!lies_aside_) {
@@ -219,6 +243,8 @@ Compensation::Fault Compensation::take(Command& command, const AxisValues& behin
             set_in_plane(shown_, in_plane(command.to));
         }
         meant_ = shown_;
+        if (stays && state_ == State::On)
+            set_in_plane(meant_, in_plane(into_plane(behind)) + aside_);
         settled_.push_back(std::move(command));
         return nullptr;
     }
@@ -310,7 +336,7 @@ void Compensation::begin_approach(Command& command) {
     held_.push_back({std::move(command), ++elements_, 0, false});
     approaches_ = true;
     approach_distance_ = distance_;
-    goes_straight_ = false;
+    goes_straight_ = is_let_go_ = false;
     state_ = State::On;
 }
 
@@ -324,6 +350,8 @@ Compensation::Fault Compensation::follow(Command& command) {
         if (const Fault fault = enter(element, element.is_arc() ? distance_ : before)) return fault;
     }
     if (comes_back_) come_back(command, element);
+    // On an arc the cutter cannot come straight to its end.
+    if (std::exchange(is_let_go_, false) && element.is_arc()) return &diag::CompAnewOnArc;
     const double radius = element.is_arc() ? path::radius(element) : 0;
     last_distance_ = distance_;
     here_ = command.to;

@@ -77,6 +77,13 @@ class Compensation {
     std::optional<CompAlarm> pause();
     /// Before the next motion in the plane a line leads to the normal at its start.
     void resume();
+    /// The line so far ends where it is programmed; the next one leads from there straight to the
+    /// corner at its end, where the cutter is beside the contour again. Nothing happens before the
+    /// contour has begun.
+    std::optional<CompAlarm> let_go();
+    /// The contour so far ends on its normal; the next line leads from there to its corner. Nothing
+    /// happens before the contour has begun.
+    std::optional<CompAlarm> begin_again();
     /// The cutter goes on an arc about the corner at which it is: to the normal of the next motion,
     /// or of a direction. `motion` tells feed and place of the arc.
     std::optional<CompAlarm> round_corner(const path::Command& motion,
@@ -183,6 +190,7 @@ class Compensation {
     bool keeps_vector_ = false;
     bool is_paused_ = false;
     bool comes_back_ = false;  // behind a pause: by a line to the contour
+    bool is_let_go_ = false;   // the next element is a line from where the cutter is
     std::optional<path::Vec2> leave_direction_;
     int empty_blocks_ = 0;
     bool cannot_turn_ = false;  // the tool, as the way beside the contour asks for it

@@ -55,7 +55,17 @@ struct CornerMessage {
 
 /// A change of the compensation, at its place among the commands.
 struct CompChange {
-    enum class Kind : std::uint8_t { Leave, Begin, Set, KeepVector, RoundCorner, Pause, Resume };
+    enum class Kind : std::uint8_t {
+        Leave,
+        Begin,
+        Set,
+        KeepVector,
+        RoundCorner,
+        Pause,
+        Resume,
+        LetGo,
+        Again
+    };
     Kind kind = Kind::Set;
     CompSettings settings;
     path::Plane plane = path::Plane::Xy;

@@ -366,12 +366,17 @@ class Executor {
     void set_plane(const path::Frame& plane, bool is_added);
     void tilt_along_tool(const nc::Block& block, const nc::Invocation& invocation);
     void end_tilt(const nc::Block& block);
+    void turn_in_space(const nc::Block& block, const nc::Invocation& invocation);
+    bool end_space_turns(const nc::Block& block);
+    bool is_length_nested(const nc::Block& block, nc::Function function);
     void align(const nc::Block& block, const nc::Invocation& invocation);
     bool has_rotary_axes(const nc::Block& block, nc::Function function);
     std::optional<path::Vec3> joints_for_plane(const nc::Block& block, nc::Function function,
                                                int sense);
     void turn_joints(const nc::Block& block, const path::Vec3& joints, path::Op op);
-    void turn_about_tip(const nc::Block& block, const path::Vec3& joints, path::Op op);
+    void turn_about_tip(const nc::Block& block, const path::Vec3& joints, path::Op op,
+                        double above);
+    void hold_tip(const nc::Block& block, const path::Vec3& joints, path::Op op);
     void carry(const nc::Block& block, const path::Vec3& joints);
     void drop_carry(const nc::Block& block);
     void stand_at(const nc::Block& block, const AxisValues& axes, bool tool_turns);

@@ -15,6 +15,22 @@ using nc::Function;
 using nc::Invocation;
 using path::Op;
 
+namespace {
+
+/// Before these the control takes the cutter off the contour, and puts it back with the next line,
+/// where the compensation lies within the frames.
+bool lets_comp_go(Function function) {
+    switch (function) {
+        case Function::Shift:
+        case Function::ShiftAdd:
+        case Function::SetPosition:
+        case Function::PositionReset: return true;
+        default: return false;
+    }
+}
+
+}  // namespace
+
 void Executor::select_work_offset(const Block& block, std::int64_t number) {
     if (number < 0 || number > rules_.work_offsets) {
         report(diag::WorkOffsetUnknown, block, Function::WorkOffset).arg(number);
@@ -32,6 +48,11 @@ void Executor::apply_frame(const Block& block, const Invocation& invocation) {
     if (is_set && cycles_said_.modal.is_active) {
         report(diag::SetPositionInCycle, block, invocation.function);
         return;
+    }
+    const bool is_compensated = comp_.side != Function::RadiusCompOff && rules_.comp_is_innermost;
+    if (is_compensated && lets_comp_go(invocation.function) && !cycle_.blocks) {
+        send_comp({CompChange::Kind::LetGo, {}, modal_.plane, 0, position_.base, {}, {}});
+        if (ended_) return;
     }
     const double x_scale = rules_.shift_in_diameter ? axes_.word_scale[index(Axis::X)] : 1;
     const FrameWords words = frame_words(block, invocation, 0, x_scale);

@@ -99,13 +99,13 @@ bool Executor::needs_comp_off(const Block& block, Function function) const {
     if (!rules_.comp_is_innermost || !acts || cycle_.blocks) return false;
     switch (function) {
         case Function::Rotate:
+        case Function::ReferenceCheck:
+        case Function::ReferenceLeave: return true;
+        // Before them, or on the way there, the compensation is taken back; it begins anew behind.
         case Function::Shift:
         case Function::ShiftAdd:
         case Function::PositionReset:
         case Function::SetPosition:
-        case Function::ReferenceCheck:
-        case Function::ReferenceLeave: return true;
-        // On the way there the compensation is taken back, and it begins anew behind it.
         case Function::ReferencePoint:
         case Function::ReferenceReturn: return comp_.acting != Function::CompInPlane;
         default: return false;
@@ -374,6 +374,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::TiltAlign:
         case Function::TiltAlignTip: actions.align = &invocation; break;
         case Function::TiltOff: end_tilt(block); break;
+        case Function::TurnInSpace: turn_in_space(block, invocation); break;
         case Function::Swivel: swivel(block, invocation); break;
         case Function::ToolFrame: frame_along_tool(block, invocation); break;
         case Function::ToolFrameOff:

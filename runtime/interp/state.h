@@ -253,6 +253,7 @@ struct Tilting {
     bool on_tables = false;  // … or the frames do so alone
     path::Vec3 joints = path::Vec3::Zero();  // R1, R2, Ψ there, rad
     bool warned_turned = false;
+    int turns = 0;  // rotations in space that made it; the tool lies along its Z
     std::optional<SaidPlane> open;
 };
 

@@ -112,7 +112,7 @@ void Executor::swivel(const Block& block, const Invocation& invocation) {
     if (!joints) return;
     const bool holds_tip = digit(options, 1) == 1;
     if (direction != 0)
-        holds_tip ? turn_about_tip(block, *joints, Op::Rapid)
+        holds_tip ? turn_about_tip(block, *joints, Op::Rapid, 0)
                   : turn_joints(block, *joints, Op::Rapid);
     if (!ended_) carry(block, *joints);
 }

@@ -236,7 +236,7 @@ void Executor::tilt_along_tool(const Block& block, const Invocation& invocation)
 }
 
 void Executor::end_tilt(const Block& block) {
-    if (!tilting_.is_on) return;
+    if (!tilting_.is_on || !end_space_turns(block)) return;
     tilting_.is_on = tilting_.warned_turned = false;
     frames_.set_tilt({});
     drop_carry(block);
@@ -273,7 +273,8 @@ void Executor::align(const Block& block, const Invocation& invocation) {
     // At rapid with the plane itself, else as the modal motion says.
     const bool is_line = modal_.motion == Function::Line && function != Function::Tilt;
     const Op op = is_line ? Op::Line : Op::Rapid;
-    is_about_tip ? turn_about_tip(block, *joints, op) : turn_joints(block, *joints, op);
+    const double above = is_about_tip ? block.argument(invocation, 1) : 0;
+    is_about_tip ? turn_about_tip(block, *joints, op, above) : turn_joints(block, *joints, op);
     if (!ended_) carry(block, *joints);
 }
 
@@ -328,12 +329,25 @@ void Executor::turn_joints(const Block& block, const Vec3& joints, Op op) {
     line(block, target, op, true);
 }
 
-/// The rotary axes go there, and the linear axes hold the tip on the workpiece.
-void Executor::turn_about_tip(const Block& block, const Vec3& joints, Op op) {
-    const machine::Chain& chain = machine_.kinematics->chain;
+/// The rotary axes go there, and the linear axes hold the tip on the workpiece, or a point of the
+/// tool's axis above it: that is the tip of a shorter tool. F 4.8.
+void Executor::turn_about_tip(const Block& block, const Vec3& joints, Op op, double above) {
     if (op == Op::Line && !check_feed(block, "line")) return;
     drop_carry(block);
     if (tool_.has_changed) activate_length(block, kLinearXYZ);
+    if (above == 0) return hold_tip(block, joints, op);
+    const Vec3 lengths = tool_.lengths;
+    tool_.lengths -= above * machine_.kinematics->chain.tool_direction;
+    stand_at(block, machine_axes(), true);
+    hold_tip(block, joints, op);
+    if (ended_) return;
+    const AxisValues axes = machine_axes();
+    tool_.lengths = lengths;
+    stand_at(block, axes, true);
+}
+
+void Executor::hold_tip(const Block& block, const Vec3& joints, Op op) {
+    const machine::Chain& chain = machine_.kinematics->chain;
     const AxisValues axes = machine_axes();
     const Vec3 tool = -tool_.lengths;
     machine::ChainPosition position{
@@ -372,6 +386,7 @@ void Executor::set_length_shift(const Vec3& shift) {
 /// What the linear axes stand beside the tip, for a tool with these lengths.
 Vec3 Executor::length_shift_of(const Vec3& lengths) const {
     if (orienting_.is_on) return Vec3::Zero();
+    if (tilting_.turns > 0) return frames_.tilt().direction(lengths);
     if (!tilting_.carries) return lengths;
     return -machine::head_offset(machine_.kinematics->chain, tilting_.joints, -lengths);
 }

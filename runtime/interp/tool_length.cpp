@@ -120,7 +120,8 @@ bool Executor::activate_length_on_arc(const Block& block, const Vec3& normal, Ax
 
 /// Tells the motion side what lies between the tip and what the linear axes carry.
 Command& Executor::put_tool_length(const Block& block, Axis axis) {
-    const Vec3 carried = tilting_.carries ? length_shift_of(tool_.lengths) : tool_.lengths;
+    const bool is_turned = tilting_.carries || tilting_.turns > 0;
+    const Vec3 carried = is_turned ? length_shift_of(tool_.lengths) : tool_.lengths;
     const auto chief = static_cast<Eigen::Index>(index(axis));
     Command& command = put(Op::ToolLength, block);
     command.plane = plane_with_normal(axis);
@@ -129,8 +130,9 @@ Command& Executor::put_tool_length(const Block& block, Axis axis) {
     command.length = carried[chief];
     command.aside = carried;
     command.aside[chief] = 0;
-    command.is_swivelled = tilting_.carries;
-    if (tilting_.carries)
+    command.is_swivelled = is_turned;
+    if (tilting_.turns > 0) command.direction = frames_.tilt().direction(Vec3::UnitZ());
+    else if (tilting_.carries)
         command.direction = machine::tool_in_base(machine_.kinematics->chain, tilting_.joints);
     return command;
 }

@@ -152,6 +152,10 @@ bool ExpressionCompiler::take_level(int level, bool& is_logical) {
         tables_.note(form);
         bool is_right_logical = false;
         if (!take_level(level - 1, is_right_logical)) return false;
+        const bool is_computed =
+            (is_logical || is_right_logical) && !is_connective(form->operation);
+        if (is_computed && !rules_.stores_comparisons)
+            return fail(diag::ExpressionSyntax, span_from(begin));
         is_logical = is_comparison(form->operation) ||
                      (is_logical && is_right_logical && is_connective(form->operation));
         emit_operation(form->operation, 2, begin);

@@ -1,12 +1,17 @@
 %
 O0001
-(rule: F 3.3, 3.4, 3.7: not inside G41: the compensation ends first)
-(expect: alarm  K5351 at 8:1)
-T1M6S500M3
-G41D1G01X10.Y0F100.
-X20.
-G52X5.
-X30.
-G40X50.
+(rule: F 4.3, 3.4: before G52 the line ends where it is programmed, the next one leads to its corner)
+(expect: path X-20Y-20 x-5y0f200 y45 x40y40 x95y45 y-5 x10 x-10y-20)
+G10L12P1R5.
+G90G54G17G0X-20.Y-20.
+S2000M3
+G41D1G1X0Y0F200.
+Y40.
+X40.
+G52X10.Y0
+X80.Y40.
+Y0
+X0
+G40X-20.Y-20.
 M30
 %

@@ -1,0 +1,71 @@
+// space_turns.cpp — a rotation in space about an axis through a point: FANUC's coordinate
+// conversion in three dimensions, G68 with I, J and K.
+//
+// The program goes on in a system whose origin is that point, turned about the axis; a second
+// rotation is told in the system of the first. Heads that are set by hand, or turned by the program
+// before, hold the tool along its Z, and so the tool's length lies there. No axis moves. F 3.7.
+#include <Eigen/Geometry>
+
+#include "base/diagnostics/iso.h"
+#include "base/units.h"
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Invocation;
+using path::Frame;
+using path::Vec3;
+
+namespace {
+
+constexpr int kMostTurns = 2;  // PS5043
+
+}  // namespace
+
+/// False: the rotations and the length of the tool are not nested, and it was reported. The length
+/// is switched on inside of them and off again: else it would lie askew to its own compensation.
+bool Executor::is_length_nested(const Block& block, Function function) {
+    const bool has_length = tool_.source != Tool::Source::None && tool_.length_number() != 0;
+    if (!has_length) return true;
+    report(diag::SpaceTurnLength, block, function).arg(word_of(block, function));
+    return false;
+}
+
+void Executor::turn_in_space(const Block& block, const Invocation& invocation) {
+    constexpr std::size_t kAxis = 3;
+    constexpr std::size_t kAngle = 6;
+    if (tilting_.turns >= kMostTurns) {
+        report(diag::SpaceTurnNested, block, invocation.function);
+        return;
+    }
+    if (!begin_plane(block, invocation, tilting_.turns > 0)) return;
+    if (!is_length_nested(block, invocation.function)) return;
+    const Vec3 axis{block.argument(invocation, kAxis), block.argument(invocation, kAxis + 1),
+                    block.argument(invocation, kAxis + 2)};
+    if (axis.norm() == 0) {
+        report(diag::SpaceTurnAxis, block, invocation.function);
+        return;
+    }
+    Vec3 center;
+    for (std::size_t i = 0; i < 3; ++i)
+        center[static_cast<Eigen::Index>(i)] = block.argument(invocation, i, position_.here[i]);
+    const double angle = rad_from_deg(block.argument(invocation, kAngle));
+    const Frame turned{Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix(),
+                       Vec3::Zero()};
+    set_plane(path::translation(center) * turned, tilting_.turns > 0);
+    ++tilting_.turns;
+    position_.programmed = position_.here;
+}
+
+/// All rotations end at once.
+bool Executor::end_space_turns(const Block& block) {
+    if (tilting_.turns == 0) return true;
+    if (!is_length_nested(block, Function::RotateOff)) return false;
+    tilting_.turns = 0;
+    set_length_shift(length_shift_of(tool_.lengths));
+    return true;
+}
+
+}  // namespace kadr::interp

@@ -1,0 +1,20 @@
+%
+O0207(CAM GROOVE)
+(rule: F 3.6 G07.1: a groove on the cylinder)
+(machine: driven)
+(expect: path X62Z-20 x58f100 z-25f200 y22.777c45 cw:y27.838z-30c55 y45.553c90 y50.615c100 X80Y0)
+G98G97S1500M3
+G0X62.Z-20.C0
+G1X58.F100
+G19W0H0
+G07.1C29.
+G1Z-25.F200
+C45.
+G2Z-30.C55.R8.
+G1C90.
+C100.
+G07.1C0
+G18
+G0X80.
+M30
+%

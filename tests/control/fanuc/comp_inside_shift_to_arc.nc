@@ -1,0 +1,15 @@
+%
+O0001
+(rule: F 4.3: nor to the end of an arc)
+(expect: alarm  K5668 at 11:1)
+G10L12P1R5.
+G90G54G17G0X-20.Y0
+S2000M3
+G42D1G1X0F200.
+X20.
+G52X10.
+G3X30.Y20.R20.
+G1Y40.
+G40X70.
+M30
+%

@@ -1,0 +1,9 @@
+%
+O0001
+(rule: F 3.7 a third rotation in space)
+(expect: alarm PS5043 K5665 at 7:1)
+G68X0Y0Z0I1.J0K0R30.
+G68X0Y0Z0I0J1.K0R10.
+G68X0Y0Z0I0J0K1.R5.
+M30
+%

@@ -1,0 +1,18 @@
+%
+O0122(OLD COUNT FORMATS)
+(rule: F 6.8 M98: repeats in front of the number and behind L, M99 P in the main program)
+(expect: path Z10 X1 X2 X3 X4 X5 X6 X7 X8 X9 X10 X11 X0)
+G90G54G0X0Y0Z10.
+M98P0041000
+M98P41000
+M98P1000L2
+M98P1000
+M99P50
+N40X500.
+N50G0X0
+M30
+O1000
+G91X1.
+G90
+M99
+%

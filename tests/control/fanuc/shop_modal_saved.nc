@@ -1,0 +1,32 @@
+%
+O0109
+(rule: F 6.5 #4001 and following: a macro leaves the codes as it found them)
+(expect: path X25.4Y25.4 X35.4 x25.4f100)
+(expect: #100=1)
+(expect: #101=1)
+(expect: #102=1)
+(expect: #103=0.01)
+G91G18G20G99G95G64
+G90G54G0X1.Y1.F.01
+G65P9109
+IF[[#4003EQ90]AND[#4002EQ18]]THEN#100=1
+IF[#4006EQ20]THEN#101=1
+IF[#4005EQ95]THEN#102=1
+#103=#4109
+M30
+O9109
+#1=#4001
+#2=#4002
+#3=#4003
+#5=#4005
+#6=#4006
+#10=#4010
+#9=#4109
+#14=#4014
+#15=#4015
+G21G17G91G94G98
+G0X10.
+G1X-10.F100.
+G#1G#2G#3G#5G#6G#10G#14G#15F#9
+M99
+%

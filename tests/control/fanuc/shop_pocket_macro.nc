@@ -1,0 +1,46 @@
+%
+O0105(RECTANGULAR POCKET MACRO)
+(rule: F 6.3, 6.4, 6.7: vacant arguments, FUP, nested loops)
+(expect: path Z10 z-3f200 x-21.333y-6.333f600 x21.333 y6.333 x-21.333 y-6.333 x-27.667y-12.667 x27.667 y12.667 x-27.667)
+(expect: path y-12.667 x-34y-19 x34 y19 x-34 y-19 x0y0 z-6f200 x-21.333y-6.333f600 x21.333 y6.333 x-21.333 y-6.333)
+(expect: path x-27.667y-12.667 x27.667 y12.667 x-27.667 y-12.667 x-34y-19 x34 y19 x-34 y-19 x0y0 Z1 Z50)
+G90G17G54G0X0Y0
+S3000M3
+Z10.
+G65P9105 X80. Y50. Z-6. Q3. R1. D12. S70 F600. C8.
+G0 Z50.
+M30
+O9105
+(X LENGTH Y WIDTH Z DEPTH Q STEP D CUTTER S OVERLAP% C CORNER)
+IF [[#24 LE #7] OR [#25 LE #7]] THEN #3000 = 10 (POCKET TOO SMALL)
+IF [#17 LE 0] GOTO 99
+IF [#3 LT [#7/2]] THEN #3 = #7/2
+#10 = 0
+#11 = #24/2 - #7/2
+#12 = #25/2 - #7/2
+#13 = #7*#19/100
+#16 = FUP[#12/#13]
+#13 = #12/#16
+G90 G0 X0 Y0
+WHILE [#10 GT #26] DO 1
+ #10 = #10 - #17
+ IF [#10 LT #26] THEN #10 = #26
+ G1 Z#10 F[#9/3]
+ #14 = 1
+ WHILE [#14 LE #16] DO 2
+  #15 = #14*#13
+  #5 = #11 - #12 + #15
+  #6 = #15
+  G1 X-#5 Y-#6 F#9
+  X#5
+  Y#6
+  X-#5
+  Y-#6
+  #14 = #14 + 1
+ END 2
+ G1 X0 Y0
+END 1
+G0 Z#18
+M99
+N99 #3000=11(STEP ZERO)
+%

@@ -1,0 +1,30 @@
+%
+O0111(ROTATED POCKETS)
+(rule: F 3.7, 4.3, 6.8: G41 inside of G68, and the old form of repeats)
+(expect: path Z10 X40 z-2f100 x45y-1f300 ccw:x46y0 ccw:x45y1 x40y0 Z5 X-40 z-2f100 x-45y1f300 ccw:x-46y0 ccw:x-45y-1)
+(expect: path x-40y0 Z5 X40 z-2f100 x45y-1f300 ccw:x46y0 ccw:x45y1 x40y0 Z5 z-2f100 x45y-1f300 ccw:x46y0 ccw:x45y1)
+(expect: path x40y0 Z5 Z50)
+G90G17G54G0X0Y0
+S2000M3
+G10L12P1R4.
+Z10.
+#1=0
+N5G68X0Y0R#1
+M98P1111
+G69
+#1=#1+180
+IF[#1LT360]GOTO5
+M98P0021111
+G0Z50.
+M30
+O1111
+G90G0X40.Y0
+G1Z-2.F100
+G41D1X45.Y-5.F300
+G3X50.Y0R5.
+I-10.
+X45.Y5.R5.
+G40G1X40.Y0
+G0Z5.
+M99
+%

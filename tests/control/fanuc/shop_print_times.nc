@@ -1,0 +1,28 @@
+%
+O0108(CYCLE TIME, FLAGS, DPRNT)
+(rule: F 6.5 #3001, #3004, #3011; 6.10)
+(expect: path x100f1000)
+(expect: dwell 2)
+(expect: print [ PART START     0])
+(expect: print [TIME     8.00 S])
+(expect: print [DATE  22/ 11/ 2026])
+#3001=0
+#510=#3002
+POPEN
+DPRNT[*PART*START*#3901[40]]
+G90G54G0X0Y0
+#3004=7
+G1X100.F1000.
+#3004=0
+#3003=1
+G4P2000
+#3003=0
+#1=#3001/1000
+DPRNT[TIME*#1[42]*S]
+#2=FIX[#3011/10000]
+#3=FIX[[#3011-#2*10000]/100]
+#4=#3011-#2*10000-#3*100
+DPRNT[DATE*#4[20]/#3[20]/#2[40]]
+PCLOS
+M30
+%

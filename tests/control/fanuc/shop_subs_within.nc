@@ -1,0 +1,29 @@
+%
+O0115
+(rule: F 6.8 M98 Q in the same program and in another one, M99 P by a variable)
+(expect: path X5 X10 X15 X22 X29 X100)
+(expect: #2=3)
+G90G54G0X0Y0
+M98Q100L3
+G91
+M98P1115Q20L2
+G90
+#1=40
+M98P1116
+N30X999.
+N40G0X100.
+GOTO200
+N100G91X5.
+G90
+M99
+N200M30
+O1115
+X1000.
+N20X7.
+M99
+O1116
+#2=0
+N1#2=#2+1
+IF[#2LT3]GOTO1
+M99P#1
+%

@@ -1,0 +1,28 @@
+%
+O0104(THREAD MILL M30X2 INTERNAL)
+(rule: F 4.3, 3.5, 6.8: an internal thread by helices beside G41; the feed is that of the centre)
+(expect: path X50Y40 Z20 Z-18 x57.5y37.5f800 ccw:x60y40z-17.75f160.036 ccw:z-15.75 ccw:x57.5y42.5z-15.5 x50y40f800 Z2)
+(expect: path Z100)
+G90G54G17G40
+S2200M3
+G0X50.Y40.
+Z20.
+G10L12P4R5.
+G65P9104A50.B40.D30.K2.R2.Z-18.T4.F240.
+G0Z100.
+M30
+O9104
+#30=#7/2(MAJOR RADIUS)
+#33=#9*[#30-#[13000+#20]]/#30
+G0X#1Y#2
+Z#26
+G91
+G41G1X[#30/2]Y-[#30/2]D#20F[#33*5]
+G3X[#30/2]Y[#30/2]R[#30/2]Z[#6/8]F#33
+G3I-#30Z#6
+G3X-[#30/2]Y[#30/2]R[#30/2]Z[#6/8]
+G40G1X-[#30/2]Y-[#30/2]F[#33*5]
+G90
+G0Z#18
+M99
+%

@@ -1,0 +1,25 @@
+%
+O0106(TOOL LIFE BY PARTS)
+(rule: F 6.5 #3006, #3901: the third part of an insert asks for another one)
+(expect: path Z5 z-3f150 Z50)
+(expect: message CHANGE TOOL 5 INSERT)
+(expect: stop)
+(expect: #531=0)
+(expect: #3901=1)
+#531=2
+IF[#532EQ#0]THEN#532=3
+#531=#531+1
+IF[#531GE#532]GOTO50
+GOTO60
+N50#3006=1(CHANGE TOOL 5 INSERT)
+#531=0
+#10005=0
+N60G90G54G0X0Y0S900M3
+Z5.
+G1Z-3.F150.
+G0Z50.
+#3901=#3901+1
+IF[#3902EQ0]GOTO70
+IF[#3901GE#3902]THEN#3000=30(REQUIRED PARTS DONE)
+N70M30
+%

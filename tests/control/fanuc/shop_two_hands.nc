@@ -1,0 +1,31 @@
+%
+O0112(MIRROR TWO HANDS)
+(rule: F 3.7 G51.1: the side of the cutter and the arcs change with one mirrored axis)
+(expect: path Z5 X10Y10 z-1f100 x13.343y19f200 x40 ccw:x41y20 y30 x10y10 Z5 X-10 z-1f100 x-13.343y19f200 x-40)
+(expect: path cw:x-41y20 y30 x-10y10 Z5 Y-10 z-1f100 x-13.343y-19f200 x-40 ccw:x-41y-20 y-30 x-10y-10 Z5 X10 z-1f100)
+(expect: path x13.343y-19f200 x40 cw:x41y-20 y-30 x10y-10 Z5 Z50)
+G90G17G54
+G10L12P1R4.
+G0X0Y0S1500M3
+Z5.
+M98P1112
+G51.1X0
+M98P1112
+G51.1Y0
+M98P1112
+G50.1X0
+M98P1112
+G50.1Y0
+G0Z50.
+M30
+O1112
+G0X10.Y10.
+G1Z-1.F100.
+G41X15.Y15.D1F200.
+X40.
+G3X45.Y20.R5.
+G1Y30.
+G40X10.Y10.
+G0Z5.
+M99
+%
