@@ -288,6 +288,21 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
                    (is_cross ? axes_.word_scale[index(Axis::X)] : 1);
         }
         case Quantity::EdgeCount: return number(tool_offsets_.edges(first));
+        case Quantity::EdgeNumberOf: return number(tool_offsets_.number_of(first, second));
+        case Quantity::ToolWithEdge: return number(tool_offsets_.tool_with(first, second));
+        case Quantity::CuttingEdge:
+            if (!has_edge(first, second)) return std::nullopt;
+            return number(tool_offsets_.cutting_edge(first, second));
+        case Quantity::ApproachStart:
+        case Quantity::ApproachEnd: {
+            const auto axis = axis_of(first);
+            if (!axis) return std::nullopt;
+            if (!approached_) return 0;
+            const AxisValues& base =
+                quantity == Quantity::ApproachStart ? approached_->start : approached_->end;
+            return frames_.from_base(base)[index(*axis)];
+        }
+        case Quantity::ApproachKnown: return approached_ ? 1 : 0;
         case Quantity::RadiusAllowance: return comp_.allowance;
         case Quantity::ProbePosition: {
             const auto axis = axis_of(first);

@@ -52,6 +52,7 @@ bool Executor::check_rigid_tap(const Block& block, SlotMask targets) {
 }
 
 bool Executor::check_feed(const Block& block, std::string_view what) {
+    if (contour_) return true;  // no axis moves
     if (!modal_.has_feed) {
         report(diag::FeedMissing, block).arg(what);
         return false;
@@ -100,7 +101,7 @@ void Executor::check_rapid(const Block& block, const Target& target) {
     const bool dives = (target.moved >> kZ & 1u) != 0 && target.here[kZ] < 0 &&
                        target.here[kZ] < position_.here[kZ];
     const bool is_mill = axes_.word_scale[0] == 1 && modal_.plane == path::Plane::Xy;
-    if (told_.rapid || !stands || !dives || !is_mill) return;
+    if (told_.rapid || !stands || !dives || !is_mill || contour_) return;
     told_.rapid = true;
     report(diag::RapidBelowPlane, block, Slot::Z).arg(round_to(target.here[kZ], 4));
 }
@@ -138,6 +139,7 @@ void Executor::check_units(const Block& block, nc::Function units) {
 }
 
 bool Executor::check_limits(const Block& block, const AxisValues& base, AxisMask moved) {
+    if (contour_) return true;
     // Where the axes go under a transformation is worked out along the way (motion/axis_check.h).
     if (is_transformed()) return !area_.acts() || check_area(block, base, moved);
     return check_machine_limits(block, base, moved) &&
@@ -173,6 +175,7 @@ bool Executor::check_machine_limits(const Block& block, const AxisValues& base, 
 }
 
 bool Executor::check_arc_limits(const Block& block, const path::Arc& arc, const Target& target) {
+    if (contour_) return true;
     if (!check_limits(block, target.base, target.moved)) return false;
     // Far from every limit, which is nearly always, the whole circle is the quick answer.
     const path::ArcShape shape = path::shape_of(arc);

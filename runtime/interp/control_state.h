@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "interp/contour_run.h"
 #include "interp/control_frame.h"
 #include "nc/language.h"
 
@@ -54,6 +55,11 @@ class ControlState {
     virtual void keep_frames() = 0;
     /// Goes back to those that were kept last; `is_wanted` false: only forgets them.
     virtual void restore_frames(bool is_wanted) = 0;
+    /// From here on blocks are read as a contour, and no axis moves. Empty; else what acts, under
+    /// which there is no contour.
+    virtual std::string_view begin_contour() = 0;
+    /// Ends that: the control is where it was. Nothing: what is wrong was reported.
+    virtual std::optional<ContourSaid> end_contour() = 0;
     /// Whether the tool stands at a place of a pattern, where a program is to be called.
     virtual bool is_at_place() const = 0;
     /// Behind the block that is next the tool goes on to the next place.

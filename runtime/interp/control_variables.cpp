@@ -32,6 +32,8 @@ bool is_of_axis(Quantity quantity) {
         case Quantity::ProbePosition:
         case Quantity::ProbePlace:
         case Quantity::ProbeMachine:
+        case Quantity::ApproachStart:
+        case Quantity::ApproachEnd:
         case Quantity::WorkOffset: return true;
         default: return false;
     }
@@ -250,6 +252,12 @@ Variables::Answer ControlVariables::system(Quantity quantity, std::int64_t first
     return Answer::Value;
 }
 
+bool ControlVariables::set_system(Quantity quantity, std::int64_t first, std::int64_t second,
+                                  double value) {
+    if (state_ == nullptr) return false;
+    return state_->set_quantity(quantity, first, second, value, true) == ControlState::Write::Done;
+}
+
 Variables::Answer ControlVariables::frame(Quantity quantity, std::int64_t index,
                                           ControlFrame& out) {
     if (state_ == nullptr) return Answer::Unsupported;
@@ -317,6 +325,40 @@ bool ControlVariables::has_spindle(std::int64_t number) const {
 
 bool ControlVariables::set_element(const nc::Symbol& symbol, std::uint32_t element, double value) {
     return store_element(symbol, symbol.slot + element, Value::real(value), {}).row == nullptr;
+}
+
+void ControlVariables::set_number(const VariablePlace& place, std::uint32_t element,
+                                  double number) {
+    const std::uint32_t slot = place.slot + element;
+    const bool is_local = place.symbol == nullptr && place.store == &level_->locals;
+    const nc::Symbol* symbol = is_local ? declared_at(*level_, slot) : place.symbol;
+    change(*place.store, slot, symbol,
+           [&] { place.store->values[slot] = Value::of(number, place.type); });
+}
+
+void ControlVariables::say_units(ContourSaid& contour) const {
+    const double unit = axis_unit(Axis::X);
+    const double feed = text_scale(nc::Dimension::Feed, reader_.units(), true);
+    const nc::Function function = reader_.units().inch ? nc::Function::Inch : nc::Function::Metric;
+    // The code that acts by its place in the list of its group.
+    int place = reader_.units().inch ? 0 : 1;
+    for (const nc::Form& form : tables_.forms) {
+        if (form.function != function || form.group < 0) continue;
+        const auto group = static_cast<std::size_t>(form.group);
+        const auto list = std::ranges::find(language_.code_lists, tables_.groups[group].name,
+                                            &nc::CodeList::group);
+        if (list == language_.code_lists.end()) break;
+        place = static_cast<int>(code_in_list(*list, group).value_or(place + 1)) - 1;
+        break;
+    }
+    for (ContourElement& element : contour) {
+        element.shape.from /= unit;
+        element.shape.to /= unit;
+        element.shape.center /= unit;
+        element.feed *= feed;
+        element.modes.is_metric = !reader_.units().inch;
+        element.modes.units = place;
+    }
 }
 
 double ControlVariables::axis_unit(Axis axis) const {

@@ -50,6 +50,8 @@ class ControlVariables final : public Variables {
     Answer family(std::uint32_t form, std::int64_t number, Value& out) override;
     Answer system(nc::Quantity quantity, std::int64_t first, std::int64_t second,
                   double& out) override;
+    bool set_system(nc::Quantity quantity, std::int64_t first, std::int64_t second,
+                    double value) override;
     Answer frame(nc::Quantity quantity, std::int64_t index, ControlFrame& out) override;
     Answer text(nc::Quantity quantity, std::int64_t index, std::string& out) override;
     double axis_unit(Axis axis) const override;
@@ -60,6 +62,8 @@ class ControlVariables final : public Variables {
     bool has_spindle(std::int64_t number) const override;
     std::string word_of(nc::Operation operation) const override;
     bool set_element(const nc::Symbol& symbol, std::uint32_t element, double value) override;
+    /// A contour in mm gets the units of the text, and tells which those are.
+    void say_units(ContourSaid& contour) const;
 
     const Store& globals() const { return globals_; }
     Level& level() { return *level_; }
@@ -81,6 +85,8 @@ class ControlVariables final : public Variables {
         const nc::Symbol* symbol = nullptr;  // if it was declared
     };
     VariablePlace place_of(const nc::Instruction& load, std::span<const std::int64_t> indices);
+    /// Sets an element from there on, of a variable that takes numbers.
+    void set_number(const VariablePlace& place, std::uint32_t element, double number);
     /// The parameter of `level` stands for a variable elsewhere; `symbol.slot` counts there.
     static void bind(Level& level, nc::Symbol symbol, Store& store);
 

@@ -362,6 +362,13 @@ bool Evaluator::operate(const Instruction& instruction, int decimals) {
         case Operation::FormatText: is_fine = format_text(a, instruction.count); break;
         case Operation::CircleThrough: is_fine = circle_through(a); break;
         case Operation::MeasuredFrame: is_fine = measured_frame(a); break;
+        case Operation::CommonPoint: is_fine = common_point(a); break;
+        case Operation::EdgeNumber:
+        case Operation::GiveEdgeNumber:
+        case Operation::ToolOfEdge:
+        case Operation::EdgesUnique:
+            is_fine = edge_question(operation, a, instruction.count);
+            break;
         default: is_fine = function(operation, a, decimals);
     }
     ++size_;

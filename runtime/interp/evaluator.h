@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "interp/contour_table.h"
 #include "interp/control_value.h"
 #include "nc/lexer.h"
 
@@ -33,6 +34,9 @@ class Variables {
     /// `Later`: the blocks before have to be executed first.
     virtual Answer system(nc::Quantity quantity, std::int64_t first, std::int64_t second,
                           double& out) = 0;
+    /// Sets a quantity that is a whole number; false: there is no such place.
+    virtual bool set_system(nc::Quantity quantity, std::int64_t first, std::int64_t second,
+                            double value) = 0;
     /// The same of a quantity that is a frame.
     virtual Answer frame(nc::Quantity quantity, std::int64_t index, ControlFrame& out) = 0;
     /// The same of a quantity that is a text.
@@ -108,6 +112,8 @@ class Evaluator {
                                                 std::span<const std::int64_t> indices);
     /// Which index does not fit, for a message: "`MAT`", and of a further one "`MAT` in place 2".
     static std::string wrong_index(const nc::Symbol& symbol, std::span<const std::int64_t> indices);
+    /// A row of a table of contours that the program has.
+    ContourRow contour_row(const nc::Symbol& table, std::int64_t row) const;
 
   private:
     Outcome execute(const nc::ControlLine& line, const nc::Expression& expression, int decimals);
@@ -134,6 +140,12 @@ class Evaluator {
     bool set_element(const nc::Symbol& symbol, std::uint32_t element, double value);
     bool circle_through(Value* a);
     bool measured_frame(Value* a);
+    bool common_point(Value* a);
+    // Cutting edges by their numbers.
+    bool ask(nc::Quantity quantity, double first, double second, double& out);
+    bool edge_question(nc::Operation operation, Value* a, int count);
+    bool tool_of_edge(Value* a);
+    bool edges_unique(Value* a, int count);
     bool frame_function(nc::Operation operation, Value* a, int count);
     bool pairs(nc::Operation operation, const Value* a, int count, std::vector<AxisAndValue>& out);
     bool fail(const DiagnosticRow& row, std::vector<std::string> arguments = {});

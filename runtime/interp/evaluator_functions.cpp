@@ -2,6 +2,7 @@
 // program.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "base/diagnostics/control.h"
@@ -119,6 +120,120 @@ bool Evaluator::measured_frame(Value* a) {
         found.error < 0 ? found.error : found.error / variables_.axis_unit(Axis::X);
     if (!set_element(*error, 0, shown)) return false;
     *a = keep_frame(found.frame);
+    return true;
+}
+
+ContourRow Evaluator::contour_row(const nc::Symbol& table, std::int64_t row) const {
+    ContourRow out{};
+    for (std::uint32_t i = 0; i < kContourColumns; ++i)
+        out[i] =
+            element_of(table, static_cast<std::uint32_t>(row) * std::uint32_t{kContourColumns} + i);
+    return out;
+}
+
+/// Two tables of contours with a row each, and an array that takes the point.
+bool Evaluator::common_point(Value* a) {
+    std::array<ContourElement, 2> elements;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const Value& row = a[2 * k + 1];
+        const nc::Symbol& table = level_->symbols.at(static_cast<std::uint32_t>(a[2 * k].number));
+        const bool is_table = table.type == nc::ValueType::Real && table.dimensions == 2 &&
+                              table.sizes[1] == kContourColumns;
+        if (!is_table)
+            return fail(diag::ArgumentDiffers, {"the table", "an array of reals with 11 columns"});
+        if (!row.is_number() || row.number < 0 || row.number >= table.sizes[0])
+            return fail(diag::IndexWrong, {'`' + table.name + '`'});
+        const auto element = interp::element_of(contour_row(table, std::llround(row.number)));
+        if (!element) return fail(diag::ContourRowWrong, {written(row)});
+        elements[k] = *element;
+    }
+    const nc::Symbol* to = variable_itself(a[4], 2, "a point");
+    if (to == nullptr) return false;
+    const auto point = interp::common_point(elements[0], elements[1]);
+    for (std::uint32_t i = 0; point && i < 2; ++i)
+        if (!set_element(*to, i, (*point)[static_cast<Eigen::Index>(i)])) return false;
+    *a = Value::truth(point.has_value());
+    return true;
+}
+
+/// A whole number of the control; false: it is not known yet, or there is none.
+bool Evaluator::ask(nc::Quantity quantity, double first, double second, double& out) {
+    return answer(variables_.system(quantity, std::llround(first), std::llround(second), out));
+}
+
+/// Numbers of tools and edges.
+bool Evaluator::edge_question(Operation operation, Value* a, int count) {
+    if (operation == Operation::ToolOfEdge) return tool_of_edge(a);
+    if (operation == Operation::EdgesUnique) return edges_unique(a, count);
+    for (int i = 0; i < count; ++i) {
+        const bool is_number = a[i].is_number() && std::fabs(a[i].number) < 1e9;
+        if (!is_number)
+            return fail(diag::ArgumentRange, {variables_.word_of(operation), written(a[i])});
+    }
+    double edge = 0;
+    if (!ask(nc::Quantity::EdgeNumberOf, a[0].number, a[1].number, edge)) return false;
+    if (operation == Operation::EdgeNumber) {
+        *a = Value::of(edge, nc::ValueType::Int);
+        return true;
+    }
+    const bool is_given =
+        edge != 0 && variables_.set_system(nc::Quantity::EdgeNumberOf, std::llround(a[0].number),
+                                           std::llround(a[1].number), a[2].number);
+    *a = Value::truth(is_given);
+    return true;
+}
+
+/// A variable that takes the tool, and the number D.
+bool Evaluator::tool_of_edge(Value* a) {
+    const nc::Symbol* to = variable_itself(a[0], 1, "a tool");
+    if (to == nullptr) return false;
+    if (!a[1].is_number())
+        return fail(diag::ArgumentRange, {variables_.word_of(operation_), written(a[1])});
+    double tool = 0;
+    double other = 0;
+    if (!ask(nc::Quantity::ToolWithEdge, a[1].number, 0, tool) ||
+        !ask(nc::Quantity::ToolWithEdge, a[1].number, 1, other) || !set_element(*to, 0, tool))
+        return false;
+    *a = Value::of(tool == 0 ? -1 : other == 0 ? 0 : -2, nc::ValueType::Int);
+    return true;
+}
+
+/// Variables that name a tool, another one, and a number D; those that are not there mean all.
+bool Evaluator::edges_unique(Value* a, int count) {
+    std::array<const nc::Symbol*, 3> of{};
+    std::array<double, 3> wanted{};
+    for (int i = 0; i < count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        of[k] = variable_itself(a[i], 1, "a tool, or a number D");
+        if (of[k] == nullptr) return false;
+        wanted[k] = element_of(*of[k], 0);
+    }
+    constexpr int kMostEdges = 12;  // that a tool can have
+    for (int edge = 1; edge <= kMostEdges; ++edge) {
+        if (count == 3 && edge != wanted[2]) continue;
+        std::vector<double> tools;
+        double tool = 0;
+        do {
+            if (!ask(nc::Quantity::ToolWithEdge, edge, static_cast<double>(tools.size()), tool))
+                return false;
+            if (tool != 0) tools.push_back(tool);
+        } while (tool != 0);
+        for (std::size_t i = 0; i < tools.size(); ++i) {
+            for (std::size_t j = i + 1; j < tools.size(); ++j) {
+                const auto is_among = [&](double which) {
+                    return tools[i] == which || tools[j] == which;
+                };
+                if ((count >= 1 && !is_among(wanted[0])) || (count >= 2 && !is_among(wanted[1])))
+                    continue;
+                const std::array<double, 3> found{tools[i], tools[j], static_cast<double>(edge)};
+                for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
+                    if (!set_element(*of[k], 0, found[k])) return false;
+                *a = Value::truth(false);
+                return true;
+            }
+        }
+    }
+    *a = Value::truth(true);
     return true;
 }
 

@@ -114,10 +114,12 @@ void Executor::execute_next() {
         if (block == nullptr) return;
     }
     if (shape_ && !check_shape_block(*block)) return;
+    if (contour_ && !check_contour_block(*block)) return;
     execute(rules_.center_stays ? with_center(*block) : *block);
     const bool is_open = open_line_ || (corners_.is_active() && !acts(*block));
     if (has_stages() && !is_open) settle(*block);
     if (shape_ && !ended_) end_shape_block(*block);
+    if (contour_ && !ended_) note_contour_block(*block);
     if (virtual_.axes.is_on() && !ended_) follow_rotary();
 }
 
@@ -156,6 +158,12 @@ void Executor::end_of_blocks() {
     }
     if (is_any_comp_on()) flush_comp();
     if (ended_) return;
+    if (contour_ && (places_ == nullptr || !places_->failed())) {
+        Block nowhere{};
+        nowhere.line = places_ != nullptr ? static_cast<std::uint32_t>(places_->lines()) : 0;
+        report(diag::ContourUnfinished, nowhere);
+        return;
+    }
     ended_ = true;
     // The reader has said already why it stopped.
     if (places_ != nullptr && places_->failed()) {
@@ -270,6 +278,7 @@ void Executor::move_with_own_feed(const Block& places, const Actions& actions) {
 /// Where a command goes that no corner waits for.
 Command& Executor::behind_corners() {
     if (keeps_shape()) return shape_->commands.emplace_back();
+    if (contour_) return contour_->commands.emplace_back();
     if (soft_approach_.is_active()) return soft_approach_.next();
     if (space_comp_.is_on()) return space_comp_.next();
     return compensation_.is_on() ? compensation_.next() : output_.next();

@@ -9,9 +9,10 @@
 // the commands pass through), soft_moves.cpp (soft approaches and retracts), smoothing.cpp (rounded
 // corners, compressed lines), cycles.cpp (machining cycles), patterns.cpp (places at which a cycle
 // is called), panel.cpp and feed_words.cpp (how fast motions may be), shapes.cpp (cycles along a
-// shape that stands in the program), splines.cpp, through_splines.cpp, polynomials.cpp,
-// involutes.cpp and curves.cpp (other curves), arc_threads.cpp (threads along arcs),
-// numbered_spindles.cpp (several spindles), rare_words.cpp and data_input.cpp (rarer words).
+// shape that stands in the program), contours.cpp (contours that become tables), splines.cpp,
+// through_splines.cpp, polynomials.cpp, involutes.cpp and curves.cpp (other curves),
+// arc_threads.cpp (threads along arcs), numbered_spindles.cpp (several spindles), rare_words.cpp
+// and data_input.cpp (rarer words).
 #pragma once
 
 #include <array>
@@ -90,6 +91,8 @@ class Executor {
     bool has_spindle(std::int64_t number) const;  // numbered_spindles.cpp; 0 is the master
     double word_factor(std::int64_t axis) const;
     bool is_compensated() const { return is_any_comp_on() || soft_approach_.is_active(); }
+    std::string_view begin_contour();  // contours.cpp
+    std::optional<ContourSaid> end_contour();
     bool is_at_place() const;
     void leave_place();
     void leave_pattern();
@@ -523,6 +526,11 @@ class Executor {
     CycleShape shape_of(const ShapeRun& run) const;
     bool keeps_shape() const { return shape_ && !shape_->is_followed; }
 
+    // contours.cpp
+    bool check_contour_block(const nc::Block& block);
+    void note_contour_block(const nc::Block& block);
+    std::optional<ContourSaid> contour_of(const ContourRun& run);
+
     // splines.cpp
     bool continues_spline(const nc::Block& block) const;
     void set_spline_degree(const nc::Block& block, const nc::Invocation& invocation);
@@ -760,6 +768,12 @@ class Executor {
     SoftState soft_;
     Smoothing smoothing_;
     SoftApproach soft_approach_;
+    /// Where the latest one has met the contour, in the base system.
+    struct Approached {
+        AxisValues start{};  // P3
+        AxisValues end{};    // P4
+    };
+    std::optional<Approached> approached_;
     Compensation compensation_;
     SpaceCompensation space_comp_;  // in place of it under CompBySide
     path::CoolantMode coolant_ = path::CoolantMode::Off;
@@ -787,9 +801,10 @@ class Executor {
 
     CyclesSaid cycles_said_;
     CycleRun cycle_;
-    std::optional<ShapeRun> shape_;     // whose blocks are coming
-    std::vector<PatternRun> patterns_;  // a program that is called at places may hold another one
-    nc::Block place_{};                 // of the pattern, at its caller's place in the text
+    std::optional<ShapeRun> shape_;      // whose blocks are coming
+    std::optional<ContourRun> contour_;  // likewise, for a table of the program
+    std::vector<PatternRun> patterns_;   // a program that is called at places may hold another one
+    nc::Block place_{};                  // of the pattern, at its caller's place in the text
     std::array<std::optional<double>, 3> center_;  // that stays, in the programmed system
     nc::Block centered_{};                         // a block with it
     nc::Block called_{};  // a call whose word of Z is a place, in another plane than X-Y

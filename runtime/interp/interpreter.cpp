@@ -61,6 +61,8 @@ ControlState::Write Interpreter::set_frame(nc::Quantity quantity, std::int64_t n
 }
 bool Interpreter::is_length(std::int64_t axis) const { return state_->executor.is_length(axis); }
 bool Interpreter::is_compensated() const { return state_->executor.is_compensated(); }
+std::string_view Interpreter::begin_contour() { return state_->executor.begin_contour(); }
+std::optional<ContourSaid> Interpreter::end_contour() { return state_->executor.end_contour(); }
 bool Interpreter::is_at_place() const { return state_->executor.is_at_place(); }
 void Interpreter::leave_place() { state_->executor.leave_place(); }
 void Interpreter::leave_pattern() { state_->executor.leave_pattern(); }

@@ -120,6 +120,8 @@ class Interpreter final : public Stream<path::Command>, public ControlState {
     bool has_spindle(std::int64_t number) const override;
     double word_factor(std::int64_t axis) const override;
     bool is_compensated() const override;
+    std::string_view begin_contour() override;
+    std::optional<ContourSaid> end_contour() override;
     bool is_at_place() const override;
     void leave_place() override;
     void leave_pattern() override;

@@ -63,6 +63,13 @@ Write Executor::set_quantity(Quantity quantity, std::int64_t first, std::int64_t
         case Quantity::CrossWear:
             return set_tool_offset(*tool_offsets_.column_of(quantity, first), first,
                                    value * axes_.word_scale[index(Axis::X)]);
+        case Quantity::EdgeNumberOf: {
+            const std::int64_t before = tool_offsets_.number_of(first, second);
+            const auto number = static_cast<std::int64_t>(std::floor(value));
+            if (!tool_offsets_.give_number(first, second, number)) return Write::NoPlace;
+            if (tool_.current == first && tool_.edge == before) tool_.edge = number;
+            return Write::Done;
+        }
         case Quantity::ToolDatum:
             return set_tool_datum(first, second, value) ? Write::Done : Write::NoPlace;
         case Quantity::FirstExtraLength: return set_extra(Quantity::ExtraLength, 1, value);

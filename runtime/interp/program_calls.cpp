@@ -658,6 +658,7 @@ std::optional<std::string> Program::State::name_at(std::int64_t level) const {
 
 bool Program::State::has_program(std::string_view name) {
     const std::string wanted = nc::program_of_path(language.calls, name, tables.rules.ignores_case);
+    if (control_files.knows(file_name(name))) return control_files.has(file_name(name));
     return !wanted.empty() && units.find(wanted, text()) != nullptr;
 }
 
@@ -894,6 +895,12 @@ Program::State::Done Program::State::finish_return(Block& out) {
         const std::unique_ptr<Frame> left = std::move(frames.back());
         frames.pop_back();
         resume_frame(*frames.back());
+        // The variables that take the contour are gone.
+        if (open_contour && frames.size() < open_contour->depth) {
+            CompiledLine nowhere;
+            has_ended = true;
+            return fail(nowhere, diag::ContourUnfinished, {});
+        }
         leave_places(*left);
         note_returned(*left);
         if (left->is_definition) leave_definition(*left);

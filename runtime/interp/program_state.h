@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "interp/code_list.h"
+#include "interp/control_files.h"
 #include "interp/control_variables.h"
 #include "interp/evaluator.h"
 #include "interp/program.h"
@@ -168,7 +169,17 @@ struct Program::State {
         bool is_of_tool = false;
         std::int64_t number = 0;
     };
-    WrittenOffset data_written;      // … and whose they are
+    WrittenOffset data_written;  // … and whose they are
+    /// A contour that is being read, and what takes it.
+    struct OpenContour {
+        ControlVariables::VariablePlace table;
+        ControlVariables::VariablePlace undercuts;
+        ContourCut cut;
+        bool is_coded = false;
+        std::size_t depth = 0;  // of the program that has begun it, whose variables they are
+    };
+    std::optional<OpenContour> open_contour;
+    ControlFiles control_files;
     bool keeps_modal_calls = false;  // the block that begins one ends those of cycles
     CompiledLine scratch;
     /// A text that is executed as a block, and how many of its statements are through.
@@ -265,6 +276,16 @@ struct Program::State {
     Done call_section(CompiledLine& line, const nc::ControlStatement& statement);
     Done raise(CompiledLine& line, const nc::Span& span, double number, const std::string& text);
     Done print(CompiledLine& line, const nc::ControlStatement& statement);  // printing.cpp
+    // contour_statements.cpp
+    Done contour(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
+    Done begin_contour(CompiledLine& line, const nc::ControlStatement& statement);
+    Done end_contour(CompiledLine& line, const nc::ControlStatement& statement);
+    Done run_contour_row(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
+    // file_statements.cpp
+    Done use_file(CompiledLine& line, const nc::ControlStatement& statement);
+    Done read_file(CompiledLine& line, const nc::ControlStatement& statement,
+                   const std::string& name, ControlFiles::Error& error);
+    std::string file_name(std::string_view path) const;
     Done run_text(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
     Done name_variables(CompiledLine& line, const nc::ControlStatement& statement);
     std::string_view with_names(std::string_view text);

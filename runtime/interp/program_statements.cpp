@@ -59,6 +59,13 @@ Program::State::Done Program::State::execute(CompiledLine& line, const ControlSt
         case Statement::PrintBytes:
         case Statement::PrintOpen:
         case Statement::PrintClose: return print(line, statement);
+        case Statement::ContourBegin:
+        case Statement::ContourCode:
+        case Statement::ContourEnd:
+        case Statement::ContourRow: return contour(line, statement, out);
+        case Statement::WriteFile:
+        case Statement::ReadFile:
+        case Statement::DeleteFile: return use_file(line, statement);
         case Statement::Call:
         case Statement::CallModal:
         case Statement::CallByText:

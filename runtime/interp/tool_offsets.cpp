@@ -36,6 +36,45 @@ std::int64_t ToolOffsets::edges(std::int64_t tool) const {
     return count;
 }
 
+std::int64_t ToolOffsets::cutting_edge(std::int64_t tool, std::int64_t number) const {
+    const auto found = cutting_edges_.find(of_edge(tool, number));
+    return found == cutting_edges_.end() ? number : found->second;
+}
+
+std::int64_t ToolOffsets::number_of(std::int64_t tool, std::int64_t edge) const {
+    for (std::int64_t number = 1; number <= kMostEdges; ++number) {
+        if (is_known(of_edge(tool, number)) && cutting_edge(tool, number) == edge) return number;
+    }
+    return 0;
+}
+
+bool ToolOffsets::give_number(std::int64_t tool, std::int64_t edge, std::int64_t number) {
+    const std::int64_t old = number_of(tool, edge);
+    if (old == 0 || number < 1 || number > kMostEdges) return false;
+    if (old == number) return true;
+    if (is_known(of_edge(tool, number))) return false;
+    const std::int64_t from = of_edge(tool, old);
+    const std::int64_t to = of_edge(tool, number);
+    offsets_[to] = offsets_[from];
+    offsets_.erase(from);
+    cutting_edges_.erase(from);
+    cutting_edges_[to] = edge;
+    std::map<std::pair<std::int64_t, std::int64_t>, double> moved;
+    for (const auto& [key, value] : data_)
+        moved[{key.first == from ? to : key.first, key.second}] = value;
+    data_ = std::move(moved);
+    return true;
+}
+
+std::int64_t ToolOffsets::tool_with(std::int64_t number, std::int64_t passed) const {
+    if (number < 1 || number > kMostEdges) return 0;
+    std::int64_t found = 0;
+    for (const auto& [key, offset] : offsets_) {
+        if (edge_of(key) == number && found++ == passed) return tool_of(key);
+    }
+    return 0;
+}
+
 bool ToolOffsets::is_turning(std::int64_t number) const {
     constexpr int kTurning = 5;  // types 500 to 599; S 5.1
     const int kind = type(number);

@@ -57,6 +57,16 @@ class ToolOffsets {
     std::int64_t last_tool() const;
     /// How many of the tool's edges have data.
     std::int64_t edges(std::int64_t tool) const;
+    /// The number D that calls a cutting edge of a tool: that of the edge, unless the program has
+    /// given it another one; 0: the tool has no such edge.
+    std::int64_t number_of(std::int64_t tool, std::int64_t cutting_edge) const;
+    /// The cutting edge that such a number calls.
+    std::int64_t cutting_edge(std::int64_t tool, std::int64_t number) const;
+    /// Gives it another one; false: there is no such edge, or the number calls another one of the
+    /// tool.
+    bool give_number(std::int64_t tool, std::int64_t cutting_edge, std::int64_t number);
+    /// The tool that has a number D, behind so many others that have it, too; 0: there is none.
+    std::int64_t tool_with(std::int64_t number, std::int64_t passed) const;
     /// The tool has lengths along X and Z: its type says so, or the machine is a lathe.
     bool is_turning(std::int64_t number) const;
     /// mm; 0 of an offset that nobody has set.
@@ -77,6 +87,7 @@ class ToolOffsets {
     static constexpr std::int64_t kEdge = std::int64_t{1} << 32;  // more than tools have numbers
     static constexpr std::size_t kColumns = 13;
     std::map<std::int64_t, std::array<double, kColumns>> offsets_;
+    std::map<std::int64_t, std::int64_t> cutting_edges_;  // of offsets whose number was given
     std::map<std::pair<std::int64_t, std::int64_t>, double> data_;  // by tool and datum
     bool is_lathe_;
 };

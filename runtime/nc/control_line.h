@@ -132,6 +132,7 @@ struct ControlStatement {
     std::uint32_t closes = 0;  // EndLoop: which statements it ends
     Span span;                 // of the keyword
     Reference variable;
+    Reference table;    // {table}: a whole array, or a variable; {row}: a row of one
     Expression value;   // {value} {condition} {first} {number}
     Expression second;  // {last} {text}
     Expression count;

@@ -395,6 +395,12 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
             case Hole::Procedure: return take_procedure(out);
             case Hole::Print: return take_print(out);
             case Hole::Rest: return take_rest(out.name);
+            case Hole::Table:
+                takes_whole_arrays_ = true;
+                take_reference(out.table);
+                takes_whole_arrays_ = false;
+                return !fault_;
+            case Hole::Row: return take_row(out.table);
         }
         return false;
     }
@@ -415,6 +421,17 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         }
         out.inner.push_back(std::move(inner));
         return true;
+    }
+
+    /// `KTAB[3]`
+    bool take_row(Reference& out) {
+        takes_rows_ = true;
+        take_reference(out);
+        takes_rows_ = false;
+        if (fault_) return false;
+        const bool is_row = out.load.kind == Instruction::Kind::Element && out.load.count == 1 &&
+                            symbols_.at(out.load.index).dimensions == 2;
+        return is_row || fail(diag::IndexWrong, out.span);
     }
 
     /// All up to the comment.

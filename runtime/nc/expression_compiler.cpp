@@ -364,13 +364,24 @@ bool ExpressionCompiler::take_function(const Word& word, const FunctionForm& fou
     bool is_divided = false;
     if (!take_open(language_.open)) return false;
     skip();
-    while (!found.takes_any || peek() != language_.close) {
+    const bool takes_none = std::ranges::any_of(language_.functions, [&](const FunctionForm& form) {
+        return form.name == found.name && form.takes_any;
+    });
+    while (!takes_none || peek() != language_.close) {
         const bool is_reference = count < 32 && (found.references >> count & 1u) != 0;
         bool is_logical = false;
         if (is_reference ? !take_variable_itself()
                          : !take_level(language_.lowest_level, is_logical))
             return false;
+        const bool has_index = count < 32 && (found.indexed >> count & 1u) != 0;
         ++count;
+        if (has_index) {
+            if (!take_open(language_.index_open) ||
+                !take_level(language_.lowest_level, is_logical) ||
+                !take_close(language_.index_close))
+                return false;
+            ++count;
+        }
         skip();
         if (peek() != ',') break;
         ++at_;
@@ -714,7 +725,8 @@ bool ExpressionCompiler::take_symbol(const Word& word, Reference& out) {
         if (has_part) return true;
     }
     const bool is_text = symbol->type == ValueType::Text;
-    const bool is_whole = takes_whole_arrays_ && count == 0;
+    const bool is_whole = (takes_whole_arrays_ && count == 0) ||
+                          (takes_rows_ && count == 1 && symbol->dimensions == 2);
     if (count != symbol->dimensions && !(is_text && count == symbol->dimensions + 1) && !is_whole)
         return fail(diag::IndexWrong, span_from(word.begin));
     if (symbol->is_plain()) {

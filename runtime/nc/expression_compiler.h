@@ -124,6 +124,7 @@ class ExpressionCompiler {
     int depth_ = 0;
     NameTable* names_ = nullptr;       // of the program's own variables
     bool takes_whole_arrays_ = false;  // a name of an array without indices is one
+    bool takes_rows_ = false;          // … of two indices with the first alone is a row of it
     std::optional<LineFault> fault_;
 };
 

@@ -115,6 +115,8 @@ struct FunctionForm {
     /// Arguments that are variables of the program, and not their values: `{array}`, `{variable}`;
     /// a bit each.
     std::uint32_t references = 0;
+    /// Which of them have an index behind, that counts as the next argument: `{array}[{row}]`.
+    std::uint32_t indexed = 0;
     std::string form;
     std::string doc;
 };
@@ -188,6 +190,8 @@ struct StatementToken {
         Procedure,
         Print,
         Rest,
+        Table,
+        Row,
     };
     Kind kind = Kind::Word;
     Hole hole = Hole::Value;

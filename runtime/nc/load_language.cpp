@@ -131,6 +131,7 @@ class LanguageLoader {
         };
         form.takes_any = has("{pairs}") || has("{axes}") || has("{values}");
         form.references = references_of(text.value);
+        form.indexed = references_of(text.value, language_.index_open);
         const OperationInfo& operation = info(form.operation);
         const bool fits =
             !form.name.empty() && at < text.value.size() && text.value[at] == language_.open &&
@@ -145,13 +146,15 @@ class LanguageLoader {
         language_.functions.push_back(std::move(form));
     }
 
-    /// Which of the holes are `{array}` or `{variable}`.
-    static std::uint32_t references_of(std::string_view form) {
+    /// Which of the holes are `{array}` or `{variable}`; with a sign those behind which it stands.
+    static std::uint32_t references_of(std::string_view form, char behind = '\0') {
         std::uint32_t out = 0;
         std::uint32_t place = 1;
         for (std::size_t at = 0; (at = form.find('{', at)) < form.size(); ++at, place <<= 1u) {
             const std::string_view hole = form.substr(at);
-            if (hole.starts_with("{array}") || hole.starts_with("{variable}")) out |= place;
+            if (!hole.starts_with("{array}") && !hole.starts_with("{variable}")) continue;
+            const std::size_t end = hole.find('}') + 1;
+            if (behind == '\0' || (end < hole.size() && hole[end] == behind)) out |= place;
         }
         return out;
     }

@@ -12,9 +12,9 @@ using Hole = StatementToken::Hole;
 
 /// In the order of Hole.
 constexpr std::string_view kNames[] = {
-    "variable", "value", "condition", "target", "loop",      "first", "last",
-    "number",   "text",  "count",     "from",   "to",        "type",  "declarations",
-    "cases",    "jump",  "statement", "call",   "procedure", "print", "rest"};
+    "variable",  "value", "condition", "target", "loop", "first",        "last",  "number",
+    "text",      "count", "from",      "to",     "type", "declarations", "cases", "jump",
+    "statement", "call",  "procedure", "print",  "rest", "table",        "row"};
 
 /// Of a statement: the holes that it needs, `a|b` one of both, and those that it may have besides.
 struct Row {
@@ -56,6 +56,13 @@ constexpr Row kRows[] = {
     {Statement::NameVariables, "rest", ""},
     {Statement::PrintOpen, "", ""},
     {Statement::PrintClose, "", ""},
+    {Statement::ContourBegin, "table value variable", "count"},
+    {Statement::ContourCode, "table", "count"},
+    {Statement::ContourEnd, "variable", ""},
+    {Statement::ContourRow, "row", ""},
+    {Statement::WriteFile, "variable value text", ""},
+    {Statement::ReadFile, "variable value last count table", ""},
+    {Statement::DeleteFile, "variable value", ""},
     {Statement::Call, "call", "count"},
     {Statement::CallModal, "call", ""},
     {Statement::CallByText, "text", "from to"},

@@ -1,0 +1,38 @@
+// contour_run.h — a contour whose blocks are executed without motion, until the program has it as a
+// table.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "interp/contour_table.h"
+#include "interp/state.h"
+
+namespace kadr::interp {
+
+/// What the control says of a contour that was read: mm, degrees; the units of its modes are those
+/// of the text, and the program's to say.
+using ContourSaid = std::vector<ContourElement>;
+
+struct ContourRun {
+    std::vector<path::Command> commands;  // of the blocks
+
+    /// What acted in a block, in the order in which they came.
+    struct Said {
+        std::uint32_t line = 0;
+        ContourModes modes;
+        double feed = 0;
+    };
+    std::vector<Said> said;
+
+    // As the blocks found them, and as they leave them: nothing of them was executed. Modal codes
+    // and the feed stay what the blocks have said (unsure).
+    Position position;
+    Spindle spindle;
+    Tool tool;
+    AxisValues length_shift{};
+    path::CoolantMode coolant = path::CoolantMode::Off;
+    bool has_moved = false;
+};
+
+}  // namespace kadr::interp

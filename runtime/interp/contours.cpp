@@ -1,0 +1,217 @@
+// contours.cpp — contours that the program wants as tables: their blocks give geometry and no
+// motion. What the table is like is contour_table.h, and who asks for it contour_statements.cpp.
+#include <algorithm>
+#include <cmath>
+
+#include "base/diagnostics/control.h"
+#include "base/diagnostics/iso.h"
+#include "interp/executor.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using path::Command;
+using path::Op;
+using path::Vec2;
+
+namespace {
+
+/// What moves places, changes planes, or is no block of a contour at all.
+bool is_out_of_contour(Function function) {
+    if (nc::info(function).group == nc::Group::Transformation) return true;
+    switch (function) {
+        case Function::Cycle:
+        case Function::CyclePreset:
+        case Function::CycleModal:
+        case Function::ReferencePoint:
+        case Function::ReferenceReturn:
+        case Function::ReferenceCheck:
+        case Function::ReferenceLeave:
+        case Function::RapidOnce:
+        case Function::WayOffset:
+        case Function::MachineCoordinates:
+        case Function::PositionReset:
+        case Function::SetPosition:
+        case Function::WorkOffset:
+        case Function::Shift:
+        case Function::ShiftAdd:
+        case Function::Rotate:
+        case Function::RotateOff:
+        case Function::Scale:
+        case Function::ScaleOff:
+        case Function::Mirror:
+        case Function::MirrorOff:
+        case Function::RadiusCompLeft:
+        case Function::RadiusCompRight:
+        case Function::SideCompLeft:
+        case Function::SideCompRight:
+        case Function::SoftApproach:
+        case Function::SoftRetract:
+        case Function::Probe: return true;
+        default: return false;
+    }
+}
+
+bool is_end(Function function) {
+    return function == Function::End || function == Function::EndRewind;
+}
+
+std::optional<path::Plane> plane_of(Function function) {
+    switch (function) {
+        case Function::PlaneXy: return path::Plane::Xy;
+        case Function::PlaneZx: return path::Plane::Zx;
+        case Function::PlaneYz: return path::Plane::Yz;
+        default: return std::nullopt;
+    }
+}
+
+bool is_contour_motion(Function motion) {
+    return motion == Function::None || motion == Function::Rapid || motion == Function::Line ||
+           nc::is_arc(motion) || motion == Function::ArcThrough || motion == Function::ArcTangent;
+}
+
+/// The digit of how the blocks join.
+int path_mode_of(const Modal& modal) {
+    if (modal.has_exact_stop) return 0;
+    if (modal.blend == Function::None) return 1;
+    return modal.blend == Function::BlendDistance ? 2 : 3;
+}
+
+int feed_mode_of(const Modal& modal, const Spindle& spindle) {
+    if (spindle.has_cutting_speed) return 3;
+    switch (modal.feed_mode) {
+        case path::FeedMode::InverseTime: return 0;
+        case path::FeedMode::PerRevolution: return 2;
+        default: return 1;
+    }
+}
+
+}  // namespace
+
+std::string_view Executor::begin_contour() {
+    finish_open_spline();
+    if (is_compensated()) return "cutter radius compensation";
+    if (is_transformed()) return "a transformation";
+    if (cycles_said_.modal.is_active || cycles_said_.behind_motions) return "a modal cycle";
+    if (shape_ || !patterns_.empty()) return "a cycle";
+    if (corners_.is_active()) leave_corners(diag::CornerWithoutMotion);
+    contour_.emplace();
+    contour_->position = position_;
+    contour_->spindle = spindle_;
+    contour_->tool = tool_;
+    contour_->length_shift = length_shift_;
+    contour_->coolant = coolant_;
+    contour_->has_moved = has_moved_;
+    return {};
+}
+
+/// Whether the block can be a part of the contour; false: it was reported.
+bool Executor::check_contour_block(const Block& block) {
+    if (!acts(block)) return true;
+    const auto refuse = [&](const DiagnosticRow& row, Function function) {
+        report(row, block, function).arg(word_of(block, function));
+        return false;
+    };
+    if (!is_contour_motion(block.motion)) return refuse(diag::ContourMotion, block.motion);
+    for (std::size_t i = 0; i < block.function_count; ++i) {
+        const Function function = block.functions[i].function;
+        if (is_end(function)) {
+            report(diag::ContourUnfinished, block, function);
+            return false;
+        }
+        const auto plane = plane_of(function);
+        const bool changes_units = (function == Function::Inch && units_ != Function::Inch) ||
+                                   (function == Function::Metric && units_ == Function::Inch);
+        if (is_out_of_contour(function) || changes_units || (plane && *plane != modal_.plane))
+            return refuse(diag::ContourBlockWrong, function);
+    }
+    return true;
+}
+
+/// What acted in a block that was executed, for the elements that come of it.
+void Executor::note_contour_block(const Block& block) {
+    if (block.kind != Block::Kind::Nc) return;
+    ContourRun::Said said;
+    said.line = block.line;
+    said.modes.is_incremental = modal_.is_incremental;
+    said.modes.feed_mode = feed_mode_of(modal_, spindle_);
+    said.modes.path_mode = path_mode_of(modal_);
+    said.modes.stops_once = block.find(Function::ExactStopOnce) != nullptr;
+    said.feed = modal_.has_feed ? modal_.feed : 0;
+    contour_->said.push_back(said);
+    std::vector<Command>& commands = contour_->commands;
+    while (!commands.empty() && !path::is_motion(commands.back().op)) commands.pop_back();
+    // No array of a program has so many rows, so that a loop without end is not read until the
+    // memory is full.
+    constexpr std::size_t kMostMotions = 200'000;
+    if (commands.size() > kMostMotions || contour_->said.size() > 10 * kMostMotions)
+        report(diag::ContourTableSmall, block).arg("every table").arg("fewer");
+}
+
+std::optional<ContourSaid> Executor::end_contour() {
+    leave_corners(diag::CornerWithoutMotion);
+    if (ended_) return std::nullopt;
+    const ContourRun run = std::move(*contour_);
+    contour_.reset();
+    position_ = run.position;
+    spindle_ = run.spindle;
+    tool_ = run.tool;
+    length_shift_ = run.length_shift;
+    coolant_ = run.coolant;
+    has_moved_ = run.has_moved;
+    return contour_of(run);
+}
+
+/// The motions of a contour in the working plane; nothing: one was reported.
+std::optional<ContourSaid> Executor::contour_of(const ContourRun& run) {
+    const path::PlaneAxes axes = path::axes_of(modal_.plane);
+    const auto in_plane = [&](const AxisValues& base) -> Vec2 {
+        const AxisValues here = frames_.from_base(base);
+        return {here[index(axes.first)], here[index(axes.second)]};
+    };
+    const bool is_mirrored = frames_.is_mirrored(modal_.plane);
+    ContourSaid out;
+    Vec2 from = in_plane(run.position.base);
+    std::size_t at = 0;  // of what the blocks have said
+    for (const Command& command : run.commands) {
+        if (!path::is_motion(command.op)) continue;
+        const auto of_line =
+            std::find_if(run.said.begin() + static_cast<std::ptrdiff_t>(at), run.said.end(),
+                         [&](const ContourRun::Said& said) { return said.line == command.line; });
+        if (of_line != run.said.end()) at = static_cast<std::size_t>(of_line - run.said.begin());
+        const Vec2 to = in_plane(command.to);
+        const bool is_arc = command.op == Op::Arc;
+        // Blocks that lead nowhere are no elements; but the first one is the way to the contour,
+        // also of a tool that stands there already (unsure).
+        if (!is_arc && !out.empty() && (to - from).norm() <= path::kSamePoint) continue;
+        ContourElement element;
+        element.is_rapid = command.op == Op::Rapid;
+        element.shape = path::line_element(from, to);
+        if (is_arc) {
+            const path::Vec3 normal = path::unit(axes.normal);
+            if (std::fabs(command.normal.dot(normal)) < 1 - 1e-9) {
+                Block block{};
+                block.line = command.line;
+                block.source = command.source;
+                report(diag::ContourMotion, block).arg("an arc out of the working plane");
+                return std::nullopt;
+            }
+            const AxisValues center{command.center.x(), command.center.y(), command.center.z()};
+            element.shape =
+                path::arc_element(from, to, in_plane(center), command.is_clockwise != is_mirrored);
+            // More than a turn is no element, and ends where a full circle does.
+            if (command.turns > 0)
+                element.shape.sweep = std::copysign(command.sweep, element.shape.sweep);
+        }
+        if (at < run.said.size()) {
+            element.modes = run.said[at].modes;
+            element.feed = run.said[at].feed;
+        }
+        out.push_back(element);
+        from = to;
+    }
+    return out;
+}
+
+}  // namespace kadr::interp
