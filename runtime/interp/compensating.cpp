@@ -50,6 +50,10 @@ void Executor::choose_comp(const Block& block, const Invocation& invocation, Act
         case Function::CompCheckOn: comp_.has_check = true; break;
         case Function::CompCheckOff: comp_.has_check = false; break;
         case Function::CompAllowance: comp_.allowance = block.argument(invocation, 0); break;
+        case Function::CompOpenEnd:
+            comp_.open_end = static_cast<path::OpenEnd>(
+                std::clamp(static_cast<int>(block.argument(invocation, 0)), 0, 2));
+            break;
         case Function::CompInPlane:
         case Function::CompInFrame:
             comp_.system = Function::CompInPlane;
@@ -86,13 +90,13 @@ void Executor::act_on_comp(const Block& block, const Actions& actions) {
     if (actions.radius_comp == Function::RadiusCompOff) {
         comp_.side = Function::RadiusCompOff;
         if (actions.soft != nullptr) return;  // its way still belongs to the contour
-        send_comp({CompChange::Kind::Leave,
-                   {},
-                   modal_.plane,
-                   0,
-                   position_.base,
-                   leave_direction(block),
-                   {}});
+        CompChange leave;
+        leave.kind = CompChange::Kind::Leave;
+        leave.settings.corners.open_end = comp_.open_end;
+        leave.plane = modal_.plane;
+        leave.here = position_.base;
+        leave.direction = leave_direction(block);
+        send_comp(leave);
         return;
     }
     // A surface has one side: there both words are the same.
@@ -159,7 +163,9 @@ void Executor::send_comp(const CompChange& change) {
 void Executor::change_comp(const CompChange& change) {
     if (space_comp_.is_on() || change.space) return change_space_comp(change);
     switch (change.kind) {
-        case CompChange::Kind::Leave: compensation_.leave(change.direction); break;
+        case CompChange::Kind::Leave:
+            compensation_.leave(change.direction, change.settings.corners.open_end);
+            break;
         case CompChange::Kind::KeepVector: compensation_.keep_vector(); break;
         case CompChange::Kind::Pause: take_comp(compensation_.pause()); break;
         case CompChange::Kind::Resume: compensation_.resume(); break;
@@ -295,6 +301,7 @@ CompSettings Executor::comp_settings() const {
     settings.start = comp_.start == Function::CompStartNormal    ? CompStart::Normal
                      : comp_.start == Function::CompStartAround  ? CompStart::Around
                      : comp_.start == Function::CompStartTangent ? CompStart::Tangent
+    corners.open_end = comp_.open_end;
                      : comp_.start == Function::CompStartSmooth  ? CompStart::Smooth
                                                                  : rules_.comp_start;
     settings.feed = comp_.feed ? static_cast<CompFeed>(*comp_.feed) : rules_.comp_feed;

@@ -199,6 +199,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::CompCornerPointed:
         case Function::CompCheckOn:
         case Function::CompCheckOff:
+        case Function::CompOpenEnd:
         case Function::CompAllowance:
         case Function::CompInPlane:
         case Function::CompInFrame:

@@ -12,6 +12,7 @@
 #include "nc/block.h"
 #include "path/command.h"
 #include "path/contour.h"
+#include "path/radius_comp.h"
 
 namespace kadr::interp {
 
@@ -130,6 +131,7 @@ struct RadiusCompState {
     nc::Function corner = nc::Function::None;
     bool has_check = false;
     std::optional<std::int64_t> feed;  // CompFeed by number; nothing: as the control begins
+    path::OpenEnd open_end = path::OpenEnd::None;
     double pointed = 0;                // of arcs about corners, percent
     double allowance = 0;              // mm
     nc::Function system = nc::Function::CompInPlane;  // chosen for where it begins next …
