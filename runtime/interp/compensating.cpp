@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "base/diagnostics/iso.h"
+#include "base/diagnostics/orienting.h"
 #include "base/units.h"
 #include "interp/executor.h"
 #include "machine/kinematics.h"
@@ -49,11 +50,11 @@ void Executor::choose_comp(const Block& block, const Invocation& invocation, Act
             break;
         case Function::CompCheckOn: comp_.has_check = true; break;
         case Function::CompCheckOff: comp_.has_check = false; break;
-        case Function::CompAllowance: comp_.allowance = block.argument(invocation, 0); break;
         case Function::CompOpenEnd:
             comp_.open_end = static_cast<path::OpenEnd>(
                 std::clamp(static_cast<int>(block.argument(invocation, 0)), 0, 2));
             break;
+        case Function::CompAllowance: comp_.allowance = block.argument(invocation, 0); break;
         case Function::CompInPlane:
         case Function::CompInFrame:
             comp_.system = Function::CompInPlane;
@@ -253,6 +254,11 @@ void Executor::begin_comp(const Block& block, Function side) {
         return;
     }
     comp_.acting = comp_.chosen();
+    const bool is_of_tool = comp_.acting == Function::CompInPlane && !comp_.is_in_frame;
+    if (is_of_tool && is_turned_by_carrier() && !is_plane_on_carrier()) {
+        report(diag::CarrierPlane, block, comp_.side);
+        return;
+    }
     if (comp_.acting != Function::CompInPlane && comp_settings().start == CompStart::Around) {
         report(diag::CompSpaceStart, block, comp_.side);
         return;
@@ -295,13 +301,13 @@ CompSettings Executor::comp_settings() const {
     corners.sharp = rules_.comp_sharp_corner;
     corners.extends_tangents = rules_.comp_extends_tangents;
     corners.leaves_out = comp_.has_check;
+    corners.open_end = comp_.open_end;
     corners.look_ahead = comp_.has_check
                              ? kCheckedBlocks
                              : static_cast<std::size_t>(std::max(1, rules_.comp_look_ahead));
     settings.start = comp_.start == Function::CompStartNormal    ? CompStart::Normal
                      : comp_.start == Function::CompStartAround  ? CompStart::Around
                      : comp_.start == Function::CompStartTangent ? CompStart::Tangent
-    corners.open_end = comp_.open_end;
                      : comp_.start == Function::CompStartSmooth  ? CompStart::Smooth
                                                                  : rules_.comp_start;
     settings.feed = comp_.feed ? static_cast<CompFeed>(*comp_.feed) : rules_.comp_feed;
@@ -315,9 +321,11 @@ CompSettings Executor::comp_settings() const {
 }
 
 /// How the plane lies in which the cutter is compensated: that of the base system, or that of the
-/// program, if frames have tilted it; there left and right are the program's.
+/// program, if frames have tilted it; there left and right are the program's. A carrier that turns
+/// the tool turns its plane, and that has to be the program's.
 path::Mat3 Executor::comp_lie() const {
-    const bool is_in_base = rules_.comp_in_base_plane && !tilting_.is_on && !comp_.is_in_frame;
+    const bool is_in_base = rules_.comp_in_base_plane && !tilting_.is_on && !comp_.is_in_frame &&
+                            !is_turned_by_carrier();
     return is_in_base ? path::Mat3::Identity() : plane_lie();
 }
 
@@ -346,7 +354,7 @@ std::optional<std::int64_t> Executor::comp_offset() const {
 /// How far beside the contour the cutter's centre goes, positive to the left: a frame that mirrors
 /// the plane changes the side. A lathe's tool is programmed by its tip.
 void Executor::take_comp_tool(const Block& block, std::int64_t number, CompChange& change) {
-    const double radius = tool_offsets_.radius(number) + extra_.radius;
+    const double radius = tool_offsets_.radius(number) + extra_.radius + sum_offset(4);
     const int tip = tool_offsets_.tip(number);
     const bool is_turned = tool_offsets_.is_turning(number) && modal_.plane == path::Plane::Zx;
     const bool has_no_tip = is_turned && radius != 0 && tip == 0;
