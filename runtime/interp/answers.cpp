@@ -24,6 +24,12 @@ namespace {
 /// As values of the language name an axis.
 double name_of_axis(Axis axis) { return -1.0 - static_cast<double>(index(axis)); }
 
+/// Texts of tool carriers.
+bool is_of_carrier(Quantity quantity) {
+    return quantity == Quantity::CarrierKind || quantity == Quantity::CarrierName ||
+           quantity == Quantity::CarrierFirstName || quantity == Quantity::CarrierSecondName;
+}
+
 }  // namespace
 
 bool Executor::is_length(std::int64_t index) const {
@@ -235,15 +241,23 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
                        ? 0
                        : tool_offsets_.length(static_cast<std::size_t>(first),
                                               tool_.length_number()) +
-                             extra_.lengths[static_cast<Eigen::Index>(first) - 1];
+                             extra_.lengths[static_cast<Eigen::Index>(first) - 1] +
+                             sum_offset(static_cast<std::size_t>(first));
         case Quantity::Timer: return timer(first);
         case Quantity::CuttingTime: run_time(); return clocks_.cutting;
-        case Quantity::ToolRadius: return tool_offsets_.radius(tool_.edge_number()) + extra_.radius;
+        case Quantity::ToolRadius:
+            return tool_offsets_.radius(tool_.edge_number()) + extra_.radius + sum_offset(4);
         case Quantity::ActiveToolDatum: return tool_datum(first);
         case Quantity::ToolDatum:
             if (!has_edge(first, second % nc::kDatum)) return std::nullopt;
             return tool_offsets_.datum(ToolOffsets::of_edge(first, second % nc::kDatum),
                                        second / nc::kDatum);
+        case Quantity::CarrierDatum:
+        case Quantity::CarrierAxis:
+        case Quantity::ActiveCarrier:
+        case Quantity::CarrierAngle:
+        case Quantity::CarrierLeftOver:
+        case Quantity::CarrierSolutions: return carrier_quantity(quantity, first, second);
         case Quantity::FirstExtraLength: return extra_.lengths[0];
         case Quantity::ExtraLength:
             if (first < 1 || first > 3) return std::nullopt;
@@ -358,6 +372,10 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
         case Quantity::ExtraBoth:
         case Quantity::ToolName:
         case Quantity::ToolNameOf:
+        case Quantity::CarrierKind:
+        case Quantity::CarrierName:
+        case Quantity::CarrierFirstName:
+        case Quantity::CarrierSecondName:
         case Quantity::ProgramName:
         case Quantity::EdgeSpeed:
         case Quantity::None:
@@ -374,6 +392,7 @@ std::optional<double> Executor::quantity(Quantity quantity, std::int64_t first,
 }
 
 std::optional<std::string> Executor::text(Quantity quantity, std::int64_t index) {
+    if (is_of_carrier(quantity)) return carrier_text(quantity, index);
     const bool is_active = quantity == Quantity::ToolName;
     if (!is_active && quantity != Quantity::ToolNameOf) return std::nullopt;
     const std::int64_t number = is_active ? tool_.current : index;
@@ -383,6 +402,7 @@ std::optional<std::string> Executor::text(Quantity quantity, std::int64_t index)
 
 ControlState::Write Executor::set_text(Quantity quantity, std::int64_t index,
                                        std::string_view text) {
+    if (is_of_carrier(quantity)) return set_carrier_text(quantity, index, text);
     if (quantity != Quantity::ToolNameOf) return ControlState::Write::Refused;
     if (index < 1 || index > rules_.tool_offsets) return ControlState::Write::NoPlace;
     tool_names_.set(index, text);

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "base/diagnostics/iso.h"
+#include "base/diagnostics/orienting.h"
 #include "base/units.h"
 #include "interp/executor.h"
 #include "machine/kinematics.h"
@@ -49,6 +50,10 @@ void Executor::choose_comp(const Block& block, const Invocation& invocation, Act
             break;
         case Function::CompCheckOn: comp_.has_check = true; break;
         case Function::CompCheckOff: comp_.has_check = false; break;
+        case Function::CompOpenEnd:
+            comp_.open_end = static_cast<path::OpenEnd>(
+                std::clamp(static_cast<int>(block.argument(invocation, 0)), 0, 2));
+            break;
         case Function::CompAllowance: comp_.allowance = block.argument(invocation, 0); break;
         case Function::CompInPlane:
         case Function::CompInFrame:
@@ -86,13 +91,13 @@ void Executor::act_on_comp(const Block& block, const Actions& actions) {
     if (actions.radius_comp == Function::RadiusCompOff) {
         comp_.side = Function::RadiusCompOff;
         if (actions.soft != nullptr) return;  // its way still belongs to the contour
-        send_comp({CompChange::Kind::Leave,
-                   {},
-                   modal_.plane,
-                   0,
-                   position_.base,
-                   leave_direction(block),
-                   {}});
+        CompChange leave;
+        leave.kind = CompChange::Kind::Leave;
+        leave.settings.corners.open_end = comp_.open_end;
+        leave.plane = modal_.plane;
+        leave.here = position_.base;
+        leave.direction = leave_direction(block);
+        send_comp(leave);
         return;
     }
     // A surface has one side: there both words are the same.
@@ -163,7 +168,9 @@ void Executor::send_comp(const CompChange& change) {
 void Executor::change_comp(const CompChange& change) {
     if (space_comp_.is_on() || change.space) return change_space_comp(change);
     switch (change.kind) {
-        case CompChange::Kind::Leave: compensation_.leave(change.direction); break;
+        case CompChange::Kind::Leave:
+            compensation_.leave(change.direction, change.settings.corners.open_end);
+            break;
         case CompChange::Kind::KeepVector: compensation_.keep_vector(); break;
         case CompChange::Kind::Pause: take_comp(compensation_.pause()); break;
         case CompChange::Kind::Resume: compensation_.resume(); break;
@@ -255,6 +262,11 @@ void Executor::begin_comp(const Block& block, Function side) {
         return;
     }
     comp_.acting = comp_.chosen();
+    const bool is_of_tool = comp_.acting == Function::CompInPlane && !comp_.is_in_frame;
+    if (is_of_tool && is_turned_by_carrier() && !is_plane_on_carrier()) {
+        report(diag::CarrierPlane, block, comp_.side);
+        return;
+    }
     if (comp_.acting != Function::CompInPlane && comp_settings().start == CompStart::Around) {
         report(diag::CompSpaceStart, block, comp_.side);
         return;
@@ -297,6 +309,7 @@ CompSettings Executor::comp_settings() const {
     corners.sharp = rules_.comp_sharp_corner;
     corners.extends_tangents = rules_.comp_extends_tangents;
     corners.leaves_out = comp_.has_check;
+    corners.open_end = comp_.open_end;
     corners.look_ahead = comp_.has_check
                              ? kCheckedBlocks
                              : static_cast<std::size_t>(std::max(1, rules_.comp_look_ahead));
@@ -316,9 +329,11 @@ CompSettings Executor::comp_settings() const {
 }
 
 /// How the plane lies in which the cutter is compensated: that of the base system, or that of the
-/// program, if frames have tilted it; there left and right are the program's.
+/// program, if frames have tilted it; there left and right are the program's. A carrier that turns
+/// the tool turns its plane, and that has to be the program's.
 path::Mat3 Executor::comp_lie() const {
-    const bool is_in_base = rules_.comp_in_base_plane && !tilting_.is_on && !comp_.is_in_frame;
+    const bool is_in_base = rules_.comp_in_base_plane && !tilting_.is_on && !comp_.is_in_frame &&
+                            !is_turned_by_carrier();
     return is_in_base ? path::Mat3::Identity() : plane_lie();
 }
 
@@ -347,7 +362,7 @@ std::optional<std::int64_t> Executor::comp_offset() const {
 /// How far beside the contour the cutter's centre goes, positive to the left: a frame that mirrors
 /// the plane changes the side. A lathe's tool is programmed by its tip.
 void Executor::take_comp_tool(const Block& block, std::int64_t number, CompChange& change) {
-    const double radius = tool_offsets_.radius(number) + extra_.radius;
+    const double radius = tool_offsets_.radius(number) + extra_.radius + sum_offset(4);
     const int tip = tool_offsets_.tip(number);
     const bool is_turned = tool_offsets_.is_turning(number) && modal_.plane == path::Plane::Zx;
     const bool has_no_tip = is_turned && radius != 0 && tip == 0;

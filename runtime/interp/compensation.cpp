@@ -61,6 +61,7 @@ void Compensation::begin(const CompSettings& settings, path::Plane plane, double
     shown_ = into_plane(shown);
     corners_ = path::RadiusComp(settings.corners);
     has_last_ = approaches_ = keeps_vector_ = is_paused_ = comes_back_ = is_let_go_ = false;
+    open_approach_.reset();
     leave_direction_.reset();
     empty_blocks_ = 0;
     state_ = State::Starting;
@@ -77,7 +78,9 @@ void Compensation::set_settings(const CompSettings& settings) {
     corners_.set_rules(settings.corners);
 }
 
-void Compensation::leave(const std::optional<Vec2>& direction) {
+void Compensation::leave(const std::optional<Vec2>& direction, path::OpenEnd open_end) {
+    settings_.corners.open_end = open_end;
+    corners_.set_rules(settings_.corners);
     leave_direction_ = direction;
     is_paused_ = comes_back_ = false;
     state_ = state_ == State::On ? State::Leaving : State::Off;
@@ -159,16 +162,22 @@ std::optional<CompAlarm> Compensation::flush() {
 }
 
 /// The contour ends here, on its normal.
-Compensation::Fault Compensation::finish(const std::optional<Vec2>& direction) {
-    const auto fault = direction ? corners_.finish_towards(*direction) : corners_.finish();
+///
+/// is_open  its last element may be left out, by the rules of the corners
+Compensation::Fault Compensation::finish(const std::optional<Vec2>& direction, bool is_open) {
+    const auto fault = direction ? corners_.finish_towards(*direction)
+                       : is_open ? corners_.finish_open()
+                                 : corners_.finish();
     if (fault) return row_of(*fault);
     emit_pieces();
+    if (open_approach_) emit_approach(in_plane(open_approach_->command.to) - aside_);
     for (; !held_.empty(); held_.pop_front()) {
-        // An approach to no contour at all goes where it is programmed.
-        if (held_.front().index != 0) {
-            emit_line(held_.front(), in_plane(held_.front().command.to) - aside_, false);
-        } else {
+        // An approach to no contour at all goes where it is programmed; an element that the end
+        // has left out goes nowhere.
+        if (held_.front().index == 0) {
             emit_empty();
+        } else if (!has_last_) {
+            emit_line(held_.front(), in_plane(held_.front().command.to) - aside_, false);
         }
     }
     corners_ = path::RadiusComp(settings_.corners);
@@ -377,7 +386,14 @@ Compensation::Fault Compensation::end_approach(const Element& first) {
             return row_of(*fault);
         return nullptr;
     }
-    if (is_curve(settings_.start) && !goes_straight_) {
+    const bool is_curved = is_curve(settings_.start) && !goes_straight_;
+    if (settings_.corners.open_end != path::OpenEnd::None && !is_curved && !goes_straight_) {
+        open_approach_ = std::move(held_.front());
+        held_.pop_front();
+        corners_.begin_open();
+        return nullptr;
+    }
+    if (is_curved) {
         emit_curve_in(first);
     } else {
         emit_line(held_.front(), path::RadiusComp::start_of(first, distance_), false);
@@ -413,7 +429,7 @@ Compensation::Fault Compensation::depart(Command& command) {
         if (const Fault fault = finish()) return fault;
     } else {
         const bool has_contour = has_last_;
-        if (const Fault fault = finish(leave_direction_)) return fault;
+        if (const Fault fault = finish(leave_direction_, !is_curve(settings_.start))) return fault;
         if (!is_curve(settings_.start) || !has_contour) {
             emit_line({std::move(command), 0, 0, true}, to, false);
         } else if (command.op != Op::Line) {
@@ -429,8 +445,18 @@ Compensation::Fault Compensation::depart(Command& command) {
 // ------------------------------------------------------------------------------ commands out
 
 void Compensation::emit_pieces() {
-    for (const CompPiece& piece : corners_.pieces()) emit(piece);
+    for (const CompPiece& piece : corners_.pieces()) {
+        if (open_approach_) emit_approach(piece.element.from);
+        emit(piece);
+    }
     corners_.pieces().clear();
+}
+
+/// The way to the contour, of which is known now where it begins.
+void Compensation::emit_approach(const Vec2& to) {
+    const Held approach = *std::exchange(open_approach_, std::nullopt);
+    emit_line(approach, to, false);
+    meant_ = approach.command.to;
 }
 
 void Compensation::emit(const CompPiece& piece) {

@@ -62,7 +62,10 @@ class Compensation {
     double distance() const { return distance_; }
     /// The next motion in the plane leaves the contour; if a direction is given, from where the
     /// contour would meet the way beside a line into it.
-    void leave(const std::optional<path::Vec2>& direction = std::nullopt);
+    ///
+    /// open_end  what becomes of a last element that the cutter does not fit into
+    void leave(const std::optional<path::Vec2>& direction = std::nullopt,
+               path::OpenEnd open_end = path::OpenEnd::None);
     /// Compensation is over at once: what waits is let go of, and the cutter stays where it is.
     std::optional<CompAlarm> stop();
     /// Where the cutter is, once nothing waits any more.
@@ -132,7 +135,7 @@ class Compensation {
     Fault follow_kept(path::Command& command);
     Fault follow_paused(path::Command& command);
     void come_back(const path::Command& command, const path::Element& element);
-    Fault finish(const std::optional<path::Vec2>& direction = std::nullopt);
+    Fault finish(const std::optional<path::Vec2>& direction = std::nullopt, bool is_open = false);
     bool moves_in_plane(const path::Command& command) const;
     bool is_on_contour() const { return state_ == State::On || state_ == State::Leaving; }
     bool moves_on(const path::Command& command) const;
@@ -146,6 +149,7 @@ class Compensation {
                                       double distance) const;
     CompAlarm alarm(Fault fault, const path::Command& command) const;
     void emit_pieces();
+    void emit_approach(const path::Vec2& to);
     void emit(const path::CompPiece& piece);
     void emit_empty();
     void emit_line(const Held& held, const path::Vec2& to, bool is_inserted);
@@ -184,9 +188,10 @@ class Compensation {
     path::Element last_;        // of the contour …
     double last_distance_ = 0;  // … and how far the cutter's centre goes beside it
     bool has_last_ = false;
-    bool approaches_ = false;       // the first of `held_` waits for the first element …
-    double approach_distance_ = 0;  // … and so far beside its start it goes
-    bool goes_straight_ = false;    // the approach, whatever the settings say
+    std::optional<Held> open_approach_;  // to where the first piece will begin
+    bool approaches_ = false;            // the first of `held_` waits for the first element …
+    double approach_distance_ = 0;       // … and so far beside its start it goes
+    bool goes_straight_ = false;         // the approach, whatever the settings say
     bool keeps_vector_ = false;
     bool is_paused_ = false;
     bool comes_back_ = false;  // behind a pause: by a line to the contour

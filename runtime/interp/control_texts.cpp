@@ -28,7 +28,7 @@ ControlVariables::Fault ControlVariables::store_text(Quantity quantity, std::int
     const auto most = static_cast<std::size_t>(language_.rules.most_tool_name);
     if (const std::size_t length = count_code_points(written); length > most)
         return {&diag::TextTooLong, {std::to_string(length), std::to_string(most)}};
-    if (written.empty()) return {&diag::ToolNameEmpty, {}};
+    if (written.empty() && quantity == Quantity::ToolNameOf) return {&diag::ToolNameEmpty, {}};
     switch (state_->set_text(quantity, index, written)) {
         case ControlState::Write::Done: return {};
         case ControlState::Write::NoPlace: return {&diag::VariableNumber, {"of this tool"}};

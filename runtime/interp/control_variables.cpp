@@ -803,7 +803,11 @@ ControlVariables::Fault ControlVariables::store_system(Quantity quantity, const 
         return {&diag::VariableReadOnly, {std::string(info(quantity).name)}};
     const std::string name(info(quantity).name);
     if (state_ == nullptr) return {&diag::IsoNotSupported, {name}};
-    if (!value.is_number()) return {&diag::TypesDiffer, {name, std::string(kind_name(value))}};
+    const bool is_axis = quantity == Quantity::CarrierAxis && value.kind == Value::Kind::Axis;
+    if (!value.is_number() && !is_axis)
+        return {&diag::TypesDiffer, {name, std::string(kind_name(value))}};
+    if (quantity == Quantity::CarrierAxis && !is_axis && value.number != 0)
+        return {&diag::TypesDiffer, {name, std::string(kind_name(value))}};
     double number = value.number;
     if (quantity == Quantity::WorkOffset) {
         number = on_increment(number, state_->is_length(indices.second)) /

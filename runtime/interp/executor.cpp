@@ -44,7 +44,8 @@ Executor::Executor(const nc::Dialect& dialect, const machine::Machine& machine,
       sink_(&sink),
       rules_(rules_of(dialect, sink)),
       program_(blocks, options.in_step ? 1 : kProgramBatch),
-      clocks_(machine) {
+      clocks_(machine),
+      carriers_(machine) {
     axes_.lower.fill(-std::numeric_limits<double>::infinity());
     axes_.upper.fill(std::numeric_limits<double>::infinity());
     axes_.word_scale.fill(1);

@@ -5,14 +5,14 @@
 // motion.cpp (targets, lines, arcs, tool length, limits), circles.cpp, polar.cpp and angles.cpp
 // (what controls work out of other words), orienting.cpp, tool_words.cpp and tool_turns.cpp (the
 // machine's transformation, and how the tool turns under it), tilting.cpp and swivelling.cpp
-// (tilted planes), virtual_axes.cpp (faces and cylinders), cornering.cpp and compensating.cpp (what
-// the commands pass through), soft_moves.cpp (soft approaches and retracts), smoothing.cpp (rounded
-// corners, compressed lines), cycles.cpp (machining cycles), patterns.cpp (places at which a cycle
-// is called), panel.cpp and feed_words.cpp (how fast motions may be), shapes.cpp (cycles along a
-// shape that stands in the program), contours.cpp (contours that become tables), splines.cpp,
-// through_splines.cpp, polynomials.cpp, involutes.cpp and curves.cpp (other curves),
-// arc_threads.cpp (threads along arcs), numbered_spindles.cpp (several spindles), rare_words.cpp
-// and data_input.cpp (rarer words).
+// (tilted planes), carrier_words.cpp (tool carriers that are turned), virtual_axes.cpp (faces and
+// cylinders), cornering.cpp and compensating.cpp (what the commands pass through), soft_moves.cpp
+// (soft approaches and retracts), smoothing.cpp (rounded corners, compressed lines), cycles.cpp
+// (machining cycles), patterns.cpp (places at which a cycle is called), panel.cpp and
+// feed_words.cpp (how fast motions may be), shapes.cpp (cycles along a shape that stands in the
+// program), contours.cpp (contours that become tables), splines.cpp, through_splines.cpp,
+// polynomials.cpp, involutes.cpp and curves.cpp (other curves), arc_threads.cpp (threads along
+// arcs), numbered_spindles.cpp (several spindles), rare_words.cpp and data_input.cpp (rarer words).
 #pragma once
 
 #include <array>
@@ -40,6 +40,7 @@
 #include "interp/state.h"
 #include "interp/through_run.h"
 #include "interp/told_once.h"
+#include "interp/tool_carrier.h"
 #include "interp/tool_names.h"
 #include "interp/tool_offsets.h"
 #include "interp/work_area.h"
@@ -187,6 +188,9 @@ class Executor {
     std::int64_t named_tool(const nc::Block& block);
     void take_edge(const nc::Block& block);
     void check_edge(const nc::Block& block);
+    void choose_sum_offset(const nc::Block& block, const nc::Invocation& invocation,
+                           Actions& actions);
+    double sum_offset(std::size_t part) const;
     void change_tool(const nc::Block& block);
     void select_work_offset(const nc::Block& block, std::int64_t number);
     void change_plane(nc::Function plane);
@@ -399,6 +403,24 @@ class Executor {
     void end_swivel(const nc::Block& block);
     void frame_along_tool(const nc::Block& block, const nc::Invocation& invocation);
     void follow_tables(const nc::Block& block, bool is_wanted);
+    // carrier_words.cpp: tool carriers
+    void choose_carrier(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
+    bool takes_carrier(const nc::Block& block, const Actions& actions) const;
+    void take_carrier(const nc::Block& block);
+    std::optional<Carrier> standing_carrier(const nc::Block& block, const CarrierData& data);
+    void lay_on_carrier();
+    void end_carrier();
+    bool leave_carrier();
+    bool refuses_beside_carrier(const nc::Block& block, nc::Function function);
+    bool is_turned_by_carrier() const;
+    bool is_plane_on_carrier() const;
+    std::optional<double> carrier_quantity(nc::Quantity quantity, std::int64_t first,
+                                           std::int64_t second) const;
+    ControlState::Write set_carrier(nc::Quantity quantity, std::int64_t first, std::int64_t second,
+                                    double value);
+    std::optional<std::string> carrier_text(nc::Quantity quantity, std::int64_t number) const;
+    ControlState::Write set_carrier_text(nc::Quantity quantity, std::int64_t number,
+                                         std::string_view text);
     // virtual_axes.cpp: faces, cylinders and inclined slides
     void begin_virtual(const nc::Block& block, const nc::Invocation& invocation);
     void end_virtual(const nc::Block& block);
@@ -743,6 +765,8 @@ class Executor {
     bool is_master_away_ = false;          // another spindle has its place for a moment
     Tool tool_;
     ExtraTool extra_;
+    ToolCarriers carriers_;
+    ActiveCarrier carrier_;
     WorkArea area_;
     Polar polar_;
     Orienting orienting_;

@@ -199,6 +199,7 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::CompCornerPointed:
         case Function::CompCheckOn:
         case Function::CompCheckOff:
+        case Function::CompOpenEnd:
         case Function::CompAllowance:
         case Function::CompInPlane:
         case Function::CompInFrame:
@@ -289,8 +290,10 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
                 set_length_source(Tool::Source::Offset, actions);
             }
             break;
+        case Function::SumOffset: choose_sum_offset(block, invocation, actions); break;
         case Function::ToolEdge:
             tool_.edge_called = count_of(block, invocation);
+            if (block.find(Function::SumOffset) == nullptr) tool_.sum = 0;
             set_length_source(
                 count_of(block, invocation) == 0 ? Tool::Source::None : Tool::Source::Edge,
                 actions);
@@ -318,12 +321,16 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
             [[fallthrough]];
         case Function::TcpOn:
         case Function::TcpOff:
+            if (refuses_beside_carrier(block, invocation.function)) break;
             end_virtual(block);
             if (!ended_) switch_transformation(block, invocation);
             break;
         case Function::FaceOn:
         case Function::CylinderOn:
-        case Function::InclinedOn: begin_virtual(block, invocation); break;
+        case Function::InclinedOn:
+            if (!refuses_beside_carrier(block, invocation.function))
+                begin_virtual(block, invocation);
+            break;
         case Function::TurnPlane:
         case Function::TurnAxes:
         case Function::TurnSurface:
@@ -386,6 +393,10 @@ void Executor::apply_function(const Block& block, const Invocation& invocation, 
         case Function::TableFrameOff:
             follow_tables(block, invocation.function == Function::TableFrame);
             break;
+
+        case Function::ToolCarrier:
+        case Function::CarrierByData:
+        case Function::CarrierByFrame: choose_carrier(block, invocation, actions); break;
 
         case Function::SplineDegree: set_spline_degree(block, invocation); break;
         case Function::SplineWeight:  // beside the pole, in splines.cpp
@@ -550,6 +561,7 @@ void Executor::act_before_motion(const Block& block, const Actions& actions) {
     if (actions.data != nullptr) write_data(block, *actions.data);
     if (actions.tool_change) change_tool(block);
     if (tool_.edge_called != 0 && !ended_) take_edge(block);
+    if (!ended_ && takes_carrier(block, actions)) take_carrier(block);
     if (actions.comp_changed) act_on_comp(block, actions);
     if (actions.keeps_vector)
         send_comp({CompChange::Kind::KeepVector, {}, modal_.plane, 0, position_.base, {}, {}});

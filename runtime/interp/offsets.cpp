@@ -72,6 +72,8 @@ Write Executor::set_quantity(Quantity quantity, std::int64_t first, std::int64_t
         }
         case Quantity::ToolDatum:
             return set_tool_datum(first, second, value) ? Write::Done : Write::NoPlace;
+        case Quantity::CarrierDatum:
+        case Quantity::CarrierAxis: return set_carrier(quantity, first, second, value);
         case Quantity::FirstExtraLength: return set_extra(Quantity::ExtraLength, 1, value);
         case Quantity::ExtraLength:
         case Quantity::ExtraAlong:

@@ -12,6 +12,7 @@
 #include "nc/block.h"
 #include "path/command.h"
 #include "path/contour.h"
+#include "path/radius_comp.h"
 
 namespace kadr::interp {
 
@@ -103,6 +104,7 @@ struct Tool {
     bool has_changed = false;        // the length that should act has to be looked up
     std::int64_t radius_offset = 0;  // number of the radius offset for compensation
     std::int64_t edge = 1;           // of the tool in the spindle
+    std::int64_t sum = 0;            // number of the edge's sum offset; 0 none
     std::int64_t edge_called = 0;    // … that a block has said, for the tool that is selected
 
     path::Vec3 lengths = path::Vec3::Zero();  // in force along X, Y, Z, mm
@@ -129,6 +131,7 @@ struct RadiusCompState {
     nc::Function start = nc::Function::None;  // None: as the control begins
     nc::Function corner = nc::Function::None;
     bool has_check = false;
+    path::OpenEnd open_end = path::OpenEnd::None;
     std::optional<std::int64_t> feed;  // CompFeed by number; nothing: as the control begins
     double pointed = 0;                // of arcs about corners, percent
     double allowance = 0;              // mm

@@ -18,7 +18,7 @@ using path::Vec3;
 std::optional<SpaceCutter> Executor::face_cutter_now(const Block& block) {
     if (!comp_.acts_on_faces()) return std::nullopt;
     const std::int64_t number = comp_offset().value_or(0);
-    const auto found = face_cutter(tool_offsets_, number, extra_.radius);
+    const auto found = face_cutter(tool_offsets_, number, extra_.radius + sum_offset(4));
     if (!found) {
         report(diag::CompFaceTool, block, comp_.side)
             .arg(found.error() == FaceCutterFault::EdgeTooLarge

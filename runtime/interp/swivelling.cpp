@@ -218,6 +218,7 @@ bool Executor::retract_along_tool(const Block& block, std::optional<double> by) 
 
 /// The frames of the cycle go; no axis moves.
 void Executor::end_swivel(const Block& block) {
+    if (carrier_.stand) end_carrier();
     frames_.set_tool_frame(std::nullopt);
     end_tilt(block);
     frame_changed();
@@ -229,7 +230,9 @@ void Executor::frame_along_tool(const Block& block, const Invocation& invocation
     const auto axis = static_cast<Eigen::Index>(block.argument(invocation, 0)) - 1;
     if (axis < 0 || axis > 2) return;  // no form says it
     Vec3 tool = Vec3::UnitZ();
-    if (machine_.kinematics) {
+    if (carrier_.stand) {
+        tool = carrier_.stand->head() * tool;
+    } else if (machine_.kinematics) {
         const machine::Chain& chain = machine_.kinematics->chain;
         const Vec3 joints = joints_of(position_.base);
         tool = orienting_.is_on ? machine::tool_vector(chain, joints)
@@ -252,8 +255,13 @@ void Executor::frame_along_tool(const Block& block, const Invocation& invocation
 
 /// PAROT, PAROTOF.
 void Executor::follow_tables(const Block& block, bool is_wanted) {
-    if (is_wanted && !has_rotary_axes(block, Function::TableFrame)) return;
+    if (is_wanted && !carrier_.stand && !has_rotary_axes(block, Function::TableFrame)) return;
     tilting_.on_tables = is_wanted;
+    if (carrier_.stand) {
+        lay_on_carrier();
+        position_.programmed = position_.here;
+        return;
+    }
     if (tilting_.carries || orienting_.is_on) return;
     frames_.set_tables(
         is_wanted ? machine::table_frame(machine_.kinematics->chain, joints_of(position_.base))

@@ -396,6 +396,7 @@ Vec3 Executor::length_shift_of(const Vec3& lengths) const {
 void Executor::carry(const Block& block, const Vec3& joints) {
     if (!machine_.kinematics || orienting_.is_on) return;
     const AxisValues axes = machine_axes();
+    const bool had_carrier = leave_carrier();
     const Vec3 before = tilting_.carries ? tilting_.joints : Vec3(Vec3::Zero());
     const machine::Chain& chain = machine_.kinematics->chain;
     const bool tool_turns = !machine::tool_in_base(chain, before)
@@ -403,7 +404,7 @@ void Executor::carry(const Block& block, const Vec3& joints) {
     tilting_.carries = true;
     tilting_.joints = joints;
     frames_.set_tables(machine::table_frame(chain, joints));
-    stand_at(block, axes, tool_turns);
+    stand_at(block, axes, tool_turns || had_carrier);
 }
 
 void Executor::drop_carry(const Block& block) {

@@ -1,5 +1,6 @@
 // tool_change.cpp — which tool is called, and its change.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/diagnostics/control.h"
@@ -41,6 +42,32 @@ void Executor::check_edge(const Block& block) {
     if (std::ranges::find(told_.edges, number) != told_.edges.end()) return;
     told_.edges.push_back(number);
     report(diag::EdgeUnknown, block, Function::ToolEdge).arg(tool_.edge).arg(tool_.current);
+}
+
+/// DL. A new edge has none, and a tool that is changed; S 2.3 with MD20272 = 0 (unsure).
+void Executor::choose_sum_offset(const Block& block, const Invocation& invocation,
+                                 Actions& actions) {
+    constexpr std::int64_t kMost = 6;  // MD18110
+    tool_.sum = std::llround(block.argument(invocation, 0));
+    if (tool_.sum > kMost) {
+        report(diag::SumOffsetRange, block, invocation.function).arg(tool_.sum).arg(kMost);
+        return;
+    }
+    tool_.has_changed = true;
+    actions.length_changed = true;
+    actions.comp_changed |= comp_.side != Function::RadiusCompOff;
+}
+
+/// What the sum offset adds, mm: to length 1, 2 or 3 (part 1 to 3), or to the radius (4): wear by
+/// the place of use, and what was set up. As data of the edge they are $TC_SCP13 … and $TC_ECP13 …,
+/// ten further for each sum offset.
+double Executor::sum_offset(std::size_t part) const {
+    constexpr std::int64_t kWear = 300;
+    constexpr std::int64_t kSetUp = 400;
+    if (tool_.sum == 0 || tool_.source != Tool::Source::Edge) return 0;
+    const std::int64_t datum = 2 + 10 * tool_.sum + static_cast<std::int64_t>(part);
+    return tool_offsets_.datum(tool_.edge_number(), kWear + datum) +
+           tool_offsets_.datum(tool_.edge_number(), kSetUp + datum);
 }
 
 std::int64_t Executor::tool_number(const Block& block, const Invocation& invocation) {
@@ -86,6 +113,7 @@ void Executor::change_tool(const Block& block) {
         tool_.current = tool_.selected;
         tool_.edge = 1;
         extra_ = {};
+        if (block.find(Function::SumOffset) == nullptr) tool_.sum = 0;
         put(Op::Tool, block).tool = tool_.current;
     }
     if (rules_.tool_change_stops_spindle && !is_lathe_) {

@@ -42,7 +42,7 @@ Vec3 Executor::wanted_lengths() const {
     const std::int64_t number = tool_.source == Tool::Source::None ? 0 : tool_.length_number();
     if (number == 0) return lengths;
     const auto put = [&](Axis axis, std::size_t part) {
-        const double extra = extra_.lengths[static_cast<Eigen::Index>(part) - 1];
+        const double extra = extra_.lengths[static_cast<Eigen::Index>(part) - 1] + sum_offset(part);
         if ((axes_.present & bit(axis)) != 0)
             lengths[static_cast<Eigen::Index>(index(axis))] =
                 tool_offsets_.length(part, number) + extra;
@@ -64,6 +64,7 @@ Vec3 Executor::wanted_lengths() const {
         put(Axis::Z, 1);
     }
     lengths += extra_.along;
+    if (carrier_.stand) return carrier_.stand->length(lengths);
     const bool is_taken_off = tool_.source == Tool::Source::Offset && tool_.is_taken_off;
     return is_taken_off ? Vec3(-lengths) : lengths;
 }
@@ -130,8 +131,10 @@ Command& Executor::put_tool_length(const Block& block, Axis axis) {
     command.length = carried[chief];
     command.aside = carried;
     command.aside[chief] = 0;
-    command.is_swivelled = is_turned;
-    if (tilting_.turns > 0) command.direction = frames_.tilt().direction(Vec3::UnitZ());
+    command.is_swivelled = is_turned || carrier_.stand.has_value();
+    if (carrier_.stand) command.direction = carrier_.stand->head() * path::unit(axis);
+    if (tilting_.turns > 0)
+        command.direction = frames_.tilt().direction(Vec3::UnitZ());
     else if (tilting_.carries)
         command.direction = machine::tool_in_base(machine_.kinematics->chain, tilting_.joints);
     return command;

@@ -20,6 +20,7 @@ constexpr double kHardly = 1e-3;           // rad: … where the sides end at on
 constexpr double kNear = 10 * kSamePoint;  // mm: the joint of two sides, found as a crossing
 constexpr double kReversal = 1e-9;         // rad short of turning back
 constexpr double kCut = 5e-4;              // mm: half an increment is not a cut into the contour
+constexpr std::size_t kOpenSides = 3;      // that an end is looked for on; S 5.2 does not say
 constexpr int kChords = 64;                // of a conic where it is looked at for collisions
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -198,6 +199,12 @@ Beside side_beyond(const std::vector<Element>& way, std::size_t piece, double sh
     }
 }
 
+/// How far along an element a place on its curve is, from its start; of an arc 0 … 2π.
+double along(const Element& path, const Vec2& place) {
+    const double way = ahead(path, path.from, place);
+    return path.is_arc() && way < -kSmooth ? way + 2 * pi : way;
+}
+
 }  // namespace
 
 Vec2 conic_at(const CompPiece& piece, double u) {
@@ -227,7 +234,11 @@ std::optional<CompFault> RadiusComp::push(const Element& element, double distanc
         if (radius < kSamePoint) side.path.from = side.path.to = element.center;
     }
     if (!sides_.empty()) {
-        if (const auto fault = join(sides_.back(), side)) return fault;
+        if (const auto fault = join(sides_.back(), side)) {
+            const bool may_be_end = rules_.open_end != OpenEnd::None;
+            if (*fault != CompFault::NoIntersection || !may_be_end) return fault;
+            side.is_apart = true;
+        }
     }
     if (at_start != distance) {
         side.aside = left_of(start_direction(element)) * (at_start - distance);
@@ -235,15 +246,119 @@ std::optional<CompFault> RadiusComp::push(const Element& element, double distanc
         side.path.to -= side.aside;
     }
     sides_.push_back(std::move(side));
+    if (starts_open_) {
+        if (const auto fault = settle_start()) return fault;
+        if (starts_open_) return std::nullopt;  // what follows tells
+    }
     return settle();
+}
+
+bool RadiusComp::fits(const Side& side) {
+    return side.from + side.to <= extent(side.path) + kSamePoint;
+}
+
+std::optional<CompFault> RadiusComp::finish_open() {
+    if (rules_.open_end != OpenEnd::None && sides_.size() > 1) {
+        const Side& last = sides_.back();
+        if (!last.is_apart && fits(last) && fits(sides_[sides_.size() - 2])) return finish();
+        fault_at_ = last.index;
+        if (!leave_earlier()) return CompFault::Reversed;
+    }
+    return finish();
+}
+
+/// The last element ends beside the contour before it meets the one in front of it: the cutter
+/// leaves that one, or an earlier one, where it comes to the last one's lengthening.
+bool RadiusComp::leave_earlier() {
+    const Side& last = sides_.back();
+    const Vec2 end = last.path.to + last.aside;
+    const Vec2 direction = end_direction(last.contour);
+    const bool is_arc = rules_.open_end == OpenEnd::Arc;
+    const Curve longer = is_arc ? Curve{{}, {}, last.contour.to, std::abs(last.distance), true}
+                                : Curve{end, direction, {}, 0, false};
+    std::optional<std::size_t> leaves;
+    double to = 0;
+    for (std::size_t i = sides_.size() - 1; i-- > 0;) {
+        const Side& side = sides_[i];
+        const double whole = extent(side.path);
+        double first = whole + kSamePoint;
+        for (const Vec2& place : crossings_of(curve_at_end(side.path), longer)) {
+            const double way = along(side.path, place);
+            const bool is_ahead = is_arc || direction.dot(place - end) > -kSamePoint;
+            if (is_ahead && way >= side.from - kSamePoint && way < first) first = way;
+        }
+        if (first > whole) continue;
+        leaves = i;
+        to = whole - first;
+        if (!rules_.leaves_out) break;
+    }
+    if (!leaves) return false;
+    sides_.resize(*leaves + 1);
+    sides_.back().to = to;
+    return true;
+}
+
+/// The same at the start: the cutter comes to the newest element where it leaves the first one's
+/// lengthening.
+bool RadiusComp::begin_later(const Side& first) {
+    Side& side = sides_.back();
+    const Vec2 direction = start_direction(first.contour);
+    const bool is_arc = rules_.open_end == OpenEnd::Arc;
+    const Curve longer = is_arc ? Curve{{}, {}, first.contour.from, std::abs(first.distance), true}
+                                : Curve{first.path.from, direction, {}, 0, false};
+    const double whole = extent(side.path);
+    double latest = -1;
+    for (const Vec2& place : crossings_of(curve_at_start(side.path), longer)) {
+        const double way = along(side.path, place);
+        const bool is_behind = is_arc || direction.dot(place - first.path.from) < kSamePoint;
+        if (is_behind && way >= -kSamePoint && way <= whole + kSamePoint)
+            latest = std::max(latest, way);
+    }
+    if (latest < 0) return false;
+    side.from = std::clamp(latest, 0.0, whole);
+    side.before.clear();
+    side.is_apart = false;
+    return true;
+}
+
+/// Behind the newest element: whether the first one stays, or is left out. Of two elements that do
+/// not meet the second one may be the last, and be left out itself.
+std::optional<CompFault> RadiusComp::settle_start() {
+    if (!left_out_) {
+        if (sides_.size() < 2) return std::nullopt;
+        if (sides_.size() == 2) {
+            const bool stays = !sides_[1].is_apart && fits(sides_[0]);
+            if (!stays && !begin_later(Side(sides_[0]))) return std::nullopt;
+            if (!stays) sides_.pop_front();
+            starts_open_ = false;
+            return std::nullopt;
+        }
+        left_out_ = std::move(sides_.front());
+        sides_.pop_front();
+        sides_.pop_front();
+        count_left_out_ = 1;
+    }
+    if (begin_later(*left_out_)) {
+        left_out_.reset();
+        starts_open_ = false;
+        return std::nullopt;
+    }
+    fault_at_ = left_out_->index;
+    if (++count_left_out_ >= kOpenSides) return CompFault::Reversed;
+    sides_.pop_back();
+    return std::nullopt;
 }
 
 std::optional<CompFault> RadiusComp::finish() {
     rounds_next_ = false;
+    const bool has_open_start = std::exchange(starts_open_, false) && sides_.size() > 1;
+    if (left_out_.has_value()) return CompFault::Reversed;
+    if (has_open_start && !fits(sides_.front())) return CompFault::Reversed;
     if (!sides_.empty()) {
         const Side& last = sides_.back();
         fault_at_ = last.index;
-        if (last.from + last.to > extent(last.path) + kSamePoint) return CompFault::Reversed;
+        if (last.is_apart) return CompFault::NoIntersection;
+        if (!fits(last)) return CompFault::Reversed;
         if (rules_.look_ahead > 1 && runs_into_earlier(sides_.size() - 1))
             return CompFault::Bottleneck;
     }
@@ -354,12 +469,13 @@ std::optional<CompFault> RadiusComp::settle() {
     if (sides_.size() >= 2) {
         const Side& done = sides_[sides_.size() - 2];
         fault_at_ = done.index;
-        const bool is_reversed = done.from + done.to > extent(done.path) + kSamePoint;
-        if (is_reversed && !leaves_out_reversed()) return CompFault::Reversed;
+        if (done.is_apart) return CompFault::NoIntersection;
+        if (!fits(done) && !leaves_out_reversed()) return CompFault::Reversed;
         if (rules_.look_ahead > 1 && runs_into_earlier(sides_.size() - 2))
             return CompFault::Bottleneck;
     }
-    release(rules_.look_ahead);
+    const bool has_open_ends = rules_.open_end != OpenEnd::None;
+    release(has_open_ends ? std::max(rules_.look_ahead, kOpenSides) : rules_.look_ahead);
     return std::nullopt;
 }
 

@@ -24,6 +24,11 @@ enum class OutsideCorner : std::uint8_t {
     Square,        // both sides are extended by the cutter's radius, and a line joins them
 };
 
+/// How the first or the last element is lengthened to meet another one, if it ends beside the
+/// contour before it does: by the circle of the cutter's radius about the contour's end there, or
+/// by its tangent. The cutter then comes to that other element, or leaves it, where they meet.
+enum class OpenEnd : std::uint8_t { None, Arc, Line };
+
 struct CompRules {
     OutsideCorner outside = OutsideCorner::Arc;
     /// How far the middle of such an arc is moved towards where both sides would meet, 0 … 1: an
@@ -39,6 +44,7 @@ struct CompRules {
     /// an earlier one is a fault.
     std::size_t look_ahead = 1;
     bool leaves_out = false;  // an element that the cutter cannot enter; needs a look-ahead of 2
+    OpenEnd open_end = OpenEnd::None;
 };
 
 enum class CompFault : std::uint8_t {
@@ -80,8 +86,12 @@ class RadiusComp {
     /// The corner in front of the next element gets an arc about it whatever the rules say; at one
     /// that closes, where that would cut into the contour, it is a bottleneck.
     void round_next_corner() { rounds_next_ = true; }
+    /// The next element is the first one; where it does not fit, the rules' open end counts.
+    void begin_open() { starts_open_ = true; }
     /// No further element: the cutter ends on the normal at the end of the last one.
     std::optional<CompFault> finish();
+    /// … and where the last element does not fit, by the rules' open end.
+    std::optional<CompFault> finish_open();
     /// … or where the side meets the one beside a line from there in this direction, be it shorter
     /// or longer for that; on the normal where they do not meet.
     std::optional<CompFault> finish_towards(const Vec2& direction);
@@ -103,6 +113,7 @@ class RadiusComp {
         double to = 0;    // … below zero where it is extended
         std::size_t index = 0;
         std::vector<CompPiece> before;  // inserted in front of it
+        bool is_apart = false;          // it does not meet the one before it, anywhere
     };
 
     std::optional<CompFault> join(Side& a, Side& b);
@@ -117,11 +128,18 @@ class RadiusComp {
     static Element path_of(const Side& side);
     static std::vector<Element> way_of(const Side& side);
     void release(std::size_t kept);
+    static bool fits(const Side& side);
+    bool leave_earlier();
+    bool begin_later(const Side& first);
+    std::optional<CompFault> settle_start();
 
     CompRules rules_;
     std::deque<Side> sides_;
     std::size_t fault_at_ = 0;
     bool rounds_next_ = false;
+    bool starts_open_ = false;        // the first of `sides_` may be left out
+    std::optional<Side> left_out_;    // … and has been: the elements from there on
+    std::size_t count_left_out_ = 0;  // do not reach the way to the contour
     std::vector<CompPiece> pieces_;
 };
 

@@ -365,6 +365,102 @@ TEST(RadiusComp, BoresWithThreeDecimals) {
     }
 }
 
+// ---------------------------------------------------------------- ends that are too short
+
+/// A contour whose first and last element may be left out.
+Outcome compensate_open(const Contour& contour, double distance, const CompRules& rules) {
+    Outcome outcome;
+    RadiusComp comp(rules);
+    comp.begin_open();
+    for (std::size_t i = 0; i < contour.size() && !outcome.fault; ++i)
+        outcome.fault = comp.push(contour[i], distance, i + 1);
+    if (!outcome.fault) outcome.fault = comp.finish_open();
+    outcome.pieces = comp.pieces();
+    return outcome;
+}
+
+TEST(RadiusComp, AShortEndIsLengthened) {
+    // Beside the first 5 mm there is no room for a radius of 10: to the circle about their start it
+    // is sqrt(100 − 25), to their line 10. The same at the end.
+    const Contour contour = chain({{50, 5}, {50, 0}, {0, 0}, {0, 5}});
+    const auto ends = [&](OpenEnd kind) {
+        const Outcome outcome = compensate_open(contour, -10, {.open_end = kind});
+        EXPECT_FALSE(outcome.fault);
+        EXPECT_EQ(outcome.pieces.size(), 1U);
+        const Element& only = outcome.pieces.front().element;
+        EXPECT_EQ(outcome.pieces.front().index, 2U);
+        EXPECT_NEAR(only.from.y(), 10, 1e-9);
+        EXPECT_NEAR(only.from.x() + only.to.x(), 50, 1e-9);
+        return only.to.x();
+    };
+    EXPECT_NEAR(ends(OpenEnd::Arc), std::sqrt(75.0), 1e-9);
+    EXPECT_NEAR(ends(OpenEnd::Line), 10, 1e-9);
+    EXPECT_TRUE(compensate_open(contour, -10, {}).fault);
+    // Where there is room nothing is left out.
+    for (const OpenEnd kind : {OpenEnd::Arc, OpenEnd::Line}) {
+        const Contour roomy = chain({{50, 15}, {50, 0}, {0, 0}, {0, 15}});
+        EXPECT_EQ(compensate_open(roomy, -10, {.open_end = kind}).pieces.size(), 3U);
+    }
+    // In the middle of the contour a short element is what it ever was.
+    const Contour step = chain({{50, 30}, {50, 5}, {45, 5}, {45, 30}, {0, 30}});
+    EXPECT_EQ(compensate_open(step, -10, {.open_end = OpenEnd::Arc}).fault, CompFault::Reversed);
+}
+
+TEST(RadiusComp, AShortArcAtTheEnd) {
+    // Beside the line the cutter's centre is at the height 3; beside the arc of radius 4 about
+    // (26,0) on a circle of 1, which never comes there. The circle about the arc's end does, at
+    // sqrt(9 − (3 − 4·sin 10°)²) before it.
+    const double angle = 10 * pi / 180;
+    const Vec2 end(26 + 4 * std::cos(angle), 4 * std::sin(angle));
+    Contour contour = chain({{0, 0}, {30, 0}});
+    contour.push_back(arc_element({30, 0}, end, {26, 0}, false));
+    EXPECT_EQ(compensate(contour, 3, {}, false).fault, CompFault::NoIntersection);
+    const Outcome outcome = compensate_open(contour, 3, {.open_end = OpenEnd::Arc});
+    ASSERT_FALSE(outcome.fault);
+    ASSERT_EQ(outcome.pieces.size(), 1U);
+    const double up = 3 - end.y();
+    const Vec2 expected(end.x() - std::sqrt(9 - up * up), 3);
+    EXPECT_LT((outcome.pieces[0].element.to - expected).norm(), 1e-9);
+    EXPECT_GT(least_distance(outcome.pieces, contour), 3 - 1e-9);
+}
+
+/// On random contours with short ends the cutter that leaves one element out does not cut into it,
+/// nor into any other.
+TEST(RadiusComp, LeavesOutShortEndsAndCutsNothing) {
+    std::map<std::size_t, int> paths;  // by the number of elements that were left out
+    for (std::uint32_t seed = 1; seed <= 20000; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(seed);
+        Contour contour = any_contour(dice);
+        const double distance = test::any_distance(dice);
+        if (!is_simple(contour)) continue;
+        contour.front() = part(contour.front(), 1 - dice.between(0.01, 0.3), 1);
+        contour.back() = part(contour.back(), 0, dice.between(0.01, 0.3));
+        CompRules rules;
+        rules.open_end = dice.below(3) == 0 ? OpenEnd::Line : OpenEnd::Arc;
+        rules.look_ahead = contour.size();
+        const Outcome plain = compensate(contour, distance, rules, false);
+        const Outcome outcome = compensate_open(contour, distance, rules);
+        if (!plain.fault) {
+            ASSERT_FALSE(outcome.fault);
+            EXPECT_EQ(outcome.pieces.size(), plain.pieces.size()) << "nothing to be left out";
+            continue;
+        }
+        if (outcome.fault) continue;
+        std::size_t kept = 0;
+        for (const CompPiece& piece : outcome.pieces) kept += piece.is_inserted ? 0 : 1;
+        const std::size_t left_out = contour.size() - kept;
+        ++paths[left_out];
+        if (left_out > 2) continue;
+        const double cut = std::abs(distance) - least_distance(outcome.pieces, contour);
+        EXPECT_LT(cut, 1e-3) << left_out;
+    }
+    for (const auto& [count, times] : paths)
+        std::printf("%d paths with %zu elements left out\n", times, count);
+    EXPECT_GT(paths[1], 20);
+    EXPECT_GT(paths[2], 0);
+}
+
 /// Whether the cutter can touch the element anywhere without cutting into the contour elsewhere.
 bool is_reachable(const Contour& contour, const Element& element, double distance) {
     constexpr int kPoints = 400;

@@ -1,0 +1,237 @@
+// carrier_words.cpp — tool carriers in a program: TCARR, TCOABS and TCOFR, their data, and what the
+// program can ask of the one that acts. S 7.1.
+//
+// A carrier is part of the tool's length: what it makes of the lengths acts along each axis with
+// that axis' next motion, as another tool does, and no rotary axis moves. What a table has done to
+// the workpiece's zero is the frame of the tables; PAROT turns that frame along.
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "base/diagnostics/iso.h"
+#include "base/diagnostics/orienting.h"
+#include "base/units.h"
+#include "interp/executor.h"
+#include "machine/tilted_plane.h"
+
+namespace kadr::interp {
+
+using nc::Block;
+using nc::Function;
+using nc::Invocation;
+using nc::Quantity;
+using path::Vec3;
+using Write = ControlState::Write;
+
+namespace {
+
+constexpr std::size_t kFirstAngle = 13;
+
+bool is_carrier_number(std::int64_t number) {
+    return number >= 1 && number <= ToolCarriers::kMostCarriers;
+}
+
+/// What can be read of a carrier; one that nobody has written has no vectors and no angles.
+const CarrierData& data_or_none(const ToolCarriers& carriers, std::int64_t number) {
+    static const CarrierData none;
+    const CarrierData* const data = carriers.find(number);
+    return data == nullptr ? none : *data;
+}
+
+/// Which of the three names of a carrier a quantity is.
+std::size_t name_place(Quantity quantity) {
+    return quantity == Quantity::CarrierName ? 0 : quantity == Quantity::CarrierFirstName ? 1 : 2;
+}
+
+}  // namespace
+
+void Executor::choose_carrier(const Block& block, const Invocation& invocation, Actions& actions) {
+    switch (invocation.function) {
+        case Function::ToolCarrier:
+            carrier_.number = std::llround(block.argument(invocation, 0));
+            break;
+        case Function::CarrierByFrame:
+            carrier_.frame_axis = static_cast<int>(block.argument(invocation, 0));
+            break;
+        default: carrier_.frame_axis = 0;
+    }
+    actions.says_carrier = true;
+}
+
+/// Whether the carrier has to be worked out anew: it, its angles, or a tool on it is said.
+bool Executor::takes_carrier(const Block& block, const Actions& actions) const {
+    if (actions.says_carrier)
+        return carrier_.number != 0 || carrier_.stand || block.find(Function::ToolCarrier);
+    return carrier_.stand && (actions.tool_change || block.find(Function::ToolEdge) != nullptr);
+}
+
+void Executor::take_carrier(const Block& block) {
+    const Function word =
+        block.find(Function::ToolCarrier) != nullptr ? Function::ToolCarrier : Function::None;
+    if (carrier_.number == 0) {
+        if (carrier_.stand) end_carrier();
+        drop_carry(block);
+        return;
+    }
+    if (orienting_.is_on || virtual_.axes.is_on()) {
+        report(diag::IsoNotSupported, block, word).arg("a tool carrier under a transformation");
+        return;
+    }
+    const bool ends_comp = block.find(Function::RadiusCompOff) != nullptr;
+    if (comp_.side != Function::RadiusCompOff && word != Function::None && !ends_comp) {
+        report(diag::CarrierCompensated, block, word);
+        return;
+    }
+    const CarrierData* const data = carriers_.find(carrier_.number);
+    if (data == nullptr) {
+        report(diag::CarrierUnknown, block, word).arg(carrier_.number);
+        return;
+    }
+    const std::optional<Carrier> stand = standing_carrier(block, *data);
+    if (!stand) return;
+    drop_carry(block);
+    carrier_.stand = stand;
+    lay_on_carrier();
+    tool_.has_changed = true;
+}
+
+/// The carrier with the angles that its data, the axes or the frame say; nothing: it was reported.
+std::optional<Carrier> Executor::standing_carrier(const Block& block, const CarrierData& data) {
+    std::optional<Carrier> carrier = carrier_of(data);
+    if (!carrier) {
+        report(diag::CarrierKindUnknown, block).arg(data.kind);
+        return std::nullopt;
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto& axis = data.axes[i];
+        const bool is_led = axis && (axes_.present & bit(*axis)) != 0;
+        carrier->angles[i] =
+            rad_from_deg(is_led ? position_.base[index(*axis)] : data.values[kFirstAngle + i]);
+    }
+    if (carrier_.frame_axis == 0) return carrier;
+    CarrierQuery query;
+    query.tool = Vec3::Unit(carrier_.frame_axis - 1);
+    // As the frame lies on a table that is not turned.
+    query.frame =
+        (frames_.tables().linear.transpose() * frames_.total().direction(query.tool)).normalized();
+    query.near = carrier->angles;
+    const auto aligned = laid_along(*carrier, data, query);
+    if (aligned) return *aligned;
+    report(diag::CarrierUnreachable, block)
+        .arg(carrier_.number)
+        .arg(aligned.error() == CarrierFault::Limits ? "the limits of its axes forbid it"
+                                                     : "its axes do not lead there");
+    return std::nullopt;
+}
+
+/// Frames lie on the carrier's table; no axis moves.
+void Executor::lay_on_carrier() {
+    path::Frame tables = path::translation(carrier_.stand->table_shift());
+    if (tilting_.on_tables) tables.linear = carrier_.stand->table();
+    frames_.set_tables(tables);
+    frame_changed();
+}
+
+void Executor::end_carrier() {
+    carrier_.number = 0;
+    carrier_.stand.reset();
+    frames_.set_tables(
+        tilting_.on_tables && machine_.kinematics
+            ? machine::table_frame(machine_.kinematics->chain, joints_of(position_.base))
+            : path::Frame{});
+    frame_changed();
+    tool_.has_changed = true;
+}
+
+/// The plane that is being swivelled to has its own: the lengths are those of the tool again.
+/// False: no carrier acted.
+bool Executor::leave_carrier() {
+    if (!carrier_.stand) return false;
+    carrier_.number = 0;
+    carrier_.stand.reset();
+    tool_.lengths = wanted_lengths();
+    return true;
+}
+
+/// Whether a transformation is switched on beside a carrier; it was reported then.
+bool Executor::refuses_beside_carrier(const Block& block, Function function) {
+    if (!carrier_.stand || function == Function::TcpOff) return false;
+    report(diag::IsoNotSupported, block, function).arg("a transformation beside a tool carrier");
+    return true;
+}
+
+/// Whether a carrier has turned the tool.
+bool Executor::is_turned_by_carrier() const {
+    return carrier_.stand && !carrier_.stand->head().isApprox(path::Mat3::Identity(), 1e-12);
+}
+
+/// … and the working plane of the program is square to it.
+bool Executor::is_plane_on_carrier() const {
+    const Vec3 normal = path::unit(path::axes_of(modal_.plane).normal);
+    const Vec3 tool = carrier_.stand->head() * normal;
+    constexpr double kSame = 1e-6;  // rad: angles are written with some four decimals of a degree
+    return tool.cross(frames_.total().direction(normal).normalized()).norm() < kSame;
+}
+
+// ------------------------------------------------------------------------------ data
+
+std::optional<double> Executor::carrier_quantity(Quantity quantity, std::int64_t first,
+                                                 std::int64_t second) const {
+    const auto& stand = carrier_.stand;
+    switch (quantity) {
+        case Quantity::ActiveCarrier: return static_cast<double>(stand ? carrier_.number : 0);
+        case Quantity::CarrierSolutions: return stand ? stand->solutions : 0;
+        case Quantity::CarrierAngle:
+        case Quantity::CarrierLeftOver: {
+            if (first < 1 || first > 2) return std::nullopt;
+            if (!stand) return 0;
+            const auto i = static_cast<std::size_t>(first) - 1;
+            return deg_from_rad(quantity == Quantity::CarrierAngle ? stand->angles[i]
+                                                                   : stand->left_over[i]);
+        }
+        default: break;
+    }
+    if (!is_carrier_number(first)) return std::nullopt;
+    const CarrierData& data = data_or_none(carriers_, first);
+    const auto datum = static_cast<std::size_t>(second / nc::kDatum);
+    if (quantity == Quantity::CarrierDatum) return data.values.at(datum);
+    const auto& axis = data.axes.at(datum - 1);
+    return axis ? -1.0 - static_cast<double>(index(*axis)) : 0.0;
+}
+
+/// What of a carrier that acts is written counts from its next call on. `$TC_CARR1[0]=0` forgets
+/// all carriers.
+Write Executor::set_carrier(Quantity quantity, std::int64_t first, std::int64_t second,
+                            double value) {
+    const auto datum = static_cast<std::size_t>(second / nc::kDatum);
+    const bool forgets = quantity == Quantity::CarrierDatum && datum == 1 && value == 0;
+    if (first == 0 && forgets) {
+        carriers_.clear();
+        return Write::Done;
+    }
+    if (!is_carrier_number(first)) return Write::NoPlace;
+    CarrierData& data = carriers_.at(first);
+    if (quantity == Quantity::CarrierDatum) {
+        data.values.at(datum) = value;
+        return Write::Done;
+    }
+    auto& axis = data.axes.at(datum - 1);
+    if (value == 0) axis.reset();
+    else axis = static_cast<Axis>(static_cast<int>(-value) - 1);
+    return Write::Done;
+}
+
+std::optional<std::string> Executor::carrier_text(Quantity quantity, std::int64_t number) const {
+    if (!is_carrier_number(number)) return std::nullopt;
+    const CarrierData& data = data_or_none(carriers_, number);
+    return quantity == Quantity::CarrierKind ? data.kind : data.names[name_place(quantity)];
+}
+
+Write Executor::set_carrier_text(Quantity quantity, std::int64_t number, std::string_view text) {
+    if (!is_carrier_number(number)) return Write::NoPlace;
+    CarrierData& data = carriers_.at(number);
+    (quantity == Quantity::CarrierKind ? data.kind : data.names[name_place(quantity)]) = text;
+    return Write::Done;
+}
+
+}  // namespace kadr::interp
