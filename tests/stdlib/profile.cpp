@@ -127,7 +127,7 @@ void Profile::cut(const std::vector<json>& commands, const ProfileView& view,
         has_position_ = true;
         x_ = x;
         z_ = z;
-        if (op == "rapid" && !is_single && !is_first)
+        if (op == "rapid" && !is_single && !is_first && !tool.rapids_in_both)
             faults_.push_back("rapid in two axes: " + command.dump());
         std::vector<ProfilePoint> points;
         if (op == "arc") {

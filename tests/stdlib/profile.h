@@ -45,9 +45,10 @@ struct ProfileView {
 
 /// A tool of which the tip is programmed that both axes touch; of a grooving tool the left corner.
 struct TurningTool {
-    double nose = 0;      // radius
-    double back_deg = 0;  // how steeply its back rises
-    double width = 0;     // of a grooving tool
+    double nose = 0;              // radius
+    double back_deg = 0;          // how steeply its back rises
+    double width = 0;             // of a grooving tool
+    bool rapids_in_both = false;  // the cycle moves both axes at once at rapid
 };
 
 class Profile {

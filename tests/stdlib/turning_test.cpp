@@ -323,7 +323,7 @@ void expect_removed(const Roughing& r, bool is_complete) {
     const CycleRun run = run_text(text, "iso", "lathe");
     ASSERT_EQ(run.status, 0) << run.error;
     Profile part = rough_part(r);
-    part.cut(run.commands, r.view, {r.nose, 89});
+    part.cut(run.commands, r.view, {r.nose, 89, 0, true});
     expect_clean(part);
     if (r.nose == 0 && !is_complete) {
         EXPECT_LE(part.deepest_cut(), r.step + kExact);
@@ -333,8 +333,7 @@ void expect_removed(const Roughing& r, bool is_complete) {
     const std::vector<double> kept = part.kept(r.shape, allowance, more_h, more_t, r.nose);
     const double t_low = r.shape.end().t + allowance + more_t + 2 * r.nose + 0.05;
     const double t_high = std::min(r.shape.start.t - allowance - r.nose, r.rough_t) - 0.05;
-    const double rest = r.is_along || is_complete ? 0 : r.step + r.nose;
-    expect_between(part, kept, t_low, t_high, r.rough_h, rest);
+    expect_between(part, kept, t_low, t_high, r.rough_h, 0);
 }
 
 TEST(ControlTurning, StockRemoval) {
