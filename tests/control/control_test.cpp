@@ -48,6 +48,7 @@
 #include "driver/cycles.h"
 #include "driver/program_files.h"
 #include "driver/session.h"
+#include "interp/line_watch.h"
 #include "interp/program.h"
 #include "tests/control/control_machines.h"
 
@@ -323,6 +324,14 @@ CycleExpander* cycles_of(const nc::Dialect& dialect) {
     return cycles.get();
 }
 
+/// Looks on from the first line to the last one, as a trace does.
+class LooksOn final : public LineWatch {
+  public:
+    bool comes_to(const WatchedLine&) override { return true; }
+};
+
+/// can_seek  the text can be read again. One that cannot is watched line by line, and each change
+///           of a variable is noted: who looks on changes nothing.
 Outcome run_program(const nc::Dialect& dialect, const std::string& text, const Expected& expected,
                     const fs::path& folder, bool can_seek) {
     const machine::Machine machine = machine_named(expected.machine, is_of_lathe(dialect));
@@ -345,6 +354,9 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
     Interpreter interpreter(dialect, machine, program, &program, cycles_of(dialect), interpreting,
                             messages);
     program.follow(interpreter);
+    LooksOn watch;
+    std::vector<VariableChange> changes;
+    if (!can_seek) program.show_to(&watch, &changes);
     std::vector<path::Command> batch(5);
     while (const std::size_t count = interpreter.pull(batch)) {
         for (const path::Command& command : std::span(batch).first(count)) {
@@ -729,7 +741,7 @@ TEST_P(Control, DoesWhatTheManualSays) {
     EXPECT_TRUE(expected.has_rule) << "the file names no rule";
     const nc::Dialect& dialect = dialect_named(GetParam().dialect);
     for (const bool can_seek : {true, false}) {
-        SCOPED_TRACE(can_seek ? "from a file" : "through a pipe");
+        SCOPED_TRACE(can_seek ? "from a file" : "through a pipe, with a trace");
         check(expected, run_program(dialect, text, expected, file.parent_path(), can_seek),
               expected.machine == "lathe" || is_of_lathe(dialect));
     }
